@@ -1,0 +1,3 @@
+//! The `striata` command.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! Bytes: the `.striata` container and its sections.

@@ -1,0 +1,13 @@
+//! Continuous level of detail for triangle meshes.
+//!
+//! The stages of the pipeline are folders, and arrows point one way (right uses left):
+//! `mesh <- simplify`; `mesh <- strip <- model <- codec`.
+
+pub mod codec;
+pub mod mesh;
+pub mod model;
+mod progress;
+pub mod simplify;
+pub mod strip;
+
+pub use progress::{Cancelled, Progress, ProgressFn, ignore_progress};

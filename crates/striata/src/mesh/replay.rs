@@ -1,0 +1,78 @@
+//! The oracle: a level by plain substitution of vertices, triangle by triangle.
+//!
+//! Every model must show the same oriented triangles as [`replay`] at every split count. It is slow on
+//! purpose (each corner follows its targets) and short enough to be right.
+
+use super::{IndexedMesh, RefinableMesh, TriangleGroup};
+
+/// The level of `refinable` after `split_count` vertex splits, as a mesh of its own.
+///
+/// Vertices are the first so many of the full mesh, triangles keep their order and their groups; triangles
+/// that have lost a corner are gone.
+///
+/// # Panics
+/// If `split_count` exceeds the step count.
+pub fn replay(refinable: &RefinableMesh, split_count: usize) -> IndexedMesh {
+    let vertex_count = refinable.sequence.vertex_count_at(split_count);
+    let order: Vec<u32> = (0..vertex_count as u32).collect();
+    let full = &refinable.mesh;
+    let mut level = IndexedMesh {
+        positions: full.positions[..vertex_count].to_vec(),
+        triangles: Vec::new(),
+        layers: full.layers.iter().map(|layer| layer.gather(&order)).collect(),
+        groups: Vec::new(),
+        appearance: full.appearance.clone(),
+    };
+    if full.groups.is_empty() {
+        replay_into(refinable, split_count, &full.triangles, &mut level.triangles);
+        return level;
+    }
+    for group in &full.groups {
+        let first = level.triangles.len() as u32;
+        replay_into(refinable, split_count, &full.triangles[group.range()], &mut level.triangles);
+        level.groups.push(TriangleGroup {
+            first,
+            count: level.triangles.len() as u32 - first,
+            ..group.clone()
+        });
+    }
+    level
+}
+
+/// Appends what is left of `triangles` at `split_count` to `out`.
+///
+/// # Panics
+/// If `split_count` exceeds the step count.
+pub fn replay_into(
+    refinable: &RefinableMesh,
+    split_count: usize,
+    triangles: &[[u32; 3]],
+    out: &mut Vec<[u32; 3]>,
+) {
+    let sequence = &refinable.sequence;
+    let vertex_count = sequence.vertex_count_at(split_count) as u32;
+    let shown = |mut v: u32| {
+        while v >= vertex_count {
+            v = sequence.target(v);
+        }
+        v
+    };
+    out.extend(triangles.iter().map(|t| t.map(shown)).filter(|&[a, b, c]| a != b && b != c && c != a));
+}
+
+/// Triangles turned so that the smallest index comes first, then sorted: equal lists are equal multisets
+/// of oriented triangles.
+pub fn canonical_triangles(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    let turned = |[a, b, c]: [u32; 3]| {
+        if a <= b && a <= c {
+            [a, b, c]
+        } else if b <= a && b <= c {
+            [b, c, a]
+        } else {
+            [c, a, b]
+        }
+    };
+    let mut out: Vec<_> = triangles.iter().map(|&t| turned(t)).collect();
+    out.sort_unstable();
+    out
+}

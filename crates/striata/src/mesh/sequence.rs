@@ -1,0 +1,288 @@
+//! The simplification sequence that every model is built from.
+//!
+//! A mesh of [`RefinableMesh`] is numbered in **refinement order**: the base mesh's positions first, then each
+//! position in the order in which refinement brings it back. A mesh refined by `split_count` vertex splits
+//! therefore uses a prefix of the vertices, and the sequence needs to store only where each vertex
+//! collapses to, its **target**, which always has a smaller number.
+//!
+//! ```text
+//! positions   0 1 2 .. base-1 | base  base+1  ..  base+step_count-1
+//! step                        |  0      1             step_count-1
+//! split_count 0 shows the base; split_count n shows positions 0 .. base+n
+//! ```
+
+use super::{IndexedMesh, PositionIndex};
+
+/// What makes the arrays of a sequence inconsistent.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SequenceError {
+    /// An array's length does not fit the others.
+    #[error("the sequence holds {found} {what}, expected {expected}")]
+    Length {
+        /// Which array.
+        what: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length that fits.
+        expected: usize,
+    },
+    /// The first vertices of the positions do not rise from 0 to the vertex count.
+    #[error("position {position} begins at vertex {first}, which is out of order")]
+    PositionOrder {
+        /// The position.
+        position: usize,
+        /// Its first vertex.
+        first: u32,
+    },
+    /// A vertex collapses to one that is not older than its own position.
+    #[error("vertex {vertex} collapses to {target}, but only vertices below {limit} are there")]
+    Target {
+        /// The vertex.
+        vertex: usize,
+        /// Its target.
+        target: u32,
+        /// First vertex of its position.
+        limit: u32,
+    },
+    /// The wedges of one position collapse to different positions.
+    #[error("vertex {vertex} collapses to position {found}, its neighbour wedge to {expected}")]
+    SplitTarget {
+        /// The vertex.
+        vertex: usize,
+        /// Position that it collapses to.
+        found: u32,
+        /// Position that the first wedge collapses to.
+        expected: u32,
+    },
+    /// An error is negative, not a number, or grows with detail.
+    #[error("step {step} carries the error {error}, after {previous}")]
+    Error {
+        /// The step.
+        step: usize,
+        /// Its error.
+        error: f32,
+        /// The error of the step before.
+        previous: f32,
+    },
+    /// The counts of removed triangles do not lead from the full mesh to a base mesh.
+    #[error("the steps remove {removed} triangles of {triangle_count}")]
+    TriangleCount {
+        /// Triangles that all steps remove.
+        removed: u64,
+        /// Triangles of the full mesh.
+        triangle_count: usize,
+    },
+}
+
+/// The arrays of a [`CollapseSequence`], as builders and files hand them over.
+#[derive(Clone, Debug)]
+pub struct SequenceParts {
+    /// First vertex of every position in refinement order, closed by the vertex count.
+    pub positions: PositionIndex,
+    /// Positions of the base mesh.
+    pub base_position_count: usize,
+    /// Target of every vertex from the base's vertex count on.
+    pub targets: Vec<u32>,
+    /// Error of the level at split count `s`, one for each step, mesh units; never rising.
+    pub errors: Vec<f32>,
+    /// Triangles that collapsing the position of step `s` removes.
+    pub removed_triangle_counts: Vec<u8>,
+    /// Triangles of the full mesh.
+    pub triangle_count: usize,
+}
+
+/// Where every position collapses to, in refinement order, with errors and triangle counts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CollapseSequence {
+    positions: PositionIndex,
+    base_position_count: usize,
+    targets: Vec<u32>,
+    errors: Vec<f32>,
+    removed_triangle_counts: Vec<u8>,
+    /// Triangles at split count `s`, `step_count + 1` of them.
+    triangle_counts: Vec<u32>,
+}
+
+impl CollapseSequence {
+    /// Checks the parts and puts them together.
+    ///
+    /// # Errors
+    /// [`SequenceError`] naming the first part that does not fit.
+    pub fn from_parts(parts: SequenceParts) -> Result<Self, SequenceError> {
+        let SequenceParts {
+            positions,
+            base_position_count,
+            targets,
+            errors,
+            removed_triangle_counts,
+            triangle_count,
+        } = parts;
+        let position_count = positions.position_count();
+        let length = |what, found, expected| {
+            if found == expected { Ok(()) } else { Err(SequenceError::Length { what, found, expected }) }
+        };
+        if base_position_count > position_count {
+            return Err(SequenceError::Length {
+                what: "base positions",
+                found: base_position_count,
+                expected: position_count,
+            });
+        }
+        let step_count = position_count - base_position_count;
+        let base_vertex_count = positions.first_vertices()[base_position_count] as usize;
+        length("targets", targets.len(), positions.vertex_count() - base_vertex_count)?;
+        length("errors", errors.len(), step_count)?;
+        length("triangle counts", removed_triangle_counts.len(), step_count)?;
+        check_targets(&positions, base_position_count, &targets)?;
+        check_errors(&errors)?;
+        let removed: u64 = removed_triangle_counts.iter().map(|&n| u64::from(n)).sum();
+        let Some(base_triangles) = (triangle_count as u64).checked_sub(removed) else {
+            return Err(SequenceError::TriangleCount { removed, triangle_count });
+        };
+        let mut triangle_counts = Vec::with_capacity(step_count + 1);
+        let mut count = base_triangles as u32;
+        triangle_counts.push(count);
+        for &n in &removed_triangle_counts {
+            count += u32::from(n);
+            triangle_counts.push(count);
+        }
+        Ok(Self { positions, base_position_count, targets, errors, removed_triangle_counts, triangle_counts })
+    }
+
+    /// Positions and their wedges.
+    pub fn positions(&self) -> &PositionIndex {
+        &self.positions
+    }
+
+    /// Steps from the base mesh to the full mesh.
+    pub fn step_count(&self) -> usize {
+        self.errors.len()
+    }
+
+    /// Positions of the base mesh.
+    pub fn base_position_count(&self) -> usize {
+        self.base_position_count
+    }
+
+    /// Vertices of the base mesh.
+    pub fn base_vertex_count(&self) -> usize {
+        self.vertex_count_at(0)
+    }
+
+    /// Vertices that a level shows: always the first so many of the vertex buffer.
+    ///
+    /// # Panics
+    /// If `split_count` exceeds the step count.
+    pub fn vertex_count_at(&self, split_count: usize) -> usize {
+        self.positions.first_vertices()[self.base_position_count + split_count] as usize
+    }
+
+    /// Triangles that a level shows.
+    ///
+    /// # Panics
+    /// If `split_count` exceeds the step count.
+    pub fn triangle_count_at(&self, split_count: usize) -> usize {
+        self.triangle_counts[split_count] as usize
+    }
+
+    /// Object-space error of a level, mesh units; 0 for the full mesh.
+    ///
+    /// # Panics
+    /// If `split_count` exceeds the step count.
+    pub fn error_at(&self, split_count: usize) -> f32 {
+        if split_count == self.errors.len() { 0.0 } else { self.errors[split_count] }
+    }
+
+    /// The vertices (wedges) that step `step` restores.
+    #[inline]
+    pub fn step_vertices(&self, step: usize) -> std::ops::Range<u32> {
+        self.positions.wedges((self.base_position_count + step) as u32)
+    }
+
+    /// The vertex that `vertex` becomes when its position is collapsed; itself for a vertex of the base.
+    #[inline]
+    pub fn target(&self, vertex: u32) -> u32 {
+        let base = self.positions.first_vertices()[self.base_position_count];
+        if vertex < base { vertex } else { self.targets[(vertex - base) as usize] }
+    }
+
+    /// Targets of the vertices from the base's vertex count on.
+    pub fn targets(&self) -> &[u32] {
+        &self.targets
+    }
+
+    /// Error of the level at each split count below the step count; never rising.
+    pub fn errors(&self) -> &[f32] {
+        &self.errors
+    }
+
+    /// Triangles that each step's collapse removes.
+    pub fn removed_triangle_counts(&self) -> &[u8] {
+        &self.removed_triangle_counts
+    }
+
+    /// The most detailed level with at most `triangle_count` triangles; the base if none has so few.
+    pub fn split_count_for_triangles(&self, triangle_count: usize) -> usize {
+        self.triangle_counts.partition_point(|&n| n as usize <= triangle_count).saturating_sub(1)
+    }
+
+    /// The most detailed level with at most `vertex_count` vertices; the base if none has so few.
+    pub fn split_count_for_vertices(&self, vertex_count: usize) -> usize {
+        let first = &self.positions.first_vertices()[self.base_position_count..];
+        first.partition_point(|&n| n as usize <= vertex_count).saturating_sub(1)
+    }
+
+    /// The coarsest level whose error is at most `error` mesh units.
+    pub fn split_count_for_error(&self, error: f64) -> usize {
+        self.errors.partition_point(|&e| f64::from(e) > error)
+    }
+
+    /// The level nearest to a detail of 0 (base) to 1 (full) that does not exceed it.
+    pub fn split_count_for_detail(&self, detail: f64) -> usize {
+        // The small term keeps `k / step_count` from rounding down to k - 1.
+        let exact = detail.clamp(0.0, 1.0) * self.step_count() as f64;
+        ((exact + 1e-9 * exact.max(1.0)) as usize).min(self.step_count())
+    }
+}
+
+fn check_targets(positions: &PositionIndex, base: usize, targets: &[u32]) -> Result<(), SequenceError> {
+    let base_vertex_count = positions.first_vertices()[base];
+    for position in base as u32..positions.position_count() as u32 {
+        let wedges = positions.wedges(position);
+        let limit = wedges.start;
+        let mut expected = None;
+        for vertex in wedges {
+            let target = targets[(vertex - base_vertex_count) as usize];
+            if target >= limit {
+                return Err(SequenceError::Target { vertex: vertex as usize, target, limit });
+            }
+            let found = positions.position_of(target);
+            if *expected.get_or_insert(found) != found {
+                let expected = expected.unwrap_or(found);
+                return Err(SequenceError::SplitTarget { vertex: vertex as usize, found, expected });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn check_errors(errors: &[f32]) -> Result<(), SequenceError> {
+    let mut previous = f32::INFINITY;
+    for (step, &error) in errors.iter().enumerate() {
+        if !(error >= 0.0 && error <= previous && error.is_finite()) {
+            return Err(SequenceError::Error { step, error, previous });
+        }
+        previous = error;
+    }
+    Ok(())
+}
+
+/// A mesh in refinement order with its sequence: all levels of detail at once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RefinableMesh {
+    /// The full mesh, vertices in refinement order, no unused vertices, no degenerate triangles.
+    pub mesh: IndexedMesh,
+    /// How it is simplified.
+    pub sequence: CollapseSequence,
+}

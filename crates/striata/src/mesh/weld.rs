@@ -1,0 +1,317 @@
+//! Welding: one vertex for equal vertices, wedges of one position side by side.
+//!
+//! Files repeat vertices (STL corner by corner, glTF per primitive). Two vertices are one when position,
+//! every layer and material agree bit for bit (with -0 equal to 0); they are wedges of one position when
+//! only the position agrees. Vertices that no triangle uses are dropped, and so are triangles
+//! with two corners at one position, which no picture shows. Time O(n) expected, memory O(n).
+
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
+
+use super::{IndexedMesh, MeshError, PositionIndex, TriangleGroup};
+
+/// The outcome of [`weld`].
+#[derive(Clone, Debug)]
+pub struct Welded {
+    /// The mesh: no unused, no repeated vertices, wedges of one position neighbours.
+    pub mesh: IndexedMesh,
+    /// Its positions.
+    pub positions: PositionIndex,
+    /// For each vertex, the vertex of the input that it was first seen as.
+    pub source_vertex: Vec<u32>,
+    /// Triangles dropped since two of their corners are at one position.
+    pub degenerate_triangle_count: usize,
+    /// Vertices that were merged into an equal one.
+    pub merged_vertex_count: usize,
+}
+
+/// Multiplies and folds: keys are already mixed words, a keyed hash would only cost time.
+#[derive(Default)]
+struct WordHasher(u64);
+
+impl Hasher for WordHasher {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+    fn write(&mut self, bytes: &[u8]) {
+        for chunk in bytes.chunks(8) {
+            let mut word = [0; 8];
+            word[..chunk.len()].copy_from_slice(chunk);
+            self.write_u64(u64::from_le_bytes(word));
+        }
+    }
+    fn write_u32(&mut self, word: u32) {
+        self.write_u64(u64::from(word));
+    }
+    fn write_u64(&mut self, word: u64) {
+        let mixed = (self.0 ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        self.0 = mixed ^ (mixed >> 29);
+    }
+}
+
+type WordMap<K, V> = HashMap<K, V, BuildHasherDefault<WordHasher>>;
+
+/// Welds equal vertices and groups wedges of one position.
+///
+/// # Errors
+/// [`MeshError`] where the mesh's parts do not fit together or a coordinate is not finite.
+pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
+    mesh.check()?;
+    let material_of = material_of_vertices(mesh);
+    let position_of = number_positions(&mesh.positions);
+    let mut triangles = Vec::with_capacity(mesh.triangles.len());
+    let groups = drop_degenerate(mesh, &position_of, &mut triangles);
+    let degenerate_triangle_count = mesh.triangles.len() - triangles.len();
+    let source = Source { mesh, position_of, material_of };
+    let vertices = number_vertices(&source, &mut triangles);
+    let (order, first) = order_by_position(&vertices.position);
+    let mut new_index = vec![0u32; order.len()];
+    for (new, &old) in order.iter().enumerate() {
+        new_index[old as usize] = new as u32;
+    }
+    let source_vertex: Vec<u32> = order.iter().map(|&v| vertices.source[v as usize]).collect();
+    let positions = PositionIndex::from_first(first);
+    let welded = IndexedMesh {
+        positions: source_vertex.iter().map(|&v| mesh.positions[v as usize].map(|x| x + 0.0)).collect(),
+        triangles: triangles.iter().map(|t| t.map(|v| new_index[v as usize])).collect(),
+        layers: mesh.layers.iter().map(|layer| layer.gather(&source_vertex)).collect(),
+        groups,
+        appearance: mesh.appearance.clone(),
+    };
+    Ok(Welded {
+        mesh: welded,
+        positions,
+        source_vertex,
+        degenerate_triangle_count,
+        merged_vertex_count: vertices.merged_count,
+    })
+}
+
+struct Source<'a> {
+    mesh: &'a IndexedMesh,
+    position_of: Vec<u32>,
+    /// Empty where all triangles share one material.
+    material_of: Vec<u32>,
+}
+
+/// The material of each triangle plus one, or nothing where there is only one.
+fn material_of_vertices(mesh: &IndexedMesh) -> Vec<u32> {
+    let mut materials = mesh.groups.iter().map(|g| g.material);
+    let first = materials.next();
+    if first.is_none() || materials.all(|m| Some(m) == first) {
+        return Vec::new();
+    }
+    let mut out = Vec::with_capacity(mesh.triangles.len());
+    for group in &mesh.groups {
+        out.extend(std::iter::repeat_n(group.material.map_or(0, |m| m + 1), group.count as usize));
+    }
+    out
+}
+
+/// Gives equal positions equal numbers; numbers rise with the first vertex that has them.
+fn number_positions(positions: &[[f32; 3]]) -> Vec<u32> {
+    let mut numbers: WordMap<[u32; 3], u32> = WordMap::default();
+    numbers.reserve(positions.len());
+    let mut next = 0;
+    positions
+        .iter()
+        .map(|p| {
+            // Adding zero turns -0 into 0, so that both weld.
+            let key = p.map(|x| (x + 0.0).to_bits());
+            *numbers.entry(key).or_insert_with(|| {
+                next += 1;
+                next - 1
+            })
+        })
+        .collect()
+}
+
+/// Copies the triangles with three different positions, and the groups with them.
+fn drop_degenerate(mesh: &IndexedMesh, position_of: &[u32], kept: &mut Vec<[u32; 3]>) -> Vec<TriangleGroup> {
+    let is_proper = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|v| position_of[v as usize]);
+        a != b && b != c && c != a
+    };
+    if mesh.groups.is_empty() {
+        kept.extend(mesh.triangles.iter().filter(|t| is_proper(t)));
+        return Vec::new();
+    }
+    let mut groups = Vec::with_capacity(mesh.groups.len());
+    for group in &mesh.groups {
+        let first = kept.len() as u32;
+        kept.extend(mesh.triangles[group.range()].iter().filter(|t| is_proper(t)));
+        groups.push(TriangleGroup { first, count: kept.len() as u32 - first, ..group.clone() });
+    }
+    groups
+}
+
+#[derive(Default)]
+struct Vertices {
+    /// Input vertex, by new vertex.
+    source: Vec<u32>,
+    /// Position, by new vertex.
+    position: Vec<u32>,
+    merged_count: usize,
+}
+
+/// Numbers the distinct vertices in the order of the input's vertices and renames the triangles' corners.
+///
+/// Vertices of one position are compared along a chain, so that no attribute is hashed.
+fn number_vertices(source: &Source<'_>, triangles: &mut [[u32; 3]]) -> Vertices {
+    const NONE: u32 = u32::MAX;
+    let has_materials = !source.material_of.is_empty();
+    // Pairs (input vertex, material) in order; without materials each vertex stands once.
+    let mut pair_of_vertex: WordMap<(u32, u32), u32> = WordMap::default();
+    let mut used = vec![false; source.mesh.positions.len()];
+    for &v in triangles.iter().flatten() {
+        used[v as usize] = true;
+    }
+    let position_count = source.position_of.iter().max().map_or(0, |&p| p as usize + 1);
+    let mut head = vec![NONE; position_count];
+    let mut next: Vec<u32> = Vec::new();
+    let mut material: Vec<u32> = Vec::new();
+    let mut out = Vertices::default();
+    let mut new_vertex = |v: u32, m: u32, out: &mut Vertices| -> u32 {
+        let position = source.position_of[v as usize];
+        let mut slot = head[position as usize];
+        let mut last = NONE;
+        while slot != NONE {
+            if material[slot as usize] == m
+                && same_attributes(source.mesh, v as usize, out.source[slot as usize] as usize)
+            {
+                out.merged_count += 1;
+                return slot;
+            }
+            last = slot;
+            slot = next[slot as usize];
+        }
+        let new = out.source.len() as u32;
+        if last == NONE {
+            head[position as usize] = new;
+        } else {
+            next[last as usize] = new;
+        }
+        next.push(NONE);
+        material.push(m);
+        out.source.push(v);
+        out.position.push(position);
+        new
+    };
+    if !has_materials {
+        let renamed: Vec<u32> = (0..used.len() as u32)
+            .map(|v| if used[v as usize] { new_vertex(v, 0, &mut out) } else { NONE })
+            .collect();
+        for corner in triangles.iter_mut().flatten() {
+            *corner = renamed[*corner as usize];
+        }
+        return out;
+    }
+    // Degenerate triangles are gone from `triangles`: walk the input to keep the materials in step.
+    let mut kept = triangles.iter_mut();
+    for (t, corners) in source.mesh.triangles.iter().enumerate() {
+        let [a, b, c] = corners.map(|v| source.position_of[v as usize]);
+        if a == b || b == c || c == a {
+            continue;
+        }
+        let Some(triangle) = kept.next() else { break };
+        let m = source.material_of[t];
+        *triangle =
+            corners.map(|v| *pair_of_vertex.entry((v, m)).or_insert_with(|| new_vertex(v, m, &mut out)));
+    }
+    out
+}
+
+fn same_attributes(mesh: &IndexedMesh, a: usize, b: usize) -> bool {
+    mesh.layers.iter().all(|layer| {
+        let n = layer.vertex_bytes();
+        let bytes = layer.data.as_bytes();
+        bytes[a * n..][..n] == bytes[b * n..][..n]
+    })
+}
+
+/// Orders vertices by the first appearance of their position; returns the order and each position's first.
+fn order_by_position(position: &[u32]) -> (Vec<u32>, Vec<u32>) {
+    let mut rank = vec![u32::MAX; position.iter().max().map_or(0, |&p| p as usize + 1)];
+    let mut counts: Vec<u32> = Vec::new();
+    for &p in position {
+        let r = &mut rank[p as usize];
+        if *r == u32::MAX {
+            *r = counts.len() as u32;
+            counts.push(0);
+        }
+        counts[*r as usize] += 1;
+    }
+    let mut first = Vec::with_capacity(counts.len() + 1);
+    let mut sum = 0;
+    first.push(0);
+    for count in counts {
+        sum += count;
+        first.push(sum);
+    }
+    let mut cursor: Vec<u32> = first.clone();
+    let mut order = vec![0; position.len()];
+    for (v, &p) in position.iter().enumerate() {
+        let c = &mut cursor[rank[p as usize] as usize];
+        order[*c as usize] = v as u32;
+        *c += 1;
+    }
+    (order, first)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{AttributeLayer, Semantic};
+
+    #[test]
+    fn soup_of_two_triangles_becomes_four_vertices() {
+        let p = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+        let mesh = IndexedMesh::new(vec![p[0], p[1], p[2], p[0], p[2], p[3]], vec![[0, 1, 2], [3, 4, 5]]);
+        let welded = weld(&mesh).unwrap();
+        assert_eq!(welded.mesh.vertex_count(), 4);
+        assert_eq!(welded.mesh.triangles, vec![[0, 1, 2], [0, 2, 3]]);
+        assert_eq!(welded.merged_vertex_count, 2);
+        assert!(welded.positions.is_identity());
+    }
+
+    #[test]
+    fn attributes_keep_wedges_apart_and_side_by_side() {
+        let p = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [-0., 0., 0.]];
+        let mut mesh = IndexedMesh::new(p.to_vec(), vec![[0, 1, 2], [3, 2, 1]]);
+        mesh.layers.push(AttributeLayer::from_f32(
+            Semantic::TexCoord(0),
+            2,
+            vec![0., 0., 1., 0., 1., 1., 0., 1.],
+        ));
+        let welded = weld(&mesh).unwrap();
+        assert_eq!(welded.positions.wedges(0), 0..2);
+        assert_eq!(welded.mesh.triangles, vec![[0, 2, 3], [1, 3, 2]]);
+        assert_eq!(welded.source_vertex, vec![0, 3, 1, 2]);
+    }
+
+    #[test]
+    fn materials_split_shared_vertices() {
+        let p = vec![[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+        let mut mesh = IndexedMesh::new(p, vec![[0, 1, 2], [0, 0, 1], [0, 2, 3]]);
+        mesh.appearance.materials = vec![Default::default(); 2];
+        let group = |material, first, count| TriangleGroup {
+            name: String::new(),
+            material: Some(material),
+            first,
+            count,
+        };
+        mesh.groups = vec![group(0, 0, 2), group(1, 2, 1)];
+        let welded = weld(&mesh).unwrap();
+        assert_eq!(welded.degenerate_triangle_count, 1);
+        assert_eq!(welded.mesh.vertex_count(), 6);
+        assert_eq!(welded.positions.position_count(), 4);
+        assert_eq!(welded.mesh.groups, vec![group(0, 0, 1), group(1, 1, 1)]);
+        welded.mesh.check().unwrap();
+    }
+
+    #[test]
+    fn not_a_number_is_named() {
+        let mesh = IndexedMesh::new(vec![[0., f32::NAN, 0.]], vec![]);
+        assert!(matches!(weld(&mesh), Err(MeshError::NonFinitePosition { vertex: 0, axis: 1, .. })));
+    }
+}

@@ -1,0 +1,1 @@
+//! Multiresolution models over one collapse sequence.

@@ -1,0 +1,27 @@
+//! Progress and cancellation by a plain callback: no thread, no clock, no terminal in the library.
+
+use std::ops::ControlFlow;
+
+/// How far a long operation has come; handed to the caller's callback now and then.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// What is being done, as one word fit for a progress bar (`"simplify"`).
+    pub phase: &'static str,
+    /// Units of work done so far.
+    pub done: u64,
+    /// Units of work in all; an estimate where the operation may stop early.
+    pub total: u64,
+}
+
+/// The callback of long operations: answer [`ControlFlow::Break`] to cancel.
+pub type ProgressFn<'a> = dyn FnMut(Progress) -> ControlFlow<()> + 'a;
+
+/// A callback for callers who need neither progress nor cancellation.
+pub fn ignore_progress(_: Progress) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// The caller's progress callback asked to stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("cancelled")]
+pub struct Cancelled;

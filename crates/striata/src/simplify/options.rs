@@ -1,0 +1,265 @@
+//! What a caller may ask of the simplifier, and what it answers besides the mesh.
+
+use crate::mesh::{IndexedMesh, MeshError, RefinableMesh, SequenceError};
+
+/// Which level is wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Target {
+    /// At most so many triangles.
+    Triangles(usize),
+    /// At most so many vertices.
+    Vertices(usize),
+    /// `split_count / step_count`: 0 the base, 1 the full mesh.
+    Detail(f64),
+    /// The coarsest level with at most this error, mesh units.
+    Error(f64),
+    /// Exactly so many vertex splits above the base.
+    SplitCount(usize),
+}
+
+/// Why a simplification ended, or how near a level came to what was asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StopReason {
+    /// The target is met exactly, or undercut by less than one step.
+    TargetReached,
+    /// No further collapse is possible; the target lies below the base mesh.
+    BaseReached,
+    /// The next collapse would exceed the error limit.
+    ErrorLimit,
+    /// The target asks for more than the full mesh holds.
+    FullMesh,
+}
+
+impl StopReason {
+    /// The reason as the command's JSON spells it.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::TargetReached => "target_reached",
+            Self::BaseReached => "base_reached",
+            Self::ErrorLimit => "error_limit",
+            Self::FullMesh => "full_mesh",
+        }
+    }
+}
+
+/// What decides which vertex goes next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CollapseCost {
+    /// Memoryless quadrics with volume and distance terms over the current mesh: fast, the best at mild levels.
+    #[default]
+    Memoryless,
+    /// Accumulated quadrics [GH97], the classic.
+    Accumulated,
+    /// Distances of all removed vertices to the current mesh: slower, the best at coarse levels.
+    Tracked,
+}
+
+/// What may happen to boundary edges.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum BoundaryRule {
+    /// Boundary vertices move along the boundary, with their distance from it in the cost.
+    #[default]
+    Kept,
+    /// Boundary vertices stay.
+    Locked,
+}
+
+/// How much attributes count against distance, per kind of layer.
+///
+/// A weight is the distance, as a share of the bounding box's diagonal, that weighs as much as a
+/// difference of 1.0 in the attribute over the same area. 0 ignores the layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AttributeWeights {
+    /// Normals (difference of unit vectors).
+    pub normal: f32,
+    /// Every UV set.
+    pub texcoord: f32,
+    /// Every colour set.
+    pub color: f32,
+}
+
+impl Default for AttributeWeights {
+    fn default() -> Self {
+        Self { normal: 0.001, texcoord: 0.02, color: 0.003 }
+    }
+}
+
+impl AttributeWeights {
+    /// Geometry alone decides.
+    pub const NONE: Self = Self { normal: 0.0, texcoord: 0.0, color: 0.0 };
+}
+
+/// Options of [`build_sequence`](super::build_sequence).
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SequenceOptions {
+    /// What orders the collapses; default [`CollapseCost::Memoryless`].
+    pub cost: CollapseCost,
+    /// Stop once no more triangles than this are left; default 0: as far as it goes.
+    pub base_triangle_count: usize,
+    /// Stop before a step's error exceeds this, mesh units; default none.
+    pub max_error: Option<f64>,
+    /// How much attributes count; see [`AttributeWeights`].
+    pub attribute_weights: AttributeWeights,
+    /// What may happen to boundaries; default kept.
+    pub boundary: BoundaryRule,
+    /// Vertices of the input that must stay.
+    pub locked_vertices: Vec<u32>,
+    /// Vertices without a common edge may contract when nearer than this, mesh units; default never.
+    pub pair_distance: Option<f64>,
+}
+
+impl Default for SequenceOptions {
+    fn default() -> Self {
+        Self {
+            cost: CollapseCost::default(),
+            base_triangle_count: 0,
+            max_error: None,
+            attribute_weights: AttributeWeights::default(),
+            boundary: BoundaryRule::default(),
+            locked_vertices: Vec::new(),
+            pair_distance: None,
+        }
+    }
+}
+
+impl SequenceOptions {
+    /// Sets [`Self::cost`].
+    pub fn with_cost(self, cost: CollapseCost) -> Self {
+        Self { cost, ..self }
+    }
+    /// Sets [`Self::base_triangle_count`].
+    pub fn with_base_triangle_count(self, base_triangle_count: usize) -> Self {
+        Self { base_triangle_count, ..self }
+    }
+    /// Sets [`Self::max_error`].
+    pub fn with_max_error(self, max_error: f64) -> Self {
+        Self { max_error: Some(max_error), ..self }
+    }
+    /// Sets [`Self::attribute_weights`].
+    pub fn with_attribute_weights(self, attribute_weights: AttributeWeights) -> Self {
+        Self { attribute_weights, ..self }
+    }
+    /// Sets [`Self::boundary`].
+    pub fn with_boundary(self, boundary: BoundaryRule) -> Self {
+        Self { boundary, ..self }
+    }
+    /// Sets [`Self::locked_vertices`].
+    pub fn with_locked_vertices(self, locked_vertices: Vec<u32>) -> Self {
+        Self { locked_vertices, ..self }
+    }
+    /// Sets [`Self::pair_distance`].
+    pub fn with_pair_distance(self, pair_distance: f64) -> Self {
+        Self { pair_distance: Some(pair_distance), ..self }
+    }
+}
+
+/// Where the vertices of a simplified mesh lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Placement {
+    /// A subset of the input's vertices, attributes untouched.
+    #[default]
+    Subset,
+    /// Anywhere; attributes are interpolated. Nearer to the surface, but one level only.
+    Optimal,
+}
+
+/// Options of [`simplify`](super::simplify): one level, without keeping the sequence.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SimplifyOptions {
+    /// The level that is wanted; default half the detail.
+    pub target: Target,
+    /// Never exceed this error, mesh units, whatever the target; default none.
+    pub tolerance: Option<f64>,
+    /// Where vertices may lie; default a subset of the input's.
+    pub placement: Placement,
+    /// How collapses are ordered and what they must respect.
+    pub sequence: SequenceOptions,
+}
+
+impl Default for SimplifyOptions {
+    fn default() -> Self {
+        Self {
+            target: Target::Detail(0.5),
+            tolerance: None,
+            placement: Placement::default(),
+            sequence: SequenceOptions::default(),
+        }
+    }
+}
+
+impl SimplifyOptions {
+    /// Sets [`Self::target`].
+    pub fn with_target(self, target: Target) -> Self {
+        Self { target, ..self }
+    }
+    /// Sets [`Self::tolerance`].
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance: Some(tolerance), ..self }
+    }
+    /// Sets [`Self::placement`].
+    pub fn with_placement(self, placement: Placement) -> Self {
+        Self { placement, ..self }
+    }
+    /// Sets [`Self::sequence`].
+    pub fn with_sequence(self, sequence: SequenceOptions) -> Self {
+        Self { sequence, ..self }
+    }
+}
+
+/// What [`build_sequence`](super::build_sequence) gives.
+#[derive(Clone, Debug)]
+pub struct BuiltSequence {
+    /// The mesh in refinement order, and its steps.
+    pub refinable: RefinableMesh,
+    /// For each vertex, the vertex of the input that it was.
+    pub source_vertex: Vec<u32>,
+    /// Why the sequence ends where it does.
+    pub stop_reason: StopReason,
+    /// Triangles of the input dropped since two of their corners are at one position.
+    pub degenerate_triangle_count: usize,
+    /// Vertices of the input merged into equal ones.
+    pub merged_vertex_count: usize,
+}
+
+/// What [`simplify`](super::simplify) gives.
+#[derive(Clone, Debug)]
+pub struct Simplified {
+    /// The level.
+    pub mesh: IndexedMesh,
+    /// Its error, mesh units.
+    pub error: f64,
+    /// How near it came to the target.
+    pub stop_reason: StopReason,
+}
+
+/// Why a simplification gave nothing.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SimplifyError {
+    /// The input does not hang together.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// An option is out of its range.
+    #[error("option {option} is {value}, but must be {expected}")]
+    Option {
+        /// Which option.
+        option: &'static str,
+        /// What it is.
+        value: String,
+        /// What it may be.
+        expected: &'static str,
+    },
+    /// The caller's callback asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] crate::Cancelled),
+    /// The simplifier broke its own invariant.
+    #[error("internal error: the sequence is inconsistent: {0}")]
+    Sequence(#[from] SequenceError),
+}
