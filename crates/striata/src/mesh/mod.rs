@@ -12,6 +12,7 @@ mod positions;
 mod random;
 mod replay;
 mod sequence;
+pub mod shapes;
 #[cfg(feature = "distance")]
 mod triangle_tree;
 mod weld;
