@@ -101,9 +101,7 @@ impl<'a> Walker<'a> {
     #[inline]
     fn is_open(&self, exit: u32) -> bool {
         let enter = self.twins[exit as usize];
-        enter != NONE
-            && self.is_free[enter as usize / 3]
-            && self.stamps[enter as usize / 3] != self.stamp
+        enter != NONE && self.is_free[enter as usize / 3] && self.stamps[enter as usize / 3] != self.stamp
     }
 
     /// Walks from the triangle of `exit` forward through `exit` and backward through the edge before it.
@@ -129,7 +127,7 @@ impl<'a> Walker<'a> {
                 (straight, turned) = (turned, straight);
             }
             exit = straight;
-            if !self.is_open(straight) && self.is_open(turned) {
+            if self.is_open(turned) && (!self.is_open(straight) || self.strands(turned, straight)) {
                 exit = turned;
                 swap_count += 1;
             } else {
@@ -137,6 +135,15 @@ impl<'a> Walker<'a> {
             }
         }
         swap_count
+    }
+
+    /// Whether going straight would leave a triangle alone that a swap picks up without ending the walk.
+    fn strands(&self, turned: u32, straight: u32) -> bool {
+        let ways_on = |exit: u32| {
+            let enter = self.twins[exit as usize];
+            usize::from(self.is_open(next(enter))) + usize::from(self.is_open(prev(enter)))
+        };
+        ways_on(turned) == 1 && ways_on(straight) == 2
     }
 
     /// Writes the walk as a strip that starts at whichever end needs fewer indices.

@@ -66,6 +66,9 @@ mod tests {
         // The second triangle is turned over: no strip may pass.
         assert!(twins(&[[0, 1, 2], [1, 2, 3]]).iter().all(|&t| t == NONE));
         // Three on an edge: the first two opposite ones are paired.
-        assert_eq!(twins(&[[0, 1, 2], [1, 0, 3], [1, 0, 4], [5, 5, 0]])[..7], [3, NONE, NONE, 0, NONE, NONE, NONE]);
+        assert_eq!(
+            twins(&[[0, 1, 2], [1, 0, 3], [1, 0, 4], [5, 5, 0]])[..7],
+            [3, NONE, NONE, 0, NONE, NONE, NONE]
+        );
     }
 }

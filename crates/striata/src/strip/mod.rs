@@ -14,5 +14,6 @@ mod stripifier;
 
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
+pub(crate) use strip_set::check_offsets;
 pub use strip_set::{StripSet, StripSetError, strip_triangles};
 pub use stripifier::{StripOptions, Stripifier, stripify};
