@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn odd_triangles_are_swapped_and_degenerate_ones_left_out() {
         let triangles: Vec<_> = strip_triangles(&[0, 1, 2, 3, 2, 4]).collect();
-        assert_eq!(triangles, vec![[0, 1, 2], [2, 1, 3], [2, 3, 4].map(|v| [3, 2, 4][v - 2])]);
+        assert_eq!(triangles, vec![[0, 1, 2], [2, 1, 3], [2, 3, 4]]);
     }
 
     #[test]

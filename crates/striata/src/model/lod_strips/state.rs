@@ -85,6 +85,8 @@ impl LodStripsState {
             let done = self.refine(model);
             debug_assert!(done.is_some(), "a checked record ended early");
         }
+        // Equal states compare equal, whatever way led there.
+        self.drops.clear();
     }
 
     /// Applies the record of the step below: substitute, then drop. `None` would mean an unchecked record.
