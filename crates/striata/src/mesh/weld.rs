@@ -234,9 +234,9 @@ fn same_attributes(mesh: &IndexedMesh, a: usize, b: usize) -> bool {
 fn order_by_position(mesh: &IndexedMesh, vertices: &Vertices) -> (Vec<u32>, Vec<u32>) {
     let mut keys: Vec<(u64, u32, u32)> = Vec::with_capacity(vertices.source.len());
     if let Some(curve) = Curve::of(mesh) {
-        keys.extend(vertices.source.iter().zip(&vertices.position).enumerate().map(|(v, (&source, &position))| {
-            (curve.code(mesh.positions[source as usize]), position, v as u32)
-        }));
+        keys.extend(vertices.source.iter().zip(&vertices.position).enumerate().map(
+            |(v, (&source, &position))| (curve.code(mesh.positions[source as usize]), position, v as u32),
+        ));
     }
     keys.sort_unstable();
     let mut first = Vec::new();
