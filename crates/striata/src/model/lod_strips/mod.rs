@@ -1,4 +1,4 @@
-//! LodStrips: triangle strips that follow a collapse sequence, edited in place [RCRG06].
+//! LodStrips: triangle strips that follow a collapse sequence, edited in place \[RCRG06\].
 //!
 //! The strips of the full mesh are stored once. Each step of the sequence has a record that says where its
 //! vertices stand in which strips; coarsening puts their targets there and drops what has become
@@ -13,7 +13,7 @@
 //! back: a record holds places only, no values, and undoing is exact by construction. A run is dropped
 //! when the strip shows the same triangles without it (see `drops.rs`).
 //!
-//! Differs: [RCRG06] drops only `aa(a)+` and `ab(ab)+` and stores machine words; records here are
+//! Differs: \[RCRG06\] drops only `aa(a)+` and `ab(ab)+` and stores machine words; records here are
 //! bytes in one arena, delta-coded over strips sorted by place, walked both ways.
 //!
 //! Cost: a step touches about three indices in two or three strips. Building is linear in the steps times
