@@ -3,28 +3,40 @@
 //! A **vertex** is what a GPU means by it: a position with its attributes. Vertices that share one
 //! position are its **wedges**; [`weld`] finds them and gives each position a number.
 
+mod adjacency;
 mod appearance;
 mod attributes;
+mod defect;
+mod disjoint_sets;
 #[cfg(feature = "distance")]
 mod distance;
+mod dual_graph;
 mod indexed_mesh;
 mod positions;
 mod random;
 mod replay;
 mod sequence;
+pub mod shapes;
+mod statistics;
 #[cfg(feature = "distance")]
 mod triangle_tree;
+mod validate;
 mod weld;
 
+pub use adjacency::{Adjacency, Edge};
 pub use appearance::{Appearance, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
+pub use defect::{Defect, DefectKind};
 #[cfg(feature = "distance")]
 pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};
+pub use dual_graph::DualGraph;
 pub use indexed_mesh::{Bounds, IndexedMesh, MeshError, TriangleGroup};
 pub use positions::PositionIndex;
 pub use random::Random;
 pub use replay::{canonical_triangles, replay, replay_into};
 pub use sequence::{CollapseSequence, RefinableMesh, SequenceError, SequenceParts};
+pub use statistics::Statistics;
 #[cfg(feature = "distance")]
 pub use triangle_tree::{Nearest, TriangleTree};
+pub use validate::{LISTED_OF_EACH_KIND, Report, validate};
 pub use weld::{Welded, weld};
