@@ -107,7 +107,7 @@ pub(crate) struct ExtractArgs {
     /// Which model of the file to use [default: the best for the target]
     #[arg(long, value_name = "NAME")]
     pub(crate) model: Option<String>,
-    /// How triangles are written; strips need .glb
+    /// How triangles are written; strips need .glb or .gltf
     #[arg(long = "as", value_name = "FORM", default_value = "list")]
     pub(crate) form: TriangleForm,
     /// Where the mesh goes.
@@ -264,7 +264,9 @@ pub(crate) enum FormatArg {
     Stl,
     /// Object file format
     Off,
-    /// Binary glTF
+    /// glTF as JSON, all embedded
+    Gltf,
+    /// glTF as one binary file
     Glb,
 }
 

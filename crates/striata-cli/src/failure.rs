@@ -3,7 +3,10 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report};
+use striata::codec::{DecodeError, EncodeError};
+use striata::mesh::{DistanceError, MeshError};
+use striata::simplify::SimplifyError;
+use striata_io::{ReadError, WriteError};
 
 /// A failure as the user gets to see it.
 #[derive(Debug)]
@@ -14,15 +17,13 @@ pub(crate) struct Failure {
     is_ours: bool,
 }
 
-/// A line of a text file that is to blame.
+/// A line of a text file that is to blame, with its neighbours.
 #[derive(Debug)]
 pub(crate) struct Excerpt {
-    /// The file's name.
-    pub(crate) name: String,
-    /// The file's text.
-    pub(crate) text: String,
-    /// The line, counted from 1.
-    pub(crate) line: usize,
+    name: String,
+    lines: Vec<String>,
+    first_line: usize,
+    blamed: usize,
 }
 
 impl Failure {
@@ -72,6 +73,44 @@ impl Failure {
 const PLEASE_REPORT: &str = "This is a fault of striata, not yours; please report it with the command line \
                              and, if you can, the file.\n";
 
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        Self::user(error.to_string())
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        Self::user(error.to_string())
+    }
+}
+
+impl From<MeshError> for Failure {
+    fn from(error: MeshError) -> Self {
+        let hint = match error {
+            MeshError::NonFinitePosition { .. } => "remove or repair the vertex; `striata info` counts such defects",
+            _ => "the file contradicts itself; export it again",
+        };
+        Self::user(error.to_string()).with_hint(hint)
+    }
+}
+
+impl From<SimplifyError> for Failure {
+    fn from(error: SimplifyError) -> Self {
+        match error {
+            SimplifyError::Mesh(error) => error.into(),
+            SimplifyError::Sequence(_) => Self::internal(error.to_string()),
+            _ => Self::user(error.to_string()),
+        }
+    }
+}
+
+impl From<DistanceError> for Failure {
+    fn from(error: DistanceError) -> Self {
+        Self::user(error.to_string())
+    }
+}
+
 /// Prints a panic as what it is: our fault.
 pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {
     let message = info.payload_as_str().unwrap_or("no message");
@@ -80,18 +119,49 @@ pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {
 }
 
 impl Excerpt {
-    /// The line with its neighbours, marked.
+    /// Longer lines are no text that a person would look at.
+    const MAX_LINE_BYTES: usize = 400;
+
+    /// The line, counted from 1, between its neighbours; `None` where the text has no such line.
+    pub(crate) fn around(name: &str, text: &str, line: usize) -> Option<Self> {
+        let first_line = line.checked_sub(1)?.max(1);
+        let shown = text.lines().skip(first_line - 1).take(line + 2 - first_line);
+        let lines: Vec<String> = shown.map(str::to_owned).collect();
+        let has_line = first_line + lines.len() > line;
+        let is_text = lines.iter().all(|line| line.len() <= Self::MAX_LINE_BYTES);
+        (has_line && is_text).then(|| Self { name: name.to_owned(), lines, first_line, blamed: line })
+    }
+
+    /// The lines with their numbers, and the one to blame marked below, as compilers do it.
     fn render(&self) -> String {
-        let start: usize = self.text.split_inclusive('\n').take(self.line.saturating_sub(1)).map(str::len).sum();
-        let length = self.text[start..].lines().next().map_or(0, str::len);
-        let label = LabeledSpan::at(start..start + length, "here");
-        let diagnostic = MietteDiagnostic::new(String::new()).with_label(label);
-        let source = NamedSource::new(&self.name, self.text.clone());
-        let report = Report::new(diagnostic).with_source_code(source);
-        let mut text = String::new();
-        let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_context_lines(1);
-        // A report that cannot be drawn is left out: the message has said it already.
-        let _ = handler.render_report(&mut text, report.as_ref());
+        let margin = (self.first_line + self.lines.len() - 1).to_string().len();
+        let mut text = format!("{:>margin$} --> {}:{}\n", "", self.name, self.blamed);
+        for (number, line) in (self.first_line..).zip(&self.lines) {
+            text.push_str(&format!("{number:>margin$} | {line}\n"));
+            if number == self.blamed {
+                text.push_str(&format!("{:>margin$} | {}\n", "", "^".repeat(line.chars().count().max(1))));
+            }
+        }
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_excerpt_marks_the_line_between_its_neighbours() {
+        let excerpt = Excerpt::around("x.obj", "v 0 0 0\nv 1\nv 2 2 2\nf 1 2 3\n", 2).expect("line 2");
+        assert_eq!(excerpt.render(), "  --> x.obj:2\n1 | v 0 0 0\n2 | v 1\n  | ^^^\n3 | v 2 2 2\n");
+        let last = Excerpt::around("x.obj", "v 0 0 0\nf", 2).expect("line 2");
+        assert_eq!(last.render(), "  --> x.obj:2\n1 | v 0 0 0\n2 | f\n  | ^\n");
+    }
+
+    #[test]
+    fn lines_that_are_not_there_or_too_long_are_not_shown() {
+        assert!(Excerpt::around("x", "one\n", 0).is_none());
+        assert!(Excerpt::around("x", "one\n", 2).is_none());
+        assert!(Excerpt::around("x", &"y".repeat(5000), 1).is_none());
     }
 }

@@ -10,6 +10,7 @@ mod input;
 mod level;
 mod output;
 mod picture;
+mod save;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
