@@ -5,16 +5,26 @@
 
 mod appearance;
 mod attributes;
+#[cfg(feature = "distance")]
+mod distance;
 mod indexed_mesh;
 mod positions;
+mod random;
 mod replay;
 mod sequence;
+#[cfg(feature = "distance")]
+mod triangle_tree;
 mod weld;
 
 pub use appearance::{Appearance, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
+#[cfg(feature = "distance")]
+pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};
 pub use indexed_mesh::{Bounds, IndexedMesh, MeshError, TriangleGroup};
 pub use positions::PositionIndex;
+pub use random::Random;
 pub use replay::{canonical_triangles, replay, replay_into};
 pub use sequence::{CollapseSequence, RefinableMesh, SequenceError, SequenceParts};
+#[cfg(feature = "distance")]
+pub use triangle_tree::{Nearest, TriangleTree};
 pub use weld::{Welded, weld};

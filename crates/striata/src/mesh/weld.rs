@@ -64,7 +64,7 @@ pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
     let degenerate_triangle_count = mesh.triangles.len() - triangles.len();
     let source = Source { mesh, position_of, material_of };
     let vertices = number_vertices(&source, &mut triangles);
-    let (order, first) = order_by_position(&vertices.position);
+    let (order, first) = order_by_position(mesh, &vertices);
     let mut new_index = vec![0u32; order.len()];
     for (new, &old) in order.iter().enumerate() {
         new_index[old as usize] = new as u32;
@@ -229,33 +229,59 @@ fn same_attributes(mesh: &IndexedMesh, a: usize, b: usize) -> bool {
     })
 }
 
-/// Orders vertices by the first appearance of their position; returns the order and each position's first.
-fn order_by_position(position: &[u32]) -> (Vec<u32>, Vec<u32>) {
-    let mut rank = vec![u32::MAX; position.iter().max().map_or(0, |&p| p as usize + 1)];
-    let mut counts: Vec<u32> = Vec::new();
-    for &p in position {
-        let r = &mut rank[p as usize];
-        if *r == u32::MAX {
-            *r = counts.len() as u32;
-            counts.push(0);
+/// Orders vertices along a space-filling curve, wedges of one position together; returns the order and each
+/// position's first vertex. Simplification jumps about the mesh: what is near in space should be near in memory.
+fn order_by_position(mesh: &IndexedMesh, vertices: &Vertices) -> (Vec<u32>, Vec<u32>) {
+    let mut keys: Vec<(u64, u32, u32)> = Vec::with_capacity(vertices.source.len());
+    if let Some(curve) = Curve::of(mesh) {
+        keys.extend(vertices.source.iter().zip(&vertices.position).enumerate().map(|(v, (&source, &position))| {
+            (curve.code(mesh.positions[source as usize]), position, v as u32)
+        }));
+    }
+    keys.sort_unstable();
+    let mut first = Vec::new();
+    let mut last = None;
+    for (i, &(_, position, _)) in keys.iter().enumerate() {
+        if last != Some(position) {
+            first.push(i as u32);
+            last = Some(position);
         }
-        counts[*r as usize] += 1;
     }
-    let mut first = Vec::with_capacity(counts.len() + 1);
-    let mut sum = 0;
-    first.push(0);
-    for count in counts {
-        sum += count;
-        first.push(sum);
+    first.push(keys.len() as u32);
+    (keys.into_iter().map(|(_, _, v)| v).collect(), first)
+}
+
+/// The Z-order curve over the bounds of a mesh.
+struct Curve {
+    min: [f64; 3],
+    scale: f64,
+}
+
+impl Curve {
+    const BITS: u32 = 21;
+
+    fn of(mesh: &IndexedMesh) -> Option<Self> {
+        let bounds = mesh.bounds()?;
+        let min = bounds.min.map(f64::from);
+        let extent = (0..3).map(|a| f64::from(bounds.max[a]) - min[a]).fold(0.0, f64::max);
+        let cells = f64::from((1u32 << Self::BITS) - 1);
+        Some(Self { min, scale: if extent > 0.0 { cells / extent } else { 0.0 } })
     }
-    let mut cursor: Vec<u32> = first.clone();
-    let mut order = vec![0; position.len()];
-    for (v, &p) in position.iter().enumerate() {
-        let c = &mut cursor[rank[p as usize] as usize];
-        order[*c as usize] = v as u32;
-        *c += 1;
+
+    fn code(&self, p: [f32; 3]) -> u64 {
+        let cell = |a: usize| spread(((f64::from(p[a]) - self.min[a]) * self.scale) as u64);
+        cell(0) | cell(1) << 1 | cell(2) << 2
     }
-    (order, first)
+}
+
+/// Puts two zero bits between the lower 21 bits of `x`.
+fn spread(x: u64) -> u64 {
+    let mut x = x & 0x1F_FFFF;
+    x = (x | x << 32) & 0x001F_0000_0000_FFFF;
+    x = (x | x << 16) & 0x001F_0000_FF00_00FF;
+    x = (x | x << 8) & 0x100F_00F0_0F00_F00F;
+    x = (x | x << 4) & 0x10C3_0C30_C30C_30C3;
+    (x | x << 2) & 0x1249_2492_4924_9249
 }
 
 #[cfg(test)]
@@ -269,7 +295,8 @@ mod tests {
         let mesh = IndexedMesh::new(vec![p[0], p[1], p[2], p[0], p[2], p[3]], vec![[0, 1, 2], [3, 4, 5]]);
         let welded = weld(&mesh).unwrap();
         assert_eq!(welded.mesh.vertex_count(), 4);
-        assert_eq!(welded.mesh.triangles, vec![[0, 1, 2], [0, 2, 3]]);
+        // Along the curve: (0,0), (1,0), (0,1), (1,1).
+        assert_eq!(welded.mesh.triangles, vec![[0, 1, 3], [0, 3, 2]]);
         assert_eq!(welded.merged_vertex_count, 2);
         assert!(welded.positions.is_identity());
     }

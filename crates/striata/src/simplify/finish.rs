@@ -1,0 +1,56 @@
+//! From recorded collapses to a mesh in refinement order.
+
+use crate::mesh::{CollapseSequence, PositionIndex, RefinableMesh, SequenceError, SequenceParts, Welded};
+
+/// What the collapses leave behind, in the numbering of the welded mesh and the order of removal.
+#[derive(Debug, Default)]
+pub(super) struct Record {
+    /// Removed positions.
+    pub(super) removed: Vec<u32>,
+    /// Error of the mesh after each removal, mesh units, never falling.
+    pub(super) errors: Vec<f32>,
+    /// Triangles that each removal removes.
+    pub(super) removed_triangle_counts: Vec<u8>,
+    /// For every vertex of a removed position, the vertex it collapses to.
+    pub(super) targets: Vec<u32>,
+}
+
+/// Renumbers the mesh so that every level uses a prefix of its vertices; also gives each vertex's source.
+pub(super) fn finish(welded: Welded, record: Record) -> Result<(RefinableMesh, Vec<u32>), SequenceError> {
+    let old = &welded.positions;
+    let position_count = old.position_count();
+    let mut is_removed = vec![false; position_count];
+    for &p in &record.removed {
+        is_removed[p as usize] = true;
+    }
+    let base = (0..position_count as u32).filter(|&p| !is_removed[p as usize]);
+    let order: Vec<u32> = base.chain(record.removed.iter().rev().copied()).collect();
+    drop(is_removed);
+    let base_position_count = position_count - record.removed.len();
+
+    let mut vertex_order = Vec::with_capacity(old.vertex_count());
+    let mut first = Vec::with_capacity(position_count + 1);
+    for &p in &order {
+        first.push(vertex_order.len() as u32);
+        vertex_order.extend(old.wedges(p));
+    }
+    first.push(vertex_order.len() as u32);
+    let base_vertex_count = first[base_position_count] as usize;
+    let mut new_index = vec![0u32; vertex_order.len()];
+    for (new, &v) in vertex_order.iter().enumerate() {
+        new_index[v as usize] = new as u32;
+    }
+    let target = |&v: &u32| new_index[record.targets[v as usize] as usize];
+    let targets = vertex_order[base_vertex_count..].iter().map(target).collect();
+    let source_vertex = vertex_order.iter().map(|&v| welded.source_vertex[v as usize]).collect();
+    let mesh = welded.mesh.gather(&vertex_order, &new_index);
+    let sequence = CollapseSequence::from_parts(SequenceParts {
+        positions: PositionIndex::from_first(first),
+        base_position_count,
+        targets,
+        errors: record.errors.into_iter().rev().collect(),
+        removed_triangle_counts: record.removed_triangle_counts.into_iter().rev().collect(),
+        triangle_count: mesh.triangle_count(),
+    })?;
+    Ok((RefinableMesh { mesh, sequence }, source_vertex))
+}

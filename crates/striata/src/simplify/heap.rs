@@ -1,0 +1,161 @@
+//! A priority queue over positions whose keys change: a four-way heap that knows where everything is.
+
+const ARITY: usize = 4;
+const ABSENT: u32 = u32::MAX;
+
+/// Smallest key first, ties by position number, so that the order depends on nothing else.
+#[derive(Debug)]
+pub(super) struct IndexedHeap {
+    /// Key bits above, position below: one comparison orders both.
+    items: Vec<u64>,
+    /// Where each position stands in `items`.
+    place: Vec<u32>,
+}
+
+#[inline]
+fn pack(key: f32, v: u32) -> u64 {
+    // The bits of non-negative floats are ordered as the floats are.
+    (u64::from(key.to_bits()) << 32) | u64::from(v)
+}
+
+impl IndexedHeap {
+    /// A heap of the positions with a key; `f32::INFINITY` leaves a position out.
+    pub(super) fn new(keys: &[f32]) -> Self {
+        let items: Vec<u64> = keys
+            .iter()
+            .enumerate()
+            .filter(|(_, key)| **key < f32::INFINITY)
+            .map(|(v, &key)| pack(key, v as u32))
+            .collect();
+        let mut heap = Self { items, place: vec![ABSENT; keys.len()] };
+        for (i, &item) in heap.items.iter().enumerate() {
+            heap.place[item as u32 as usize] = i as u32;
+        }
+        for i in (0..heap.items.len().div_ceil(ARITY)).rev() {
+            heap.sift_down(i);
+        }
+        heap
+    }
+
+    /// The smallest key and its position.
+    #[inline]
+    pub(super) fn first(&self) -> Option<(f32, u32)> {
+        self.items.first().map(|&item| (f32::from_bits((item >> 32) as u32), item as u32))
+    }
+
+    /// Inserts a position or changes its key; `f32::INFINITY` takes it out.
+    #[inline]
+    pub(super) fn set(&mut self, v: u32, key: f32) {
+        debug_assert!(key >= 0.0, "keys are never negative, nor NaN");
+        let place = self.place[v as usize];
+        if key == f32::INFINITY {
+            self.remove(v);
+        } else if place == ABSENT {
+            self.items.push(pack(key, v));
+            self.place[v as usize] = self.items.len() as u32 - 1;
+            self.sift_up(self.items.len() - 1);
+        } else {
+            let (i, item) = (place as usize, pack(key, v));
+            let old = std::mem::replace(&mut self.items[i], item);
+            if item < old {
+                self.sift_up(i);
+            } else if item > old {
+                self.sift_down(i);
+            }
+        }
+    }
+
+    /// Takes a position out, if it is there.
+    pub(super) fn remove(&mut self, v: u32) {
+        let place = self.place[v as usize];
+        if place == ABSENT {
+            return;
+        }
+        self.place[v as usize] = ABSENT;
+        let i = place as usize;
+        let last = self.items.len() - 1;
+        let moved = self.items.swap_remove(i);
+        if i == last {
+            return;
+        }
+        let filler = self.items[i];
+        self.place[filler as u32 as usize] = i as u32;
+        if filler < moved {
+            self.sift_up(i);
+        } else {
+            self.sift_down(i);
+        }
+    }
+
+    fn sift_up(&mut self, mut i: usize) {
+        let item = self.items[i];
+        while i > 0 {
+            let parent = (i - 1) / ARITY;
+            let above = self.items[parent];
+            if above <= item {
+                break;
+            }
+            self.items[i] = above;
+            self.place[above as u32 as usize] = i as u32;
+            i = parent;
+        }
+        self.items[i] = item;
+        self.place[item as u32 as usize] = i as u32;
+    }
+
+    fn sift_down(&mut self, mut i: usize) {
+        let n = self.items.len();
+        let item = self.items[i];
+        loop {
+            let first = i * ARITY + 1;
+            if first >= n {
+                break;
+            }
+            let mut child = first;
+            let mut least = self.items[first];
+            for c in first + 1..(first + ARITY).min(n) {
+                let candidate = self.items[c];
+                if candidate < least {
+                    (child, least) = (c, candidate);
+                }
+            }
+            if least >= item {
+                break;
+            }
+            self.items[i] = least;
+            self.place[least as u32 as usize] = i as u32;
+            i = child;
+        }
+        self.items[i] = item;
+        self.place[item as u32 as usize] = i as u32;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comes_out_sorted_after_changes() {
+        let mut keys: Vec<f32> = (0..200u32).map(|i| ((i * 7919) % 211) as f32).collect();
+        let mut heap = IndexedHeap::new(&keys);
+        for (i, key) in keys.iter_mut().enumerate() {
+            if i % 3 == 0 {
+                *key = ((i * 31) % 97) as f32;
+                heap.set(i as u32, *key);
+            } else if i % 7 == 0 {
+                *key = f32::INFINITY;
+                heap.set(i as u32, f32::INFINITY);
+            }
+        }
+        let mut expected: Vec<(u32, u32)> =
+            keys.iter().enumerate().filter(|(_, k)| k.is_finite()).map(|(v, k)| (*k as u32, v as u32)).collect();
+        expected.sort_unstable();
+        let mut found = Vec::new();
+        while let Some((key, v)) = heap.first() {
+            found.push((key as u32, v));
+            heap.remove(v);
+        }
+        assert_eq!(found, expected);
+    }
+}

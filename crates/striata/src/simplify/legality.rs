@@ -1,0 +1,152 @@
+//! Whether a collapse keeps the mesh what it is: the link condition, stated for any kind of link.
+//!
+//! On a manifold this is the condition of [DEGN99]: `v` and `u` may share only the neighbours that span a triangle
+//! with both, or the collapse would pinch the surface. The same words hold where three triangles meet at an
+//! edge: what must not arise is a triangle that is there already, or a neighbour without any triangle.
+
+use super::links::{LinkEdge, LinkKind, Links};
+
+/// A target may not gather more neighbours than this, unless it had them before: hubs cost quadratic time.
+const MAX_VALENCE: usize = 40;
+/// Triangles that one collapse may remove: the sequence counts them in a byte.
+const MAX_REMOVED: usize = 255;
+
+/// Scratch for checks on links that are no rings.
+#[derive(Debug, Default)]
+pub(super) struct Legality {
+    apexes: Vec<u32>,
+    edges: Vec<LinkEdge>,
+    other: Vec<LinkEdge>,
+}
+
+impl Legality {
+    /// True where `v`, a neighbour of `u`, may be collapsed to it.
+    pub(super) fn allows(&mut self, links: &Links, v: u32, u: u32) -> bool {
+        let is_ring = |p| matches!(links.kind(p), LinkKind::Closed | LinkKind::Open);
+        if is_ring(v) && is_ring(u) {
+            return rings_allow(links, v, u);
+        }
+        self.edges_allow(links, v, u)
+    }
+
+    fn edges_allow(&mut self, links: &Links, v: u32, u: u32) -> bool {
+        links.edges_into(v, &mut self.edges);
+        links.edges_into(u, &mut self.other);
+        self.apexes.clear();
+        let mut removed = 0;
+        for e in &self.edges {
+            if e.a == u || e.b == u {
+                removed += 1;
+                self.apexes.push(if e.a == u { e.b } else { e.a });
+            }
+        }
+        self.apexes.sort_unstable();
+        let kept = self.edges.len() + self.other.len() - 2 * removed;
+        if kept == 0 || removed > MAX_REMOVED || kept > MAX_VALENCE.max(self.other.len()) {
+            return false;
+        }
+        let is_apex = |x: u32| self.apexes.binary_search(&x).is_ok();
+        let near_u = |x: u32| self.other.iter().any(|e| e.a == x || e.b == x);
+        let mut neighbours = self.edges.iter().flat_map(|e| [e.a, e.b]).filter(|&x| x != u);
+        if neighbours.any(|x| !is_apex(x) && near_u(x)) {
+            return false;
+        }
+        // Two apexes joined on both sides: a tetrahedron would fold flat.
+        let both = |e: &&LinkEdge| is_apex(e.a) && is_apex(e.b);
+        let folds = self.edges.iter().filter(both).any(|e| {
+            self.other.iter().any(|f| (f.a == e.a && f.b == e.b) || (f.a == e.b && f.b == e.a))
+        });
+        if folds {
+            return false;
+        }
+        self.apexes.chunk_by(|a, b| a == b).all(|run| links.triangle_count(run[0]) > run.len())
+    }
+}
+
+/// The same where both links are rings: the usual case, without scratch.
+fn rings_allow(links: &Links, v: u32, u: u32) -> bool {
+    let (ring, other) = (links.entries(v), links.entries(u));
+    let n = ring.len();
+    let Some(k) = ring.iter().position(|&w| w == u) else { return false };
+    let is_closed = links.kind(v) == LinkKind::Closed;
+    let has_next = is_closed || k + 1 < n;
+    let has_last = is_closed || k > 0;
+    let next = if k + 1 == n { 0 } else { k + 1 };
+    let last = if k == 0 { n - 1 } else { k - 1 };
+    let removed = usize::from(has_next) + usize::from(has_last);
+    let kept = links.triangle_count(v) + links.triangle_count(u) - 2 * removed;
+    if kept == 0 || kept > MAX_VALENCE.max(other.len()) {
+        return false;
+    }
+    for (i, w) in ring.iter().enumerate() {
+        let is_apex = (has_next && i == next) || (has_last && i == last);
+        if i != k && !is_apex && other.contains(w) {
+            return false;
+        }
+    }
+    // A boundary path of two has one apex only; a cycle of three joins its two apexes.
+    if is_closed && n == 3 && are_joined(links, u, ring[next], ring[last]) {
+        return false;
+    }
+    (!has_next || links.triangle_count(ring[next]) > 1) && (!has_last || links.triangle_count(ring[last]) > 1)
+}
+
+/// True where `a` and `b` follow each other in the ring of `u`.
+fn are_joined(links: &Links, u: u32, a: u32, b: u32) -> bool {
+    let ring = links.entries(u);
+    let n = ring.len();
+    let pairs = if links.kind(u) == LinkKind::Closed { n } else { n - 1 };
+    (0..pairs).any(|i| {
+        let (x, y) = (ring[i], ring[if i + 1 == n { 0 } else { i + 1 }]);
+        (x == a && y == b) || (x == b && y == a)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn allows(triangles: &[[u32; 3]], v: u32, u: u32) -> bool {
+        Legality::default().allows(&Links::new(12, triangles, false), v, u)
+    }
+
+    #[test]
+    fn tetrahedron_and_single_triangle_stay() {
+        let tetrahedron = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
+        assert!(!allows(&tetrahedron, 0, 1));
+        assert!(!allows(&[[0, 1, 2]], 0, 1));
+    }
+
+    #[test]
+    fn ear_goes_but_leaves_no_lonely_vertex() {
+        // 0 is an ear on the edge 1-2.
+        let mesh = [[0, 1, 2], [2, 1, 3], [2, 3, 4]];
+        assert!(allows(&mesh, 0, 1));
+        assert!(!allows(&mesh, 1, 2), "0 would lose its only triangle");
+    }
+
+    #[test]
+    fn pinching_is_refused() {
+        // A tube of three squares round: 0 1 2 below, 3 4 5 above; collapsing across would pinch it.
+        let mut tube = Vec::new();
+        for i in 0..3u32 {
+            let j = (i + 1) % 3;
+            tube.extend([[i, j, 3 + i], [j, 3 + j, 3 + i]]);
+        }
+        assert!(!allows(&tube, 0, 1), "vertex 2 is a neighbour of both without a triangle");
+    }
+
+    #[test]
+    fn book_of_three_pages_collapses_along_its_spine() {
+        // Spine 0-1-2, three pages with outer vertices 3.., two triangles each half.
+        let mut book = Vec::new();
+        for page in 0..3u32 {
+            let outer = 3 + 2 * page;
+            book.extend([[0, 1, outer], [1, outer + 1, outer], [1, 2, outer + 1]]);
+        }
+        assert!(allows(&book, 1, 2));
+        let mut links = Links::new(9, &book, false);
+        links.collapse(1, 2);
+        assert_eq!(links.triangle_count(2), 6);
+    }
+}

@@ -1,0 +1,90 @@
+//! Wedges: which vertex of the target stands for which vertex of the removed position.
+//!
+//! A collapse removes a position with all its wedges. The triangles on the collapsed edge say which wedges lie on
+//! the same side of the seam; where some wedge has no such partner, the collapse would tear the attributes
+//! and is refused.
+
+use crate::mesh::PositionIndex;
+
+use super::star::Star;
+
+/// The vertices (wedges) that the triangles show at present.
+#[derive(Debug)]
+pub(super) struct Wedges<'a> {
+    positions: &'a PositionIndex,
+    /// Vertices of every triangle, kept up to date by [`Self::substitute`].
+    corners: Vec<[u32; 3]>,
+    /// The pairing found last.
+    map: Vec<(u32, u32)>,
+}
+
+impl<'a> Wedges<'a> {
+    pub(super) fn new(positions: &'a PositionIndex, corners: Vec<[u32; 3]>) -> Self {
+        Self { positions, corners, map: Vec::new() }
+    }
+
+    /// True where `position` has several vertices.
+    #[inline]
+    pub(super) fn is_split(&self, position: u32) -> bool {
+        self.positions.wedges(position).len() > 1
+    }
+
+    /// The vertex that `triangle` shows at `position`.
+    #[inline]
+    pub(super) fn shown(&self, triangle: u32, position: u32) -> u32 {
+        let [a, b, c] = self.corners[triangle as usize];
+        if self.positions.position_of(a) == position {
+            a
+        } else if self.positions.position_of(b) == position {
+            b
+        } else {
+            c
+        }
+    }
+
+    /// Pairs the wedges of `v` with those of its neighbour `star.ids[k]`; false where some wedge has no partner.
+    pub(super) fn pair(&mut self, star: &Star, v: u32, k: usize) -> bool {
+        let u = star.ids[k];
+        self.map.clear();
+        if !self.is_split(v) && !self.is_split(u) {
+            self.map.push((self.positions.first_vertex(v), self.positions.first_vertex(u)));
+            return true;
+        }
+        for t in 0..star.triangle_count() {
+            if star.triangle(t).contains(&k) {
+                let triangle = star.triangles[t];
+                let (from, to) = (self.shown(triangle, v), self.shown(triangle, u));
+                match self.map.iter().find(|(other, _)| *other == from) {
+                    Some(&(_, found)) if found != to => return false,
+                    Some(_) => {}
+                    None => self.map.push((from, to)),
+                }
+            }
+        }
+        (0..star.triangle_count()).all(|t| {
+            let from = self.shown(star.triangles[t], v);
+            self.map.iter().any(|(other, _)| *other == from)
+        })
+    }
+
+    /// Writes the target of every wedge of `v` by the pairing found last, `u` being the target position.
+    pub(super) fn write_targets(&self, v: u32, u: u32, targets: &mut [u32]) {
+        for wedge in self.positions.wedges(v) {
+            // A wedge that no triangle shows any more goes with the others.
+            let paired = self.map.iter().find(|(from, _)| *from == wedge).or(self.map.first());
+            targets[wedge as usize] = paired.map_or(self.positions.first_vertex(u), |&(_, to)| to);
+        }
+    }
+
+    /// Shows the targets in the triangles around `v`.
+    pub(super) fn substitute(&mut self, star: &Star, v: u32, targets: &[u32]) {
+        let wedges = self.positions.wedges(v);
+        for &t in &star.triangles[..star.triangle_count()] {
+            for corner in &mut self.corners[t as usize] {
+                if wedges.contains(corner) {
+                    *corner = targets[*corner as usize];
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! The error that a step reports: how far the worst vertices removed so far lie from the surface.
+//!
+//! Every position carries one **witness**: among the removed vertices whose nearest triangle it touches, the one that
+//! was farthest away when last measured. A collapse measures the removed vertex and the witnesses of both ends
+//! anew, walking from star to star while that leads nearer, and each witness settles where it ends. This is an
+//! estimate from vertices: cheap and close to what sampling finds (docs/results.md has the comparison), not a bound.
+
+use glam::Vec3;
+
+use super::fan::nearest;
+use super::links::{LinkEdge, Links};
+
+const NONE: u32 = u32::MAX;
+/// Stars that a witness may cross in one search; it goes on next time.
+const MAX_WALK: usize = 8;
+
+#[derive(Clone, Copy, Debug)]
+struct Witness {
+    vertex: u32,
+    distance_squared: f32,
+}
+
+const NOBODY: Witness = Witness { vertex: NONE, distance_squared: 0.0 };
+
+/// One removed vertex for each position, and scratch.
+#[derive(Debug)]
+pub(super) struct Witnesses {
+    of: Vec<Witness>,
+    edges: Vec<LinkEdge>,
+}
+
+fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
+    let [x, y, z, _] = positions[p as usize];
+    Vec3::new(x, y, z)
+}
+
+impl Witnesses {
+    pub(super) fn new(position_count: usize) -> Self {
+        Self { of: vec![NOBODY; position_count], edges: Vec::new() }
+    }
+
+    /// Called after `v` was collapsed to `u`, `own` being the squared distance of v from its new fan. Returns the
+    /// largest squared distance among v and the witnesses of both.
+    pub(super) fn collapse(&mut self, links: &Links, positions: &[[f32; 4]], (v, u): (u32, u32), own: f32) -> f32 {
+        let candidates = [std::mem::replace(&mut self.of[v as usize], NOBODY), self.of[u as usize]];
+        self.of[u as usize] = Witness { vertex: v, distance_squared: own };
+        let mut worst = own;
+        for candidate in candidates.into_iter().filter(|w| w.vertex != NONE) {
+            let (distance_squared, place) = self.settle(links, positions, u, candidate.vertex);
+            worst = worst.max(distance_squared);
+            let there = &mut self.of[place as usize];
+            if distance_squared > there.distance_squared || there.vertex == NONE {
+                *there = Witness { vertex: candidate.vertex, distance_squared };
+            }
+        }
+        worst
+    }
+
+    /// Walks from the star of `place` towards the surface nearest to `witness`.
+    fn settle(&mut self, links: &Links, positions: &[[f32; 4]], mut place: u32, witness: u32) -> (f32, u32) {
+        let from = point(positions, witness);
+        let mut least = f32::INFINITY;
+        for _ in 0..MAX_WALK {
+            let centre = point(positions, place) - from;
+            links.edges_into(place, &mut self.edges);
+            // Where the nearest point lies on the rim, the star beyond may be nearer still.
+            let mut beyond = NONE;
+            let before = least;
+            for e in &self.edges {
+                let (a, b) = (point(positions, e.a) - from, point(positions, e.b) - from);
+                let [x, y, z] = nearest(centre, a, b);
+                let distance_squared = (centre * x + a * y + b * z).length_squared();
+                if distance_squared < least {
+                    least = distance_squared;
+                    beyond = match x > 0.0 {
+                        true => NONE,
+                        false => {
+                            if y >= z {
+                                e.a
+                            } else {
+                                e.b
+                            }
+                        }
+                    };
+                }
+            }
+            if self.edges.is_empty() {
+                least = least.min(centre.length_squared());
+            }
+            if beyond == NONE || least >= before {
+                break;
+            }
+            place = beyond;
+        }
+        (least, place)
+    }
+}
