@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::model::lod_strips::LodStrips;
+use striata::model::{LodModel, LodStrips};
 use striata::simplify::{
     BoundaryRule, CollapseCost, SequenceOptions, StopReason, build_welded_sequence,
 };
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     phases.leave();
     drop(bar);
     let report = Report::new(&mesh, &built, bytes.len(), phases);
-    output.summary(&report, &report.to_text(&args.output, diagonal))
+    output.summary(&report, &report.to_text(&args.output, &built, diagonal))
 }
 
 /// A mesh with all that a .striata file holds.
@@ -127,7 +127,7 @@ impl Report {
         let sequence = &built.refinable.sequence;
         let vertex_count = built.refinable.mesh.vertex_count().max(1);
         let mut models = Map::new();
-        let bytes = built.lod_strips.byte_count();
+        let bytes = built.lod_strips.bytes().iter().map(|part| part.bytes).sum::<usize>();
         models.insert(
             "lodstrips".to_owned(),
             json!({ "bytes": bytes, "bytes_per_vertex": bytes as f64 / vertex_count as f64 }),

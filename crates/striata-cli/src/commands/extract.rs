@@ -3,6 +3,8 @@
 use std::time::Instant;
 
 use serde::Serialize;
+use striata::codec::StriataFile;
+use striata::model::{LodModel, LodStrips, LodStripsState};
 use striata::strip::StripSet;
 use striata_io::Format;
 
@@ -35,7 +37,64 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     check_form(args)?;
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
-    todo!()
+    let sequence = file.sequence().map_err(|error| input.damaged(&error))?;
+    let model = lod_strips(&file, args.model.as_deref(), &input)?;
+    let target = args.level.target(file.bounds().map_or(0.0, |b| b.diagonal()))?;
+    let (split_count, stop_reason) = choose(&sequence, target)?;
+    let mut state = model.new_state();
+    let seek_started = Instant::now();
+    model.move_to(&mut state, split_count);
+    let seek_secs = seek_started.elapsed().as_secs_f64();
+    let mesh = file.level(split_count).map_err(|error| input.damaged(&error))?;
+    let strips = (args.form == TriangleForm::Strips).then(|| stitched(&strips_of_level(&model, &state)));
+    save(&mesh, strips, &args.output.output, &args.output.format)?;
+    let report = Report {
+        model: "lodstrips",
+        split_count,
+        vertex_count: mesh.vertex_count(),
+        triangle_count: mesh.triangle_count(),
+        error: sequence.error_at(split_count),
+        stop_reason: stop_reason.as_str(),
+        seek_secs,
+        secs: started.elapsed().as_secs_f64(),
+    };
+    output.summary(&report, &report.to_text(sequence.step_count()))
+}
+
+impl Report {
+    fn to_text(&self, step_count: usize) -> String {
+        format!(
+            "{} triangles, {} vertices, split {} of {}, error {:.6}, {}; sought in {}",
+            grouped(self.triangle_count),
+            grouped(self.vertex_count),
+            grouped(self.split_count),
+            grouped(step_count),
+            self.error,
+            self.stop_reason.replace('_', " "),
+            lasted(self.seek_secs)
+        )
+    }
+}
+
+/// The strips that a level shows, group by group; dead ones are left out.
+pub(crate) fn strips_of_level(model: &LodStrips<'_>, state: &LodStripsState) -> StripSet {
+    let mut strips = StripSet::new();
+    for group in 0..model.group_count() {
+        for strip in model.group_strips(group).map(|strip| model.strip(state, strip)) {
+            if strip.len() >= 3 {
+                strips.push(strip);
+            }
+        }
+        strips.end_group();
+    }
+    strips
+}
+
+/// One list of indices a group, its strips joined by degenerate triangles.
+pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
+    let joined = strips.to_stitched_indices();
+    let of_group = |range: &std::ops::Range<u32>| joined.indices[range.start as usize..range.end as usize].to_vec();
+    joined.group_ranges.iter().map(of_group).collect()
 }
 
 /// # Errors

@@ -9,6 +9,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use serde::Serialize;
+use striata::codec::StriataFile;
 use striata::simplify::SequenceOptions;
 use striata_io::{Source, read_bytes, write_atomically};
 
@@ -45,7 +46,8 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let bytes = built.to_bytes()?;
     folder.write("nefertiti.striata", "every level in one file", &bytes)?;
     let levels = levels::measure(&built);
-    levels::write_meshes(&built, &mut folder)?;
+    let file = StriataFile::parse(&bytes)?;
+    levels::write_meshes(&file, &built, &mut folder)?;
     bar.phase("pictures");
     let picture = picture(&built)?;
     folder.write("levels.png", "four levels, shaded and as strips", &picture)?;

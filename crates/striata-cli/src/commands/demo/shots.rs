@@ -26,7 +26,7 @@ const SAMPLES: usize = 3;
 const BACKGROUND: Rgb = [0.012, 0.013, 0.017];
 const STONE: Rgb = [0.72, 0.58, 0.44];
 const INK: Rgb = [0.85, 0.83, 0.80];
-const SOFT_INK: Rgb = [0.36, 0.35, 0.34];
+const SOFT_INK: Rgb = [0.42, 0.41, 0.39];
 
 /// The picture of all shots of one mesh.
 pub(super) fn contact_sheet(mesh: &IndexedMesh, shots: &[Shot]) -> Canvas {
@@ -43,7 +43,7 @@ pub(super) fn contact_sheet(mesh: &IndexedMesh, shots: &[Shot]) -> Canvas {
         }
         let middle = left + PANEL_WIDTH / 2;
         sheet.text_centred(&shot.title, middle, 16, 2, INK);
-        sheet.text_centred(&shot.caption, middle, height - FOOT_HEIGHT + 8, 1, SOFT_INK);
+        sheet.text_centred(&shot.caption, middle, height - FOOT_HEIGHT + 6, 2, SOFT_INK);
     }
     sheet
 }
@@ -78,7 +78,7 @@ fn strip_colour(strip: u32) -> Rgb {
     let channel = |shift: f32| {
         let place = (hue + shift) % 6.0;
         let amount = (2.0 - (place - 3.0).abs()).clamp(0.0, 1.0);
-        shade * (0.16 + 0.74 * amount)
+        shade * (0.24 + 0.60 * amount)
     };
     [channel(3.0), channel(1.0), channel(5.0)]
 }

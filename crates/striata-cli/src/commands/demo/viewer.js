@@ -80,16 +80,17 @@ if (!gl) $("no-webgl").hidden = false;
 
 const VERTEX = `#version 300 es
 in vec3 position; in vec3 normal;
-uniform mat4 clipFromMesh; uniform mat3 viewFromMesh;
+uniform mat4 clipFromMesh; uniform mat3 viewFromMesh; uniform highp vec4 line;
 out vec3 n; out vec3 p;
 void main() {
   n = viewFromMesh * normal; p = viewFromMesh * position;
   gl_Position = clipFromMesh * vec4(position, 1.0);
+  if (line.a > 0.0) gl_Position.z -= 0.004 * gl_Position.w; // edges win against their own triangles
 }`;
 const FRAGMENT = `#version 300 es
 precision highp float;
 in vec3 n; in vec3 p;
-uniform bool flatShading; uniform vec4 line;
+uniform bool flatShading; uniform highp vec4 line;
 out vec4 colour;
 void main() {
   if (line.a > 0.0) { colour = line; return; }
@@ -128,8 +129,6 @@ function setUp() {
   indexBuffer = gl.createBuffer();
   lineBuffer = gl.createBuffer();
   gl.enable(gl.DEPTH_TEST);
-  gl.enable(gl.POLYGON_OFFSET_FILL);
-  gl.polygonOffset(1, 1);
 }
 
 const bounds = { min: [1e30, 1e30, 1e30], max: [-1e30, -1e30, -1e30] };
@@ -139,7 +138,7 @@ mesh.positions.forEach((x, i) => {
 });
 const centre = bounds.min.map((x, k) => (x + bounds.max[k]) / 2);
 const radius = Math.hypot(...bounds.min.map((x, k) => bounds.max[k] - x)) / 2;
-const camera = { yaw: 0.45, pitch: 0.05, distance: 3.2 };
+const camera = { yaw: -0.6, pitch: 0.05, distance: 3 };
 
 // Column-major: orbit around the centre, then perspective.
 function matrices() {
@@ -150,7 +149,8 @@ function matrices() {
   const shift = [right, up, back].map((axis) => -axis.reduce((sum, x, k) => sum + x * centre[k], 0));
   shift[2] -= camera.distance * radius;
   const f = 1 / Math.tan(0.33), aspect = canvas.width / canvas.height;
-  const [near, far] = [0.02 * radius, (camera.distance + 4) * radius];
+  // As close around the mesh as can be: depth has few bits.
+  const [near, far] = [Math.max(camera.distance - 1.1, 0.02) * radius, (camera.distance + 1.1) * radius];
   const [a, b] = [(far + near) / (near - far), 2 * far * near / (near - far)];
   const clip = [];
   for (let k = 0; k < 4; k++) {
