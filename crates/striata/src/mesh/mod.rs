@@ -3,8 +3,10 @@
 //! A **vertex** is what a GPU means by it: a position with its attributes. Vertices that share one
 //! position are its **wedges**; [`weld`] finds them and gives each position a number.
 
+mod adjacency;
 mod appearance;
 mod attributes;
+mod disjoint_sets;
 #[cfg(feature = "distance")]
 mod distance;
 mod indexed_mesh;
@@ -12,10 +14,12 @@ mod positions;
 mod random;
 mod replay;
 mod sequence;
+pub mod shapes;
 #[cfg(feature = "distance")]
 mod triangle_tree;
 mod weld;
 
+pub use adjacency::{Adjacency, Edge};
 pub use appearance::{Appearance, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
 #[cfg(feature = "distance")]
