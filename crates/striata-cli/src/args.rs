@@ -331,7 +331,8 @@ impl FromStr for Length {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("{text:?} is no length; write mesh units (0.02) or a share of the diagonal (1%)");
+        let wrong =
+            || format!("{text:?} is no length; write mesh units (0.02) or a share of the diagonal (1%)");
         let (number, length): (&str, fn(f64) -> Self) = match text.strip_suffix('%') {
             Some(percent) => (percent, |x| Self::OfDiagonal(x / 100.0)),
             None => (text, Self::Absolute),

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use striata::codec::{DecodeError, EncodeError};
 use striata::mesh::{DistanceError, MeshError};
+use striata::model::LodStripsError;
 use striata::simplify::SimplifyError;
 use striata_io::{ReadError, WriteError};
 
@@ -88,7 +89,9 @@ impl From<WriteError> for Failure {
 impl From<MeshError> for Failure {
     fn from(error: MeshError) -> Self {
         let hint = match error {
-            MeshError::NonFinitePosition { .. } => "remove or repair the vertex; `striata info` counts such defects",
+            MeshError::NonFinitePosition { .. } => {
+                "remove or repair the vertex; `striata info` counts such defects"
+            }
             _ => "the file contradicts itself; export it again",
         };
         Self::user(error.to_string()).with_hint(hint)
@@ -110,6 +113,20 @@ impl From<DistanceError> for Failure {
         Self::user(error.to_string())
     }
 }
+
+/// Failures of parts that were made here and fit together by construction; what comes from a user's file is
+/// told by `Input::damaged`.
+macro_rules! ours {
+    ($($error:ty),*) => {
+        $(impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Self::internal(error.to_string())
+            }
+        })*
+    };
+}
+
+ours!(LodStripsError, DecodeError, EncodeError);
 
 /// Prints a panic as what it is: our fault.
 pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {

@@ -68,7 +68,8 @@ impl Output {
 
     /// A progress bar that the library's callback can move; invisible unless stderr is a terminal.
     pub(crate) fn bar(&self) -> Bar {
-        let target = if self.draws_bars { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let target =
+            if self.draws_bars { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(0), target);
         let style = ProgressStyle::with_template("{msg:<10} {bar:40} {percent:>3}% {eta}");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));

@@ -6,9 +6,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::model::{LodModel, LodStrips};
-use striata::simplify::{
-    BoundaryRule, CollapseCost, SequenceOptions, StopReason, build_welded_sequence,
-};
+use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, StopReason, build_welded_sequence};
 use striata::strip::{StripCost, StripOptions, stripify};
 use striata_io::write_atomically;
 
@@ -26,7 +24,7 @@ pub(crate) const PHASES: [&str; 6] = ["read", "weld", "simplify", "strip", "mode
 const ORDERS: [&str; 1] = ["quadric"];
 
 /// Models that this version has.
-const MODELS: [&str; 1] = ["lodstrips"];
+pub(crate) const MODELS: [&str; 1] = ["lodstrips"];
 
 /// Reads, builds, writes, reports.
 ///
@@ -90,7 +88,7 @@ pub(crate) fn build(
     phases.enter("strip");
     bar.phase("strip");
     let strips = stripify(&refinable.mesh, &StripOptions::default())?;
-    let strip_cost = StripCost::of(&strips);
+    let strip_cost = strips.cost();
     phases.enter("models");
     bar.phase("models");
     let lod_strips = LodStrips::build(&refinable, &strips)?;
@@ -174,7 +172,8 @@ impl Report {
         row("levels", grouped(last + 1));
         row("error of the base", format!("{error:.6} ({share:.3} % of the diagonal)"));
         let cost = &built.strip_cost;
-        let strips = format!("{}, {:.3} indices a triangle", grouped(cost.strip_count), cost.indices_per_triangle);
+        let strips =
+            format!("{}, {:.3} indices a triangle", grouped(cost.strip_count), cost.indices_per_triangle);
         row("strips", strips);
         row("file", format!("{} ({})", output.display(), sized(self.output_bytes)));
         row("time", lasted(self.secs));
@@ -191,7 +190,7 @@ fn check_models(names: &[String]) -> Result<(), Failure> {
     }
 }
 
-fn unknown_name(what: &str, name: &str, known: &[&str]) -> Failure {
+pub(crate) fn unknown_name(what: &str, name: &str, known: &[&str]) -> Failure {
     let hint = format!("this version has: {}", known.join(", "));
     Failure::user(format!("there is no {what} {name:?}")).with_hint(hint)
 }

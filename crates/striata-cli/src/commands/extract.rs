@@ -9,6 +9,7 @@ use striata::strip::StripSet;
 use striata_io::Format;
 
 use crate::args::{ExtractArgs, TriangleForm};
+use crate::commands::build::{MODELS, unknown_name};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::level::choose;
@@ -93,8 +94,26 @@ pub(crate) fn strips_of_level(model: &LodStrips<'_>, state: &LodStripsState) -> 
 /// One list of indices a group, its strips joined by degenerate triangles.
 pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
     let joined = strips.to_stitched_indices();
-    let of_group = |range: &std::ops::Range<u32>| joined.indices[range.start as usize..range.end as usize].to_vec();
+    let of_group =
+        |range: &std::ops::Range<u32>| joined.indices[range.start as usize..range.end as usize].to_vec();
     joined.group_ranges.iter().map(of_group).collect()
+}
+
+/// # Errors
+/// Where the model is none that this version has, or none that the file has.
+fn lod_strips<'a>(
+    file: &StriataFile<'a>,
+    name: Option<&str>,
+    input: &Input,
+) -> Result<LodStrips<'a>, Failure> {
+    if let Some(name) = name.filter(|name| !MODELS.contains(name)) {
+        return Err(unknown_name("model", name, &MODELS));
+    }
+    match file.lod_strips() {
+        Some(model) => model.map_err(|error| input.damaged(&error)),
+        None => Err(Failure::user(format!("{}: no model in this file can be read", input.name))
+            .with_hint("build it again with --models lodstrips")),
+    }
 }
 
 /// # Errors
@@ -102,7 +121,9 @@ pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
 fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
     let format = format_of(&args.output.output, &args.output.format)?;
     if args.form == TriangleForm::Strips && !matches!(format, Format::Glb | Format::Gltf) {
-        return Err(Failure::user(format!("{format} has no strips")).with_hint("write .glb or .gltf, or --as list"));
+        return Err(
+            Failure::user(format!("{format} has no strips")).with_hint("write .glb or .gltf, or --as list")
+        );
     }
     Ok(())
 }

@@ -206,8 +206,7 @@ fn unit(a: Vec3) -> Vec3 {
 mod tests {
     use super::*;
 
-    const CAMERA: Camera =
-        Camera { eye: [0.0, 0.0, 5.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 0.8 };
+    const CAMERA: Camera = Camera { eye: [0.0, 0.0, 5.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 0.8 };
 
     fn middle(triangles: &[[u32; 3]], colours: &[Rgb]) -> Rgb {
         let positions = [
@@ -219,7 +218,11 @@ mod tests {
             [0.0, 1.0, 1.0],
         ];
         let mut canvas = Canvas::filled(21, 21, [0.5; 3]);
-        draw(&mut canvas, &CAMERA, &Surface { positions: &positions, triangles, paint: Paint::Flat(colours) });
+        draw(
+            &mut canvas,
+            &CAMERA,
+            &Surface { positions: &positions, triangles, paint: Paint::Flat(colours) },
+        );
         assert_eq!(canvas.row_mut(0)[0], [0.5; 3], "the corner is background");
         canvas.row_mut(10)[10]
     }

@@ -11,7 +11,7 @@ use striata_io::{Format, WriteOptions, to_bytes};
 use super::Folder;
 use super::shots::Shot;
 use crate::commands::build::Built;
-use crate::commands::extract::{strips_of_level, stitched};
+use crate::commands::extract::{stitched, strips_of_level};
 use crate::failure::Failure;
 use crate::output::{grouped, lasted, sized};
 
@@ -91,7 +91,11 @@ pub(super) fn rows(levels: &[Level]) -> Vec<Vec<String>> {
 ///
 /// # Errors
 /// Where one cannot be made or written.
-pub(super) fn write_meshes(file: &StriataFile<'_>, built: &Built, folder: &mut Folder<'_>) -> Result<(), Failure> {
+pub(super) fn write_meshes(
+    file: &StriataFile<'_>,
+    built: &Built,
+    folder: &mut Folder<'_>,
+) -> Result<(), Failure> {
     let wanted = [
         (0.5, Format::Glb, false),
         (0.1, Format::Glb, false),
@@ -110,7 +114,11 @@ pub(super) fn write_meshes(file: &StriataFile<'_>, built: &Built, folder: &mut F
         }
         let form = if as_strips { "-strips" } else { "" };
         let name = format!("nefertiti-{}-percent{form}.{}", 100.0 * share, format.extension());
-        let what = format!("{} triangles{}", grouped(mesh.triangle_count()), if as_strips { " as strips" } else { "" });
+        let what = format!(
+            "{} triangles{}",
+            grouped(mesh.triangle_count()),
+            if as_strips { " as strips" } else { "" }
+        );
         folder.write(&name, &what, &to_bytes(format, &mesh, &options)?)?;
     }
     Ok(())

@@ -75,7 +75,8 @@ struct Folder<'a> {
 impl<'a> Folder<'a> {
     fn create(path: &'a Path) -> Result<Self, Failure> {
         fs::create_dir_all(path).map_err(|error| {
-            Failure::user(format!("{}: {error}", path.display())).with_hint("name a folder that you may write")
+            Failure::user(format!("{}: {error}", path.display()))
+                .with_hint("name a folder that you may write")
         })?;
         Ok(Self { path, files: Vec::new() })
     }

@@ -1,9 +1,6 @@
 //! Bad input: a clear error that names the file, the place and the reason; exit code 1; nothing half-written.
 
-#[expect(dead_code, reason = "each test file uses its share of the workbench")]
-mod workbench;
-
-use workbench::{Workbench, sphere};
+use crate::workbench::{Workbench, sphere};
 
 #[test]
 fn a_missing_file_is_named() {
@@ -67,7 +64,10 @@ fn nan_is_refused_where_it_matters_and_counted_by_info() {
     assert_eq!(bench.names(), ["nan.off"]);
     let info = bench.json("info nan.off");
     assert_eq!(info["triangle_count"], 2);
-    assert!(info["defects"].to_string().contains("NaN") || info["defects"].to_string().contains("finite"), "{info}");
+    assert!(
+        info["defects"].to_string().contains("NaN") || info["defects"].to_string().contains("finite"),
+        "{info}"
+    );
 }
 
 #[test]
@@ -124,8 +124,16 @@ fn a_failure_leaves_the_old_output_and_nothing_else() {
 #[test]
 fn unknown_names_list_what_there_is() {
     let bench = Workbench::with_ball();
-    assert!(bench.refused("build sphere.obj -o x.striata --models lodstrips,mts").contains("hint: this version has: lodstrips"));
-    assert!(bench.refused("build sphere.obj -o x.striata --order hausdorff").contains("hint: this version has: quadric"));
+    assert!(
+        bench
+            .refused("build sphere.obj -o x.striata --models lodstrips,mts")
+            .contains("hint: this version has: lodstrips")
+    );
+    assert!(
+        bench
+            .refused("build sphere.obj -o x.striata --order hausdorff")
+            .contains("hint: this version has: quadric")
+    );
     assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --model fans").contains("lodstrips"));
 }
 

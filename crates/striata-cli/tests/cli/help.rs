@@ -1,9 +1,6 @@
 //! What `--help` says, letter by letter; it is part of the interface.
 
-#[expect(dead_code, reason = "each test file uses its share of the workbench")]
-mod workbench;
-
-use workbench::Workbench;
+use crate::workbench::Workbench;
 
 fn help(arguments: &str) -> String {
     let bench = Workbench::new();

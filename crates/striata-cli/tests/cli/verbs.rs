@@ -1,9 +1,6 @@
 //! Each verb does its job and says so in the promised keys.
 
-#[expect(dead_code, reason = "each test file uses its share of the workbench")]
-mod workbench;
-
-use workbench::{Workbench, asset, assert_keys};
+use crate::workbench::{Workbench, assert_keys, asset};
 
 #[test]
 fn build_reports_what_it_made() {
@@ -40,7 +37,11 @@ fn build_reports_what_it_made() {
     assert_eq!(report["input"]["triangle_count"], 512);
     assert_eq!(report["input"]["vertex_count"], 258);
     assert_eq!(report["output_bytes"], bench.read("again.striata").len());
-    assert_eq!(bench.read("again.striata"), bench.read("ball.striata"), "the same input gives the same bytes");
+    assert_eq!(
+        bench.read("again.striata"),
+        bench.read("ball.striata"),
+        "the same input gives the same bytes"
+    );
 }
 
 #[test]
@@ -101,7 +102,16 @@ fn extract_gives_the_level_that_was_asked_for() {
     let level = bench.json("extract ball.striata -o level.ply --triangles 200");
     assert_keys(
         &level,
-        &["model", "split_count", "vertex_count", "triangle_count", "error", "seek_secs", "secs", "stop_reason"],
+        &[
+            "model",
+            "split_count",
+            "vertex_count",
+            "triangle_count",
+            "error",
+            "seek_secs",
+            "secs",
+            "stop_reason",
+        ],
     );
     let count = level["triangle_count"].as_u64().expect("a count");
     assert!((198..=200).contains(&count), "{level}");
