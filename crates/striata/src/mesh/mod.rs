@@ -9,12 +9,14 @@ mod attributes;
 mod disjoint_sets;
 #[cfg(feature = "distance")]
 mod distance;
+mod dual_graph;
 mod indexed_mesh;
 mod positions;
 mod random;
 mod replay;
 mod sequence;
 pub mod shapes;
+mod statistics;
 #[cfg(feature = "distance")]
 mod triangle_tree;
 mod weld;
@@ -24,11 +26,13 @@ pub use appearance::{Appearance, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
 #[cfg(feature = "distance")]
 pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};
+pub use dual_graph::DualGraph;
 pub use indexed_mesh::{Bounds, IndexedMesh, MeshError, TriangleGroup};
 pub use positions::PositionIndex;
 pub use random::Random;
 pub use replay::{canonical_triangles, replay, replay_into};
 pub use sequence::{CollapseSequence, RefinableMesh, SequenceError, SequenceParts};
+pub use statistics::Statistics;
 #[cfg(feature = "distance")]
 pub use triangle_tree::{Nearest, TriangleTree};
 pub use weld::{Welded, weld};

@@ -109,7 +109,7 @@ fn material_of_vertices(mesh: &IndexedMesh) -> Vec<u32> {
 }
 
 /// Gives equal positions equal numbers; numbers rise with the first vertex that has them.
-fn number_positions(positions: &[[f32; 3]]) -> Vec<u32> {
+pub(super) fn number_positions(positions: &[[f32; 3]]) -> Vec<u32> {
     let mut numbers: WordMap<[u32; 3], u32> = WordMap::default();
     numbers.reserve(positions.len());
     let mut next = 0;
@@ -234,9 +234,9 @@ fn same_attributes(mesh: &IndexedMesh, a: usize, b: usize) -> bool {
 fn order_by_position(mesh: &IndexedMesh, vertices: &Vertices) -> (Vec<u32>, Vec<u32>) {
     let mut keys: Vec<(u64, u32, u32)> = Vec::with_capacity(vertices.source.len());
     if let Some(curve) = Curve::of(mesh) {
-        keys.extend(vertices.source.iter().zip(&vertices.position).enumerate().map(|(v, (&source, &position))| {
-            (curve.code(mesh.positions[source as usize]), position, v as u32)
-        }));
+        keys.extend(vertices.source.iter().zip(&vertices.position).enumerate().map(
+            |(v, (&source, &position))| (curve.code(mesh.positions[source as usize]), position, v as u32),
+        ));
     }
     keys.sort_unstable();
     let mut first = Vec::new();

@@ -90,7 +90,10 @@ impl<'a> Engine<'a> {
     }
 
     /// Collapses until nothing can be, the base is reached or an error limit forbids to go on.
-    pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<(Record, StopReason), SimplifyError> {
+    pub(super) fn run(
+        mut self,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<(Record, StopReason), SimplifyError> {
         let keys: Vec<f32> = (0..self.positions.len() as u32).map(|v| self.lower_bound(v)).collect();
         self.heap = IndexedHeap::new(&keys);
         drop(keys);

@@ -106,7 +106,8 @@ mod tests {
     fn degenerate_triangles_are_points_and_segments() {
         let p = Vec3::new(3.0, 4.0, 0.0);
         assert_eq!(distance_squared(p, p, p), 25.0);
-        let d = distance_squared(Vec3::new(-1.0, 2.0, 0.0), Vec3::new(1.0, 2.0, 0.0), Vec3::new(3.0, 2.0, 0.0));
+        let d =
+            distance_squared(Vec3::new(-1.0, 2.0, 0.0), Vec3::new(1.0, 2.0, 0.0), Vec3::new(3.0, 2.0, 0.0));
         assert!((d - 4.0).abs() < 1e-6, "{d}");
     }
 

@@ -148,8 +148,12 @@ mod tests {
                 heap.set(i as u32, f32::INFINITY);
             }
         }
-        let mut expected: Vec<(u32, u32)> =
-            keys.iter().enumerate().filter(|(_, k)| k.is_finite()).map(|(v, k)| (*k as u32, v as u32)).collect();
+        let mut expected: Vec<(u32, u32)> = keys
+            .iter()
+            .enumerate()
+            .filter(|(_, k)| k.is_finite())
+            .map(|(v, k)| (*k as u32, v as u32))
+            .collect();
         expected.sort_unstable();
         let mut found = Vec::new();
         while let Some((key, v)) = heap.first() {

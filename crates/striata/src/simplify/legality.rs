@@ -53,9 +53,11 @@ impl Legality {
         }
         // Two apexes joined on both sides: a tetrahedron would fold flat.
         let both = |e: &&LinkEdge| is_apex(e.a) && is_apex(e.b);
-        let folds = self.edges.iter().filter(both).any(|e| {
-            self.other.iter().any(|f| (f.a == e.a && f.b == e.b) || (f.a == e.b && f.b == e.a))
-        });
+        let folds = self
+            .edges
+            .iter()
+            .filter(both)
+            .any(|e| self.other.iter().any(|f| (f.a == e.a && f.b == e.b) || (f.a == e.b && f.b == e.a)));
         if folds {
             return false;
         }

@@ -162,12 +162,16 @@ impl Links {
                 b: entries[if i + 1 == n { 0 } else { i + 1 }],
                 triangle: triangle(i),
             })),
-            LinkKind::Open => out.extend(
-                (0..n - 1).map(|i| LinkEdge { a: entries[i], b: entries[i + 1], triangle: triangle(i) }),
-            ),
-            LinkKind::Edges => out.extend(
-                (0..n / 2).map(|i| LinkEdge { a: entries[2 * i], b: entries[2 * i + 1], triangle: triangle(2 * i) }),
-            ),
+            LinkKind::Open => out.extend((0..n - 1).map(|i| LinkEdge {
+                a: entries[i],
+                b: entries[i + 1],
+                triangle: triangle(i),
+            })),
+            LinkKind::Edges => out.extend((0..n / 2).map(|i| LinkEdge {
+                a: entries[2 * i],
+                b: entries[2 * i + 1],
+                triangle: triangle(2 * i),
+            })),
         }
     }
 
@@ -205,8 +209,7 @@ impl Links {
         let n = self.ring.len();
         let old = &self.entries[su.start as usize..][..su.len as usize];
         let m = old.len();
-        let (Some(k), Some(j)) =
-            (self.ring.iter().position(|&w| w == u), old.iter().position(|&w| w == v))
+        let (Some(k), Some(j)) = (self.ring.iter().position(|&w| w == u), old.iter().position(|&w| w == v))
         else {
             return false;
         };
@@ -535,13 +538,21 @@ mod tests {
                 a != b && b != c && c != a
             });
             let expected: Vec<_> = alive.iter().map(|&t| triangles[t]).collect();
-            assert_eq!(triangles_of(&links), canonical_triangles(&expected), "after {v} -> {u} of {numbered:?}");
+            assert_eq!(
+                triangles_of(&links),
+                canonical_triangles(&expected),
+                "after {v} -> {u} of {numbered:?}"
+            );
             let mut edges = Vec::new();
             for w in 0..count as u32 {
                 links.edges_into(w, &mut edges);
                 for e in &edges {
                     let found = canonical_triangles(&[[w, e.a, e.b]]);
-                    assert_eq!(found, canonical_triangles(&[triangles[e.triangle as usize]]), "triangle numbers");
+                    assert_eq!(
+                        found,
+                        canonical_triangles(&[triangles[e.triangle as usize]]),
+                        "triangle numbers"
+                    );
                 }
             }
         }
@@ -574,7 +585,8 @@ mod tests {
                 triangles.push([count - 1, count - 2, 0]);
             }
             for _ in 0..next(20) {
-                let t = [next(u64::from(count)), next(u64::from(count)), next(u64::from(count))].map(|x| x as u32);
+                let t = [next(u64::from(count)), next(u64::from(count)), next(u64::from(count))]
+                    .map(|x| x as u32);
                 if t[0] != t[1] && t[1] != t[2] && t[2] != t[0] {
                     triangles.push(t);
                 }

@@ -44,5 +44,11 @@ pub fn build_welded_sequence(
     let degenerate_triangle_count = welded.degenerate_triangle_count;
     let merged_vertex_count = welded.merged_vertex_count;
     let (refinable, source_vertex) = finish::finish(welded, record)?;
-    Ok(BuiltSequence { refinable, source_vertex, stop_reason, degenerate_triangle_count, merged_vertex_count })
+    Ok(BuiltSequence {
+        refinable,
+        source_vertex,
+        stop_reason,
+        degenerate_triangle_count,
+        merged_vertex_count,
+    })
 }

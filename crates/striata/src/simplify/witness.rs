@@ -41,7 +41,13 @@ impl Witnesses {
 
     /// Called after `v` was collapsed to `u`, `own` being the squared distance of v from its new fan. Returns the
     /// largest squared distance among v and the witnesses of both.
-    pub(super) fn collapse(&mut self, links: &Links, positions: &[[f32; 4]], (v, u): (u32, u32), own: f32) -> f32 {
+    pub(super) fn collapse(
+        &mut self,
+        links: &Links,
+        positions: &[[f32; 4]],
+        (v, u): (u32, u32),
+        own: f32,
+    ) -> f32 {
         let candidates = [std::mem::replace(&mut self.of[v as usize], NOBODY), self.of[u as usize]];
         self.of[u as usize] = Witness { vertex: v, distance_squared: own };
         let mut worst = own;

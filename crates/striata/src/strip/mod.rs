@@ -1,1 +1,19 @@
 //! Triangle strips: what they are, how they are made and what they cost.
+//!
+//! A strip `s` of `n` indices holds `n - 2` triangles: triangle `i` is `(s[i], s[i+1], s[i+2])` for even `i`
+//! and the same with its first two corners swapped for odd `i`, so a strip keeps one winding. A repeated
+//! index makes a degenerate triangle that nobody draws; that is how a strip turns (a **swap**) and how two
+//! strips are joined without a restart index (a **stitch**).
+
+mod cost;
+mod greedy;
+mod index_buffer;
+mod links;
+mod strip_set;
+mod stripifier;
+
+pub use cost::{CacheCost, StripCost, fifo_cache_cost};
+pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
+pub(crate) use strip_set::check_offsets;
+pub use strip_set::{StripSet, StripSetError, strip_triangles};
+pub use stripifier::{StripOptions, Stripifier, stripify};

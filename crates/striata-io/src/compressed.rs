@@ -1,0 +1,119 @@
+//! gzip and zstd around any format.
+//!
+//! Compressed bytes are recognised by their first bytes, never by the name. The output is bounded: a
+//! file that grows out of all proportion is a bomb, not a mesh.
+
+use std::borrow::Cow;
+
+use crate::ReadError;
+#[cfg(feature = "compressed")]
+use crate::error::Place;
+
+/// Most bytes that a compressed file may grow to.
+#[cfg(feature = "compressed")]
+const MAX_BYTES: u64 = 4 << 30;
+
+/// From this size on, the output may be at most [`MAX_RATIO`] times the input.
+#[cfg(feature = "compressed")]
+const RATIO_COUNTS_FROM: u64 = 64 << 20;
+
+/// Real meshes stay under 200, even flat ones.
+#[cfg(feature = "compressed")]
+const MAX_RATIO: u64 = 2000;
+
+/// Layers of compression that are taken off one file.
+const MAX_LAYERS: usize = 3;
+
+/// A way of compressing a whole file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Compression {
+    Gzip,
+    Zstd,
+}
+
+impl Compression {
+    fn of(bytes: &[u8]) -> Option<Self> {
+        match bytes {
+            [0x1f, 0x8b, 0x08, ..] => Some(Self::Gzip),
+            [0x28, 0xb5, 0x2f, 0xfd, ..] => Some(Self::Zstd),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn from_extension(name: &str) -> Option<Self> {
+        match name.rsplit_once('.')?.1.to_ascii_lowercase().as_str() {
+            "gz" => Some(Self::Gzip),
+            "zst" => Some(Self::Zstd),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn as_str(self) -> &'static str {
+        match self {
+            Self::Gzip => "gzip",
+            Self::Zstd => "zstd",
+        }
+    }
+}
+
+/// Takes gzip and zstd off, and `.gz` and `.zst` off the name with them; other bytes pass as they are.
+///
+/// # Errors
+/// [`ReadError::Malformed`] where the compressed data are damaged, cut off, or grow past 4 GiB or
+/// 2,000 times their size; [`ReadError::FeatureOff`] without the feature `compressed`.
+pub fn decompressed<'a>(bytes: Cow<'a, [u8]>, name: &str) -> Result<(Cow<'a, [u8]>, String), ReadError> {
+    let (mut bytes, mut inner_name) = (bytes, name.to_owned());
+    for _ in 0..MAX_LAYERS {
+        let Some(compression) = Compression::of(&bytes) else { break };
+        bytes = Cow::Owned(unpack(&bytes, compression, name)?);
+        if Compression::from_extension(&inner_name).is_some()
+            && let Some((stem, _)) = inner_name.rsplit_once('.')
+        {
+            inner_name = stem.to_owned();
+        }
+    }
+    Ok((bytes, inner_name))
+}
+
+#[cfg(not(feature = "compressed"))]
+fn unpack(_bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>, ReadError> {
+    Err(ReadError::FeatureOff { file: name.to_owned(), what: compression.as_str(), feature: "compressed" })
+}
+
+#[cfg(feature = "compressed")]
+fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>, ReadError> {
+    use std::io::Read as _;
+    let limit = MAX_BYTES.min(RATIO_COUNTS_FROM.max(bytes.len() as u64 * MAX_RATIO));
+    let mut out = Vec::new();
+    let read = match compression {
+        Compression::Gzip => {
+            flate2::bufread::MultiGzDecoder::new(bytes).take(limit + 1).read_to_end(&mut out)
+        }
+        Compression::Zstd => zstd::stream::read::Decoder::with_buffer(bytes)
+            .and_then(|decoder| decoder.take(limit + 1).read_to_end(&mut out)),
+    };
+    let reason = match read {
+        Err(error) => format!("the {} data are damaged or cut off: {error}", compression.as_str()),
+        Ok(_) if out.len() as u64 > limit => format!(
+            "{} bytes of {} grow past {limit} bytes, more than a mesh can",
+            bytes.len(),
+            compression.as_str()
+        ),
+        Ok(_) => return Ok(out),
+    };
+    Err(ReadError::Malformed { file: name.to_owned(), place: Place::File, reason })
+}
+
+/// Compresses a whole file.
+#[cfg(feature = "compressed")]
+pub(crate) fn packed(bytes: &[u8], compression: Compression) -> std::io::Result<Vec<u8>> {
+    use std::io::Write as _;
+    match compression {
+        Compression::Gzip => {
+            let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+            encoder.write_all(bytes)?;
+            encoder.finish()
+        }
+        Compression::Zstd => zstd::bulk::compress(bytes, 3),
+    }
+}

@@ -1,0 +1,162 @@
+//! Which format a file is in: told by its content, and by its name where the content is silent.
+
+use std::fmt;
+use std::path::Path;
+
+/// A kind of file that striata knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// Stanford polygon format, ascii or binary.
+    Ply,
+    /// Wavefront OBJ.
+    Obj,
+    /// Stereolithography, ascii or binary.
+    Stl,
+    /// Object file format of Geomview.
+    Off,
+    /// glTF 2.0 as JSON.
+    Gltf,
+    /// glTF 2.0 as one binary file.
+    Glb,
+    /// striata's own container: recognised, but not read by this crate.
+    Striata,
+}
+
+/// First bytes of striata's own container.
+const STRIATA_MAGIC: &[u8] = b"STRIATA\0";
+
+/// Bytes of a text file that are looked at to recognise it.
+const LOOKED_AT: usize = 4096;
+
+impl Format {
+    /// The format of a file, by its content first and its name's extension second.
+    ///
+    /// Compressed bytes are not looked into: see [`decompressed`](crate::decompressed).
+    pub fn detect(bytes: &[u8], name: &str) -> Option<Self> {
+        Self::from_content(bytes).or_else(|| Self::from_extension(name))
+    }
+
+    /// The format that a name's extension stands for; `.gz` and `.zst` are looked through.
+    pub fn from_extension(name: impl AsRef<Path>) -> Option<Self> {
+        let mut path = name.as_ref();
+        loop {
+            let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+            return Some(match extension.as_str() {
+                "ply" => Self::Ply,
+                "obj" => Self::Obj,
+                "stl" => Self::Stl,
+                "off" | "coff" | "noff" | "stoff" => Self::Off,
+                "gltf" => Self::Gltf,
+                "glb" => Self::Glb,
+                "striata" => Self::Striata,
+                "gz" | "zst" => {
+                    path = Path::new(path.file_stem()?);
+                    continue;
+                }
+                _ => return None,
+            });
+        }
+    }
+
+    /// The usual extension, without the dot.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Ply => "ply",
+            Self::Obj => "obj",
+            Self::Stl => "stl",
+            Self::Off => "off",
+            Self::Gltf => "gltf",
+            Self::Glb => "glb",
+            Self::Striata => "striata",
+        }
+    }
+
+    fn from_content(bytes: &[u8]) -> Option<Self> {
+        if bytes.starts_with(STRIATA_MAGIC) {
+            return Some(Self::Striata);
+        }
+        if bytes.starts_with(b"glTF") {
+            return Some(Self::Glb);
+        }
+        if bytes.starts_with(b"ply") && bytes.get(3).is_some_and(u8::is_ascii_whitespace) {
+            return Some(Self::Ply);
+        }
+        if is_binary_stl(bytes) {
+            return Some(Self::Stl);
+        }
+        let head = &bytes[..bytes.len().min(LOOKED_AT)];
+        let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
+        let first_line = text
+            .split(|&b| b == b'\n')
+            .map(<[u8]>::trim_ascii)
+            .find(|line| !line.is_empty() && !line.starts_with(b"#"))?;
+        let first_word = first_line.split(u8::is_ascii_whitespace).next()?;
+        match first_word {
+            b"solid" => Some(Self::Stl),
+            word if is_off_keyword(word) => Some(Self::Off),
+            word if word.starts_with(b"{") => Some(Self::Gltf),
+            b"v" | b"vt" | b"vn" | b"f" | b"o" | b"g" | b"usemtl" | b"mtllib" => Some(Self::Obj),
+            _ => None,
+        }
+    }
+}
+
+/// True for `OFF` with its prefixes, as `STCNOFF` or `4OFF`.
+fn is_off_keyword(word: &[u8]) -> bool {
+    let Some(mut prefix) = word.strip_suffix(b"OFF") else { return false };
+    for part in [&b"ST"[..], b"C", b"N", b"4", b"n"] {
+        prefix = prefix.strip_prefix(part).unwrap_or(prefix);
+    }
+    prefix.is_empty()
+}
+
+/// True where the length is exactly what a binary STL's triangle count asks for.
+pub(crate) fn is_binary_stl(bytes: &[u8]) -> bool {
+    let Some(count) = bytes.get(80..84).and_then(|b| b.first_chunk::<4>()) else { return false };
+    84 + 50 * u64::from(u32::from_le_bytes(*count)) == bytes.len() as u64
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Ply => "PLY",
+            Self::Obj => "OBJ",
+            Self::Stl => "STL",
+            Self::Off => "OFF",
+            Self::Gltf => "glTF",
+            Self::Glb => "GLB",
+            Self::Striata => "striata",
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn content_wins_over_the_name() {
+        let cases: [(&[u8], &str, Option<Format>); 12] = [
+            (b"ply\nformat ascii 1.0\n", "x.obj", Some(Format::Ply)),
+            (b"plywood", "x.txt", None),
+            (b"glTF\x02\0\0\0", "x", Some(Format::Glb)),
+            (b" \n{ \"asset\": {} }", "x", Some(Format::Gltf)),
+            (b"# made by hand\n\nv 0 0 0\n", "x.stl", Some(Format::Obj)),
+            (b"solid thing\n", "x", Some(Format::Stl)),
+            (b"STCOFF\n", "x", Some(Format::Off)),
+            (b"OFF 8 6 12\n", "x", Some(Format::Off)),
+            (b"STRIATA\0....", "x.ply", Some(Format::Striata)),
+            (b"hello", "x.PLY", Some(Format::Ply)),
+            (b"hello", "a.b/x.off.gz", Some(Format::Off)),
+            (b"", "x.png", None),
+        ];
+        for (bytes, name, expected) in cases {
+            assert_eq!(Format::detect(bytes, name), expected, "{name}: {}", String::from_utf8_lossy(bytes));
+        }
+        let mut stl = vec![0u8; 84 + 50];
+        stl[..5].copy_from_slice(b"solid");
+        stl[80] = 1;
+        assert_eq!(Format::detect(&stl, "x"), Some(Format::Stl));
+    }
+}

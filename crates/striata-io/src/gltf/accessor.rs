@@ -1,0 +1,208 @@
+//! Accessors: typed arrays in buffers, perhaps interleaved, perhaps sparse. Every bound is checked before a byte is read.
+
+use super::ComponentType;
+use super::document::Document;
+use super::json::At;
+use crate::error::{Fault, Place};
+
+/// A checked accessor: all its elements lie within `bytes`.
+pub(super) struct Accessor<'a> {
+    pub count: usize,
+    pub component_count: usize,
+    pub component: ComponentType,
+    pub normalized: bool,
+    path: String,
+    /// From the first element on; none where all start as zero.
+    bytes: Option<&'a [u8]>,
+    stride: usize,
+    sparse: Option<Sparse<'a>>,
+}
+
+/// Elements that replace those of the array.
+struct Sparse<'a> {
+    count: usize,
+    index_type: ComponentType,
+    indices: &'a [u8],
+    values: &'a [u8],
+}
+
+/// Reads and checks accessor `index`; `from` is who asks for it.
+pub(super) fn accessor<'a>(
+    document: &'a Document<'_>,
+    index: u64,
+    from: &At<'_>,
+) -> Result<Accessor<'a>, Fault> {
+    let at = document.item("accessors", index, from)?;
+    let component = component_type(&at)?;
+    let component_count = component_count(&at, component)?;
+    let element_bytes = component_count * component.bytes();
+    let count = at.needed_unsigned("count")?;
+    if count > u64::from(u32::MAX) / 4 {
+        return Err(at.fault(format!("{count} elements are more than can be handled")));
+    }
+    let count = count as usize;
+    let (bytes, stride) = match at.unsigned("bufferView")? {
+        Some(view) => {
+            let (bytes, stride) = document.view(view, &at)?;
+            let stride = stride.unwrap_or(element_bytes);
+            if stride < element_bytes {
+                let reason = format!("elements of {element_bytes} bytes overlap at a stride of {stride}");
+                return Err(at.fault(reason));
+            }
+            (Some(elements(bytes, &at, count, [stride, element_bytes])?), stride)
+        }
+        None if count as u64 > document.input_bytes => {
+            let reason = format!("{count} zeros in a file of {} bytes", document.input_bytes);
+            return Err(at.fault(reason));
+        }
+        None => (None, element_bytes),
+    };
+    let sparse = at.get("sparse").map(|at| sparse(document, &at, count, element_bytes)).transpose()?;
+    let normalized = at.flag("normalized");
+    let path = at.path;
+    Ok(Accessor { count, component_count, component, normalized, path, bytes, stride, sparse })
+}
+
+fn component_type(at: &At<'_>) -> Result<ComponentType, Fault> {
+    let number = at.needed_unsigned("componentType")?;
+    ComponentType::from_number(number)
+        .ok_or_else(|| at.fault(format!("no component type is numbered {number}")))
+}
+
+fn component_count(at: &At<'_>, component: ComponentType) -> Result<usize, Fault> {
+    let count = match at.text("type") {
+        "SCALAR" => 1,
+        "VEC2" => 2,
+        "VEC3" => 3,
+        "VEC4" | "MAT2" => 4,
+        "MAT3" => 9,
+        "MAT4" => 16,
+        other => return Err(at.fault(format!("no accessor type is called `{}`", super::uri::short(other)))),
+    };
+    if at.text("type").starts_with("MAT") && component.bytes() < 4 {
+        // Their columns are padded.
+        let what = "a matrix of small integers".to_owned();
+        return Err(Fault::Unsupported(Place::Json(at.path.clone()), what));
+    }
+    Ok(count)
+}
+
+/// The bytes from the accessor's own offset on, if `count` elements fit into them.
+fn elements<'a>(
+    bytes: &'a [u8],
+    at: &At<'_>,
+    count: usize,
+    [stride, element_bytes]: [usize; 2],
+) -> Result<&'a [u8], Fault> {
+    let offset = at.unsigned("byteOffset")?.unwrap_or(0);
+    let length = if count == 0 { 0 } else { (count as u64 - 1) * stride as u64 + element_bytes as u64 };
+    match offset.checked_add(length).filter(|&end| end <= bytes.len() as u64) {
+        Some(_) => Ok(&bytes[offset as usize..]),
+        None => {
+            let reason = format!(
+                "{count} elements from byte {offset} on take {length} bytes, but the view has {}",
+                bytes.len()
+            );
+            Err(at.fault(reason))
+        }
+    }
+}
+
+fn sparse<'a>(
+    document: &'a Document<'_>,
+    at: &At<'_>,
+    element_count: usize,
+    element_bytes: usize,
+) -> Result<Sparse<'a>, Fault> {
+    let count = at.needed_unsigned("count")?;
+    if count > element_count as u64 {
+        return Err(at.fault(format!("{count} replacements for {element_count} elements")));
+    }
+    let count = count as usize;
+    let part = |key: &str| at.get(key).ok_or_else(|| at.fault(format!("`{key}` is missing")));
+    let (index_at, value_at) = (part("indices")?, part("values")?);
+    let index_type = component_type(&index_at)?;
+    if !matches!(index_type, ComponentType::U8 | ComponentType::U16 | ComponentType::U32) {
+        return Err(index_at.fault("indices must be unsigned integers"));
+    }
+    let bytes_of = |at: &At<'_>, size: usize| {
+        let (bytes, _) = document.view(at.needed_unsigned("bufferView")?, at)?;
+        elements(bytes, at, count, [size, size])
+    };
+    let indices = bytes_of(&index_at, index_type.bytes())?;
+    let values = bytes_of(&value_at, element_bytes)?;
+    let sparse = Sparse { count, index_type, indices, values };
+    if let Some(index) = sparse.indices().find(|&index| index >= element_count) {
+        return Err(index_at.fault(format!("element {index} of {element_count} does not exist")));
+    }
+    Ok(sparse)
+}
+
+impl Sparse<'_> {
+    fn indices(&self) -> impl Iterator<Item = usize> {
+        let size = self.index_type.bytes();
+        self.indices.chunks_exact(size).take(self.count).map(move |chunk| {
+            let mut word = [0; 4];
+            word[..size].copy_from_slice(chunk);
+            u32::from_le_bytes(word) as usize
+        })
+    }
+}
+
+impl Accessor<'_> {
+    pub(super) fn fault(&self, reason: impl Into<String>) -> Fault {
+        Fault::Malformed(Place::Json(self.path.clone()), reason.into())
+    }
+
+    /// All numbers as floats, normalised integers as fractions.
+    pub(super) fn floats(&self) -> Vec<f32> {
+        let one = |x: f32, most: f32| if self.normalized { (x / most).max(-1.0) } else { x };
+        match self.component {
+            ComponentType::F32 => self.read::<4, _>(f32::from_le_bytes),
+            ComponentType::I8 => self.read::<1, _>(|[b]| one(f32::from(b as i8), 127.0)),
+            ComponentType::U8 => self.read::<1, _>(|[b]| one(f32::from(b), 255.0)),
+            ComponentType::I16 => self.read::<2, _>(|b| one(f32::from(i16::from_le_bytes(b)), 32767.0)),
+            ComponentType::U16 => self.read::<2, _>(|b| one(f32::from(u16::from_le_bytes(b)), 65535.0)),
+            ComponentType::U32 => self.read::<4, _>(|b| u32::from_le_bytes(b) as f32),
+        }
+    }
+
+    /// All numbers as integers; none where they are signed or floats.
+    pub(super) fn integers(&self) -> Option<Vec<u32>> {
+        Some(match self.component {
+            ComponentType::U8 => self.read::<1, _>(|[b]| u32::from(b)),
+            ComponentType::U16 => self.read::<2, _>(|b| u32::from(u16::from_le_bytes(b))),
+            ComponentType::U32 => self.read::<4, _>(u32::from_le_bytes),
+            ComponentType::I8 | ComponentType::I16 | ComponentType::F32 => return None,
+        })
+    }
+
+    /// All numbers as they are; `SIZE` must be the component's size.
+    pub(super) fn read<const SIZE: usize, T: Clone>(&self, number: impl Fn([u8; SIZE]) -> T) -> Vec<T> {
+        debug_assert_eq!(SIZE, self.component.bytes(), "numbers are read in their own size");
+        let n = self.component_count;
+        let mut out = Vec::with_capacity(self.count * n);
+        match self.bytes {
+            None => out.resize(self.count * n, number([0; SIZE])),
+            Some(bytes) if self.stride == n * SIZE => {
+                let (chunks, _) = bytes[..self.count * self.stride].as_chunks::<SIZE>();
+                out.extend(chunks.iter().map(|&chunk| number(chunk)));
+            }
+            Some(bytes) => {
+                for element in bytes.chunks(self.stride).take(self.count) {
+                    let (chunks, _) = element[..n * SIZE].as_chunks::<SIZE>();
+                    out.extend(chunks.iter().map(|&chunk| number(chunk)));
+                }
+            }
+        }
+        if let Some(sparse) = &self.sparse {
+            let (values, _) = sparse.values.as_chunks::<SIZE>();
+            for (index, value) in sparse.indices().zip(values.chunks_exact(n)) {
+                for (slot, &chunk) in out[index * n..(index + 1) * n].iter_mut().zip(value) {
+                    *slot = number(chunk);
+                }
+            }
+        }
+        out
+    }
+}

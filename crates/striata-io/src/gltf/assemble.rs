@@ -1,0 +1,224 @@
+//! One mesh from all that the scene shows.
+//!
+//! Vertices come in **blocks**: the vertices of one set of accessors under one transform. Primitives that share their
+//! accessors, as those of our own writer do, share the block, so that a file that is written and read
+//! again does not grow. Everything is counted before anything is decoded.
+
+use std::collections::BTreeMap;
+
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup};
+
+use super::accessor::accessor;
+use super::document::Document;
+use super::layers::{LayerFormat, append, fill};
+use super::looks;
+use super::primitive::{Primitive, whole};
+use super::scene::{Transform, instances};
+use crate::error::Fault;
+use crate::normals;
+
+/// A mesh may always take this much memory: small files with many instances are legal.
+const ALWAYS_ALLOWED_BYTES: u64 = 1 << 30;
+
+/// Beyond that, so many times the file's size.
+const BYTES_PER_INPUT_BYTE: u64 = 64;
+
+/// Most primitives that the nodes may show, counting each time.
+const MAX_PIECES: usize = 1 << 20;
+
+/// Vertices of one set of accessors under one transform.
+struct Block<'a> {
+    /// Names the accessors.
+    primitive: Primitive<'a>,
+    transform: Option<Transform>,
+    first_vertex: usize,
+    vertex_count: usize,
+}
+
+/// One primitive as one node shows it.
+struct Piece<'a> {
+    /// None where the block's own primitive is meant.
+    primitive: Option<Primitive<'a>>,
+    block: usize,
+    name: String,
+}
+
+#[derive(Default)]
+struct Plan<'a> {
+    blocks: Vec<Block<'a>>,
+    pieces: Vec<Piece<'a>>,
+    formats: BTreeMap<Semantic, LayerFormat>,
+    vertex_count: usize,
+    triangle_limit: u64,
+    block_of: BTreeMap<BlockKey, usize>,
+}
+
+/// Accessor of the positions, the others, and the transform.
+type BlockKey = (u64, Vec<(Semantic, u64)>, Option<[u64; 16]>);
+
+pub(super) fn mesh_of(document: &Document<'_>) -> Result<IndexedMesh, Fault> {
+    let mut plan = Plan::default();
+    for instance in instances(document)? {
+        for at in instance.mesh.entries("primitives")? {
+            if plan.pieces.len() == MAX_PIECES {
+                return Err(whole(format!("the scene shows more than {MAX_PIECES} primitives")));
+            }
+            if let Some(primitive) = Primitive::parse(document, at)? {
+                plan.add(document, primitive, instance.transform, &instance.name)?;
+            }
+        }
+    }
+    let mut mesh = IndexedMesh { appearance: looks::appearance(document)?, ..IndexedMesh::default() };
+    mesh.positions = plan.positions(document)?;
+    mesh.layers = plan.layers(document)?;
+    plan.triangles_into(document, &mut mesh)?;
+    plan.compute_normals(&mut mesh);
+    Ok(mesh)
+}
+
+impl<'a> Plan<'a> {
+    fn add(
+        &mut self,
+        document: &Document<'_>,
+        primitive: Primitive<'a>,
+        transform: Option<Transform>,
+        name: &str,
+    ) -> Result<(), Fault> {
+        let key: BlockKey =
+            (primitive.position, primitive.attributes.clone(), transform.as_ref().map(Transform::key));
+        let (block, primitive) = match self.block_of.get(&key) {
+            Some(&block) => (block, Some(primitive)),
+            None => {
+                self.add_block(document, primitive, transform)?;
+                self.block_of.insert(key, self.blocks.len() - 1);
+                (self.blocks.len() - 1, None)
+            }
+        };
+        let own = &self.blocks[block];
+        let shown = primitive.as_ref().unwrap_or(&own.primitive);
+        self.triangle_limit += shown.triangle_limit(document, own.vertex_count)?;
+        self.check_size(document)?;
+        self.pieces.push(Piece { primitive, block, name: name.to_owned() });
+        Ok(())
+    }
+
+    /// Checks the accessors of a new block, and makes room for them in the layers' formats.
+    fn add_block(
+        &mut self,
+        document: &Document<'_>,
+        primitive: Primitive<'a>,
+        transform: Option<Transform>,
+    ) -> Result<(), Fault> {
+        let positions = accessor(document, primitive.position, &primitive.at)?;
+        if positions.component_count != 3 {
+            return Err(positions.fault("POSITION must be VEC3"));
+        }
+        let vertex_count = positions.count;
+        for (semantic, index) in &primitive.attributes {
+            let accessor = accessor(document, *index, &primitive.at)?;
+            if accessor.count != vertex_count {
+                let reason = format!("{} elements for {vertex_count} vertices", accessor.count);
+                return Err(accessor.fault(reason));
+            }
+            let format = LayerFormat::of(semantic, &accessor)?;
+            self.formats.entry(semantic.clone()).and_modify(|f| *f = f.united(format)).or_insert(format);
+        }
+        let first_vertex = self.vertex_count;
+        self.vertex_count += vertex_count;
+        self.blocks.push(Block { primitive, transform, first_vertex, vertex_count });
+        Ok(())
+    }
+
+    /// Refuses a scene whose mesh is out of all proportion to the file.
+    fn check_size(&self, document: &Document<'_>) -> Result<(), Fault> {
+        let limit = ALWAYS_ALLOWED_BYTES.max(document.input_bytes * BYTES_PER_INPUT_BYTE);
+        let vertex_bytes: u64 = 12 + self.formats.values().map(|f| f.vertex_bytes()).sum::<u64>();
+        let bytes = (self.vertex_count as u64)
+            .saturating_mul(vertex_bytes)
+            .saturating_add(self.triangle_limit.saturating_mul(12));
+        let is_countable = self.vertex_count < u32::MAX as usize / 4 && self.triangle_limit < 1 << 30;
+        if bytes > limit || !is_countable {
+            let reason = format!(
+                "the scene spells out to {} vertices and up to {} triangles, too many for a file of {} bytes",
+                self.vertex_count, self.triangle_limit, document.input_bytes
+            );
+            return Err(whole(reason));
+        }
+        Ok(())
+    }
+
+    fn positions(&self, document: &Document<'_>) -> Result<Vec<[f32; 3]>, Fault> {
+        let mut positions: Vec<[f32; 3]> = Vec::with_capacity(self.vertex_count);
+        for block in &self.blocks {
+            let numbers = accessor(document, block.primitive.position, &block.primitive.at)?.floats();
+            let (points, _) = numbers.as_chunks::<3>();
+            match &block.transform {
+                None => positions.extend_from_slice(points),
+                Some(transform) => positions.extend(points.iter().map(|&p| transform.point(p))),
+            }
+        }
+        Ok(positions)
+    }
+
+    fn layers(&self, document: &Document<'_>) -> Result<Vec<AttributeLayer>, Fault> {
+        let mut layers = Vec::with_capacity(self.formats.len());
+        for (semantic, format) in &self.formats {
+            let mut layer = format.layer(semantic, self.vertex_count);
+            for block in &self.blocks {
+                let own = block.primitive.attributes.iter().find(|(s, _)| s == semantic);
+                match own {
+                    Some(&(_, index)) => {
+                        let accessor = accessor(document, index, &block.primitive.at)?;
+                        append(&mut layer, &accessor, block.transform.as_ref());
+                    }
+                    None => fill(&mut layer, block.vertex_count),
+                }
+            }
+            layers.push(layer);
+        }
+        Ok(layers)
+    }
+
+    fn triangles_into(&self, document: &Document<'_>, mesh: &mut IndexedMesh) -> Result<(), Fault> {
+        mesh.triangles.reserve(self.triangle_limit as usize);
+        for piece in &self.pieces {
+            let block = &self.blocks[piece.block];
+            let primitive = piece.primitive.as_ref().unwrap_or(&block.primitive);
+            let first = mesh.triangles.len();
+            let vertices = (block.first_vertex as u32, block.vertex_count);
+            primitive.triangles_into(document, vertices, &mut mesh.triangles)?;
+            if block.transform.as_ref().is_some_and(|t| t.is_mirrored) {
+                mesh.triangles[first..].iter_mut().for_each(|t| t.swap(1, 2));
+            }
+            mesh.groups.push(TriangleGroup {
+                name: piece.name.clone(),
+                material: primitive.material,
+                first: first as u32,
+                count: (mesh.triangles.len() - first) as u32,
+            });
+        }
+        Ok(())
+    }
+
+    /// Gives normals to the blocks that have none while others have.
+    fn compute_normals(&self, mesh: &mut IndexedMesh) {
+        let Some(layer) = mesh.layers.iter_mut().find(|layer| layer.semantic == Semantic::Normal) else {
+            return;
+        };
+        let LayerData::F32(data) = &mut layer.data else { return };
+        let lacks = |b: &Block<'_>| b.primitive.attributes.iter().all(|(s, _)| *s != Semantic::Normal);
+        let mut triangles_of: BTreeMap<usize, Vec<[u32; 3]>> = BTreeMap::new();
+        for (piece, group) in self.pieces.iter().zip(&mesh.groups) {
+            if lacks(&self.blocks[piece.block]) {
+                let own = triangles_of.entry(piece.block).or_default();
+                own.extend_from_slice(&mesh.triangles[group.range()]);
+            }
+        }
+        for (block, triangles) in triangles_of {
+            let Block { first_vertex, vertex_count, .. } = self.blocks[block];
+            let range = first_vertex..first_vertex + vertex_count;
+            let normals = normals::of_vertices(&mesh.positions, &triangles, range.clone());
+            data[range.start * 3..range.end * 3].copy_from_slice(normals.as_flattened());
+        }
+    }
+}

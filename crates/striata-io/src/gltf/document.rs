@@ -1,0 +1,139 @@
+//! The document with its buffers loaded, and checked ways to reach into them.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fs;
+use std::rc::Rc;
+
+use serde_json::Value;
+
+use super::json::At;
+use super::uri;
+use crate::Source;
+use crate::error::{Fault, Place};
+
+/// Extensions that a file may require: we understand them, or they change looks only, which are carried along.
+fn can_be_required(extension: &str) -> bool {
+    const KNOWN: [&str; 12] = [
+        "KHR_mesh_quantization",
+        "KHR_texture_transform",
+        "KHR_texture_basisu",
+        "KHR_lights_punctual",
+        "KHR_animation_pointer",
+        "KHR_xmp_json_ld",
+        "EXT_texture_webp",
+        "EXT_texture_avif",
+        "MSFT_texture_dds",
+        "EXT_lights_image_based",
+        "EXT_lights_ies",
+        "KHR_texture_procedurals",
+    ];
+    KNOWN.contains(&extension) || extension.starts_with("KHR_materials_")
+}
+
+pub(super) struct Document<'a> {
+    pub root: At<'a>,
+    buffers: Vec<Rc<Cow<'a, [u8]>>>,
+    /// Bytes of the document and its buffers: what the mesh's size is measured against.
+    pub input_bytes: u64,
+    pub source: Source<'a>,
+}
+
+impl<'a> Document<'a> {
+    /// Checks what the document requires, and loads its buffers.
+    pub(super) fn open(
+        root: &'a Value,
+        blob: Option<&'a [u8]>,
+        json_bytes: usize,
+        source: &Source<'a>,
+    ) -> Result<Self, Fault> {
+        let root = At { value: root, path: String::new() };
+        let version = root.get("asset").map_or("", |asset| asset.text("version"));
+        if !version.starts_with("2.") {
+            let place = Place::Json("asset.version".to_owned());
+            return Err(match version {
+                "" => Fault::Malformed(place, "`asset.version` is missing: this is no glTF".to_owned()),
+                _ => Fault::Unsupported(place, format!("glTF version `{}`", uri::short(version))),
+            });
+        }
+        for extension in root.entries("extensionsRequired")? {
+            let name = extension.value.as_str().unwrap_or("");
+            if !can_be_required(name) {
+                return Err(Fault::Extension(name.to_owned()));
+            }
+        }
+        let mut document =
+            Self { root, buffers: Vec::new(), input_bytes: json_bytes as u64, source: *source };
+        document.load_buffers(blob)?;
+        Ok(document)
+    }
+
+    fn load_buffers(&mut self, blob: Option<&'a [u8]>) -> Result<(), Fault> {
+        let mut known: BTreeMap<&str, Rc<Cow<'a, [u8]>>> = BTreeMap::new();
+        for (index, at) in self.root.entries("buffers")?.iter().enumerate() {
+            let length = at.needed_unsigned("byteLength")?;
+            let uri = at.text("uri");
+            let bytes = if let Some(bytes) = known.get(uri) {
+                Rc::clone(bytes)
+            } else if uri.is_empty() {
+                match blob.filter(|_| index == 0) {
+                    Some(blob) => Rc::new(Cow::Borrowed(blob)),
+                    // A placeholder, as for compressed data that we do not read: views into it will say so.
+                    None => Rc::new(Cow::Borrowed(&[][..])),
+                }
+            } else {
+                let bytes = Rc::new(Cow::Owned(self.buffer_bytes(at, uri)?));
+                known.insert(uri, Rc::clone(&bytes));
+                self.input_bytes += bytes.len() as u64;
+                bytes
+            };
+            if !uri.is_empty() && (bytes.len() as u64) < length {
+                return Err(at.fault(format!("{length} bytes are promised, found {}", bytes.len())));
+            }
+            self.buffers.push(bytes);
+        }
+        self.input_bytes += blob.map_or(0, |b| b.len() as u64);
+        Ok(())
+    }
+
+    fn buffer_bytes(&self, at: &At<'_>, uri: &str) -> Result<Vec<u8>, Fault> {
+        if let Some(data) = uri::data(uri) {
+            return data.map(|(bytes, _)| bytes).map_err(|reason| at.fault(reason));
+        }
+        let path = uri::path(uri, &self.source).map_err(|reason| at.fault(reason))?;
+        fs::read(&path).map_err(|error| at.fault(format!("`{}`: {error}", uri::short(uri))))
+    }
+
+    /// Entry `index` of an array at the document's root; `from` is who asks for it.
+    pub(super) fn item(&self, array: &str, index: u64, from: &At<'_>) -> Result<At<'a>, Fault> {
+        let entries = self.root.value.get(array).and_then(Value::as_array);
+        let count = entries.map_or(0, Vec::len);
+        match entries.and_then(|entries| entries.get(usize::try_from(index).ok()?)) {
+            Some(value) => Ok(At { value, path: format!("{array}[{index}]") }),
+            None => Err(from.fault(format!("{array}[{index}] does not exist: there are {count}"))),
+        }
+    }
+
+    /// The bytes of a buffer view, and its stride where it has one.
+    pub(super) fn view(&self, index: u64, from: &At<'_>) -> Result<(&[u8], Option<usize>), Fault> {
+        let at = self.item("bufferViews", index, from)?;
+        let buffer_index = at.needed_unsigned("buffer")?;
+        let buffer = usize::try_from(buffer_index).ok().and_then(|i| self.buffers.get(i));
+        let Some(buffer) = buffer else {
+            let count = self.buffers.len();
+            return Err(at.fault(format!("buffers[{buffer_index}] does not exist: there are {count}")));
+        };
+        let offset = at.unsigned("byteOffset")?.unwrap_or(0);
+        let length = at.needed_unsigned("byteLength")?;
+        let end = offset.checked_add(length).filter(|&end| end <= buffer.len() as u64);
+        let Some(end) = end else {
+            let reason = format!("bytes {offset} + {length} of a buffer of {} bytes", buffer.len());
+            return Err(at.fault(reason));
+        };
+        let stride = at.unsigned("byteStride")?;
+        if stride.is_some_and(|s| !(1..=252).contains(&s)) {
+            return Err(at.fault(format!("byteStride is {}, but may be 4 to 252", stride.unwrap_or(0))));
+        }
+        Ok((&buffer[offset as usize..end as usize], stride.map(|s| s as usize)))
+    }
+}

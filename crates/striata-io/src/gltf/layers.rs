@@ -1,0 +1,197 @@
+//! Attribute layers from accessors: the type that holds all primitives' numbers, and fills for those without any.
+
+use striata::mesh::{AttributeLayer, LayerData, Semantic};
+
+use super::ComponentType;
+use super::accessor::Accessor;
+use super::scene::Transform;
+use crate::error::Fault;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    U8,
+    U16,
+    U32,
+    F32,
+}
+
+/// How a layer is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct LayerFormat {
+    component_count: u8,
+    kind: Kind,
+    normalized: bool,
+}
+
+impl LayerFormat {
+    /// The format that keeps an accessor's numbers as they are, or as floats where a layer cannot.
+    pub(super) fn of(semantic: &Semantic, accessor: &Accessor<'_>) -> Result<Self, Fault> {
+        let count = accessor.component_count;
+        let fits = match semantic {
+            Semantic::Normal
+            | Semantic::MorphPosition(_)
+            | Semantic::MorphNormal(_)
+            | Semantic::MorphTangent(_) => count == 3,
+            Semantic::Tangent | Semantic::Joints(_) | Semantic::Weights(_) => count == 4,
+            Semantic::TexCoord(_) => count == 2,
+            Semantic::Color(_) => matches!(count, 3 | 4),
+            Semantic::Generic(_) => true,
+        };
+        if !fits {
+            return Err(accessor.fault(format!("{count} components cannot be a {semantic}")));
+        }
+        let kind = match accessor.component {
+            ComponentType::U8 => Kind::U8,
+            ComponentType::U16 => Kind::U16,
+            ComponentType::U32 => Kind::U32,
+            ComponentType::F32 | ComponentType::I8 | ComponentType::I16 => Kind::F32,
+        };
+        let keeps_integers = match semantic {
+            Semantic::TexCoord(_) | Semantic::Color(_) | Semantic::Weights(_) => {
+                accessor.normalized && kind != Kind::U32
+            }
+            Semantic::Joints(_) | Semantic::Generic(_) => true,
+            _ => false,
+        };
+        let kind = if keeps_integers { kind } else { Kind::F32 };
+        let normalized = accessor.normalized && kind != Kind::F32;
+        Ok(Self { component_count: count as u8, kind, normalized })
+    }
+
+    /// A format that holds both.
+    pub(super) fn united(self, other: Self) -> Self {
+        let component_count = self.component_count.max(other.component_count);
+        if self.kind == other.kind && self.normalized == other.normalized {
+            return Self { component_count, ..self };
+        }
+        let has_no_fractions = |f: Self| f.kind != Kind::F32 && !f.normalized;
+        let kind = if has_no_fractions(self) && has_no_fractions(other) {
+            if self.kind == Kind::U32 || other.kind == Kind::U32 { Kind::U32 } else { Kind::U16 }
+        } else {
+            Kind::F32
+        };
+        Self { component_count, kind, normalized: false }
+    }
+
+    pub(super) fn vertex_bytes(self) -> u64 {
+        let size = match self.kind {
+            Kind::U8 => 1,
+            Kind::U16 => 2,
+            Kind::U32 | Kind::F32 => 4,
+        };
+        u64::from(self.component_count) * size
+    }
+
+    /// An empty layer with room for all vertices.
+    pub(super) fn layer(self, semantic: &Semantic, vertex_count: usize) -> AttributeLayer {
+        let room = vertex_count * self.component_count as usize;
+        let data = match self.kind {
+            Kind::U8 => LayerData::U8(Vec::with_capacity(room)),
+            Kind::U16 => LayerData::U16(Vec::with_capacity(room)),
+            Kind::U32 => LayerData::U32(Vec::with_capacity(room)),
+            Kind::F32 => LayerData::F32(Vec::with_capacity(room)),
+        };
+        let Self { component_count, normalized, .. } = self;
+        AttributeLayer { semantic: semantic.clone(), component_count, normalized, data }
+    }
+}
+
+/// Appends an accessor's elements, turned as the instance is.
+pub(super) fn append(layer: &mut AttributeLayer, accessor: &Accessor<'_>, transform: Option<&Transform>) {
+    let width = layer.component_count as usize;
+    let is_full_width = accessor.component_count == width;
+    match (&mut layer.data, accessor.component) {
+        (LayerData::U8(data), ComponentType::U8) if is_full_width => {
+            data.extend(accessor.read::<1, _>(|[b]| b));
+        }
+        (LayerData::U16(data), ComponentType::U16) if is_full_width => {
+            data.extend(accessor.read::<2, _>(u16::from_le_bytes));
+        }
+        (LayerData::F32(data), _) => {
+            let mut numbers = accessor.floats();
+            if let Some(transform) = transform {
+                turn(&layer.semantic, &mut numbers, transform);
+            }
+            widen(data, &numbers, [accessor.component_count, width], &layer.semantic, 1.0);
+        }
+        (data, _) => {
+            let numbers = accessor.integers().unwrap_or_default();
+            let shape = [accessor.component_count, width];
+            match data {
+                LayerData::U8(data) => {
+                    let narrow: Vec<u8> = numbers.iter().map(|&x| x as u8).collect();
+                    widen(data, &narrow, shape, &layer.semantic, u8::MAX);
+                }
+                LayerData::U16(data) => {
+                    let narrow: Vec<u16> = numbers.iter().map(|&x| x as u16).collect();
+                    widen(data, &narrow, shape, &layer.semantic, u16::MAX);
+                }
+                LayerData::U32(data) => widen(data, &numbers, shape, &layer.semantic, u32::MAX),
+                LayerData::F32(_) => {}
+            }
+        }
+    }
+}
+
+/// Copies elements into a layer that may be wider: a colour's missing alpha is `one`, all else zero.
+fn widen<T: Copy + Default>(
+    out: &mut Vec<T>,
+    numbers: &[T],
+    [from, to]: [usize; 2],
+    semantic: &Semantic,
+    one: T,
+) {
+    if from == to {
+        out.extend_from_slice(numbers);
+        return;
+    }
+    let fill = if matches!(semantic, Semantic::Color(_)) { one } else { T::default() };
+    for element in numbers.chunks_exact(from) {
+        out.extend_from_slice(element);
+        out.extend(std::iter::repeat_n(fill, to - from));
+    }
+}
+
+fn turn(semantic: &Semantic, numbers: &mut [f32], transform: &Transform) {
+    match semantic {
+        Semantic::Normal | Semantic::MorphNormal(_) => {
+            let is_displacement = *semantic != Semantic::Normal;
+            for n in numbers.as_chunks_mut::<3>().0 {
+                *n = transform.normal(*n, is_displacement);
+            }
+        }
+        Semantic::MorphPosition(_) => {
+            for d in numbers.as_chunks_mut::<3>().0 {
+                *d = transform.displacement(*d);
+            }
+        }
+        Semantic::MorphTangent(_) => {
+            for d in numbers.as_chunks_mut::<3>().0 {
+                *d = transform.tangent(*d, true);
+            }
+        }
+        Semantic::Tangent => {
+            let handedness = if transform.is_mirrored { -1.0 } else { 1.0 };
+            for [x, y, z, w] in numbers.as_chunks_mut::<4>().0 {
+                [*x, *y, *z] = transform.tangent([*x, *y, *z], false);
+                *w *= handedness;
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Appends what vertices without the attribute get: white, a tangent along x, else zero.
+pub(super) fn fill(layer: &mut AttributeLayer, vertex_count: usize) {
+    let count = vertex_count * layer.component_count as usize;
+    let is_white = matches!(layer.semantic, Semantic::Color(_));
+    match &mut layer.data {
+        LayerData::U8(data) => data.resize(data.len() + count, if is_white { u8::MAX } else { 0 }),
+        LayerData::U16(data) => data.resize(data.len() + count, if is_white { u16::MAX } else { 0 }),
+        LayerData::U32(data) => data.resize(data.len() + count, 0),
+        LayerData::F32(data) if layer.semantic == Semantic::Tangent => {
+            data.extend(std::iter::repeat_n([1.0, 0.0, 0.0, 1.0], vertex_count).flatten());
+        }
+        LayerData::F32(data) => data.resize(data.len() + count, if is_white { 1.0 } else { 0.0 }),
+    }
+}

@@ -1,0 +1,107 @@
+//! Materials, textures, samplers and images, carried along as they are.
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use serde_json::Value;
+use striata::mesh::{Appearance, Image, Material};
+
+use super::document::Document;
+use super::json::At;
+use super::primitive::whole;
+use super::uri;
+use crate::error::Fault;
+
+/// Images may always take this much memory, and beyond it so many times the file's size.
+const ALWAYS_ALLOWED_BYTES: u64 = 1 << 30;
+const BYTES_PER_INPUT_BYTE: u64 = 64;
+
+pub(super) fn appearance(document: &Document<'_>) -> Result<Appearance, Fault> {
+    let root = &document.root;
+    let mut extensions = BTreeSet::new();
+    let mut raw = |at: &At<'_>| {
+        extensions_in(at.value, &mut extensions);
+        at.value.to_string()
+    };
+    let material = |at: At<'_>, gltf_json| Material { name: at.text("name").to_owned(), gltf_json };
+    let materials = root.entries("materials")?.into_iter().map(|at| {
+        let gltf_json = raw(&at);
+        material(at, gltf_json)
+    });
+    let materials = materials.collect();
+    let textures_json = root.entries("textures")?.iter().map(&mut raw).collect();
+    let samplers_json = root.entries("samplers")?.iter().map(&mut raw).collect();
+    let mut images = Vec::new();
+    let mut image_bytes = 0;
+    for at in root.entries("images")? {
+        let image = image(document, &at)?;
+        image_bytes += image.bytes.len() as u64;
+        if image_bytes > ALWAYS_ALLOWED_BYTES.max(document.input_bytes * BYTES_PER_INPUT_BYTE) {
+            let input_bytes = document.input_bytes;
+            return Err(whole(format!("{image_bytes} bytes of images in a file of {input_bytes} bytes")));
+        }
+        images.push(image);
+    }
+    let extensions_used = extensions.into_iter().collect();
+    Ok(Appearance {
+        materials,
+        images,
+        textures_json,
+        samplers_json,
+        extensions_used,
+        ..Appearance::default()
+    })
+}
+
+/// Collects the names of all extensions within a value.
+pub(super) fn extensions_in(value: &Value, found: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(map) => {
+            if let Some(Value::Object(extensions)) = map.get("extensions") {
+                found.extend(extensions.keys().cloned());
+            }
+            map.values().for_each(|value| extensions_in(value, found));
+        }
+        Value::Array(entries) => entries.iter().for_each(|value| extensions_in(value, found)),
+        _ => {}
+    }
+}
+
+/// An image with its bytes, where they can be had; else its URI has to do.
+fn image(document: &Document<'_>, at: &At<'_>) -> Result<Image, Fault> {
+    let mut image = Image {
+        name: at.text("name").to_owned(),
+        mime_type: at.text("mimeType").to_owned(),
+        ..Image::default()
+    };
+    let uri = at.text("uri");
+    if let Some(view) = at.unsigned("bufferView")? {
+        image.bytes = document.view(view, at)?.0.to_vec();
+    } else if let Some(data) = uri::data(uri) {
+        let (bytes, mime_type) = data.map_err(|reason| at.fault(reason))?;
+        image.bytes = bytes;
+        if image.mime_type.is_empty() {
+            image.mime_type = mime_type;
+        }
+    } else {
+        image.uri = uri.to_owned();
+        let path = uri::path(uri, &document.source).ok().filter(|path| path.is_file());
+        image.bytes = path.and_then(|path| fs::read(path).ok()).unwrap_or_default();
+    }
+    if image.mime_type.is_empty() {
+        image.mime_type = mime_type(&image.bytes).to_owned();
+    }
+    Ok(image)
+}
+
+/// The type of an image by its first bytes.
+fn mime_type(bytes: &[u8]) -> &'static str {
+    match bytes {
+        [0x89, b'P', b'N', b'G', ..] => "image/png",
+        [0xff, 0xd8, 0xff, ..] => "image/jpeg",
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => "image/webp",
+        [0xab, b'K', b'T', b'X', b' ', b'2', b'0', ..] => "image/ktx2",
+        [b'D', b'D', b'S', b' ', ..] => "image/vnd-ms.dds",
+        _ => "",
+    }
+}

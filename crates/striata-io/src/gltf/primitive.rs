@@ -1,0 +1,160 @@
+//! Primitives: which accessors they use, and the triangles that their indices spell.
+
+use striata::mesh::Semantic;
+
+use super::accessor::accessor;
+use super::document::Document;
+use super::json::At;
+use crate::error::{Fault, Place};
+
+/// How indices become triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Topology {
+    List,
+    Strip,
+    Fan,
+}
+
+/// A primitive that draws triangles.
+pub(super) struct Primitive<'a> {
+    pub at: At<'a>,
+    pub position: u64,
+    /// Sorted by meaning; the number is the accessor's.
+    pub attributes: Vec<(Semantic, u64)>,
+    pub material: Option<u32>,
+    indices: Option<u64>,
+    topology: Topology,
+}
+
+impl<'a> Primitive<'a> {
+    /// Reads a primitive; none where it draws points or lines.
+    pub(super) fn parse(document: &Document<'_>, at: At<'a>) -> Result<Option<Self>, Fault> {
+        let topology = match at.unsigned("mode")?.unwrap_or(4) {
+            0..=3 => return Ok(None),
+            4 => Topology::List,
+            5 => Topology::Strip,
+            6 => Topology::Fan,
+            mode => return Err(at.fault(format!("no primitive mode is numbered {mode}"))),
+        };
+        let mut position = None;
+        let mut attributes = Vec::new();
+        for (name, entry) in at.members("attributes")? {
+            let accessor = entry.as_unsigned()?;
+            match name {
+                "POSITION" => position = Some(accessor),
+                _ => attributes.push((semantic(name), accessor)),
+            }
+        }
+        for (target, entry) in at.entries("targets")?.iter().enumerate() {
+            let number = u16::try_from(target)
+                .map_err(|_| entry.fault(format!("at most {} morph targets can be handled", u16::MAX)))?;
+            for (key, semantic) in [
+                ("POSITION", Semantic::MorphPosition(number)),
+                ("NORMAL", Semantic::MorphNormal(number)),
+                ("TANGENT", Semantic::MorphTangent(number)),
+            ] {
+                attributes.extend(entry.unsigned(key)?.map(|accessor| (semantic, accessor)));
+            }
+        }
+        attributes.sort();
+        attributes.dedup_by(|a, b| a.0 == b.0);
+        let Some(position) = position else { return Err(at.fault("the attribute POSITION is missing")) };
+        let material = match at.get("material") {
+            Some(entry) => {
+                let index = entry.as_unsigned()?;
+                document.item("materials", index, &entry)?;
+                Some(index as u32)
+            }
+            None => None,
+        };
+        let indices = at.unsigned("indices")?;
+        Ok(Some(Self { at, position, attributes, material, indices, topology }))
+    }
+
+    /// Most triangles that the primitive can draw.
+    pub(super) fn triangle_limit(&self, document: &Document<'_>, vertex_count: usize) -> Result<u64, Fault> {
+        let count = match self.indices {
+            Some(index) => accessor(document, index, &self.at)?.count,
+            None => vertex_count,
+        } as u64;
+        Ok(match self.topology {
+            Topology::List => count / 3,
+            Topology::Strip | Topology::Fan => count.saturating_sub(2),
+        })
+    }
+
+    /// Appends the triangles, their indices raised by `first_vertex`; what a strip repeats to join runs is left out.
+    pub(super) fn triangles_into(
+        &self,
+        document: &Document<'_>,
+        (first_vertex, vertex_count): (u32, usize),
+        triangles: &mut Vec<[u32; 3]>,
+    ) -> Result<(), Fault> {
+        let indices = self.indices(document, vertex_count)?;
+        match self.topology {
+            Topology::List => {
+                let (whole, _) = indices.as_chunks::<3>();
+                triangles.extend(whole.iter().map(|t| t.map(|v| v + first_vertex)));
+            }
+            Topology::Strip => {
+                for (i, w) in indices.windows(3).enumerate() {
+                    let triangle = if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] };
+                    push_proper(triangle, first_vertex, triangles);
+                }
+            }
+            Topology::Fan => {
+                for w in indices.get(1..).unwrap_or(&[]).windows(2) {
+                    push_proper([indices[0], w[0], w[1]], first_vertex, triangles);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn indices(&self, document: &Document<'_>, vertex_count: usize) -> Result<Vec<u32>, Fault> {
+        let Some(index) = self.indices else { return Ok((0..vertex_count as u32).collect()) };
+        let accessor = accessor(document, index, &self.at)?;
+        if accessor.component_count != 1 {
+            return Err(accessor.fault("indices must be SCALAR"));
+        }
+        let Some(indices) = accessor.integers() else {
+            return Err(accessor.fault("indices must be unsigned integers"));
+        };
+        if let Some(place) = indices.iter().position(|&v| v as usize >= vertex_count) {
+            let reason = format!("index {place} is vertex {}, but there are {vertex_count}", indices[place]);
+            return Err(accessor.fault(reason));
+        }
+        Ok(indices)
+    }
+}
+
+fn push_proper(triangle: [u32; 3], first_vertex: u32, triangles: &mut Vec<[u32; 3]>) {
+    let [a, b, c] = triangle;
+    if a != b && b != c && c != a {
+        triangles.push(triangle.map(|v| v + first_vertex));
+    }
+}
+
+fn semantic(name: &str) -> Semantic {
+    let set = |prefix: &str| name.strip_prefix(prefix).and_then(|digits| digits.parse().ok());
+    if name == "NORMAL" {
+        Semantic::Normal
+    } else if name == "TANGENT" {
+        Semantic::Tangent
+    } else if let Some(set) = set("TEXCOORD_") {
+        Semantic::TexCoord(set)
+    } else if let Some(set) = set("COLOR_") {
+        Semantic::Color(set)
+    } else if let Some(set) = set("JOINTS_") {
+        Semantic::Joints(set)
+    } else if let Some(set) = set("WEIGHTS_") {
+        Semantic::Weights(set)
+    } else {
+        Semantic::Generic(name.strip_prefix('_').unwrap_or(name).to_owned())
+    }
+}
+
+/// A fault of the whole document.
+pub(super) fn whole(reason: String) -> Fault {
+    Fault::Malformed(Place::File, reason)
+}

@@ -1,0 +1,170 @@
+//! Which meshes the scene shows, and where: the tree of nodes made flat.
+
+use glam::{DMat3, DMat4, DQuat, DVec3};
+
+use super::document::Document;
+use super::json::At;
+use crate::error::Fault;
+
+/// One mesh as one node shows it.
+pub(super) struct Instance<'a> {
+    pub mesh: At<'a>,
+    /// The mesh's name, or the node's where it has none.
+    pub name: String,
+    /// None for the identity, and for skinned meshes, whose nodes' transforms glTF ignores.
+    pub transform: Option<Transform>,
+}
+
+/// A transform, prepared for points and for directions.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Transform {
+    matrix: DMat4,
+    linear: DMat3,
+    /// Turns normals; scaled so that a uniform scale keeps their length.
+    cofactor: DMat3,
+    /// One length of the result per length before it, on average.
+    scale: f64,
+    pub is_mirrored: bool,
+}
+
+impl Transform {
+    fn new(matrix: DMat4) -> Option<Self> {
+        if matrix == DMat4::IDENTITY {
+            return None;
+        }
+        let linear = DMat3::from_mat4(matrix);
+        let (x, y, z) = (linear.x_axis, linear.y_axis, linear.z_axis);
+        let determinant = linear.determinant();
+        let is_mirrored = determinant < 0.0;
+        let sign = if is_mirrored { -1.0 } else { 1.0 };
+        let scale = cube_root(determinant.abs());
+        let size = if scale > 0.0 { sign / (scale * scale) } else { sign };
+        let cofactor = DMat3::from_cols(y.cross(z) * size, z.cross(x) * size, x.cross(y) * size);
+        Some(Self { matrix, linear, cofactor, scale, is_mirrored })
+    }
+
+    /// The bits that tell two transforms apart.
+    pub(super) fn key(&self) -> [u64; 16] {
+        self.matrix.to_cols_array().map(f64::to_bits)
+    }
+
+    pub(super) fn point(&self, point: [f32; 3]) -> [f32; 3] {
+        self.matrix.transform_point3(wide(point)).as_vec3().to_array()
+    }
+
+    /// A displacement of a point.
+    pub(super) fn displacement(&self, vector: [f32; 3]) -> [f32; 3] {
+        (self.linear * wide(vector)).as_vec3().to_array()
+    }
+
+    /// A unit normal, or the displacement of one.
+    pub(super) fn normal(&self, vector: [f32; 3], is_displacement: bool) -> [f32; 3] {
+        direction(self.cofactor * wide(vector), is_displacement)
+    }
+
+    /// A unit tangent, or the displacement of one.
+    pub(super) fn tangent(&self, vector: [f32; 3], is_displacement: bool) -> [f32; 3] {
+        let moved = self.linear * wide(vector);
+        direction(if self.scale > 0.0 { moved / self.scale } else { moved }, is_displacement)
+    }
+}
+
+/// Cube root by Newton's steps: `f64::cbrt` may differ between platforms.
+fn cube_root(x: f64) -> f64 {
+    if !(x > 0.0 && x.is_finite()) {
+        return 0.0;
+    }
+    let mut root = f64::from_bits(x.to_bits() / 3 + 0x2A9F_0000_0000_0000);
+    for _ in 0..8 {
+        root = (2.0 * root + x / (root * root)) / 3.0;
+    }
+    root
+}
+
+fn wide(vector: [f32; 3]) -> DVec3 {
+    DVec3::from_array(vector.map(f64::from))
+}
+
+fn direction(vector: DVec3, is_displacement: bool) -> [f32; 3] {
+    let unit = if is_displacement { None } else { crate::normals::unit(vector.to_array()) };
+    unit.unwrap_or_else(|| vector.as_vec3().to_array())
+}
+
+/// The meshes of the default scene, in the order of the tree; all meshes where there are no nodes.
+pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>, Fault> {
+    let root = &document.root;
+    let nodes = root.entries("nodes")?;
+    if nodes.is_empty() {
+        let bare = |mesh: At<'a>| Instance { name: mesh.text("name").to_owned(), mesh, transform: None };
+        return Ok(root.entries("meshes")?.into_iter().map(bare).collect());
+    }
+    let mut found = Vec::new();
+    let mut is_seen = vec![false; nodes.len()];
+    let mut stack = roots(document, &nodes)?;
+    stack.reverse();
+    while let Some((index, parent, from)) = stack.pop() {
+        let node = document.item("nodes", index, &from)?;
+        if std::mem::replace(&mut is_seen[index as usize], true) {
+            return Err(from.fault(format!("nodes[{index}] is reached twice: nodes must form a tree")));
+        }
+        let matrix = parent * local_matrix(&node)?;
+        if let Some(mesh) = node.get("mesh") {
+            let mesh = document.item("meshes", mesh.as_unsigned()?, &mesh)?;
+            let own_name = mesh.text("name");
+            let name = if own_name.is_empty() { node.text("name") } else { own_name }.to_owned();
+            let transform = if node.get("skin").is_some() { None } else { Transform::new(matrix) };
+            found.push(Instance { mesh, name, transform });
+        }
+        for child in node.entries("children")?.into_iter().rev() {
+            stack.push((child.as_unsigned()?, matrix, child));
+        }
+    }
+    Ok(found)
+}
+
+type Pending<'a> = (u64, DMat4, At<'a>);
+
+/// The roots of the default scene, or of the first; without scenes, the nodes that are nobody's children.
+fn roots<'a>(document: &Document<'a>, nodes: &[At<'a>]) -> Result<Vec<Pending<'a>>, Fault> {
+    let root = &document.root;
+    let scene = match root.get("scene") {
+        Some(at) => Some(document.item("scenes", at.as_unsigned()?, &at)?),
+        None => root.entries("scenes")?.into_iter().next(),
+    };
+    if let Some(scene) = scene {
+        let entry = |at: At<'a>| Ok((at.as_unsigned()?, DMat4::IDENTITY, at));
+        return scene.entries("nodes")?.into_iter().map(entry).collect();
+    }
+    let mut is_child = vec![false; nodes.len()];
+    for node in nodes {
+        for child in node.entries("children")? {
+            if let Some(slot) = usize::try_from(child.as_unsigned()?).ok().and_then(|i| is_child.get_mut(i)) {
+                *slot = true;
+            }
+        }
+    }
+    let is_root = |&(index, _): &(usize, &At<'a>)| !is_child[index];
+    let entry = |(index, node): (usize, &At<'a>)| (index as u64, DMat4::IDENTITY, node.clone());
+    Ok(nodes.iter().enumerate().filter(is_root).map(entry).collect())
+}
+
+fn local_matrix(node: &At<'_>) -> Result<DMat4, Fault> {
+    if let Some(columns) = node.numbers::<16>("matrix")? {
+        return Ok(DMat4::from_cols_array(&columns));
+    }
+    let translation = node.numbers::<3>("translation")?.unwrap_or([0.0; 3]);
+    let rotation = node.numbers::<4>("rotation")?.unwrap_or([0.0, 0.0, 0.0, 1.0]);
+    let scale = node.numbers::<3>("scale")?.unwrap_or([1.0; 3]);
+    let rotation = DQuat::from_array(rotation);
+    let length = rotation.length();
+    if !(length > 0.0 && length.is_finite()) {
+        return Err(node.fault("the rotation has no length"));
+    }
+    // Left as it is where it is a unit already, so that the identity stays exactly that.
+    let rotation = if length == 1.0 { rotation } else { rotation.normalize() };
+    Ok(DMat4::from_scale_rotation_translation(
+        DVec3::from_array(scale),
+        rotation,
+        DVec3::from_array(translation),
+    ))
+}

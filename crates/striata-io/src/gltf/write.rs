@@ -1,0 +1,275 @@
+//! The glTF writer: one vertex buffer for all groups, one primitive a group, looks as they came.
+//!
+//! Groups that follow each other under one name become one mesh and one node of that name. Vertices without
+//! triangles are not written where there is no triangle at all, since glTF knows no empty primitive.
+
+use std::collections::BTreeSet;
+
+use serde_json::{Map, Value, json};
+use striata::mesh::{Image, IndexedMesh, TriangleGroup};
+
+use super::looks::extensions_in;
+use super::write_layers::{Attributes, attributes};
+use super::{ComponentType, container, uri};
+use crate::WriteOptions;
+use crate::error::Refusal;
+
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+const TRIANGLES: u32 = 4;
+const TRIANGLE_STRIP: u32 = 5;
+
+pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
+    let (root, binary) = document(mesh, options, |_| Value::Null)?;
+    container::joined(root.to_string().into_bytes(), binary)
+        .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()))
+}
+
+pub(crate) fn to_json_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
+    let data_uri = |binary: &[u8]| {
+        Value::String(format!("data:application/octet-stream;base64,{}", uri::to_base64(binary)))
+    };
+    let (root, _) = document(mesh, options, data_uri)?;
+    Ok(format!("{root:#}\n").into_bytes())
+}
+
+/// The document and its binary data; `buffer_uri` gives the buffer's URI, or null.
+fn document(
+    mesh: &IndexedMesh,
+    options: &WriteOptions,
+    buffer_uri: impl Fn(&[u8]) -> Value,
+) -> Result<(Value, Vec<u8>), Refusal> {
+    let mut builder = Builder::default();
+    let mut root = Map::new();
+    root.insert("asset".to_owned(), json!({ "version": "2.0", "generator": "striata" }));
+    root.insert("scene".to_owned(), json!(0));
+    let (meshes, nodes) = builder.meshes(mesh, options)?;
+    let roots: Vec<usize> = (0..nodes.len()).collect();
+    let scene = if roots.is_empty() { json!({}) } else { json!({ "nodes": roots }) };
+    insert(&mut root, "scenes", vec![scene]);
+    insert(&mut root, "meshes", meshes);
+    insert(&mut root, "nodes", nodes);
+    let extensions = builder.looks(mesh, &mut root)?;
+    insert(&mut root, "extensionsUsed", extensions.into_iter().map(Value::String).collect());
+    insert(&mut root, "accessors", builder.accessors);
+    insert(&mut root, "bufferViews", builder.views);
+    if !builder.binary.is_empty() {
+        let mut buffer = json!({ "byteLength": builder.binary.len() });
+        let uri = buffer_uri(&builder.binary);
+        if !uri.is_null() {
+            buffer["uri"] = uri;
+        }
+        insert(&mut root, "buffers", vec![buffer]);
+    }
+    Ok((Value::Object(root), builder.binary))
+}
+
+/// Empty arrays are not allowed.
+fn insert(root: &mut Map<String, Value>, key: &str, entries: Vec<Value>) {
+    if !entries.is_empty() {
+        root.insert(key.to_owned(), Value::Array(entries));
+    }
+}
+
+#[derive(Default)]
+pub(super) struct Builder {
+    binary: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+}
+
+impl Builder {
+    /// Adds bytes as a buffer view, aligned to 4.
+    fn push_view(&mut self, bytes: &[u8], target: Option<u32>, stride: Option<usize>) -> usize {
+        self.binary.resize(self.binary.len().next_multiple_of(4), 0);
+        let mut view = json!({ "buffer": 0, "byteOffset": self.binary.len(), "byteLength": bytes.len() });
+        if let Some(target) = target {
+            view["target"] = json!(target);
+        }
+        if let Some(stride) = stride {
+            view["byteStride"] = json!(stride);
+        }
+        self.binary.extend_from_slice(bytes);
+        self.views.push(view);
+        self.views.len() - 1
+    }
+
+    pub(super) fn push_accessor(&mut self, accessor: Value) -> usize {
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
+    }
+
+    /// Adds vertex data as a view of its own.
+    pub(super) fn push_vertex_data(&mut self, bytes: &[u8], stride: usize) -> usize {
+        self.push_view(bytes, Some(ARRAY_BUFFER), Some(stride))
+    }
+
+    fn meshes(
+        &mut self,
+        mesh: &IndexedMesh,
+        options: &WriteOptions,
+    ) -> Result<(Vec<Value>, Vec<Value>), Refusal> {
+        let groups = mesh.groups_or_whole();
+        let lists = index_lists(mesh, &groups, options)?;
+        if lists.iter().all(|list| list.is_empty()) {
+            return Ok((Vec::new(), Vec::new()));
+        }
+        let attributes = attributes(self, mesh)?;
+        let indices = self.push_indices(&lists, mesh.positions.len());
+        let mode = if options.strips.is_some() { TRIANGLE_STRIP } else { TRIANGLES };
+        let (mut meshes, mut nodes): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
+        let mut open_name: Option<&str> = None;
+        for (group, accessor) in groups.iter().zip(indices) {
+            let Some(accessor) = accessor else { continue };
+            let primitive = primitive(&attributes, accessor, mode, group.material);
+            if open_name == Some(group.name.as_str())
+                && let Some(Value::Array(primitives)) =
+                    meshes.last_mut().and_then(|mesh| mesh.get_mut("primitives"))
+            {
+                primitives.push(primitive);
+                continue;
+            }
+            open_name = Some(&group.name);
+            let mut node = json!({ "mesh": meshes.len() });
+            let mut entry = json!({ "primitives": [primitive] });
+            if !group.name.is_empty() {
+                node["name"] = json!(group.name);
+                entry["name"] = json!(group.name);
+            }
+            meshes.push(entry);
+            nodes.push(node);
+        }
+        Ok((meshes, nodes))
+    }
+
+    /// Adds all index lists to one view; one accessor a list, none for an empty one.
+    fn push_indices(&mut self, lists: &[Vec<u32>], vertex_count: usize) -> Vec<Option<usize>> {
+        // The last 16-bit number is left for primitive restart.
+        let component =
+            if vertex_count <= u16::MAX as usize { ComponentType::U16 } else { ComponentType::U32 };
+        let mut bytes = Vec::with_capacity(lists.iter().map(Vec::len).sum::<usize>() * component.bytes());
+        let view = self.views.len();
+        let mut accessors = Vec::with_capacity(lists.len());
+        for list in lists {
+            if list.is_empty() {
+                accessors.push(None);
+                continue;
+            }
+            let accessor = json!({
+                "bufferView": view,
+                "byteOffset": bytes.len(),
+                "componentType": component.number(),
+                "count": list.len(),
+                "type": "SCALAR",
+            });
+            accessors.push(Some(self.push_accessor(accessor)));
+            match component {
+                ComponentType::U16 => bytes.extend(list.iter().flat_map(|&v| (v as u16).to_le_bytes())),
+                _ => bytes.extend_from_slice(bytemuck::cast_slice(list)),
+            }
+        }
+        self.push_view(&bytes, Some(ELEMENT_ARRAY_BUFFER), None);
+        accessors
+    }
+
+    /// Materials, textures, samplers and images; answers with the extensions that they use.
+    fn looks(
+        &mut self,
+        mesh: &IndexedMesh,
+        root: &mut Map<String, Value>,
+    ) -> Result<BTreeSet<String>, Refusal> {
+        let looks = &mesh.appearance;
+        let mut materials = Vec::new();
+        for (index, material) in looks.materials.iter().enumerate() {
+            let mut value = match material.gltf_json.as_str() {
+                "" => json!({}),
+                text => object(text, "material", index)?,
+            };
+            if !material.name.is_empty() {
+                value["name"] = json!(material.name);
+            }
+            materials.push(value);
+        }
+        let parsed = |texts: &[String], what: &str| -> Result<Vec<Value>, Refusal> {
+            texts.iter().enumerate().map(|(index, text)| object(text, what, index)).collect()
+        };
+        let textures = parsed(&looks.textures_json, "texture")?;
+        let samplers = parsed(&looks.samplers_json, "sampler")?;
+        let mut extensions = BTreeSet::new();
+        for value in materials.iter().chain(&textures).chain(&samplers) {
+            extensions_in(value, &mut extensions);
+        }
+        insert(root, "materials", materials);
+        insert(root, "textures", textures);
+        insert(root, "samplers", samplers);
+        let images: Result<_, Refusal> =
+            looks.images.iter().enumerate().map(|(index, image)| self.image(image, index)).collect();
+        insert(root, "images", images?);
+        Ok(extensions)
+    }
+
+    fn image(&mut self, image: &Image, index: usize) -> Result<Value, Refusal> {
+        let mut value = json!({});
+        if !image.name.is_empty() {
+            value["name"] = json!(image.name);
+        }
+        if !image.mime_type.is_empty() {
+            value["mimeType"] = json!(image.mime_type);
+        }
+        if !image.bytes.is_empty() && !image.mime_type.is_empty() {
+            value["bufferView"] = json!(self.push_view(&image.bytes, None, None));
+        } else if !image.uri.is_empty() {
+            value["uri"] = json!(image.uri);
+        } else {
+            return Err(Refusal::BadMesh(format!("image {index} has neither typed bytes nor a URI")));
+        }
+        Ok(value)
+    }
+}
+
+/// A JSON object that the mesh carries as text.
+fn object(text: &str, what: &str, index: usize) -> Result<Value, Refusal> {
+    match serde_json::from_str(text) {
+        Ok(value @ Value::Object(_)) => Ok(value),
+        Ok(_) => Err(Refusal::BadMesh(format!("the JSON of {what} {index} is no object"))),
+        Err(error) => Err(Refusal::BadMesh(format!("the JSON of {what} {index} is broken: {error}"))),
+    }
+}
+
+fn primitive(attributes: &Attributes, indices: usize, mode: u32, material: Option<u32>) -> Value {
+    let mut primitive = json!({ "attributes": attributes.attributes, "indices": indices, "mode": mode });
+    if !attributes.targets.is_empty() {
+        primitive["targets"] = Value::Array(attributes.targets.clone());
+    }
+    if let Some(material) = material {
+        primitive["material"] = json!(material);
+    }
+    primitive
+}
+
+/// The indices of each group: its triangles, or the strips that the caller gives.
+fn index_lists(
+    mesh: &IndexedMesh,
+    groups: &[TriangleGroup],
+    options: &WriteOptions,
+) -> Result<Vec<Vec<u32>>, Refusal> {
+    let Some(strips) = &options.strips else {
+        return Ok(groups.iter().map(|g| mesh.triangles[g.range()].as_flattened().to_vec()).collect());
+    };
+    if strips.len() != groups.len() {
+        let reason = format!("{} strips for {} triangle groups", strips.len(), groups.len());
+        return Err(Refusal::BadMesh(reason));
+    }
+    let vertex_count = mesh.positions.len();
+    for (group, strip) in strips.iter().enumerate() {
+        if let Some(place) = strip.iter().position(|&v| v as usize >= vertex_count) {
+            let vertex = strip[place];
+            let reason = format!("strip {group}, index {place}: vertex {vertex} of {vertex_count}");
+            return Err(Refusal::BadMesh(reason));
+        }
+        if matches!(strip.len(), 1 | 2) {
+            return Err(Refusal::BadMesh(format!("strip {group} has only {} indices", strip.len())));
+        }
+    }
+    Ok(strips.clone())
+}

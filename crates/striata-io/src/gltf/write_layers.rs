@@ -1,0 +1,262 @@
+//! Attribute layers as glTF accessors, in the types that glTF allows for each meaning.
+//!
+//! Normals and tangents are given unit length, and colours kept within 0 and 1, since glTF demands both. What has no glTF type
+//! (integers of 32 bits, unusual widths) is written as floats where that loses nothing, under a name of its own
+//! with an underscore before it.
+
+use serde_json::{Map, Value, json};
+use striata::mesh::{AttributeLayer, Bounds, IndexedMesh, LayerData, Semantic};
+
+use super::ComponentType;
+use super::write::Builder;
+use crate::error::Refusal;
+use crate::normals::unit;
+
+/// What all primitives share.
+pub(super) struct Attributes {
+    pub attributes: Map<String, Value>,
+    pub targets: Vec<Value>,
+}
+
+/// Numbers in a type that glTF allows.
+enum Encoded {
+    Floats(Vec<f32>),
+    Bytes(Vec<u8>),
+    Words(Vec<u16>),
+}
+
+pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<Attributes, Refusal> {
+    let mut out = Attributes { attributes: Map::new(), targets: Vec::new() };
+    let positions = mesh.positions.as_flattened();
+    check_finite(positions, 3, "POSITION")?;
+    out.attributes.insert("POSITION".to_owned(), push_points(builder, positions));
+    for layer in &mesh.layers {
+        let target = match layer.semantic {
+            Semantic::MorphPosition(target) => Some((target, "POSITION")),
+            Semantic::MorphNormal(target) => Some((target, "NORMAL")),
+            Semantic::MorphTangent(target) => Some((target, "TANGENT")),
+            _ => None,
+        };
+        let is_free = match target.filter(|_| layer.component_count == 3) {
+            Some((target, key)) => {
+                let floats = floats(layer, 3)?;
+                let accessor = match key {
+                    "POSITION" => push_points(builder, &floats),
+                    _ => push(builder, &Encoded::Floats(floats), 3, false),
+                };
+                let target = target as usize;
+                if out.targets.len() <= target {
+                    out.targets.resize(target + 1, json!({}));
+                }
+                let is_free = out.targets[target].get(key).is_none();
+                out.targets[target][key] = accessor;
+                is_free
+            }
+            None => {
+                let (name, accessor) = push_layer(builder, mesh, layer)?;
+                out.attributes.insert(name, accessor).is_none()
+            }
+        };
+        if !is_free {
+            return Err(Refusal::Unsupported(format!("two layers are called {}", layer.semantic)));
+        }
+    }
+    fill_targets(builder, &mut out.targets, mesh.positions.len());
+    Ok(out)
+}
+
+/// A target must not be empty: those that the mesh leaves out move nothing.
+fn fill_targets(builder: &mut Builder, targets: &mut [Value], vertex_count: usize) {
+    let is_empty = |target: &Value| target.as_object().is_some_and(Map::is_empty);
+    if !targets.iter().any(is_empty) {
+        return;
+    }
+    let zeros = builder.push_accessor(json!({
+        "componentType": ComponentType::F32.number(),
+        "count": vertex_count,
+        "type": "VEC3",
+        "min": [0.0, 0.0, 0.0],
+        "max": [0.0, 0.0, 0.0],
+    }));
+    for target in targets.iter_mut().filter(|target| is_empty(target)) {
+        target["POSITION"] = json!(zeros);
+    }
+}
+
+/// A layer under the name that glTF has for it, or under its own.
+fn push_layer(
+    builder: &mut Builder,
+    mesh: &IndexedMesh,
+    layer: &AttributeLayer,
+) -> Result<(String, Value), Refusal> {
+    let has = |semantic: Semantic| mesh.layer(&semantic).is_some_and(|layer| layer.component_count == 4);
+    let width = layer.component_count as usize;
+    let name = match layer.semantic {
+        Semantic::Normal if width == 3 => "NORMAL".to_owned(),
+        Semantic::Tangent if width == 4 => "TANGENT".to_owned(),
+        Semantic::TexCoord(set) if width == 2 => format!("TEXCOORD_{set}"),
+        Semantic::Color(set) if matches!(width, 3 | 4) => format!("COLOR_{set}"),
+        Semantic::Joints(set) if width == 4 && has(Semantic::Weights(set)) && is_joints(layer) => {
+            format!("JOINTS_{set}")
+        }
+        Semantic::Weights(set) if width == 4 && has(Semantic::Joints(set)) => format!("WEIGHTS_{set}"),
+        _ => return push_generic(builder, layer),
+    };
+    let keeps_integers = match layer.semantic {
+        Semantic::TexCoord(_) | Semantic::Color(_) | Semantic::Weights(_) => layer.normalized,
+        Semantic::Joints(_) => true,
+        _ => false,
+    };
+    let encoded = match &layer.data {
+        LayerData::U8(bytes) if keeps_integers => Encoded::Bytes(bytes.clone()),
+        LayerData::U16(words) if keeps_integers => Encoded::Words(words.clone()),
+        LayerData::U32(words) if keeps_integers => {
+            Encoded::Words(words.iter().map(|&word| word as u16).collect())
+        }
+        _ => Encoded::Floats(legal_floats(layer, width)?),
+    };
+    let normalized = layer.normalized && !matches!(encoded, Encoded::Floats(_));
+    Ok((name, push(builder, &encoded, width, normalized)))
+}
+
+/// True where the numbers are such as glTF allows for joints.
+fn is_joints(layer: &AttributeLayer) -> bool {
+    match &layer.data {
+        LayerData::U8(_) | LayerData::U16(_) => true,
+        LayerData::U32(joints) => joints.iter().all(|&joint| joint <= u32::from(u16::MAX)),
+        LayerData::F32(_) => false,
+    }
+}
+
+fn push_generic(builder: &mut Builder, layer: &AttributeLayer) -> Result<(String, Value), Refusal> {
+    let name = match &layer.semantic {
+        Semantic::Generic(name) => format!("_{name}"),
+        other => format!("_{other}"),
+    };
+    let width = layer.component_count as usize;
+    if !matches!(width, 1..=4 | 9 | 16) || (width > 4 && layer.data.component_bytes() < 4) {
+        let reason = format!("layer {} has {width} components a vertex", layer.semantic);
+        return Err(Refusal::Unsupported(reason));
+    }
+    let encoded = match &layer.data {
+        LayerData::U8(bytes) => Encoded::Bytes(bytes.clone()),
+        LayerData::U16(words) => Encoded::Words(words.clone()),
+        LayerData::F32(_) => Encoded::Floats(floats(layer, width)?),
+        LayerData::U32(words) => match words.iter().find(|&&word| word > 1 << 24) {
+            None => Encoded::Floats(floats(layer, width)?),
+            Some(word) => {
+                let reason = format!("layer {} holds {word}, too large for a float", layer.semantic);
+                return Err(Refusal::Unsupported(reason));
+            }
+        },
+    };
+    let normalized = layer.normalized && !matches!(encoded, Encoded::Floats(_));
+    Ok((name, push(builder, &encoded, width, normalized)))
+}
+
+/// A layer's numbers as floats, all of them finite.
+fn floats(layer: &AttributeLayer, width: usize) -> Result<Vec<f32>, Refusal> {
+    let numbers: Vec<f32> = match &layer.data {
+        LayerData::F32(numbers) => numbers.clone(),
+        data => {
+            let vertex_count = data.len() / width.max(1);
+            (0..vertex_count).flat_map(|v| (0..width).map(move |c| layer.get(v, c))).collect()
+        }
+    };
+    check_finite(&numbers, width, &layer.semantic.to_string())?;
+    Ok(numbers)
+}
+
+fn check_finite(numbers: &[f32], width: usize, name: &str) -> Result<(), Refusal> {
+    match numbers.iter().position(|x| !x.is_finite()) {
+        None => Ok(()),
+        Some(place) => {
+            let (vertex, value) = (place / width.max(1), numbers[place]);
+            Err(Refusal::Unsupported(format!("vertex {vertex} has the value {value} in {name}")))
+        }
+    }
+}
+
+/// Floats within the limits that glTF sets for their meaning.
+fn legal_floats(layer: &AttributeLayer, width: usize) -> Result<Vec<f32>, Refusal> {
+    let mut numbers = floats(layer, width)?;
+    match layer.semantic {
+        Semantic::Normal => numbers.as_chunks_mut::<3>().0.iter_mut().for_each(make_unit),
+        Semantic::Tangent => {
+            for [x, y, z, w] in numbers.as_chunks_mut::<4>().0 {
+                let mut direction = [*x, *y, *z];
+                make_unit(&mut direction);
+                [*x, *y, *z] = direction;
+                *w = if *w < 0.0 { -1.0 } else { 1.0 };
+            }
+        }
+        Semantic::Color(_) => numbers.iter_mut().for_each(|x| *x = x.clamp(0.0, 1.0)),
+        Semantic::Weights(_) => numbers.iter_mut().for_each(|x| *x = x.max(0.0)),
+        _ => {}
+    }
+    Ok(numbers)
+}
+
+/// Leaves what is a unit vector already as it is; what has no direction becomes +z.
+fn make_unit(vector: &mut [f32; 3]) {
+    let wide = vector.map(f64::from);
+    let square: f64 = wide.iter().map(|x| x * x).sum();
+    if (square - 1.0).abs() > 1e-4 {
+        *vector = unit(wide).unwrap_or([0.0, 0.0, 1.0]);
+    }
+}
+
+/// Points, with the bounds that glTF asks for.
+fn push_points(builder: &mut Builder, numbers: &[f32]) -> Value {
+    let (points, _) = numbers.as_chunks::<3>();
+    let view = builder.push_vertex_data(bytemuck::cast_slice(numbers), 12);
+    let bounds = Bounds::of(points).unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
+    json!(builder.push_accessor(json!({
+        "bufferView": view,
+        "componentType": ComponentType::F32.number(),
+        "count": points.len(),
+        "type": "VEC3",
+        "min": bounds.min.map(f64::from),
+        "max": bounds.max.map(f64::from),
+    })))
+}
+
+fn push(builder: &mut Builder, encoded: &Encoded, width: usize, normalized: bool) -> Value {
+    let (bytes, component): (&[u8], _) = match encoded {
+        Encoded::Floats(numbers) => (bytemuck::cast_slice(numbers), ComponentType::F32),
+        Encoded::Bytes(numbers) => (numbers, ComponentType::U8),
+        Encoded::Words(numbers) => (bytemuck::cast_slice(numbers), ComponentType::U16),
+    };
+    let element_bytes = width * component.bytes();
+    // Vertex data lie at multiples of 4.
+    let stride = element_bytes.next_multiple_of(4);
+    let count = bytes.len() / element_bytes;
+    let view = if stride == element_bytes {
+        builder.push_vertex_data(bytes, stride)
+    } else {
+        let mut padded = Vec::with_capacity(count * stride);
+        for element in bytes.chunks_exact(element_bytes) {
+            padded.extend_from_slice(element);
+            padded.resize(padded.len() + stride - element_bytes, 0);
+        }
+        builder.push_vertex_data(&padded, stride)
+    };
+    let kind = match width {
+        1 => "SCALAR",
+        2 => "VEC2",
+        3 => "VEC3",
+        9 => "MAT3",
+        16 => "MAT4",
+        _ => "VEC4",
+    };
+    let mut accessor = json!({
+        "bufferView": view,
+        "componentType": component.number(),
+        "count": count,
+        "type": kind,
+    });
+    if normalized {
+        accessor["normalized"] = json!(true);
+    }
+    json!(builder.push_accessor(accessor))
+}

@@ -1,0 +1,47 @@
+//! Normals of triangles and vertices, for formats that ask for them where the mesh has none.
+
+use std::ops::Range;
+
+/// Twice the area times the normal; f64, so that neither tiny nor huge meshes lose it.
+fn area_normal(positions: &[[f32; 3]], triangle: [u32; 3]) -> [f64; 3] {
+    let [a, b, c] = triangle.map(|v| positions[v as usize].map(f64::from));
+    let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+}
+
+/// The vector at length one; none for the zero vector and for what is not finite.
+pub(crate) fn unit(vector: [f64; 3]) -> Option<[f32; 3]> {
+    let largest = vector.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    if !(largest > 0.0 && largest.is_finite()) {
+        return None;
+    }
+    let scaled = vector.map(|x| x / largest);
+    let length = scaled.iter().map(|x| x * x).sum::<f64>().sqrt();
+    Some(scaled.map(|x| (x / length) as f32))
+}
+
+/// The normal of a triangle; zero where it has no area.
+pub(crate) fn of_triangle(positions: &[[f32; 3]], triangle: [u32; 3]) -> [f32; 3] {
+    unit(area_normal(positions, triangle)).unwrap_or([0.0; 3])
+}
+
+/// Area-weighted normals of the vertices in `range`, from those triangles that lie in it whole;
+/// vertices without any get +z, a unit vector being promised.
+pub(crate) fn of_vertices(
+    positions: &[[f32; 3]],
+    triangles: &[[u32; 3]],
+    range: Range<usize>,
+) -> Vec<[f32; 3]> {
+    let mut sums = vec![[0.0f64; 3]; range.len()];
+    for &triangle in triangles {
+        if !triangle.iter().all(|&v| range.contains(&(v as usize))) {
+            continue;
+        }
+        let normal = area_normal(positions, triangle);
+        for v in triangle {
+            let sum = &mut sums[v as usize - range.start];
+            *sum = [0, 1, 2].map(|i| sum[i] + normal[i]);
+        }
+    }
+    sums.into_iter().map(|sum| unit(sum).unwrap_or([0.0, 0.0, 1.0])).collect()
+}

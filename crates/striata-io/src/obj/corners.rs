@@ -1,0 +1,129 @@
+//! From corners with three indices each to vertices with one.
+
+use std::collections::BTreeMap;
+
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
+
+use super::NONE;
+use crate::normals;
+
+/// Position, texture coordinate and normal of a corner; the last two may be [`NONE`].
+pub(super) type Corner = [u32; 3];
+
+/// What `v`, `vt` and `vn` have listed.
+#[derive(Default)]
+pub(super) struct Tables {
+    pub positions: Vec<[f32; 3]>,
+    /// Three a position, up to the last position that has a colour; empty without any.
+    pub colors: Vec<f32>,
+    pub texcoords: Vec<[f32; 2]>,
+    pub normals: Vec<[f32; 3]>,
+}
+
+/// Builds the mesh; every index that is not [`NONE`] exists.
+pub(super) fn assemble(mut tables: Tables, corners: &[Corner]) -> IndexedMesh {
+    if !tables.colors.is_empty() {
+        tables.colors.resize(tables.positions.len() * 3, 1.0);
+    }
+    let has = |kind: usize| corners.iter().any(|c| c[kind] != NONE);
+    let (has_texcoord, has_normal) = (has(1), has(2));
+    if is_one_numbering(&tables, corners, [has_texcoord, has_normal]) {
+        return in_file_order(tables, corners, [has_texcoord, has_normal]);
+    }
+    let (vertices, triangles) = number_triples(tables.positions.len(), corners);
+    let positions: Vec<[f32; 3]> = vertices.iter().map(|v| tables.positions[v[0] as usize]).collect();
+    let mut layers = Vec::new();
+    if has_normal {
+        let normals = normals_of(&tables, &vertices, &positions, &triangles);
+        layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals));
+    }
+    if has_texcoord {
+        let texcoord = |v: &Corner| tables.texcoords.get(v[1] as usize).copied().unwrap_or([0.0; 2]);
+        let texcoords = vertices.iter().flat_map(texcoord).collect();
+        layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, texcoords));
+    }
+    if !tables.colors.is_empty() {
+        let colors =
+            vertices.iter().flat_map(|v| &tables.colors[v[0] as usize * 3..][..3]).copied().collect();
+        layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, colors));
+    }
+    IndexedMesh { layers, ..IndexedMesh::new(positions, triangles) }
+}
+
+/// True where all three indices of every corner agree, so far as a kind is used at all.
+fn is_one_numbering(tables: &Tables, corners: &[Corner], used: [bool; 2]) -> bool {
+    let count = tables.positions.len();
+    (!used[0] || tables.texcoords.len() == count)
+        && (!used[1] || tables.normals.len() == count)
+        && corners.iter().all(|c| (!used[0] || c[1] == c[0]) && (!used[1] || c[2] == c[0]))
+}
+
+fn in_file_order(tables: Tables, corners: &[Corner], [has_texcoord, has_normal]: [bool; 2]) -> IndexedMesh {
+    let mut layers = Vec::new();
+    if has_normal {
+        layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, tables.normals.into_flattened()));
+    }
+    if has_texcoord {
+        layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, tables.texcoords.into_flattened()));
+    }
+    if !tables.colors.is_empty() {
+        layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, tables.colors));
+    }
+    let triangles = corners.chunks_exact(3).map(|t| [t[0][0], t[1][0], t[2][0]]).collect();
+    IndexedMesh { layers, ..IndexedMesh::new(tables.positions, triangles) }
+}
+
+/// Longest chain that is walked; what comes after it goes into a tree.
+const LONGEST_CHAIN: usize = 32;
+
+/// Numbers distinct triples in the order in which they are first seen. The triples of one position form a
+/// chain, which is as short as the position has wedges; a file that makes chains long only slows itself down.
+fn number_triples(position_count: usize, corners: &[Corner]) -> (Vec<Corner>, Vec<[u32; 3]>) {
+    let mut first = vec![NONE; position_count];
+    let mut vertices: Vec<Corner> = Vec::with_capacity(position_count);
+    let mut next: Vec<u32> = Vec::with_capacity(position_count);
+    let mut beyond: BTreeMap<Corner, u32> = BTreeMap::new();
+    let mut vertex_of = |corner: &Corner| {
+        let position = corner[0] as usize;
+        let (mut vertex, mut steps) = (first[position], 0);
+        while vertex != NONE && vertices[vertex as usize] != *corner && steps < LONGEST_CHAIN {
+            vertex = next[vertex as usize];
+            steps += 1;
+        }
+        let new_vertex = vertices.len() as u32;
+        if steps == LONGEST_CHAIN {
+            vertex = *beyond.entry(*corner).or_insert(new_vertex);
+        } else if vertex == NONE {
+            vertex = new_vertex;
+        }
+        if vertex == new_vertex {
+            vertices.push(*corner);
+            next.push(first[position]);
+            if steps < LONGEST_CHAIN {
+                first[position] = vertex;
+            }
+        }
+        vertex
+    };
+    let triangles =
+        corners.chunks_exact(3).map(|t| [vertex_of(&t[0]), vertex_of(&t[1]), vertex_of(&t[2])]).collect();
+    (vertices, triangles)
+}
+
+/// Normals of the vertices; where a corner names none, the one that its triangles have.
+fn normals_of(
+    tables: &Tables,
+    vertices: &[Corner],
+    positions: &[[f32; 3]],
+    triangles: &[[u32; 3]],
+) -> Vec<f32> {
+    let computed = if vertices.iter().any(|v| v[2] == NONE) {
+        normals::of_vertices(positions, triangles, 0..positions.len())
+    } else {
+        Vec::new()
+    };
+    let normal = |(index, v): (usize, &Corner)| {
+        if v[2] == NONE { computed[index] } else { tables.normals[v[2] as usize] }
+    };
+    vertices.iter().enumerate().flat_map(normal).collect()
+}

@@ -1,0 +1,244 @@
+//! OFF, ascii: `[ST][C][N]OFF`, with normals, colours and texture coordinates at the vertices.
+//!
+//! A parser of our own, on the cursor that OBJ needs anyway: the crates on offer read plain OFF only and
+//! name no lines. Polygons are fanned; colours of polygons are passed over. Cost: one pass.
+
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+
+use crate::error::{Fault, Place};
+use crate::text::{Cursor, push_f32, quoted};
+
+/// What stands at each vertex besides its position, in this order.
+#[derive(Clone, Copy, Default)]
+struct Layout {
+    has_normal: bool,
+    has_color: bool,
+    has_texcoord: bool,
+}
+
+/// Numbers found at the vertices so far.
+#[derive(Default)]
+struct Columns {
+    normals: Vec<f32>,
+    colors: Vec<f32>,
+    /// 3 or 4; 0 before the first vertex.
+    color_count: usize,
+    colors_are_bytes: bool,
+    texcoords: Vec<f32>,
+}
+
+pub(crate) fn read(bytes: &[u8]) -> Result<IndexedMesh, Fault> {
+    let mut cursor = Cursor::new(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
+    cursor.skip_lines(Some(b'#'));
+    let layout = read_keyword(&mut cursor)?;
+    cursor.skip_lines(Some(b'#'));
+    let vertex_count = read_count(&mut cursor, "vertices")?;
+    let polygon_count = read_count(&mut cursor, "polygons")?;
+    // The edge count is not used; some writers leave it out.
+    cursor.next_line();
+    check_room(&cursor, vertex_count, 6)?;
+    let mut mesh = IndexedMesh::default();
+    mesh.positions.reserve_exact(vertex_count);
+    let mut columns = Columns { colors_are_bytes: true, ..Columns::default() };
+    for vertex in 0..vertex_count {
+        cursor.skip_lines(Some(b'#'));
+        read_vertex(&mut cursor, layout, &mut columns, &mut mesh.positions)
+            .map_err(|fault| in_row(fault, "vertex", vertex))?;
+    }
+    check_room(&cursor, polygon_count, 2)?;
+    for polygon in 0..polygon_count {
+        cursor.skip_lines(Some(b'#'));
+        read_polygon(&mut cursor, vertex_count, &mut mesh.triangles)
+            .map_err(|fault| in_row(fault, "polygon", polygon))?;
+    }
+    mesh.layers = columns.into_layers(layout);
+    Ok(mesh)
+}
+
+fn in_row(fault: Fault, what: &str, row: usize) -> Fault {
+    match fault {
+        Fault::Malformed(place, reason) => Fault::Malformed(place, format!("{what} {row}: {reason}")),
+        other => other,
+    }
+}
+
+fn read_keyword(cursor: &mut Cursor<'_>) -> Result<Layout, Fault> {
+    let word = cursor.word();
+    let Some(mut prefix) = word.strip_suffix(b"OFF") else {
+        return Err(cursor.fault(format!("expected the word OFF, found {}", quoted(word))));
+    };
+    let mut take = |part: &[u8]| match prefix.strip_prefix(part) {
+        Some(rest) => {
+            prefix = rest;
+            true
+        }
+        None => false,
+    };
+    let (has_texcoord, has_color, has_normal) = (take(b"ST"), take(b"C"), take(b"N"));
+    if !prefix.is_empty() {
+        let what = format!("the OFF variant {}", quoted(word));
+        return Err(Fault::Unsupported(Place::Line(cursor.line()), what));
+    }
+    if cursor.clone().word() == b"BINARY" {
+        return Err(Fault::Unsupported(Place::Line(cursor.line()), "binary OFF".to_owned()));
+    }
+    Ok(Layout { has_normal, has_color, has_texcoord })
+}
+
+fn read_count(cursor: &mut Cursor<'_>, what: &str) -> Result<usize, Fault> {
+    let count = cursor.integer()?;
+    usize::try_from(count).map_err(|_| cursor.fault(format!("{count} is no number of {what}")))
+}
+
+/// Refuses counts that the bytes left cannot hold, before anything is allocated for them.
+fn check_room(cursor: &Cursor<'_>, count: usize, least_bytes: usize) -> Result<(), Fault> {
+    let left = cursor.bytes_left();
+    if count > left / least_bytes + 1 {
+        return Err(cursor.fault(format!("{count} rows are promised, but only {left} bytes follow")));
+    }
+    Ok(())
+}
+
+fn read_vertex(
+    cursor: &mut Cursor<'_>,
+    layout: Layout,
+    columns: &mut Columns,
+    positions: &mut Vec<[f32; 3]>,
+) -> Result<(), Fault> {
+    positions.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
+    if layout.has_normal {
+        for _ in 0..3 {
+            columns.normals.push(cursor.f32()?);
+        }
+    }
+    if layout.has_color {
+        read_color(cursor, layout, columns)?;
+    }
+    if layout.has_texcoord {
+        for _ in 0..2 {
+            columns.texcoords.push(cursor.f32()?);
+        }
+    }
+    cursor.next_line();
+    Ok(())
+}
+
+/// Colours are 3 or 4 numbers, and only the first vertex can tell which.
+fn read_color(cursor: &mut Cursor<'_>, layout: Layout, columns: &mut Columns) -> Result<(), Fault> {
+    if columns.color_count == 0 {
+        let mut ahead = cursor.clone();
+        let mut word_count = 0;
+        while !ahead.at_line_end() && ahead.peek() != Some(b'#') {
+            ahead.word();
+            word_count += 1;
+        }
+        let color_words = if layout.has_texcoord { word_count.max(2) - 2 } else { word_count };
+        columns.color_count = if color_words >= 4 { 4 } else { 3 };
+    }
+    for _ in 0..columns.color_count {
+        let value = cursor.f32()?;
+        columns.colors_are_bytes &= value.fract() == 0.0 && (0.0..=255.0).contains(&value);
+        columns.colors.push(value);
+    }
+    Ok(())
+}
+
+fn read_polygon(
+    cursor: &mut Cursor<'_>,
+    vertex_count: usize,
+    triangles: &mut Vec<[u32; 3]>,
+) -> Result<(), Fault> {
+    let corner_count = cursor.integer()?;
+    if corner_count < 0 {
+        return Err(cursor.fault(format!("{corner_count} is no number of corners")));
+    }
+    let (mut first, mut last) = (0, 0);
+    for corner in 0..corner_count {
+        let index = cursor.integer()?;
+        let Some(vertex) = u32::try_from(index).ok().filter(|&v| (v as usize) < vertex_count) else {
+            return Err(cursor.fault(format!("vertex {index} of {vertex_count} does not exist")));
+        };
+        match corner {
+            0 => first = vertex,
+            1 => {}
+            _ => triangles.push([first, last, vertex]),
+        }
+        last = vertex;
+    }
+    cursor.next_line();
+    Ok(())
+}
+
+impl Columns {
+    fn into_layers(self, layout: Layout) -> Vec<AttributeLayer> {
+        let mut layers = Vec::new();
+        if layout.has_normal {
+            layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, self.normals));
+        }
+        if layout.has_texcoord {
+            layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, self.texcoords));
+        }
+        if layout.has_color {
+            let component_count = self.color_count.max(3) as u8;
+            // Only zeros and ones: fractions at their ends, as in a white mesh.
+            let are_bytes = self.colors_are_bytes && self.colors.iter().any(|&c| c > 1.0);
+            layers.push(if are_bytes {
+                let data = LayerData::U8(self.colors.iter().map(|&c| c as u8).collect());
+                AttributeLayer { semantic: Semantic::Color(0), component_count, normalized: true, data }
+            } else {
+                AttributeLayer::from_f32(Semantic::Color(0), component_count, self.colors)
+            });
+        }
+        layers
+    }
+}
+
+/// Normals, the first colours and the first texture coordinates are kept, other layers and groups are not.
+pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Vec<u8> {
+    let fitting = |semantic: &Semantic, counts: &[u8]| {
+        mesh.layer(semantic).filter(|layer| counts.contains(&layer.component_count))
+    };
+    let normal = fitting(&Semantic::Normal, &[3]);
+    let color = fitting(&Semantic::Color(0), &[3, 4]);
+    let texcoord = fitting(&Semantic::TexCoord(0), &[2]);
+    let mut out = Vec::with_capacity(mesh.positions.len() * 32 + mesh.triangles.len() * 24);
+    let prefix = |there: bool, name: &'static str| if there { name } else { "" };
+    let counts = format!(
+        "{}{}{}OFF\n{} {} 0\n",
+        prefix(texcoord.is_some(), "ST"),
+        prefix(color.is_some(), "C"),
+        prefix(normal.is_some(), "N"),
+        mesh.positions.len(),
+        mesh.triangles.len()
+    );
+    out.extend_from_slice(counts.as_bytes());
+    for (vertex, position) in mesh.positions.iter().enumerate() {
+        for (axis, &x) in position.iter().enumerate() {
+            if axis > 0 {
+                out.push(b' ');
+            }
+            push_f32(&mut out, x);
+        }
+        for layer in [normal, color, texcoord].into_iter().flatten() {
+            push_values(&mut out, layer, vertex);
+        }
+        out.push(b'\n');
+    }
+    for [a, b, c] in &mesh.triangles {
+        out.extend_from_slice(format!("3 {a} {b} {c}\n").as_bytes());
+    }
+    out
+}
+
+fn push_values(out: &mut Vec<u8>, layer: &AttributeLayer, vertex: usize) {
+    let count = layer.component_count as usize;
+    for component in 0..count {
+        out.push(b' ');
+        match &layer.data {
+            LayerData::U8(bytes) if layer.semantic == Semantic::Color(0) && layer.normalized => {
+                out.extend_from_slice(bytes[vertex * count + component].to_string().as_bytes());
+            }
+            _ => push_f32(out, layer.get(vertex, component)),
+        }
+    }
+}

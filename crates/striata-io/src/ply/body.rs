@@ -1,0 +1,383 @@
+//! The body of a PLY file: vertices as rows of bytes, faces and strips as triangles.
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+use striata::mesh::{AttributeLayer, LayerData, Semantic};
+
+use crate::error::{Fault, Place};
+
+use super::header::{Element, Header, Property, Scalar};
+use super::names::{ColumnSet, column_sets};
+use super::rows::Rows;
+
+/// The vertex element without its lists: `count` rows of `stride` little-endian bytes.
+pub(crate) struct Vertices<'a> {
+    rows: Cow<'a, [u8]>,
+    count: usize,
+    stride: usize,
+    columns: Vec<Column>,
+}
+
+/// One number of a row.
+#[derive(Clone, Debug)]
+pub(crate) struct Column {
+    pub name: String,
+    pub scalar: Scalar,
+    pub offset: usize,
+}
+
+/// Triangles as they are found, with what a message about a bad index needs.
+#[derive(Default)]
+pub(crate) struct Faces {
+    pub triangles: Vec<[u32; 3]>,
+    /// The largest index, and a fault at its place, ready to be told.
+    largest: Option<(i64, Fault)>,
+}
+
+/// Reads all elements in order; those that say nothing about triangles are passed over.
+pub(crate) fn read_elements<'a, R: Rows<'a>>(
+    header: &Header,
+    rows: &mut R,
+    faces: &mut Faces,
+) -> Result<Vertices<'a>, Fault> {
+    let vertex_count = header.vertex()?.count;
+    let mut vertices = None;
+    for element in &header.elements {
+        check_room(element, rows)?;
+        match element.name.as_str() {
+            "vertex" if vertices.is_none() => vertices = Some(read_vertices(element, rows)?),
+            "face" => read_faces(element, rows, faces, vertex_count)?,
+            "tristrips" => read_strips(element, rows, faces)?,
+            _ => skip_element(element, rows)?,
+        }
+    }
+    vertices.ok_or_else(|| rows.fault("the element `vertex` is missing".to_owned()))
+}
+
+/// Refuses counts that the bytes left cannot hold, before anything is allocated for them.
+fn check_room<'a>(element: &Element, rows: &impl Rows<'a>) -> Result<(), Fault> {
+    let (needed, left) = (rows.least_row_bytes(element) as u64 * element.count as u64, rows.bytes_left());
+    if needed > left as u64 {
+        let (count, name) = (element.count, &element.name);
+        let reason =
+            format!("{count} rows of `{name}` are promised, which take {needed} bytes or more, found {left}");
+        return Err(rows.fault(reason));
+    }
+    Ok(())
+}
+
+fn columns_of(element: &Element) -> (Vec<Column>, usize) {
+    let mut offset = 0;
+    let mut columns = Vec::new();
+    for property in element.properties.iter().filter(|p| p.list.is_none()) {
+        columns.push(Column { name: property.name.clone(), scalar: property.scalar, offset });
+        offset += property.scalar.bytes();
+    }
+    (columns, offset)
+}
+
+fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Vertices<'a>, Fault> {
+    let (columns, stride) = columns_of(element);
+    let (count, length) = (element.count, stride * element.count);
+    let has_lists = element.properties.iter().any(|p| p.list.is_some());
+    if stride == 0 && count > 0 {
+        return Err(rows.fault("the element `vertex` has no coordinates".to_owned()));
+    }
+    if !has_lists && let Some(bytes) = rows.little_endian_bytes(length) {
+        return Ok(Vertices { rows: Cow::Borrowed(bytes), count, stride, columns });
+    }
+    let mut bytes = Vec::with_capacity(length);
+    for _ in 0..count {
+        for property in &element.properties {
+            match property.list {
+                None => rows.copy(property.scalar, &mut bytes)?,
+                Some(_) => skip_property(property, rows)?,
+            }
+        }
+    }
+    Ok(Vertices { rows: Cow::Owned(bytes), count, stride, columns })
+}
+
+fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
+    let count = match property.list {
+        None => 1,
+        Some(scalar) => list_length(scalar, rows)?,
+    };
+    rows.skip(property.scalar, count)
+}
+
+fn list_length<'a>(scalar: Scalar, rows: &mut impl Rows<'a>) -> Result<usize, Fault> {
+    let length = rows.integer(scalar)?;
+    usize::try_from(length).map_err(|_| rows.fault(format!("a list cannot have {length} entries")))
+}
+
+fn skip_element<'a>(element: &Element, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
+    if element.properties.iter().all(|p| p.list.is_none()) {
+        for property in &element.properties {
+            rows.skip(property.scalar, element.count)?;
+        }
+        return Ok(());
+    }
+    for _ in 0..element.count {
+        for property in &element.properties {
+            skip_property(property, rows)?;
+        }
+    }
+    Ok(())
+}
+
+/// Where the list of vertices stands among an element's properties.
+fn index_list(element: &Element) -> Option<usize> {
+    let is_index_list =
+        |p: &Property| p.list.is_some() && matches!(p.name.as_str(), "vertex_indices" | "vertex_index");
+    element.properties.iter().position(is_index_list)
+}
+
+fn read_faces<'a, R: Rows<'a>>(
+    element: &Element,
+    rows: &mut R,
+    faces: &mut Faces,
+    vertex_count: usize,
+) -> Result<(), Fault> {
+    let Some(list) = index_list(element) else { return skip_element(element, rows) };
+    let mut left = element.count;
+    faces.triangles.reserve(left.min(rows.bytes_left() / 6));
+    if let [Property { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }] =
+        element.properties[..]
+    {
+        left -= read_plain_triangles(rows, left, faces, vertex_count);
+    }
+    for _ in 0..left {
+        for (place, property) in element.properties.iter().enumerate() {
+            match property.list.filter(|_| place == list) {
+                Some(length) => read_polygon(property.scalar, length, rows, faces)?,
+                None => skip_property(property, rows)?,
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The usual file: three 32-bit indices after one byte. Stops at the first row that is something else, and says how
+/// many rows were read.
+fn read_plain_triangles<'a>(
+    rows: &mut impl Rows<'a>,
+    count: usize,
+    faces: &mut Faces,
+    vertex_count: usize,
+) -> usize {
+    const ROW: usize = 13;
+    let Some(rest) = rows.little_endian_rest() else { return 0 };
+    let mut read = 0;
+    for row in rest.chunks_exact(ROW).take(count) {
+        let index = |at: usize| u32::from_le_bytes([row[at], row[at + 1], row[at + 2], row[at + 3]]);
+        let triangle = [index(1), index(5), index(9)];
+        if row[0] != 3 || triangle.iter().any(|&v| v as usize >= vertex_count) {
+            break;
+        }
+        faces.triangles.push(triangle);
+        read += 1;
+    }
+    rows.little_endian_bytes(read * ROW);
+    read
+}
+
+fn read_polygon<'a, R: Rows<'a>>(
+    scalar: Scalar,
+    length: Scalar,
+    rows: &mut R,
+    faces: &mut Faces,
+) -> Result<(), Fault> {
+    let length = list_length(length, rows)?;
+    let (mut first, mut last) = (0, 0);
+    for corner in 0..length {
+        let vertex = read_index(scalar, rows, faces)?;
+        match corner {
+            0 => first = vertex,
+            1 => {}
+            _ => faces.triangles.push([first, last, vertex]),
+        }
+        last = vertex;
+    }
+    Ok(())
+}
+
+fn read_index<'a, R: Rows<'a>>(scalar: Scalar, rows: &mut R, faces: &mut Faces) -> Result<u32, Fault> {
+    let mark = rows.mark();
+    let index = rows.integer(scalar)?;
+    let Ok(vertex) = u32::try_from(index) else {
+        return Err(R::fault_at(mark, format!("{index} is no index of a vertex")));
+    };
+    if faces.largest.as_ref().is_none_or(|&(largest, _)| index > largest) {
+        // Only a new maximum can be the first index out of range.
+        faces.largest = Some((index, R::fault_at(mark, String::new())));
+    }
+    Ok(vertex)
+}
+
+/// Triangle strips as Stanford writes them: one list, strips parted by -1.
+fn read_strips<'a, R: Rows<'a>>(element: &Element, rows: &mut R, faces: &mut Faces) -> Result<(), Fault> {
+    let Some(list) = index_list(element) else { return skip_element(element, rows) };
+    for _ in 0..element.count {
+        for (place, property) in element.properties.iter().enumerate() {
+            match property.list.filter(|_| place == list) {
+                Some(length) => read_strip_list(property.scalar, length, rows, faces)?,
+                None => skip_property(property, rows)?,
+            }
+        }
+    }
+    Ok(())
+}
+
+fn read_strip_list<'a, R: Rows<'a>>(
+    scalar: Scalar,
+    length: Scalar,
+    rows: &mut R,
+    faces: &mut Faces,
+) -> Result<(), Fault> {
+    let (mut before_last, mut last, mut seen) = (0, 0, 0usize);
+    for _ in 0..list_length(length, rows)? {
+        let mark = rows.mark();
+        let index = rows.integer(scalar)?;
+        if index == -1 {
+            seen = 0;
+            continue;
+        }
+        let Ok(vertex) = u32::try_from(index) else {
+            return Err(R::fault_at(mark, format!("{index} is no index of a vertex")));
+        };
+        if faces.largest.as_ref().is_none_or(|&(largest, _)| index > largest) {
+            faces.largest = Some((index, R::fault_at(mark, String::new())));
+        }
+        if seen >= 2 && before_last != last && last != vertex && before_last != vertex {
+            let is_odd = seen % 2 == 1;
+            let (a, b) = if is_odd { (last, before_last) } else { (before_last, last) };
+            faces.triangles.push([a, b, vertex]);
+        }
+        (before_last, last) = (last, vertex);
+        seen += 1;
+    }
+    Ok(())
+}
+
+impl Faces {
+    pub(crate) fn check_indices(&mut self, vertex_count: usize) -> Result<(), Fault> {
+        match self.largest.take() {
+            Some((index, Fault::Malformed(place, _))) if index >= vertex_count as i64 => {
+                let reason = format!("vertex {index} does not exist: there are {vertex_count}");
+                Err(Fault::Malformed(place, reason))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Vertices<'_> {
+    pub(crate) fn positions(&self, header: &Header) -> Result<Vec<[f32; 3]>, Fault> {
+        let mut axes = Vec::with_capacity(3);
+        for name in ["x", "y", "z"] {
+            let Some(column) = self.columns.iter().find(|c| c.name == name) else {
+                if header.vertex()?.count == 0 {
+                    return Ok(Vec::new());
+                }
+                let reason = format!("the element `vertex` has no property `{name}`");
+                return Err(Fault::Malformed(Place::File, reason));
+            };
+            axes.push(column);
+        }
+        let [x, y, z] = [axes[0].offset, axes[1].offset, axes[2].offset];
+        if axes.iter().all(|c| c.scalar == Scalar::F32) && y == x + 4 && z == x + 8 {
+            let at = |row: &[u8], i: usize| f32::from_le_bytes([row[i], row[i + 1], row[i + 2], row[i + 3]]);
+            let position = |row: &[u8]| [at(row, 0), at(row, 4), at(row, 8)];
+            return Ok(self.rows().map(|row| position(&row[x..x + 12])).collect());
+        }
+        Ok(self.rows().map(|row| [0, 1, 2].map(|axis| to_f64(row, axes[axis]) as f32)).collect())
+    }
+
+    fn rows(&self) -> impl ExactSizeIterator<Item = &[u8]> {
+        debug_assert_eq!(self.rows.len(), self.count * self.stride, "rows are whole");
+        self.rows.chunks_exact(self.stride.max(1))
+    }
+
+    pub(crate) fn layers(&self, header: &Header) -> Vec<AttributeLayer> {
+        let mut seen = BTreeSet::new();
+        let sets = column_sets(&self.columns);
+        let first_of_its_name = |set: &&ColumnSet<'_>| seen.insert(set.semantic.clone());
+        sets.iter().filter(first_of_its_name).map(|set| self.layer(set, header)).collect()
+    }
+
+    fn layer(&self, set: &ColumnSet<'_>, header: &Header) -> AttributeLayer {
+        let semantic = set.semantic.clone();
+        let component_count = set.columns.len() as u8;
+        let (data, normalized) = match (&semantic, set.columns[0].scalar) {
+            (Semantic::Normal | Semantic::Tangent, _) => (self.floats(set), false),
+            (Semantic::MorphPosition(_) | Semantic::MorphNormal(_) | Semantic::MorphTangent(_), _) => {
+                (self.floats(set), false)
+            }
+            (Semantic::Color(_), Scalar::I16 | Scalar::I32 | Scalar::U32) => {
+                (self.gathered(set, |row, c| (to_f64(row, c) / 255.0) as f32, LayerData::F32), false)
+            }
+            (Semantic::Color(_) | Semantic::TexCoord(_) | Semantic::Weights(_), scalar) => {
+                (self.typed(set), matches!(scalar, Scalar::U8 | Scalar::U16))
+            }
+            (Semantic::Generic(name), _) => (self.typed(set), header.normalized.contains(name)),
+            (Semantic::Joints(_), _) => (self.typed(set), false),
+        };
+        AttributeLayer { semantic, component_count, normalized, data }
+    }
+
+    /// The columns in the type that holds them best.
+    fn typed(&self, set: &ColumnSet<'_>) -> LayerData {
+        match set.columns[0].scalar {
+            Scalar::U8 => self.gathered(set, |row, c| row[c.offset], LayerData::U8),
+            Scalar::U16 => self.gathered(
+                set,
+                |row, c| u16::from_le_bytes([row[c.offset], row[c.offset + 1]]),
+                LayerData::U16,
+            ),
+            Scalar::U32 => self.gathered(set, |row, c| to_f64(row, c) as u32, LayerData::U32),
+            Scalar::I32 if self.is_never_negative(set) => {
+                self.gathered(set, |row, c| to_f64(row, c) as u32, LayerData::U32)
+            }
+            _ => self.floats(set),
+        }
+    }
+
+    fn is_never_negative(&self, set: &ColumnSet<'_>) -> bool {
+        self.rows().all(|row| set.columns.iter().all(|c| to_f64(row, c) >= 0.0))
+    }
+
+    fn floats(&self, set: &ColumnSet<'_>) -> LayerData {
+        self.gathered(set, |row, c| to_f64(row, c) as f32, LayerData::F32)
+    }
+
+    fn gathered<T>(
+        &self,
+        set: &ColumnSet<'_>,
+        number: impl Fn(&[u8], &Column) -> T,
+        data: impl Fn(Vec<T>) -> LayerData,
+    ) -> LayerData {
+        let mut out = Vec::with_capacity(self.count * set.columns.len());
+        for row in self.rows() {
+            out.extend(set.columns.iter().map(|&column| number(row, column)));
+        }
+        data(out)
+    }
+}
+
+/// Any number of a row; every type but f64 itself fits into one exactly.
+fn to_f64(row: &[u8], column: &Column) -> f64 {
+    let mut word = [0u8; 8];
+    let length = column.scalar.bytes();
+    word[..length].copy_from_slice(&row[column.offset..column.offset + length]);
+    let value = u64::from_le_bytes(word);
+    match column.scalar {
+        Scalar::I8 => f64::from(value as i8),
+        Scalar::I16 => f64::from(value as i16),
+        Scalar::I32 => f64::from(value as i32),
+        Scalar::U8 | Scalar::U16 | Scalar::U32 => value as f64,
+        Scalar::F32 => f64::from(f32::from_bits(value as u32)),
+        Scalar::F64 => f64::from_bits(value),
+    }
+}

@@ -1,0 +1,200 @@
+//! The header of a PLY file: elements, their properties, and where the body begins.
+
+use crate::error::{Fault, Place};
+use crate::text::{Cursor, quoted};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Encoding {
+    Ascii,
+    LittleEndian,
+    BigEndian,
+}
+
+/// The type of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Scalar {
+    fn from_name(name: &[u8]) -> Option<Self> {
+        Some(match name {
+            b"char" | b"int8" => Self::I8,
+            b"uchar" | b"uint8" => Self::U8,
+            b"short" | b"int16" => Self::I16,
+            b"ushort" | b"uint16" => Self::U16,
+            b"int" | b"int32" => Self::I32,
+            b"uint" | b"uint32" => Self::U32,
+            b"float" | b"float32" => Self::F32,
+            b"double" | b"float64" => Self::F64,
+            _ => return None,
+        })
+    }
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::I8 => "char",
+            Self::U8 => "uchar",
+            Self::I16 => "short",
+            Self::U16 => "ushort",
+            Self::I32 => "int",
+            Self::U32 => "uint",
+            Self::F32 => "float",
+            Self::F64 => "double",
+        }
+    }
+
+    pub(crate) fn bytes(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+
+    pub(crate) fn is_integer(self) -> bool {
+        !matches!(self, Self::F32 | Self::F64)
+    }
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Property {
+    pub name: String,
+    pub scalar: Scalar,
+    /// The type of the list's length, for a list.
+    pub list: Option<Scalar>,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Element {
+    pub name: String,
+    pub count: usize,
+    pub properties: Vec<Property>,
+}
+
+impl Element {
+    /// Fewest bytes that a row takes in binary.
+    pub(crate) fn least_row_bytes(&self) -> usize {
+        self.properties.iter().map(|p| p.list.unwrap_or(p.scalar).bytes()).sum()
+    }
+}
+
+pub(crate) struct Header {
+    pub encoding: Encoding,
+    pub elements: Vec<Element>,
+    /// Layers that `comment normalized NAME` marks: a note of our own writer's.
+    pub normalized: Vec<String>,
+    pub body_at: usize,
+    pub body_line: u64,
+}
+
+impl Header {
+    pub(crate) fn read(bytes: &[u8]) -> Result<Self, Fault> {
+        let mut cursor = Cursor::new(bytes);
+        if cursor.rest_of_line() != b"ply" {
+            return Err(cursor.fault("a PLY file begins with the line `ply`"));
+        }
+        let mut encoding = None;
+        let mut elements: Vec<Element> = Vec::new();
+        let mut normalized = Vec::new();
+        loop {
+            cursor.next_line();
+            match cursor.word() {
+                b"format" => encoding = Some(read_format(&mut cursor)?),
+                b"comment" => normalized.extend(read_note(&mut cursor)),
+                b"element" => elements.push(read_element(&mut cursor)?),
+                b"property" => {
+                    let property = read_property(&mut cursor)?;
+                    match elements.last_mut() {
+                        Some(element) => element.properties.push(property),
+                        None => return Err(cursor.fault("a property stands before any element")),
+                    }
+                }
+                b"end_header" => break,
+                b"obj_info" => {}
+                // A blank line is no harm, the end of the file is.
+                b"" if cursor.bytes_left() > 0 => {}
+                b"" => return Err(cursor.fault("the file ends before `end_header`")),
+                word => return Err(cursor.fault(format!("no PLY header line begins with {}", quoted(word)))),
+            }
+        }
+        cursor.next_line();
+        let encoding = encoding.ok_or_else(|| cursor.fault("the header has no `format` line"))?;
+        let (body_at, body_line) = (bytes.len() - cursor.bytes_left(), cursor.line());
+        Ok(Self { encoding, elements, normalized, body_at, body_line })
+    }
+
+    pub(crate) fn vertex(&self) -> Result<&Element, Fault> {
+        self.elements
+            .iter()
+            .find(|e| e.name == "vertex")
+            .ok_or_else(|| Fault::Malformed(Place::File, "the header names no element `vertex`".to_owned()))
+    }
+}
+
+fn read_format(cursor: &mut Cursor<'_>) -> Result<Encoding, Fault> {
+    let encoding = match cursor.word() {
+        b"ascii" => Encoding::Ascii,
+        b"binary_little_endian" => Encoding::LittleEndian,
+        b"binary_big_endian" => Encoding::BigEndian,
+        word => {
+            let what = format!("the PLY encoding {}", quoted(word));
+            return Err(Fault::Unsupported(Place::Line(cursor.line()), what));
+        }
+    };
+    match cursor.word() {
+        b"1.0" => Ok(encoding),
+        word => {
+            let what = format!("PLY version {}", quoted(word));
+            Err(Fault::Unsupported(Place::Line(cursor.line()), what))
+        }
+    }
+}
+
+fn read_note(cursor: &mut Cursor<'_>) -> Option<String> {
+    (cursor.word() == b"normalized").then(|| text(cursor.word()))
+}
+
+fn read_element(cursor: &mut Cursor<'_>) -> Result<Element, Fault> {
+    let name = text(cursor.word());
+    let count = cursor.integer()?;
+    let count = usize::try_from(count)
+        .ok()
+        .filter(|&n| n <= u32::MAX as usize)
+        .ok_or_else(|| cursor.fault(format!("{count} is no number of elements that can be handled")))?;
+    Ok(Element { name, count, properties: Vec::new() })
+}
+
+fn read_property(cursor: &mut Cursor<'_>) -> Result<Property, Fault> {
+    let scalar = |cursor: &mut Cursor<'_>, word: &[u8]| {
+        Scalar::from_name(word).ok_or_else(|| cursor.fault(format!("no PLY type is called {}", quoted(word))))
+    };
+    let first = cursor.word();
+    let (list, scalar) = if first == b"list" {
+        let (count, item) = (cursor.word(), cursor.word());
+        let count = scalar(cursor, count)?;
+        if !count.is_integer() {
+            return Err(cursor.fault(format!("a list's length cannot be a {}", count.name())));
+        }
+        (Some(count), scalar(cursor, item)?)
+    } else {
+        (None, scalar(cursor, first)?)
+    };
+    let name = text(cursor.word());
+    if name.is_empty() {
+        return Err(cursor.fault("a property has no name"));
+    }
+    Ok(Property { name, scalar, list })
+}
+
+fn text(word: &[u8]) -> String {
+    String::from_utf8_lossy(word).into_owned()
+}

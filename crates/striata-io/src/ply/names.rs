@@ -1,0 +1,175 @@
+//! What vertex properties are called: the layers that PLY files know, and those that we add.
+//!
+//! | layer | properties |
+//! | --- | --- |
+//! | normal, tangent | `nx ny nz`, `tangent_x tangent_y tangent_z tangent_w` |
+//! | UV set 0, others | `s t` (also read: `u v`, `texture_u texture_v`, `texcoord_u texcoord_v`), `texcoord_1_s texcoord_1_t` |
+//! | colour set 0, others | `red green blue alpha` (also read: `diffuse_red` …), `color_1_red` … |
+//! | joints, weights | `joints_0_0` … `joints_0_3`, `weights_0_0` … `weights_0_3` |
+//! | morph targets | `morph_0_position_x` …, `morph_0_normal_x` …, `morph_0_tangent_x` … |
+//! | anything else | its name; with several components `name.0 name.1` …; with `generic_` before it where the name alone would mean something else |
+
+use striata::mesh::{AttributeLayer, Semantic};
+
+use super::body::Column;
+
+const AXES: [&str; 4] = ["x", "y", "z", "w"];
+const COLORS: [&str; 4] = ["red", "green", "blue", "alpha"];
+
+/// Columns that make one layer, in the order of its components.
+pub(crate) struct ColumnSet<'a> {
+    pub semantic: Semantic,
+    pub columns: Vec<&'a Column>,
+}
+
+/// The layer and component that a property's name stands for.
+fn meaning(name: &str) -> Option<(Semantic, usize)> {
+    match name {
+        "x" | "y" | "z" => return None,
+        "nx" | "ny" | "nz" => return Some((Semantic::Normal, (name.as_bytes()[1] - b'x') as usize)),
+        "s" | "u" | "texture_u" | "texcoord_u" => return Some((Semantic::TexCoord(0), 0)),
+        "t" | "v" | "texture_v" | "texcoord_v" => return Some((Semantic::TexCoord(0), 1)),
+        _ => {}
+    }
+    let color = name.strip_prefix("diffuse_").unwrap_or(name);
+    if let Some(component) = COLORS.iter().position(|&c| c == color) {
+        return Some((Semantic::Color(0), component));
+    }
+    let axis = |word: &str| AXES.iter().position(|&a| a == word);
+    let (kind, rest) = name.split_once('_')?;
+    if kind == "tangent" {
+        return Some((Semantic::Tangent, axis(rest)?));
+    }
+    let (number, rest) = rest.split_once('_')?;
+    match kind {
+        "texcoord" => {
+            Some((Semantic::TexCoord(number.parse().ok()?), ["s", "t"].iter().position(|&c| c == rest)?))
+        }
+        "color" => Some((Semantic::Color(number.parse().ok()?), COLORS.iter().position(|&c| c == rest)?)),
+        "joints" => Some((Semantic::Joints(number.parse().ok()?), component(rest)?)),
+        "weights" => Some((Semantic::Weights(number.parse().ok()?), component(rest)?)),
+        "morph" => {
+            let target = number.parse().ok()?;
+            let (kind, word) = rest.split_once('_')?;
+            let semantic = match kind {
+                "position" => Semantic::MorphPosition(target),
+                "normal" => Semantic::MorphNormal(target),
+                "tangent" => Semantic::MorphTangent(target),
+                _ => return None,
+            };
+            Some((semantic, axis(word).filter(|&a| a < 3)?))
+        }
+        _ => None,
+    }
+}
+
+fn component(word: &str) -> Option<usize> {
+    word.parse().ok().filter(|&c| c < 4)
+}
+
+/// How many components make the layer whole.
+fn is_whole(semantic: &Semantic, component_count: usize) -> bool {
+    match semantic {
+        Semantic::Normal
+        | Semantic::MorphPosition(_)
+        | Semantic::MorphNormal(_)
+        | Semantic::MorphTangent(_) => component_count == 3,
+        Semantic::Tangent => component_count == 4,
+        Semantic::TexCoord(_) => component_count == 2,
+        Semantic::Color(_) => matches!(component_count, 3 | 4),
+        Semantic::Joints(_) | Semantic::Weights(_) | Semantic::Generic(_) => component_count > 0,
+    }
+}
+
+/// Sorts columns into layers, in the order in which the layers begin.
+pub(crate) fn column_sets(columns: &[Column]) -> Vec<ColumnSet<'_>> {
+    let mut sets: Vec<ColumnSet<'_>> = Vec::new();
+    let mut is_taken = vec![false; columns.len()];
+    for (index, column) in columns.iter().enumerate() {
+        if is_taken[index] || matches!(column.name.as_str(), "x" | "y" | "z") {
+            continue;
+        }
+        let (semantic, members) = members_of(columns, index);
+        for &member in &members {
+            is_taken[member] = true;
+        }
+        let members = members.into_iter().map(|member| &columns[member]).collect();
+        sets.push(ColumnSet { semantic, columns: members });
+    }
+    sets
+}
+
+/// The layer that a column begins, and its columns: as the names say where they are whole and of one type, else the
+/// column alone under its own name.
+fn members_of(columns: &[Column], index: usize) -> (Semantic, Vec<usize>) {
+    let own = &columns[index];
+    // Components mostly stand in a row; a glance beyond is enough for the rest.
+    let near = index.saturating_sub(8)..columns.len().min(index + 8);
+    if let Some((semantic, _)) = meaning(&own.name) {
+        let find = |component: usize| {
+            let wanted = Some((semantic.clone(), component));
+            near.clone().find(|&i| meaning(&columns[i].name) == wanted)
+        };
+        let members: Vec<usize> = (0..4).map_while(find).collect();
+        let one_type = members.iter().all(|&m| columns[m].scalar == own.scalar);
+        if one_type && members.contains(&index) && is_whole(&semantic, members.len()) {
+            return (semantic, members);
+        }
+    }
+    if let Some(stem) = own.name.strip_suffix(".0") {
+        let is_next = |&i: &usize| {
+            columns[i].scalar == own.scalar && columns[i].name == format!("{stem}.{}", i - index)
+        };
+        let members: Vec<usize> = (index..columns.len().min(index + 255)).take_while(is_next).collect();
+        if members.len() > 1 {
+            return (Semantic::Generic(plain_name(stem)), members);
+        }
+    }
+    (Semantic::Generic(plain_name(&own.name)), vec![index])
+}
+
+fn plain_name(name: &str) -> String {
+    name.strip_prefix("generic_").unwrap_or(name).to_owned()
+}
+
+/// The properties' names of a layer, for the writer.
+pub(crate) fn property_names(layer: &AttributeLayer) -> Vec<String> {
+    let count = layer.component_count as usize;
+    let numbered = |stem: String| (0..count).map(move |c| format!("{stem}{c}")).collect();
+    let named = |stem: String, words: &[&str]| words.iter().map(|w| format!("{stem}{w}")).collect();
+    let own: Vec<String> = match &layer.semantic {
+        Semantic::Normal => named("n".to_owned(), &AXES[..3]),
+        Semantic::Tangent => named("tangent_".to_owned(), &AXES),
+        Semantic::TexCoord(0) => named(String::new(), &["s", "t"]),
+        Semantic::TexCoord(set) => named(format!("texcoord_{set}_"), &["s", "t"]),
+        Semantic::Color(0) => named(String::new(), &COLORS[..count.clamp(3, 4)]),
+        Semantic::Color(set) => named(format!("color_{set}_"), &COLORS[..count.clamp(3, 4)]),
+        Semantic::Joints(set) => numbered(format!("joints_{set}_")),
+        Semantic::Weights(set) => numbered(format!("weights_{set}_")),
+        Semantic::MorphPosition(target) => named(format!("morph_{target}_position_"), &AXES[..3]),
+        Semantic::MorphNormal(target) => named(format!("morph_{target}_normal_"), &AXES[..3]),
+        Semantic::MorphTangent(target) => named(format!("morph_{target}_tangent_"), &AXES[..3]),
+        Semantic::Generic(name) => return generic_names(name, count),
+    };
+    // A layer of an unusual width: kept, but as a generic one.
+    if own.len() == count { own } else { generic_names(&layer.semantic.to_string(), count) }
+}
+
+/// A generic layer's name as one word that means nothing else.
+pub(crate) fn generic_stem(name: &str) -> String {
+    let word: String = name.chars().map(|c| if c.is_whitespace() { '_' } else { c }).collect();
+    let is_own = word.is_empty()
+        || matches!(word.as_str(), "x" | "y" | "z")
+        || meaning(&word).is_some()
+        || word.starts_with("generic_")
+        || word.rsplit_once('.').is_some_and(|(_, end)| end.parse::<u32>().is_ok());
+    if is_own { format!("generic_{word}") } else { word }
+}
+
+fn generic_names(name: &str, count: usize) -> Vec<String> {
+    let stem = generic_stem(name);
+    match count {
+        1 => vec![stem],
+        _ => (0..count).map(|c| format!("{stem}.{c}")).collect(),
+    }
+}

@@ -1,0 +1,201 @@
+//! Where the numbers of a PLY body come from: words of a text, or bytes of either order.
+
+use crate::error::Fault;
+use crate::text::Cursor;
+
+use super::header::{Element, Scalar};
+
+/// The numbers of a body, one after another.
+pub(crate) trait Rows<'a> {
+    /// A number that must be whole: an index or a list's length.
+    fn integer(&mut self, scalar: Scalar) -> Result<i64, Fault>;
+    /// A number of any type, appended as the little-endian bytes of that type.
+    fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault>;
+    /// Passes `count` numbers.
+    fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Fault>;
+    /// Fewest bytes of this source that one row of the element takes.
+    fn least_row_bytes(&self, element: &Element) -> usize;
+    fn bytes_left(&self) -> usize;
+    fn fault(&self, reason: String) -> Fault;
+    /// The next `length` bytes as they lie in the file, where that is what [`copy`](Self::copy) would give.
+    fn little_endian_bytes(&mut self, _length: usize) -> Option<&'a [u8]> {
+        None
+    }
+    /// The rest of the file, under the same condition.
+    fn little_endian_rest(&self) -> Option<&'a [u8]> {
+        None
+    }
+    /// A mark of the present place, kept for later messages.
+    fn mark(&self) -> u64;
+    /// A fault at a place marked earlier.
+    fn fault_at(mark: u64, reason: String) -> Fault
+    where
+        Self: Sized;
+}
+
+pub(crate) struct AsciiRows<'a>(pub Cursor<'a>);
+
+impl<'a> Rows<'a> for AsciiRows<'a> {
+    fn integer(&mut self, _scalar: Scalar) -> Result<i64, Fault> {
+        self.0.skip_lines(None);
+        self.0.integer()
+    }
+
+    fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {
+        self.0.skip_lines(None);
+        match scalar {
+            Scalar::F32 => out.extend_from_slice(&self.0.f32()?.to_le_bytes()),
+            Scalar::F64 => out.extend_from_slice(&f64::from(self.0.f32()?).to_le_bytes()),
+            _ => {
+                let value = self.0.integer()?;
+                if !fits(scalar, value) {
+                    return Err(self.0.fault(format!("{value} does not fit into a {}", scalar.name())));
+                }
+                // Two's complement: the low bytes are the number in every narrower type.
+                out.extend_from_slice(&value.to_le_bytes()[..scalar.bytes()]);
+            }
+        }
+        Ok(())
+    }
+
+    fn skip(&mut self, _scalar: Scalar, count: usize) -> Result<(), Fault> {
+        for _ in 0..count {
+            self.0.skip_lines(None);
+            if self.0.word().is_empty() {
+                return Err(self.0.fault("the file ends within an element"));
+            }
+        }
+        Ok(())
+    }
+
+    fn least_row_bytes(&self, element: &Element) -> usize {
+        // A digit and a blank each.
+        element.properties.len() * 2
+    }
+
+    fn bytes_left(&self) -> usize {
+        // The last number of a file needs no blank after it.
+        self.0.bytes_left() + 1
+    }
+
+    fn fault(&self, reason: String) -> Fault {
+        self.0.fault(reason)
+    }
+
+    fn mark(&self) -> u64 {
+        self.0.line()
+    }
+
+    fn fault_at(mark: u64, reason: String) -> Fault {
+        Fault::at_line(mark, reason)
+    }
+}
+
+fn fits(scalar: Scalar, value: i64) -> bool {
+    match scalar {
+        Scalar::I8 => i8::try_from(value).is_ok(),
+        Scalar::U8 => u8::try_from(value).is_ok(),
+        Scalar::I16 => i16::try_from(value).is_ok(),
+        Scalar::U16 => u16::try_from(value).is_ok(),
+        Scalar::I32 => i32::try_from(value).is_ok(),
+        Scalar::U32 => u32::try_from(value).is_ok(),
+        Scalar::F32 | Scalar::F64 => true,
+    }
+}
+
+/// Bytes of the file; `BIG` says that they are big-endian.
+pub(crate) struct BinaryRows<'a, const BIG: bool> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl<'a, const BIG: bool> BinaryRows<'a, BIG> {
+    pub(crate) fn new(bytes: &'a [u8], at: usize) -> Self {
+        Self { bytes, at }
+    }
+
+    #[inline]
+    fn take(&mut self, length: usize) -> Result<&'a [u8], Fault> {
+        match self.bytes[self.at..].get(..length) {
+            Some(taken) => {
+                self.at += length;
+                Ok(taken)
+            }
+            None => {
+                let reason = format!("{length} bytes expected, {} left", self.bytes.len() - self.at);
+                Err(Fault::at_byte(self.at, reason))
+            }
+        }
+    }
+}
+
+impl<'a, const BIG: bool> Rows<'a> for BinaryRows<'a, BIG> {
+    #[inline]
+    fn integer(&mut self, scalar: Scalar) -> Result<i64, Fault> {
+        let taken = self.take(scalar.bytes())?;
+        let mut word = [0u8; 8];
+        for (i, &byte) in taken.iter().enumerate() {
+            word[if BIG { taken.len() - 1 - i } else { i }] = byte;
+        }
+        let value = u64::from_le_bytes(word);
+        Ok(match scalar {
+            Scalar::I8 => i64::from(value as i8),
+            Scalar::I16 => i64::from(value as i16),
+            Scalar::I32 => i64::from(value as i32),
+            Scalar::U8 | Scalar::U16 | Scalar::U32 => value as i64,
+            // Indices in floats exist; what is not whole becomes an index that does not exist.
+            Scalar::F32 => whole(f64::from(f32::from_bits(value as u32))),
+            Scalar::F64 => whole(f64::from_bits(value)),
+        })
+    }
+
+    #[inline]
+    fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {
+        let taken = self.take(scalar.bytes())?;
+        if BIG {
+            out.extend(taken.iter().rev())
+        } else {
+            out.extend_from_slice(taken)
+        }
+        Ok(())
+    }
+
+    fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Fault> {
+        match count.checked_mul(scalar.bytes()) {
+            Some(length) => self.take(length).map(|_| ()),
+            None => Err(self.fault(format!("a list of {count} numbers"))),
+        }
+    }
+
+    fn least_row_bytes(&self, element: &Element) -> usize {
+        element.least_row_bytes()
+    }
+
+    fn bytes_left(&self) -> usize {
+        self.bytes.len() - self.at
+    }
+
+    fn fault(&self, reason: String) -> Fault {
+        Fault::at_byte(self.at, reason)
+    }
+
+    fn little_endian_bytes(&mut self, length: usize) -> Option<&'a [u8]> {
+        if BIG { None } else { self.take(length).ok() }
+    }
+
+    fn little_endian_rest(&self) -> Option<&'a [u8]> {
+        (!BIG).then(|| &self.bytes[self.at..])
+    }
+
+    fn mark(&self) -> u64 {
+        self.at as u64
+    }
+
+    fn fault_at(mark: u64, reason: String) -> Fault {
+        Fault::at_byte(mark as usize, reason)
+    }
+}
+
+fn whole(value: f64) -> i64 {
+    if value.fract() == 0.0 { value as i64 } else { i64::MIN }
+}

@@ -1,0 +1,87 @@
+//! Reading: from a path or from bytes, whatever the format.
+
+use std::borrow::Cow;
+use std::fs;
+use std::path::Path;
+
+use striata::mesh::IndexedMesh;
+
+use crate::error::Fault;
+use crate::{Format, ReadError, decompressed};
+
+/// Where bytes come from: for messages, for the extension, and for files beside them.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Source<'a> {
+    /// The file's name, as messages shall show it; its extension decides where the content does not.
+    pub name: &'a str,
+    /// The folder that relative references (buffers, images) start from; none are followed without it.
+    pub folder: Option<&'a Path>,
+    /// Lets references leave `folder` (`../textures/wood.png`); off by default, since a file from a
+    /// stranger could pull in any file of the machine.
+    pub outside_allowed: bool,
+}
+
+impl<'a> Source<'a> {
+    /// A source by name alone.
+    pub fn new(name: &'a str) -> Self {
+        Self { name, ..Self::default() }
+    }
+
+    /// Sets the folder of files that the source refers to.
+    #[must_use]
+    pub fn with_folder(self, folder: &'a Path) -> Self {
+        Self { folder: Some(folder), ..self }
+    }
+}
+
+/// Reads a mesh file of any known format.
+///
+/// The content decides what the file is, the extension only where the content does not tell.
+///
+/// # Errors
+/// [`ReadError`] with the file, the place and the reason.
+pub fn read(path: impl AsRef<Path>) -> Result<IndexedMesh, ReadError> {
+    let path = path.as_ref();
+    let name = path.display().to_string();
+    let bytes = fs::read(path).map_err(|source| ReadError::Io { file: name.clone(), source })?;
+    let mut source = Source::new(&name);
+    source.folder = path.parent().map(|p| if p.as_os_str().is_empty() { Path::new(".") } else { p });
+    read_bytes(&bytes, &source)
+}
+
+/// Reads a mesh from the bytes of a file.
+///
+/// # Errors
+/// [`ReadError`] with the source's name, the place and the reason.
+pub fn read_bytes(bytes: &[u8], source: &Source<'_>) -> Result<IndexedMesh, ReadError> {
+    let (bytes, name) = decompressed(Cow::Borrowed(bytes), source.name)?;
+    let file = || source.name.to_owned();
+    let Some(format) = Format::detect(&bytes, &name) else {
+        return Err(ReadError::UnknownFormat { file: file() });
+    };
+    let mesh = match format {
+        #[cfg(feature = "ply")]
+        Format::Ply => crate::ply::read(&bytes),
+        #[cfg(feature = "obj")]
+        Format::Obj => crate::obj::read(&bytes),
+        #[cfg(feature = "stl")]
+        Format::Stl => crate::stl::read(&bytes),
+        #[cfg(feature = "off")]
+        Format::Off => crate::off::read(&bytes),
+        #[cfg(feature = "gltf")]
+        Format::Gltf | Format::Glb => crate::gltf::read(&bytes, format, source),
+        Format::Striata => return Err(ReadError::StriataContainer { file: file() }),
+        #[cfg(not(all(
+            feature = "ply",
+            feature = "obj",
+            feature = "stl",
+            feature = "off",
+            feature = "gltf"
+        )))]
+        off => {
+            let (what, feature) = crate::write::feature_of(off);
+            return Err(ReadError::FeatureOff { file: file(), what, feature });
+        }
+    };
+    mesh.map_err(|fault: Fault| fault.in_file(source.name))
+}

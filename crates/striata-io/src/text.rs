@@ -1,0 +1,458 @@
+//! The words and numbers of text formats, read in place with the line always known.
+//!
+//! One cursor serves OBJ, OFF, ascii STL and ascii PLY. Decimal numbers of up to 15 digits, which is what
+//! meshes hold, are converted by one exact division; all others, and the rare ones where rounding
+//! twice could differ from rounding once, go through the standard library, so that every number is the
+//! nearest `f32`. Cost: one pass over the bytes.
+
+use crate::error::Fault;
+
+/// A place in a text file, moving forward.
+#[derive(Clone)]
+pub(crate) struct Cursor<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: u64,
+    /// True where a backslash before the line's end joins the next line (OBJ).
+    continues: bool,
+}
+
+impl<'a> Cursor<'a> {
+    pub(crate) fn new(bytes: &'a [u8]) -> Self {
+        Self { bytes, at: 0, line: 1, continues: false }
+    }
+
+    /// A cursor in the middle of a file, at byte `at` in line `line`.
+    #[cfg(feature = "ply")]
+    pub(crate) fn starting_at(bytes: &'a [u8], at: usize, line: u64) -> Self {
+        Self { bytes, at, line, continues: false }
+    }
+
+    /// Lets a backslash at the end of a line join the next one.
+    #[cfg(feature = "obj")]
+    pub(crate) fn with_continuation(self) -> Self {
+        Self { continues: true, ..self }
+    }
+
+    /// The line, counted from 1.
+    pub(crate) fn line(&self) -> u64 {
+        self.line
+    }
+
+    /// Bytes not read yet.
+    pub(crate) fn bytes_left(&self) -> usize {
+        self.bytes.len() - self.at
+    }
+
+    pub(crate) fn fault(&self, reason: impl Into<String>) -> Fault {
+        Fault::at_line(self.line, reason)
+    }
+
+    #[inline]
+    pub(crate) fn peek(&self) -> Option<u8> {
+        self.bytes.get(self.at).copied()
+    }
+
+    #[cfg(feature = "obj")]
+    #[inline]
+    pub(crate) fn skip_byte(&mut self) {
+        self.at += 1;
+    }
+
+    /// Passes blanks, up to the next word of the line or the line's end.
+    #[inline]
+    pub(crate) fn skip_blanks(&mut self) {
+        while let Some(byte) = self.peek() {
+            match byte {
+                b' ' | b'\t' | b'\r' | 0x0b | 0x0c => self.at += 1,
+                b'\\' if self.continues => match self.line_end_after(self.at + 1) {
+                    Some(next) => {
+                        self.at = next;
+                        self.line += 1;
+                    }
+                    None => return,
+                },
+                _ => return,
+            }
+        }
+    }
+
+    /// The byte after the line's end, where only blanks stand between it and `at`.
+    fn line_end_after(&self, at: usize) -> Option<usize> {
+        let blanks = self.bytes[at..].iter().take_while(|b| matches!(b, b' ' | b'\t' | b'\r')).count();
+        match self.bytes.get(at + blanks) {
+            None => Some(self.bytes.len()),
+            Some(b'\n') => Some(at + blanks + 1),
+            Some(_) => None,
+        }
+    }
+
+    /// Passes blanks, line ends and, where `comment` is given, comments that begin with it.
+    #[cfg(any(feature = "ply", feature = "stl", feature = "off"))]
+    pub(crate) fn skip_lines(&mut self, comment: Option<u8>) {
+        loop {
+            self.skip_blanks();
+            match self.peek() {
+                Some(b'\n') => self.next_line(),
+                Some(byte) if Some(byte) == comment => self.next_line(),
+                _ => return,
+            }
+        }
+    }
+
+    /// True at the end of the line or file, blanks passed.
+    #[inline]
+    pub(crate) fn at_line_end(&mut self) -> bool {
+        self.skip_blanks();
+        matches!(self.peek(), None | Some(b'\n'))
+    }
+
+    #[cfg(any(feature = "obj", feature = "stl"))]
+    pub(crate) fn at_end(&self) -> bool {
+        self.at >= self.bytes.len()
+    }
+
+    /// Passes the rest of the line and its end.
+    pub(crate) fn next_line(&mut self) {
+        self.rest_of_line();
+        if self.at < self.bytes.len() {
+            self.at += 1;
+            self.line += 1;
+        }
+    }
+
+    /// The rest of the line without blanks around it; the cursor stays before the line's end.
+    pub(crate) fn rest_of_line(&mut self) -> &'a [u8] {
+        self.skip_blanks();
+        let start = self.at;
+        loop {
+            let rest = &self.bytes[self.at..];
+            let length = rest.iter().position(|&b| b == b'\n').unwrap_or(rest.len());
+            let joined =
+                self.continues && self.at + length < self.bytes.len() && rest[..length].ends_with(b"\\");
+            self.at += length;
+            if !joined {
+                break;
+            }
+            self.at += 1;
+            self.line += 1;
+        }
+        self.bytes[start..self.at].trim_ascii()
+    }
+
+    /// The next word of the line; empty at its end.
+    #[inline]
+    pub(crate) fn word(&mut self) -> &'a [u8] {
+        self.skip_blanks();
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
+        self.at += length;
+        &rest[..length]
+    }
+
+    /// A decimal number.
+    #[inline]
+    pub(crate) fn number(&mut self) -> Result<Number<'a>, Fault> {
+        self.skip_blanks();
+        let rest = &self.bytes[self.at..];
+        let (decimal, length) = scan_decimal(rest);
+        if decimal.is_some() && rest.get(length).is_none_or(|&b| ends_number(b)) {
+            self.at += length;
+            return Ok(Number { decimal, text: &rest[..length] });
+        }
+        let word = self.word();
+        let text = std::str::from_utf8(word).ok();
+        match text.and_then(|t| t.parse::<f32>().ok()) {
+            Some(_) => Ok(Number { decimal: None, text: word }),
+            None => Err(self.fault(format!("expected a number, found {}", quoted(word)))),
+        }
+    }
+
+    /// A decimal number as the nearest `f32`.
+    #[inline]
+    pub(crate) fn f32(&mut self) -> Result<f32, Fault> {
+        Ok(self.number()?.to_f32())
+    }
+
+    /// A whole number; reads `3.0` as 3, since some writers put it so.
+    #[inline]
+    pub(crate) fn integer(&mut self) -> Result<i64, Fault> {
+        self.skip_blanks();
+        let rest = &self.bytes[self.at..];
+        let negative = rest.first() == Some(&b'-');
+        let signed = usize::from(negative || rest.first() == Some(&b'+'));
+        let mut value = 0i64;
+        let mut length = signed;
+        while let Some(digit) = rest.get(length).filter(|b| b.is_ascii_digit()) {
+            if length - signed >= 18 {
+                return Err(self.fault(format!("the whole number {} is too long", quoted(&rest[..length]))));
+            }
+            value = value * 10 + i64::from(digit - b'0');
+            length += 1;
+        }
+        if length > signed && rest.get(length).is_none_or(|&b| ends_number(b)) {
+            self.at += length;
+            return Ok(if negative { -value } else { value });
+        }
+        let word = self.word();
+        let parsed = std::str::from_utf8(word).ok().and_then(|t| t.parse::<f64>().ok());
+        match parsed.filter(|x| x.fract() == 0.0 && x.abs() < 1e15) {
+            Some(x) => Ok(x as i64),
+            None => Err(self.fault(format!("expected a whole number, found {}", quoted(word)))),
+        }
+    }
+}
+
+/// True for bytes that may follow a number: blanks, line ends, and the slash of OBJ corners.
+#[inline]
+fn ends_number(byte: u8) -> bool {
+    byte.is_ascii_whitespace() || byte == b'/' || byte == b'\\' || byte == 0x0b
+}
+
+/// A number as its text and, where it is short enough, as digits.
+#[derive(Clone, Copy)]
+pub(crate) struct Number<'a> {
+    decimal: Option<Decimal>,
+    text: &'a [u8],
+}
+
+/// `mantissa * 10^exponent`, sign aside.
+#[derive(Clone, Copy)]
+struct Decimal {
+    negative: bool,
+    mantissa: u64,
+    exponent: i32,
+}
+
+const POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
+    1e19, 1e20, 1e21, 1e22,
+];
+
+impl Decimal {
+    /// The nearest `f32`, where one exact `f64` operation finds it.
+    #[inline]
+    fn to_f32(self) -> Option<f32> {
+        if self.mantissa >= 1 << 53 {
+            return None;
+        }
+        let power = *POWERS.get(self.exponent.unsigned_abs() as usize)?;
+        let mantissa = self.mantissa as f64;
+        let magnitude = if self.exponent < 0 { mantissa / power } else { mantissa * power };
+        // Half-way between two f32: the f64 may itself have been rounded onto it.
+        const HALF: u64 = 1 << 28;
+        if magnitude.to_bits() & ((1 << 29) - 1) == HALF {
+            return None;
+        }
+        Some(if self.negative { -magnitude as f32 } else { magnitude as f32 })
+    }
+}
+
+impl Number<'_> {
+    #[inline]
+    pub(crate) fn to_f32(self) -> f32 {
+        match self.decimal.and_then(Decimal::to_f32) {
+            Some(value) => value,
+            None => self.parsed().unwrap_or(f32::NAN),
+        }
+    }
+
+    fn parsed(self) -> Option<f32> {
+        std::str::from_utf8(self.text).ok()?.parse().ok()
+    }
+
+    /// `1 - self`, subtracted in decimal where that is possible, so that nothing is lost.
+    #[cfg(feature = "obj")]
+    pub(crate) fn one_minus_f32(self) -> f32 {
+        let exact = self.decimal.filter(|d| (-15..=0).contains(&d.exponent) && d.mantissa < 1 << 53);
+        if let Some(d) = exact {
+            let one = 10i64.pow(d.exponent.unsigned_abs());
+            let mantissa = d.mantissa as i64;
+            let difference = if d.negative { one + mantissa } else { one - mantissa };
+            let flipped = Decimal {
+                negative: difference < 0,
+                mantissa: difference.unsigned_abs(),
+                exponent: d.exponent,
+            };
+            if let Some(value) = flipped.to_f32() {
+                return value;
+            }
+        }
+        let value: f64 = std::str::from_utf8(self.text).ok().and_then(|t| t.parse().ok()).unwrap_or(f64::NAN);
+        (1.0 - value) as f32
+    }
+}
+
+/// The decimal number at the start of `bytes` and its length; none where it is not plain or too long.
+#[inline]
+fn scan_decimal(bytes: &[u8]) -> (Option<Decimal>, usize) {
+    let negative = bytes.first() == Some(&b'-');
+    let mut at = usize::from(negative || bytes.first() == Some(&b'+'));
+    let (mut mantissa, mut exponent, mut digit_count) = (0u64, 0i32, 0usize);
+    let mut seen_point = false;
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'0'..=b'9' => {
+                digit_count += 1;
+                if digit_count > 18 {
+                    return (None, at);
+                }
+                mantissa = mantissa * 10 + u64::from(byte - b'0');
+                exponent -= i32::from(seen_point);
+            }
+            b'.' if !seen_point => seen_point = true,
+            _ => break,
+        }
+        at += 1;
+    }
+    if digit_count == 0 {
+        return (None, at);
+    }
+    if matches!(bytes.get(at), Some(b'e' | b'E')) {
+        let Some((power, length)) = scan_exponent(&bytes[at + 1..]) else { return (None, at) };
+        exponent += power;
+        at += 1 + length;
+    }
+    (Some(Decimal { negative, mantissa, exponent }), at)
+}
+
+fn scan_exponent(bytes: &[u8]) -> Option<(i32, usize)> {
+    let negative = bytes.first() == Some(&b'-');
+    let signed = usize::from(negative || bytes.first() == Some(&b'+'));
+    let digits = bytes[signed..].iter().take_while(|b| b.is_ascii_digit()).count();
+    if digits == 0 || digits > 4 {
+        return None;
+    }
+    let value = bytes[signed..signed + digits].iter().fold(0i32, |v, b| v * 10 + i32::from(b - b'0'));
+    Some((if negative { -value } else { value }, signed + digits))
+}
+
+/// A word for a message: quoted, shortened, without control bytes.
+pub(crate) fn quoted(word: &[u8]) -> String {
+    if word.is_empty() {
+        return "the end of the line".to_owned();
+    }
+    let shown: String =
+        String::from_utf8_lossy(&word[..word.len().min(40)]).chars().filter(|c| !c.is_control()).collect();
+    if word.len() > 40 { format!("`{shown}…`") } else { format!("`{shown}`") }
+}
+
+/// Appends a number as text that reads back as the same `f32`.
+#[cfg(any(feature = "ply", feature = "obj", feature = "off"))]
+pub(crate) fn push_f32(out: &mut Vec<u8>, value: f32) {
+    use std::io::Write as _;
+    let magnitude = value.abs();
+    let plain = magnitude == 0.0 || (1e-5..1e15).contains(&magnitude) || !value.is_finite();
+    let written = if plain { write!(out, "{value}") } else { write!(out, "{value:e}") };
+    debug_assert!(written.is_ok(), "writing to memory does not fail");
+}
+
+/// Appends `1 - value` as text that [`Number::one_minus_f32`] reads back as `value`.
+#[cfg(feature = "obj")]
+pub(crate) fn push_one_minus_f32(out: &mut Vec<u8>, value: f32) {
+    let text = value.to_string();
+    match decimal_one_minus(&text) {
+        Some(flipped) => out.extend_from_slice(flipped.as_bytes()),
+        None => out.extend_from_slice((1.0 - f64::from(value)).to_string().as_bytes()),
+    }
+}
+
+#[cfg(feature = "obj")]
+fn decimal_one_minus(text: &str) -> Option<String> {
+    let (sign, digits) = match text.strip_prefix('-') {
+        Some(digits) => (-1, digits),
+        None => (1, text),
+    };
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    if whole.len() + fraction.len() > 36 {
+        return None;
+    }
+    let mantissa: i128 = format!("{whole}{fraction}").parse().ok()?;
+    let scale = 10i128.checked_pow(fraction.len() as u32)?;
+    let flipped = scale - sign * mantissa;
+    let sign = if flipped < 0 { "-" } else { "" };
+    let (whole, part) = (flipped.abs() / scale, flipped.abs() % scale);
+    if fraction.is_empty() {
+        return Some(format!("{sign}{whole}"));
+    }
+    let places = fraction.len();
+    let text = format!("{sign}{whole}.{part:0places$}");
+    Some(text.trim_end_matches('0').trim_end_matches('.').to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> f32 {
+        Cursor::new(text.as_bytes()).f32().unwrap()
+    }
+
+    #[test]
+    fn numbers_are_the_nearest_f32() {
+        let mut words: Vec<String> =
+            ["0", "-0.0", "1", "+2.5", ".5", "5.", "1e3", "-1.25E-2", "16777217"].map(str::to_owned).to_vec();
+        words.extend(
+            ["1e-45", "3.4028235e38", "0.1000000014901161193847656250001", "1e39"].map(str::to_owned),
+        );
+        // Between 1 and its neighbour: the middle, and the middle with a trace above it.
+        words.push("1.000000059604644775390625".to_owned());
+        words.push("1.0000000596046448".to_owned());
+        let mut bits = 12_345u32;
+        for _ in 0..20_000 {
+            bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let x = f32::from_bits(bits);
+            if x.is_finite() {
+                words.push(format!("{x}"));
+                words.push(format!("{x:e}"));
+                words.push(format!("{:.6}", x % 1000.0));
+            }
+        }
+        for word in words {
+            let expected: f32 = word.parse().unwrap();
+            assert_eq!(read(&word).to_bits(), expected.to_bits(), "{word}");
+        }
+    }
+
+    #[test]
+    fn odd_words_are_numbers_or_faults() {
+        assert!(read("nan").is_nan());
+        assert_eq!(read("-inf"), f32::NEG_INFINITY);
+        for word in ["", "-", "abc", "1.2.3", "1e", "0x10", "--1", "1,5"] {
+            assert!(Cursor::new(word.as_bytes()).f32().is_err(), "{word}");
+        }
+        assert_eq!(Cursor::new(b"3.0 ").integer().unwrap(), 3);
+        for word in ["", "1.5", "99999999999999999999", "x", "-"] {
+            assert!(Cursor::new(word.as_bytes()).integer().is_err(), "{word}");
+        }
+    }
+
+    #[test]
+    #[cfg(feature = "obj")]
+    fn one_minus_is_lossless_both_ways() {
+        let mut bits = 99u32;
+        for _ in 0..20_000 {
+            bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let x = (bits >> 8) as f32 / (1u32 << 22) as f32 - 1.5;
+            let mut text = Vec::new();
+            push_one_minus_f32(&mut text, x);
+            let back = Cursor::new(&text).number().unwrap().one_minus_f32();
+            assert_eq!(back, x, "{}", String::from_utf8_lossy(&text));
+        }
+        let mut text = Vec::new();
+        push_one_minus_f32(&mut text, Cursor::new(b"0.123456").number().unwrap().one_minus_f32());
+        assert_eq!(text, b"0.123456");
+    }
+
+    #[test]
+    #[cfg(feature = "obj")]
+    fn a_backslash_joins_lines() {
+        let mut cursor = Cursor::new(b"f 1 \\\n 2\\\r\n3\nv").with_continuation();
+        assert_eq!(cursor.word(), b"f");
+        assert_eq!([1, 2, 3], [(); 3].map(|()| cursor.integer().unwrap()));
+        assert!(cursor.at_line_end());
+        assert_eq!(cursor.line(), 3);
+        cursor.next_line();
+        assert_eq!((cursor.word(), cursor.line()), (&b"v"[..], 4));
+    }
+}

@@ -1,0 +1,137 @@
+//! Writing: to bytes or to a path, whatever the format.
+
+use std::path::Path;
+
+use striata::mesh::IndexedMesh;
+
+use crate::compressed::Compression;
+use crate::error::Refusal;
+use crate::{Format, WriteError, write_atomically};
+
+/// How a mesh is written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct WriteOptions {
+    /// Writes PLY as text instead of binary little-endian. Default: false.
+    pub ascii: bool,
+    /// glTF only: for each triangle group, one list of indices that form a single triangle strip
+    /// (joined by degenerate triangles, without restart indices), written instead of the triangles.
+    /// Default: none, so that triangles are written as lists.
+    pub strips: Option<Vec<Vec<u32>>>,
+}
+
+impl WriteOptions {
+    /// Sets [`ascii`](Self::ascii).
+    #[must_use]
+    pub fn with_ascii(self, ascii: bool) -> Self {
+        Self { ascii, ..self }
+    }
+
+    /// Sets [`strips`](Self::strips).
+    #[must_use]
+    pub fn with_strips(self, strips: Vec<Vec<u32>>) -> Self {
+        Self { strips: Some(strips), ..self }
+    }
+}
+
+/// Writes a mesh to a file; the extension decides the format, and `.gz` or `.zst` after it compress.
+///
+/// The file is there whole or not at all.
+///
+/// # Errors
+/// [`WriteError`] with the file and the reason.
+pub fn write(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOptions) -> Result<(), WriteError> {
+    let path = path.as_ref();
+    let file = path.display().to_string();
+    let Some(format) = Format::from_extension(path) else {
+        return Err(WriteError::UnknownFormat { file });
+    };
+    let mut bytes = named_bytes(format, mesh, options, &file)?;
+    if let Some(compression) = Compression::from_extension(&file) {
+        bytes = compress(&bytes, compression, &file)?;
+    }
+    write_atomically(path, |out| out.write_all(&bytes))
+}
+
+/// Writes a mesh to the bytes of a file: binary little-endian PLY (or ascii), OBJ, binary STL, OFF,
+/// GLB, or glTF with everything embedded.
+///
+/// # Errors
+/// [`WriteError`], where the mesh's parts do not fit together or the format cannot hold them.
+pub fn to_bytes(format: Format, mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
+    named_bytes(format, mesh, options, &format.to_string())
+}
+
+fn named_bytes(
+    format: Format,
+    mesh: &IndexedMesh,
+    options: &WriteOptions,
+    file: &str,
+) -> Result<Vec<u8>, WriteError> {
+    check_parts(mesh).map_err(|refusal| refusal.in_file(file, format))?;
+    let bytes = match format {
+        #[cfg(feature = "ply")]
+        Format::Ply => crate::ply::to_bytes(mesh, options.ascii),
+        #[cfg(feature = "obj")]
+        Format::Obj => Ok(crate::obj::to_bytes(mesh)),
+        #[cfg(feature = "stl")]
+        Format::Stl => crate::stl::to_bytes(mesh),
+        #[cfg(feature = "off")]
+        Format::Off => Ok(crate::off::to_bytes(mesh)),
+        #[cfg(feature = "gltf")]
+        Format::Gltf => crate::gltf::to_json_bytes(mesh, options),
+        #[cfg(feature = "gltf")]
+        Format::Glb => crate::gltf::to_glb_bytes(mesh, options),
+        Format::Striata => return Err(WriteError::UnknownFormat { file: file.to_owned() }),
+        #[cfg(not(all(
+            feature = "ply",
+            feature = "obj",
+            feature = "stl",
+            feature = "off",
+            feature = "gltf"
+        )))]
+        off => {
+            let (what, feature) = feature_of(off);
+            return Err(WriteError::FeatureOff { file: file.to_owned(), what, feature });
+        }
+    };
+    bytes.map_err(|refusal: Refusal| refusal.in_file(file, format))
+}
+
+/// Checks what the writers rely on; coordinates may be anything, as in [`IndexedMesh`] itself.
+fn check_parts(mesh: &IndexedMesh) -> Result<(), Refusal> {
+    use striata::mesh::MeshError;
+    match mesh.check() {
+        // Found last of all but the groups, and a text or binary format can hold it.
+        Err(MeshError::NonFinitePosition { .. }) => {
+            let finite = IndexedMesh { positions: vec![[0.0; 3]; mesh.positions.len()], ..mesh.clone() };
+            finite.check()
+        }
+        other => other,
+    }
+    .map_err(|error| Refusal::BadMesh(error.to_string()))
+}
+
+#[cfg(not(all(feature = "ply", feature = "obj", feature = "stl", feature = "off", feature = "gltf")))]
+pub(crate) fn feature_of(format: Format) -> (&'static str, &'static str) {
+    match format {
+        Format::Ply => ("PLY", "ply"),
+        Format::Obj => ("OBJ", "obj"),
+        Format::Stl => ("STL", "stl"),
+        Format::Off => ("OFF", "off"),
+        Format::Gltf | Format::Glb => ("glTF", "gltf"),
+        Format::Striata => ("striata container", ""),
+    }
+}
+
+#[cfg(feature = "compressed")]
+fn compress(bytes: &[u8], compression: Compression, file: &str) -> Result<Vec<u8>, WriteError> {
+    crate::compressed::packed(bytes, compression)
+        .map_err(|source| WriteError::Io { file: file.to_owned(), source })
+}
+
+#[cfg(not(feature = "compressed"))]
+fn compress(_bytes: &[u8], compression: Compression, file: &str) -> Result<Vec<u8>, WriteError> {
+    let (file, what) = (file.to_owned(), compression.as_str());
+    Err(WriteError::FeatureOff { file, what, feature: "compressed" })
+}

@@ -1,0 +1,178 @@
+//! The dual graph: a node for each triangle, a link for each edge that two triangles can be crossed by.
+//!
+//! Strips and clusters walk from triangle to triangle. Two triangles are linked where they run along an
+//! edge in opposite directions, lie in one group and agree on the edge's vertices. On an edge with more than
+//! two sides the first forward side is linked with the first backward side, and so on, so every side has at most
+//! one link and every node at most three.
+//!
+//! ```text
+//!          c               side 3t + 1 runs b -> c, its twin
+//!        /   \  \          side 3n + k runs c -> b;
+//!      /   t   \  n  >     both ends of a link know each other
+//!    a --------- b
+//! ```
+//!
+//! Cost: that of [`Adjacency`]; 12 bytes a triangle are kept.
+
+use super::{Adjacency, IndexedMesh, PositionIndex};
+
+/// Links between neighbouring triangles.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DualGraph {
+    twins: Vec<[u32; 3]>,
+}
+
+/// No link across this side.
+const NONE: u32 = u32::MAX;
+
+impl DualGraph {
+    /// Links triangles of one group that share two vertices: seams and groups are borders, as strips need it.
+    ///
+    /// # Panics
+    /// If a triangle names a vertex that is not there, or groups do not cover the triangles.
+    pub fn of_vertices(mesh: &IndexedMesh) -> Self {
+        Self::of_adjacency(&Adjacency::of_vertices(mesh), &group_ends(mesh))
+    }
+
+    /// Links triangles that share two positions, across seams and groups.
+    ///
+    /// # Panics
+    /// If a triangle names a vertex that `positions` does not know.
+    pub fn of_positions(mesh: &IndexedMesh, positions: &PositionIndex) -> Self {
+        let whole = [mesh.triangles.len() as u32];
+        Self::of_adjacency(&Adjacency::of_positions(mesh, positions), &whole)
+    }
+
+    /// Links triangles over an adjacency at hand; `group_ends` rises and ends with the triangle count.
+    fn of_adjacency(adjacency: &Adjacency, group_ends: &[u32]) -> Self {
+        let mut twins = vec![[NONE; 3]; adjacency.triangles().len()];
+        let group_of = |side: u32| group_ends.partition_point(|&end| end <= side / 3);
+        for edge in adjacency.edges() {
+            let (mut forward, mut backward) = (edge.forward, edge.backward);
+            // Sides rise with their triangles, and so do groups: one pass pairs group by group.
+            while let (&[a, ref later_forward @ ..], &[b, ref later_backward @ ..]) = (forward, backward) {
+                let order = group_of(a).cmp(&group_of(b));
+                if order.is_eq() {
+                    twins[a as usize / 3][a as usize % 3] = b;
+                    twins[b as usize / 3][b as usize % 3] = a;
+                }
+                if order.is_le() {
+                    forward = later_forward;
+                }
+                if order.is_ge() {
+                    backward = later_backward;
+                }
+            }
+        }
+        Self { twins }
+    }
+
+    /// Nodes, one for each triangle; degenerate triangles have no link.
+    pub fn triangle_count(&self) -> usize {
+        self.twins.len()
+    }
+
+    /// The triangle on the other side of side `k` (from corner `k` to the next), if there is one.
+    #[inline]
+    pub fn neighbour(&self, triangle: u32, k: usize) -> Option<u32> {
+        self.twin(3 * triangle + k as u32).map(|side| side / 3)
+    }
+
+    /// The neighbours across the three sides, `u32::MAX` where there is none.
+    ///
+    /// One triangle can be there twice: two triangles can share two edges.
+    #[inline]
+    pub fn neighbours(&self, triangle: u32) -> [u32; 3] {
+        self.twins[triangle as usize].map(|side| if side == NONE { NONE } else { side / 3 })
+    }
+
+    /// The side `3 * triangle + k` that runs along the same edge the other way.
+    #[inline]
+    pub fn twin(&self, side: u32) -> Option<u32> {
+        let twin = self.twins[side as usize / 3][side as usize % 3];
+        (twin != NONE).then_some(twin)
+    }
+
+    /// Links at a triangle, 0 to 3.
+    #[inline]
+    pub fn degree(&self, triangle: u32) -> usize {
+        self.twins[triangle as usize].iter().filter(|&&side| side != NONE).count()
+    }
+
+    /// Links in all.
+    pub fn link_count(&self) -> usize {
+        self.twins.iter().flatten().filter(|&&side| side != NONE).count() / 2
+    }
+}
+
+/// One past the last triangle of each group that has any.
+fn group_ends(mesh: &IndexedMesh) -> Vec<u32> {
+    mesh.groups_or_whole()
+        .iter()
+        .filter(|group| group.count > 0)
+        .map(|group| group.first + group.count)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{TriangleGroup, shapes, weld};
+
+    fn plain(triangles: &[[u32; 3]]) -> IndexedMesh {
+        let vertex_count = triangles.iter().flatten().max().map_or(0, |&v| v as usize + 1);
+        IndexedMesh::new(vec![[0.0; 3]; vertex_count], triangles.to_vec())
+    }
+
+    #[test]
+    fn links_know_both_ends() {
+        let graph = DualGraph::of_vertices(&plain(&[[0, 1, 2], [0, 2, 3], [2, 1, 4]]));
+        assert_eq!(graph.neighbours(0), [NONE, 2, 1]);
+        assert_eq!(graph.neighbours(1), [0, NONE, NONE]);
+        assert_eq!((graph.twin(2), graph.twin(3), graph.twin(0)), (Some(3), Some(2), None));
+        assert_eq!(graph.neighbour(2, 0), Some(0));
+        assert_eq!((graph.degree(0), graph.degree(2), graph.link_count()), (2, 1, 2));
+    }
+
+    #[test]
+    fn only_opposite_directions_link() {
+        let graph = DualGraph::of_vertices(&plain(&[[0, 1, 2], [0, 1, 3]]));
+        assert_eq!(graph.link_count(), 0);
+        let moebius = DualGraph::of_vertices(&shapes::moebius_strip(5));
+        assert_eq!(moebius.link_count(), 9);
+    }
+
+    #[test]
+    fn many_triangles_on_an_edge_are_paired_in_order() {
+        let graph = DualGraph::of_vertices(&plain(&[
+            [0, 1, 2],
+            [0, 1, 3],
+            [1, 0, 4],
+            [0, 1, 5],
+            [6, 1, 0],
+            [0, 0, 1],
+        ]));
+        assert_eq!([0, 1, 2, 3, 4, 5].map(|t| graph.degree(t)), [1, 1, 1, 0, 1, 0]);
+        assert_eq!(graph.neighbours(0), [2, NONE, NONE]);
+        assert_eq!(graph.neighbours(4), [NONE, 1, NONE]);
+    }
+
+    #[test]
+    fn groups_and_seams_are_borders() {
+        let mut mesh = plain(&[[0, 1, 2], [1, 0, 3], [0, 1, 4], [1, 0, 5]]);
+        let group = |first, count| TriangleGroup { first, count, ..TriangleGroup::default() };
+        mesh.groups = vec![group(0, 1), group(1, 0), group(1, 3)];
+        let graph = DualGraph::of_vertices(&mesh);
+        assert_eq!([0, 1, 2, 3].map(|t| graph.neighbours(t)[0]), [NONE, 2, 1, NONE]);
+
+        let welded = weld(&shapes::hard_cube()).unwrap();
+        assert_eq!(DualGraph::of_vertices(&welded.mesh).link_count(), 6);
+        assert_eq!(DualGraph::of_positions(&welded.mesh, &welded.positions).link_count(), 18);
+    }
+
+    #[test]
+    fn two_sides_of_a_pillow_share_three_links() {
+        let graph = DualGraph::of_vertices(&plain(&[[0, 1, 2], [0, 2, 1]]));
+        assert_eq!((graph.neighbours(0), graph.link_count()), ([1, 1, 1], 3));
+    }
+}

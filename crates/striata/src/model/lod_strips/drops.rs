@@ -1,0 +1,185 @@
+//! Which runs of a strip may go: those without which it shows the same triangles.
+//!
+//! A run of even length keeps the parity, hence the winding, of everything behind it; so it may go if the
+//! triangles that touch it are just those that appear where its ends meet, degenerate ones aside. That
+//! covers `aa(aa)+`, `ab(ab)+` and every stretch of degenerate triangles that is longer than needed to get
+//! from one shown triangle to the next. At the end of a strip nothing follows, so any count may go.
+
+use super::slot::{Run, drop_run};
+
+/// Longest run that is looked for inside a strip in one piece; longer ones go in several.
+const MAX_RUN: usize = 16;
+
+/// Drops what has become superfluous around the `changed` places; returns the live length that is left.
+///
+/// `changed` is used up; the runs are appended to `drops` in the order in which they went.
+pub(super) fn drop_superfluous(slot: &mut [u32], changed: &mut Vec<u32>, drops: &mut Vec<Run>) -> usize {
+    let mut length = slot.len();
+    trim_end(slot, &mut length, drops);
+    trim_start(slot, &mut length, changed, drops);
+    while let Some(place) = changed.pop() {
+        while let Some(run) = find_run(&slot[..length], place as usize) {
+            apply(slot, &mut length, run, changed, drops);
+        }
+    }
+    trim_end(slot, &mut length, drops);
+    trim_start(slot, &mut length, changed, drops);
+    length
+}
+
+fn apply(slot: &mut [u32], length: &mut usize, run: Run, changed: &mut [u32], drops: &mut Vec<Run>) {
+    drop_run(&mut slot[..*length], run);
+    *length -= run.count as usize;
+    drops.push(run);
+    for place in changed {
+        if *place >= run.first {
+            *place = (*place).saturating_sub(run.count).max(run.first);
+        }
+    }
+}
+
+fn is_degenerate(w: &[u32]) -> bool {
+    w[0] == w[1] || w[1] == w[2] || w[2] == w[0]
+}
+
+fn trim_end(slot: &mut [u32], length: &mut usize, drops: &mut Vec<Run>) {
+    let dead = slot[..*length].windows(3).rev().take_while(|w| is_degenerate(w)).count();
+    let keep = if *length - dead < 3 { 0 } else { *length - dead };
+    if keep < *length {
+        let run = Run { first: keep as u32, count: (*length - keep) as u32 };
+        apply(slot, length, run, &mut [], drops);
+    }
+}
+
+fn trim_start(slot: &mut [u32], length: &mut usize, changed: &mut [u32], drops: &mut Vec<Run>) {
+    let dead = slot[..*length].windows(3).take_while(|w| is_degenerate(w)).count();
+    let count = (dead & !1) as u32;
+    if count > 0 {
+        apply(slot, length, Run { first: 0, count }, changed, drops);
+    }
+}
+
+/// The longest run near `place` that may go from inside the strip.
+fn find_run(strip: &[u32], place: usize) -> Option<Run> {
+    let mut best: Option<Run> = None;
+    for first in place.saturating_sub(3).max(1)..=place + 2 {
+        let mut shown = Shown::default();
+        for end in first..strip.len().min(first + MAX_RUN + 1) {
+            // Triangles from `first - 2` to `end - 1` touch the run.
+            let newest = if end == first { first.saturating_sub(2)..first } else { end - 1..end };
+            for i in newest {
+                shown.add(strip, i, i % 2 == 0);
+            }
+            if shown.count > 2 {
+                break;
+            }
+            let count = (end - first) as u32;
+            let is_longer = best.is_none_or(|b| count > b.count);
+            if count > 0 && count.is_multiple_of(2) && is_longer && shown.same(&joined(strip, first, end)) {
+                best = Some(Run { first: first as u32, count });
+            }
+        }
+    }
+    best
+}
+
+/// The triangles that appear where the strip closes over the run `first..end` of even length.
+fn joined(strip: &[u32], first: usize, end: usize) -> Shown {
+    let start = first.saturating_sub(2);
+    let mut around = [0; 4];
+    let mut count = 0;
+    for &v in strip[start..first].iter().chain(&strip[end..strip.len().min(end + 2)]) {
+        around[count] = v;
+        count += 1;
+    }
+    let mut shown = Shown::default();
+    for i in 0..count.saturating_sub(2) {
+        shown.add(&around[..count], i, (start + i).is_multiple_of(2));
+    }
+    shown
+}
+
+/// A few shown triangles, each turned so that its smallest corner comes first.
+#[derive(Default)]
+struct Shown {
+    triangles: [[u32; 3]; 4],
+    count: usize,
+}
+
+impl Shown {
+    /// Adds the triangle at `at`, if there is one and it shows.
+    fn add(&mut self, strip: &[u32], at: usize, is_even: bool) {
+        let Some(w) = strip.get(at..at + 3) else { return };
+        if is_degenerate(w) || self.count == self.triangles.len() {
+            return;
+        }
+        let [a, b, c] = if is_even { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] };
+        let turned = if a < b && a < c {
+            [a, b, c]
+        } else if b < a && b < c {
+            [b, c, a]
+        } else {
+            [c, a, b]
+        };
+        self.triangles[self.count] = turned;
+        self.count += 1;
+    }
+
+    fn same(&self, other: &Self) -> bool {
+        match (self.count, other.count) {
+            (0, 0) => true,
+            (1, 1) => self.triangles[0] == other.triangles[0],
+            (2, 2) => {
+                let ([a, b, ..], [c, d, ..]) = (self.triangles, other.triangles);
+                (a == c && b == d) || (a == d && b == c)
+            }
+            _ => false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::canonical_triangles;
+    use crate::strip::strip_triangles;
+
+    fn reduced(strip: &[u32]) -> Vec<u32> {
+        let mut slot = strip.to_vec();
+        let mut changed: Vec<u32> = (0..strip.len() as u32).collect();
+        let length = drop_superfluous(&mut slot, &mut changed, &mut Vec::new());
+        slot.truncate(length);
+        slot
+    }
+
+    #[test]
+    fn known_patterns_go() {
+        assert_eq!(reduced(&[0, 1, 2, 1, 2, 3]), [0, 1, 2, 3]);
+        assert_eq!(reduced(&[0, 1, 2, 2, 2, 2, 3, 4]), [0, 1, 2, 2, 3, 4]);
+        assert_eq!(reduced(&[0, 0, 1, 2, 3]), [0, 0, 1, 2, 3], "a parity fix stays");
+        assert_eq!(reduced(&[0, 0, 0, 1, 2, 3]), [0, 1, 2, 3]);
+        assert_eq!(reduced(&[0, 1, 2, 1, 1]), [0, 1, 2]);
+        assert_eq!(reduced(&[0, 0, 1, 0]), [0; 0]);
+        // A long way of degenerate triangles from 0 1 2 to 5 6 7.
+        assert_eq!(reduced(&[0, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 7]).len(), 8);
+    }
+
+    #[test]
+    fn every_short_strip_keeps_its_triangles() {
+        // All strips of 9 indices over 3 vertices, and a spread over 5.
+        let check = |mut code: u32, radix: u32| {
+            let strip: Vec<u32> = (0..9)
+                .map(|_| {
+                    let v = code % radix;
+                    code /= radix;
+                    v
+                })
+                .collect();
+            let triangles = |s: &[u32]| canonical_triangles(&strip_triangles(s).collect::<Vec<_>>());
+            let short = reduced(&strip);
+            assert_eq!(triangles(&short), triangles(&strip), "{strip:?} became {short:?}");
+        };
+        (0..3u32.pow(9)).for_each(|code| check(code, 3));
+        (0..5u32.pow(9)).step_by(61).for_each(|code| check(code, 5));
+    }
+}

@@ -1,0 +1,272 @@
+//! LodStrips: triangle strips that follow a collapse sequence, edited in place [RCRG06].
+//!
+//! The strips of the full mesh are stored once. Each step of the sequence has a record that says where its
+//! vertices stand in which strips; coarsening puts their targets there and drops what has become
+//! superfluous, refining undoes both. A change of level costs the records in between and nothing else.
+//!
+//! ```text
+//! slot of a strip    | live indices .......... | dropped indices, the last dropped first |
+//!                    0                      length                             full length
+//! ```
+//!
+//! Dropping a run rotates it behind the live part, so its indices wait in the slot until refining rotates them
+//! back: a record holds places only, no values, and undoing is exact by construction. A run is dropped
+//! when the strip shows the same triangles without it ([`drops`]).
+//!
+//! Differs: [RCRG06] drops only `aa(a)+` and `ab(ab)+` and stores machine words; records here are
+//! bytes in one arena, delta-coded over strips sorted by place, walked both ways.
+//!
+//! Cost: a step touches about three indices in two or three strips. Building is linear in the steps times
+//! [`MAX_STRIP_INDICES`].
+
+mod build;
+mod drops;
+mod record;
+mod slot;
+mod state;
+mod strip_buffer;
+mod validate;
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+pub use state::LodStripsState;
+pub use strip_buffer::StripBuffer;
+
+use super::{LodModel, PartBytes};
+use crate::strip::{StripSetError, strip_triangles};
+
+/// Longer strips are cut when the model is built, so that an edit moves few indices.
+pub const MAX_STRIP_INDICES: usize = 128;
+
+/// What keeps strips and a sequence from becoming a model, or makes a stored model unusable.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LodStripsError {
+    /// The strips have other groups than the mesh.
+    #[error("the strips have {found} groups, the mesh has {expected}")]
+    GroupCount {
+        /// Groups of the strips.
+        found: usize,
+        /// Groups of the mesh.
+        expected: usize,
+    },
+    /// The strips hold other triangles than the mesh.
+    #[error("the strips of group {group} hold {found} triangles, the mesh has {expected}")]
+    TriangleCount {
+        /// The group.
+        group: usize,
+        /// Triangles of the strips.
+        found: usize,
+        /// Triangles of the mesh.
+        expected: usize,
+    },
+    /// A strip names a vertex that is not there.
+    #[error("strip {strip} uses vertex {vertex}, but there are {vertex_count} vertices")]
+    Vertex {
+        /// The strip.
+        strip: usize,
+        /// The vertex it names.
+        vertex: u32,
+        /// Vertices that exist.
+        vertex_count: usize,
+    },
+    /// Offsets of strips or groups do not fit.
+    #[error(transparent)]
+    Offsets(#[from] StripSetError),
+    /// Arrays of a stored model do not fit together.
+    #[error("{what} number {found}, expected {expected}")]
+    Length {
+        /// Which array.
+        what: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length that fits.
+        expected: usize,
+    },
+    /// A record does not fit the strips that it edits.
+    #[error("the record of step {step} {reason}")]
+    Record {
+        /// The step.
+        step: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
+}
+
+/// The static half of the model; see the [module](self).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LodStrips<'a> {
+    pub(crate) vertices: StepVertices<'a>,
+    pub(crate) indices: Cow<'a, [u32]>,
+    pub(crate) offsets: Cow<'a, [u32]>,
+    pub(crate) group_offsets: Cow<'a, [u32]>,
+    /// Bytes of each step's record; 255 stands for "255 or more, see the record's ends".
+    pub(crate) record_lengths: Cow<'a, [u8]>,
+    pub(crate) arena: Cow<'a, [u8]>,
+    /// Bytes of the first strip number in a record, from the strip count.
+    head_bytes: usize,
+}
+
+/// What the model takes from the sequence: the vertices of each step and where they collapse to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct StepVertices<'a> {
+    pub(crate) vertex_count: usize,
+    pub(crate) base_vertex_count: u32,
+    /// First vertex of each step, closed by the vertex count; empty where each step has one vertex.
+    pub(crate) firsts: Cow<'a, [u32]>,
+    pub(crate) targets: Cow<'a, [u32]>,
+}
+
+impl StepVertices<'_> {
+    #[inline]
+    fn of_step(&self, step: usize) -> Range<u32> {
+        if self.firsts.is_empty() {
+            let first = self.base_vertex_count + step as u32;
+            first..first + 1
+        } else {
+            self.firsts[step]..self.firsts[step + 1]
+        }
+    }
+
+    #[inline]
+    fn target(&self, vertex: u32) -> u32 {
+        self.targets[(vertex - self.base_vertex_count) as usize]
+    }
+}
+
+/// The stored arrays of a model, without what the sequence knows already.
+pub(crate) struct LodStripsParts<'a> {
+    pub(crate) indices: Cow<'a, [u32]>,
+    pub(crate) offsets: Cow<'a, [u32]>,
+    pub(crate) group_offsets: Cow<'a, [u32]>,
+    pub(crate) record_lengths: Cow<'a, [u8]>,
+    pub(crate) arena: Cow<'a, [u8]>,
+}
+
+impl<'a> LodStrips<'a> {
+    /// Puts stored arrays together and checks every record once, so that no later step can fail.
+    pub(crate) fn from_parts(
+        vertices: StepVertices<'a>,
+        parts: LodStripsParts<'a>,
+    ) -> Result<Self, LodStripsError> {
+        let model = Self::unchecked(vertices, parts);
+        validate::check(&model)?;
+        Ok(model)
+    }
+
+    fn unchecked(vertices: StepVertices<'a>, parts: LodStripsParts<'a>) -> Self {
+        let LodStripsParts { indices, offsets, group_offsets, record_lengths, arena } = parts;
+        let head_bytes = record::head_bytes(offsets.len().saturating_sub(1));
+        Self { vertices, indices, offsets, group_offsets, record_lengths, arena, head_bytes }
+    }
+
+    /// The same model with arrays of its own.
+    pub fn into_owned(self) -> LodStrips<'static> {
+        LodStrips {
+            vertices: StepVertices {
+                vertex_count: self.vertices.vertex_count,
+                base_vertex_count: self.vertices.base_vertex_count,
+                firsts: self.vertices.firsts.into_owned().into(),
+                targets: self.vertices.targets.into_owned().into(),
+            },
+            indices: self.indices.into_owned().into(),
+            offsets: self.offsets.into_owned().into(),
+            group_offsets: self.group_offsets.into_owned().into(),
+            record_lengths: self.record_lengths.into_owned().into(),
+            arena: self.arena.into_owned().into(),
+            head_bytes: self.head_bytes,
+        }
+    }
+
+    /// Strips, dead ones at coarse levels counted.
+    pub fn strip_count(&self) -> usize {
+        self.offsets.len() - 1
+    }
+
+    /// Groups of triangles; strips never cross them.
+    pub fn group_count(&self) -> usize {
+        self.group_offsets.len() - 1
+    }
+
+    /// Vertices of the full mesh.
+    pub fn vertex_count(&self) -> usize {
+        self.vertices.vertex_count
+    }
+
+    /// Vertices that a level shows: the first so many.
+    ///
+    /// # Panics
+    /// If `split_count` exceeds the step count.
+    pub fn vertex_count_at(&self, split_count: usize) -> usize {
+        if split_count == self.record_lengths.len() {
+            self.vertices.vertex_count
+        } else {
+            self.vertices.of_step(split_count).start as usize
+        }
+    }
+
+    /// The strips of one group.
+    ///
+    /// # Panics
+    /// If there is no such group.
+    pub fn group_strips(&self, group: usize) -> Range<usize> {
+        self.group_offsets[group] as usize..self.group_offsets[group + 1] as usize
+    }
+
+    /// What a strip shows now; empty once all its triangles are gone.
+    ///
+    /// # Panics
+    /// If there is no such strip.
+    pub fn strip<'s>(&self, state: &'s LodStripsState, strip: usize) -> &'s [u32] {
+        let first = self.offsets[strip] as usize;
+        &state.slots[first..first + state.lengths[strip] as usize]
+    }
+
+    /// Appends the triangles that one group shows now.
+    ///
+    /// # Panics
+    /// If there is no such group.
+    pub fn group_triangles_into(&self, state: &LodStripsState, group: usize, out: &mut Vec<[u32; 3]>) {
+        for strip in self.group_strips(group) {
+            out.extend(strip_triangles(self.strip(state, strip)));
+        }
+    }
+}
+
+impl LodModel for LodStrips<'_> {
+    type State = LodStripsState;
+
+    fn step_count(&self) -> usize {
+        self.record_lengths.len()
+    }
+
+    fn new_state(&self) -> LodStripsState {
+        LodStripsState::new(self)
+    }
+
+    fn split_count(&self, state: &LodStripsState) -> usize {
+        state.split_count()
+    }
+
+    fn move_to(&self, state: &mut LodStripsState, split_count: usize) {
+        state.move_to(self, split_count);
+    }
+
+    fn triangles_into(&self, state: &LodStripsState, out: &mut Vec<[u32; 3]>) {
+        for strip in 0..self.strip_count() {
+            out.extend(strip_triangles(self.strip(state, strip)));
+        }
+    }
+
+    fn bytes(&self) -> Vec<PartBytes> {
+        let part = |name, bytes| PartBytes { name, bytes };
+        vec![
+            part("strips", 4 * self.indices.len()),
+            part("strip offsets", 4 * (self.offsets.len() + self.group_offsets.len())),
+            part("targets", 4 * (self.vertices.targets.len() + self.vertices.firsts.len())),
+            part("record lengths", self.record_lengths.len()),
+            part("records", self.arena.len()),
+        ]
+    }
+}

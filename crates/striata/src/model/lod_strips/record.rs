@@ -1,0 +1,256 @@
+//! The bytes of a step's record: which places of which strips a step edits.
+//!
+//! A record is a list of edits, one for each strip, by rising strip number:
+//!
+//! ```text
+//! head      strip number << 2 | flags         the first in as many bytes as the largest needs,
+//!           (gap to the last - 1) << 2 | flags  the others as a varint; 1: several places, 2: has drops
+//! count     number of places - 2               varint, only with flag 1
+//! places    gap * wedges + wedge               varints; the first gap from 0, the others from the last + 1
+//! drops     zigzag(first - anchor) << 2 | kind varints, only with flag 2; 1: another follows,
+//! counts    run's count                        2: its count follows (else it is 2)
+//! ```
+//!
+//! The anchor of the first drop is the first place, then the first index of the last drop. `wedges` is the number
+//! of vertices of the step and `wedge` which of them stands at the place. A varint has 7 bits a byte, low ones
+//! first.
+
+use super::slot::Run;
+
+pub(super) const HAS_SEVERAL_PLACES: u32 = 1;
+pub(super) const HAS_DROPS: u32 = 2;
+const DROP_FOLLOWS: u32 = 1;
+const COUNT_FOLLOWS: u32 = 2;
+
+/// A record of 255 bytes or more has its length in 4 bytes at both ends, so that it can be walked both ways.
+pub(super) const LONG_RECORD: u8 = u8::MAX;
+
+/// Bytes of the first strip number in a record, flags included.
+pub(super) fn head_bytes(strip_count: usize) -> usize {
+    let largest = (strip_count.saturating_sub(1) as u64) << 2 | 3;
+    (64 - largest.leading_zeros() as usize).div_ceil(8).min(4)
+}
+
+/// What a step does to one strip.
+#[derive(Debug, Default)]
+pub(super) struct Edit {
+    pub(super) strip: u32,
+    /// Places before any drop, rising, each with the wedge that stands there.
+    pub(super) places: Vec<(u32, u32)>,
+    pub(super) drops: Vec<Run>,
+}
+
+/// Writes a record of edits, sorted by strip.
+pub(super) fn write_record<'e>(
+    edits: impl IntoIterator<Item = &'e Edit>,
+    wedge_count: u32,
+    head_bytes: usize,
+    out: &mut Vec<u8>,
+) {
+    let mut last_strip = None;
+    for edit in edits {
+        let several = if edit.places.len() > 1 { HAS_SEVERAL_PLACES } else { 0 };
+        let flags = several | if edit.drops.is_empty() { 0 } else { HAS_DROPS };
+        match last_strip {
+            None => out.extend_from_slice(&(edit.strip << 2 | flags).to_le_bytes()[..head_bytes]),
+            Some(last) => write_varint((edit.strip - last - 1) << 2 | flags, out),
+        }
+        last_strip = Some(edit.strip);
+        if several != 0 {
+            write_varint(edit.places.len() as u32 - 2, out);
+        }
+        let mut from = 0;
+        for &(place, wedge) in &edit.places {
+            write_varint((place - from) * wedge_count + wedge, out);
+            from = place + 1;
+        }
+        let mut anchor = edit.places.first().map_or(0, |p| p.0);
+        for (i, run) in edit.drops.iter().enumerate() {
+            let follows = if i + 1 < edit.drops.len() { DROP_FOLLOWS } else { 0 };
+            let counted = if run.count == 2 { 0 } else { COUNT_FOLLOWS };
+            write_varint(zigzag(run.first as i32 - anchor as i32) << 2 | counted | follows, out);
+            if counted != 0 {
+                write_varint(run.count, out);
+            }
+            anchor = run.first;
+        }
+    }
+}
+
+fn write_varint(mut value: u32, out: &mut Vec<u8>) {
+    while value >= 0x80 {
+        out.push(value as u8 | 0x80);
+        value >>= 7;
+    }
+    out.push(value as u8);
+}
+
+fn zigzag(value: i32) -> u32 {
+    (value << 1 ^ value >> 31) as u32
+}
+
+/// Reads the parts of a record; `None` where it ends too early or a number does not fit.
+#[derive(Clone, Copy)]
+pub(super) struct RecordReader<'r> {
+    bytes: &'r [u8],
+}
+
+impl<'r> RecordReader<'r> {
+    pub(super) fn new(bytes: &'r [u8]) -> Self {
+        Self { bytes }
+    }
+
+    #[inline]
+    pub(super) fn is_empty(&self) -> bool {
+        self.bytes.is_empty()
+    }
+
+    /// The first strip of a record and its flags.
+    #[inline]
+    pub(super) fn first_head(&mut self, head_bytes: usize) -> Option<(u32, u32)> {
+        let (head, rest) = self.bytes.split_at_checked(head_bytes)?;
+        self.bytes = rest;
+        let value = head.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte));
+        Some((value >> 2, value & 3))
+    }
+
+    /// A later strip and its flags.
+    #[inline]
+    pub(super) fn next_head(&mut self, last: u32) -> Option<(u32, u32)> {
+        let value = self.varint()?;
+        Some((last.checked_add(value >> 2)?.checked_add(1)?, value & 3))
+    }
+
+    /// Places beyond the first.
+    #[inline]
+    pub(super) fn further_place_count(&mut self, flags: u32) -> Option<u32> {
+        if flags & HAS_SEVERAL_PLACES == 0 { Some(0) } else { self.varint()?.checked_add(1) }
+    }
+
+    /// A place at or after `from`, and the wedge that stands there.
+    #[inline]
+    pub(super) fn place(&mut self, from: u32, wedge_count: u32) -> Option<(u32, u32)> {
+        let value = self.varint()?;
+        let (gap, wedge) =
+            if wedge_count == 1 { (value, 0) } else { (value / wedge_count, value % wedge_count) };
+        Some((from.checked_add(gap)?, wedge))
+    }
+
+    /// A dropped run, and whether another follows.
+    #[inline]
+    pub(super) fn run(&mut self, anchor: u32) -> Option<(Run, bool)> {
+        let value = self.varint()?;
+        let code = value >> 2;
+        let first = anchor.wrapping_add_signed((code >> 1) as i32 ^ -((code & 1) as i32));
+        let count = if value & COUNT_FOLLOWS == 0 { 2 } else { self.varint()? };
+        Some((Run { first, count }, value & DROP_FOLLOWS != 0))
+    }
+
+    #[inline]
+    fn varint(&mut self) -> Option<u32> {
+        let (&first, mut rest) = self.bytes.split_first()?;
+        let mut value = u32::from(first & 0x7f);
+        if first >= 0x80 {
+            let mut shift = 7;
+            loop {
+                let (&byte, after) = rest.split_first()?;
+                rest = after;
+                let bits = u32::from(byte & 0x7f);
+                // The fifth byte has room for 4 bits.
+                if shift > 28 || (shift == 28 && bits > 0xf) {
+                    return None;
+                }
+                value |= bits << shift;
+                if byte < 0x80 {
+                    break;
+                }
+                shift += 7;
+            }
+        }
+        self.bytes = rest;
+        Some(value)
+    }
+}
+
+/// The record that begins at `start`: its body and where it ends.
+#[inline]
+pub(super) fn record_at(arena: &[u8], start: usize, length: u8) -> Option<(&[u8], usize)> {
+    if length < LONG_RECORD {
+        let end = start + usize::from(length);
+        return Some((arena.get(start..end)?, end));
+    }
+    let length = long_length(arena.get(start..start.checked_add(4)?)?)?;
+    let end = start.checked_add(length)?;
+    Some((arena.get(start + 4..end)?.get(..length - 8)?, end))
+}
+
+/// The record that ends at `end`: its body and where it begins.
+#[inline]
+pub(super) fn record_before(arena: &[u8], end: usize, length: u8) -> Option<(&[u8], usize)> {
+    if length < LONG_RECORD {
+        let start = end.checked_sub(usize::from(length))?;
+        return Some((arena.get(start..end)?, start));
+    }
+    let length = long_length(arena.get(end.checked_sub(4)?..end)?)?;
+    let start = end.checked_sub(length)?;
+    Some((arena.get(start + 4..end - 4)?, start))
+}
+
+fn long_length(bytes: &[u8]) -> Option<usize> {
+    let length = u32::from_le_bytes(bytes.try_into().ok()?) as usize;
+    (length >= 8).then_some(length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_record_reads_back() {
+        let edits = [
+            Edit { strip: 700, places: vec![(3, 1), (4, 0), (900, 2)], drops: vec![] },
+            Edit {
+                strip: 703,
+                places: vec![(17, 2)],
+                drops: vec![Run { first: 15, count: 2 }, Run { first: 40, count: 300 }],
+            },
+        ];
+        let mut bytes = Vec::new();
+        write_record(&edits, 3, head_bytes(1000), &mut bytes);
+        let mut reader = RecordReader::new(&bytes);
+        assert_eq!(reader.first_head(2), Some((700, HAS_SEVERAL_PLACES)));
+        assert_eq!(reader.further_place_count(1), Some(2));
+        assert_eq!(reader.place(0, 3), Some((3, 1)));
+        assert_eq!(reader.place(4, 3), Some((4, 0)));
+        assert_eq!(reader.place(5, 3), Some((900, 2)));
+        assert_eq!(reader.next_head(700), Some((703, HAS_DROPS)));
+        assert_eq!(reader.further_place_count(2), Some(0));
+        assert_eq!(reader.place(0, 3), Some((17, 2)));
+        assert_eq!(reader.run(17), Some((Run { first: 15, count: 2 }, true)));
+        assert_eq!(reader.run(15), Some((Run { first: 40, count: 300 }, false)));
+        assert!(reader.is_empty());
+        assert_eq!(reader.run(0), None);
+    }
+
+    #[test]
+    fn numbers_over_32_bits_are_refused() {
+        for bytes in [&[0xff, 0xff, 0xff, 0xff, 0x1f][..], &[0x80, 0x80, 0x80, 0x80, 0x80, 0x00], &[0x80]] {
+            assert_eq!(RecordReader::new(bytes).varint(), None);
+        }
+        assert_eq!(RecordReader::new(&[0xff, 0xff, 0xff, 0xff, 0x0f]).varint(), Some(u32::MAX));
+    }
+
+    #[test]
+    fn long_records_are_found_from_both_ends() {
+        let mut arena = vec![1, 2, 3];
+        let length = 308u32.to_le_bytes();
+        arena.extend(length);
+        arena.extend([7; 300]);
+        arena.extend(length);
+        let body = &[7; 300][..];
+        assert_eq!(record_at(&arena, 3, LONG_RECORD), Some((body, 311)));
+        assert_eq!(record_before(&arena, 311, LONG_RECORD), Some((body, 3)));
+        assert_eq!(record_before(&arena, 310, LONG_RECORD), None);
+        assert_eq!(record_at(&arena, 0, 3), Some((&[1, 2, 3][..], 3)));
+    }
+}

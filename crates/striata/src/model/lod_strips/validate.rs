@@ -1,0 +1,172 @@
+//! The one check of a stored model that lets every later step trust its records.
+//!
+//! All records are applied once, from the full mesh to the base, on a copy of the strips: each place and run
+//! must lie in its strip, the step's vertices must stand where the record says, and none may be left over.
+//! What passes can be walked up and down without a failing step, and shows at each level only vertices that
+//! the level has. Time as one sweep, memory as one instance.
+
+use super::record::{HAS_DROPS, RecordReader, record_before};
+use super::slot::drop_run;
+use super::{LodStrips, LodStripsError};
+use crate::strip::check_offsets;
+
+pub(super) fn check(model: &LodStrips<'_>) -> Result<(), LodStripsError> {
+    check_shape(model)?;
+    let mut sweep = Sweep::new(model)?;
+    for step in (0..model.record_lengths.len()).rev() {
+        sweep.apply(step).map_err(|reason| LodStripsError::Record { step, reason })?;
+    }
+    if sweep.cursor != 0 {
+        return Err(LodStripsError::Length { what: "record bytes left", found: sweep.cursor, expected: 0 });
+    }
+    Ok(())
+}
+
+fn check_shape(model: &LodStrips<'_>) -> Result<(), LodStripsError> {
+    check_offsets("strip", &model.offsets, model.indices.len())?;
+    check_offsets("group", &model.group_offsets, model.strip_count())?;
+    let vertices = &model.vertices;
+    let (step_count, vertex_count) = (model.record_lengths.len(), vertices.vertex_count);
+    let length = |what, found, expected| {
+        if found == expected { Ok(()) } else { Err(LodStripsError::Length { what, found, expected }) }
+    };
+    if vertices.firsts.is_empty() {
+        length("steps", vertices.base_vertex_count as usize + step_count, vertex_count)?;
+    } else {
+        length("first vertices", vertices.firsts.len(), step_count + 1)?;
+        length("vertices of the base", vertices.firsts[0] as usize, vertices.base_vertex_count as usize)?;
+        length("vertices", vertices.firsts[step_count] as usize, vertex_count)?;
+        if let Some(i) = vertices.firsts.windows(2).position(|w| w[0] >= w[1]) {
+            let [found, expected] = [i + 1, i].map(|i| vertices.firsts[i] as usize);
+            return Err(LodStripsError::Length { what: "first vertices", found, expected });
+        }
+    }
+    length("targets", vertices.base_vertex_count as usize + vertices.targets.len(), vertex_count)?;
+    for step in 0..step_count {
+        let range = vertices.of_step(step);
+        if range.clone().any(|v| vertices.target(v) >= range.start) {
+            return Err(LodStripsError::Record { step, reason: "collapses to a later vertex" });
+        }
+    }
+    Ok(())
+}
+
+struct Sweep<'m, 'a> {
+    model: &'m LodStrips<'a>,
+    slots: Vec<u32>,
+    lengths: Vec<u32>,
+    /// How often each vertex stands in the live strips.
+    uses: Vec<u32>,
+    cursor: usize,
+}
+
+impl<'m, 'a> Sweep<'m, 'a> {
+    fn new(model: &'m LodStrips<'a>) -> Result<Self, LodStripsError> {
+        let vertex_count = model.vertices.vertex_count;
+        let mut uses = vec![0; vertex_count];
+        for strip in 0..model.strip_count() {
+            for &vertex in &model.indices[model.offsets[strip] as usize..model.offsets[strip + 1] as usize] {
+                let Some(count) = uses.get_mut(vertex as usize) else {
+                    return Err(LodStripsError::Vertex { strip, vertex, vertex_count });
+                };
+                *count += 1;
+            }
+        }
+        let lengths = model.offsets.windows(2).map(|w| w[1] - w[0]).collect();
+        Ok(Self { model, slots: model.indices.to_vec(), lengths, uses, cursor: model.arena.len() })
+    }
+
+    fn apply(&mut self, step: usize) -> Result<(), &'static str> {
+        const SHORT: &str = "ends too early";
+        let model = self.model;
+        let (body, start) =
+            record_before(&model.arena, self.cursor, model.record_lengths[step]).ok_or(SHORT)?;
+        // Long records hold their length at both ends, and both ways must agree.
+        let forward = super::record::record_at(&model.arena, start, model.record_lengths[step]);
+        if forward != Some((body, self.cursor)) {
+            return Err("has different lengths at its ends");
+        }
+        self.cursor = start;
+        let vertices = model.vertices.of_step(step);
+        let mut reader = RecordReader::new(body);
+        let mut last = None;
+        while !reader.is_empty() {
+            let (strip, flags) = match last {
+                None => reader.first_head(model.head_bytes),
+                Some(last) => reader.next_head(last),
+            }
+            .ok_or(SHORT)?;
+            last = Some(strip);
+            if strip as usize >= model.strip_count() {
+                return Err("edits a strip that is not there");
+            }
+            let first_place = self.substitute(strip as usize, flags, vertices.clone(), &mut reader)?;
+            if flags & HAS_DROPS != 0 {
+                self.drop_runs(strip as usize, first_place, &mut reader)?;
+            }
+        }
+        if vertices.into_iter().any(|v| self.uses[v as usize] != 0) {
+            return Err("leaves a vertex of the step in a strip");
+        }
+        Ok(())
+    }
+
+    fn live(&mut self, strip: usize) -> &mut [u32] {
+        let first = self.model.offsets[strip] as usize;
+        &mut self.slots[first..first + self.lengths[strip] as usize]
+    }
+
+    fn substitute(
+        &mut self,
+        strip: usize,
+        flags: u32,
+        vertices: std::ops::Range<u32>,
+        reader: &mut RecordReader<'_>,
+    ) -> Result<u32, &'static str> {
+        const SHORT: &str = "ends too early";
+        let further = reader.further_place_count(flags).ok_or(SHORT)?;
+        let wedge_count = vertices.end - vertices.start;
+        let mut first_place = None;
+        let mut from = 0;
+        for _ in 0..u64::from(further) + 1 {
+            let (place, wedge) = reader.place(from, wedge_count).ok_or(SHORT)?;
+            let vertex = vertices.start + wedge;
+            let target = self.model.vertices.target(vertex);
+            match self.live(strip).get_mut(place as usize) {
+                Some(v) if *v == vertex => *v = target,
+                Some(_) => return Err("substitutes a vertex that is not where it says"),
+                None => return Err("substitutes behind the end of a strip"),
+            }
+            self.uses[vertex as usize] -= 1;
+            self.uses[target as usize] += 1;
+            first_place.get_or_insert(place);
+            from = place + 1;
+        }
+        first_place.ok_or(SHORT)
+    }
+
+    fn drop_runs(
+        &mut self,
+        strip: usize,
+        mut anchor: u32,
+        reader: &mut RecordReader<'_>,
+    ) -> Result<(), &'static str> {
+        loop {
+            let (run, follows) = reader.run(anchor).ok_or("ends too early")?;
+            let length = self.lengths[strip];
+            if run.count == 0 || run.first.checked_add(run.count).is_none_or(|end| end > length) {
+                return Err("drops a run behind the end of a strip");
+            }
+            let first = self.model.offsets[strip] as usize + run.first as usize;
+            for &v in &self.slots[first..first + run.count as usize] {
+                self.uses[v as usize] -= 1;
+            }
+            drop_run(self.live(strip), run);
+            self.lengths[strip] = length - run.count;
+            anchor = run.first;
+            if !follows {
+                return Ok(());
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Strips as one index buffer: with primitive restart, or stitched by degenerate triangles.
+
+use std::ops::Range;
+
+use super::{StripSet, strip_triangles};
+
+/// The index that ends a strip and begins the next on the GPU.
+pub const RESTART: u32 = u32::MAX;
+
+/// One index buffer of strips, with the range that draws each group.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct StripIndices {
+    /// The indices.
+    pub indices: Vec<u32>,
+    /// For each group, what to draw of `indices`.
+    pub group_ranges: Vec<Range<u32>>,
+}
+
+impl StripSet {
+    /// One index buffer with [`RESTART`] between the strips of a group.
+    pub fn to_restart_indices(&self) -> StripIndices {
+        self.joined(|indices, _| indices.push(RESTART))
+    }
+
+    /// One index buffer without restarts: strips of a group are joined by repeated indices (degenerate
+    /// triangles), as formats such as glTF 2.0 need it; every winding stays.
+    pub fn to_stitched_indices(&self) -> StripIndices {
+        self.joined(|indices, next| {
+            let Some(&last) = indices.last() else { return };
+            let is_odd = indices.len() % 2 == 1;
+            if last == next {
+                indices.extend(is_odd.then_some(last));
+            } else {
+                indices.extend([last, last, next].iter().skip(usize::from(!is_odd)));
+            }
+        })
+    }
+
+    /// Joins the strips of each group; `join` writes what stands before a next strip and its first index.
+    fn joined(&self, join: impl Fn(&mut Vec<u32>, u32)) -> StripIndices {
+        let mut out = StripIndices::default();
+        // Parity counts from where a draw begins, hence group by group.
+        let mut group_indices = Vec::new();
+        for group in 0..self.group_count() {
+            group_indices.clear();
+            for strip in self.group_strips(group).map(|s| self.strip(s)).filter(|s| s.len() >= 3) {
+                if !group_indices.is_empty() {
+                    join(&mut group_indices, strip[0]);
+                }
+                group_indices.extend_from_slice(strip);
+            }
+            let first = out.indices.len() as u32;
+            out.indices.extend_from_slice(&group_indices);
+            out.group_ranges.push(first..out.indices.len() as u32);
+        }
+        out
+    }
+}
+
+/// Appends the triangles that a GPU with primitive restart draws, degenerate ones left out.
+pub fn restart_triangles_into(indices: &[u32], out: &mut Vec<[u32; 3]>) {
+    for strip in indices.split(|&index| index == RESTART) {
+        out.extend(strip_triangles(strip));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::canonical_triangles;
+
+    #[test]
+    fn joined_strips_draw_the_same_triangles() {
+        let mut set = StripSet::new();
+        for strip in [&[0, 1, 2][..], &[2, 1, 3, 4], &[7, 5, 6, 8, 9], &[9, 8, 10], &[]] {
+            set.push(strip);
+        }
+        set.end_group();
+        set.push(&[11, 12, 13, 14]);
+        set.end_group();
+        let mut expected = Vec::new();
+        set.triangles_into(&mut expected);
+        let restart = set.to_restart_indices();
+        let stitched = set.to_stitched_indices();
+        for joined in [&restart, &stitched] {
+            let mut found = Vec::new();
+            for range in &joined.group_ranges {
+                let indices = &joined.indices[range.start as usize..range.end as usize];
+                restart_triangles_into(indices, &mut found);
+            }
+            assert_eq!(canonical_triangles(&found), canonical_triangles(&expected));
+        }
+        assert_eq!(restart.indices.len(), 15 + 3 + 4);
+        assert!(!stitched.indices.contains(&RESTART));
+    }
+}

@@ -1,0 +1,221 @@
+//! Many strips in three flat arrays.
+
+use std::ops::Range;
+
+/// What makes the arrays of a [`StripSet`] inconsistent.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StripSetError {
+    /// Offsets do not rise from 0 to the length of what they cut.
+    #[error("{what} offset {index} is {found}, after {previous}, of {limit}")]
+    Offset {
+        /// `strip` or `group`.
+        what: &'static str,
+        /// Which offset.
+        index: usize,
+        /// What it is.
+        found: u32,
+        /// The offset before it.
+        previous: u32,
+        /// What the last offset has to be.
+        limit: usize,
+    },
+}
+
+/// Triangle strips, group by group: one flat list of indices, cut into strips, cut into groups.
+///
+/// Group `g` of the set holds the triangles of group `g` of its mesh (one group where the mesh has none);
+/// no strip crosses a group.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StripSet {
+    indices: Vec<u32>,
+    offsets: Vec<u32>,
+    group_offsets: Vec<u32>,
+}
+
+impl Default for StripSet {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl StripSet {
+    /// No strips and no groups.
+    pub fn new() -> Self {
+        Self { indices: Vec::new(), offsets: vec![0], group_offsets: vec![0] }
+    }
+
+    /// From its arrays: all indices, the first index of each strip, the first strip of each group, the
+    /// latter two closed by their end.
+    ///
+    /// # Errors
+    /// [`StripSetError`] where the offsets do not rise from 0 to the end.
+    pub fn from_parts(
+        indices: Vec<u32>,
+        offsets: Vec<u32>,
+        group_offsets: Vec<u32>,
+    ) -> Result<Self, StripSetError> {
+        check_offsets("strip", &offsets, indices.len())?;
+        check_offsets("group", &group_offsets, offsets.len() - 1)?;
+        Ok(Self { indices, offsets, group_offsets })
+    }
+
+    /// Appends a strip to the open group.
+    pub fn push(&mut self, strip: &[u32]) {
+        self.indices.extend_from_slice(strip);
+        self.offsets.push(self.indices.len() as u32);
+    }
+
+    /// Ends the open group: all strips pushed since the last end belong to it, none is fine.
+    pub fn end_group(&mut self) {
+        self.group_offsets.push(self.strip_count() as u32);
+    }
+
+    /// Strips.
+    pub fn strip_count(&self) -> usize {
+        self.offsets.len() - 1
+    }
+
+    /// Groups.
+    pub fn group_count(&self) -> usize {
+        self.group_offsets.len() - 1
+    }
+
+    /// One strip's indices.
+    ///
+    /// # Panics
+    /// If there is no such strip.
+    pub fn strip(&self, strip: usize) -> &[u32] {
+        &self.indices[self.offsets[strip] as usize..self.offsets[strip + 1] as usize]
+    }
+
+    /// All strips in order.
+    pub fn strips(&self) -> impl Iterator<Item = &[u32]> {
+        self.offsets.windows(2).map(|w| &self.indices[w[0] as usize..w[1] as usize])
+    }
+
+    /// The strips of one group.
+    ///
+    /// # Panics
+    /// If there is no such group.
+    pub fn group_strips(&self, group: usize) -> Range<usize> {
+        self.group_offsets[group] as usize..self.group_offsets[group + 1] as usize
+    }
+
+    /// All indices, strip after strip, no restarts.
+    pub fn indices(&self) -> &[u32] {
+        &self.indices
+    }
+
+    /// First index of each strip, closed by the number of indices.
+    pub fn offsets(&self) -> &[u32] {
+        &self.offsets
+    }
+
+    /// First strip of each group, closed by the number of strips.
+    pub fn group_offsets(&self) -> &[u32] {
+        &self.group_offsets
+    }
+
+    /// Appends the triangles of all strips, degenerate ones left out.
+    pub fn triangles_into(&self, out: &mut Vec<[u32; 3]>) {
+        for strip in self.strips() {
+            out.extend(strip_triangles(strip));
+        }
+    }
+
+    /// The set with every strip cut to at most `max_indices` indices.
+    ///
+    /// A piece begins with the last two indices of the piece before it, at an even place, so that
+    /// every triangle keeps its winding; degenerate triangles at the cut are not repeated.
+    ///
+    /// # Panics
+    /// If `max_indices` is under 4: a piece could not advance.
+    pub fn cut(&self, max_indices: usize) -> Self {
+        assert!(max_indices >= 4, "a piece of {max_indices} indices cannot advance");
+        // An even number of triangles in a piece keeps the parity of the next.
+        let advance = (max_indices - 2) & !1;
+        let mut out = Self::new();
+        for group in 0..self.group_count() {
+            for strip in self.group_strips(group) {
+                let strip = self.strip(strip);
+                let mut first = 0;
+                while strip.len() - first > max_indices {
+                    out.push(&strip[first..first + advance + 2]);
+                    first += advance;
+                }
+                out.push(&strip[first..]);
+            }
+            out.end_group();
+        }
+        out
+    }
+}
+
+/// Checks that offsets rise (or rest) from 0 to `limit`.
+pub(crate) fn check_offsets(what: &'static str, offsets: &[u32], limit: usize) -> Result<(), StripSetError> {
+    let error = |index, found, previous| StripSetError::Offset { what, index, found, previous, limit };
+    let mut previous = 0;
+    for (index, &found) in offsets.iter().enumerate() {
+        if found < previous || found as usize > limit || (index == 0 && found != 0) {
+            return Err(error(index, found, previous));
+        }
+        previous = found;
+    }
+    if offsets.is_empty() || previous as usize != limit {
+        return Err(error(offsets.len().saturating_sub(1), previous, previous));
+    }
+    Ok(())
+}
+
+/// The triangles of one strip with their winding, degenerate ones left out.
+pub fn strip_triangles(strip: &[u32]) -> impl Iterator<Item = [u32; 3]> {
+    strip.windows(3).enumerate().filter_map(|(i, w)| {
+        let is_degenerate = w[0] == w[1] || w[1] == w[2] || w[2] == w[0];
+        (!is_degenerate).then(|| if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn odd_triangles_are_swapped_and_degenerate_ones_left_out() {
+        let triangles: Vec<_> = strip_triangles(&[0, 1, 2, 3, 2, 4]).collect();
+        assert_eq!(triangles, vec![[0, 1, 2], [2, 1, 3], [2, 3, 4]]);
+    }
+
+    #[test]
+    fn a_cut_keeps_every_triangle_and_its_winding() {
+        let mut set = StripSet::new();
+        set.push(&(0..23).collect::<Vec<u32>>());
+        set.end_group();
+        set.end_group();
+        let mut whole = Vec::new();
+        set.triangles_into(&mut whole);
+        for max in 4..25 {
+            let cut = set.cut(max);
+            assert!(cut.strips().all(|s| s.len() <= max));
+            assert_eq!(cut.group_count(), 2);
+            let mut pieces = Vec::new();
+            cut.triangles_into(&mut pieces);
+            assert_eq!(pieces, whole, "at most {max} indices");
+        }
+    }
+
+    #[test]
+    fn offsets_have_to_rise_to_the_end() {
+        assert!(StripSet::from_parts(vec![0, 1, 2], vec![0, 3], vec![0, 1]).is_ok());
+        for (offsets, groups) in [
+            (vec![], vec![0]),
+            (vec![1, 3], vec![0, 1]),
+            (vec![0, 4], vec![0, 1]),
+            (vec![0, 2], vec![0, 1]),
+            (vec![0, 3], vec![0, 0]),
+            (vec![0, 3, 2, 3], vec![0, 3]),
+        ] {
+            assert!(StripSet::from_parts(vec![0, 1, 2], offsets, groups).is_err());
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! LodStrips against the oracle: the same triangles at every level, in both forms, and exact undoing.
+
+mod support;
+
+use std::ops::Range;
+
+use proptest::prelude::*;
+use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
+use striata::model::{LodModel, LodStrips, LodStripsError, LodStripsState, StripBuffer};
+use striata::strip::{RESTART, StripOptions, StripSet, restart_triangles_into, stripify};
+use support::{Random, Wildness, grid, nasty, random_refinable, soup, with_seams_and_groups};
+
+fn build(refinable: &RefinableMesh) -> LodStrips<'static> {
+    let strips = stripify(&refinable.mesh, &StripOptions::default()).unwrap();
+    LodStrips::build(refinable, &strips).unwrap()
+}
+
+/// A copy of the buffer as an engine would have it: only changed ranges are copied.
+struct Uploaded {
+    buffer: StripBuffer,
+    copy: Vec<u32>,
+}
+
+impl Uploaded {
+    fn follow(&mut self, model: &LodStrips<'_>, state: &mut LodStripsState) {
+        self.buffer.sync(model, state);
+        for range in self.buffer.take_changed_ranges() {
+            let range = range.start as usize..range.end as usize;
+            self.copy[range.clone()].copy_from_slice(&self.buffer.indices()[range]);
+        }
+        assert!(self.buffer.take_changed_ranges().is_empty());
+    }
+
+    fn triangles(&self, range: Range<u32>) -> Vec<[u32; 3]> {
+        let mut out = Vec::new();
+        restart_triangles_into(&self.copy[range.start as usize..range.end as usize], &mut out);
+        canonical_triangles(&out)
+    }
+}
+
+/// Compares a level with the oracle, group by group: strips, uploaded buffer, multi-draw ranges.
+fn check_level(
+    refinable: &RefinableMesh,
+    model: &LodStrips<'_>,
+    state: &mut LodStripsState,
+    uploaded: &mut Uploaded,
+) {
+    let split_count = state.split_count();
+    let level = replay(refinable, split_count);
+    uploaded.follow(model, state);
+    let ranges: Vec<_> = uploaded.buffer.group_ranges().collect();
+    assert_eq!(model.vertex_count_at(split_count), level.vertex_count());
+    for (g, group) in level.groups_or_whole().into_iter().enumerate() {
+        let expected = canonical_triangles(&level.triangles[group.range()]);
+        let mut found = Vec::new();
+        model.group_triangles_into(state, g, &mut found);
+        assert_eq!(canonical_triangles(&found), expected, "strips of group {g} at {split_count}");
+        assert_eq!(uploaded.triangles(ranges[g].clone()), expected, "buffer of group {g} at {split_count}");
+    }
+    let mut all = Vec::new();
+    for range in uploaded.buffer.strip_ranges() {
+        let strip = &uploaded.copy[range.start as usize..range.end as usize];
+        assert!(!strip.contains(&RESTART));
+        restart_triangles_into(strip, &mut all);
+    }
+    assert_eq!(canonical_triangles(&all), canonical_triangles(&level.triangles));
+}
+
+/// Walks down and up by `stride` and checks each level, then that the way up restores what was there.
+fn check_all_levels(refinable: &RefinableMesh, stride: usize) {
+    let model = build(refinable);
+    let full = model.new_state();
+    let mut state = full.clone();
+    let buffer = StripBuffer::new(&model, &mut state);
+    let mut uploaded = Uploaded { copy: buffer.indices().to_vec(), buffer };
+    uploaded.buffer.take_changed_ranges();
+    let step_count = model.step_count();
+    let mut seen = Vec::new();
+    for split_count in (0..=step_count).rev().step_by(stride) {
+        model.move_to(&mut state, split_count);
+        check_level(refinable, &model, &mut state, &mut uploaded);
+        seen.push(state.clone());
+    }
+    for expected in seen.into_iter().rev() {
+        model.move_to(&mut state, expected.split_count());
+        check_level(refinable, &model, &mut state, &mut uploaded);
+        for strip in 0..model.strip_count() {
+            assert_eq!(model.strip(&state, strip), model.strip(&expected, strip));
+        }
+        assert_eq!(state, expected, "up and down again is the same state, byte by byte");
+    }
+    assert_eq!(state, full);
+}
+
+#[test]
+fn nasty_meshes_follow_the_oracle_at_every_level() {
+    for (name, mesh) in nasty() {
+        for seed in 0..8 {
+            let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
+            let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+            println!("{name}, seed {seed}");
+            check_all_levels(&refinable, 1);
+        }
+    }
+}
+
+#[test]
+fn surfaces_follow_the_oracle() {
+    for (mesh, stride) in [(grid(12, false), 1), (grid(14, true), 1), (grid(60, true), 97)] {
+        for seed in 0..3 {
+            let wildness = Wildness { far_percent: seed as usize * 4, base_position_count: 4 };
+            check_all_levels(&random_refinable(&mesh, wildness, &mut Random::new(seed)), stride);
+        }
+    }
+}
+
+#[test]
+fn seams_and_groups_follow_the_oracle() {
+    for seed in 0..4 {
+        let mesh = with_seams_and_groups(grid(9, seed % 2 == 0));
+        let wildness = Wildness { far_percent: 5, base_position_count: 3 };
+        check_all_levels(&random_refinable(&mesh, wildness, &mut Random::new(seed)), 1);
+    }
+}
+
+#[test]
+fn a_vertex_that_stands_everywhere_makes_a_long_record() {
+    // The hub of a fan goes first: it stands hundreds of times in its strips.
+    let n = 900;
+    let positions = (0..=n).map(|i| [i as f32, (i * i % 17) as f32, 0.0]).collect();
+    let triangles = (0..n as u32).step_by(3).map(|i| [n as u32, i, i + 1]).collect();
+    let mesh = IndexedMesh::new(positions, triangles);
+    for seed in 0..20 {
+        let wildness = Wildness { far_percent: 50, base_position_count: 500 };
+        check_all_levels(&random_refinable(&mesh, wildness, &mut Random::new(seed)), 7);
+    }
+}
+
+#[test]
+fn strips_of_another_mesh_are_refused() {
+    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
+    let mut strips = StripSet::new();
+    strips.push(&[0, 1, 2, 99]);
+    let error = LodStrips::build(&refinable, &strips).unwrap_err();
+    assert_eq!(error, LodStripsError::GroupCount { found: 0, expected: 1 });
+    strips.end_group();
+    let error = LodStrips::build(&refinable, &strips).unwrap_err();
+    assert_eq!(error, LodStripsError::Vertex { strip: 0, vertex: 99, vertex_count: 25 });
+    let mut strips = StripSet::new();
+    strips.push(&[0, 1, 2]);
+    strips.end_group();
+    let error = LodStrips::build(&refinable, &strips).unwrap_err();
+    assert_eq!(error, LodStripsError::TriangleCount { group: 0, found: 1, expected: 32 });
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_meshes_follow_the_oracle_at_every_level(
+        seed in any::<u64>(),
+        vertex_count in 3usize..30,
+        triangle_count in 0usize..60,
+        far_percent in 0usize..60,
+        has_seams in any::<bool>(),
+    ) {
+        let mut random = Random::new(seed);
+        let mut mesh = soup(vertex_count, triangle_count, &mut random);
+        if has_seams {
+            mesh = with_seams_and_groups(mesh);
+        }
+        let wildness = Wildness { far_percent, base_position_count: 1 };
+        check_all_levels(&random_refinable(&mesh, wildness, &mut random), 1);
+    }
+
+    #[test]
+    fn any_walk_between_levels_shows_the_oracle(
+        seed in any::<u64>(),
+        jumps in prop::collection::vec(0.0f64..=1.0, 1..20),
+    ) {
+        let wildness = Wildness { far_percent: 3, base_position_count: 4 };
+        let refinable = random_refinable(&grid(16, true), wildness, &mut Random::new(seed));
+        let model = build(&refinable);
+        let mut state = model.new_state();
+        let buffer = StripBuffer::new(&model, &mut state);
+        let mut uploaded = Uploaded { copy: buffer.indices().to_vec(), buffer };
+        for jump in jumps {
+            model.move_to(&mut state, (jump * model.step_count() as f64) as usize);
+            check_level(&refinable, &model, &mut state, &mut uploaded);
+        }
+    }
+}
