@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 /// Everything on the command line.
 #[derive(Debug, Parser)]
@@ -17,6 +17,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs",
     disable_help_subcommand = true,
+    disable_help_flag = true,
     max_term_width = 100
 )]
 pub(crate) struct Cli {
@@ -37,6 +38,9 @@ pub(crate) struct ReportArgs {
     /// No progress, no summary; errors only
     #[arg(short, long, global = true)]
     pub(crate) quiet: bool,
+    /// Print help
+    #[arg(short, long, global = true, action = ArgAction::HelpShort)]
+    help: Option<bool>,
 }
 
 /// The verbs.
@@ -71,9 +75,6 @@ pub(crate) struct BuildArgs {
     /// The file to write
     #[arg(short, long, value_name = "OUT.striata")]
     pub(crate) output: PathBuf,
-    /// How collapses are ordered and where they stop.
-    #[command(flatten)]
-    pub(crate) sequence: SequenceArgs,
     /// Models to store, separated by commas: lodstrips
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "lodstrips")]
     pub(crate) models: Vec<String>,
@@ -83,6 +84,9 @@ pub(crate) struct BuildArgs {
     /// Stop before the error exceeds this: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "E")]
     pub(crate) max_error: Option<Length>,
+    /// How collapses are ordered.
+    #[command(flatten)]
+    pub(crate) sequence: SequenceArgs,
 }
 
 /// Arguments of `info`.
@@ -101,15 +105,15 @@ pub(crate) struct InfoArgs {
 pub(crate) struct ExtractArgs {
     /// A .striata file, or - for stdin
     pub(crate) input: PathBuf,
-    /// Which level.
-    #[command(flatten)]
-    pub(crate) level: LevelArgs,
     /// Which model of the file to use [default: the best for the target]
     #[arg(long, value_name = "NAME")]
     pub(crate) model: Option<String>,
     /// How triangles are written; strips need .glb or .gltf
     #[arg(long = "as", value_name = "FORM", default_value = "list")]
     pub(crate) form: TriangleForm,
+    /// Which level.
+    #[command(flatten)]
+    pub(crate) level: LevelArgs,
     /// Where the mesh goes.
     #[command(flatten)]
     pub(crate) output: OutputArgs,
@@ -123,12 +127,12 @@ pub(crate) struct ExtractArgs {
 pub(crate) struct SimplifyArgs {
     /// The mesh, or - for stdin
     pub(crate) input: PathBuf,
+    /// Where vertices may lie: those of the input, or anywhere (nearer, attributes interpolated)
+    #[arg(long, default_value = "subset")]
+    pub(crate) placement: PlacementArg,
     /// Which level.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
-    /// Where the vertices of the result lie
-    #[arg(long, default_value = "subset")]
-    pub(crate) placement: PlacementArg,
     /// How collapses are ordered.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
@@ -218,7 +222,7 @@ pub(crate) struct SequenceArgs {
     /// What orders the collapses: quadric
     #[arg(long, value_name = "NAME", default_value = "quadric")]
     pub(crate) order: String,
-    /// Which quadric cost
+    /// Which cost: of the current mesh, summed up, or of all removed vertices (slow, best far down)
     #[arg(long, default_value = "memoryless")]
     pub(crate) cost: CostArg,
     /// Keep every boundary vertex in place

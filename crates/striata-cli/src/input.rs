@@ -63,6 +63,12 @@ impl Input {
         Ok(Self { name, format, file_bytes, folder, bytes })
     }
 
+    /// The name without its folder: what may be told to others.
+    pub(crate) fn file_name(&self) -> String {
+        let name = Path::new(&self.name).file_name();
+        name.map_or_else(|| self.name.clone(), |name| name.to_string_lossy().into_owned())
+    }
+
     /// The mesh of a mesh file, or the full level of a .striata file.
     ///
     /// # Errors

@@ -93,7 +93,7 @@ pub(crate) struct Bar {
 impl Bar {
     /// Shows that a phase without parts has begun.
     pub(crate) fn phase(&mut self, phase: &'static str) {
-        self.show(Progress { phase, done: 0, total: 1 });
+        let _ = self.show(Progress { phase, done: 0, total: 1 });
     }
 
     /// Shows how far the library has come; never cancels.

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
+use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, StopReason, build_welded_sequence};
@@ -38,7 +39,8 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
-    let mesh = Input::open(&args.input)?.mesh()?;
+    let input = Input::open(&args.input)?;
+    let (mesh, source) = (input.mesh()?, input.file_name());
     let diagonal = mesh.diagonal();
     let mut options = args.sequence.options(diagonal)?;
     options.base_triangle_count = args.base.unwrap_or(0);
@@ -46,7 +48,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let built = build(&mesh, &options, &mut phases, &mut bar)?;
     phases.enter("write");
     bar.phase("write");
-    let bytes = built.to_bytes()?;
+    let bytes = built.to_bytes(&source)?;
     if is_stdout(&args.output) {
         to_stdout(&bytes)?;
     } else {
@@ -96,12 +98,15 @@ pub(crate) fn build(
 }
 
 impl Built {
-    /// The .striata file.
+    /// The .striata file, with the name of the mesh that it was made from.
     ///
     /// # Errors
     /// Where the parts cannot be encoded.
-    pub(crate) fn to_bytes(&self) -> Result<Vec<u8>, Failure> {
-        Ok(striata::codec::to_vec(&self.refinable, &self.lod_strips)?)
+    pub(crate) fn to_bytes(&self, source: &str) -> Result<Vec<u8>, Failure> {
+        let options = WriteOptions::default()
+            .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
+            .with_metadata("source", source);
+        Ok(to_striata(&self.refinable, &[FileModel::LodStrips(&self.lod_strips)], &options)?)
     }
 }
 

@@ -40,13 +40,13 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let file = input.striata()?;
     let sequence = file.sequence().map_err(|error| input.damaged(&error))?;
     let model = lod_strips(&file, args.model.as_deref(), &input)?;
-    let target = args.level.target(file.bounds().map_or(0.0, |b| b.diagonal()))?;
+    let target = args.level.target(file.summary().bounds.map_or(0.0, |b| b.diagonal()))?;
     let (split_count, stop_reason) = choose(&sequence, target)?;
     let mut state = model.new_state();
     let seek_started = Instant::now();
     model.move_to(&mut state, split_count);
     let seek_secs = seek_started.elapsed().as_secs_f64();
-    let mesh = file.level(split_count).map_err(|error| input.damaged(&error))?;
+    let mesh = file.level_of(&model, &state).map_err(|error| input.damaged(&error))?;
     let strips = (args.form == TriangleForm::Strips).then(|| stitched(&strips_of_level(&model, &state)));
     save(&mesh, strips, &args.output.output, &args.output.format)?;
     let report = Report {

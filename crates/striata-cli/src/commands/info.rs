@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
+use striata::codec::FORMAT_VERSION;
 use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData, Statistics, validate};
 use striata::model::LodModel;
 use striata_io::Format;
@@ -11,8 +12,8 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, Table, grouped, sized};
 
-/// Defects that the report spells out; more are counted only.
-const SHOWN_DEFECTS: usize = 20;
+/// Defects that the text names one by one; JSON lists more of them.
+const SPELLED_OUT: usize = 5;
 
 /// Counts of the topology are null where the mesh's parts do not fit together: the defects say why.
 #[derive(Serialize)]
@@ -45,7 +46,7 @@ struct Report {
     base: Option<Value>,
     error_max: Option<f32>,
     sections: Vec<Value>,
-    defect_count: usize,
+    defect_counts: Map<String, Value>,
     defects: Vec<String>,
 }
 
@@ -67,7 +68,7 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
     let file = input.striata()?;
     let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
     let mut report = Report::new(input, &refinable.mesh);
-    report.format_version = Some(file.version());
+    report.format_version = Some(FORMAT_VERSION);
     report.add_sequence(&refinable.sequence);
     if let Some(model) = file.lod_strips() {
         let model = model.map_err(|error| input.damaged(&error))?;
@@ -84,7 +85,7 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
         report.models.insert("lodstrips".to_owned(), model);
     }
     report.sections =
-        file.sections().map(|section| json!({ "kind": section.kind, "bytes": section.bytes })).collect();
+        file.sections().iter().map(|s| json!({ "kind": s.kind.to_string(), "bytes": s.bytes })).collect();
     Ok(report)
 }
 
@@ -122,8 +123,11 @@ impl Report {
             base: None,
             error_max: None,
             sections: Vec::new(),
-            defect_count: defects.len(),
-            defects: defects.iter().take(SHOWN_DEFECTS).map(ToString::to_string).collect(),
+            defect_counts: defects
+                .counts()
+                .map(|(kind, count)| (kind.as_str().to_owned(), count.into()))
+                .collect(),
+            defects: defects.defects().iter().map(ToString::to_string).collect(),
         }
     }
 
@@ -166,12 +170,12 @@ impl Report {
             let bytes_per_vertex = facts["bytes_per_vertex"].as_f64().unwrap_or(0.0);
             row(model, format!("{bytes_per_vertex:.1} bytes a vertex"));
         }
-        let mut text = table.to_text();
-        for defect in &self.defects {
-            text.push_str(&format!("defect: {defect}\n"));
+        for (kind, count) in &self.defect_counts {
+            row("defects", format!("{count} {kind}"));
         }
-        if self.defect_count > self.defects.len() {
-            text.push_str(&format!("and {} defects more\n", grouped(self.defect_count - self.defects.len())));
+        let mut text = table.to_text();
+        for defect in self.defects.iter().take(SPELLED_OUT) {
+            text.push_str(&format!("  {defect}\n"));
         }
         text
     }

@@ -57,8 +57,8 @@ impl Canvas {
         small
     }
 
-    /// Writes text centred at `x`, its top at `y`, each dot of the letters `scale` pixels wide.
-    pub(crate) fn text_centred(&mut self, text: &str, x: usize, y: usize, scale: usize, colour: Rgb) {
+    /// Writes text centred at a column, its top at a row, each dot of the letters `scale` pixels wide.
+    pub(crate) fn text_centred(&mut self, text: &str, [x, y]: [usize; 2], scale: usize, colour: Rgb) {
         let mut left = x.saturating_sub(font::width(text) * scale / 2);
         for letter in text.chars() {
             for (row, line) in font::rows(letter).iter().enumerate() {
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn text_leaves_dots_and_png_decodes_again() {
         let mut canvas = Canvas::filled(60, 12, [1.0; 3]);
-        canvas.text_centred("10 %", 30, 1, 1, [0.0; 3]);
+        canvas.text_centred("10 %", [30, 1], 1, [0.0; 3]);
         assert!(canvas.pixels.contains(&[0.0; 3]));
         let file = canvas.to_png().expect("memory takes it");
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("a PNG header");

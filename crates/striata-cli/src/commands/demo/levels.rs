@@ -48,9 +48,14 @@ fn measure_one(built: &Built, share: f64, diagonal: f64) -> Level {
     let sequence = &built.refinable.sequence;
     let split_count = split_count_at(built, share);
     let mut state = built.lod_strips.new_state();
-    let started = Instant::now();
-    built.lod_strips.move_to(&mut state, split_count);
-    let seek_secs = started.elapsed().as_secs_f64();
+    // The best of three: the first one also pays for memory that nobody has touched yet.
+    let mut seek_secs = f64::INFINITY;
+    for _ in 0..3 {
+        built.lod_strips.move_to(&mut state, sequence.step_count());
+        let started = Instant::now();
+        built.lod_strips.move_to(&mut state, split_count);
+        seek_secs = seek_secs.min(started.elapsed().as_secs_f64());
+    }
     let strips = strips_of_level(&built.lod_strips, &state);
     let index_count = strips.to_restart_indices().indices.len();
     let vertex_count = sequence.vertex_count_at(split_count);
@@ -103,13 +108,13 @@ pub(super) fn write_meshes(
         (0.02, Format::Ply, false),
         (0.005, Format::Obj, false),
     ];
+    let mut state = built.lod_strips.new_state();
     for (share, format, as_strips) in wanted {
         let split_count = split_count_at(built, share);
-        let mesh = file.level(split_count)?;
+        built.lod_strips.move_to(&mut state, split_count);
+        let mesh = file.level_of(&built.lod_strips, &state)?;
         let mut options = WriteOptions::default();
         if as_strips {
-            let mut state = built.lod_strips.new_state();
-            built.lod_strips.move_to(&mut state, split_count);
             options = options.with_strips(stitched(&strips_of_level(&built.lod_strips, &state)));
         }
         let form = if as_strips { "-strips" } else { "" };

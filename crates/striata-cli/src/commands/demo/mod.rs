@@ -43,7 +43,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let mesh = read_bytes(NEFERTITI, &Source::new("nefertiti.ply.zst"))?;
     let built = build(&mesh, &SequenceOptions::default(), &mut phases, &mut bar)?;
     bar.phase("files");
-    let bytes = built.to_bytes()?;
+    let bytes = built.to_bytes("nefertiti.ply.zst")?;
     folder.write("nefertiti.striata", "every level in one file", &bytes)?;
     let levels = levels::measure(&built);
     let file = StriataFile::parse(&bytes)?;
