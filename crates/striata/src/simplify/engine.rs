@@ -36,7 +36,6 @@ struct Choice {
 
 /// All state of one simplification.
 pub(super) struct Engine<'a> {
-    welded: &'a Welded,
     options: &'a SequenceOptions,
     /// Positions about the bounds' centre, diagonal 1, padded to a vector register.
     positions: Vec<[f32; 4]>,
@@ -70,7 +69,6 @@ impl<'a> Engine<'a> {
         };
         let wedges = has_wedges.then(|| Wedges::new(&welded.positions, welded.mesh.triangles.clone()));
         Self {
-            welded,
             options,
             positions,
             scale,
@@ -207,10 +205,10 @@ impl<'a> Engine<'a> {
             if self.wedges.as_mut().is_some_and(|wedges| !wedges.pair(&self.star, v, neighbour)) {
                 continue;
             }
-            let Some(distance_squared) = self.star.fan_distance_squared(neighbour) else { continue };
-            let cost = cost + self.star.area() * distance_squared;
+            let Some(fan) = self.star.fan(neighbour) else { continue };
+            let cost = cost + fan.cost;
             if cost < best.map_or(f32::INFINITY, |b| b.cost) {
-                best = Some(Choice { cost, neighbour, distance_squared });
+                best = Some(Choice { cost, neighbour, distance_squared: fan.distance_squared });
             }
         }
     }

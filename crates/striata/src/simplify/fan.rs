@@ -59,24 +59,30 @@ fn ratio(x: f32, y: f32) -> f32 {
 const FLIP_COSINE: f32 = 0.2;
 /// A new triangle may not be thinner than this (1 is equilateral), unless the one it replaces was thinner still.
 const SLIVER_QUALITY: f32 = 0.01;
+/// Below this the normal of a triangle is noise.
+const NEEDLE_QUALITY: f32 = 0.02;
 
-/// True where the triangle `(u, a, b)` may stand for `(v, a, b)`, v being the origin and `normal` the
-/// unscaled normal of the old triangle: it keeps facing the same way and is no sliver.
+/// True where the triangle `(u, a, b)` may stand for `(v, a, b)`, v being the origin and `normal` the unscaled
+/// normal of the old triangle: it keeps facing the same way and is no sliver.
+///
+/// A needle faces nowhere in particular, so what follows it must agree with `mean`, the sum of all normals of
+/// the star, or stay as small. Scans are full of needles, and locking them would lock their neighbours.
 #[inline]
-pub(super) fn may_replace(u: Vec3, a: Vec3, b: Vec3, normal: Vec3) -> bool {
+pub(super) fn may_replace(u: Vec3, a: Vec3, b: Vec3, normal: Vec3, mean: Vec3) -> bool {
     let new = (a - u).cross(b - u);
     let (new_length, old_length) = (new.length(), normal.length());
-    // Triangles without area face nowhere: leaving one is never a flip, making one always is.
-    if old_length > 0.0 && new.dot(normal) <= FLIP_COSINE * new_length * old_length {
-        return false;
+    let rim = (b - a).length_squared();
+    let old_edges = a.length_squared() + b.length_squared() + rim;
+    if TWICE_ROOT_3 * old_length <= NEEDLE_QUALITY * old_edges {
+        return new.dot(mean) > 0.0 || new_length <= 2.0 * old_length;
     }
-    let new_edges = (a - u).length_squared() + (b - u).length_squared() + (b - a).length_squared();
-    let needed = SLIVER_QUALITY / TWICE_ROOT_3 * new_edges;
-    if new_length >= needed {
-        return true;
+    if new.dot(normal) <= FLIP_COSINE * new_length * old_length {
+        // A triangle that was folded over may unfold.
+        return normal.dot(mean) <= 0.0 && new.dot(mean) > FLIP_COSINE * new_length * mean.length();
     }
-    let old_edges = a.length_squared() + b.length_squared() + (b - a).length_squared();
-    new_length * old_edges >= old_length * new_edges
+    let new_edges = (a - u).length_squared() + (b - u).length_squared() + rim;
+    TWICE_ROOT_3 * new_length >= SLIVER_QUALITY * new_edges
+        || new_length * old_edges >= old_length * new_edges
 }
 
 /// Makes `TWICE_ROOT_3 * |normal| / (sum of squared edges)` 1 for equilateral triangles.
@@ -115,8 +121,8 @@ mod tests {
     fn flips_and_slivers_are_refused() {
         let (a, b) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
         let normal = a.cross(b);
-        assert!(may_replace(Vec3::new(-1.0, -1.0, 0.0), a, b, normal));
-        assert!(!may_replace(Vec3::new(2.0, 2.0, 0.0), a, b, normal));
-        assert!(!may_replace(Vec3::new(0.5, 0.4999, 0.0), a, b, normal));
+        assert!(may_replace(Vec3::new(-1.0, -1.0, 0.0), a, b, normal, normal));
+        assert!(!may_replace(Vec3::new(2.0, 2.0, 0.0), a, b, normal, normal));
+        assert!(!may_replace(Vec3::new(0.5, 0.4999, 0.0), a, b, normal, normal));
     }
 }
