@@ -1,0 +1,182 @@
+//! PLY: round trips, foreign files, and the crate `ply-rs-bw` as a second opinion.
+
+mod meshes;
+
+use meshes::{read, refused, sheet, square, square_with_everything, there_and_back, written};
+use ply_rs_bw::parser::Parser;
+use ply_rs_bw::ply::{DefaultElement, Property};
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+use striata_io::{Format, WriteOptions, to_bytes};
+
+#[test]
+fn every_layer_comes_back_as_it_was() {
+    let mesh = square_with_everything();
+    assert_eq!(there_and_back(Format::Ply, &mesh), mesh);
+    let ascii = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true)).unwrap();
+    assert!(ascii.is_ascii());
+    assert_eq!(read("x.ply", &ascii).unwrap(), mesh);
+}
+
+#[test]
+fn names_that_mean_something_else_come_back() {
+    let mut mesh = square();
+    for (i, name) in ["x", "nx", "red", "a.0", "generic_b", "s"].into_iter().enumerate() {
+        let semantic = Semantic::Generic(name.to_owned());
+        mesh.layers.push(AttributeLayer::from_f32(semantic, 1, vec![i as f32; 4]));
+    }
+    let wide = Semantic::Generic("wide".to_owned());
+    mesh.layers.push(AttributeLayer::from_f32(wide, 5, (0..20).map(|i| i as f32).collect()));
+    assert_eq!(there_and_back(Format::Ply, &mesh), mesh);
+    let twice = Semantic::Normal;
+    for _ in 0..2 {
+        mesh.layers.push(AttributeLayer::from_f32(twice.clone(), 3, vec![0.0; 12]));
+    }
+    let error = to_bytes(Format::Ply, &mesh, &WriteOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("two layers are called normal"), "{error}");
+}
+
+#[test]
+fn an_independent_reader_agrees() {
+    let mesh = sheet(9);
+    for ascii in [false, true] {
+        let bytes = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(ascii)).unwrap();
+        let ply = Parser::<DefaultElement>::new().read_ply(&mut &bytes[..]).unwrap();
+        let float = |e: &DefaultElement, key: &str| match e[key] {
+            Property::Float(x) => x,
+            ref other => panic!("{other:?}"),
+        };
+        let positions: Vec<[f32; 3]> =
+            ply.payload["vertex"].iter().map(|e| ["x", "y", "z"].map(|key| float(e, key))).collect();
+        assert_eq!(positions, mesh.positions);
+        for (element, triangle) in ply.payload["face"].iter().zip(&mesh.triangles) {
+            assert!(matches!(&element["vertex_indices"], Property::ListInt(l)
+                if l.iter().map(|&v| v as u32).eq(*triangle)));
+        }
+    }
+}
+
+const FOREIGN: &str = "ply\r\nformat ascii 1.0\r\ncomment by hand\r\nobj_info none\r\n\
+    element vertex 5\r\nproperty double x\r\nproperty double y\r\nproperty list uchar float weights\r\n\
+    property double z\r\nproperty int flags\r\nproperty short depth\r\nproperty uchar red\r\nproperty uchar green\r\n\
+    property uchar blue\r\nproperty float u\r\nproperty float v\r\n\
+    element edge 1\r\nproperty int vertex1\r\nproperty int vertex2\r\n\
+    element face 3\r\nproperty uchar quality\r\nproperty list int short vertex_index\r\nproperty list uchar float texcoord\r\n\
+    end_header\r\n\
+    0 0 1 0.5 0 7 -3 255 0 0 0.5 0.25\r\n1 0 0 0 7 -3 255 0 0 0.5 0.25\r\n1 1 2 0.5 0.5 0 7 -3 255 0 0 0.5 0.25\r\n\
+    0 1 0 0 7 -3 255 0 0 0.5 0.25\r\n.5 2 0 0 4000000000 -3 255 0 0 0.5 0.25\r\n\
+    0 1\r\n\
+    9 5 0 1 2 4 3 0\r\n9 2 0 1 0\r\n9 3 4 3 2 6 0 0 0 0 0 0\r\n";
+
+#[test]
+fn foreign_properties_and_elements_are_tolerated() {
+    let text = FOREIGN.replace("4000000000", "12");
+    let mesh = read("x.ply", text.as_bytes()).unwrap();
+    assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 4], [0, 4, 3], [4, 3, 2]]);
+    assert_eq!(mesh.positions[4], [0.5, 2.0, 0.0]);
+    let layer = |name: &str| mesh.layer(&Semantic::Generic(name.to_owned())).unwrap();
+    assert_eq!(layer("flags").data, LayerData::U32(vec![7, 7, 7, 7, 12]));
+    assert_eq!(layer("depth").data, LayerData::F32(vec![-3.0; 5]));
+    let color = mesh.layer(&Semantic::Color(0)).unwrap();
+    assert!(color.normalized && color.data == LayerData::U8([255, 0, 0].repeat(5)));
+    assert_eq!(mesh.layer(&Semantic::TexCoord(0)).unwrap().data, LayerData::F32([0.5, 0.25].repeat(5)));
+    assert!(mesh.check().is_ok());
+    assert!(refused("x.ply", FOREIGN.as_bytes()).contains("line 26: 4000000000 does not fit into a int"));
+}
+
+/// The same mesh in binary, with every odd type, in either byte order.
+fn odd_binary(big: bool) -> Vec<u8> {
+    let order = if big { "big" } else { "little" };
+    let mut out = format!(
+        "ply\nformat binary_{order}_endian 1.0\nelement face 2\nproperty list ushort uint vertex_indices\n\
+         property uchar flags\nelement vertex 4\nproperty double z\nproperty double y\nproperty float x\n\
+         property ushort id\nproperty list uchar short skip\nend_header\n"
+    )
+    .into_bytes();
+    let mut push = |bytes: &[u8]| {
+        if big { out.extend(bytes.iter().rev()) } else { out.extend_from_slice(bytes) }
+    };
+    for polygon in [&[0u32, 1, 2, 3][..], &[3, 2, 1]] {
+        push(&(polygon.len() as u16).to_le_bytes());
+        polygon.iter().for_each(|v| push(&v.to_le_bytes()));
+        push(&[1]);
+    }
+    for (i, [x, y, z]) in square().positions.into_iter().enumerate() {
+        push(&f64::from(z).to_le_bytes());
+        push(&f64::from(y).to_le_bytes());
+        push(&x.to_le_bytes());
+        push(&(i as u16 * 300).to_le_bytes());
+        push(&[1]);
+        push(&(-5i16).to_le_bytes());
+    }
+    out
+}
+
+#[test]
+fn both_byte_orders_say_the_same() {
+    for big in [false, true] {
+        let mesh = read("x.ply", &odd_binary(big)).unwrap();
+        assert_eq!(mesh.positions, square().positions);
+        assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3], [3, 2, 1]]);
+        let ids = LayerData::U16(vec![0, 300, 600, 900]);
+        assert_eq!(mesh.layer(&Semantic::Generic("id".to_owned())).unwrap().data, ids);
+    }
+}
+
+#[test]
+fn strips_with_restarts_are_unrolled() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
+        element tristrips 1\nproperty list int int vertex_indices\nend_header\n\
+        0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n10 0 1 2 3 4 -1 4 3 3 2\n";
+    let mesh = read("x.ply", text.as_bytes()).unwrap();
+    assert_eq!(mesh.triangles, [[0, 1, 2], [2, 1, 3], [2, 3, 4]]);
+}
+
+#[test]
+fn errors_name_the_place() {
+    let header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+        element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    let cases = [
+        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 13: vertex 3 does not exist: there are 3"),
+        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n", "line 13: -2 is no index of a vertex"),
+        ("0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", "line 11: expected a number, found `zero`"),
+        ("0 0 0\n1 0 0\n0 1 0\n3 0 1", "line 13: expected a whole number, found the end"),
+        ("0 0 0\n", "line 10: 3 rows of `vertex` are promised"),
+    ];
+    for (body, expected) in cases {
+        let message = refused("dir/x.ply", format!("{header}{body}").as_bytes());
+        assert!(message.starts_with("dir/x.ply: ") && message.contains(expected), "{message}");
+    }
+    let mut binary = written(Format::Ply, &square());
+    let at = binary.len() - 4;
+    binary[at] = 200;
+    let message = refused("x.ply", &binary);
+    assert!(message.contains(&format!("byte {at}: vertex 200 does not exist: there are 4")), "{message}");
+    assert!(refused("x.ply", b"a text that is no PLY\n").contains("begins with the line `ply`"));
+}
+
+#[test]
+fn a_header_that_promises_billions_is_refused_at_once() {
+    for encoding in ["ascii", "binary_little_endian", "binary_big_endian"] {
+        for (vertices, faces) in [(4_000_000_000u32, 0u32), (0, 4_000_000_000), (u32::MAX, u32::MAX)] {
+            let text = format!(
+                "ply\nformat {encoding} 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
+                 property float z\nelement face {faces}\nproperty list uchar int vertex_indices\nend_header\n1 2 3\n"
+            );
+            assert!(refused("x.ply", text.as_bytes()).contains("are promised"), "{encoding} {vertices}");
+        }
+    }
+}
+
+#[test]
+fn empty_and_nan_meshes_are_read() {
+    let empty = IndexedMesh::default();
+    assert_eq!(there_and_back(Format::Ply, &empty), empty);
+    let mut mesh = square();
+    mesh.positions[2][1] = f32::NAN;
+    for ascii in [false, true] {
+        let bytes = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(ascii)).unwrap();
+        let back = read("x.ply", &bytes).unwrap();
+        assert!(back.positions[2][1].is_nan() && back.positions[2][0] == 1.0);
+        assert!(back.check().is_err());
+    }
+}
