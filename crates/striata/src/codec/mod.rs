@@ -1,1 +1,22 @@
-//! Bytes: the `.striata` container and its sections.
+//! Bytes: the `.striata` container and its sections, as `docs/format.md` lays them out.
+//!
+//! A file is a table of sections; the big arrays lie in it as they lie in memory, aligned, so that a mapped
+//! file is read without copying. Everything is bounded by the file's length and checked before it is
+//! trusted; sections of kinds that a reader does not know are skipped unless they are flagged as required.
+
+mod byte_reader;
+mod container;
+mod error;
+mod mesh_sections;
+mod reader;
+mod summary;
+mod writer;
+
+pub use container::{SectionInfo, SectionKind, Verify};
+pub use error::{DecodeError, EncodeError};
+pub use reader::StriataFile;
+pub use summary::Summary;
+pub use writer::{FileModel, WriteOptions, to_striata, write_striata};
+
+#[cfg(target_endian = "big")]
+compile_error!("the arrays of a .striata file are little-endian and are read in place");

@@ -31,7 +31,7 @@ fn check_shape(model: &LodStrips<'_>) -> Result<(), LodStripsError> {
         if found == expected { Ok(()) } else { Err(LodStripsError::Length { what, found, expected }) }
     };
     if vertices.firsts.is_empty() {
-        length("steps", vertices.base_vertex_count as usize + step_count, vertex_count)?;
+        length("steps", (vertices.base_vertex_count as usize).saturating_add(step_count), vertex_count)?;
     } else {
         length("first vertices", vertices.firsts.len(), step_count + 1)?;
         length("vertices of the base", vertices.firsts[0] as usize, vertices.base_vertex_count as usize)?;
@@ -41,7 +41,11 @@ fn check_shape(model: &LodStrips<'_>) -> Result<(), LodStripsError> {
             return Err(LodStripsError::Length { what: "first vertices", found, expected });
         }
     }
-    length("targets", vertices.base_vertex_count as usize + vertices.targets.len(), vertex_count)?;
+    length(
+        "targets",
+        (vertices.base_vertex_count as usize).saturating_add(vertices.targets.len()),
+        vertex_count,
+    )?;
     for step in 0..step_count {
         let range = vertices.of_step(step);
         if range.clone().any(|v| vertices.target(v) >= range.start) {

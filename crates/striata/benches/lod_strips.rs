@@ -1,0 +1,83 @@
+//! How fast LodStrips are built, loaded and moved.
+
+use std::hint::black_box;
+
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
+use striata::mesh::{IndexedMesh, RefinableMesh};
+use striata::model::{LodModel, LodStrips, StripBuffer};
+use striata::simplify::{SequenceOptions, build_sequence};
+use striata::strip::{StripOptions, stripify};
+
+/// A sphere of about 35,000 vertices, in rings.
+fn sphere() -> IndexedMesh {
+    let (ring_count, side_count) = (132, 264);
+    let mut positions = Vec::new();
+    for ring in 0..=ring_count {
+        let polar = std::f32::consts::PI * ring as f32 / ring_count as f32;
+        for side in 0..side_count {
+            let turn = std::f32::consts::TAU * side as f32 / side_count as f32;
+            positions.push([polar.sin() * turn.cos(), polar.sin() * turn.sin(), polar.cos()]);
+        }
+    }
+    let mut triangles = Vec::new();
+    for ring in 0..ring_count {
+        for side in 0..side_count {
+            let at = |r: u32, s: u32| r * side_count + s % side_count;
+            let [a, b] = [at(ring, side), at(ring + 1, side)];
+            let [c, d] = [at(ring + 1, side + 1), at(ring, side + 1)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    IndexedMesh::new(positions, triangles)
+}
+
+fn refinable(mesh: &IndexedMesh) -> RefinableMesh {
+    build_sequence(mesh, &SequenceOptions::default(), &mut striata::ignore_progress)
+        .expect("the mesh is sound")
+        .refinable
+}
+
+fn lod_strips(c: &mut Criterion) {
+    let mut group = c.benchmark_group("lod_strips");
+    group.sample_size(20);
+    for (name, mesh) in [("sphere", sphere())] {
+        let refinable = refinable(&mesh);
+        let options = StripOptions::default();
+        group.bench_function(format!("stripify/{name}"), |b| b.iter(|| stripify(&refinable.mesh, &options)));
+        let strips = stripify(&refinable.mesh, &options).expect("the mesh is sound");
+        group.bench_function(format!("build/{name}"), |b| b.iter(|| LodStrips::build(&refinable, &strips)));
+        let model = LodStrips::build(&refinable, &strips).expect("the strips are those of the mesh");
+        let step_count = model.step_count();
+        let mut state = model.new_state();
+        group.bench_function(format!("sweep/{name}"), |b| {
+            b.iter(|| {
+                model.move_to(&mut state, 0);
+                model.move_to(&mut state, step_count);
+            })
+        });
+        let mut buffer = StripBuffer::new(&model, &mut state);
+        group.bench_function(format!("sweep_with_buffer/{name}"), |b| {
+            b.iter(|| {
+                for percent in (0..100).rev().chain(0..=100) {
+                    model.move_to(&mut state, step_count * percent / 100);
+                    buffer.sync(&model, &mut state);
+                    black_box(buffer.take_changed_ranges());
+                }
+            })
+        });
+        let models = [FileModel::LodStrips(&model)];
+        let bytes = to_striata(&refinable, &models, &WriteOptions::default()).expect("memory does not fail");
+        group.bench_function(format!("load/{name}"), |b| {
+            b.iter_batched(
+                || StriataFile::parse(&bytes).expect("written just now"),
+                |file| file.lod_strips().map(|model| model.is_ok()),
+                BatchSize::SmallInput,
+            )
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, lod_strips);
+criterion_main!(benches);

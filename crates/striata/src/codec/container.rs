@@ -1,0 +1,262 @@
+//! Header and table of sections.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::ops::Range;
+
+use super::DecodeError;
+
+pub(super) const MAGIC: [u8; 8] = *b"STRIATA\0";
+pub(super) const VERSION: u32 = 1;
+pub(super) const HEADER_BYTES: usize = 64;
+pub(super) const ENTRY_BYTES: usize = 32;
+pub(super) const ALIGNMENT: usize = 64;
+/// Far over what any file needs; keeps a hostile table from being long work.
+const MAX_SECTIONS: usize = 65_536;
+/// Readers that do not know the section must refuse the file.
+pub(super) const REQUIRED: u32 = 1;
+
+/// The kind of a section: four letters.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SectionKind(pub [u8; 4]);
+
+impl SectionKind {
+    /// Counts and bounds, see [`Summary`](super::Summary).
+    pub const SUMMARY: Self = Self(*b"SUMM");
+    /// Texts about the file, by key.
+    pub const METADATA: Self = Self(*b"META");
+    /// Positions of the vertices.
+    pub const POSITIONS: Self = Self(*b"POSN");
+    /// One attribute layer; there may be many.
+    pub const LAYER: Self = Self(*b"LAYR");
+    /// Groups of triangles.
+    pub const GROUPS: Self = Self(*b"GRUP");
+    /// Materials, images and textures.
+    pub const APPEARANCE: Self = Self(*b"APPR");
+    /// Triangles of the full mesh; only in files without strips.
+    pub const TRIANGLES: Self = Self(*b"TRIS");
+    /// First vertices of the positions; only where a position has several.
+    pub const FIRST_VERTICES: Self = Self(*b"SQFV");
+    /// Targets of the collapses.
+    pub const TARGETS: Self = Self(*b"SQTG");
+    /// Errors of the levels.
+    pub const ERRORS: Self = Self(*b"SQER");
+    /// Triangles that each collapse removes.
+    pub const REMOVED: Self = Self(*b"SQRM");
+    /// LodStrips: indices of the strips.
+    pub const STRIP_INDICES: Self = Self(*b"LSIX");
+    /// LodStrips: first index of each strip.
+    pub const STRIP_OFFSETS: Self = Self(*b"LSOF");
+    /// LodStrips: first strip of each group.
+    pub const STRIP_GROUPS: Self = Self(*b"LSGR");
+    /// LodStrips: bytes of each record.
+    pub const RECORD_LENGTHS: Self = Self(*b"LSRL");
+    /// LodStrips: the records.
+    pub const RECORDS: Self = Self(*b"LSAR");
+
+    fn is_known(self) -> bool {
+        [
+            Self::SUMMARY,
+            Self::METADATA,
+            Self::POSITIONS,
+            Self::LAYER,
+            Self::GROUPS,
+            Self::APPEARANCE,
+            Self::TRIANGLES,
+            Self::FIRST_VERTICES,
+            Self::TARGETS,
+            Self::ERRORS,
+            Self::REMOVED,
+            Self::STRIP_INDICES,
+            Self::STRIP_OFFSETS,
+            Self::STRIP_GROUPS,
+            Self::RECORD_LENGTHS,
+            Self::RECORDS,
+        ]
+        .contains(&self)
+    }
+}
+
+impl fmt::Display for SectionKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.0.escape_ascii())
+    }
+}
+
+impl fmt::Debug for SectionKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self}")
+    }
+}
+
+/// One section as the table lists it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SectionInfo {
+    /// What it holds.
+    pub kind: SectionKind,
+    /// Where it begins in the file.
+    pub offset: u64,
+    /// Its bytes.
+    pub bytes: u64,
+    /// True where a reader that does not know the kind must refuse the file.
+    pub is_required: bool,
+    checksum: u32,
+}
+
+/// When checksums of sections are compared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Verify {
+    /// Each section when it is read: opening touches only the header.
+    #[default]
+    WhenRead,
+    /// All sections at once: opening reads the whole file.
+    All,
+}
+
+/// The bytes of a file with its checked table.
+#[derive(Clone, Debug)]
+pub(super) struct Container<'a> {
+    bytes: &'a [u8],
+    pub(super) sections: Vec<SectionInfo>,
+    is_verified: bool,
+}
+
+fn u32_at(bytes: &[u8], at: usize) -> u32 {
+    bytes.get(at..at + 4).and_then(|b| b.try_into().ok()).map_or(0, u32::from_le_bytes)
+}
+
+fn u64_at(bytes: &[u8], at: usize) -> u64 {
+    u64::from(u32_at(bytes, at)) | u64::from(u32_at(bytes, at + 4)) << 32
+}
+
+/// Checksum of header and table, its own field taken as zero.
+pub(super) fn header_checksum(head: &[u8]) -> u32 {
+    let mut hasher = crc32fast::Hasher::new();
+    hasher.update(&head[..24]);
+    hasher.update(&[0; 4]);
+    hasher.update(&head[28..]);
+    hasher.finalize()
+}
+
+impl<'a> Container<'a> {
+    pub(super) fn parse(bytes: &'a [u8], verify: Verify) -> Result<Self, DecodeError> {
+        if !bytes.starts_with(&MAGIC) {
+            return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
+        }
+        let found = bytes.len() as u64;
+        if bytes.len() < HEADER_BYTES {
+            return Err(DecodeError::FileLength { found, expected: HEADER_BYTES as u64 });
+        }
+        let version = u32_at(bytes, 8);
+        if version != VERSION {
+            return Err(DecodeError::Version { found: version, supported: VERSION });
+        }
+        let expected = u64_at(bytes, 16);
+        if found != expected {
+            return Err(DecodeError::FileLength { found, expected });
+        }
+        let count = u32_at(bytes, 12) as usize;
+        let head_bytes = HEADER_BYTES + ENTRY_BYTES * count.min(MAX_SECTIONS + 1);
+        if count > MAX_SECTIONS || head_bytes > bytes.len() {
+            return Err(DecodeError::FileLength { found, expected: head_bytes as u64 });
+        }
+        let head = &bytes[..head_bytes];
+        let (found, expected) = (header_checksum(head), u32_at(head, 24));
+        if found != expected {
+            return Err(DecodeError::HeaderChecksum { found, expected });
+        }
+        let sections = read_table(head, bytes.len() as u64)?;
+        let mut container = Self { bytes, sections, is_verified: false };
+        if verify == Verify::All {
+            for section in &container.sections {
+                container.checked_bytes(section)?;
+            }
+            container.is_verified = true;
+        }
+        Ok(container)
+    }
+
+    fn checked_bytes(&self, section: &SectionInfo) -> Result<&'a [u8], DecodeError> {
+        // The table was checked against the file's length, which is a usize.
+        let bytes = &self.bytes[section.offset as usize..][..section.bytes as usize];
+        if !self.is_verified {
+            let (found, expected) = (crc32fast::hash(bytes), section.checksum);
+            if found != expected {
+                let (kind, offset) = (section.kind, section.offset);
+                return Err(DecodeError::Checksum { kind, offset, found, expected });
+            }
+        }
+        Ok(bytes)
+    }
+
+    /// The sections of a kind, in the order of the file.
+    pub(super) fn all(&self, kind: SectionKind) -> impl Iterator<Item = Result<&'a [u8], DecodeError>> {
+        self.sections.iter().filter(move |s| s.kind == kind).map(|s| self.checked_bytes(s))
+    }
+
+    /// The one section of a kind, if there is any.
+    pub(super) fn find(&self, kind: SectionKind) -> Result<Option<&'a [u8]>, DecodeError> {
+        let mut sections = self.sections.iter().filter(|s| s.kind == kind);
+        let Some(section) = sections.next() else { return Ok(None) };
+        match sections.count() {
+            0 => self.checked_bytes(section).map(Some),
+            more => Err(DecodeError::SectionCount { kind, found: more + 1 }),
+        }
+    }
+
+    /// The one section of a kind.
+    pub(super) fn get(&self, kind: SectionKind) -> Result<&'a [u8], DecodeError> {
+        self.find(kind)?.ok_or(DecodeError::SectionCount { kind, found: 0 })
+    }
+
+    /// The one section of a kind as numbers; borrowed where the bytes are aligned.
+    pub(super) fn numbers<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(
+        &self,
+        kind: SectionKind,
+    ) -> Result<Cow<'a, [T]>, DecodeError> {
+        numbers(kind, self.get(kind)?)
+    }
+}
+
+/// Bytes as numbers; borrowed where they are aligned.
+pub(super) fn numbers<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(
+    kind: SectionKind,
+    bytes: &[u8],
+) -> Result<Cow<'_, [T]>, DecodeError> {
+    if !bytes.len().is_multiple_of(size_of::<T>()) {
+        let reason = "the length is no multiple of a number's bytes";
+        return Err(DecodeError::Malformed { kind, offset: bytes.len(), reason });
+    }
+    Ok(match bytemuck::try_cast_slice(bytes) {
+        Ok(slice) => Cow::Borrowed(slice),
+        Err(_) => bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned).collect(),
+    })
+}
+
+fn read_table(head: &[u8], file_length: u64) -> Result<Vec<SectionInfo>, DecodeError> {
+    let mut sections = Vec::with_capacity((head.len() - HEADER_BYTES) / ENTRY_BYTES);
+    let mut end = head.len() as u64;
+    for entry in head[HEADER_BYTES..].chunks_exact(ENTRY_BYTES) {
+        let kind = SectionKind([entry[0], entry[1], entry[2], entry[3]]);
+        let (flags, offset, length) = (u32_at(entry, 4), u64_at(entry, 8), u64_at(entry, 16));
+        let section_end = offset.checked_add(length).filter(|&e| e <= file_length);
+        let Some(section_end) =
+            section_end.filter(|_| offset >= end && offset.is_multiple_of(ALIGNMENT as u64))
+        else {
+            return Err(DecodeError::SectionPlace { kind, offset, length, file_length });
+        };
+        let is_required = flags & REQUIRED != 0;
+        if is_required && !kind.is_known() {
+            return Err(DecodeError::UnknownSection { kind });
+        }
+        sections.push(SectionInfo { kind, offset, bytes: length, is_required, checksum: u32_at(entry, 24) });
+        end = section_end;
+    }
+    Ok(sections)
+}
+
+/// Bytes from `end` on to the next place where a section may begin.
+pub(super) fn padding(end: usize) -> Range<usize> {
+    end..end.next_multiple_of(ALIGNMENT)
+}

@@ -1,0 +1,306 @@
+//! Reading a file: typed views of its sections, the whole mesh, single levels.
+
+use std::borrow::Cow;
+
+use super::container::Container;
+use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes, metadata_from_bytes};
+use super::{DecodeError, SectionInfo, SectionKind, Summary, Verify};
+use crate::mesh::{
+    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
+};
+use crate::model::lod_strips::{LodStripsParts, StepVertices};
+use crate::model::{LodModel, LodStrips, LodStripsState};
+
+/// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
+#[derive(Clone, Debug)]
+pub struct StriataFile<'a> {
+    container: Container<'a>,
+    summary: Summary,
+}
+
+impl<'a> StriataFile<'a> {
+    /// Reads header, table and summary; checksums of sections are compared as they are read.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the bytes are no sound `.striata` file.
+    pub fn parse(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+        Self::parse_with(bytes, Verify::WhenRead)
+    }
+
+    /// The same, saying when checksums are compared.
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse).
+    pub fn parse_with(bytes: &'a [u8], verify: Verify) -> Result<Self, DecodeError> {
+        let container = Container::parse(bytes, verify)?;
+        let summary = Summary::from_bytes(container.get(SectionKind::SUMMARY)?)?;
+        Ok(Self { container, summary })
+    }
+
+    /// Counts and bounds.
+    pub fn summary(&self) -> Summary {
+        self.summary
+    }
+
+    /// All sections with their sizes, in the order of the file.
+    pub fn sections(&self) -> &[SectionInfo] {
+        &self.container.sections
+    }
+
+    /// Texts about the file by key; empty where there are none.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the section is unsound.
+    pub fn metadata(&self) -> Result<Vec<(String, String)>, DecodeError> {
+        self.container.find(SectionKind::METADATA)?.map_or(Ok(Vec::new()), metadata_from_bytes)
+    }
+
+    /// Positions of all vertices in refinement order.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the section is unsound.
+    pub fn positions(&self) -> Result<Cow<'a, [[f32; 3]]>, DecodeError> {
+        let kind = SectionKind::POSITIONS;
+        let positions = self.container.numbers::<[f32; 3]>(kind)?;
+        self.expect(kind, "vertices", positions.len(), self.summary.vertex_count)?;
+        Ok(positions)
+    }
+
+    /// The attribute layers.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where a section is unsound.
+    pub fn layers(&self) -> Result<Vec<AttributeLayer>, DecodeError> {
+        self.layers_of_first(self.positions()?.len())
+    }
+
+    /// The layers, for the first so many vertices only.
+    fn layers_of_first(&self, vertex_count: usize) -> Result<Vec<AttributeLayer>, DecodeError> {
+        let full = self.positions()?.len();
+        self.container
+            .all(SectionKind::LAYER)
+            .map(|bytes| layer_from_bytes(bytes?, vertex_count, full))
+            .collect()
+    }
+
+    /// Groups of the full mesh.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the section is unsound.
+    pub fn groups(&self) -> Result<Vec<TriangleGroup>, DecodeError> {
+        let kind = SectionKind::GROUPS;
+        let groups = groups_from_bytes(self.container.get(kind)?)?;
+        self.expect(kind, "groups", groups.len(), self.summary.group_count)?;
+        Ok(groups)
+    }
+
+    /// Errors of the levels, from the base up; see [`CollapseSequence::errors`].
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the section is unsound.
+    pub fn errors(&self) -> Result<Cow<'a, [f32]>, DecodeError> {
+        let errors = self.container.numbers::<f32>(SectionKind::ERRORS)?;
+        self.expect(SectionKind::ERRORS, "errors", errors.len(), self.summary.step_count)?;
+        Ok(errors)
+    }
+
+    /// The sequence, checked and in memory of its own.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where a section is unsound.
+    pub fn sequence(&self) -> Result<CollapseSequence, DecodeError> {
+        let sequence = CollapseSequence::from_parts(SequenceParts {
+            positions: self.position_index()?,
+            base_position_count: self.summary.base_position_count,
+            targets: self.container.numbers::<u32>(SectionKind::TARGETS)?.into_owned(),
+            errors: self.errors()?.into_owned(),
+            removed_triangle_counts: self.container.get(SectionKind::REMOVED)?.to_vec(),
+            triangle_count: self.summary.triangle_count,
+        })?;
+        for (what, found, expected) in [
+            ("base vertices", self.summary.base_vertex_count, sequence.base_vertex_count()),
+            ("base triangles", self.summary.base_triangle_count, sequence.triangle_count_at(0)),
+        ] {
+            self.expect(SectionKind::SUMMARY, what, found, expected)?;
+        }
+        Ok(sequence)
+    }
+
+    fn position_index(&self) -> Result<PositionIndex, DecodeError> {
+        // Bounded by the positions that are really there, not by what the summary says.
+        let vertex_count = self.positions()?.len();
+        let kind = SectionKind::FIRST_VERTICES;
+        let Some(firsts) = self.first_vertices()? else {
+            self.expect(SectionKind::SUMMARY, "positions", self.summary.position_count, vertex_count)?;
+            return Ok(PositionIndex::identity(vertex_count));
+        };
+        let is_sound = firsts.first() == Some(&0)
+            && firsts.last().is_some_and(|&last| last as usize == vertex_count)
+            && firsts.windows(2).all(|w| w[0] < w[1]);
+        if !is_sound {
+            let reason = "first vertices do not rise from 0 to the vertex count";
+            return Err(DecodeError::Malformed { kind, offset: 0, reason });
+        }
+        Ok(PositionIndex::from_first(firsts.into_owned()))
+    }
+
+    fn first_vertices(&self) -> Result<Option<Cow<'a, [u32]>>, DecodeError> {
+        let kind = SectionKind::FIRST_VERTICES;
+        if self.container.find(kind)?.is_none() {
+            return Ok(None);
+        }
+        let firsts = self.container.numbers::<u32>(kind)?;
+        self.expect(kind, "numbers", firsts.len(), self.summary.position_count.saturating_add(1))?;
+        Ok(Some(firsts))
+    }
+
+    /// The LodStrips, if the file has them: borrowed from the file and checked once, so that no move can fail.
+    pub fn lod_strips(&self) -> Option<Result<LodStrips<'a>, DecodeError>> {
+        let has_any = self.container.sections.iter().any(|s| s.kind == SectionKind::STRIP_INDICES);
+        has_any.then(|| self.read_lod_strips())
+    }
+
+    fn read_lod_strips(&self) -> Result<LodStrips<'a>, DecodeError> {
+        let summary = &self.summary;
+        let firsts = match self.first_vertices()? {
+            None => Cow::Borrowed(&[][..]),
+            Some(Cow::Borrowed(all)) => all.get(summary.base_position_count..).unwrap_or(&[]).into(),
+            Some(Cow::Owned(all)) => all.get(summary.base_position_count..).unwrap_or(&[]).to_vec().into(),
+        };
+        let vertices = StepVertices {
+            vertex_count: self.positions()?.len(),
+            base_vertex_count: summary.base_vertex_count as u32,
+            firsts,
+            targets: self.container.numbers(SectionKind::TARGETS)?,
+        };
+        let model = LodStrips::from_parts(
+            vertices,
+            LodStripsParts {
+                indices: self.container.numbers(SectionKind::STRIP_INDICES)?,
+                offsets: self.container.numbers(SectionKind::STRIP_OFFSETS)?,
+                group_offsets: self.container.numbers(SectionKind::STRIP_GROUPS)?,
+                record_lengths: self.container.get(SectionKind::RECORD_LENGTHS)?.into(),
+                arena: self.container.get(SectionKind::RECORDS)?.into(),
+            },
+        )?;
+        self.expect(SectionKind::RECORD_LENGTHS, "steps", model.step_count(), summary.step_count)?;
+        let group_count = summary.group_count.max(1);
+        self.expect(SectionKind::STRIP_GROUPS, "groups", model.group_count(), group_count)?;
+        Ok(model)
+    }
+
+    /// The whole mesh with its sequence, checked and in memory of its own.
+    ///
+    /// In files with strips the triangles come in the order of the strips.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where any part is unsound or parts do not fit together.
+    pub fn refinable_mesh(&self) -> Result<RefinableMesh, DecodeError> {
+        let mut mesh = IndexedMesh {
+            positions: self.positions()?.into_owned(),
+            triangles: Vec::new(),
+            layers: self.layers()?,
+            groups: self.groups()?,
+            appearance: self.appearance()?,
+        };
+        let kind = match self.lod_strips() {
+            Some(model) => {
+                let model = model?;
+                self.append_groups(&model, &model.new_state(), &mut mesh, true)?;
+                SectionKind::STRIP_INDICES
+            }
+            None => {
+                mesh.triangles = self.container.numbers(SectionKind::TRIANGLES)?.into_owned();
+                SectionKind::TRIANGLES
+            }
+        };
+        self.expect(kind, "triangles", mesh.triangle_count(), self.summary.triangle_count)?;
+        mesh.check()?;
+        Ok(RefinableMesh { mesh, sequence: self.sequence()? })
+    }
+
+    /// One level as a mesh of its own, by way of the LodStrips.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the file has no LodStrips, no such level, or any part is unsound.
+    pub fn level(&self, split_count: usize) -> Result<IndexedMesh, DecodeError> {
+        let step_count = self.summary.step_count;
+        if split_count > step_count {
+            return Err(DecodeError::SplitCount { split_count, step_count });
+        }
+        let missing = DecodeError::SectionCount { kind: SectionKind::STRIP_INDICES, found: 0 };
+        let model = self.lod_strips().ok_or(missing)??;
+        let mut state = model.new_state();
+        model.move_to(&mut state, split_count);
+        self.level_of(&model, &state)
+    }
+
+    /// The level that an instance of the file's LodStrips shows; for callers who keep model and state.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where any part is unsound, or the model is not the file's.
+    pub fn level_of(
+        &self,
+        model: &LodStrips<'_>,
+        state: &LodStripsState,
+    ) -> Result<IndexedMesh, DecodeError> {
+        let positions = self.positions()?;
+        let vertex_count = model.vertex_count_at(state.split_count());
+        let Some(shown) = positions.get(..vertex_count) else {
+            let (kind, what) = (SectionKind::POSITIONS, "vertices");
+            let (found, expected) = (positions.len() as u64, vertex_count as u64);
+            return Err(DecodeError::Count { kind, what, found, expected });
+        };
+        let mut level = IndexedMesh {
+            positions: shown.to_vec(),
+            triangles: Vec::new(),
+            layers: self.layers_of_first(vertex_count)?,
+            groups: self.groups()?,
+            appearance: self.appearance()?,
+        };
+        self.append_groups(model, state, &mut level, false)?;
+        level.check()?;
+        Ok(level)
+    }
+
+    /// Appends the triangles group by group and sets the groups to what was appended.
+    fn append_groups(
+        &self,
+        model: &LodStrips<'_>,
+        state: &LodStripsState,
+        mesh: &mut IndexedMesh,
+        is_full: bool,
+    ) -> Result<(), DecodeError> {
+        let kind = SectionKind::STRIP_GROUPS;
+        self.expect(kind, "groups", model.group_count(), mesh.groups.len().max(1))?;
+        if mesh.groups.is_empty() {
+            model.triangles_into(state, &mut mesh.triangles);
+            return Ok(());
+        }
+        for (g, group) in mesh.groups.iter_mut().enumerate() {
+            let first = mesh.triangles.len();
+            model.group_triangles_into(state, g, &mut mesh.triangles);
+            let count = mesh.triangles.len() - first;
+            if is_full {
+                self.expect(kind, "triangles of a group", count, group.count as usize)?;
+            }
+            (group.first, group.count) = (first as u32, count as u32);
+        }
+        Ok(())
+    }
+
+    fn appearance(&self) -> Result<crate::mesh::Appearance, DecodeError> {
+        self.container.find(SectionKind::APPEARANCE)?.map_or(Ok(Default::default()), appearance_from_bytes)
+    }
+
+    fn expect(
+        &self,
+        kind: SectionKind,
+        what: &'static str,
+        found: usize,
+        expected: usize,
+    ) -> Result<(), DecodeError> {
+        let (found, expected) = (found as u64, expected as u64);
+        if found == expected { Ok(()) } else { Err(DecodeError::Count { kind, what, found, expected }) }
+    }
+}

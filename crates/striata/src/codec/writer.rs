@@ -1,0 +1,163 @@
+//! Writing a file: all sections are laid out, then header, table and bytes go out in one pass.
+
+use std::borrow::Cow;
+use std::io::Write;
+
+use super::container::{ENTRY_BYTES, HEADER_BYTES, MAGIC, REQUIRED, VERSION, header_checksum, padding};
+use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
+use super::{EncodeError, SectionKind, Summary};
+use crate::mesh::RefinableMesh;
+use crate::model::{LodModel, LodStrips};
+
+/// A model to be stored beside the mesh.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum FileModel<'m> {
+    /// Strips that follow the level.
+    LodStrips(&'m LodStrips<'m>),
+}
+
+/// Options of [`write_striata`].
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct WriteOptions {
+    /// Texts about the file by key, such as `creator` or `source`; default none.
+    pub metadata: Vec<(String, String)>,
+}
+
+impl WriteOptions {
+    /// Appends to [`WriteOptions::metadata`].
+    pub fn with_metadata(mut self, key: impl Into<String>, value: impl Into<String>) -> Self {
+        self.metadata.push((key.into(), value.into()));
+        self
+    }
+}
+
+/// A section before it has a place.
+struct Section<'m> {
+    kind: SectionKind,
+    flags: u32,
+    bytes: Cow<'m, [u8]>,
+}
+
+/// Writes a mesh, its sequence and its models as one `.striata` file.
+///
+/// The same input gives the same bytes on every machine. With LodStrips the triangles are stored as strips only,
+/// and come back in the strips' order.
+///
+/// # Errors
+/// [`EncodeError`] where the mesh is unsound, a model was built from another mesh, or the writer fails.
+pub fn write_striata(
+    refinable: &RefinableMesh,
+    models: &[FileModel<'_>],
+    options: &WriteOptions,
+    out: &mut dyn Write,
+) -> Result<(), EncodeError> {
+    refinable.mesh.check()?;
+    let sections = lay_out(refinable, models, options)?;
+    let mut head = vec![0; HEADER_BYTES];
+    let mut end = HEADER_BYTES + ENTRY_BYTES * sections.len();
+    for section in &sections {
+        let offset = padding(end).end;
+        head.extend(section.kind.0);
+        head.extend(section.flags.to_le_bytes());
+        head.extend((offset as u64).to_le_bytes());
+        head.extend((section.bytes.len() as u64).to_le_bytes());
+        head.extend(crc32fast::hash(&section.bytes).to_le_bytes());
+        head.extend([0; 4]);
+        end = offset + section.bytes.len();
+    }
+    head[..8].copy_from_slice(&MAGIC);
+    head[8..12].copy_from_slice(&VERSION.to_le_bytes());
+    head[12..16].copy_from_slice(&(sections.len() as u32).to_le_bytes());
+    head[16..24].copy_from_slice(&(end as u64).to_le_bytes());
+    let checksum = header_checksum(&head);
+    head[24..28].copy_from_slice(&checksum.to_le_bytes());
+    out.write_all(&head)?;
+    let mut end = head.len();
+    for section in &sections {
+        let padding = padding(end);
+        out.write_all(&[0; 64][..padding.len()])?;
+        out.write_all(&section.bytes)?;
+        end = padding.end + section.bytes.len();
+    }
+    Ok(())
+}
+
+/// As [`write_striata`], into memory.
+///
+/// # Errors
+/// As [`write_striata`].
+pub fn to_striata(
+    refinable: &RefinableMesh,
+    models: &[FileModel<'_>],
+    options: &WriteOptions,
+) -> Result<Vec<u8>, EncodeError> {
+    let mut out = Vec::new();
+    write_striata(refinable, models, options, &mut out)?;
+    Ok(out)
+}
+
+fn lay_out<'m>(
+    refinable: &'m RefinableMesh,
+    models: &'m [FileModel<'m>],
+    options: &WriteOptions,
+) -> Result<Vec<Section<'m>>, EncodeError> {
+    let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
+    let mut sections = Vec::new();
+    let mut add = |kind, flags, bytes: Cow<'m, [u8]>| sections.push(Section { kind, flags, bytes });
+    add(SectionKind::SUMMARY, REQUIRED, Summary::of(refinable).to_bytes().into());
+    if !options.metadata.is_empty() {
+        add(SectionKind::METADATA, 0, metadata_to_bytes(&options.metadata)?.into());
+    }
+    add(SectionKind::GROUPS, REQUIRED, groups_to_bytes(&mesh.groups)?.into());
+    if !sequence.positions().is_identity() {
+        let firsts = sequence.positions().first_vertices();
+        add(SectionKind::FIRST_VERTICES, REQUIRED, bytemuck::must_cast_slice(firsts).into());
+    }
+    add(SectionKind::TARGETS, REQUIRED, bytemuck::must_cast_slice(sequence.targets()).into());
+    add(SectionKind::ERRORS, REQUIRED, bytemuck::must_cast_slice(sequence.errors()).into());
+    add(SectionKind::REMOVED, REQUIRED, sequence.removed_triangle_counts().into());
+    add(SectionKind::POSITIONS, REQUIRED, bytemuck::must_cast_slice(&mesh.positions).into());
+    for layer in &mesh.layers {
+        add(SectionKind::LAYER, REQUIRED, layer_to_bytes(layer)?.into());
+    }
+    let mut has_strips = false;
+    for model in models {
+        match model {
+            FileModel::LodStrips(model) => {
+                check_lod_strips(model, refinable)?;
+                if std::mem::replace(&mut has_strips, true) {
+                    return Err(EncodeError::RepeatedModel { model: "lodstrips" });
+                }
+                add(SectionKind::STRIP_GROUPS, 0, bytemuck::must_cast_slice(&model.group_offsets).into());
+                add(SectionKind::STRIP_OFFSETS, 0, bytemuck::must_cast_slice(&model.offsets).into());
+                add(SectionKind::STRIP_INDICES, 0, bytemuck::must_cast_slice(&model.indices).into());
+                add(SectionKind::RECORD_LENGTHS, 0, (&*model.record_lengths).into());
+                add(SectionKind::RECORDS, 0, (&*model.arena).into());
+            }
+        }
+    }
+    if !has_strips {
+        add(SectionKind::TRIANGLES, 0, bytemuck::must_cast_slice(&mesh.triangles).into());
+    }
+    // Images are large and needed last.
+    if !mesh.appearance.is_empty() {
+        add(SectionKind::APPEARANCE, REQUIRED, appearance_to_bytes(&mesh.appearance)?.into());
+    }
+    Ok(sections)
+}
+
+fn check_lod_strips(model: &LodStrips<'_>, refinable: &RefinableMesh) -> Result<(), EncodeError> {
+    let mesh = &refinable.mesh;
+    for (what, found, expected) in [
+        ("vertices", model.vertex_count(), mesh.vertex_count()),
+        ("steps", model.step_count(), refinable.sequence.step_count()),
+        ("groups", model.group_count(), mesh.groups.len().max(1)),
+    ] {
+        if found != expected {
+            return Err(EncodeError::Model { model: "lodstrips", what, found, expected });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,294 @@
+//! The `.striata` container: what goes in comes out, and no damaged bytes get past it.
+
+mod support;
+
+use proptest::prelude::*;
+use striata::codec::{
+    DecodeError, EncodeError, FileModel, SectionKind, StriataFile, Verify, WriteOptions, to_striata,
+};
+use striata::mesh::{
+    AttributeLayer, Image, IndexedMesh, LayerData, RefinableMesh, Semantic, canonical_triangles, replay,
+};
+use striata::model::{LodModel, LodStrips};
+use striata::strip::{StripOptions, stripify};
+use support::{Random, Wildness, grid, nasty, random_refinable, with_seams_and_groups};
+
+/// A mesh with everything that a file can hold.
+fn rich() -> RefinableMesh {
+    let mut random = Random::new(7);
+    let wildness = Wildness { far_percent: 3, base_position_count: 5 };
+    let mut refinable = random_refinable(&with_seams_and_groups(grid(7, false)), wildness, &mut random);
+    let mesh = &mut refinable.mesh;
+    let n = mesh.vertex_count();
+    let mut number = |limit| random.below(limit) as u32;
+    let layer = |semantic, component_count, normalized, data| AttributeLayer {
+        semantic,
+        component_count,
+        normalized,
+        data,
+    };
+    mesh.layers.extend([
+        layer(Semantic::Color(1), 4, true, LayerData::U8((0..4 * n).map(|_| number(256) as u8).collect())),
+        layer(Semantic::Joints(0), 4, false, LayerData::U16((0..4 * n).map(|_| number(9) as u16).collect())),
+        layer(
+            Semantic::Generic("größe".into()),
+            1,
+            false,
+            LayerData::U32((0..n).map(|_| number(99)).collect()),
+        ),
+        AttributeLayer::from_f32(Semantic::MorphNormal(300), 3, (0..3 * n).map(|i| i as f32).collect()),
+    ]);
+    mesh.appearance.images.push(Image {
+        name: "wood".into(),
+        uri: "wood.png".into(),
+        mime_type: "image/png".into(),
+        bytes: vec![1, 2, 3],
+    });
+    mesh.appearance.textures_json.push("{\"source\":0}".into());
+    mesh.appearance.samplers_json.push("{}".into());
+    mesh.appearance.extensions_used.push("KHR_materials_unlit".into());
+    mesh.appearance.material_libraries.push("room.mtl".into());
+    refinable
+}
+
+fn model_of(refinable: &RefinableMesh) -> LodStrips<'static> {
+    let strips = stripify(&refinable.mesh, &StripOptions::default()).unwrap();
+    LodStrips::build(refinable, &strips).unwrap()
+}
+
+fn bytes_of(refinable: &RefinableMesh) -> Vec<u8> {
+    let model = model_of(refinable);
+    let options = WriteOptions::default().with_metadata("creator", "test");
+    to_striata(refinable, &[FileModel::LodStrips(&model)], &options).unwrap()
+}
+
+/// Equal but for the order of triangles within their groups.
+fn assert_same_mesh(found: &IndexedMesh, expected: &IndexedMesh) {
+    assert_eq!(found.positions, expected.positions);
+    assert_eq!(found.layers, expected.layers);
+    assert_eq!(found.appearance, expected.appearance);
+    assert_eq!(found.groups, expected.groups);
+    for group in expected.groups_or_whole() {
+        let [a, b] = [found, expected].map(|m| canonical_triangles(&m.triangles[group.range()]));
+        assert_eq!(a, b, "group {}", group.name);
+    }
+}
+
+/// Reads all that a file offers; every error is fine, a panic is not, and what is read must be sound.
+fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
+    let file = StriataFile::parse(bytes)?;
+    file.metadata()?;
+    let refinable = file.refinable_mesh()?;
+    refinable.mesh.check()?;
+    if let Some(model) = file.lod_strips() {
+        let model = model?;
+        let mut state = model.new_state();
+        let full = state.clone();
+        for split_count in (0..=model.step_count()).rev().step_by(5).chain([0]) {
+            model.move_to(&mut state, split_count);
+            file.level_of(&model, &state)?.check()?;
+        }
+        model.move_to(&mut state, model.step_count());
+        for strip in 0..model.strip_count() {
+            assert_eq!(model.strip(&state, strip), model.strip(&full, strip));
+        }
+        file.level(model.step_count() / 2)?.check()?;
+    }
+    Ok(())
+}
+
+#[test]
+fn all_parts_come_back() {
+    let refinable = rich();
+    let bytes = bytes_of(&refinable);
+    let file = StriataFile::parse_with(&bytes, Verify::All).unwrap();
+    let found = file.refinable_mesh().unwrap();
+    assert_same_mesh(&found.mesh, &refinable.mesh);
+    assert_eq!(found.sequence, refinable.sequence);
+    assert_eq!(file.lod_strips().unwrap().unwrap(), model_of(&refinable));
+    assert_eq!(file.metadata().unwrap(), [("creator".to_owned(), "test".to_owned())]);
+    let summary = file.summary();
+    assert_eq!(summary.triangle_count, refinable.mesh.triangle_count());
+    assert_eq!(summary.step_count, refinable.sequence.step_count());
+    assert_eq!(summary.bounds, refinable.mesh.bounds());
+    assert_eq!(summary.error_max, refinable.sequence.error_at(0));
+    let sum: u64 = file.sections().iter().map(|s| s.bytes).sum();
+    assert!(sum < bytes.len() as u64);
+}
+
+#[test]
+fn every_level_of_a_file_is_the_oracle() {
+    let refinable = rich();
+    let bytes = bytes_of(&refinable);
+    let file = StriataFile::parse(&bytes).unwrap();
+    for split_count in 0..=refinable.sequence.step_count() {
+        assert_same_mesh(&file.level(split_count).unwrap(), &replay(&refinable, split_count));
+    }
+    let step_count = refinable.sequence.step_count();
+    let error = file.level(step_count + 1).unwrap_err();
+    assert_eq!(error, DecodeError::SplitCount { split_count: step_count + 1, step_count });
+}
+
+#[test]
+fn files_without_strips_keep_the_triangles_in_order() {
+    let refinable = rich();
+    let bytes = to_striata(&refinable, &[], &WriteOptions::default()).unwrap();
+    let file = StriataFile::parse(&bytes).unwrap();
+    assert_eq!(file.refinable_mesh().unwrap(), refinable);
+    assert!(file.lod_strips().is_none());
+    let missing = DecodeError::SectionCount { kind: SectionKind::STRIP_INDICES, found: 0 };
+    assert_eq!(file.level(0).unwrap_err(), missing);
+}
+
+#[test]
+fn nasty_meshes_come_back() {
+    for (name, mesh) in nasty() {
+        let wildness = Wildness { far_percent: 10, base_position_count: 1 };
+        let refinable = random_refinable(&mesh, wildness, &mut Random::new(3));
+        let bytes = bytes_of(&refinable);
+        read_everything(&bytes).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let found = StriataFile::parse(&bytes).unwrap().refinable_mesh().unwrap();
+        assert_same_mesh(&found.mesh, &refinable.mesh);
+    }
+}
+
+#[test]
+fn unaligned_bytes_are_read_too() {
+    let refinable = rich();
+    let mut bytes = vec![0];
+    bytes.extend(bytes_of(&refinable));
+    let file = StriataFile::parse(&bytes[1..]).unwrap();
+    assert_same_mesh(&file.refinable_mesh().unwrap().mesh, &refinable.mesh);
+    assert_same_mesh(&file.level(9).unwrap(), &replay(&refinable, 9));
+}
+
+#[test]
+fn every_truncation_is_refused() {
+    let bytes = bytes_of(&rich());
+    for length in 0..bytes.len() {
+        assert!(StriataFile::parse(&bytes[..length]).is_err(), "{length} bytes");
+    }
+    let longer = [&bytes[..], &[0]].concat();
+    assert!(matches!(StriataFile::parse(&longer), Err(DecodeError::FileLength { .. })));
+}
+
+#[test]
+fn every_flipped_bit_of_header_and_table_is_refused() {
+    let bytes = bytes_of(&rich());
+    let file = StriataFile::parse(&bytes).unwrap();
+    let head_bytes = 64 + 32 * file.sections().len();
+    for bit in 0..8 * head_bytes {
+        let mut flipped = bytes.clone();
+        flipped[bit / 8] ^= 1 << (bit % 8);
+        assert!(StriataFile::parse(&flipped).is_err(), "bit {bit}");
+    }
+}
+
+#[test]
+fn every_flipped_bit_of_a_section_is_found() {
+    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&grid(3, false), wildness, &mut Random::new(5));
+    let bytes = bytes_of(&refinable);
+    let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
+    for section in sections {
+        for bit in 8 * section.offset as usize..8 * (section.offset + section.bytes) as usize {
+            let mut flipped = bytes.clone();
+            flipped[bit / 8] ^= 1 << (bit % 8);
+            let error = StriataFile::parse_with(&flipped, Verify::All).unwrap_err();
+            assert!(matches!(error, DecodeError::Checksum { kind, .. } if kind == section.kind));
+            assert!(read_everything(&flipped).is_err(), "{}, bit {bit}", section.kind);
+        }
+    }
+}
+
+/// Sets all checksums to what the damaged bytes have, as a hostile writer would.
+fn with_sound_checksums(bytes: &mut [u8]) {
+    let count = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    for entry in 0..count {
+        let at = 64 + 32 * entry;
+        let number = |i: usize| u64::from_le_bytes(bytes[at + i..at + i + 8].try_into().unwrap()) as usize;
+        let (offset, length) = (number(8), number(16));
+        let Some(section) = bytes.get(offset..offset.saturating_add(length)) else { continue };
+        let checksum = crc32fast::hash(section).to_le_bytes();
+        bytes[at + 24..at + 28].copy_from_slice(&checksum);
+    }
+    bytes[24..28].fill(0);
+    let checksum = crc32fast::hash(&bytes[..64 + 32 * count]).to_le_bytes();
+    bytes[24..28].copy_from_slice(&checksum);
+}
+
+/// Rewrites the kind and flags of one section of a sound file.
+fn with_kind(bytes: &[u8], from: SectionKind, to: SectionKind, flags: u32) -> Vec<u8> {
+    let mut bytes = bytes.to_vec();
+    let entry = StriataFile::parse(&bytes).unwrap().sections().iter().position(|s| s.kind == from).unwrap();
+    let at = 64 + 32 * entry;
+    bytes[at..at + 4].copy_from_slice(&to.0);
+    bytes[at + 4..at + 8].copy_from_slice(&flags.to_le_bytes());
+    with_sound_checksums(&mut bytes);
+    bytes
+}
+
+#[test]
+fn unknown_sections_are_skipped_unless_required() {
+    let refinable = rich();
+    let bytes = bytes_of(&refinable);
+    let new = SectionKind(*b"FUT1");
+    let file_bytes = with_kind(&bytes, SectionKind::METADATA, new, 0);
+    let file = StriataFile::parse(&file_bytes).unwrap();
+    assert_same_mesh(&file.refinable_mesh().unwrap().mesh, &refinable.mesh);
+    assert!(file.metadata().unwrap().is_empty());
+    let file_bytes = with_kind(&bytes, SectionKind::METADATA, new, 1);
+    assert_eq!(StriataFile::parse(&file_bytes).unwrap_err(), DecodeError::UnknownSection { kind: new });
+    let twice = with_kind(&bytes, SectionKind::METADATA, SectionKind::SUMMARY, 1);
+    let expected = DecodeError::SectionCount { kind: SectionKind::SUMMARY, found: 2 };
+    assert_eq!(StriataFile::parse(&twice).unwrap_err(), expected);
+}
+
+#[test]
+fn models_of_other_meshes_are_not_written() {
+    let refinable = rich();
+    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
+    let other = model_of(&random_refinable(&grid(3, false), wildness, &mut Random::new(5)));
+    let error = to_striata(&refinable, &[FileModel::LodStrips(&other)], &WriteOptions::default());
+    assert!(matches!(error, Err(EncodeError::Model { what: "vertices", .. })));
+    let model = model_of(&refinable);
+    let models = [FileModel::LodStrips(&model); 2];
+    let error = to_striata(&refinable, &models, &WriteOptions::default());
+    assert!(matches!(error, Err(EncodeError::RepeatedModel { .. })));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn damage_with_sound_checksums_is_an_error_or_a_sound_mesh(
+        places in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..4),
+        seed in 0u64..6,
+    ) {
+        let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(3, true)) } else { grid(4, false) };
+        let wildness = Wildness { far_percent: 10, base_position_count: 4 };
+        let mut bytes = bytes_of(&random_refinable(&mesh, wildness, &mut Random::new(seed)));
+        for (place, byte) in places {
+            // Magic, version, length and count stay: with them damaged nothing else is looked at.
+            let at = 28 + place.index(bytes.len() - 28);
+            bytes[at] ^= byte;
+        }
+        with_sound_checksums(&mut bytes);
+        let _ = read_everything(&bytes);
+    }
+
+    #[test]
+    fn any_bytes_behind_the_magic_are_refused_or_read(tail in prop::collection::vec(any::<u8>(), 0..400)) {
+        let mut bytes = b"STRIATA\0\x01\0\0\0".to_vec();
+        bytes.extend(tail);
+        let _ = read_everything(&bytes);
+        if bytes.len() >= 64 {
+            let length = bytes.len() as u64;
+            bytes[16..24].copy_from_slice(&length.to_le_bytes());
+            let count = ((length - 64) / 32) as u32;
+            bytes[12..16].copy_from_slice(&count.to_le_bytes());
+            with_sound_checksums(&mut bytes);
+            let _ = read_everything(&bytes);
+        }
+    }
+}
