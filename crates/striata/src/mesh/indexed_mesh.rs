@@ -213,7 +213,7 @@ impl IndexedMesh {
         self.check_groups()
     }
 
-    fn check_sizes(&self) -> Result<(), MeshError> {
+    pub(super) fn check_sizes(&self) -> Result<(), MeshError> {
         for (what, count) in [("vertices", self.positions.len()), ("triangles", self.triangles.len())] {
             if count > MAX_COUNT {
                 return Err(MeshError::TooLarge { what, count, limit: MAX_COUNT });
@@ -230,7 +230,7 @@ impl IndexedMesh {
         Ok(())
     }
 
-    fn check_groups(&self) -> Result<(), MeshError> {
+    pub(super) fn check_groups(&self) -> Result<(), MeshError> {
         let triangle_count = self.triangles.len();
         let mut expected_first = 0u64;
         for (group, g) in self.groups.iter().enumerate() {

@@ -6,6 +6,7 @@
 mod adjacency;
 mod appearance;
 mod attributes;
+mod defect;
 mod disjoint_sets;
 #[cfg(feature = "distance")]
 mod distance;
@@ -19,11 +20,13 @@ pub mod shapes;
 mod statistics;
 #[cfg(feature = "distance")]
 mod triangle_tree;
+mod validate;
 mod weld;
 
 pub use adjacency::{Adjacency, Edge};
 pub use appearance::{Appearance, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
+pub use defect::{Defect, DefectKind};
 #[cfg(feature = "distance")]
 pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};
 pub use dual_graph::DualGraph;
@@ -35,4 +38,5 @@ pub use sequence::{CollapseSequence, RefinableMesh, SequenceError, SequenceParts
 pub use statistics::Statistics;
 #[cfg(feature = "distance")]
 pub use triangle_tree::{Nearest, TriangleTree};
+pub use validate::{LISTED_OF_EACH_KIND, Report, validate};
 pub use weld::{Welded, weld};

@@ -1,18 +1,30 @@
 //! A tree of boxes over triangles that answers "how far is this point from the surface?".
 //!
-//! Triangles are halved at the median of their centres along the widest axis until few are left, so the
-//! tree is balanced whatever the mesh looks like (flat, a needle, all in one place). Boxes hold the mesh's own
-//! coordinates, all arithmetic is f64 on differences: coordinates around 1e7 lose nothing. A query
-//! descends into the nearer box first and skips boxes farther away than the best triangle so far.
+//! parry3d's hierarchy of boxes finds the few triangles that matter, in f32 and with SIMD; their distances are
+//! computed here in f64. Boxes are a little larger and costs a little dearer than the truth, by more than f32
+//! rounds, so no box is skipped that holds a nearer triangle: the distance is the exact minimum, the same on
+//! every machine. Boxes live in a frame where the mesh spans -1..1, triangles keep the mesh's own coordinates:
+//! coordinates around 1e7 or 1e-7 lose nothing.
 //!
-//! Cost: O(n log n) to build, O(log n) expected for a point near the surface; about 70 bytes a triangle.
+//! Cost: O(n log n) to build, O(log n) expected for a point near the surface; about 150 bytes a triangle.
+
+use std::cell::Cell;
 
 use glam::DVec3;
+use parry3d::bounding_volume::Aabb;
+use parry3d::math::Vector;
+use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 
 use super::{IndexedMesh, MeshError};
 
-/// Triangles in a leaf; larger leaves save boxes, smaller ones triangle tests.
-const LEAF_TRIANGLES: usize = 4;
+/// Added to every box on all sides, in a frame where the mesh spans -1..1; f32 rounds by 6e-8 there.
+const BOX_MARGIN: f32 = 1e-6;
+
+/// Factor on costs of triangles, for what f32 rounds on points far away.
+const COST_MARGIN: f64 = 1.0 + 2e-6;
+
+/// Farther out than this many half extents, f64 sees the mesh as one point.
+const FAR: f64 = 1e17;
 
 /// The triangle nearest to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,39 +44,22 @@ pub struct Nearest {
 /// assert_eq!(tree.distance_to([0.25, 0.25, 2.0]), 2.0);
 /// # Ok::<(), striata::mesh::MeshError>(())
 /// ```
-#[derive(Clone, Debug)]
 pub struct TriangleTree {
-    /// Inner nodes; the root is the first. Empty where all triangles fit one leaf.
-    nodes: Vec<Node>,
-    /// Corners of the triangles, leaf by leaf.
+    boxes: Bvh,
+    /// Corners of the triangles, in the mesh's order and coordinates.
     corners: Vec<[[f32; 3]; 3]>,
-    /// Index in the mesh, in the order of `corners`.
-    triangles: Vec<u32>,
-}
-
-/// Two children with their boxes side by side, so that one cache line decides on both.
-#[derive(Clone, Copy, Debug)]
-struct Node {
-    boxes: [[[f32; 3]; 2]; 2],
-    children: [Child; 2],
-}
-
-/// An inner node (`count` 0, `start` its index) or a run of triangles.
-#[derive(Clone, Copy, Debug, Default)]
-struct Child {
-    start: u32,
-    count: u32,
+    /// Middle of the frame of the boxes, mesh units.
+    center: DVec3,
+    /// Frame units for a mesh unit.
+    scale: f64,
 }
 
 /// Best so far, squared: roots are taken once per query.
 #[derive(Clone, Copy)]
 struct Best {
     squared: f64,
-    slot: usize,
+    triangle: usize,
 }
-
-/// Deeper than any tree of 2^30 triangles halved at the median.
-const STACK: usize = 40;
 
 impl TriangleTree {
     /// Builds the tree; triangles may be degenerate, and there may be none.
@@ -73,17 +68,18 @@ impl TriangleTree {
     /// [`MeshError`] where an index is out of range or a coordinate not finite.
     pub fn new(mesh: &IndexedMesh) -> Result<Self, MeshError> {
         mesh.check()?;
-        let mut items: Vec<Item> = (0..mesh.triangles.len()).map(|t| Item::of(mesh, t)).collect();
-        let mut nodes = Vec::with_capacity(items.len() / (LEAF_TRIANGLES / 2).max(1));
-        if items.len() > LEAF_TRIANGLES {
-            split(&mut items, 0, &mut nodes);
-        }
-        let triangles: Vec<u32> = items.iter().map(|item| item.triangle).collect();
-        let corners = triangles
-            .iter()
-            .map(|&t| mesh.triangles[t as usize].map(|v| mesh.positions[v as usize]))
-            .collect();
-        Ok(Self { nodes, corners, triangles })
+        let corners: Vec<[[f32; 3]; 3]> =
+            mesh.triangles.iter().map(|t| t.map(|v| mesh.positions[v as usize])).collect();
+        let points = || corners.iter().flatten().map(|&p| exact(p));
+        let min = points().fold(DVec3::INFINITY, DVec3::min);
+        let max = points().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let half_extent = 0.5 * (max - min).max_element();
+        let center = if corners.is_empty() { DVec3::ZERO } else { 0.5 * (min + max) };
+        let scale = if half_extent > 0.0 { half_extent.recip() } else { 1.0 };
+        let mut tree = Self { boxes: Bvh::new(), corners, center, scale };
+        let boxes: Vec<Aabb> = tree.corners.iter().map(|corners| tree.box_of(corners)).collect();
+        tree.boxes = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
+        Ok(tree)
     }
 
     /// Distance of the point to the surface, mesh units; infinite where there is no triangle.
@@ -93,134 +89,60 @@ impl TriangleTree {
 
     /// The nearest triangle; `None` where there is none, or where the point is not finite.
     pub fn nearest(&self, point: [f64; 3]) -> Option<Nearest> {
-        let mut slot = usize::MAX;
-        let distance = self.distance_from_hint(DVec3::from_array(point), &mut slot);
-        (slot != usize::MAX).then(|| Nearest { distance, triangle: self.triangles[slot] })
+        let point = DVec3::from_array(point);
+        let mut triangle = usize::MAX;
+        let distance = if point.is_finite() { self.distance_from_hint(point, &mut triangle) } else { 0.0 };
+        (triangle != usize::MAX).then(|| Nearest { distance, triangle: triangle as u32 })
     }
 
-    /// Distance of a point whose nearest triangle is probably that of the query before.
+    /// Distance of a finite point whose nearest triangle is probably that of the query before.
     ///
-    /// `slot` carries that triangle from query to query; it changes the work, never the distance.
-    pub(super) fn distance_from_hint(&self, point: DVec3, slot: &mut usize) -> f64 {
-        let mut best = Best { squared: f64::INFINITY, slot: *slot };
-        if let Some(corners) = self.corners.get(*slot) {
-            best.squared = squared_distance_to_triangle(point, corners);
+    /// `triangle` carries that triangle from query to query; it changes the work, never the distance.
+    pub(super) fn distance_from_hint(&self, point: DVec3, triangle: &mut usize) -> f64 {
+        let in_frame = (point - self.center) * self.scale;
+        let is_far = in_frame.abs().max_element() > FAR;
+        if is_far || *triangle >= self.corners.len() {
+            *triangle = 0;
         }
-        if self.nodes.is_empty() {
-            self.visit_leaf(point, 0..self.corners.len(), &mut best);
-        } else {
-            self.descend(point, &mut best);
-        }
-        *slot = best.slot;
-        best.squared.sqrt()
-    }
-
-    fn descend(&self, point: DVec3, best: &mut Best) {
-        let mut stack = [(0.0, Child::default()); STACK];
-        let mut depth = 1;
-        while depth > 0 {
-            depth -= 1;
-            let (squared, child) = stack[depth];
-            if squared >= best.squared {
-                continue;
-            }
-            if child.count > 0 {
-                let start = child.start as usize;
-                self.visit_leaf(point, start..start + child.count as usize, best);
-                continue;
-            }
-            let node = &self.nodes[child.start as usize];
-            let squared = node.boxes.map(|b| squared_distance_to_box(point, &b));
-            let near = usize::from(squared[1] < squared[0]);
-            // The nearer child goes on top of the stack, so it comes first.
-            for side in [1 - near, near] {
-                if squared[side] < best.squared {
-                    stack[depth] = (squared[side], node.children[side]);
-                    depth += 1;
-                }
-            }
-        }
-    }
-
-    fn visit_leaf(&self, point: DVec3, range: std::ops::Range<usize>, best: &mut Best) {
-        for slot in range {
-            let squared = squared_distance_to_triangle(point, &self.corners[slot]);
-            if squared < best.squared {
-                *best = Best { squared, slot };
-            }
-        }
-    }
-}
-
-/// A triangle while the tree is built.
-struct Item {
-    triangle: u32,
-    min: [f32; 3],
-    max: [f32; 3],
-}
-
-impl Item {
-    fn of(mesh: &IndexedMesh, triangle: usize) -> Self {
-        let [a, b, c] = mesh.triangles[triangle].map(|v| mesh.positions[v as usize]);
-        let pick = |f: fn(f32, f32) -> f32| std::array::from_fn(|axis| f(f(a[axis], b[axis]), c[axis]));
-        Self { triangle: triangle as u32, min: pick(f32::min), max: pick(f32::max) }
-    }
-
-    /// The middle of the triangle's box; halves keep the sum finite.
-    fn center(&self, axis: usize) -> f32 {
-        0.5 * self.min[axis] + 0.5 * self.max[axis]
-    }
-}
-
-/// Splits the items in two, makes a node of them, and returns the node's index.
-fn split(items: &mut [Item], first: u32, nodes: &mut Vec<Node>) -> u32 {
-    let index = nodes.len();
-    let axis = widest_axis(items);
-    let middle = items.len() / 2;
-    items.select_nth_unstable_by(middle, |a, b| {
-        a.center(axis).total_cmp(&b.center(axis)).then(a.triangle.cmp(&b.triangle))
-    });
-    let (left, right) = items.split_at_mut(middle);
-    nodes.push(Node { boxes: [box_of(left), box_of(right)], children: [Child::default(); 2] });
-    let starts = [first, first + middle as u32];
-    for (side, half) in [left, right].into_iter().enumerate() {
-        nodes[index].children[side] = if half.len() <= LEAF_TRIANGLES {
-            Child { start: starts[side], count: half.len() as u32 }
-        } else {
-            Child { start: split(half, starts[side], nodes), count: 0 }
+        let Some(corners) = self.corners.get(*triangle) else {
+            *triangle = usize::MAX;
+            return f64::INFINITY;
         };
-    }
-    index as u32
-}
-
-fn widest_axis(items: &[Item]) -> usize {
-    let mut low = [f32::INFINITY; 3];
-    let mut high = [f32::NEG_INFINITY; 3];
-    for item in items {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(item.center(axis));
-            high[axis] = high[axis].max(item.center(axis));
+        let squared = squared_distance_to_triangle(point, corners);
+        let best = Cell::new(Best { squared, triangle: *triangle });
+        if !is_far {
+            self.improve(point, in_frame, &best);
         }
+        *triangle = best.get().triangle;
+        best.get().squared.sqrt()
     }
-    let extent = |axis: usize| f64::from(high[axis]) - f64::from(low[axis]);
-    (1..3).fold(0, |widest, axis| if extent(axis) > extent(widest) { axis } else { widest })
-}
 
-fn box_of(items: &[Item]) -> [[f32; 3]; 2] {
-    let mut bounds = [items[0].min, items[0].max];
-    for item in items {
-        for axis in 0..3 {
-            bounds[0][axis] = bounds[0][axis].min(item.min[axis]);
-            bounds[1][axis] = bounds[1][axis].max(item.max[axis]);
-        }
+    /// Tries all triangles that may be nearer than the best so far.
+    fn improve(&self, point: DVec3, in_frame: DVec3, best: &Cell<Best>) {
+        let squared_scale = self.scale * self.scale * COST_MARGIN;
+        let cost = || (best.get().squared * squared_scale) as f32;
+        let in_frame = Vector::from(in_frame.as_vec3().to_array());
+        let box_cost = |node: &BvhNode, _| {
+            let outside = (node.mins() - in_frame).max(in_frame - node.maxs()).max(Vector::ZERO);
+            outside.length_squared()
+        };
+        let triangle_cost = |triangle: u32, _| {
+            let squared = squared_distance_to_triangle(point, &self.corners[triangle as usize]);
+            if squared < best.get().squared {
+                best.set(Best { squared, triangle: triangle as usize });
+            }
+            Some((squared * squared_scale) as f32)
+        };
+        self.boxes.find_best(cost(), box_cost, triangle_cost);
     }
-    bounds
-}
 
-#[inline]
-fn squared_distance_to_box(point: DVec3, [min, max]: &[[f32; 3]; 2]) -> f64 {
-    let outside = (exact(*min) - point).max(point - exact(*max)).max(DVec3::ZERO);
-    outside.length_squared()
+    fn box_of(&self, corners: &[[f32; 3]; 3]) -> Aabb {
+        let [a, b, c] = corners.map(|corner| {
+            let in_frame = (exact(corner) - self.center) * self.scale;
+            Vector::from(in_frame.as_vec3().to_array())
+        });
+        Aabb::new(a.min(b).min(c) - Vector::splat(BOX_MARGIN), a.max(b).max(c) + Vector::splat(BOX_MARGIN))
+    }
 }
 
 /// Squared distance of a point to a triangle, which may be a segment or a point.
@@ -332,6 +254,16 @@ mod tests {
         assert_eq!(TriangleTree::new(&mesh).unwrap().nearest([f64::NAN, 0.0, 0.0]), None);
         let broken = IndexedMesh::new(CORNERS.to_vec(), vec![[0, 1, 3]]);
         assert!(matches!(TriangleTree::new(&broken), Err(MeshError::IndexOutOfRange { vertex: 3, .. })));
+    }
+
+    #[test]
+    fn points_as_far_as_numbers_reach() {
+        let mesh = IndexedMesh::new(CORNERS.to_vec(), vec![[0, 1, 2], [0, 2, 1]]);
+        let tree = TriangleTree::new(&mesh).unwrap();
+        for z in [1e6, 1e16, 1e19, 1e37, 1e150] {
+            assert_eq!(tree.distance_to([0.5, 0.5, z]), z);
+        }
+        assert_eq!(tree.distance_to([f64::INFINITY, 0.0, 0.0]), f64::INFINITY);
     }
 
     #[test]
