@@ -66,9 +66,12 @@ pub(crate) enum Verb {
 
 /// Arguments of `build`.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  \
+#[command(
+    override_usage = "striata build [OPTIONS] <INPUT> -o <OUT.striata>",
+    after_help = "Examples:\n  \
     striata build bunny.ply -o bunny.striata\n  \
-    striata build helmet.glb -o helmet.striata --base 500 --max-error 1%")]
+    striata build helmet.glb -o helmet.striata --base 500 --max-error 1%"
+)]
 pub(crate) struct BuildArgs {
     /// The mesh, or - for stdin
     pub(crate) input: PathBuf,
@@ -99,9 +102,12 @@ pub(crate) struct InfoArgs {
 
 /// Arguments of `extract`.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  \
+#[command(
+    override_usage = "striata extract [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
+    after_help = "Examples:\n  \
     striata extract bunny.striata -o bunny-5k.glb --triangles 5000\n  \
-    striata extract bunny.striata -o bunny.glb --error 0.1% --as strips")]
+    striata extract bunny.striata -o bunny.glb --error 0.1% --as strips"
+)]
 pub(crate) struct ExtractArgs {
     /// A .striata file, or - for stdin
     pub(crate) input: PathBuf,
@@ -121,9 +127,12 @@ pub(crate) struct ExtractArgs {
 
 /// Arguments of `simplify`.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  \
+#[command(
+    override_usage = "striata simplify [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
+    after_help = "Examples:\n  \
     striata simplify bunny.ply -o small.ply --triangles 5000\n  \
-    striata simplify scan.obj -o scan.glb --error 0.5% --lock-boundary")]
+    striata simplify scan.obj -o scan.glb --error 0.5% --lock-boundary"
+)]
 pub(crate) struct SimplifyArgs {
     /// The mesh, or - for stdin
     pub(crate) input: PathBuf,

@@ -108,15 +108,15 @@ struct Shade {
 impl Shade {
     fn of(surface: &Surface<'_>, triangle: usize, view: &View) -> Self {
         let corners = surface.triangles[triangle];
+        let [a, b, c] = corners.map(|v| surface.positions[v as usize]);
+        let flat = view.turned(unit(cross(minus(b, a), minus(c, a))));
+        // A triangle that is seen from behind is lit as if it were two-sided.
+        let side = |n: Vec3| if flat[2] < 0.0 { n.map(|x| -x) } else { n };
         match surface.paint {
             Paint::Smooth(colour, normals) => {
-                Self { colour, normals: corners.map(|v| view.turned(normals[v as usize])) }
+                Self { colour, normals: corners.map(|v| side(view.turned(normals[v as usize]))) }
             }
-            Paint::Flat(colours) => {
-                let [a, b, c] = corners.map(|v| surface.positions[v as usize]);
-                let normal = view.turned(unit(cross(minus(b, a), minus(c, a))));
-                Self { colour: colours[triangle], normals: [normal; 3] }
-            }
+            Paint::Flat(colours) => Self { colour: colours[triangle], normals: [side(flat); 3] },
         }
     }
 
@@ -134,8 +134,6 @@ const LIGHTS: [(Vec3, Rgb); 2] =
     [([-0.52, 0.58, 0.63], [1.05, 0.98, 0.88]), ([0.86, -0.10, 0.50], [0.16, 0.20, 0.27])];
 
 fn lit(colour: Rgb, normal: Vec3) -> Rgb {
-    // A surface seen from behind is shown as if it were two-sided.
-    let normal = if normal[2] < 0.0 { normal.map(|x| -x) } else { normal };
     let sky = 0.5 + 0.5 * normal[1];
     let mut light = [0.05 + 0.10 * sky, 0.05 + 0.11 * sky, 0.05 + 0.14 * sky];
     for (towards, shine) in LIGHTS {

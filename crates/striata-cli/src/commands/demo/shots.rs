@@ -16,8 +16,8 @@ pub(super) struct Shot {
     pub(super) strip_of: Vec<u32>,
 }
 
-const PANEL_WIDTH: usize = 205;
-const PANEL_HEIGHT: usize = 280;
+const PANEL_WIDTH: usize = 200;
+const PANEL_HEIGHT: usize = 266;
 const HEAD_HEIGHT: usize = 44;
 const FOOT_HEIGHT: usize = 34;
 /// Each pixel is the mean of so many squared.

@@ -94,8 +94,7 @@ uniform bool flatShading; uniform highp vec4 line;
 out vec4 colour;
 void main() {
   if (line.a > 0.0) { colour = line; return; }
-  vec3 m = normalize(flatShading ? cross(dFdx(p), dFdy(p)) : n);
-  if (m.z < 0.0) m = -m;
+  vec3 m = flatShading ? normalize(cross(dFdx(p), dFdy(p))) : normalize(gl_FrontFacing ? n : -n);
   float key = max(dot(m, normalize(vec3(-0.52, 0.58, 0.63))), 0.0);
   float fill = max(dot(m, normalize(vec3(0.86, -0.10, 0.50))), 0.0);
   vec3 light = mix(vec3(0.05), vec3(0.15, 0.16, 0.19), 0.5 + 0.5 * m.y)
