@@ -44,6 +44,7 @@ impl<'a> Cursor<'a> {
         self.bytes.len() - self.at
     }
 
+    #[cold]
     pub(crate) fn fault(&self, reason: impl Into<String>) -> Fault {
         Fault::at_line(self.line, reason)
     }
@@ -113,8 +114,12 @@ impl<'a> Cursor<'a> {
     }
 
     /// Passes the rest of the line and its end.
+    #[inline]
     pub(crate) fn next_line(&mut self) {
-        self.rest_of_line();
+        self.skip_blanks();
+        if self.peek() != Some(b'\n') {
+            self.rest_of_line();
+        }
         if self.at < self.bytes.len() {
             self.at += 1;
             self.line += 1;
@@ -160,6 +165,12 @@ impl<'a> Cursor<'a> {
             self.at += length;
             return Ok(Number { decimal, text: &rest[..length] });
         }
+        self.unusual_number()
+    }
+
+    /// A number that is long, or none at all.
+    #[cold]
+    fn unusual_number(&mut self) -> Result<Number<'a>, Fault> {
         let word = self.word();
         let text = std::str::from_utf8(word).ok();
         match text.and_then(|t| t.parse::<f32>().ok()) {
@@ -194,6 +205,12 @@ impl<'a> Cursor<'a> {
             self.at += length;
             return Ok(if negative { -value } else { value });
         }
+        self.unusual_integer()
+    }
+
+    /// A whole number written as a fraction, or none at all.
+    #[cold]
+    fn unusual_integer(&mut self) -> Result<i64, Fault> {
         let word = self.word();
         let parsed = std::str::from_utf8(word).ok().and_then(|t| t.parse::<f64>().ok());
         match parsed.filter(|x| x.fract() == 0.0 && x.abs() < 1e15) {

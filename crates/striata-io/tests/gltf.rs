@@ -132,7 +132,8 @@ fn strips_are_written_and_read_as_strips() {
 
 #[test]
 fn every_mode_that_draws_triangles() {
-    let cases: [(u32, &[u8], &[[u32; 3]]); 5] = [
+    type Case<'a> = (u32, &'a [u8], &'a [[u32; 3]]);
+    let cases: [Case<'_>; 5] = [
         (4, &[0, 1, 2, 0, 2, 3], &[[0, 1, 2], [0, 2, 3]]),
         (5, &[1, 2, 0, 3], &[[1, 2, 0], [0, 2, 3]]),
         (6, &[0, 1, 2, 3], &[[0, 1, 2], [0, 2, 3]]),
@@ -295,7 +296,8 @@ fn what_cannot_be_read_is_named() {
         change(&mut root);
         refused("x.gltf", &document(&parts, root))
     };
-    let cases: [(fn(&mut Value), &str); 12] = [
+    type Case = (fn(&mut Value), &'static str);
+    let cases: [Case; 12] = [
         (|r| r["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]), "KHR_draco_mesh_compression"),
         (|r| r["extensionsRequired"] = json!(["EXT_meshopt_compression"]), "EXT_meshopt_compression"),
         (|r| r["accessors"][0]["count"] = json!(5), "accessors[0]: 5 elements from byte 0 on take 60 bytes"),

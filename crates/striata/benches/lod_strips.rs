@@ -9,9 +9,9 @@ use striata::model::{LodModel, LodStrips, StripBuffer};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 
-/// A sphere of about 35,000 vertices, in rings.
-fn sphere() -> IndexedMesh {
-    let (ring_count, side_count) = (132, 264);
+/// A sphere of `2 * ring_count * ring_count` vertices.
+fn sphere(ring_count: u32) -> IndexedMesh {
+    let side_count = 2 * ring_count;
     let mut positions = Vec::new();
     for ring in 0..=ring_count {
         let polar = std::f32::consts::PI * ring as f32 / ring_count as f32;
@@ -41,7 +41,7 @@ fn refinable(mesh: &IndexedMesh) -> RefinableMesh {
 fn lod_strips(c: &mut Criterion) {
     let mut group = c.benchmark_group("lod_strips");
     group.sample_size(20);
-    for (name, mesh) in [("sphere", sphere())] {
+    for (name, mesh) in [("sphere", sphere(132)), ("sphere_large", sphere(374))] {
         let refinable = refinable(&mesh);
         let options = StripOptions::default();
         group.bench_function(format!("stripify/{name}"), |b| b.iter(|| stripify(&refinable.mesh, &options)));

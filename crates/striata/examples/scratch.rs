@@ -24,6 +24,25 @@ fn main() {
     for path in std::env::args().skip(1) {
         let mesh = load(&path);
         let nf = mesh.triangle_count();
+        if let Ok(r) = std::env::var("R") {
+            let (mut o, mut m) = (f64::MAX, f64::MAX);
+            let w = weld(&mesh).unwrap();
+            for _ in 0..r.parse().unwrap() {
+                let w2 = w.clone();
+                let t = Instant::now();
+                let out = build_welded_sequence(w2, &SequenceOptions::default().with_cost(cost), &mut striata::ignore_progress).unwrap();
+                o = o.min(t.elapsed().as_secs_f64());
+                let verts = bytemuck::cast_slice::<[f32; 3], u8>(&w.mesh.positions);
+                let a = meshopt::VertexDataAdapter::new(verts, 12, 0).unwrap();
+                let idx = bytemuck::cast_slice::<[u32; 3], u32>(&w.mesh.triangles);
+                let t = Instant::now();
+                meshopt::simplify(idx, &a, (nf as f64 * 0.02) as usize * 3, 1e9, meshopt::SimplifyOptions::None, None);
+                m = m.min(t.elapsed().as_secs_f64());
+                drop(out);
+            }
+            println!("{path}: best ours {:.2} ms ({:.3} us/tri) meshopt {:.2} ms ratio {:.2}", o * 1e3, o * 1e6 / nf as f64, m * 1e3, o / m);
+            continue;
+        }
         let w = weld(&mesh).unwrap();
         let wm = w.mesh.clone();
         let t1 = Instant::now();

@@ -228,6 +228,22 @@ mod distance {
         assert_eq!(d.max, 0.0);
     }
 
+    /// Fails where threads, sines or vector units get into the result.
+    #[test]
+    fn the_same_bits_on_every_machine() {
+        let (a, b) = (shapes::torus(30, 20, 2.0, 0.5), shapes::icosphere(3, 2.2));
+        let d = measure(&a, &b);
+        let bits = [d.a_to_b.rms, d.a_to_b.mean, d.b_to_a.rms, d.b_to_a.mean, d.max].map(f64::to_bits);
+        let expected = [
+            4_600_088_528_948_866_543,
+            4_599_014_162_903_027_347,
+            4_607_100_895_424_476_056,
+            4_605_097_206_121_034_248,
+            4_612_745_224_958_428_003,
+        ];
+        assert_eq!(bits, expected, "{d:?}");
+    }
+
     #[test]
     fn more_samples_agree_with_fewer() {
         let (a, b) = (shapes::icosphere(4, 1.0), shapes::icosphere(2, 1.0));

@@ -98,7 +98,7 @@ fn nasty_meshes_follow_the_oracle_at_every_level() {
         for seed in 0..8 {
             let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
             let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
-            println!("{name}, seed {seed}");
+            eprintln!("{name}, seed {seed}");
             check_all_levels(&refinable, 1);
         }
     }

@@ -101,6 +101,10 @@ impl<'a> Document<'a> {
             return data.map(|(bytes, _)| bytes).map_err(|reason| at.fault(reason));
         }
         let path = uri::path(uri, &self.source).map_err(|reason| at.fault(reason))?;
+        if path.exists() && !path.is_file() {
+            // Reading a pipe could wait for ever.
+            return Err(at.fault(format!("`{}` is no plain file", uri::short(uri))));
+        }
         fs::read(&path).map_err(|error| at.fault(format!("`{}`: {error}", uri::short(uri))))
     }
 

@@ -39,6 +39,8 @@ struct Reader {
     material_libraries: Vec<String>,
     name: String,
     material: Option<u32>,
+    /// True where the last group has the present name and material.
+    group_is_open: bool,
     /// The largest index of each kind used before it exists, and its line.
     forward: [Option<(u32, u64)>; 3],
 }
@@ -102,17 +104,19 @@ impl Reader {
         if cursor.at_line_end() || cursor.peek() == Some(b'#') {
             return Ok(());
         }
+        // Patterns of single bytes are compared in registers, string patterns by calls: it shows.
         match cursor.word() {
-            b"v" => self.position(cursor),
-            b"vt" => self.texcoord(cursor),
-            b"vn" => {
+            [b'v'] => self.position(cursor),
+            [b'v', b't'] => self.texcoord(cursor),
+            [b'v', b'n'] => {
                 self.tables.normals.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
                 Ok(())
             }
             // `fo` is an older spelling.
-            b"f" | b"fo" => self.face(cursor),
-            b"o" | b"g" => {
+            [b'f'] | [b'f', b'o'] => self.face(cursor),
+            [b'o'] | [b'g'] => {
                 self.name = name_at(cursor);
+                self.group_is_open = false;
                 Ok(())
             }
             b"usemtl" => {
@@ -175,6 +179,7 @@ impl Reader {
     }
 
     /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    #[inline]
     fn corner(&mut self, cursor: &mut Cursor<'_>) -> Result<Corner, Fault> {
         let counts = [self.tables.positions.len(), self.tables.texcoords.len(), self.tables.normals.len()];
         let mut corner = [self.index(cursor, 0, counts[0])?, NONE, NONE];
@@ -192,6 +197,7 @@ impl Reader {
     }
 
     /// An index from 1, or from the end where it is negative.
+    #[inline]
     fn index(&mut self, cursor: &mut Cursor<'_>, kind: usize, count: usize) -> Result<u32, Fault> {
         let index = cursor.integer()?;
         let found = match index {
@@ -210,6 +216,7 @@ impl Reader {
     }
 
     fn use_material(&mut self, name: &str) {
+        self.group_is_open = false;
         if name.is_empty() {
             self.material = None;
             return;
@@ -224,6 +231,10 @@ impl Reader {
 
     /// Makes the group that the next triangle belongs to the last one.
     fn open_group(&mut self) {
+        if self.group_is_open {
+            return;
+        }
+        self.group_is_open = true;
         let fits = |group: &TriangleGroup| group.material == self.material && group.name == self.name;
         if !self.groups.last().is_some_and(fits) {
             let first = (self.corners.len() / 3) as u32;

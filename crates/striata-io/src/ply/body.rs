@@ -288,8 +288,7 @@ impl Vertices<'_> {
         }
         let [x, y, z] = [axes[0].offset, axes[1].offset, axes[2].offset];
         if axes.iter().all(|c| c.scalar == Scalar::F32) && y == x + 4 && z == x + 8 {
-            let at = |row: &[u8], i: usize| f32::from_le_bytes([row[i], row[i + 1], row[i + 2], row[i + 3]]);
-            let position = |row: &[u8]| [at(row, 0), at(row, 4), at(row, 8)];
+            let position = |row: &[u8]| [f32_at(row, 0), f32_at(row, 4), f32_at(row, 8)];
             return Ok(self.rows().map(|row| position(&row[x..x + 12])).collect());
         }
         Ok(self.rows().map(|row| [0, 1, 2].map(|axis| to_f64(row, axes[axis]) as f32)).collect())
@@ -349,6 +348,9 @@ impl Vertices<'_> {
     }
 
     fn floats(&self, set: &ColumnSet<'_>) -> LayerData {
+        if set.columns.iter().all(|c| c.scalar == Scalar::F32) {
+            return self.gathered(set, |row, c| f32_at(row, c.offset), LayerData::F32);
+        }
         self.gathered(set, |row, c| to_f64(row, c) as f32, LayerData::F32)
     }
 
@@ -364,6 +366,11 @@ impl Vertices<'_> {
         }
         data(out)
     }
+}
+
+#[inline]
+fn f32_at(row: &[u8], offset: usize) -> f32 {
+    f32::from_le_bytes([row[offset], row[offset + 1], row[offset + 2], row[offset + 3]])
 }
 
 /// Any number of a row; every type but f64 itself fits into one exactly.

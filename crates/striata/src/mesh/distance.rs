@@ -1,4 +1,4 @@
-//! Surface distance between two meshes by sampling, what Metro measures [CRS98].
+//! Surface distance between two meshes by sampling, what Metro measures \[CRS98\].
 //!
 //! Points are spread over one surface and each is measured against the whole other surface, then the
 //! other way round: one way alone does not see what is missing. Samples are stratified by area: sample `k` of

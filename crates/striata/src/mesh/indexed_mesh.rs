@@ -40,9 +40,9 @@ impl Bounds {
         let first = *finite.next()?;
         let mut bounds = Self { min: first, max: first };
         for p in finite {
-            for axis in 0..3 {
-                bounds.min[axis] = bounds.min[axis].min(p[axis]);
-                bounds.max[axis] = bounds.max[axis].max(p[axis]);
+            for (axis, &x) in p.iter().enumerate() {
+                bounds.min[axis] = bounds.min[axis].min(x);
+                bounds.max[axis] = bounds.max[axis].max(x);
             }
         }
         Some(bounds)

@@ -149,8 +149,8 @@ pub(super) struct Duplicate {
 
 /// All triangles over the corners of an earlier one, rising; degenerate triangles are never duplicates.
 pub(super) fn duplicate_triangles(triangles: &[[u32; 3]]) -> Vec<Duplicate> {
-    // Every even permutation of sorted corners runs the same way round.
-    let is_even = |[a, b, c]: [u32; 3]| (a < b && b < c) || (b < c && c < a) || (c < a && a < b);
+    // Two of three steps around rise, or one: that is which way round sorted corners run.
+    let is_even = |[a, b, c]: [u32; 3]| [a < b, b < c, c < a].into_iter().filter(|&rises| rises).count() == 2;
     let mut sorted: Vec<([u32; 3], u32)> = Vec::with_capacity(triangles.len());
     for (t, &corners) in triangles.iter().enumerate() {
         let mut key = corners;

@@ -92,7 +92,7 @@ impl TriangleTree {
         let point = DVec3::from_array(point);
         let mut triangle = usize::MAX;
         let distance = if point.is_finite() { self.distance_from_hint(point, &mut triangle) } else { 0.0 };
-        (triangle != usize::MAX).then(|| Nearest { distance, triangle: triangle as u32 })
+        (triangle != usize::MAX).then_some(Nearest { distance, triangle: triangle as u32 })
     }
 
     /// Distance of a finite point whose nearest triangle is probably that of the query before.

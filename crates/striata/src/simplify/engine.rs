@@ -205,7 +205,8 @@ impl<'a> Engine<'a> {
             if self.wedges.as_mut().is_some_and(|wedges| !wedges.pair(&self.star, v, neighbour)) {
                 continue;
             }
-            let Some(fan) = self.star.fan(neighbour) else { continue };
+            let limit = best.map_or(f32::INFINITY, |b| b.cost - cost);
+            let Some(fan) = self.star.fan(neighbour, limit) else { continue };
             let cost = cost + fan.cost;
             if cost < best.map_or(f32::INFINITY, |b| b.cost) {
                 best = Some(Choice { cost, neighbour, distance_squared: fan.distance_squared });

@@ -3,6 +3,7 @@
 //! Everything is relative to the removed vertex, which is therefore the origin.
 
 use glam::Vec3;
+use wide::f32x8;
 
 /// Squared distance of the origin from the triangle `(a, b, c)`, degenerate ones included.
 ///
@@ -62,27 +63,95 @@ const SLIVER_QUALITY: f32 = 0.01;
 /// Below this the normal of a triangle is noise.
 const NEEDLE_QUALITY: f32 = 0.02;
 
-/// True where the triangle `(u, a, b)` may stand for `(v, a, b)`, v being the origin and `normal` the unscaled
-/// normal of the old triangle: it keeps facing the same way and is no sliver.
-///
-/// A needle faces nowhere in particular, so what follows it must agree with `mean`, the sum of all normals of
-/// the star, or stay as small. Scans are full of needles, and locking them would lock their neighbours.
-#[inline]
-pub(super) fn may_replace(u: Vec3, a: Vec3, b: Vec3, normal: Vec3, mean: Vec3) -> bool {
-    let new = (a - u).cross(b - u);
-    let (new_length, old_length) = (new.length(), normal.length());
-    let rim = (b - a).length_squared();
-    let old_edges = a.length_squared() + b.length_squared() + rim;
-    if TWICE_ROOT_3 * old_length <= NEEDLE_QUALITY * old_edges {
-        return new.dot(mean) > 0.0 || new_length <= 2.0 * old_length;
+/// The sum of the normals of a star.
+#[derive(Clone, Copy)]
+pub(super) struct StarNormal {
+    length: f32x8,
+}
+
+impl StarNormal {
+    #[inline]
+    pub(super) fn new(mean: Vec3) -> Self {
+        Self { length: f32x8::splat(mean.length()) }
     }
-    if new.dot(normal) <= FLIP_COSINE * new_length * old_length {
+}
+
+/// Eight triangles `(v, a, b)` and the fan triangles `(u, a, b)` that are to replace them.
+#[derive(Clone, Copy)]
+pub(super) struct Change {
+    /// Lengths of the unscaled normals.
+    pub(super) old_length: f32x8,
+    pub(super) new_length: f32x8,
+    /// Dot products of the unscaled normals, and with the sum of all normals of the star.
+    pub(super) new_on_old: f32x8,
+    pub(super) new_on_mean: f32x8,
+    pub(super) old_on_mean: f32x8,
+    /// Sums of the squared edge lengths.
+    pub(super) old_edges: f32x8,
+    pub(super) new_edges: f32x8,
+}
+
+impl Change {
+    /// True where the new triangle keeps facing the same way and is no sliver.
+    ///
+    /// A needle faces nowhere in particular, so what follows it must agree with the mean of the star, or stay as
+    /// small. Scans are full of needles, and locking them would lock their neighbours.
+    #[inline]
+    pub(super) fn is_allowed(self, star: StarNormal) -> f32x8 {
+        let splat = f32x8::splat;
+        let was_needle = (splat(TWICE_ROOT_3) * self.old_length).simd_le(splat(NEEDLE_QUALITY) * self.old_edges);
+        let follows_mean = self.new_on_mean.simd_gt(f32x8::ZERO);
+        let stays_small = self.new_length.simd_le(self.old_length + self.old_length);
+        let flips =
+            self.new_on_old.simd_le(splat(FLIP_COSINE) * self.new_length * self.old_length);
         // A triangle that was folded over may unfold.
-        return normal.dot(mean) <= 0.0 && new.dot(mean) > FLIP_COSINE * new_length * mean.length();
+        let unfolds = self.old_on_mean.simd_le(f32x8::ZERO)
+            & self.new_on_mean.simd_gt(splat(FLIP_COSINE) * self.new_length * star.length);
+        let is_sound = (splat(TWICE_ROOT_3) * self.new_length).simd_ge(splat(SLIVER_QUALITY) * self.new_edges)
+            | (self.new_length * self.old_edges).simd_ge(self.old_length * self.new_edges);
+        was_needle.bitselect(follows_mean | stays_small, flips.bitselect(unfolds, is_sound))
     }
-    let new_edges = (a - u).length_squared() + (b - u).length_squared() + rim;
-    TWICE_ROOT_3 * new_length >= SLIVER_QUALITY * new_edges
-        || new_length * old_edges >= old_length * new_edges
+}
+
+/// A point against eight triangles `(A, B, C)`, by dot products alone: stars share most of them.
+///
+/// With `p` the point: `d` holds AB.Ap, AC.Ap, AB.Bp, AC.Bp, AB.Cp, AC.Cp.
+#[derive(Clone, Copy)]
+pub(super) struct Products {
+    pub(super) d: [f32x8; 6],
+    /// Squared distances of the point from A, B and C.
+    pub(super) corners: [f32x8; 3],
+    /// Distance from the plane times the length of the unscaled normal.
+    pub(super) height: f32x8,
+    pub(super) normal_squared: f32x8,
+}
+
+impl Products {
+    /// Squared distance of the point from the triangle; exact in the plane's direction, and to a few
+    /// units in the last place of the squared edges beside it. The point of a triangle without area is near its sides.
+    #[inline]
+    pub(super) fn distance_squared(&self) -> f32x8 {
+        let [d1, d2, d3, d4, d5, d6] = self.d;
+        let [from_a, from_b, _] = self.corners;
+        let (vc, vb, va) = (d1 * d4 - d3 * d2, d5 * d2 - d1 * d6, d3 * d6 - d5 * d4);
+        let zero = f32x8::ZERO;
+        let is_inside = va.simd_gt(zero) & vb.simd_gt(zero) & vc.simd_gt(zero);
+        let floor = f32x8::splat(f32::MIN_POSITIVE);
+        let above = self.height * self.height / self.normal_squared.fast_max(floor);
+        let sides = beside(from_a, d1, d1 - d3)
+            .fast_min(beside(from_a, d2, d2 - d6))
+            .fast_min(beside(from_b, d4 - d3, (d4 - d3) + (d5 - d6)));
+        is_inside.bitselect(above, sides)
+    }
+}
+
+/// Squared distance from a segment that begins at squared distance `from`, `along` being the dot product of the way
+/// to the point with the segment, whose squared length is `length_squared`.
+#[inline]
+fn beside(from: f32x8, along: f32x8, length_squared: f32x8) -> f32x8 {
+    let share = along / length_squared.fast_max(f32x8::splat(f32::MIN_POSITIVE));
+    let share = share.fast_max(f32x8::ZERO).fast_min(f32x8::ONE);
+    (from - share * (along + along - share * length_squared)).fast_max(f32x8::ZERO)
 }
 
 /// Makes `TWICE_ROOT_3 * |normal| / (sum of squared edges)` 1 for equilateral triangles.
@@ -109,6 +178,27 @@ mod tests {
     }
 
     #[test]
+    fn products_give_the_same_distances() {
+        let [a, b, c] = [[0.1, 0.2, 0.3], [4., 0.5, 0.], [-0.3, 4., 1.]].map(Vec3::from);
+        for i in 0..1000i32 {
+            let at = |k: i32| ((i * k) % 97) as f32 / 10.0 - 4.0;
+            let p = Vec3::new(at(7), at(13), at(29));
+            let (ab, ac) = (b - a, c - a);
+            let normal = ab.cross(ac);
+            let products = Products {
+                d: [ab.dot(p - a), ac.dot(p - a), ab.dot(p - b), ac.dot(p - b), ab.dot(p - c), ac.dot(p - c)]
+                    .map(f32x8::splat),
+                corners: [a, b, c].map(|q| f32x8::splat((p - q).length_squared())),
+                height: f32x8::splat(normal.dot(p - a)),
+                normal_squared: f32x8::splat(normal.length_squared()),
+            };
+            let expected = distance_squared(a - p, b - p, c - p);
+            let found = products.distance_squared().to_array()[0];
+            assert!((found - expected).abs() <= 1e-4 * expected.max(1.0), "{p}: {found} {expected}");
+        }
+    }
+
+    #[test]
     fn degenerate_triangles_are_points_and_segments() {
         let p = Vec3::new(3.0, 4.0, 0.0);
         assert_eq!(distance_squared(p, p, p), 25.0);
@@ -121,8 +211,26 @@ mod tests {
     fn flips_and_slivers_are_refused() {
         let (a, b) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
         let normal = a.cross(b);
-        assert!(may_replace(Vec3::new(-1.0, -1.0, 0.0), a, b, normal, normal));
-        assert!(!may_replace(Vec3::new(2.0, 2.0, 0.0), a, b, normal, normal));
-        assert!(!may_replace(Vec3::new(0.5, 0.4999, 0.0), a, b, normal, normal));
+        let may = |x: f32, y: f32| {
+            let u = Vec3::new(x, y, 0.0);
+            let new = (a - u).cross(b - u);
+            let splat = f32x8::splat;
+            let edges = |p: Vec3| {
+                splat((a - p).length_squared() + (b - p).length_squared() + (b - a).length_squared())
+            };
+            let change = Change {
+                old_length: splat(normal.length()),
+                new_length: splat(new.length()),
+                new_on_old: splat(new.dot(normal)),
+                new_on_mean: splat(new.dot(normal)),
+                old_on_mean: splat(normal.dot(normal)),
+                old_edges: edges(Vec3::ZERO),
+                new_edges: edges(u),
+            };
+            change.is_allowed(StarNormal::new(normal)).all()
+        };
+        assert!(may(-1.0, -1.0));
+        assert!(!may(2.0, 2.0));
+        assert!(!may(0.5, 0.4999));
     }
 }

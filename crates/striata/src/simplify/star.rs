@@ -13,39 +13,118 @@
 //!
 //! Borders of any kind (boundaries, seams, edges with three triangles) are **special** edges: a vertex on some may only
 //! move along one of them, and pays the squared area between the old and the new course of the border.
+//!
+//! A candidate that survives pays for the distances of the fan that it leaves (see [`Star::fan`]). Triangles
+//! are worked on eight at a time; sums are folded in a fixed order, so results are the same on every machine.
 
 use glam::Vec3;
+use wide::f32x8;
 
 use super::fan;
 use super::links::{LinkEdge, LinkKind, Links};
 
-/// Lanes that sums are spread over, so that they vectorise and give the same bits everywhere.
-const LANES: usize = 4;
+/// Triangles in one vector.
+const LANES: usize = 8;
+
+/// Marks lanes past the last triangle.
+const NO_TRIANGLE: f32 = 2.0;
+
+/// Three coordinates of many points.
+type Coordinates = [Vec<f32>; 3];
 
 /// Scratch that holds one star at a time.
 #[derive(Debug, Default)]
 pub(super) struct Star {
     /// Neighbours, each once; candidates for the target.
     pub(super) ids: Vec<u32>,
-    /// Offsets of the neighbours from v; one more for the ring's wrap, then zeros up to whole lanes.
-    x: Vec<f32>,
-    y: Vec<f32>,
-    z: Vec<f32>,
-    /// Normals of the triangles, zeros up to whole lanes.
-    cx: Vec<f32>,
-    cy: Vec<f32>,
-    cz: Vec<f32>,
-    /// Cost of each neighbour as the target; infinite where it may not be.
-    pub(super) costs: Vec<f32>,
+    /// Neighbours relative to v; one more for the ring's wrap, then zeros up to whole lanes.
+    offsets: Coordinates,
     /// Corners of each triangle as indices into `ids`; empty for rings, whose triangle i is (i, i + 1).
     pairs: Vec<[u32; 2]>,
+    /// Both corners of each triangle where `pairs` is in use.
+    corners: [Coordinates; 2],
+    /// Unscaled normals of the triangles, zeros up to whole lanes.
+    normals: Coordinates,
+    /// Cost of each neighbour as the target; infinite where it may not be.
+    pub(super) costs: Vec<f32>,
     /// Triangle numbers, where followed.
     pub(super) triangles: Vec<u32>,
     triangle_count: usize,
     /// Area of all triangles, doubled.
     area_doubled: f32,
+    /// Sum of the normals: the normal of any surface with this border.
+    mean_normal: Vec3,
+    /// 1 in the lanes of triangles that a candidate makes vanish, `NO_TRIANGLE` past the last one.
+    vanishes: Vec<f32>,
+    /// Midpoints of new edges, and their squared distances from the old triangles.
+    middles: Vec<(Vec3, f32x8)>,
     edges: Vec<LinkEdge>,
     special: Vec<u32>,
+}
+
+/// Eight floats from `index` on; every array is padded so that they are there.
+#[inline]
+fn lanes(array: &[f32], index: usize) -> f32x8 {
+    f32x8::new(array[index..].first_chunk().copied().unwrap_or([0.0; LANES]))
+}
+
+/// Sum in a fixed order.
+#[inline]
+fn fold(sums: f32x8) -> f32 {
+    let [a, b, c, d, e, f, g, h] = sums.to_array();
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
+}
+
+/// Three vectors at once.
+#[derive(Clone, Copy)]
+struct Vec3x8 {
+    x: f32x8,
+    y: f32x8,
+    z: f32x8,
+}
+
+impl Vec3x8 {
+    #[inline]
+    fn load([x, y, z]: [&[f32]; 3], index: usize) -> Self {
+        Self { x: lanes(x, index), y: lanes(y, index), z: lanes(z, index) }
+    }
+
+    #[inline]
+    fn splat(v: Vec3) -> Self {
+        Self { x: f32x8::splat(v.x), y: f32x8::splat(v.y), z: f32x8::splat(v.z) }
+    }
+
+    #[inline]
+    fn dot(self, o: Self) -> f32x8 {
+        self.x * o.x + self.y * o.y + self.z * o.z
+    }
+
+    #[inline]
+    fn cross(self, o: Self) -> Self {
+        Self {
+            x: self.y * o.z - self.z * o.y,
+            y: self.z * o.x - self.x * o.z,
+            z: self.x * o.y - self.y * o.x,
+        }
+    }
+
+    #[inline]
+    fn minus(self, o: Self) -> Self {
+        Self { x: self.x - o.x, y: self.y - o.y, z: self.z - o.z }
+    }
+}
+
+/// Slices of three arrays from `first` on.
+#[inline]
+fn slices(arrays: &Coordinates, first: usize) -> [&[f32]; 3] {
+    [&arrays[0][first..], &arrays[1][first..], &arrays[2][first..]]
+}
+
+/// Makes room for `len` entries; what is there stays, what is new is zero.
+fn grow(array: &mut Vec<f32>, len: usize) {
+    if array.len() < len {
+        array.resize(2 * len, 0.0);
+    }
 }
 
 impl Star {
@@ -62,18 +141,8 @@ impl Star {
     /// Neighbour `i` relative to the centre.
     #[inline]
     pub(super) fn offset(&self, i: usize) -> Vec3 {
-        Vec3::new(self.x[i], self.y[i], self.z[i])
-    }
-
-    /// Unscaled normal of triangle `t`.
-    #[inline]
-    pub(super) fn normal(&self, t: usize) -> Vec3 {
-        Vec3::new(self.cx[t], self.cy[t], self.cz[t])
-    }
-
-    /// Sum of the normals: the normal of any surface with this border.
-    pub(super) fn mean_normal(&self) -> Vec3 {
-        (0..self.triangle_count).map(|t| self.normal(t)).sum()
+        let [x, y, z] = &self.offsets;
+        Vec3::new(x[i], y[i], z[i])
     }
 
     /// The two neighbours that span triangle `t`.
@@ -83,6 +152,16 @@ impl Star {
             [t, if t + 1 == self.ids.len() { 0 } else { t + 1 }]
         } else {
             self.pairs[t].map(|i| i as usize)
+        }
+    }
+
+    /// First and second corners of all triangles.
+    #[inline]
+    fn corners(&self) -> [[&[f32]; 3]; 2] {
+        if self.pairs.is_empty() {
+            [slices(&self.offsets, 0), slices(&self.offsets, 1)]
+        } else {
+            [slices(&self.corners[0], 0), slices(&self.corners[1], 0)]
         }
     }
 
@@ -120,12 +199,12 @@ impl Star {
 
     fn load_offsets(&mut self, positions: &[[f32; 4]], v: u32) {
         let n = self.ids.len();
-        let padded = (n + 1).next_multiple_of(LANES) + LANES;
-        for array in [&mut self.x, &mut self.y, &mut self.z] {
-            array.resize(padded, 0.0);
-        }
+        // Room for a whole vector past the wrap.
+        let padded = n + 1 + 2 * LANES;
+        self.offsets.iter_mut().for_each(|array| grow(array, padded));
         let [vx, vy, vz, _] = positions[v as usize];
-        let (x, y, z) = (&mut self.x[..padded], &mut self.y[..padded], &mut self.z[..padded]);
+        let [x, y, z] = &mut self.offsets;
+        let (x, y, z) = (&mut x[..padded], &mut y[..padded], &mut z[..padded]);
         for (i, &id) in self.ids.iter().enumerate() {
             let [px, py, pz, _] = positions[id as usize];
             x[i] = px - vx;
@@ -133,83 +212,77 @@ impl Star {
             z[i] = pz - vz;
         }
         for array in [x, y, z] {
-            let first = array[0];
-            array[n..].fill(0.0);
-            array[n] = first;
+            array[n] = array[0];
+            array[n + 1..n + 1 + LANES].copy_from_slice(&[0.0; LANES]);
+        }
+        if !self.pairs.is_empty() {
+            self.load_corners();
+        }
+    }
+
+    fn load_corners(&mut self) {
+        let padded = self.triangle_count.next_multiple_of(LANES) + LANES;
+        for (side, corners) in self.corners.iter_mut().enumerate() {
+            for (offsets, corners) in self.offsets.iter().zip(corners) {
+                grow(corners, padded);
+                for (corner, pair) in corners.iter_mut().zip(&self.pairs) {
+                    *corner = offsets[pair[side] as usize];
+                }
+            }
         }
     }
 
     fn compute_normals(&mut self) {
         let m = self.triangle_count;
-        let padded = m.next_multiple_of(LANES);
-        for array in [&mut self.cx, &mut self.cy, &mut self.cz] {
-            array.resize(padded, 0.0);
-        }
-        let (cx, cy, cz) = (&mut self.cx[..padded], &mut self.cy[..padded], &mut self.cz[..padded]);
-        if self.pairs.is_empty() {
-            let (x, y, z) = (&self.x[..padded + 1], &self.y[..padded + 1], &self.z[..padded + 1]);
-            for i in 0..padded {
-                cx[i] = y[i] * z[i + 1] - z[i] * y[i + 1];
-                cy[i] = z[i] * x[i + 1] - x[i] * z[i + 1];
-                cz[i] = x[i] * y[i + 1] - y[i] * x[i + 1];
-            }
-        } else {
-            for (i, &[a, b]) in self.pairs.iter().enumerate() {
-                let (a, b) = (a as usize, b as usize);
-                cx[i] = self.y[a] * self.z[b] - self.z[a] * self.y[b];
-                cy[i] = self.z[a] * self.x[b] - self.x[a] * self.z[b];
-                cz[i] = self.x[a] * self.y[b] - self.y[a] * self.x[b];
+        let mut normals = std::mem::take(&mut self.normals);
+        normals.iter_mut().for_each(|array| grow(array, m + 2 * LANES));
+        let [a, b] = self.corners();
+        for t in (0..m).step_by(LANES) {
+            let normal = Vec3x8::load(a, t).cross(Vec3x8::load(b, t));
+            for (array, lanes) in normals.iter_mut().zip([normal.x, normal.y, normal.z]) {
+                array[t..t + LANES].copy_from_slice(&lanes.to_array());
             }
         }
-        // Lanes past the last triangle must not count.
-        for array in [cx, cy, cz] {
-            array[m..].fill(0.0);
+        for array in &mut normals {
+            array[m..m + LANES].copy_from_slice(&[0.0; LANES]);
         }
+        self.normals = normals;
     }
 
     /// Fills `costs` with the quadratic form at every neighbour.
     pub(super) fn compute_costs(&mut self) {
-        let [xx, yy, zz, xy, xz, yz] = self.quadric();
+        let [xx, yy, zz, xy, xz, yz] = self.quadric().map(f32x8::splat);
         let n = self.ids.len();
-        let padded = n.next_multiple_of(LANES);
-        self.costs.resize(padded, 0.0);
-        let (x, y, z) = (&self.x[..padded], &self.y[..padded], &self.z[..padded]);
-        for (i, cost) in self.costs[..padded].iter_mut().enumerate() {
-            let form = xx * x[i] * x[i]
-                + yy * y[i] * y[i]
-                + zz * z[i] * z[i]
-                + 2.0 * (xy * x[i] * y[i] + xz * x[i] * z[i] + yz * y[i] * z[i]);
+        self.costs.clear();
+        let offsets = slices(&self.offsets, 0);
+        for i in (0..n).step_by(LANES) {
+            let Vec3x8 { x, y, z } = Vec3x8::load(offsets, i);
+            let mixed = xy * x * y + xz * x * z + yz * y * z;
+            let form = xx * x * x + yy * y * y + zz * z * z + (mixed + mixed);
             // Rounding may leave a tiny negative number where the form is zero.
-            *cost = form.max(0.0);
+            self.costs.extend(form.fast_max(f32x8::ZERO).to_array());
         }
         self.costs.truncate(n);
     }
 
     /// The form of this module's header: xx, yy, zz, xy, xz, yz.
     fn quadric(&mut self) -> [f32; 6] {
-        let padded = self.triangle_count.next_multiple_of(LANES);
-        let (cx, cy, cz) = (&self.cx[..padded], &self.cy[..padded], &self.cz[..padded]);
         // xx yy zz xy xz yz | nx ny nz | area
-        let mut sums = [[0.0f32; LANES]; 10];
-        for i in (0..padded).step_by(LANES) {
-            for lane in 0..LANES {
-                let (x, y, z) = (cx[i + lane], cy[i + lane], cz[i + lane]);
-                let length = (x * x + y * y + z * z).sqrt();
-                let weight = 0.5 / length.max(f32::MIN_POSITIVE);
-                sums[0][lane] += weight * x * x;
-                sums[1][lane] += weight * y * y;
-                sums[2][lane] += weight * z * z;
-                sums[3][lane] += weight * x * y;
-                sums[4][lane] += weight * x * z;
-                sums[5][lane] += weight * y * z;
-                sums[6][lane] += x;
-                sums[7][lane] += y;
-                sums[8][lane] += z;
-                sums[9][lane] += length;
+        let mut sums = [f32x8::ZERO; 10];
+        let normals = slices(&self.normals, 0);
+        for t in (0..self.triangle_count).step_by(LANES) {
+            let c = Vec3x8::load(normals, t);
+            let length = c.dot(c).sqrt();
+            let weight = f32x8::splat(0.5) / length.fast_max(f32x8::splat(f32::MIN_POSITIVE));
+            let (wx, wy, wz) = (weight * c.x, weight * c.y, weight * c.z);
+            let terms = [wx * c.x, wy * c.y, wz * c.z, wx * c.y, wx * c.z, wy * c.z, c.x, c.y, c.z, length];
+            for (sum, term) in sums.iter_mut().zip(terms) {
+                *sum += term;
             }
         }
-        let [xx, yy, zz, xy, xz, yz, nx, ny, nz, area] = sums.map(|[a, b, c, d]| (a + c) + (b + d));
+        let [xx, yy, zz, xy, xz, yz, nx, ny, nz, area] = sums.map(fold);
         self.area_doubled = area;
+        self.mean_normal = Vec3::new(nx, ny, nz);
         // N and A are both doubled: half of the doubled quotient is left.
         let weight = 0.5 / area.max(f32::MIN_POSITIVE);
         [
@@ -286,58 +359,125 @@ impl Star {
         }
     }
 
-    /// What replaces the star if neighbour `k` is the target; `None` where a triangle would flip or become a sliver.
-    pub(super) fn fan(&self, k: usize) -> Option<Fan> {
-        let u = self.offset(k);
-        let mean = self.mean_normal();
-        let mut distance_squared = f32::INFINITY;
-        for t in 0..self.triangle_count {
-            let [i, j] = self.triangle(t);
-            if i == k || j == k {
-                continue;
-            }
-            let (a, b) = (self.offset(i), self.offset(j));
-            if !fan::may_replace(u, a, b, self.normal(t), mean) {
+    /// What replaces the star if neighbour `k` is the target; `None` where a triangle would flip or become a sliver,
+    /// or where the fan costs `limit` or more.
+    pub(super) fn fan(&mut self, k: usize, limit: f32) -> Option<Fan> {
+        self.mark_vanishing(k);
+        let u = Vec3x8::splat(self.offset(k));
+        let uu = u.dot(u);
+        let star = fan::StarNormal::new(self.mean_normal);
+        let [a, b] = self.corners();
+        let normals = slices(&self.normals, 0);
+        let mut least = f32x8::splat(f32::INFINITY);
+        for t in (0..self.triangle_count).step_by(LANES) {
+            let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
+            let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
+            let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
+            let (ua, ub) = (u.dot(a), u.dot(b));
+            let old = Vec3x8::load(normals, t);
+            let new = a.minus(u).cross(b.minus(u));
+            let new_squared = new.dot(new);
+            let change = fan::Change {
+                old_length: old.dot(old).sqrt(),
+                new_length: new_squared.sqrt(),
+                new_on_old: new.dot(old),
+                new_on_mean: new.dot(Vec3x8::splat(self.mean_normal)),
+                old_on_mean: old.dot(Vec3x8::splat(self.mean_normal)),
+                old_edges: aa + bb + (aa + bb - ab - ab),
+                new_edges: (aa + uu - ua - ua) + (bb + uu - ub - ub) + (aa + bb - ab - ab),
+            };
+            if !(change.is_allowed(star) | vanishes).all() {
                 return None;
             }
-            distance_squared = distance_squared.min(fan::distance_squared(u, a, b));
+            // The origin against the triangle (u, a, b); its height over all of them comes from the old normal.
+            let triangle = fan::Products {
+                d: [uu - ua, uu - ub, ua - aa, ua - ab, ub - ab, ub - bb],
+                corners: [uu, aa, bb],
+                height: u.dot(old),
+                normal_squared: new_squared,
+            };
+            let distance_squared = vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
+            least = least.fast_min(distance_squared);
         }
+        let mut distance_squared = least.to_array().into_iter().fold(f32::INFINITY, f32::min);
         if distance_squared == f32::INFINITY {
             // No triangle is left (the last one of a border): the edges of the old ones are what remains.
             for t in 0..self.triangle_count {
-                let [i, j] = self.triangle(t);
+                let corners = self.triangle(t).map(|i| self.offset(i));
                 distance_squared =
-                    distance_squared.min(fan::distance_squared(u, self.offset(i), self.offset(j)));
+                    distance_squared.min(fan::distance_squared(self.offset(k), corners[0], corners[1]));
             }
         }
-        let off = distance_squared + self.protrusion_squared(k, u);
-        Some(Fan { distance_squared, cost: (self.area() + SPIKE_WEIGHT * off) * off })
+        // The protrusion is dear to compute and only adds.
+        if self.distance_cost(distance_squared) >= limit {
+            return None;
+        }
+        let off = distance_squared + self.protrusion_squared(k);
+        let cost = self.distance_cost(off);
+        Some(Fan { distance_squared, cost })
+    }
+
+    fn distance_cost(&self, squared: f32) -> f32 {
+        (self.area() + SPIKE_WEIGHT * squared) * squared
+    }
+
+    fn mark_vanishing(&mut self, k: usize) {
+        let padded = self.triangle_count.next_multiple_of(LANES);
+        grow(&mut self.vanishes, padded);
+        let mut vanishes = std::mem::take(&mut self.vanishes);
+        for (t, lane) in vanishes[..padded].iter_mut().enumerate() {
+            *lane = if t >= self.triangle_count {
+                NO_TRIANGLE
+            } else if self.triangle(t).contains(&k) {
+                1.0
+            } else {
+                0.0
+            };
+        }
+        self.vanishes = vanishes;
     }
 
     /// How far the fan's new edges stick out: the largest squared distance of their midpoints from the old star.
     ///
     /// The distance of v alone does not see a fan that bridges a valley.
-    fn protrusion_squared(&self, k: usize, u: Vec3) -> f32 {
+    fn protrusion_squared(&mut self, k: usize) -> f32 {
         if self.triangle_count < 4 {
             return 0.0;
         }
-        let mut worst = 0.0f32;
+        let mut middles = std::mem::take(&mut self.middles);
+        let u = self.offset(k);
+        middles.clear();
         for i in 0..self.ids.len() {
-            if i == k || self.is_edge(i, k) {
-                continue;
+            if i != k && !self.is_edge(i, k) {
+                middles.push((0.5 * (self.offset(i) + u), f32x8::splat(f32::INFINITY)));
             }
-            let middle = 0.5 * (self.offset(i) + u);
-            let mut least = f32::INFINITY;
-            for t in 0..self.triangle_count {
-                let [a, b] = self.triangle(t);
-                least = least.min(fan::distance_squared(
-                    -middle,
-                    self.offset(a) - middle,
-                    self.offset(b) - middle,
-                ));
-            }
-            worst = worst.max(least);
         }
+        let [a, b] = self.corners();
+        let normals = slices(&self.normals, 0);
+        for t in (0..self.triangle_count).step_by(LANES) {
+            let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
+            let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
+            let normal = Vec3x8::load(normals, t);
+            let normal_squared = normal.dot(normal);
+            let is_none = lanes(&self.vanishes, t).simd_gt(f32x8::ONE);
+            for (middle, least) in &mut middles {
+                // The midpoint against the triangle (v, a, b), v being the origin.
+                let mm = f32x8::splat(middle.length_squared());
+                let middle = Vec3x8::splat(*middle);
+                let (ma, mb) = (middle.dot(a), middle.dot(b));
+                let triangle = fan::Products {
+                    d: [ma, mb, ma - aa, mb - ab, ma - ab, mb - bb],
+                    corners: [mm, mm - ma - ma + aa, mm - mb - mb + bb],
+                    height: middle.dot(normal),
+                    normal_squared,
+                };
+                *least = least
+                    .fast_min(is_none.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared()));
+            }
+        }
+        let worst = middles.iter().map(|(_, least)| least.to_array().into_iter().fold(f32::INFINITY, f32::min));
+        let worst = worst.fold(0.0, f32::max);
+        self.middles = middles;
         worst
     }
 

@@ -3,7 +3,7 @@
 //! The next strip starts where a triangle is most in danger of being left alone. Through that triangle run
 //! three walks, one for each pair of its edges; each goes on straight (no swap) where it can, turns where it
 //! must, and the walk that saves most indices becomes the strip. In the spirit of SGI's `tomesh` and of
-//! [ESV96], but the merit is indices (`swaps + 3 * strips`), not the number of strips.
+//! \[ESV96\], but the merit is indices (`swaps + 3 * strips`), not the number of strips.
 //! Time and memory are linear: at most three times the triangles of the chosen strip are looked at.
 
 use super::{

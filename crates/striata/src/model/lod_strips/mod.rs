@@ -1,4 +1,4 @@
-//! LodStrips: triangle strips that follow a collapse sequence, edited in place [RCRG06].
+//! LodStrips: triangle strips that follow a collapse sequence, edited in place \[RCRG06\].
 //!
 //! The strips of the full mesh are stored once. Each step of the sequence has a record that says where its
 //! vertices stand in which strips; coarsening puts their targets there and drops what has become
@@ -11,9 +11,9 @@
 //!
 //! Dropping a run rotates it behind the live part, so its indices wait in the slot until refining rotates them
 //! back: a record holds places only, no values, and undoing is exact by construction. A run is dropped
-//! when the strip shows the same triangles without it ([`drops`]).
+//! when the strip shows the same triangles without it (see `drops.rs`).
 //!
-//! Differs: [RCRG06] drops only `aa(a)+` and `ab(ab)+` and stores machine words; records here are
+//! Differs: \[RCRG06\] drops only `aa(a)+` and `ab(ab)+` and stores machine words; records here are
 //! bytes in one arena, delta-coded over strips sorted by place, walked both ways.
 //!
 //! Cost: a step touches about three indices in two or three strips. Building is linear in the steps times
@@ -219,8 +219,7 @@ impl<'a> LodStrips<'a> {
     /// # Panics
     /// If there is no such strip.
     pub fn strip<'s>(&self, state: &'s LodStripsState, strip: usize) -> &'s [u32] {
-        let first = self.offsets[strip] as usize;
-        &state.slots[first..first + state.lengths[strip] as usize]
+        state.live(strip)
     }
 
     /// Appends the triangles that one group shows now.

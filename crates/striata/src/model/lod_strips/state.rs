@@ -12,49 +12,33 @@ pub struct LodStripsState {
     cursor: usize,
     /// All strips in fixed slots of their full length; see the drawing in the [module](super).
     pub(super) slots: Vec<u32>,
-    /// Live indices of each strip.
-    pub(super) lengths: Vec<u32>,
-    pub(super) changes: Changes,
+    pub(super) strips: Vec<LiveStrip>,
+    /// Strips that changed since a buffer last followed them, each once.
+    changed: Vec<u32>,
     /// Kept between steps so that none allocates.
     drops: Vec<Run>,
 }
 
-/// Strips that changed since a buffer last followed them.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Changes {
-    strips: Vec<u32>,
-    is_listed: Vec<bool>,
-}
-
-impl Changes {
-    #[inline]
-    fn add(&mut self, strip: usize) {
-        if !self.is_listed[strip] {
-            self.is_listed[strip] = true;
-            self.strips.push(strip as u32);
-        }
-    }
-
-    /// Empties the list into `strips`.
-    pub(super) fn take_into(&mut self, strips: &mut Vec<u32>) {
-        strips.clear();
-        std::mem::swap(&mut self.strips, strips);
-        for &strip in strips.iter() {
-            self.is_listed[strip as usize] = false;
-        }
-    }
+/// One strip of an instance; all that a step needs of it lies together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct LiveStrip {
+    /// Where its slot begins.
+    pub(super) first: u32,
+    /// Live indices.
+    pub(super) length: u32,
+    is_changed: bool,
 }
 
 impl LodStripsState {
     pub(super) fn new(model: &LodStrips<'_>) -> Self {
-        let strip_count = model.strip_count();
+        let strip = |w: &[u32]| LiveStrip { first: w[0], length: w[1] - w[0], is_changed: false };
         Self {
             split_count: model.record_lengths.len(),
             cursor: model.arena.len(),
             slots: model.indices.to_vec(),
-            lengths: model.offsets.windows(2).map(|w| w[1] - w[0]).collect(),
+            strips: model.offsets.windows(2).map(strip).collect(),
             // Room for all, so that no move allocates.
-            changes: Changes { strips: Vec::with_capacity(strip_count), is_listed: vec![false; strip_count] },
+            changed: Vec::with_capacity(model.strip_count()),
             drops: Vec::with_capacity(16),
         }
     }
@@ -66,15 +50,31 @@ impl LodStripsState {
 
     /// Bytes that the instance owns.
     pub fn bytes(&self) -> usize {
-        4 * (self.slots.len() + self.lengths.len() + self.changes.strips.capacity())
-            + self.changes.is_listed.len()
+        4 * (self.slots.len() + self.changed.capacity()) + size_of_val(&self.strips[..])
+    }
+
+    /// What a strip shows now.
+    pub(super) fn live(&self, strip: usize) -> &[u32] {
+        let LiveStrip { first, length, .. } = self.strips[strip];
+        &self.slots[first as usize..(first + length) as usize]
+    }
+
+    /// Empties the list of changed strips into `strips`.
+    pub(super) fn take_changed_into(&mut self, strips: &mut Vec<u32>) {
+        strips.clear();
+        std::mem::swap(&mut self.changed, strips);
+        for &strip in strips.iter() {
+            self.strips[strip as usize].is_changed = false;
+        }
+        // The lists change places: both must have room for all.
+        self.changed.reserve(self.strips.len());
     }
 
     pub(super) fn move_to(&mut self, model: &LodStrips<'_>, split_count: usize) {
         let step_count = model.record_lengths.len();
         assert!(split_count <= step_count, "split count {split_count} of {step_count}");
         assert!(
-            self.slots.len() == model.indices.len() && self.lengths.len() == model.strip_count(),
+            self.slots.len() == model.indices.len() && self.strips.len() == model.strip_count(),
             "the state belongs to another model"
         );
         while self.split_count > split_count {
@@ -106,11 +106,12 @@ impl LodStripsState {
                 Some(last) => reader.next_head(last)?,
             };
             last = Some(strip);
-            let strip = strip as usize;
-            let base = model.offsets[strip] as usize;
-            let mut length = self.lengths[strip];
+            let live = &mut self.strips[strip as usize];
+            if !std::mem::replace(&mut live.is_changed, true) {
+                self.changed.push(strip);
+            }
             let further = reader.further_place_count(flags)?;
-            let slot = &mut self.slots[base..base + length as usize];
+            let slot = &mut self.slots[live.first as usize..(live.first + live.length) as usize];
             let (first_place, wedge) = reader.place(0, wedge_count)?;
             slot[first_place as usize] =
                 if wedge == 0 { target } else { model.vertices.target(vertices.start + wedge) };
@@ -124,16 +125,14 @@ impl LodStripsState {
                 let mut anchor = first_place;
                 loop {
                     let (run, follows) = reader.run(anchor)?;
-                    drop_run(&mut slot[..length as usize], run);
-                    length -= run.count;
+                    drop_run(&mut slot[..live.length as usize], run);
+                    live.length -= run.count;
                     anchor = run.first;
                     if !follows {
                         break;
                     }
                 }
-                self.lengths[strip] = length;
             }
-            self.changes.add(strip);
         }
         Some(())
     }
@@ -154,8 +153,10 @@ impl LodStripsState {
                 Some(last) => reader.next_head(last)?,
             };
             last = Some(strip);
-            let strip = strip as usize;
-            let base = model.offsets[strip] as usize;
+            let live = &mut self.strips[strip as usize];
+            if !std::mem::replace(&mut live.is_changed, true) {
+                self.changed.push(strip);
+            }
             let further = reader.further_place_count(flags)?;
             let (first_place, first_wedge) = reader.place(0, wedge_count)?;
             // Places count in the strip before its drops: look at the drops first, then come back.
@@ -164,14 +165,19 @@ impl LodStripsState {
                 reader.place(0, wedge_count)?;
             }
             if flags & HAS_DROPS != 0 {
-                let length = &mut self.lengths[strip];
-                read_runs(&mut reader, first_place, &mut self.drops)?;
-                for &run in self.drops.iter().rev() {
-                    *length += run.count;
-                    restore_run(&mut self.slots[base..base + *length as usize], run);
+                let slot = &mut self.slots[live.first as usize..];
+                let (run, follows) = reader.run(first_place)?;
+                if follows {
+                    read_runs(&mut reader, run, &mut self.drops)?;
+                    for &run in self.drops.iter().rev() {
+                        live.length += run.count;
+                        restore_run(&mut slot[..live.length as usize], run);
+                    }
                 }
+                live.length += run.count;
+                restore_run(&mut slot[..live.length as usize], run);
             }
-            let slot = &mut self.slots[base..];
+            let slot = &mut self.slots[live.first as usize..];
             slot[first_place as usize] = vertices.start + first_wedge;
             let mut place = first_place;
             for _ in 0..further {
@@ -179,15 +185,15 @@ impl LodStripsState {
                 slot[next as usize] = vertices.start + wedge;
                 place = next;
             }
-            self.changes.add(strip);
         }
         Some(())
     }
 }
 
-#[inline]
-fn read_runs(reader: &mut RecordReader<'_>, mut anchor: u32, runs: &mut Vec<Run>) -> Option<()> {
+/// Reads the runs behind `first`.
+fn read_runs(reader: &mut RecordReader<'_>, first: Run, runs: &mut Vec<Run>) -> Option<()> {
     runs.clear();
+    let mut anchor = first.first;
     loop {
         let (run, follows) = reader.run(anchor)?;
         anchor = run.first;

@@ -72,7 +72,7 @@ impl StripBuffer {
             changed: Vec::new(),
             strips: Vec::new(),
         };
-        state.changes.take_into(&mut buffer.strips);
+        state.take_changed_into(&mut buffer.strips);
         for group in 0..model.group_count() {
             buffer.pack(model, state, group);
         }
@@ -99,9 +99,9 @@ impl StripBuffer {
     /// # Panics
     /// If the state belongs to another model than the buffer.
     pub fn sync(&mut self, model: &LodStrips<'_>, state: &mut LodStripsState) -> usize {
-        assert_eq!(self.places.len(), state.lengths.len(), "the state belongs to another model");
+        assert_eq!(self.places.len(), state.strips.len(), "the state belongs to another model");
         let mut strips = std::mem::take(&mut self.strips);
-        state.changes.take_into(&mut strips);
+        state.take_changed_into(&mut strips);
         strips.sort_unstable();
         let mut written = 0;
         let mut group = 0;
