@@ -35,7 +35,7 @@ fn run_all(steps: &mut Steps) -> Result<()> {
     })?;
     steps.step("tests and doc tests", || steps::run(&mut cargo(&["test", "--workspace"])))?;
     steps.step("documentation", || {
-        let arguments = ["doc", "--workspace", "--no-deps", "--document-private-items"];
+        let arguments = ["doc", "--workspace", "--no-deps"];
         steps::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
     })?;
     steps.step("each feature alone", check_features)?;
