@@ -353,9 +353,12 @@ impl Links {
                 ring.copy_within(i + 1.., i);
                 self.slabs[w as usize].len -= 1;
                 if self.follows_triangles {
-                    // The triangle between v and u vanishes: the one that begins at the earlier of both.
-                    let gone = if follows { i } else { last };
-                    self.triangles[start..start + n].copy_within(gone + 1.., gone);
+                    // The triangle between v and u vanishes; where u comes first, it takes over v's other one.
+                    let triangles = &mut self.triangles[start..start + n];
+                    if precedes {
+                        triangles[last] = triangles[i];
+                    }
+                    triangles.copy_within(i + 1.., i);
                 }
                 return;
             }
@@ -457,6 +460,10 @@ impl Chain {
                 Some(f) => e = *f,
                 None => break,
             }
+            // Back too early: there is a second cycle.
+            if e == edges[start] {
+                break;
+            }
         }
         self.close(n, start_count, edges[start], e)
     }
@@ -489,6 +496,9 @@ impl Chain {
             match self.order.binary_search_by_key(&e.b, tail) {
                 Ok(i) => e = edges[self.order[i] as usize],
                 Err(_) => break,
+            }
+            if e == first {
+                break;
             }
         }
         self.close(edges.len(), start_count, first, e)
@@ -524,11 +534,17 @@ mod tests {
         canonical_triangles(&out)
     }
 
-    fn check_against_substitution(mut triangles: Vec<[u32; 3]>, count: usize, collapses: &[(u32, u32)]) {
-        let mut links = Links::new(count, &triangles, true);
+    fn check_against_substitution(triangles: &[[u32; 3]], count: usize, collapses: &[(u32, u32)]) {
+        for follows in [true, false] {
+            check_one(triangles.to_vec(), count, collapses, follows);
+        }
+    }
+
+    fn check_one(mut triangles: Vec<[u32; 3]>, count: usize, collapses: &[(u32, u32)], follows: bool) {
+        let mut links = Links::new(count, &triangles, follows);
         let numbered = triangles.clone();
         let mut alive: Vec<usize> = (0..triangles.len()).collect();
-        for &(v, u) in collapses {
+        for &(v, u) in collapses.iter().filter(|(v, u)| v != u) {
             links.collapse(v, u);
             for t in &mut triangles {
                 *t = t.map(|x| if x == v { u } else { x });
@@ -544,7 +560,7 @@ mod tests {
                 "after {v} -> {u} of {numbered:?}"
             );
             let mut edges = Vec::new();
-            for w in 0..count as u32 {
+            for w in (0..count as u32).filter(|_| follows) {
                 links.edges_into(w, &mut edges);
                 for e in &edges {
                     let found = canonical_triangles(&[[w, e.a, e.b]]);
@@ -564,7 +580,38 @@ mod tests {
         let links = Links::new(7, &fan, false);
         assert_eq!(links.kind(0), LinkKind::Closed);
         assert_eq!(links.kind(1), LinkKind::Open);
-        check_against_substitution(fan, 7, &[(0, 1), (3, 4), (5, 1)]);
+        check_against_substitution(&fan, 7, &[(0, 1), (3, 4), (5, 1)]);
+    }
+
+    #[test]
+    fn rings_of_a_grid_equal_substitution() {
+        // Interior and border vertices, each collapsed to each neighbour in turn.
+        let at = |x: u32, y: u32| 5 * y + x;
+        let mut grid = Vec::new();
+        for y in 0..4 {
+            for x in 0..4 {
+                grid.extend([[at(x, y), at(x + 1, y), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x, y + 1)]]);
+            }
+        }
+        let links = Links::new(25, &grid, false);
+        for v in 0..25 {
+            for &u in links.entries(v) {
+                for &w in links.entries(u) {
+                    check_against_substitution(&grid, 25, &[(v, u), (u, if w == v { u } else { w })]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn bow_tie_of_equal_cycles_is_no_ring() {
+        for n in [3u32, 30] {
+            let cone = |base: u32| (0..n).map(move |i| [0, base + i, base + (i + 1) % n]);
+            let both: Vec<[u32; 3]> = cone(1).chain(cone(1 + n)).collect();
+            let links = Links::new(1 + 2 * n as usize, &both, false);
+            assert_eq!(links.kind(0), LinkKind::Edges);
+            assert_eq!(links.triangle_count(0), 2 * n as usize);
+        }
     }
 
     #[test]
@@ -597,7 +644,7 @@ mod tests {
                 let v = left.swap_remove(next(left.len() as u64) as usize);
                 collapses.push((v, left[next(left.len() as u64) as usize]));
             }
-            check_against_substitution(triangles, count as usize, &collapses);
+            check_against_substitution(&triangles, count as usize, &collapses);
         }
     }
 }
