@@ -32,7 +32,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     };
     let text = format!(
         "{}: {} vertices, {} triangles",
-        args.output.display(),
+        if is_stdout(&args.output) { "stdout".into() } else { args.output.to_string_lossy() },
         grouped(report.vertex_count),
         grouped(report.triangle_count)
     );
