@@ -12,7 +12,6 @@ use crate::args::{ExtractArgs, TriangleForm};
 use crate::commands::build::{MODELS, unknown_name};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::level::choose;
 use crate::output::{Output, grouped, lasted};
 use crate::save::{format_of, is_stdout, save};
 
@@ -41,7 +40,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let sequence = file.sequence().map_err(|error| input.damaged(&error))?;
     let model = lod_strips(&file, args.model.as_deref(), &input)?;
     let target = args.level.target(file.summary().bounds.map_or(0.0, |b| b.diagonal()))?;
-    let (split_count, stop_reason) = choose(&sequence, target)?;
+    let (split_count, stop_reason) = target.resolve(&sequence);
     let mut state = model.new_state();
     let seek_started = Instant::now();
     model.move_to(&mut state, split_count);
