@@ -2,8 +2,9 @@
 //!
 //! The queue holds one entry a position, the cost of its best target. After a collapse only the ring of the removed
 //! position changes cost, and each of its members gets a **lower bound** first: the quadratic form alone, without
-//! flip, link and distance tests. Those are made when a position reaches the top; if its true cost is higher it
-//! goes back. The order is therefore strict, for a fraction of the work.
+//! flip, link and distance tests, times what the full cost nearly always is of it. Those tests are made when a
+//! position reaches the top; if its full cost is higher than the next bound it goes back. The order is therefore strict
+//! but for the rare position whose full cost is less than its bound, for a fraction of the work.
 //!
 //! Time O(n log n); about 30 bytes a triangle besides the mesh.
 

@@ -288,9 +288,8 @@ impl Star {
         let mut sums = [f32x4::ZERO; 10];
         let mut t = 0;
         while t < self.triangle_count {
-            let [x, y, z] = slices(&self.normals, t).map(|array| {
-                f32x4::new(array.first_chunk().copied().unwrap_or([0.0; 4]))
-            });
+            let [x, y, z] = slices(&self.normals, t)
+                .map(|array| f32x4::new(array.first_chunk().copied().unwrap_or([0.0; 4])));
             let length = (x * x + y * y + z * z).sqrt();
             let weight = f32x4::splat(0.5) / length.fast_max(f32x4::splat(f32::MIN_POSITIVE));
             let (wx, wy, wz) = (weight * x, weight * y, weight * z);
