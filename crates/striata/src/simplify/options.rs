@@ -94,7 +94,7 @@ impl AttributeWeights {
 }
 
 /// Options of [`build_sequence`](super::build_sequence).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct SequenceOptions {
     /// What orders the collapses; default [`CollapseCost::Memoryless`].
@@ -111,20 +111,6 @@ pub struct SequenceOptions {
     pub locked_vertices: Vec<u32>,
     /// Vertices without a common edge may contract when nearer than this, mesh units; default never.
     pub pair_distance: Option<f64>,
-}
-
-impl Default for SequenceOptions {
-    fn default() -> Self {
-        Self {
-            cost: CollapseCost::default(),
-            base_triangle_count: 0,
-            max_error: None,
-            attribute_weights: AttributeWeights::default(),
-            boundary: BoundaryRule::default(),
-            locked_vertices: Vec::new(),
-            pair_distance: None,
-        }
-    }
 }
 
 impl SequenceOptions {
