@@ -78,7 +78,8 @@ impl Drift {
             place = beyond;
         }
         // A star without triangles is a point.
-        let (least, place) = if least < f32::INFINITY { (least, place) } else { (offset(place).length_squared(), place) };
+        let (least, place) =
+            if least < f32::INFINITY { (least, place) } else { (offset(place).length_squared(), place) };
         (least, place)
     }
 }

@@ -1,6 +1,6 @@
 //! When to stop: the caller's target in the counts that the loop keeps.
 
-use super::super::options::{SimplifyError, SimplifyOptions, StopReason, Target};
+use super::super::options::{SimplifyOptions, StopReason, Target};
 
 /// What there is to be simplified.
 #[derive(Clone, Copy, Debug)]
@@ -29,15 +29,14 @@ pub(super) struct Goal {
 }
 
 impl Goal {
-    pub(super) fn new(options: &SimplifyOptions, counts: Counts) -> Result<Self, SimplifyError> {
-        let tolerance = distance("tolerance", options.tolerance)?;
-        let max_error = distance("max_error", options.sequence.max_error)?;
+    pub(super) fn new(options: &SimplifyOptions, counts: Counts) -> Self {
+        let limits = [options.tolerance, options.sequence.max_error];
         let mut goal = Self {
             triangles: 0,
             vertices: 0,
             removals: usize::MAX,
             base_triangles: options.sequence.base_triangle_count,
-            limit: tolerance.min(max_error),
+            limit: limits.into_iter().flatten().fold(f64::INFINITY, f64::min),
             at_limit: StopReason::ErrorLimit,
             at_base: StopReason::BaseReached,
             is_above_full: false,
@@ -52,9 +51,6 @@ impl Goal {
                 goal.is_above_full = n > counts.vertices;
             }
             Target::Detail(detail) => {
-                if !(0.0..=1.0).contains(&detail) {
-                    return Err(wrong("detail", detail, "between 0 and 1"));
-                }
                 let kept = (detail * counts.removable as f64).round() as usize;
                 goal.keep_splits(kept, counts);
             }
@@ -63,13 +59,12 @@ impl Goal {
                 goal.keep_splits(n, counts);
             }
             Target::Error(error) => {
-                let error = distance("error", Some(error))?;
                 if error <= goal.limit {
                     (goal.limit, goal.at_limit) = (error, StopReason::TargetReached);
                 }
             }
         }
-        Ok(goal)
+        goal
     }
 
     fn keep_splits(&mut self, kept: usize, counts: Counts) {
@@ -90,17 +85,4 @@ impl Goal {
         }
         (triangles <= self.base_triangles).then_some(self.at_base)
     }
-}
-
-/// A distance option; none is without limit.
-fn distance(option: &'static str, value: Option<f64>) -> Result<f64, SimplifyError> {
-    match value {
-        Some(value) if value.is_nan() || value < 0.0 => Err(wrong(option, value, "0 or more")),
-        Some(value) => Ok(value),
-        None => Ok(f64::INFINITY),
-    }
-}
-
-fn wrong(option: &'static str, value: f64, expected: &'static str) -> SimplifyError {
-    SimplifyError::Option { option, value: value.to_string(), expected }
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::super::links::{LinkEdge, LinkKind, Links};
-use super::form::Form;
+use super::form::{Form, Shared};
 
 /// Squared cosine that the normals of an old and a new triangle must at least have between them.
 const FLIP_COSINE_SQUARED: f64 = 0.04;
@@ -52,7 +52,8 @@ impl Hood {
         self.offsets.extend(self.ids.iter().map(|&id| positions[id as usize] - self.centre));
         let offsets = &self.offsets;
         self.normals.clear();
-        self.normals.extend(self.triangles.iter().map(|t| offsets[t.a as usize].cross(offsets[t.b as usize])));
+        self.normals
+            .extend(self.triangles.iter().map(|t| offsets[t.a as usize].cross(offsets[t.b as usize])));
         match kind {
             LinkKind::Empty => {}
             LinkKind::Closed if is_seam.is_none() => {}
@@ -101,18 +102,15 @@ impl Hood {
         form
     }
 
-    /// The form of what the star shares with that of neighbour `i`.
-    pub(super) fn shared(&self, i: usize) -> Form {
-        let mut form = Form::default();
+    /// What the star shares with that of neighbour `i`.
+    pub(super) fn shared(&self, i: usize) -> Shared {
+        let mut shared = Shared::default();
         for (t, &normal) in self.triangles.iter().zip(&self.normals) {
             if t.a as usize == i || t.b as usize == i {
-                form.add_triangle(normal);
+                shared.add_triangle(normal);
             }
         }
-        if self.is_border(i) {
-            form.add_border(self.offsets[i]);
-        }
-        form
+        shared
     }
 
     /// True where the edge to neighbour `i` is a border.
@@ -124,9 +122,11 @@ impl Hood {
     fn staying(&self, other: u32) -> impl Iterator<Item = (DVec3, DVec3, DVec3)> {
         let gone = self.ids.iter().position(|&id| id == other).map_or(u32::MAX, |i| i as u32);
         let stays = move |t: &&LinkEdge| t.a != gone && t.b != gone;
-        self.triangles.iter().zip(&self.normals).filter(move |(t, _)| stays(t)).map(|(t, &normal)| {
-            (self.offsets[t.a as usize], self.offsets[t.b as usize], normal)
-        })
+        self.triangles
+            .iter()
+            .zip(&self.normals)
+            .filter(move |(t, _)| stays(t))
+            .map(|(t, &normal)| (self.offsets[t.a as usize], self.offsets[t.b as usize], normal))
     }
 
     /// True where no triangle that stays flips over or becomes a sliver with the centre at `place`.
