@@ -233,7 +233,7 @@ impl<'a> Merger<'a> {
                 return Ok(goal.at_limit);
             }
             let done = self.removed_count as u64;
-            if done % 4096 == 0
+            if done.is_multiple_of(4096)
                 && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(())
             {
                 return Err(Cancelled.into());
