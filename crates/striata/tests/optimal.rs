@@ -122,9 +122,8 @@ fn locked_boundary_and_vertices_stay_bit_for_bit() {
         mesh.positions.iter().filter(is_rim).map(bits).collect()
     };
     let inner: Vec<u32> = vec![200, 201, 333];
-    let sequence = SequenceOptions::default()
-        .with_boundary(BoundaryRule::Locked)
-        .with_locked_vertices(inner.clone());
+    let sequence =
+        SequenceOptions::default().with_boundary(BoundaryRule::Locked).with_locked_vertices(inner.clone());
     let out = run(&terrain, &options(Target::Triangles(0)).with_sequence(sequence));
     assert_eq!(out.stop_reason, StopReason::BaseReached);
     assert!(out.mesh.triangle_count() * 4 < terrain.triangle_count(), "{}", out.mesh.triangle_count());
@@ -250,6 +249,10 @@ fn cancelling_and_pairs_are_errors() {
     let out = simplify(&mesh, &options(Target::Triangles(100)), &mut |_| ControlFlow::Break(()));
     assert_eq!(out.unwrap_err(), SimplifyError::Cancelled(striata::Cancelled));
     let sequence = SequenceOptions::default().with_pair_distance(0.1);
-    let out = simplify(&mesh, &options(Target::Triangles(100)).with_sequence(sequence), &mut striata::ignore_progress);
+    let out = simplify(
+        &mesh,
+        &options(Target::Triangles(100)).with_sequence(sequence),
+        &mut striata::ignore_progress,
+    );
     assert!(matches!(out, Err(SimplifyError::Option { option: "pair_distance", .. })));
 }

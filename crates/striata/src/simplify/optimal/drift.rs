@@ -77,9 +77,29 @@ impl Drift {
             }
             place = beyond;
         }
-        // A star without triangles is a point.
-        let (least, place) =
-            if least < f32::INFINITY { (least, place) } else { (offset(place).length_squared(), place) };
+        if self.edges.is_empty() {
+            least = least.min(offset(place).length_squared());
+        }
         (least, place)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes;
+
+    #[test]
+    fn witness_of_a_flattened_tip_is_found() {
+        // A closed fan whose centre stands up: merged into a rim vertex, its height is the error.
+        let mesh = shapes::closed_fan(8);
+        let positions: Vec<DVec3> = mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+        let mut links = Links::new(positions.len(), &mesh.triangles, false);
+        let mut drift = Drift::new(positions.clone());
+        links.collapse(0, 1);
+        let worst = drift.collapse(&links, &positions, 0, 1);
+        let rim = positions[1].z;
+        let height = (positions[0].z - rim).abs() as f32;
+        assert!(height > 0.0 && (worst - height * height).abs() < 1e-5, "{worst} {height}");
     }
 }

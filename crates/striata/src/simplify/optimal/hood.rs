@@ -168,3 +168,42 @@ fn faces(a: DVec3, b: DVec3) -> bool {
     let along = a.dot(b);
     along > 0.0 && along * along > FLIP_COSINE_SQUARED * a.length_squared() * b.length_squared()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes;
+
+    fn hood_of(v: u32) -> Hood {
+        let mesh = shapes::grid(2, 2);
+        let positions: Vec<DVec3> = mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+        let mut hood = Hood::default();
+        hood.gather(&Links::new(9, &mesh.triangles, false), &positions, v, None);
+        hood
+    }
+
+    #[test]
+    fn borders_of_a_grid() {
+        assert!(hood_of(4).borders.is_empty());
+        let edge = hood_of(1);
+        let mut across: Vec<u32> = edge.borders.iter().map(|&i| edge.ids[i as usize]).collect();
+        across.sort_unstable();
+        assert_eq!(across, [0, 2]);
+    }
+
+    #[test]
+    fn centre_may_move_inside_its_ring_only() {
+        let hood = hood_of(4);
+        let at = |x: f64, y: f64| hood.may_move(DVec3::new(x, y, 0.0), u32::MAX, DVec3::Z);
+        assert!(at(1.0, 1.0) && at(1.2, 0.9));
+        assert!(!at(2.5, 1.0) && !at(1.0, -0.5));
+    }
+
+    #[test]
+    fn distance_is_from_the_new_triangles() {
+        let hood = hood_of(4);
+        let squared = hood.distance_squared(DVec3::new(1.0, 1.0, 0.5), u32::MAX);
+        assert!(squared > 0.1 && squared < 0.25, "{squared}");
+        assert!(hood.distance_squared(DVec3::new(1.1, 0.9, 0.0), u32::MAX) < 1e-12);
+    }
+}

@@ -24,6 +24,7 @@
 //! Time O(n log n), about 300 bytes a vertex.
 
 mod blend;
+mod course;
 mod drift;
 mod form;
 mod goal;
@@ -41,6 +42,7 @@ use super::heap::IndexedHeap;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
 use super::options::{BoundaryRule, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason};
+use course::{Course, first_cost, places};
 use drift::Drift;
 use form::{EdgeForm, Form};
 use goal::{Counts, Goal};
@@ -96,19 +98,6 @@ impl Frame {
         let limit = f64::from(f32::MAX);
         (p * self.scale + self.centre).to_array().map(|x| x.clamp(-limit, limit) as f32)
     }
-}
-
-/// Where the vertex of an edge may lie.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Course {
-    Free,
-    /// At the end that asks.
-    Here,
-    /// At the other end.
-    There,
-    /// At one of both.
-    Ends,
-    Nowhere,
 }
 
 /// A collapse that was judged in full.
@@ -502,37 +491,6 @@ fn gather_into(hood: &mut Hood, (links, positions, seams): (&Links, &[DVec3], Op
             hood.gather(links, positions, v, Some(&is_seam));
         }
         _ => hood.gather(links, positions, v, None),
-    }
-}
-
-/// What the first of `places` costs.
-fn first_cost(edge: &EdgeForm, course: Course, tip: DVec3) -> f64 {
-    let place = match course {
-        Course::Free => edge.keeping_volume().or_else(|| edge.cheapest()).unwrap_or(0.5 * tip),
-        Course::Here => DVec3::ZERO,
-        Course::There => tip,
-        Course::Ends => return edge.cost(DVec3::ZERO).min(edge.cost(tip)),
-        Course::Nowhere => return f64::INFINITY,
-    };
-    edge.cost(place)
-}
-
-/// Places for the vertex of an edge seen from its first end, best first, and whether that end is the one kept.
-fn places(edge: &EdgeForm, course: Course, tip: DVec3) -> [Option<(DVec3, bool)>; 5] {
-    let (here, there) = ((DVec3::ZERO, true), (tip, false));
-    let ends = if edge.cost(here.0) <= edge.cost(there.0) { [here, there] } else { [there, here] };
-    match course {
-        Course::Free => [
-            edge.keeping_volume().map(|place| (place, false)),
-            edge.cheapest().map(|place| (place, false)),
-            Some((0.5 * tip, false)),
-            Some((ends[0].0, false)),
-            Some((ends[1].0, false)),
-        ],
-        Course::Here => [Some(here), None, None, None, None],
-        Course::There => [Some(there), None, None, None, None],
-        Course::Ends => [Some(ends[0]), Some(ends[1]), None, None, None],
-        Course::Nowhere => [None; 5],
     }
 }
 
