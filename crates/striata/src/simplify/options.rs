@@ -175,7 +175,9 @@ pub enum Placement {
     /// A subset of the input's vertices, attributes untouched.
     #[default]
     Subset,
-    /// Anywhere; attributes are interpolated. Nearer to the surface, but one level only.
+    /// Anywhere; attributes are interpolated. Nearer to the surface, but one level only. The cost is always memoryless
+    /// and counts no attributes; [`Target::Detail`] and [`Target::SplitCount`] count all vertices that are not locked as
+    /// removable; the error is the distance of the worst followed input vertex from the result, an estimate.
     Optimal,
 }
 

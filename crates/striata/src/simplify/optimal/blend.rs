@@ -1,0 +1,128 @@
+//! Attributes of a vertex that lies somewhere between two.
+
+use crate::mesh::{AttributeLayer, LayerData, Semantic};
+
+/// How a layer is carried over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rule {
+    /// Numbers that mix.
+    Linear,
+    /// Unit vectors, their first three components mixed and brought back to length 1.
+    Direction,
+    /// Names, and numbers that only make sense with them: those of the nearer vertex.
+    Nearer,
+}
+
+fn rule_of(layer: &AttributeLayer) -> Rule {
+    let is_float = matches!(layer.data, LayerData::F32(_));
+    match layer.semantic {
+        Semantic::Joints(_) | Semantic::Weights(_) => Rule::Nearer,
+        Semantic::Normal | Semantic::Tangent if is_float && layer.component_count >= 3 => Rule::Direction,
+        Semantic::Normal | Semantic::Tangent => Rule::Nearer,
+        Semantic::Generic(_) if !is_float && !layer.normalized => Rule::Nearer,
+        _ => Rule::Linear,
+    }
+}
+
+/// Gives vertex `kept` the attributes at `share` of the way from it to vertex `removed`.
+pub(super) fn blend(layers: &mut [AttributeLayer], removed: u32, kept: u32, share: f64) {
+    if share == 0.0 {
+        return;
+    }
+    for layer in layers {
+        let rule = rule_of(layer);
+        let n = layer.component_count as usize;
+        let (from, to) = (removed as usize * n, kept as usize * n);
+        let whole = |x: f64, y: f64| (x + (y - x) * share).round();
+        match &mut layer.data {
+            LayerData::F32(data) if rule == Rule::Direction => mix_direction(data, n, (from, to), share),
+            LayerData::F32(data) if rule == Rule::Linear => {
+                for i in 0..n {
+                    data[to + i] = mix(data[to + i], data[from + i], share);
+                }
+            }
+            LayerData::U8(data) if rule == Rule::Linear => {
+                for i in 0..n {
+                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u8;
+                }
+            }
+            LayerData::U16(data) if rule == Rule::Linear => {
+                for i in 0..n {
+                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u16;
+                }
+            }
+            LayerData::U32(data) if rule == Rule::Linear => {
+                for i in 0..n {
+                    data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u32;
+                }
+            }
+            _ if share <= 0.5 => {}
+            LayerData::F32(data) => data.copy_within(from..from + n, to),
+            LayerData::U8(data) => data.copy_within(from..from + n, to),
+            LayerData::U16(data) => data.copy_within(from..from + n, to),
+            LayerData::U32(data) => data.copy_within(from..from + n, to),
+        }
+    }
+}
+
+fn mix(x: f32, y: f32, share: f64) -> f32 {
+    let (x, y) = (f64::from(x), f64::from(y));
+    (x + (y - x) * share) as f32
+}
+
+fn mix_direction(data: &mut [f32], n: usize, (from, to): (usize, usize), share: f64) {
+    let mixed: [f32; 3] = std::array::from_fn(|i| mix(data[to + i], data[from + i], share));
+    let length = mixed.iter().map(|&x| f64::from(x) * f64::from(x)).sum::<f64>().sqrt();
+    if share > 0.5 {
+        data.copy_within(from..from + n, to);
+    }
+    // Opposite directions leave none to normalise: the nearer one stays.
+    if length > 1e-6 {
+        for (slot, x) in data[to..].iter_mut().zip(mixed) {
+            *slot = (f64::from(x) / length) as f32;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_kind_of_layer_by_its_rule() {
+        let mut layers = vec![
+            AttributeLayer::from_f32(Semantic::Normal, 3, vec![1., 0., 0., 0., 1., 0.]),
+            AttributeLayer::from_f32(Semantic::TexCoord(0), 2, vec![0., 1., 1., 3.]),
+            AttributeLayer::from_f32(Semantic::Weights(0), 4, vec![1., 0., 0., 0., 0., 1., 0., 0.]),
+            AttributeLayer {
+                semantic: Semantic::Joints(0),
+                component_count: 1,
+                normalized: false,
+                data: LayerData::U16(vec![3, 9]),
+            },
+            AttributeLayer {
+                semantic: Semantic::Color(0),
+                component_count: 1,
+                normalized: true,
+                data: LayerData::U8(vec![0, 200]),
+            },
+        ];
+        let untouched = layers.clone();
+        blend(&mut layers, 1, 0, 0.0);
+        assert_eq!(layers, untouched);
+        blend(&mut layers, 1, 0, 0.75);
+        assert_eq!(layers[1].data, LayerData::F32(vec![0.75, 2.5, 1., 3.]));
+        assert_eq!(layers[2].data, LayerData::F32(vec![0., 1., 0., 0., 0., 1., 0., 0.]));
+        assert_eq!(layers[3].data, LayerData::U16(vec![9, 9]));
+        assert_eq!(layers[4].data, LayerData::U8(vec![150, 200]));
+        let length: f32 = (0..3).map(|c| layers[0].get(0, c)).map(|x| x * x).sum();
+        assert!((length - 1.0).abs() < 1e-6 && layers[0].get(0, 1) > layers[0].get(0, 0));
+    }
+
+    #[test]
+    fn opposite_normals_do_not_cancel() {
+        let mut layers = vec![AttributeLayer::from_f32(Semantic::Normal, 3, vec![0., 0., 1., 0., 0., -1.])];
+        blend(&mut layers, 1, 0, 0.5);
+        assert_eq!(layers[0].data, LayerData::F32(vec![0., 0., 1., 0., 0., -1.]));
+    }
+}

@@ -1,0 +1,105 @@
+//! The error that is reported: how far the worst of some original vertices lie from the surface.
+//!
+//! Every position carries one original vertex, at first its own: of those that came to lie nearest to one of its triangles,
+//! the one that was farthest away when last measured. A collapse measures those of both ends anew, walking from star
+//! to star while that leads nearer. This is an estimate from vertices, one way only, and not a bound.
+
+use glam::DVec3;
+
+use super::super::fan::nearest;
+use super::super::links::{LinkEdge, Links};
+
+const NONE: u32 = u32::MAX;
+/// Stars that one search may cross; it goes on next time.
+const MAX_WALK: usize = 8;
+
+#[derive(Clone, Copy, Debug)]
+struct Witness {
+    /// Position in the original numbering.
+    original: u32,
+    distance_squared: f32,
+}
+
+/// One original vertex for each position, and scratch.
+#[derive(Debug)]
+pub(super) struct Drift {
+    of: Vec<Witness>,
+    originals: Vec<DVec3>,
+    edges: Vec<LinkEdge>,
+}
+
+impl Drift {
+    pub(super) fn new(originals: Vec<DVec3>) -> Self {
+        let own = |p| Witness { original: p, distance_squared: 0.0 };
+        Self { of: (0..originals.len() as u32).map(own).collect(), originals, edges: Vec::new() }
+    }
+
+    /// Called after `removed` was merged into `kept`; the largest squared distance among the witnesses of both.
+    pub(super) fn collapse(&mut self, links: &Links, positions: &[DVec3], removed: u32, kept: u32) -> f32 {
+        let nobody = Witness { original: NONE, distance_squared: 0.0 };
+        let candidates =
+            [removed, kept].map(|p| std::mem::replace(&mut self.of[p as usize], nobody).original);
+        let mut worst = 0.0f32;
+        for original in candidates.into_iter().filter(|&original| original != NONE) {
+            let (distance_squared, place) = self.settle(links, positions, kept, original);
+            worst = worst.max(distance_squared);
+            let there = &mut self.of[place as usize];
+            if distance_squared >= there.distance_squared || there.original == NONE {
+                *there = Witness { original, distance_squared };
+            }
+        }
+        worst
+    }
+
+    /// Walks from the star of `place` towards the surface nearest to `original`.
+    fn settle(&mut self, links: &Links, positions: &[DVec3], mut place: u32, original: u32) -> (f32, u32) {
+        let from = self.originals[original as usize];
+        let offset = |p: u32| (positions[p as usize] - from).as_vec3();
+        let mut least = f32::INFINITY;
+        for _ in 0..MAX_WALK {
+            let centre = offset(place);
+            links.edges_into(place, &mut self.edges);
+            // Where the nearest point lies on the rim, the star beyond may be nearer still.
+            let mut beyond = NONE;
+            let before = least;
+            for e in &self.edges {
+                let (a, b) = (offset(e.a), offset(e.b));
+                let [x, y, z] = nearest(centre, a, b);
+                let distance_squared = (centre * x + a * y + b * z).length_squared();
+                if distance_squared < least {
+                    least = distance_squared;
+                    let rim = if y >= z { e.a } else { e.b };
+                    beyond = if x > 0.0 { NONE } else { rim };
+                }
+            }
+            if beyond == NONE || least >= before {
+                break;
+            }
+            place = beyond;
+        }
+        if self.edges.is_empty() {
+            least = least.min(offset(place).length_squared());
+        }
+        (least, place)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes;
+
+    #[test]
+    fn witness_of_a_flattened_tip_is_found() {
+        // A closed fan whose centre stands up: merged into a rim vertex, its height is the error.
+        let mesh = shapes::closed_fan(8);
+        let positions: Vec<DVec3> = mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+        let mut links = Links::new(positions.len(), &mesh.triangles, false);
+        let mut drift = Drift::new(positions.clone());
+        links.collapse(0, 1);
+        let worst = drift.collapse(&links, &positions, 0, 1);
+        let rim = positions[1].z;
+        let height = (positions[0].z - rim).abs() as f32;
+        assert!(height > 0.0 && (worst - height * height).abs() < 1e-5, "{worst} {height}");
+    }
+}

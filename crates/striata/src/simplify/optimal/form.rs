@@ -1,0 +1,268 @@
+//! What moving a vertex costs, as a quadratic form, and where an edge's new vertex costs least.
+//!
+//! The planes of a star all pass through its centre, so six numbers hold the squared distances from them, weighted by
+//! area, and the sum of the normals holds the change of volume. Two stars that share an edge add up; with the first end
+//! as origin, the second at `d`, and `s` for the triangles on the edge, which both stars have:
+//!
+//! ```text
+//! cost(x)   = x^T A x - 2 b.x + c        A = Av + Au,       b = Au d,  c = d^T Au d
+//! volume(x) = N.x - h                    N = Nv + Nu - Ns,  h = Nu.d      (6 times the change)
+//! ```
+//!
+//! (`Ns.d` is zero, since the planes on the edge hold both ends.) The place is the least cost among those that keep the
+//! volume; where the normals cancel out and the volume says nothing, its change becomes a penalty. Planes on the
+//! edge count twice, as in [Hop99]: counting them once is 2 to 4 % worse in RMS.
+
+use glam::DVec3;
+
+/// Weight of the squared area between the old and the new course of a border.
+const BORDER_WEIGHT: f64 = 4.0;
+/// Pull to the edge's middle, as a share of the form's trace: decides where the planes do not.
+const MIDDLE_WEIGHT: f64 = 1e-5;
+/// Length of the summed normals, as a share of the summed lengths, below which the volume says nothing.
+const LEAST_FLATNESS: f64 = 0.1;
+/// A place this many square roots of the area away from the edge's middle is no place.
+const FARTHEST: f64 = 2.0;
+
+/// The quadratic form of a star about its centre; lengths to the fourth at a place.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Form {
+    /// xx, yy, zz, xy, xz, yz.
+    form: [f64; 6],
+    /// Sum of the triangles' normals, each as long as twice its area.
+    normal: DVec3,
+    /// Twice the area.
+    area_doubled: f64,
+}
+
+impl Form {
+    /// Adds a triangle by its unscaled normal.
+    pub(super) fn add_triangle(&mut self, normal: DVec3) {
+        let length = normal.length();
+        self.normal += normal;
+        self.area_doubled += length;
+        if length > 0.0 {
+            self.add_square(normal, 0.5 / length);
+        }
+    }
+
+    /// Adds the squared area that leaving the border edge `along` sweeps.
+    pub(super) fn add_border(&mut self, along: DVec3) {
+        let squared = BORDER_WEIGHT * along.length_squared();
+        for i in 0..3 {
+            self.form[i] += squared;
+        }
+        self.add_square(along, -BORDER_WEIGHT);
+    }
+
+    fn add_square(&mut self, v: DVec3, weight: f64) {
+        let w = weight * v;
+        let terms = [w.x * v.x, w.y * v.y, w.z * v.z, w.x * v.y, w.x * v.z, w.y * v.z];
+        for (sum, term) in self.form.iter_mut().zip(terms) {
+            *sum += term;
+        }
+    }
+
+    /// The matrix times `x`.
+    fn times(&self, x: DVec3) -> DVec3 {
+        let [xx, yy, zz, xy, xz, yz] = self.form;
+        DVec3::new(
+            xx * x.x + xy * x.y + xz * x.z,
+            xy * x.x + yy * x.y + yz * x.z,
+            xz * x.x + yz * x.y + zz * x.z,
+        )
+    }
+
+    fn trace(&self) -> f64 {
+        self.form[0] + self.form[1] + self.form[2]
+    }
+
+    /// The sum of two stars, what they share counted once in the volume and twice in the planes.
+    fn united(&self, other: &Self, shared: Shared) -> Self {
+        Self {
+            form: std::array::from_fn(|i| self.form[i] + other.form[i]),
+            normal: self.normal + other.normal - shared.normal,
+            area_doubled: (self.area_doubled + other.area_doubled - shared.area_doubled).max(0.0),
+        }
+    }
+
+    /// The inverse of a positive definite form; `None` where it is singular.
+    fn inverse(&self) -> Option<Self> {
+        let [xx, yy, zz, xy, xz, yz] = self.form;
+        let (cxx, cxy, cxz) = (yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy);
+        let determinant = xx * cxx + xy * cxy + xz * cxz;
+        // Also false for a determinant that is not a number.
+        if !(determinant > 0.0 && (1.0 / determinant).is_finite()) {
+            return None;
+        }
+        let adjugate = [cxx, xx * zz - xz * xz, xx * yy - xy * xy, cxy, cxz, xy * xz - xx * yz];
+        Some(Self { form: adjugate.map(|x| x / determinant), ..Self::default() })
+    }
+}
+
+/// The triangles that two stars share.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Shared {
+    normal: DVec3,
+    area_doubled: f64,
+}
+
+impl Shared {
+    /// Adds a triangle by its unscaled normal.
+    pub(super) fn add_triangle(&mut self, normal: DVec3) {
+        self.normal += normal;
+        self.area_doubled += normal.length();
+    }
+}
+
+/// One edge to be collapsed: origin the first end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EdgeForm {
+    united: Form,
+    /// The second end.
+    tip: DVec3,
+    linear: DVec3,
+    constant: f64,
+    volume: f64,
+}
+
+impl EdgeForm {
+    /// The forms of both ends and what they share; `tip` is the second end seen from the first.
+    pub(super) fn new(first: &Form, second: &Form, shared: Shared, tip: DVec3) -> Self {
+        let linear = second.times(tip);
+        Self {
+            united: first.united(second, shared),
+            tip,
+            linear,
+            constant: linear.dot(tip),
+            volume: second.normal.dot(tip),
+        }
+    }
+
+    /// Sum of the normals of both stars.
+    pub(super) fn normal(&self) -> DVec3 {
+        self.united.normal
+    }
+
+    /// Area of both stars.
+    pub(super) fn area(&self) -> f64 {
+        0.5 * self.united.area_doubled
+    }
+
+    /// What placing the vertex at `x` costs; never negative.
+    pub(super) fn cost(&self, x: DVec3) -> f64 {
+        let planes = x.dot(self.united.times(x)) - 2.0 * self.linear.dot(x) + self.constant;
+        let change = self.united.normal.dot(x) - self.volume;
+        let swept = change * change * self.volume_weight();
+        (planes + swept).max(0.0)
+    }
+
+    /// The squared change of volume over the area, normals and area being doubled.
+    fn volume_weight(&self) -> f64 {
+        0.5 / self.united.area_doubled.max(f64::MIN_POSITIVE)
+    }
+
+    /// The cheapest place that keeps the volume; `None` where the volume or the planes say too little.
+    pub(super) fn keeping_volume(&self) -> Option<DVec3> {
+        let normal = self.united.normal;
+        if normal.length() <= LEAST_FLATNESS * self.united.area_doubled {
+            return None;
+        }
+        let (inverse, linear) = self.regular(self.united)?;
+        let free = inverse.times(linear);
+        let step = inverse.times(normal);
+        let along = normal.dot(step);
+        if along <= 0.0 {
+            return None;
+        }
+        self.near(free + step * ((self.volume - normal.dot(free)) / along))
+    }
+
+    /// The cheapest place with the change of volume as a penalty; `None` where that is far away.
+    pub(super) fn cheapest(&self) -> Option<DVec3> {
+        let mut form = self.united;
+        form.add_square(self.united.normal, self.volume_weight());
+        let (inverse, linear) = self.regular(form)?;
+        self.near(inverse.times(linear + self.united.normal * (self.volume * self.volume_weight())))
+    }
+
+    /// The inverse of a form that is pulled to the middle, and the linear part with it.
+    fn regular(&self, mut form: Form) -> Option<(Form, DVec3)> {
+        let pull = MIDDLE_WEIGHT * form.trace();
+        for i in 0..3 {
+            form.form[i] += pull;
+        }
+        Some((form.inverse()?, self.linear + self.tip * (0.5 * pull)))
+    }
+
+    fn near(&self, x: DVec3) -> Option<DVec3> {
+        let away = (x - 0.5 * self.tip).length_squared();
+        // Also false for what is not a number.
+        (away <= FARTHEST * FARTHEST * self.area()).then_some(x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The form of a closed fan around `centre`.
+    fn star(centre: DVec3, ring: &[DVec3]) -> Form {
+        let mut form = Form::default();
+        for (i, a) in ring.iter().enumerate() {
+            form.add_triangle((*a - centre).cross(ring[(i + 1) % ring.len()] - centre));
+        }
+        form
+    }
+
+    #[test]
+    fn form_is_the_squared_distance_times_area() {
+        let mut form = Form::default();
+        form.add_triangle(DVec3::new(0.0, 0.0, 3.0));
+        let edge = EdgeForm::new(&form, &Form::default(), Shared::default(), DVec3::X);
+        // Area 1.5, distance 2, and as much again for the volume.
+        assert_eq!(edge.cost(DVec3::new(7.0, 5.0, 2.0)), 12.0);
+    }
+
+    #[test]
+    fn border_sweeps_area() {
+        let mut form = Form::default();
+        form.add_border(DVec3::new(0.0, 2.0, 0.0));
+        let edge = EdgeForm::new(&form, &Form::default(), Shared::default(), DVec3::X);
+        assert_eq!(edge.cost(DVec3::new(3.0, 9.0, 0.0)), BORDER_WEIGHT * 36.0);
+    }
+
+    #[test]
+    fn flat_stars_meet_in_the_middle() {
+        let p = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+        let (v, u) = (p(0.0, 0.0), p(1.0, 0.0));
+        let (top, low) = (p(0.5, 1.0), p(0.5, -1.0));
+        let first = star(v, &[u, top, p(-1.0, 0.0), low]);
+        let second = star(u, &[v, low, p(2.0, 0.0), top]);
+        let mut shared = Shared::default();
+        shared.add_triangle(u.cross(top));
+        shared.add_triangle(low.cross(u));
+        let edge = EdgeForm::new(&first, &second, shared, u);
+        let place = edge.keeping_volume().unwrap();
+        assert!((place - p(0.5, 0.0)).length() < 1e-12, "{place}");
+        assert_eq!(edge.cost(place), 0.0);
+    }
+
+    #[test]
+    fn ridge_is_raised_to_keep_the_volume() {
+        // A roof whose ridge runs along the edge: rings at height 0 around ends at height 1.
+        let (v, u) = (DVec3::new(0.0, 0.0, 1.0), DVec3::new(1.0, 0.0, 1.0));
+        let (left, right) = (DVec3::new(0.5, 1.0, 0.0), DVec3::new(0.5, -1.0, 0.0));
+        let first = star(v, &[u, left, DVec3::new(-1.0, 0.0, 0.0), right]);
+        let second = star(u, &[v, right, DVec3::new(2.0, 0.0, 0.0), left]);
+        let mut shared = Shared::default();
+        shared.add_triangle((u - v).cross(left - v));
+        shared.add_triangle((right - v).cross(u - v));
+        let edge = EdgeForm::new(&first, &second, shared, u - v);
+        let place = edge.keeping_volume().unwrap();
+        // The volume over the ground: two ends' pyramids and the wedge between; one apex must be higher.
+        assert!(place.z > 0.1 && (place.x - 0.5).abs() < 1e-9 && place.y.abs() < 1e-9, "{place}");
+        let change = edge.united.normal.dot(place) - edge.volume;
+        assert!(change.abs() < 1e-12, "{change}");
+    }
+}

@@ -1,0 +1,88 @@
+//! When to stop: the caller's target in the counts that the loop keeps.
+
+use super::super::options::{SimplifyOptions, StopReason, Target};
+
+/// What there is to be simplified.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Counts {
+    pub(super) triangles: usize,
+    pub(super) vertices: usize,
+    /// Positions that are not locked.
+    pub(super) removable: usize,
+}
+
+/// The target, resolved.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Goal {
+    triangles: usize,
+    vertices: usize,
+    /// Collapses wanted.
+    pub(super) removals: usize,
+    base_triangles: usize,
+    /// Largest error allowed, mesh units.
+    pub(super) limit: f64,
+    /// What it means that the limit stops.
+    pub(super) at_limit: StopReason,
+    /// What it means that nothing is left to collapse.
+    pub(super) at_base: StopReason,
+    is_above_full: bool,
+}
+
+impl Goal {
+    pub(super) fn new(options: &SimplifyOptions, counts: Counts) -> Self {
+        let limits = [options.tolerance, options.sequence.max_error];
+        let mut goal = Self {
+            triangles: 0,
+            vertices: 0,
+            removals: usize::MAX,
+            base_triangles: options.sequence.base_triangle_count,
+            limit: limits.into_iter().flatten().fold(f64::INFINITY, f64::min),
+            at_limit: StopReason::ErrorLimit,
+            at_base: StopReason::BaseReached,
+            is_above_full: false,
+        };
+        match options.target {
+            Target::Triangles(n) => {
+                goal.triangles = n;
+                goal.is_above_full = n > counts.triangles;
+            }
+            Target::Vertices(n) => {
+                goal.vertices = n;
+                goal.is_above_full = n > counts.vertices;
+            }
+            Target::Detail(detail) => {
+                let kept = (detail * counts.removable as f64).round() as usize;
+                goal.keep_splits(kept, counts);
+            }
+            Target::SplitCount(n) => {
+                goal.is_above_full = n > counts.removable;
+                goal.keep_splits(n, counts);
+            }
+            Target::Error(error) => {
+                if error <= goal.limit {
+                    (goal.limit, goal.at_limit) = (error, StopReason::TargetReached);
+                }
+            }
+        }
+        goal
+    }
+
+    fn keep_splits(&mut self, kept: usize, counts: Counts) {
+        self.removals = counts.removable.saturating_sub(kept);
+        if kept == 0 {
+            // How many can go is known only once none can: the base is what was asked for.
+            (self.removals, self.at_base) = (usize::MAX, StopReason::TargetReached);
+        }
+    }
+
+    /// Why the loop should end now, if it should.
+    pub(super) fn reached(&self, triangles: usize, vertices: usize, removals: usize) -> Option<StopReason> {
+        if self.is_above_full {
+            return Some(StopReason::FullMesh);
+        }
+        if triangles <= self.triangles || vertices <= self.vertices || removals >= self.removals {
+            return Some(StopReason::TargetReached);
+        }
+        (triangles <= self.base_triangles).then_some(self.at_base)
+    }
+}

@@ -1,0 +1,209 @@
+//! One position with its triangles, gathered in double precision.
+
+use glam::DVec3;
+
+use super::super::links::{LinkEdge, LinkKind, Links};
+use super::form::{Form, Shared};
+
+/// Squared cosine that the normals of an old and a new triangle must at least have between them.
+const FLIP_COSINE_SQUARED: f64 = 0.04;
+/// A new triangle may not be thinner than this (1 is equilateral), unless the one it replaces was thinner still.
+const SLIVER_QUALITY: f64 = 0.01;
+/// Below this the normal of a triangle is noise.
+const NEEDLE_QUALITY: f64 = 0.02;
+/// Makes the quality of an equilateral triangle 1.
+const TWICE_ROOT_3: f64 = 3.464_101_615_137_754_6;
+
+/// Scratch that holds one star at a time; everything is relative to its centre.
+#[derive(Debug, Default)]
+pub(super) struct Hood {
+    pub(super) centre: DVec3,
+    /// Neighbours, each once.
+    pub(super) ids: Vec<u32>,
+    pub(super) offsets: Vec<DVec3>,
+    /// Corners of each triangle as indices into `ids`, and its number where followed.
+    pub(super) triangles: Vec<LinkEdge>,
+    /// Unscaled normals of the triangles.
+    normals: Vec<DVec3>,
+    /// Indices of neighbours across a border of any kind: boundary, seam, edge with three triangles.
+    pub(super) borders: Vec<u32>,
+}
+
+impl Hood {
+    /// Gathers the star of `v`. `is_seam(s, t)` says whether two triangles show `v` different wedges.
+    pub(super) fn gather(
+        &mut self,
+        links: &Links,
+        positions: &[DVec3],
+        v: u32,
+        is_seam: Option<&dyn Fn(u32, u32) -> bool>,
+    ) {
+        links.edges_into(v, &mut self.triangles);
+        self.ids.clear();
+        self.borders.clear();
+        let kind = links.kind(v);
+        match kind {
+            LinkKind::Empty => {}
+            LinkKind::Closed | LinkKind::Open => self.number_ring(links.entries(v)),
+            LinkKind::Edges => self.number_edges(),
+        }
+        self.centre = positions[v as usize];
+        self.offsets.clear();
+        self.offsets.extend(self.ids.iter().map(|&id| positions[id as usize] - self.centre));
+        let offsets = &self.offsets;
+        self.normals.clear();
+        self.normals
+            .extend(self.triangles.iter().map(|t| offsets[t.a as usize].cross(offsets[t.b as usize])));
+        match kind {
+            LinkKind::Empty => {}
+            LinkKind::Closed if is_seam.is_none() => {}
+            LinkKind::Open if is_seam.is_none() => self.borders.extend([0, self.ids.len() as u32 - 1]),
+            _ => self.find_borders(is_seam),
+        }
+    }
+
+    fn number_ring(&mut self, ring: &[u32]) {
+        self.ids.extend_from_slice(ring);
+        let n = ring.len();
+        for (i, t) in self.triangles.iter_mut().enumerate() {
+            (t.a, t.b) = (i as u32, if i + 1 == n { 0 } else { i as u32 + 1 });
+        }
+    }
+
+    fn number_edges(&mut self) {
+        self.ids.extend(self.triangles.iter().flat_map(|t| [t.a, t.b]));
+        self.ids.sort_unstable();
+        self.ids.dedup();
+        for t in &mut self.triangles {
+            let place = |id: u32| self.ids.binary_search(&id).unwrap_or(0) as u32;
+            (t.a, t.b) = (place(t.a), place(t.b));
+        }
+    }
+
+    fn find_borders(&mut self, is_seam: Option<&dyn Fn(u32, u32) -> bool>) {
+        for i in 0..self.ids.len() as u32 {
+            let mut after = self.triangles.iter().filter(|t| t.a == i);
+            let mut before = self.triangles.iter().filter(|t| t.b == i);
+            let is_inner = match (after.next(), before.next(), after.next(), before.next()) {
+                (Some(s), Some(t), None, None) => !is_seam.is_some_and(|f| f(s.triangle, t.triangle)),
+                _ => false,
+            };
+            if !is_inner {
+                self.borders.push(i);
+            }
+        }
+    }
+
+    /// The form of the whole star.
+    pub(super) fn form(&self) -> Form {
+        let mut form = Form::default();
+        self.normals.iter().for_each(|&normal| form.add_triangle(normal));
+        self.borders.iter().for_each(|&i| form.add_border(self.offsets[i as usize]));
+        form
+    }
+
+    /// What the star shares with that of neighbour `i`.
+    pub(super) fn shared(&self, i: usize) -> Shared {
+        let mut shared = Shared::default();
+        for (t, &normal) in self.triangles.iter().zip(&self.normals) {
+            if t.a as usize == i || t.b as usize == i {
+                shared.add_triangle(normal);
+            }
+        }
+        shared
+    }
+
+    /// True where the edge to neighbour `i` is a border.
+    pub(super) fn is_border(&self, i: usize) -> bool {
+        self.borders.contains(&(i as u32))
+    }
+
+    /// The triangles that stay when the centre moves and `other` is merged with it, as corners and old normal.
+    fn staying(&self, other: u32) -> impl Iterator<Item = (DVec3, DVec3, DVec3)> {
+        let gone = self.ids.iter().position(|&id| id == other).map_or(u32::MAX, |i| i as u32);
+        let stays = move |t: &&LinkEdge| t.a != gone && t.b != gone;
+        self.triangles
+            .iter()
+            .zip(&self.normals)
+            .filter(move |(t, _)| stays(t))
+            .map(|(t, &normal)| (self.offsets[t.a as usize], self.offsets[t.b as usize], normal))
+    }
+
+    /// True where no triangle that stays flips over or becomes a sliver with the centre at `place`.
+    ///
+    /// `mean` is the summed normal of both stars. A needle faces nowhere in particular, so what follows it must
+    /// agree with the mean, or stay as small; a triangle that was folded over may unfold.
+    pub(super) fn may_move(&self, place: DVec3, other: u32, mean: DVec3) -> bool {
+        let x = place - self.centre;
+        self.staying(other).all(|(a, b, old)| {
+            let new = (a - x).cross(b - x);
+            let (old_squared, new_squared) = (old.length_squared(), new.length_squared());
+            let side = (b - a).length_squared();
+            let old_sides = a.length_squared() + b.length_squared() + side;
+            let new_sides = (a - x).length_squared() + (b - x).length_squared() + side;
+            let (old_length, new_length) = (old_squared.sqrt(), new_squared.sqrt());
+            if TWICE_ROOT_3 * old_length <= NEEDLE_QUALITY * old_sides {
+                return new.dot(mean) > 0.0 || new_length <= 2.0 * old_length;
+            }
+            if !faces(new, old) {
+                return old.dot(mean) <= 0.0 && faces(new, mean);
+            }
+            TWICE_ROOT_3 * new_length >= SLIVER_QUALITY * new_sides
+                || new_length * old_sides >= old_length * new_sides
+        })
+    }
+
+    /// Squared distance of the centre from the triangles that stay, once it has moved to `place`.
+    pub(super) fn distance_squared(&self, place: DVec3, other: u32) -> f64 {
+        let x = (place - self.centre).as_vec3();
+        let distances = self
+            .staying(other)
+            .map(|(a, b, _)| super::super::fan::distance_squared(x, a.as_vec3(), b.as_vec3()));
+        f64::from(distances.fold(x.length_squared(), f32::min))
+    }
+}
+
+/// True where two normals of any length point the same way, clearly.
+fn faces(a: DVec3, b: DVec3) -> bool {
+    let along = a.dot(b);
+    along > 0.0 && along * along > FLIP_COSINE_SQUARED * a.length_squared() * b.length_squared()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes;
+
+    fn hood_of(v: u32) -> Hood {
+        let mesh = shapes::grid(2, 2);
+        let positions: Vec<DVec3> = mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+        let mut hood = Hood::default();
+        hood.gather(&Links::new(9, &mesh.triangles, false), &positions, v, None);
+        hood
+    }
+
+    #[test]
+    fn borders_of_a_grid() {
+        assert!(hood_of(4).borders.is_empty());
+        let edge = hood_of(1);
+        let mut across: Vec<u32> = edge.borders.iter().map(|&i| edge.ids[i as usize]).collect();
+        across.sort_unstable();
+        assert_eq!(across, [0, 2]);
+    }
+
+    #[test]
+    fn centre_may_move_inside_its_ring_only() {
+        let hood = hood_of(4);
+        let at = |x: f64, y: f64| hood.may_move(DVec3::new(x, y, 0.0), u32::MAX, DVec3::Z);
+        assert!(at(1.0, 1.0) && at(1.2, 0.9));
+        assert!(!at(2.5, 1.0) && !at(1.0, -0.5));
+    }
+
+    #[test]
+    fn distance_is_from_the_new_triangles() {
+        let hood = hood_of(4);
+        let squared = hood.distance_squared(DVec3::new(1.0, 1.0, 0.5), u32::MAX);
+        assert!(squared > 0.1 && squared < 0.25, "{squared}");
+        assert!(hood.distance_squared(DVec3::new(1.1, 0.9, 0.0), u32::MAX) < 1e-12);
+    }
+}

@@ -1,0 +1,258 @@
+//! Free placement: one level with vertices anywhere.
+
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+
+use striata::mesh::{IndexedMesh, Semantic, Statistics, shapes};
+use striata::simplify::{
+    BoundaryRule, Placement, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target,
+    simplify,
+};
+
+fn options(target: Target) -> SimplifyOptions {
+    SimplifyOptions::default().with_placement(Placement::Optimal).with_target(target)
+}
+
+fn run(mesh: &IndexedMesh, options: &SimplifyOptions) -> Simplified {
+    let out = simplify(mesh, options, &mut striata::ignore_progress).unwrap();
+    out.mesh.check().unwrap();
+    out
+}
+
+fn to_triangles(mesh: &IndexedMesh, count: usize) -> IndexedMesh {
+    let out = run(mesh, &options(Target::Triangles(count)));
+    assert_eq!(out.stop_reason, StopReason::TargetReached);
+    assert!((count - 1..=count).contains(&out.mesh.triangle_count()), "{}", out.mesh.triangle_count());
+    out.mesh
+}
+
+/// Volume inside a closed mesh.
+fn volume(mesh: &IndexedMesh) -> f64 {
+    let at = |v: u32| mesh.positions[v as usize].map(f64::from);
+    let six_fold = |t: &[u32; 3]| {
+        let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = t.map(at);
+        ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+    };
+    mesh.triangles.iter().map(six_fold).sum::<f64>() / 6.0
+}
+
+#[test]
+fn nothing_panics_on_nasty_meshes() {
+    for (name, mesh) in shapes::nasty() {
+        let targets = [
+            Target::Triangles(0),
+            Target::Vertices(3),
+            Target::Detail(0.5),
+            Target::Error(mesh.diagonal() * 0.1),
+            Target::SplitCount(2),
+        ];
+        for target in targets {
+            let valid = options(target).check().is_ok();
+            match simplify(&mesh, &options(target), &mut striata::ignore_progress) {
+                Ok(out) => {
+                    out.mesh.check().unwrap_or_else(|e| panic!("{name}, {target:?}: {e}"));
+                    assert!(out.mesh.triangle_count() <= mesh.triangle_count(), "{name}, {target:?}");
+                    assert!(out.error >= 0.0, "{name}, {target:?}: {}", out.error);
+                }
+                Err(e) => assert!(!valid || mesh.check().is_err(), "{name}, {target:?}: {e}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn sphere_stays_a_sphere() {
+    let sphere = shapes::icosphere(5, 1.0);
+    let full = volume(&sphere);
+    for count in [5_000, 1_000, 200] {
+        let mesh = to_triangles(&sphere, count);
+        let statistics = Statistics::of(&mesh).unwrap();
+        assert!(statistics.is_closed);
+        assert_eq!((statistics.genus, statistics.component_count), (Some(0), 1));
+        let ratio = volume(&mesh) / full;
+        assert!((ratio - 1.0).abs() < 1e-3, "{count} triangles: {ratio} of the volume");
+    }
+}
+
+#[test]
+fn torus_keeps_its_handle_down_to_the_base() {
+    let torus = shapes::torus(60, 30, 2.0, 0.7);
+    let statistics = Statistics::of(&to_triangles(&torus, 300)).unwrap();
+    assert_eq!((statistics.genus, statistics.is_closed), (Some(1), true));
+    let base = run(&torus, &options(Target::Detail(0.0)));
+    assert_eq!(base.stop_reason, StopReason::TargetReached);
+    assert!(base.mesh.triangle_count() < 60, "{}", base.mesh.triangle_count());
+    assert_eq!(Statistics::of(&base.mesh).unwrap().genus, Some(1));
+}
+
+#[test]
+fn flat_boundary_stays() {
+    let mesh = to_triangles(&shapes::grid(40, 40), 50);
+    let statistics = Statistics::of(&mesh).unwrap();
+    assert!((statistics.area - 1_600.0).abs() < 1e-2, "{}", statistics.area);
+    assert_eq!((statistics.boundary_loop_count, statistics.non_manifold_edge_count), (1, 0));
+    assert!(mesh.positions.iter().all(|p| p[2] == 0.0));
+    let bounds = statistics.bounds.unwrap();
+    for axis in 0..2 {
+        assert!(bounds.min[axis].abs() < 1e-3 && (bounds.max[axis] - 40.0).abs() < 1e-3, "{bounds:?}");
+    }
+}
+
+#[test]
+fn curved_boundary_keeps_its_course() {
+    // The rims of a cylinder are circles: their vertices stay near them, and at their height.
+    let mesh = to_triangles(&shapes::uv_cylinder(96, 24), 600);
+    let statistics = Statistics::of(&mesh).unwrap();
+    assert_eq!(statistics.boundary_loop_count, 2);
+    let bounds = statistics.bounds.unwrap();
+    assert!(bounds.min[2].abs() < 1e-3 && (bounds.max[2] - 1.0).abs() < 1e-3, "{bounds:?}");
+    for p in &mesh.positions {
+        let radius = p[0].hypot(p[1]);
+        assert!((radius - 1.0).abs() < 0.02, "{radius}");
+    }
+}
+
+#[test]
+fn locked_boundary_and_vertices_stay_bit_for_bit() {
+    let terrain = shapes::terrain(24, 7);
+    let bits = |p: &[f32; 3]| p.map(f32::to_bits);
+    let boundary = |mesh: &IndexedMesh| -> BTreeSet<[u32; 3]> {
+        let bounds = shapes::terrain(24, 7).bounds().unwrap();
+        let is_rim = |p: &&[f32; 3]| (0..2).any(|a| p[a] == bounds.min[a] || p[a] == bounds.max[a]);
+        mesh.positions.iter().filter(is_rim).map(bits).collect()
+    };
+    let inner: Vec<u32> = vec![200, 201, 333];
+    let sequence =
+        SequenceOptions::default().with_boundary(BoundaryRule::Locked).with_locked_vertices(inner.clone());
+    let out = run(&terrain, &options(Target::Triangles(0)).with_sequence(sequence));
+    assert_eq!(out.stop_reason, StopReason::BaseReached);
+    assert!(out.mesh.triangle_count() * 4 < terrain.triangle_count(), "{}", out.mesh.triangle_count());
+    assert!(boundary(&out.mesh).is_superset(&boundary(&terrain)));
+    let left: BTreeSet<[u32; 3]> = out.mesh.positions.iter().map(bits).collect();
+    assert!(inner.iter().all(|&v| left.contains(&bits(&terrain.positions[v as usize]))));
+}
+
+#[test]
+fn seam_of_a_cylinder_stays_a_seam() {
+    let mesh = to_triangles(&shapes::uv_cylinder(64, 32), 500);
+    let texcoords = mesh.layer(&Semantic::TexCoord(0)).unwrap();
+    let normals = mesh.layer(&Semantic::Normal).unwrap();
+    for t in &mesh.triangles {
+        let u = t.map(|v| texcoords.get(v as usize, 0));
+        let spread = u.iter().fold(0.0f32, |m, x| m.max(*x)) - u.iter().fold(1.0f32, |m, x| m.min(*x));
+        assert!(spread < 0.5, "triangle {t:?} crosses the seam: {u:?}");
+    }
+    let mut on_seam = 0;
+    for (v, p) in mesh.positions.iter().enumerate() {
+        let length = (0..3).map(|c| normals.get(v, c).powi(2)).sum::<f32>();
+        assert!((length - 1.0).abs() < 1e-4, "normal {v} has the squared length {length}");
+        let [u, height] = [0, 1].map(|c| texcoords.get(v, c));
+        // The texture goes once around and once up: it tells where the vertex must be.
+        let turn = (p[1].atan2(p[0]) / std::f32::consts::TAU).rem_euclid(1.0);
+        let off = (turn - u).abs();
+        assert!(off.min(1.0 - off) < 0.03 && (height - p[2]).abs() < 0.06, "{p:?} has {u} {height}");
+        on_seam += usize::from(u == 0.0 || u == 1.0);
+    }
+    assert!(on_seam >= 4, "{on_seam} vertices on the seam");
+    let statistics = Statistics::of(&mesh).unwrap();
+    assert_eq!((statistics.boundary_loop_count, statistics.component_count), (2, 1));
+}
+
+#[test]
+fn groups_and_materials_stay() {
+    let sphere = shapes::two_material_sphere(31, 48);
+    let mesh = to_triangles(&sphere, 400);
+    assert_eq!(mesh.groups.len(), 2);
+    assert_eq!(mesh.appearance, sphere.appearance);
+    // The materials' border is the equator; each side keeps to its half.
+    let height = |g: usize| {
+        let triangles = &mesh.triangles[mesh.groups[g].range()];
+        assert!(!triangles.is_empty());
+        triangles.iter().flatten().map(|&v| mesh.positions[v as usize][2]).sum::<f32>()
+    };
+    assert!(height(0) * height(1) < 0.0);
+    let statistics = Statistics::of(&mesh).unwrap();
+    assert_eq!((statistics.genus, statistics.is_closed), (Some(0), true));
+}
+
+#[test]
+fn same_input_same_bytes() {
+    let mesh = shapes::terrain(48, 3);
+    let first = run(&mesh, &options(Target::Triangles(300)));
+    let second = run(&mesh, &options(Target::Triangles(300)));
+    assert_eq!(first.mesh, second.mesh);
+    assert_eq!(first.error.to_bits(), second.error.to_bits());
+}
+
+#[test]
+fn targets_are_met() {
+    let mesh = shapes::icosphere(4, 1.0);
+    let count = mesh.vertex_count();
+    let vertices = run(&mesh, &options(Target::Vertices(500)));
+    assert_eq!((vertices.mesh.vertex_count(), vertices.stop_reason), (500, StopReason::TargetReached));
+    let half = run(&mesh, &options(Target::Detail(0.5)));
+    assert_eq!(half.mesh.vertex_count(), count / 2);
+    let splits = run(&mesh, &options(Target::SplitCount(count - 10)));
+    assert_eq!(splits.mesh.vertex_count(), count - 10);
+    let full = run(&mesh, &options(Target::Detail(1.0)));
+    assert_eq!((full.mesh.triangle_count(), full.error), (mesh.triangle_count(), 0.0));
+    for beyond in [Target::Triangles(1 << 20), Target::Vertices(1 << 20), Target::SplitCount(1 << 20)] {
+        let out = run(&mesh, &options(beyond));
+        assert_eq!((out.stop_reason, out.mesh.vertex_count()), (StopReason::FullMesh, count));
+    }
+    let sequence = SequenceOptions::default().with_base_triangle_count(1_000);
+    let base = run(&mesh, &options(Target::Triangles(10)).with_sequence(sequence));
+    assert_eq!((base.stop_reason, base.mesh.triangle_count()), (StopReason::BaseReached, 1_000));
+}
+
+#[test]
+fn error_limits_hold() {
+    let mesh = shapes::icosphere(5, 1.0);
+    let out = run(&mesh, &options(Target::Error(0.01)));
+    assert_eq!(out.stop_reason, StopReason::TargetReached);
+    assert!(out.error <= 0.01 && out.error > 0.005, "{}", out.error);
+    // Within the limit, but not far from it: a sphere of so few triangles deviates by about so much.
+    assert!(out.mesh.triangle_count() < 1_000, "{}", out.mesh.triangle_count());
+    let limited = run(&mesh, &options(Target::Triangles(4)).with_tolerance(0.01));
+    assert_eq!((limited.stop_reason, limited.mesh), (StopReason::ErrorLimit, out.mesh));
+}
+
+#[test]
+#[cfg(feature = "distance")]
+fn reported_error_is_near_the_measured_one() {
+    use striata::mesh::{DistanceOptions, surface_distance};
+    let terrain = shapes::terrain(64, 11);
+    let out = run(&terrain, &options(Target::Triangles(800)));
+    let sampling = DistanceOptions::default().with_sample_count(50_000);
+    let measured = surface_distance(&terrain, &out.mesh, &sampling).unwrap().a_to_b.max;
+    let ratio = out.error / measured;
+    assert!((0.5..1.5).contains(&ratio), "reported {} measured {measured}", out.error);
+}
+
+#[test]
+#[cfg(feature = "distance")]
+fn free_vertices_lie_nearer_than_a_subset() {
+    use striata::mesh::{DistanceOptions, surface_distance};
+    let torus = shapes::torus(80, 40, 2.0, 0.7);
+    let sampling = DistanceOptions::default().with_sample_count(50_000);
+    let rms = |options: &SimplifyOptions| {
+        surface_distance(&torus, &run(&torus, options).mesh, &sampling).unwrap().rms
+    };
+    let subset = rms(&options(Target::Triangles(640)).with_placement(Placement::Subset));
+    let free = rms(&options(Target::Triangles(640)));
+    assert!(free < 0.75 * subset, "{free} against {subset}");
+}
+
+#[test]
+fn cancelling_and_pairs_are_errors() {
+    let mesh = shapes::icosphere(5, 1.0);
+    let out = simplify(&mesh, &options(Target::Triangles(100)), &mut |_| ControlFlow::Break(()));
+    assert_eq!(out.unwrap_err(), SimplifyError::Cancelled(striata::Cancelled));
+    let sequence = SequenceOptions::default().with_pair_distance(0.1);
+    let out = simplify(
+        &mesh,
+        &options(Target::Triangles(100)).with_sequence(sequence),
+        &mut striata::ignore_progress,
+    );
+    assert!(matches!(out, Err(SimplifyError::Option { option: "pair_distance", .. })));
+}
