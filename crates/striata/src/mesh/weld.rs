@@ -19,6 +19,8 @@ pub struct Welded {
     pub positions: PositionIndex,
     /// For each vertex, the vertex of the input that it was first seen as.
     pub source_vertex: Vec<u32>,
+    /// For each vertex of the input, its position here; `u32::MAX` where no triangle uses it.
+    pub position_of_source: Vec<u32>,
     /// Triangles dropped since two of their corners are at one position.
     pub degenerate_triangle_count: usize,
     /// Vertices that were merged into an equal one.
@@ -65,6 +67,7 @@ pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
     let source = Source { mesh, position_of, material_of };
     let vertices = number_vertices(&source, &mut triangles);
     let (order, first) = order_by_position(mesh, &vertices);
+    let position_of_source = sources_by_position(&source.position_of, &vertices, &order, &first);
     let mut new_index = vec![0u32; order.len()];
     for (new, &old) in order.iter().enumerate() {
         new_index[old as usize] = new as u32;
@@ -82,6 +85,7 @@ pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
         mesh: welded,
         positions,
         source_vertex,
+        position_of_source,
         degenerate_triangle_count,
         merged_vertex_count: vertices.merged_count,
     })
@@ -251,6 +255,15 @@ fn order_by_position(mesh: &IndexedMesh, vertices: &Vertices) -> (Vec<u32>, Vec<
     (keys.into_iter().map(|(_, _, v)| v).collect(), first)
 }
 
+/// Where the position of every input vertex went.
+fn sources_by_position(position_of: &[u32], vertices: &Vertices, order: &[u32], first: &[u32]) -> Vec<u32> {
+    let mut place = vec![u32::MAX; position_of.iter().max().map_or(0, |&p| p as usize + 1)];
+    for (new, &v) in first[..first.len() - 1].iter().enumerate() {
+        place[vertices.position[order[v as usize] as usize] as usize] = new as u32;
+    }
+    position_of.iter().map(|&p| place[p as usize]).collect()
+}
+
 /// The Z-order curve over the bounds of a mesh.
 struct Curve {
     min: [f64; 3],
@@ -314,6 +327,7 @@ mod tests {
         assert_eq!(welded.positions.wedges(0), 0..2);
         assert_eq!(welded.mesh.triangles, vec![[0, 2, 3], [1, 3, 2]]);
         assert_eq!(welded.source_vertex, vec![0, 3, 1, 2]);
+        assert_eq!(welded.position_of_source, vec![0, 1, 2, 0]);
     }
 
     #[test]

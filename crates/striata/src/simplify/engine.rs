@@ -14,42 +14,26 @@ use crate::{Cancelled, Progress, ProgressFn};
 
 use super::finish::Record;
 use super::heap::IndexedHeap;
-use super::legality::Legality;
-use super::links::{LinkKind, Links};
-use super::options::{BoundaryRule, SequenceOptions, SimplifyError, StopReason};
-use super::star::Star;
-use super::wedges::Wedges;
+use super::judge::{Judge, Memory};
+use super::links::LinkKind;
+use super::options::{SequenceOptions, SimplifyError, StopReason};
 use super::witness::Witnesses;
 
 /// No target chosen yet: the key is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
-
-/// A collapse that was judged in full.
-#[derive(Clone, Copy, Debug)]
-struct Choice {
-    cost: f32,
-    /// Index of the target among the star's neighbours.
-    neighbour: usize,
-    /// Squared distance of the vertex from its new fan.
-    distance_squared: f32,
-}
+/// Collapses between two reports of progress.
+const REPORT_INTERVAL: u64 = 4096;
 
 /// All state of one simplification.
 pub(super) struct Engine<'a> {
     options: &'a SequenceOptions,
-    /// Positions about the bounds' centre, diagonal 1, padded to a vector register.
-    positions: Vec<[f32; 4]>,
     /// Mesh units of one scaled unit.
     scale: f64,
-    links: Links,
-    wedges: Option<Wedges<'a>>,
-    is_locked: Vec<bool>,
+    judge: Judge<'a>,
     heap: IndexedHeap,
     target: Vec<u32>,
     distance_squared: Vec<f32>,
     witnesses: Witnesses,
-    star: Star,
-    legality: Legality,
     ring: Vec<u32>,
     triangle_count: usize,
     record: Record,
@@ -57,30 +41,16 @@ pub(super) struct Engine<'a> {
 
 impl<'a> Engine<'a> {
     pub(super) fn new(welded: &'a Welded, options: &'a SequenceOptions) -> Self {
-        let (positions, scale) = scaled_positions(welded);
-        let position_count = positions.len();
-        let has_wedges = !welded.positions.is_identity();
-        let links = if has_wedges {
-            let of = |t: &[u32; 3]| t.map(|v| welded.positions.position_of(v));
-            let triangles: Vec<[u32; 3]> = welded.mesh.triangles.iter().map(of).collect();
-            Links::new(position_count, &triangles, true)
-        } else {
-            Links::new(position_count, &welded.mesh.triangles, false)
-        };
-        let wedges = has_wedges.then(|| Wedges::new(&welded.positions, welded.mesh.triangles.clone()));
+        let scaled = scaled_positions(welded);
+        let (position_count, scale) = (scaled.0.len(), scaled.1);
         Self {
             options,
-            positions,
             scale,
-            links,
-            wedges,
-            is_locked: locked_positions(welded, &options.locked_vertices),
+            judge: Judge::new(welded, options, scaled),
             heap: IndexedHeap::new(&[]),
             target: vec![UNDECIDED; position_count],
             distance_squared: vec![0.0; position_count],
             witnesses: Witnesses::new(position_count),
-            star: Star::default(),
-            legality: Legality::default(),
             ring: Vec::new(),
             triangle_count: welded.mesh.triangle_count(),
             record: Record { targets: vec![0; welded.mesh.vertex_count()], ..Record::default() },
@@ -92,94 +62,51 @@ impl<'a> Engine<'a> {
         mut self,
         progress: &mut ProgressFn<'_>,
     ) -> Result<(Record, StopReason), SimplifyError> {
-        let keys: Vec<f32> = (0..self.positions.len() as u32).map(|v| self.lower_bound(v)).collect();
+        let total = self.target.len() as u64;
+        let keys: Vec<f32> = (0..total as u32).map(|v| self.judge.lower_bound(v)).collect();
         self.heap = IndexedHeap::new(&keys);
         drop(keys);
-        let total = self.positions.len() as u64;
         let limit = self.options.max_error.unwrap_or(f64::INFINITY);
         let mut error = 0.0f64;
-        let mut stop_reason = StopReason::BaseReached;
         while let Some((key, v)) = self.heap.first() {
             if self.triangle_count <= self.options.base_triangle_count {
-                stop_reason = StopReason::TargetReached;
-                break;
+                return Ok((self.record, StopReason::TargetReached));
             }
             if self.target[v as usize] == UNDECIDED {
                 self.decide(v, key);
                 continue;
             }
             let u = self.target[v as usize];
-            if !self.legality.allows(&self.links, v, u) {
+            if !self.is_still_allowed(v, u) {
                 // The target's surroundings have changed: look for another one.
                 self.target[v as usize] = UNDECIDED;
+                self.decide(v, key);
                 continue;
             }
             let collapse_error = self.collapse(v, u);
             if collapse_error > limit {
                 self.record.removed.pop();
                 self.record.removed_triangle_counts.pop();
-                stop_reason = StopReason::ErrorLimit;
-                break;
+                return Ok((self.record, StopReason::ErrorLimit));
             }
             error = error.max(collapse_error);
             self.record.errors.push(error as f32);
             let done = self.record.removed.len() as u64;
-            if done % 4096 == 0
-                && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(())
-            {
+            let is_report = done.is_multiple_of(REPORT_INTERVAL);
+            if is_report && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(()) {
                 return Err(Cancelled.into());
             }
         }
-        Ok((self.record, stop_reason))
-    }
-
-    /// Fills the star of `v` with the quadratic costs of its candidates.
-    fn load_star(&mut self, v: u32) {
-        self.star.gather(&self.links, &self.positions, v);
-        self.star.compute_costs();
-        let kind = self.links.kind(v);
-        match &self.wedges {
-            Some(wedges) if wedges.is_split(v) => {
-                let triangles = std::mem::take(&mut self.star.triangles);
-                let is_seam =
-                    |s: usize, t: usize| wedges.shown(triangles[s], v) != wedges.shown(triangles[t], v);
-                self.star.apply_borders(kind, Some(&is_seam));
-                self.star.triangles = triangles;
-            }
-            _ => self.star.apply_borders(kind, None),
-        }
-    }
-
-    /// The least that collapsing `v` can cost; infinite where it may not be collapsed at all.
-    fn lower_bound(&mut self, v: u32) -> f32 {
-        if self.is_locked[v as usize] || self.links.kind(v) == LinkKind::Empty {
-            return f32::INFINITY;
-        }
-        if self.options.boundary == BoundaryRule::Locked && self.is_boundary(v) {
-            return f32::INFINITY;
-        }
-        self.load_star(v);
-        self.star.costs.iter().copied().fold(f32::INFINITY, f32::min)
-    }
-
-    fn is_boundary(&self, v: u32) -> bool {
-        match self.links.kind(v) {
-            LinkKind::Open => true,
-            LinkKind::Edges => {
-                let entries = self.links.entries(v);
-                entries.iter().any(|w| entries.iter().filter(|x| *x == w).count() == 1)
-            }
-            _ => false,
-        }
+        let is_met = self.triangle_count <= self.options.base_triangle_count;
+        Ok((self.record, if is_met { StopReason::TargetReached } else { StopReason::BaseReached }))
     }
 
     /// Judges `v` in full and puts it back with its true cost, or takes it out where no target is allowed.
     fn decide(&mut self, v: u32, bound: f32) {
-        self.load_star(v);
-        match self.best_choice(v) {
+        match self.judge.best_choice(v) {
             None => self.heap.remove(v),
             Some(choice) => {
-                self.target[v as usize] = self.star.ids[choice.neighbour];
+                self.target[v as usize] = choice.target;
                 self.distance_squared[v as usize] = choice.distance_squared;
                 if choice.cost > bound {
                     self.heap.set(v, choice.cost);
@@ -188,76 +115,108 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// The cheapest allowed target of the loaded star.
-    fn best_choice(&mut self, v: u32) -> Option<Choice> {
-        let mut best: Option<Choice> = None;
-        loop {
-            let least = self.star.costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
-            let (neighbour, cost) = least.map(|(k, &cost)| (k, cost))?;
-            if cost >= best.map_or(f32::INFINITY, |b| b.cost) {
-                return best;
-            }
-            self.star.costs[neighbour] = f32::INFINITY;
-            let u = self.star.ids[neighbour];
-            if !self.legality.allows(&self.links, v, u) {
-                continue;
-            }
-            if self.wedges.as_mut().is_some_and(|wedges| !wedges.pair(&self.star, v, neighbour)) {
-                continue;
-            }
-            let limit = best.map_or(f32::INFINITY, |b| b.cost - cost);
-            let Some(fan) = self.star.fan(neighbour, limit) else { continue };
-            let cost = cost + fan.cost;
-            if cost < best.map_or(f32::INFINITY, |b| b.cost) {
-                best = Some(Choice { cost, neighbour, distance_squared: fan.distance_squared });
-            }
+    fn is_still_allowed(&mut self, v: u32, u: u32) -> bool {
+        let judge = &mut self.judge;
+        if judge.links.entries(v).contains(&u) {
+            return judge.legality.allows(&judge.links, v, u);
         }
+        // A contraction of two parts only needs both to be there, and still apart.
+        judge.pairs.is_some() && judge.links.kind(u) != LinkKind::Empty
     }
 
     /// Removes `v` into `u` and gives the neighbours new bounds; returns the error after it, mesh units.
     fn collapse(&mut self, v: u32, u: u32) -> f64 {
-        self.write_targets(v, u);
+        let tracked = self.leave(v, u);
+        let links = &mut self.judge.links;
         self.ring.clear();
-        self.ring.extend_from_slice(self.links.entries(v));
-        if self.links.kind(v) == LinkKind::Edges {
+        self.ring.extend_from_slice(links.entries(v));
+        if links.kind(v) == LinkKind::Edges {
             self.ring.sort_unstable();
             self.ring.dedup();
         }
-        let before = self.links.triangle_count(v) + self.links.triangle_count(u);
-        self.links.collapse(v, u);
+        let before = links.triangle_count(v) + links.triangle_count(u);
+        links.collapse(v, u);
         // Each vanished triangle stood in both links.
-        let removed = (before - self.links.triangle_count(u)) / 2;
+        let removed = (before - links.triangle_count(u)) / 2;
         self.triangle_count -= removed;
         self.heap.remove(v);
         self.record.removed.push(v);
         self.record.removed_triangle_counts.push(removed as u8);
-        let own = self.distance_squared[v as usize];
-        let worst = self.witnesses.collapse(&self.links, &self.positions, (v, u), own);
-        let ring = std::mem::take(&mut self.ring);
-        for &w in &ring {
-            self.target[w as usize] = UNDECIDED;
-            let bound = self.lower_bound(w);
-            self.heap.set(w, bound);
-        }
-        self.ring = ring;
+        let worst = tracked.unwrap_or_else(|| {
+            let own = self.distance_squared[v as usize];
+            self.witnesses.collapse(&self.judge.links, &self.judge.positions, (v, u), own)
+        });
+        self.update_neighbours(u);
         f64::from(worst).sqrt() * self.scale
     }
 
-    fn write_targets(&mut self, v: u32, u: u32) {
-        let Some(wedges) = &mut self.wedges else {
-            self.record.targets[v as usize] = u;
-            return;
-        };
-        self.star.gather(&self.links, &self.positions, v);
-        if let Some(k) = self.star.ids.iter().position(|&w| w == u) {
-            wedges.pair(&self.star, v, k);
+    /// Does what must be done while the star of `v` still stands: targets of its wedges, memory of the cost function.
+    /// Returns the largest squared distance of tracked vertices, where they are tracked between neighbours.
+    fn leave(&mut self, v: u32, u: u32) -> Option<f32> {
+        let Judge { star, links, positions, wedges, memory, pairs, .. } = &mut self.judge;
+        if let Some(pairs) = pairs {
+            pairs.collapse(v, u);
         }
-        wedges.write_targets(v, u, &mut self.record.targets);
-        wedges.substitute(&self.star, v, &self.record.targets);
+        if let Memory::Accumulated(quadrics) = memory {
+            let own = quadrics[v as usize];
+            quadrics[u as usize].add(&own);
+        }
+        let is_tracked = matches!(memory, Memory::Tracked(_));
+        if wedges.is_none() && !is_tracked {
+            self.record.targets[v as usize] = u;
+            return None;
+        }
+        star.gather(links, positions, v);
+        let neighbour = star.ids.iter().position(|&w| w == u);
+        match neighbour {
+            Some(k) => {
+                if let Some(wedges) = wedges {
+                    wedges.pair(star, v, k);
+                }
+            }
+            None => self.judge.pair_wedges(v, u),
+        }
+        let Judge { star, positions, wedges, memory, .. } = &mut self.judge;
+        match wedges {
+            Some(wedges) => {
+                wedges.write_targets(v, u, &mut self.record.targets);
+                wedges.substitute(star, v, &self.record.targets);
+            }
+            None => self.record.targets[v as usize] = u,
+        }
+        let (Memory::Tracked(tracker), Some(k)) = (memory, neighbour) else { return None };
+        star.mark_vanishing(Some(k));
+        tracker.load(star, positions, v);
+        Some(tracker.collapse(star, v, k))
+    }
+
+    /// New bounds for all whose star or whose target has changed.
+    fn update_neighbours(&mut self, u: u32) {
+        let ring = std::mem::take(&mut self.ring);
+        for &w in &ring {
+            self.target[w as usize] = UNDECIDED;
+            let bound = self.judge.lower_bound(w);
+            self.heap.set(w, bound);
+        }
+        self.ring = ring;
+        if matches!(self.judge.memory, Memory::Accumulated(_)) {
+            // The quadric of u has grown: collapsing to it now costs more than it seemed.
+            for &w in self.judge.links.entries(u) {
+                if self.target[w as usize] == u {
+                    self.target[w as usize] = UNDECIDED;
+                }
+            }
+        }
+        if self.judge.pairs.is_some() && !self.ring.contains(&u) {
+            // A contraction of two parts: u was no neighbour.
+            self.target[u as usize] = UNDECIDED;
+            let bound = self.judge.lower_bound(u);
+            self.heap.set(u, bound);
+        }
     }
 }
 
-/// One entry a position, about the centre of the bounds and with their diagonal as unit.
+/// One entry a position, about the centre of the bounds and with their diagonal as unit, and that unit.
 fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
     let Some(bounds) = welded.mesh.bounds() else { return (Vec::new(), 1.0) };
     let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };
@@ -269,18 +228,4 @@ fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
         [on(x, 0), on(y, 1), on(z, 2), 0.0]
     };
     ((0..welded.positions.position_count() as u32).map(place).collect(), scale)
-}
-
-fn locked_positions(welded: &Welded, locked_vertices: &[u32]) -> Vec<bool> {
-    let mut is_locked = vec![false; welded.positions.position_count()];
-    if locked_vertices.is_empty() {
-        return is_locked;
-    }
-    let wanted: std::collections::BTreeSet<u32> = locked_vertices.iter().copied().collect();
-    for (v, source) in welded.source_vertex.iter().enumerate() {
-        if wanted.contains(source) {
-            is_locked[welded.positions.position_of(v as u32) as usize] = true;
-        }
-    }
-    is_locked
 }

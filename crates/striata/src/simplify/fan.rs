@@ -99,15 +99,16 @@ impl Change {
     #[inline]
     pub(super) fn is_allowed(self, star: StarNormal) -> f32x8 {
         let splat = f32x8::splat;
-        let was_needle = (splat(TWICE_ROOT_3) * self.old_length).simd_le(splat(NEEDLE_QUALITY) * self.old_edges);
+        let was_needle =
+            (splat(TWICE_ROOT_3) * self.old_length).simd_le(splat(NEEDLE_QUALITY) * self.old_edges);
         let follows_mean = self.new_on_mean.simd_gt(f32x8::ZERO);
         let stays_small = self.new_length.simd_le(self.old_length + self.old_length);
-        let flips =
-            self.new_on_old.simd_le(splat(FLIP_COSINE) * self.new_length * self.old_length);
+        let flips = self.new_on_old.simd_le(splat(FLIP_COSINE) * self.new_length * self.old_length);
         // A triangle that was folded over may unfold.
         let unfolds = self.old_on_mean.simd_le(f32x8::ZERO)
             & self.new_on_mean.simd_gt(splat(FLIP_COSINE) * self.new_length * star.length);
-        let is_sound = (splat(TWICE_ROOT_3) * self.new_length).simd_ge(splat(SLIVER_QUALITY) * self.new_edges)
+        let is_sound = (splat(TWICE_ROOT_3) * self.new_length)
+            .simd_ge(splat(SLIVER_QUALITY) * self.new_edges)
             | (self.new_length * self.old_edges).simd_ge(self.old_length * self.new_edges);
         was_needle.bitselect(follows_mean | stays_small, flips.bitselect(unfolds, is_sound))
     }
@@ -138,9 +139,11 @@ impl Products {
         let is_inside = va.simd_gt(zero) & vb.simd_gt(zero) & vc.simd_gt(zero);
         let floor = f32x8::splat(f32::MIN_POSITIVE);
         let above = self.height * self.height / self.normal_squared.fast_max(floor);
-        let sides = beside(from_a, d1, d1 - d3)
-            .fast_min(beside(from_a, d2, d2 - d6))
-            .fast_min(beside(from_b, d4 - d3, (d4 - d3) + (d5 - d6)));
+        let sides = beside(from_a, d1, d1 - d3).fast_min(beside(from_a, d2, d2 - d6)).fast_min(beside(
+            from_b,
+            d4 - d3,
+            (d4 - d3) + (d5 - d6),
+        ));
         is_inside.bitselect(above, sides)
     }
 }

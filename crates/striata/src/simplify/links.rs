@@ -590,7 +590,10 @@ mod tests {
         let mut grid = Vec::new();
         for y in 0..4 {
             for x in 0..4 {
-                grid.extend([[at(x, y), at(x + 1, y), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x, y + 1)]]);
+                grid.extend([
+                    [at(x, y), at(x + 1, y), at(x + 1, y + 1)],
+                    [at(x, y), at(x + 1, y + 1), at(x, y + 1)],
+                ]);
             }
         }
         let links = Links::new(25, &grid, false);

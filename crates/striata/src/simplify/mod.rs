@@ -1,13 +1,20 @@
 //! From a mesh to its simplification sequence: half-edge collapses ordered by cost.
 
+mod attributes;
 mod engine;
 mod fan;
 mod finish;
 mod heap;
+mod judge;
 mod legality;
+mod level;
 mod links;
+mod optimal;
 mod options;
+mod pairs;
+mod quadric;
 mod star;
+mod tracked;
 mod wedges;
 mod witness;
 
@@ -17,17 +24,32 @@ pub use options::{
 };
 
 use crate::ProgressFn;
-use crate::mesh::{IndexedMesh, Welded, weld};
+use crate::mesh::{IndexedMesh, Welded, replay, weld};
 
 /// Simplifies a mesh as far as it goes and gives every level on the way.
 ///
 /// # Errors
 /// [`SimplifyError`] where the mesh does not hang together, an option is out of range, or the callback cancels.
+///
+/// # Example
+/// ```
+/// use striata::mesh::shapes;
+/// use striata::simplify::{SequenceOptions, Target, build_sequence};
+///
+/// let built = build_sequence(&shapes::torus(32, 16), &SequenceOptions::default(), &mut striata::ignore_progress)?;
+/// let sequence = &built.refinable.sequence;
+/// let (split_count, _) = Target::Triangles(200).resolve(sequence);
+/// let level = striata::mesh::replay(&built.refinable, split_count);
+/// assert!(level.triangle_count() <= 200);
+/// println!("{} triangles, error {}", level.triangle_count(), sequence.error_at(split_count));
+/// # Ok::<(), striata::simplify::SimplifyError>(())
+/// ```
 pub fn build_sequence(
     mesh: &IndexedMesh,
     options: &SequenceOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltSequence, SimplifyError> {
+    options.check()?;
     build_welded_sequence(weld(mesh)?, options, progress)
 }
 
@@ -40,6 +62,7 @@ pub fn build_welded_sequence(
     options: &SequenceOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltSequence, SimplifyError> {
+    options.check()?;
     let (record, stop_reason) = engine::Engine::new(&welded, options).run(progress)?;
     let degenerate_triangle_count = welded.degenerate_triangle_count;
     let merged_vertex_count = welded.merged_vertex_count;
@@ -51,4 +74,44 @@ pub fn build_welded_sequence(
         degenerate_triangle_count,
         merged_vertex_count,
     })
+}
+
+/// One level of a mesh, without keeping the sequence.
+///
+/// # Errors
+/// As [`build_sequence`].
+pub fn simplify(
+    mesh: &IndexedMesh,
+    options: &SimplifyOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Simplified, SimplifyError> {
+    options.check()?;
+    let welded = weld(mesh)?;
+    if options.placement == Placement::Optimal {
+        return optimal::simplify_optimal(&welded, options, progress);
+    }
+    let mut sequence_options = options.sequence.clone();
+    if let Target::Triangles(n) = options.target {
+        // Nothing beyond the target is needed.
+        sequence_options.base_triangle_count = sequence_options.base_triangle_count.max(n);
+    }
+    let limit = |error: f64| options.sequence.max_error.map_or(error, |max| max.min(error));
+    if let Some(error) = options.tolerance {
+        sequence_options.max_error = Some(limit(error));
+    }
+    let built = build_welded_sequence(welded, &sequence_options, progress)?;
+    let sequence = &built.refinable.sequence;
+    let (mut split_count, mut stop_reason) = options.target.resolve(sequence);
+    if let Some(error) = options.tolerance {
+        let nearest = sequence.split_count_for_error(error);
+        if nearest > split_count {
+            (split_count, stop_reason) = (nearest, StopReason::ErrorLimit);
+        }
+    }
+    if stop_reason == StopReason::BaseReached {
+        stop_reason = built.stop_reason;
+    }
+    let error = f64::from(sequence.error_at(split_count));
+    let mesh = replay(&built.refinable, split_count).without_unused_vertices();
+    Ok(Simplified { mesh, error, stop_reason })
 }

@@ -128,6 +128,30 @@ impl Default for SequenceOptions {
 }
 
 impl SequenceOptions {
+    /// Checks that every option is in its range.
+    ///
+    /// # Errors
+    /// [`SimplifyError::Option`] naming the first that is not.
+    pub fn check(&self) -> Result<(), SimplifyError> {
+        let expected = "a number of at least 0";
+        let limits = [("max_error", self.max_error), ("pair_distance", self.pair_distance)];
+        let weights = &self.attribute_weights;
+        let weights = [
+            ("attribute_weights.normal", weights.normal),
+            ("attribute_weights.texcoord", weights.texcoord),
+            ("attribute_weights.color", weights.color),
+        ];
+        let numbers = limits
+            .into_iter()
+            .filter_map(|(option, value)| Some((option, value?)))
+            .chain(weights.map(|(option, value)| (option, f64::from(value))));
+        for (option, value) in numbers {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(SimplifyError::Option { option, value: value.to_string(), expected });
+            }
+        }
+        Ok(())
+    }
     /// Sets [`Self::cost`].
     pub fn with_cost(self, cost: CollapseCost) -> Self {
         Self { cost, ..self }
@@ -195,6 +219,26 @@ impl Default for SimplifyOptions {
 }
 
 impl SimplifyOptions {
+    /// Checks that every option is in its range.
+    ///
+    /// # Errors
+    /// [`SimplifyError::Option`] naming the first that is not.
+    pub fn check(&self) -> Result<(), SimplifyError> {
+        self.sequence.check()?;
+        let number = match self.target {
+            Target::Detail(value) => Some(("target", value, "a share from 0 to 1")),
+            Target::Error(value) => Some(("target", value, "a number of at least 0")),
+            _ => None,
+        };
+        let tolerance = self.tolerance.map(|value| ("tolerance", value, "a number of at least 0"));
+        for (option, value, expected) in number.into_iter().chain(tolerance) {
+            let is_share = matches!(self.target, Target::Detail(_)) && option == "target";
+            if !(value >= 0.0 && value.is_finite()) || (is_share && value > 1.0) {
+                return Err(SimplifyError::Option { option, value: value.to_string(), expected });
+            }
+        }
+        Ok(())
+    }
     /// Sets [`Self::target`].
     pub fn with_target(self, target: Target) -> Self {
         Self { target, ..self }

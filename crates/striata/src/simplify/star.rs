@@ -14,7 +14,7 @@
 //! Borders of any kind (boundaries, seams, edges with three triangles) are **special** edges: a vertex on some may only
 //! move along one of them, and pays the squared area between the old and the new course of the border.
 //!
-//! A candidate that survives pays for the distances of the fan that it leaves (see [`Star::fan`]). Triangles
+//! A candidate that survives pays for the distances of the fan that it leaves (see [`Star::fan_cost`]). Triangles
 //! are worked on eight at a time; sums are folded in a fixed order, so results are the same on every machine.
 
 use glam::Vec3;
@@ -50,6 +50,8 @@ pub(super) struct Star {
     /// Triangle numbers, where followed.
     pub(super) triangles: Vec<u32>,
     triangle_count: usize,
+    /// The quadratic form: xx, yy, zz, xy, xz, yz.
+    form: [f32; 6],
     /// Area of all triangles, doubled.
     area_doubled: f32,
     /// Sum of the normals: the normal of any surface with this border.
@@ -251,7 +253,8 @@ impl Star {
 
     /// Fills `costs` with the quadratic form at every neighbour.
     pub(super) fn compute_costs(&mut self) {
-        let [xx, yy, zz, xy, xz, yz] = self.quadric().map(f32x8::splat);
+        self.form = self.quadric();
+        let [xx, yy, zz, xy, xz, yz] = self.form.map(f32x8::splat);
         let n = self.ids.len();
         self.costs.clear();
         let offsets = slices(&self.offsets, 0);
@@ -263,6 +266,14 @@ impl Star {
             self.costs.extend(form.fast_max(f32x8::ZERO).to_array());
         }
         self.costs.truncate(n);
+    }
+
+    /// The quadratic form at a place that need not be a neighbour.
+    pub(super) fn cost_at(&self, at: Vec3) -> f32 {
+        let [xx, yy, zz, xy, xz, yz] = self.form;
+        let Vec3 { x, y, z } = at;
+        let mixed = xy * x * y + xz * x * z + yz * y * z;
+        (xx * x * x + yy * y * y + zz * z * z + (mixed + mixed)).max(0.0)
     }
 
     /// The form of this module's header: xx, yy, zz, xy, xz, yz.
@@ -359,11 +370,30 @@ impl Star {
         }
     }
 
-    /// What replaces the star if neighbour `k` is the target; `None` where a triangle would flip or become a sliver,
-    /// or where the fan costs `limit` or more.
-    pub(super) fn fan(&mut self, k: usize, limit: f32) -> Option<Fan> {
-        self.mark_vanishing(k);
-        let u = Vec3x8::splat(self.offset(k));
+    /// Squared distance of v from the fan that neighbour `k` as the target would leave; `None` where a triangle would
+    /// flip or become a sliver.
+    pub(super) fn fan_distance_squared(&mut self, k: usize) -> Option<f32> {
+        self.mark_vanishing(Some(k));
+        let distance_squared = self.distance_squared_from(self.offset(k))?;
+        if distance_squared < f32::INFINITY {
+            return Some(distance_squared);
+        }
+        // No triangle is left (the last one of a border): the edges of the old ones are what remains.
+        let edge = |t: usize| {
+            let [a, b] = self.triangle(t).map(|i| self.offset(i));
+            fan::distance_squared(self.offset(k), a, b)
+        };
+        Some((0..self.triangle_count).map(edge).fold(f32::INFINITY, f32::min))
+    }
+
+    /// The same for a target that is no neighbour: all triangles stay.
+    pub(super) fn moved_distance_squared(&mut self, to: Vec3) -> Option<f32> {
+        self.mark_vanishing(None);
+        self.distance_squared_from(to)
+    }
+
+    fn distance_squared_from(&self, u: Vec3) -> Option<f32> {
+        let u = Vec3x8::splat(u);
         let uu = u.dot(u);
         let star = fan::StarNormal::new(self.mean_normal);
         let [a, b] = self.corners();
@@ -396,39 +426,64 @@ impl Star {
                 height: u.dot(old),
                 normal_squared: new_squared,
             };
-            let distance_squared = vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
+            let distance_squared =
+                vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
             least = least.fast_min(distance_squared);
         }
-        let mut distance_squared = least.to_array().into_iter().fold(f32::INFINITY, f32::min);
-        if distance_squared == f32::INFINITY {
-            // No triangle is left (the last one of a border): the edges of the old ones are what remains.
-            for t in 0..self.triangle_count {
-                let corners = self.triangle(t).map(|i| self.offset(i));
-                distance_squared =
-                    distance_squared.min(fan::distance_squared(self.offset(k), corners[0], corners[1]));
-            }
-        }
-        // The protrusion is dear to compute and only adds.
-        if self.distance_cost(distance_squared) >= limit {
-            return None;
-        }
-        let off = distance_squared + self.protrusion_squared(k);
-        let cost = self.distance_cost(off);
-        Some(Fan { distance_squared, cost })
+        Some(least.to_array().into_iter().fold(f32::INFINITY, f32::min))
     }
 
-    fn distance_cost(&self, squared: f32) -> f32 {
+    /// Squared distance of the point `p` from the fan that was judged last, neighbour `k` being the target, and the
+    /// triangle nearest to it.
+    pub(super) fn fan_nearest(&self, k: usize, p: Vec3) -> (f32, Option<usize>) {
+        let [a, b] = self.corners();
+        let (u, p) = (Vec3x8::splat(self.offset(k)), Vec3x8::splat(p));
+        let mut best = (f32::INFINITY, None);
+        for t in (0..self.triangle_count).step_by(LANES) {
+            let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
+            let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
+            let (ua, ub, up, ap, bp) = (a.minus(u), b.minus(u), p.minus(u), p.minus(a), p.minus(b));
+            let normal = ua.cross(ub);
+            let triangle = fan::Products {
+                d: [ua.dot(up), ub.dot(up), ua.dot(ap), ub.dot(ap), ua.dot(bp), ub.dot(bp)],
+                corners: [up.dot(up), ap.dot(ap), bp.dot(bp)],
+                height: normal.dot(up),
+                normal_squared: normal.dot(normal),
+            };
+            let squared = vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
+            for (lane, squared) in squared.to_array().into_iter().enumerate() {
+                if squared < best.0 {
+                    best = (squared, Some(t + lane));
+                }
+            }
+        }
+        best
+    }
+
+    /// What a fan at squared distance `squared` from v adds to the cost; `None` for `limit` or more.
+    pub(super) fn fan_cost(&mut self, k: usize, squared: f32, limit: f32) -> Option<f32> {
+        // The protrusion is dear to compute and only adds.
+        if self.distance_cost(squared) >= limit {
+            return None;
+        }
+        let off = squared + self.protrusion_squared(k);
+        Some(self.distance_cost(off))
+    }
+
+    /// The cost of a squared distance from v over the area of the star.
+    pub(super) fn distance_cost(&self, squared: f32) -> f32 {
         (self.area() + SPIKE_WEIGHT * squared) * squared
     }
 
-    fn mark_vanishing(&mut self, k: usize) {
+    /// Notes which triangles a collapse to neighbour `k` removes.
+    pub(super) fn mark_vanishing(&mut self, k: Option<usize>) {
         let padded = self.triangle_count.next_multiple_of(LANES);
         grow(&mut self.vanishes, padded);
         let mut vanishes = std::mem::take(&mut self.vanishes);
         for (t, lane) in vanishes[..padded].iter_mut().enumerate() {
             *lane = if t >= self.triangle_count {
                 NO_TRIANGLE
-            } else if self.triangle(t).contains(&k) {
+            } else if k.is_some_and(|k| self.triangle(t).contains(&k)) {
                 1.0
             } else {
                 0.0
@@ -475,7 +530,8 @@ impl Star {
                     .fast_min(is_none.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared()));
             }
         }
-        let worst = middles.iter().map(|(_, least)| least.to_array().into_iter().fold(f32::INFINITY, f32::min));
+        let worst =
+            middles.iter().map(|(_, least)| least.to_array().into_iter().fold(f32::INFINITY, f32::min));
         let worst = worst.fold(0.0, f32::max);
         self.middles = middles;
         worst
@@ -494,15 +550,6 @@ impl Star {
             })
         }
     }
-}
-
-/// How a fan compares with the star it replaces.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Fan {
-    /// Squared distance of v from it.
-    pub(super) distance_squared: f32,
-    /// What its distances add to the cost of the collapse, scaled units to the fourth.
-    pub(super) cost: f32,
 }
 
 /// Weight of the area between the old and the new course of a border; 1 to 50 differ little in RMS, and small ones lose

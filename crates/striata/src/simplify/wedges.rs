@@ -29,6 +29,32 @@ impl<'a> Wedges<'a> {
         self.positions.wedges(position).len() > 1
     }
 
+    /// The first vertex of `position`.
+    #[inline]
+    pub(super) fn first(&self, position: u32) -> u32 {
+        self.positions.first_vertex(position)
+    }
+
+    /// The partner at `position` that the pairing found last gives to `wedge`.
+    pub(super) fn paired(&self, wedge: u32, position: u32) -> u32 {
+        let pair = self.map.iter().find(|(from, _)| *from == wedge);
+        pair.map_or(self.positions.first_vertex(position), |&(_, to)| to)
+    }
+
+    /// Pairs every wedge of `v` with the wedge of `u` that `difference` finds nearest: for positions without a common
+    /// edge, where no triangle tells.
+    pub(super) fn pair_nearest(&mut self, v: u32, u: u32, difference: impl Fn(u32, u32) -> f32) {
+        self.map.clear();
+        for from in self.positions.wedges(v) {
+            let nearest = self
+                .positions
+                .wedges(u)
+                .min_by(|&a, &b| difference(from, a).total_cmp(&difference(from, b)))
+                .unwrap_or(self.positions.first_vertex(u));
+            self.map.push((from, nearest));
+        }
+    }
+
     /// The vertex that `triangle` shows at `position`.
     #[inline]
     pub(super) fn shown(&self, triangle: u32, position: u32) -> u32 {

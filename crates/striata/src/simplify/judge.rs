@@ -1,0 +1,282 @@
+//! What collapsing a position costs: a lower bound quickly, the best target in full.
+
+use glam::{DVec3, Vec3};
+
+use crate::mesh::Welded;
+
+use super::attributes::AttributeSpace;
+use super::legality::Legality;
+use super::links::{LinkKind, Links};
+use super::options::{BoundaryRule, CollapseCost, SequenceOptions};
+use super::pairs::Pairs;
+use super::quadric::Quadric;
+use super::star::Star;
+use super::tracked::{MEMORYLESS_SHARE, Tracker};
+use super::wedges::Wedges;
+
+/// Share of the squared way between two parts that merging them costs, over the area that moves.
+const PAIR_WEIGHT: f32 = 0.1;
+
+/// What a cost function remembers of the past.
+pub(super) enum Memory {
+    /// Nothing: the current mesh decides.
+    Memoryless,
+    /// The planes of all triangles that were.
+    Accumulated(Vec<Quadric>),
+    /// The vertices that were.
+    Tracked(Tracker),
+}
+
+/// A collapse that was judged in full.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Choice {
+    pub(super) cost: f32,
+    pub(super) target: u32,
+    /// Squared distance of the vertex from its new fan.
+    pub(super) distance_squared: f32,
+}
+
+/// The mesh as it is, and all that judges it.
+pub(super) struct Judge<'a> {
+    /// Positions about the bounds' centre, diagonal 1, padded to a vector register.
+    pub(super) positions: Vec<[f32; 4]>,
+    pub(super) links: Links,
+    pub(super) wedges: Option<Wedges<'a>>,
+    pub(super) memory: Memory,
+    pub(super) pairs: Option<Pairs>,
+    pub(super) star: Star,
+    pub(super) legality: Legality,
+    attributes: Option<AttributeSpace>,
+    is_locked: Vec<bool>,
+    locks_boundary: bool,
+    partners: Vec<u32>,
+}
+
+impl<'a> Judge<'a> {
+    /// `positions` and `scale` as [`scaled_positions`](super::engine::scaled_positions) gives them.
+    pub(super) fn new(
+        welded: &'a Welded,
+        options: &SequenceOptions,
+        (positions, scale): (Vec<[f32; 4]>, f64),
+    ) -> Self {
+        let position_count = positions.len();
+        let has_wedges = !welded.positions.is_identity();
+        let follows = has_wedges || options.cost == CollapseCost::Tracked;
+        let links = if has_wedges {
+            let of = |t: &[u32; 3]| t.map(|v| welded.positions.position_of(v));
+            let triangles: Vec<[u32; 3]> = welded.mesh.triangles.iter().map(of).collect();
+            Links::new(position_count, &triangles, follows)
+        } else {
+            Links::new(position_count, &welded.mesh.triangles, follows)
+        };
+        let mut judge = Self {
+            positions,
+            links,
+            wedges: has_wedges.then(|| Wedges::new(&welded.positions, welded.mesh.triangles.clone())),
+            memory: Memory::Memoryless,
+            pairs: None,
+            star: Star::default(),
+            legality: Legality::default(),
+            attributes: AttributeSpace::new(welded, &options.attribute_weights),
+            is_locked: locked_positions(welded, &options.locked_vertices),
+            locks_boundary: options.boundary == BoundaryRule::Locked,
+            partners: Vec::new(),
+        };
+        judge.memory = judge.initial_memory(options.cost, welded.mesh.triangle_count());
+        if let Some(distance) = options.pair_distance.filter(|&d| d > 0.0) {
+            let threshold = ((distance / scale) as f32).clamp(1e-6, 1.0);
+            let is_neighbour = |p: u32, q: u32| judge.links.entries(p).contains(&q);
+            judge.pairs = Some(Pairs::new(&judge.positions, threshold, is_neighbour));
+        }
+        judge
+    }
+
+    fn initial_memory(&mut self, cost: CollapseCost, triangle_count: usize) -> Memory {
+        let position_count = self.positions.len() as u32;
+        match cost {
+            CollapseCost::Memoryless => Memory::Memoryless,
+            CollapseCost::Accumulated => {
+                Memory::Accumulated((0..position_count).map(|v| self.star_quadric(v)).collect())
+            }
+            CollapseCost::Tracked => {
+                let mut area = |v| {
+                    self.star.gather(&self.links, &self.positions, v);
+                    self.star.compute_costs();
+                    self.star.area() / 3.0
+                };
+                let weights = (0..position_count).map(&mut area).collect();
+                Memory::Tracked(Tracker::new(triangle_count, weights))
+            }
+        }
+    }
+
+    fn star_quadric(&mut self, v: u32) -> Quadric {
+        self.star.gather(&self.links, &self.positions, v);
+        let centre = point(&self.positions, v).as_dvec3();
+        let mut sum = Quadric::default();
+        for t in 0..self.star.triangle_count() {
+            let [a, b] = self.star.triangle(t).map(|i| centre + self.star.offset(i).as_dvec3());
+            sum.add(&Quadric::of_triangle([centre, a, b]));
+        }
+        sum
+    }
+
+    /// Fills the star of `v` with the costs of its candidates, as far as they are quadratic.
+    fn load_star(&mut self, v: u32) {
+        self.star.gather(&self.links, &self.positions, v);
+        self.star.compute_costs();
+        match &self.memory {
+            Memory::Memoryless => {}
+            Memory::Tracked(_) => self.star.costs.iter_mut().for_each(|cost| *cost *= MEMORYLESS_SHARE),
+            Memory::Accumulated(quadrics) => {
+                for (cost, &u) in self.star.costs.iter_mut().zip(&self.star.ids) {
+                    *cost = accumulated_cost(quadrics, &self.positions, v, u);
+                }
+            }
+        }
+        let kind = self.links.kind(v);
+        match &self.wedges {
+            Some(wedges) if wedges.is_split(v) => {
+                let triangles = std::mem::take(&mut self.star.triangles);
+                let is_seam =
+                    |s: usize, t: usize| wedges.shown(triangles[s], v) != wedges.shown(triangles[t], v);
+                self.star.apply_borders(kind, Some(&is_seam));
+                self.star.triangles = triangles;
+            }
+            _ => self.star.apply_borders(kind, None),
+        }
+    }
+
+    /// The least that collapsing `v` can cost; infinite where it may not be collapsed at all.
+    pub(super) fn lower_bound(&mut self, v: u32) -> f32 {
+        if self.is_locked[v as usize] || self.links.kind(v) == LinkKind::Empty {
+            return f32::INFINITY;
+        }
+        if self.locks_boundary && self.is_boundary(v) {
+            return f32::INFINITY;
+        }
+        self.load_star(v);
+        if self.pairs.is_some() && self.has_partner(v) {
+            return 0.0;
+        }
+        self.star.costs.iter().copied().fold(f32::INFINITY, f32::min)
+    }
+
+    fn has_partner(&mut self, v: u32) -> bool {
+        let Some(pairs) = &mut self.pairs else { return false };
+        pairs.partners_into(v, &mut self.partners);
+        !self.partners.is_empty()
+    }
+
+    fn is_boundary(&self, v: u32) -> bool {
+        match self.links.kind(v) {
+            LinkKind::Open => true,
+            LinkKind::Edges => {
+                let entries = self.links.entries(v);
+                entries.iter().any(|w| entries.iter().filter(|x| *x == w).count() == 1)
+            }
+            _ => false,
+        }
+    }
+
+    /// The cheapest allowed target of `v`.
+    pub(super) fn best_choice(&mut self, v: u32) -> Option<Choice> {
+        self.load_star(v);
+        if let Memory::Tracked(tracker) = &mut self.memory {
+            tracker.load(&self.star, &self.positions, v);
+        }
+        let mut best: Option<Choice> = None;
+        loop {
+            let limit = best.map_or(f32::INFINITY, |b| b.cost);
+            let least = self.star.costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
+            let Some((k, &quadratic)) = least.filter(|(_, cost)| **cost < limit) else { break };
+            self.star.costs[k] = f32::INFINITY;
+            if let Some(choice) = self.judge(v, k, quadratic, limit) {
+                best = Some(choice);
+            }
+        }
+        if self.pairs.is_some() { self.best_pair(v, best) } else { best }
+    }
+
+    /// The collapse of `v` to neighbour `k` of its star, if it is allowed and costs less than `limit`.
+    fn judge(&mut self, v: u32, k: usize, quadratic: f32, limit: f32) -> Option<Choice> {
+        let target = self.star.ids[k];
+        if !self.legality.allows(&self.links, v, target) {
+            return None;
+        }
+        if self.wedges.as_mut().is_some_and(|wedges| !wedges.pair(&self.star, v, k)) {
+            return None;
+        }
+        let distance_squared = self.star.fan_distance_squared(k)?;
+        let mut cost = quadratic;
+        match &self.memory {
+            Memory::Memoryless => cost += self.star.fan_cost(k, distance_squared, limit - cost)?,
+            Memory::Accumulated(_) => {}
+            Memory::Tracked(tracker) => {
+                let share = (limit - cost) / MEMORYLESS_SHARE;
+                cost += MEMORYLESS_SHARE * self.star.fan_cost(k, distance_squared, share)?;
+                cost += tracker.increase(&self.star, k, (v, distance_squared), limit - cost);
+            }
+        }
+        if let Some(attributes) = &self.attributes {
+            cost += attributes.cost(&self.star, self.wedges.as_ref(), v, k);
+        }
+        (cost < limit).then_some(Choice { cost, target, distance_squared })
+    }
+
+    /// The cheapest contraction of `v` with a partner, if it beats `best`.
+    fn best_pair(&mut self, v: u32, mut best: Option<Choice>) -> Option<Choice> {
+        if !self.has_partner(v) {
+            return best;
+        }
+        let centre = point(&self.positions, v);
+        let partners = std::mem::take(&mut self.partners);
+        for &target in &partners {
+            let to = point(&self.positions, target) - centre;
+            if self.links.kind(target) == LinkKind::Empty || self.links.entries(v).contains(&target) {
+                continue;
+            }
+            let Some(distance_squared) = self.star.moved_distance_squared(to) else { continue };
+            let cost = match &self.memory {
+                Memory::Accumulated(quadrics) => accumulated_cost(quadrics, &self.positions, v, target),
+                _ => self.star.cost_at(to) + self.star.distance_cost(distance_squared),
+            } + PAIR_WEIGHT * self.star.area() * to.length_squared();
+            if cost < best.map_or(f32::INFINITY, |b| b.cost) {
+                best = Some(Choice { cost, target, distance_squared });
+            }
+        }
+        self.partners = partners;
+        best
+    }
+
+    /// Squared difference of two vertices' attributes; 0 where attributes do not count.
+    pub(super) fn pair_wedges(&mut self, v: u32, u: u32) {
+        let Some(wedges) = &mut self.wedges else { return };
+        let attributes = &self.attributes;
+        wedges.pair_nearest(v, u, |a, b| {
+            attributes.as_ref().map_or(0.0, |space| space.difference_squared(a, b))
+        });
+    }
+}
+
+fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
+    let [x, y, z, _] = positions[p as usize];
+    Vec3::new(x, y, z)
+}
+
+fn accumulated_cost(quadrics: &[Quadric], positions: &[[f32; 4]], v: u32, u: u32) -> f32 {
+    let at: DVec3 = point(positions, u).as_dvec3();
+    (quadrics[v as usize].at(at) + quadrics[u as usize].at(at)) as f32
+}
+
+/// Which positions hold a vertex of the input that must stay.
+fn locked_positions(welded: &Welded, locked_vertices: &[u32]) -> Vec<bool> {
+    let mut is_locked = vec![false; welded.positions.position_count()];
+    for &vertex in locked_vertices {
+        let position = welded.position_of_source.get(vertex as usize);
+        if let Some(is_locked) = position.and_then(|&p| is_locked.get_mut(p as usize)) {
+            *is_locked = true;
+        }
+    }
+    is_locked
+}

@@ -1,0 +1,151 @@
+//! Pairs of positions that share no edge but lie close together, so that separate parts can merge [GH97].
+//!
+//! Pairs are found once, on a grid of cells as large as the threshold, and follow the collapses: what was
+//! near the removed position is near its target.
+
+use std::collections::BTreeMap;
+
+use glam::Vec3;
+
+/// Partners that a position may have at the start, the nearest ones.
+const MAX_PARTNERS: usize = 8;
+/// Positions and list entries looked at for one position, so that a generous threshold stays affordable.
+const MAX_LOOKS: usize = 256;
+const NONE: u32 = u32::MAX;
+
+/// Candidates for contraction besides the neighbours.
+#[derive(Debug)]
+pub(super) struct Pairs {
+    /// First entry of the list of every position.
+    head: Vec<u32>,
+    tail: Vec<u32>,
+    /// Partner and next entry.
+    entries: Vec<(u32, u32)>,
+    /// Where each position has gone, with shortcuts.
+    current: Vec<u32>,
+}
+
+fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
+    let [x, y, z, _] = positions[p as usize];
+    Vec3::new(x, y, z)
+}
+
+impl Pairs {
+    /// All pairs nearer than `threshold` (scaled units) that `is_neighbour` does not join already.
+    pub(super) fn new(
+        positions: &[[f32; 4]],
+        threshold: f32,
+        is_neighbour: impl Fn(u32, u32) -> bool,
+    ) -> Self {
+        let count = positions.len();
+        let mut pairs = Self {
+            head: vec![NONE; count],
+            tail: vec![NONE; count],
+            entries: Vec::new(),
+            current: (0..count as u32).collect(),
+        };
+        let cell = |p: u32| point(positions, p).to_array().map(|x| (x / threshold).floor() as i32);
+        let mut cells: BTreeMap<[i32; 3], Vec<u32>> = BTreeMap::new();
+        for p in 0..count as u32 {
+            cells.entry(cell(p)).or_default().push(p);
+        }
+        let mut near: Vec<(f32, u32)> = Vec::new();
+        for p in 0..count as u32 {
+            let [cx, cy, cz] = cell(p);
+            near.clear();
+            for x in cx - 1..=cx + 1 {
+                for y in cy - 1..=cy + 1 {
+                    // One range covers the three cells along the last axis.
+                    for list in cells.range([x, y, cz - 1]..=[x, y, cz + 1]).map(|(_, list)| list) {
+                        let room = MAX_LOOKS.saturating_sub(near.len());
+                        near.extend(
+                            list.iter()
+                                .filter(|&&q| q != p)
+                                .take(room)
+                                .map(|&q| ((point(positions, q) - point(positions, p)).length_squared(), q)),
+                        );
+                    }
+                }
+            }
+            near.retain(|&(squared, q)| squared <= threshold * threshold && !is_neighbour(p, q));
+            near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            for &(_, q) in near.iter().take(MAX_PARTNERS) {
+                pairs.push(p, q);
+            }
+        }
+        pairs
+    }
+
+    fn push(&mut self, p: u32, partner: u32) {
+        let entry = self.entries.len() as u32;
+        self.entries.push((partner, NONE));
+        if self.head[p as usize] == NONE {
+            self.head[p as usize] = entry;
+        } else {
+            self.entries[self.tail[p as usize] as usize].1 = entry;
+        }
+        self.tail[p as usize] = entry;
+    }
+
+    /// Where `p` is now.
+    fn find(&mut self, mut p: u32) -> u32 {
+        while self.current[p as usize] != p {
+            let above = self.current[p as usize];
+            self.current[p as usize] = self.current[above as usize];
+            p = above;
+        }
+        p
+    }
+
+    /// The partners of `v` as they are now, each once, into `out`.
+    pub(super) fn partners_into(&mut self, v: u32, out: &mut Vec<u32>) {
+        out.clear();
+        let mut entry = self.head[v as usize];
+        for _ in 0..MAX_LOOKS {
+            if entry == NONE || out.len() == 4 * MAX_PARTNERS {
+                break;
+            }
+            let (partner, next) = self.entries[entry as usize];
+            let partner = self.find(partner);
+            if partner != v && !out.contains(&partner) {
+                out.push(partner);
+            }
+            entry = next;
+        }
+    }
+
+    /// `v` has gone to `u`, and its partners with it.
+    pub(super) fn collapse(&mut self, v: u32, u: u32) {
+        self.current[v as usize] = u;
+        let (head, tail) = (self.head[v as usize], self.tail[v as usize]);
+        if head == NONE {
+            return;
+        }
+        if self.head[u as usize] == NONE {
+            self.head[u as usize] = head;
+        } else {
+            self.entries[self.tail[u as usize] as usize].1 = head;
+        }
+        self.tail[u as usize] = tail;
+        self.head[v as usize] = NONE;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn partners_follow_collapses() {
+        let positions: Vec<[f32; 4]> = (0..6).map(|i| [i as f32 * 0.1, 0.0, 0.0, 0.0]).collect();
+        let mut pairs = Pairs::new(&positions, 0.15, |p, q| p.abs_diff(q) == 1 && p.min(q) % 2 == 0);
+        let mut out = Vec::new();
+        pairs.partners_into(1, &mut out);
+        assert_eq!(out, [2]);
+        pairs.collapse(2, 3);
+        pairs.partners_into(1, &mut out);
+        assert_eq!(out, [3]);
+        pairs.partners_into(3, &mut out);
+        assert_eq!(out, [4, 1]);
+    }
+}

@@ -1,0 +1,64 @@
+//! Accumulated quadrics [GH97]: every position remembers the planes of all triangles that ever led to it.
+
+use glam::DVec3;
+
+/// A sum of squared, area-weighted distances from planes, as a quadratic function of the point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Quadric {
+    /// xx yy zz xy xz yz of the quadratic part.
+    a: [f64; 6],
+    /// The linear part, halved.
+    b: DVec3,
+    /// The constant.
+    c: f64,
+}
+
+impl Quadric {
+    /// Squared distance from the plane of a triangle, times its area.
+    pub(super) fn of_triangle([p, q, r]: [DVec3; 3]) -> Self {
+        let normal = (q - p).cross(r - p);
+        let length = normal.length();
+        if length == 0.0 {
+            return Self::default();
+        }
+        // Half the length is the area; two lengths make the normal a unit twice over.
+        let scale = 0.5 / length;
+        let d = -normal.dot(p);
+        let DVec3 { x, y, z } = normal;
+        Self {
+            a: [x * x, y * y, z * z, x * y, x * z, y * z].map(|term| scale * term),
+            b: scale * d * normal,
+            c: scale * d * d,
+        }
+    }
+
+    pub(super) fn add(&mut self, other: &Self) {
+        for (x, y) in self.a.iter_mut().zip(other.a) {
+            *x += y;
+        }
+        self.b += other.b;
+        self.c += other.c;
+    }
+
+    /// The value at a point; at least 0, whatever rounding says.
+    pub(super) fn at(&self, p: DVec3) -> f64 {
+        let [xx, yy, zz, xy, xz, yz] = self.a;
+        let DVec3 { x, y, z } = p;
+        let quadratic = xx * x * x + yy * y * y + zz * z * z + 2.0 * (xy * x * y + xz * x * z + yz * y * z);
+        (quadratic + 2.0 * self.b.dot(p) + self.c).max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn value_is_area_times_squared_distance() {
+        let q = Quadric::of_triangle([DVec3::ZERO, DVec3::X * 2.0, DVec3::Y * 3.0]);
+        assert!((q.at(DVec3::new(5.0, -7.0, 2.0)) - 12.0).abs() < 1e-12);
+        let mut twice = q;
+        twice.add(&q);
+        assert!((twice.at(DVec3::Z) - 6.0).abs() < 1e-12);
+    }
+}

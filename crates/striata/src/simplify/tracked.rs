@@ -1,0 +1,94 @@
+//! All removed vertices, followed: the slower and better cost at coarse levels.
+//!
+//! Each removed vertex stays with the triangle nearest to it, with the area it stood for as its weight. A
+//! collapse pays for what it adds to the weighted squared distances of the vertices around it; a share of the
+//! memoryless cost stays in, since points alone do not see a surface that sticks out.
+//!
+//! Memory: 20 bytes a position and 4 a triangle. Time: about three times the memoryless cost.
+
+use glam::Vec3;
+
+use super::star::Star;
+
+/// Share of the memoryless cost in the tracked one.
+pub(super) const MEMORYLESS_SHARE: f32 = 0.2;
+
+const NONE: u32 = u32::MAX;
+
+/// Removed vertices by triangle.
+#[derive(Debug)]
+pub(super) struct Tracker {
+    /// First removed vertex of every triangle.
+    head: Vec<u32>,
+    /// The next one of the same triangle.
+    next: Vec<u32>,
+    /// Area that every position stands for, scaled units.
+    weight: Vec<f32>,
+    distance_squared: Vec<f32>,
+    points: Vec<(u32, Vec3)>,
+}
+
+impl Tracker {
+    pub(super) fn new(triangle_count: usize, weight: Vec<f32>) -> Self {
+        Self {
+            head: vec![NONE; triangle_count],
+            next: vec![NONE; weight.len()],
+            distance_squared: vec![0.0; weight.len()],
+            weight,
+            points: Vec::new(),
+        }
+    }
+
+    /// Gathers the removed vertices of the star of `v`, relative to it.
+    pub(super) fn load(&mut self, star: &Star, positions: &[[f32; 4]], v: u32) {
+        self.points.clear();
+        let [vx, vy, vz, _] = positions[v as usize];
+        for &t in &star.triangles[..star.triangle_count()] {
+            let mut p = self.head[t as usize];
+            while p != NONE {
+                let [x, y, z, _] = positions[p as usize];
+                self.points.push((p, Vec3::new(x - vx, y - vy, z - vz)));
+                p = self.next[p as usize];
+            }
+        }
+    }
+
+    /// What collapsing the star's centre `v` to neighbour `k` adds to the loaded vertices' weighted squared distances,
+    /// at least 0; `own` is the squared distance of v from the fan. Gives up beyond `limit`.
+    pub(super) fn increase(&self, star: &Star, k: usize, (v, own): (u32, f32), limit: f32) -> f32 {
+        let mut sum = self.weight[v as usize] * own;
+        // Most that later points may still take off.
+        let mut slack: f32 = self.points.iter().map(|&(p, _)| self.paid(p)).sum();
+        for &(p, at) in &self.points {
+            let old = self.paid(p);
+            slack -= old;
+            sum += self.weight[p as usize] * star.fan_nearest(k, at).0 - old;
+            if sum - slack > limit {
+                break;
+            }
+        }
+        sum.max(0.0)
+    }
+
+    fn paid(&self, p: u32) -> f32 {
+        self.weight[p as usize] * self.distance_squared[p as usize]
+    }
+
+    /// Moves the loaded vertices and `v` itself to the triangles of the fan; returns the largest squared distance.
+    pub(super) fn collapse(&mut self, star: &Star, v: u32, k: usize) -> f32 {
+        for &t in &star.triangles[..star.triangle_count()] {
+            self.head[t as usize] = NONE;
+        }
+        self.points.push((v, Vec3::ZERO));
+        let mut worst = 0.0f32;
+        for &(p, at) in &self.points {
+            let (distance_squared, triangle) = star.fan_nearest(k, at);
+            let Some(triangle) = triangle else { continue };
+            worst = worst.max(distance_squared);
+            self.distance_squared[p as usize] = distance_squared;
+            let head = &mut self.head[star.triangles[triangle] as usize];
+            self.next[p as usize] = std::mem::replace(head, p);
+        }
+        worst
+    }
+}
