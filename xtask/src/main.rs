@@ -1,3 +1,46 @@
 //! Chores of the workspace; `cargo xtask test` is what continuous integration runs.
 
-fn main() {}
+mod golden;
+mod machine;
+mod steps;
+mod test;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Chores of the striata workspace.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask")]
+struct Chores {
+    #[command(subcommand)]
+    chore: Chore,
+}
+
+#[derive(Debug, Subcommand)]
+enum Chore {
+    /// Format, lints, tests, docs, features, wasm32 and golden files: all that must pass
+    Test,
+    /// The golden part alone: run the demo and check what it writes
+    Golden,
+}
+
+fn main() -> ExitCode {
+    let outcome = match Chores::parse().chore {
+        Chore::Test => test::run(),
+        Chore::Golden => golden::run(),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            steps::say(&format!("error: {error:#}"));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The folder of the workspace.
+fn workspace() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}

@@ -13,7 +13,7 @@
 
 #![cfg_attr(
     not(all(feature = "ply", feature = "obj", feature = "stl", feature = "off", feature = "gltf")),
-    allow(unused_imports, dead_code, reason = "shared by formats that may all be left out")
+    allow(unused, unreachable_code, reason = "shared by formats that may all be left out")
 )]
 
 mod atomic;

@@ -59,7 +59,7 @@ pub fn read_bytes(bytes: &[u8], source: &Source<'_>) -> Result<IndexedMesh, Read
     let Some(format) = Format::detect(&bytes, &name) else {
         return Err(ReadError::UnknownFormat { file: file() });
     };
-    let mesh = match format {
+    let mesh: Result<IndexedMesh, Fault> = match format {
         #[cfg(feature = "ply")]
         Format::Ply => crate::ply::read(&bytes),
         #[cfg(feature = "obj")]
@@ -83,5 +83,5 @@ pub fn read_bytes(bytes: &[u8], source: &Source<'_>) -> Result<IndexedMesh, Read
             return Err(ReadError::FeatureOff { file: file(), what, feature });
         }
     };
-    mesh.map_err(|fault: Fault| fault.in_file(source.name))
+    mesh.map_err(|fault| fault.in_file(source.name))
 }

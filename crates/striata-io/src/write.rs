@@ -69,7 +69,7 @@ fn named_bytes(
     file: &str,
 ) -> Result<Vec<u8>, WriteError> {
     check_parts(mesh).map_err(|refusal| refusal.in_file(file, format))?;
-    let bytes = match format {
+    let bytes: Result<Vec<u8>, Refusal> = match format {
         #[cfg(feature = "ply")]
         Format::Ply => crate::ply::to_bytes(mesh, options.ascii),
         #[cfg(feature = "obj")]
@@ -95,7 +95,7 @@ fn named_bytes(
             return Err(WriteError::FeatureOff { file: file.to_owned(), what, feature });
         }
     };
-    bytes.map_err(|refusal: Refusal| refusal.in_file(file, format))
+    bytes.map_err(|refusal| refusal.in_file(file, format))
 }
 
 /// Checks what the writers rely on; coordinates may be anything, as in [`IndexedMesh`] itself.

@@ -11,3 +11,8 @@ pub mod simplify;
 pub mod strip;
 
 pub use progress::{Cancelled, Progress, ProgressFn, ignore_progress};
+
+/// The readme's example, compiled with the documentation's tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -7,7 +7,8 @@ use std::ops::Range;
 use super::DecodeError;
 
 pub(super) const MAGIC: [u8; 8] = *b"STRIATA\0";
-pub(super) const VERSION: u32 = 1;
+/// Version of the file format that is written, and the only one that is read.
+pub const VERSION: u32 = 1;
 pub(super) const HEADER_BYTES: usize = 64;
 pub(super) const ENTRY_BYTES: usize = 32;
 pub(super) const ALIGNMENT: usize = 64;

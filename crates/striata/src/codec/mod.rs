@@ -12,7 +12,7 @@ mod reader;
 mod summary;
 mod writer;
 
-pub use container::{SectionInfo, SectionKind, Verify};
+pub use container::{SectionInfo, SectionKind, VERSION as FORMAT_VERSION, Verify};
 pub use error::{DecodeError, EncodeError};
 pub use reader::StriataFile;
 pub use summary::Summary;

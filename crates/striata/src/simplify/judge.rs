@@ -27,6 +27,25 @@ pub(super) enum Memory {
     Tracked(Tracker),
 }
 
+/// How far a candidate has been judged.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Stage {
+    /// Its quadratic cost is known, which the full cost can only exceed.
+    #[default]
+    Bound,
+    /// It is allowed, and the distance from its fan is in the cost.
+    Measured,
+    /// The cost is complete.
+    Settled,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Candidate {
+    stage: Stage,
+    quadratic: f32,
+    distance_squared: f32,
+}
+
 /// A collapse that was judged in full.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Choice {
@@ -50,6 +69,7 @@ pub(super) struct Judge<'a> {
     is_locked: Vec<bool>,
     locks_boundary: bool,
     partners: Vec<u32>,
+    candidates: Vec<Candidate>,
 }
 
 impl<'a> Judge<'a> {
@@ -81,6 +101,7 @@ impl<'a> Judge<'a> {
             is_locked: locked_positions(welded, &options.locked_vertices),
             locks_boundary: options.boundary == BoundaryRule::Locked,
             partners: Vec::new(),
+            candidates: Vec::new(),
         };
         judge.memory = judge.initial_memory(options.cost, welded.mesh.triangle_count());
         if let Some(distance) = options.pair_distance.filter(|&d| d > 0.0) {
@@ -180,48 +201,69 @@ impl<'a> Judge<'a> {
     }
 
     /// The cheapest allowed target of `v`.
+    ///
+    /// Costs are refined best first: whichever candidate looks cheapest gets its next, dearer test, until the
+    /// cheapest one has passed them all.
     pub(super) fn best_choice(&mut self, v: u32) -> Option<Choice> {
         self.load_star(v);
         if let Memory::Tracked(tracker) = &mut self.memory {
             tracker.load(&self.star, &self.positions, v);
         }
-        let mut best: Option<Choice> = None;
-        loop {
-            let limit = best.map_or(f32::INFINITY, |b| b.cost);
+        self.candidates.clear();
+        self.candidates.resize(self.star.ids.len(), Candidate::default());
+        let best = loop {
             let least = self.star.costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
-            let Some((k, &quadratic)) = least.filter(|(_, cost)| **cost < limit) else { break };
-            self.star.costs[k] = f32::INFINITY;
-            if let Some(choice) = self.judge(v, k, quadratic, limit) {
-                best = Some(choice);
+            let Some((k, &cost)) = least.filter(|(_, cost)| **cost < f32::INFINITY) else { break None };
+            let candidate = self.candidates[k];
+            if candidate.stage == Stage::Settled {
+                let target = self.star.ids[k];
+                break Some(Choice { cost, target, distance_squared: candidate.distance_squared });
             }
-        }
+            let refined = if candidate.stage == Stage::Bound { self.measure(v, k) } else { self.settle(v, k) };
+            self.star.costs[k] = refined.unwrap_or(f32::INFINITY);
+        };
         if self.pairs.is_some() { self.best_pair(v, best) } else { best }
     }
 
-    /// The collapse of `v` to neighbour `k` of its star, if it is allowed and costs less than `limit`.
-    fn judge(&mut self, v: u32, k: usize, quadratic: f32, limit: f32) -> Option<Choice> {
-        let target = self.star.ids[k];
-        if !self.legality.allows(&self.links, v, target) {
+    /// Whether neighbour `k` may be the target, and its cost with the distance of `v` from the fan.
+    fn measure(&mut self, v: u32, k: usize) -> Option<f32> {
+        if !self.legality.allows(&self.links, v, self.star.ids[k]) {
             return None;
         }
         if self.wedges.as_mut().is_some_and(|wedges| !wedges.pair(&self.star, v, k)) {
             return None;
         }
         let distance_squared = self.star.fan_distance_squared(k)?;
+        let quadratic = self.star.costs[k];
+        self.candidates[k] = Candidate { stage: Stage::Measured, quadratic, distance_squared };
+        Some(match &self.memory {
+            Memory::Memoryless => quadratic + self.star.distance_cost(distance_squared),
+            Memory::Accumulated(_) => quadratic,
+            Memory::Tracked(_) => quadratic + MEMORYLESS_SHARE * self.star.distance_cost(distance_squared),
+        })
+    }
+
+    /// The full cost of neighbour `k` as the target.
+    fn settle(&mut self, v: u32, k: usize) -> Option<f32> {
+        self.candidates[k].stage = Stage::Settled;
+        let Candidate { quadratic, distance_squared, .. } = self.candidates[k];
         let mut cost = quadratic;
-        match &self.memory {
-            Memory::Memoryless => cost += self.star.fan_cost(k, distance_squared, limit - cost)?,
-            Memory::Accumulated(_) => {}
-            Memory::Tracked(tracker) => {
-                let share = (limit - cost) / MEMORYLESS_SHARE;
-                cost += MEMORYLESS_SHARE * self.star.fan_cost(k, distance_squared, share)?;
-                cost += tracker.increase(&self.star, k, (v, distance_squared), limit - cost);
-            }
+        if !matches!(self.memory, Memory::Accumulated(_)) {
+            let off = distance_squared + self.star.protrusion_squared(k);
+            let share = if matches!(self.memory, Memory::Tracked(_)) { MEMORYLESS_SHARE } else { 1.0 };
+            cost += share * self.star.distance_cost(off);
+        }
+        if let Memory::Tracked(tracker) = &self.memory {
+            self.star.mark_vanishing(Some(k));
+            cost += tracker.increase(&self.star, k, (v, distance_squared));
         }
         if let Some(attributes) = &self.attributes {
+            if let Some(wedges) = &mut self.wedges {
+                wedges.pair(&self.star, v, k);
+            }
             cost += attributes.cost(&self.star, self.wedges.as_ref(), v, k);
         }
-        (cost < limit).then_some(Choice { cost, target, distance_squared })
+        Some(cost)
     }
 
     /// The cheapest contraction of `v` with a partner, if it beats `best`.

@@ -51,7 +51,7 @@ pub enum CollapseCost {
     /// Memoryless quadrics with volume and distance terms over the current mesh: fast, the best at mild levels.
     #[default]
     Memoryless,
-    /// Accumulated quadrics [GH97], the classic.
+    /// Accumulated quadrics \[GH97\], the classic.
     Accumulated,
     /// Distances of all removed vertices to the current mesh: slower, the best at coarse levels.
     Tracked,

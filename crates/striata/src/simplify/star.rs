@@ -14,7 +14,7 @@
 //! Borders of any kind (boundaries, seams, edges with three triangles) are **special** edges: a vertex on some may only
 //! move along one of them, and pays the squared area between the old and the new course of the border.
 //!
-//! A candidate that survives pays for the distances of the fan that it leaves (see [`Star::fan_cost`]). Triangles
+//! A candidate that survives pays for the distances of the fan that it leaves (see [`Star::distance_cost`]). Triangles
 //! are worked on eight at a time; sums are folded in a fixed order, so results are the same on every machine.
 
 use glam::Vec3;
@@ -460,16 +460,6 @@ impl Star {
         best
     }
 
-    /// What a fan at squared distance `squared` from v adds to the cost; `None` for `limit` or more.
-    pub(super) fn fan_cost(&mut self, k: usize, squared: f32, limit: f32) -> Option<f32> {
-        // The protrusion is dear to compute and only adds.
-        if self.distance_cost(squared) >= limit {
-            return None;
-        }
-        let off = squared + self.protrusion_squared(k);
-        Some(self.distance_cost(off))
-    }
-
     /// The cost of a squared distance from v over the area of the star.
     pub(super) fn distance_cost(&self, squared: f32) -> f32 {
         (self.area() + SPIKE_WEIGHT * squared) * squared
@@ -495,7 +485,7 @@ impl Star {
     /// How far the fan's new edges stick out: the largest squared distance of their midpoints from the old star.
     ///
     /// The distance of v alone does not see a fan that bridges a valley.
-    fn protrusion_squared(&mut self, k: usize) -> f32 {
+    pub(super) fn protrusion_squared(&mut self, k: usize) -> f32 {
         if self.triangle_count < 4 {
             return 0.0;
         }

@@ -54,24 +54,12 @@ impl Tracker {
     }
 
     /// What collapsing the star's centre `v` to neighbour `k` adds to the loaded vertices' weighted squared distances,
-    /// at least 0; `own` is the squared distance of v from the fan. Gives up beyond `limit`.
-    pub(super) fn increase(&self, star: &Star, k: usize, (v, own): (u32, f32), limit: f32) -> f32 {
-        let mut sum = self.weight[v as usize] * own;
-        // Most that later points may still take off.
-        let mut slack: f32 = self.points.iter().map(|&(p, _)| self.paid(p)).sum();
-        for &(p, at) in &self.points {
-            let old = self.paid(p);
-            slack -= old;
-            sum += self.weight[p as usize] * star.fan_nearest(k, at).0 - old;
-            if sum - slack > limit {
-                break;
-            }
-        }
-        sum.max(0.0)
-    }
-
-    fn paid(&self, p: u32) -> f32 {
-        self.weight[p as usize] * self.distance_squared[p as usize]
+    /// at least 0; `own` is the squared distance of v from the fan.
+    pub(super) fn increase(&self, star: &Star, k: usize, (v, own): (u32, f32)) -> f32 {
+        let grown = |&(p, at): &(u32, Vec3)| {
+            self.weight[p as usize] * (star.fan_nearest(k, at).0 - self.distance_squared[p as usize])
+        };
+        (self.weight[v as usize] * own + self.points.iter().map(grown).sum::<f32>()).max(0.0)
     }
 
     /// Moves the loaded vertices and `v` itself to the triangles of the fan; returns the largest squared distance.

@@ -13,6 +13,8 @@ use super::links::{LinkEdge, Links};
 const NONE: u32 = u32::MAX;
 /// Stars that a witness may cross in one search; it goes on next time.
 const MAX_WALK: usize = 8;
+/// Most that the surface moves anywhere, in distances of the removed vertex from its fan.
+const MOVE_FACTOR: f32 = 1.5;
 
 #[derive(Clone, Copy, Debug)]
 struct Witness {
@@ -26,6 +28,7 @@ const NOBODY: Witness = Witness { vertex: NONE, distance_squared: 0.0 };
 #[derive(Debug)]
 pub(super) struct Witnesses {
     of: Vec<Witness>,
+    worst: f32,
     edges: Vec<LinkEdge>,
 }
 
@@ -36,7 +39,7 @@ fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
 
 impl Witnesses {
     pub(super) fn new(position_count: usize) -> Self {
-        Self { of: vec![NOBODY; position_count], edges: Vec::new() }
+        Self { of: vec![NOBODY; position_count], worst: 0.0, edges: Vec::new() }
     }
 
     /// Called after `v` was collapsed to `u`, `own` being the squared distance of v from its new fan. Returns the
@@ -50,16 +53,21 @@ impl Witnesses {
     ) -> f32 {
         let candidates = [std::mem::replace(&mut self.of[v as usize], NOBODY), self.of[u as usize]];
         self.of[u as usize] = Witness { vertex: v, distance_squared: own };
-        let mut worst = own;
-        for candidate in candidates.into_iter().filter(|w| w.vertex != NONE) {
-            let (distance_squared, place) = self.settle(links, positions, u, candidate.vertex);
-            worst = worst.max(distance_squared);
+        self.worst = self.worst.max(own);
+        for mut candidate in candidates.into_iter().filter(|w| w.vertex != NONE) {
+            let reach = candidate.distance_squared.sqrt() + MOVE_FACTOR * own.sqrt();
+            let mut place = u;
+            candidate.distance_squared = reach * reach;
+            if candidate.distance_squared > self.worst {
+                (candidate.distance_squared, place) = self.settle(links, positions, u, candidate.vertex);
+                self.worst = self.worst.max(candidate.distance_squared);
+            }
             let there = &mut self.of[place as usize];
-            if distance_squared > there.distance_squared || there.vertex == NONE {
-                *there = Witness { vertex: candidate.vertex, distance_squared };
+            if candidate.distance_squared > there.distance_squared || there.vertex == NONE {
+                *there = candidate;
             }
         }
-        worst
+        self.worst
     }
 
     /// Walks from the star of `place` towards the surface nearest to `witness`.

@@ -1,0 +1,386 @@
+//! The arguments of the command: one type per verb, and the values that flags take.
+
+use std::fmt;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+
+/// Everything on the command line.
+#[derive(Debug, Parser)]
+#[command(
+    name = "striata",
+    version,
+    about = "Continuous level of detail for triangle meshes",
+    after_help = "Meshes: .ply .obj .stl .off .gltf .glb, and .gz or .zst around them; `-` is stdin or stdout.\n\
+                  `striata VERB --help` tells all of a verb, with examples.",
+    subcommand_value_name = "VERB",
+    subcommand_help_heading = "Verbs",
+    disable_help_subcommand = true,
+    disable_help_flag = true,
+    max_term_width = 100
+)]
+pub(crate) struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+    /// How to report.
+    #[command(flatten)]
+    pub(crate) report: ReportArgs,
+}
+
+/// How every verb reports.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct ReportArgs {
+    /// Print one JSON object to stdout instead of text
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+    /// No progress, no summary; errors only
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
+    /// Print help
+    #[arg(short, long, global = true, action = ArgAction::HelpShort)]
+    help: Option<bool>,
+}
+
+/// The verbs.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    /// Turn a mesh into one .striata file that holds every level
+    Build(BuildArgs),
+    /// Say what is inside a mesh or a .striata file
+    Info(InfoArgs),
+    /// Write one level of a .striata file as a mesh
+    Extract(ExtractArgs),
+    /// Simplify a mesh to one level
+    Simplify(SimplifyArgs),
+    /// Measure the distance between two surfaces
+    Distance(DistanceArgs),
+    /// Convert between mesh formats
+    Convert(ConvertArgs),
+    /// Show it all on a mesh that the command carries
+    Demo(DemoArgs),
+    /// Print a completion script for a shell
+    Completions(CompletionsArgs),
+}
+
+/// Arguments of `build`.
+#[derive(Debug, Args)]
+#[command(
+    override_usage = "striata build [OPTIONS] <INPUT> -o <OUT.striata>",
+    after_help = "Examples:\n  \
+    striata build bunny.ply -o bunny.striata\n  \
+    striata build helmet.glb -o helmet.striata --base 500 --max-error 1%"
+)]
+pub(crate) struct BuildArgs {
+    /// The mesh, or - for stdin
+    pub(crate) input: PathBuf,
+    /// The file to write
+    #[arg(short, long, value_name = "OUT.striata")]
+    pub(crate) output: PathBuf,
+    /// Models to store, separated by commas: lodstrips
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "lodstrips")]
+    pub(crate) models: Vec<String>,
+    /// Stop when no more than this many triangles are left [default: as far as it goes]
+    #[arg(long, value_name = "N")]
+    pub(crate) base: Option<usize>,
+    /// Stop before the error exceeds this: mesh units, or `1%` of the diagonal
+    #[arg(long, value_name = "E")]
+    pub(crate) max_error: Option<Length>,
+    /// How collapses are ordered.
+    #[command(flatten)]
+    pub(crate) sequence: SequenceArgs,
+}
+
+/// Arguments of `info`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  striata info bunny.striata\n  striata info scan.ply.gz --json")]
+pub(crate) struct InfoArgs {
+    /// A mesh or a .striata file, or - for stdin
+    pub(crate) input: PathBuf,
+}
+
+/// Arguments of `extract`.
+#[derive(Debug, Args)]
+#[command(
+    override_usage = "striata extract [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
+    after_help = "Examples:\n  \
+    striata extract bunny.striata -o bunny-5k.glb --triangles 5000\n  \
+    striata extract bunny.striata -o bunny.glb --error 0.1% --as strips"
+)]
+pub(crate) struct ExtractArgs {
+    /// A .striata file, or - for stdin
+    pub(crate) input: PathBuf,
+    /// Which model of the file to use [default: the best for the target]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) model: Option<String>,
+    /// How triangles are written; strips need .glb or .gltf
+    #[arg(long = "as", value_name = "FORM", default_value = "list")]
+    pub(crate) form: TriangleForm,
+    /// Which level.
+    #[command(flatten)]
+    pub(crate) level: LevelArgs,
+    /// Where the mesh goes.
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+/// Arguments of `simplify`.
+#[derive(Debug, Args)]
+#[command(
+    override_usage = "striata simplify [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
+    after_help = "Examples:\n  \
+    striata simplify bunny.ply -o small.ply --triangles 5000\n  \
+    striata simplify scan.obj -o scan.glb --error 0.5% --lock-boundary"
+)]
+pub(crate) struct SimplifyArgs {
+    /// The mesh, or - for stdin
+    pub(crate) input: PathBuf,
+    /// Where vertices may lie: those of the input, or anywhere (nearer, attributes interpolated)
+    #[arg(long, default_value = "subset")]
+    pub(crate) placement: PlacementArg,
+    /// Which level.
+    #[command(flatten)]
+    pub(crate) level: LevelArgs,
+    /// How collapses are ordered.
+    #[command(flatten)]
+    pub(crate) sequence: SequenceArgs,
+    /// Where the mesh goes.
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+/// Arguments of `distance`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata distance bunny.ply bunny-5k.glb\n  \
+    striata distance a.ply b.ply --samples 2000000 --json")]
+pub(crate) struct DistanceArgs {
+    /// One mesh (a .striata file stands for its full level)
+    pub(crate) a: PathBuf,
+    /// The other mesh
+    pub(crate) b: PathBuf,
+    /// Samples taken on each surface
+    #[arg(long, value_name = "N")]
+    pub(crate) samples: Option<usize>,
+    /// Seed of the samples' places
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
+}
+
+/// Arguments of `convert`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata convert scan.stl scan.glb\n  \
+    striata convert helmet.gltf - --to ply --ascii")]
+pub(crate) struct ConvertArgs {
+    /// The mesh, or - for stdin
+    pub(crate) input: PathBuf,
+    /// The file to write, or - for stdout
+    pub(crate) output: PathBuf,
+    /// How it is written.
+    #[command(flatten)]
+    pub(crate) format: FormatArgs,
+}
+
+/// Arguments of `demo`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  striata demo\n  striata demo /srv/www/striata --json")]
+pub(crate) struct DemoArgs {
+    /// The folder to fill
+    #[arg(value_name = "DIR", default_value = "striata-demo")]
+    pub(crate) dir: PathBuf,
+}
+
+/// Arguments of `completions`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata completions bash > ~/.local/share/bash-completion/completions/striata\n  \
+    striata completions fish > ~/.config/fish/completions/striata.fish")]
+pub(crate) struct CompletionsArgs {
+    /// The shell
+    pub(crate) shell: clap_complete::Shell,
+}
+
+/// The target of a level; exactly one must be given.
+#[derive(Clone, Copy, Debug, Args)]
+#[group(required = true, multiple = false)]
+#[command(next_help_heading = "Level (exactly one)")]
+pub(crate) struct LevelArgs {
+    /// At most so many triangles
+    #[arg(long, value_name = "N")]
+    pub(crate) triangles: Option<usize>,
+    /// At most so many vertices
+    #[arg(long, value_name = "N")]
+    pub(crate) vertices: Option<usize>,
+    /// Share of the way from the base mesh (0) to the full mesh (1)
+    #[arg(long, value_name = "F", value_parser = parse_detail)]
+    pub(crate) detail: Option<f64>,
+    /// At most this error: mesh units, or `1%` of the diagonal
+    #[arg(long, value_name = "E")]
+    pub(crate) error: Option<Length>,
+    /// Exactly so many vertex splits above the base mesh
+    #[arg(long, value_name = "N")]
+    pub(crate) split_count: Option<usize>,
+}
+
+/// How the simplification sequence is made.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Simplification")]
+pub(crate) struct SequenceArgs {
+    /// What orders the collapses: quadric
+    #[arg(long, value_name = "NAME", default_value = "quadric")]
+    pub(crate) order: String,
+    /// Which cost: of the current mesh, summed up, or of all removed vertices (slow, best far down)
+    #[arg(long, default_value = "memoryless")]
+    pub(crate) cost: CostArg,
+    /// Keep every boundary vertex in place
+    #[arg(long)]
+    pub(crate) lock_boundary: bool,
+    /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal
+    #[arg(long, value_name = "D")]
+    pub(crate) pair_distance: Option<Length>,
+}
+
+/// Where a mesh goes, and how it is written.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Output")]
+pub(crate) struct OutputArgs {
+    /// The mesh to write, or - for stdout
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: PathBuf,
+    /// How it is written.
+    #[command(flatten)]
+    pub(crate) format: FormatArgs,
+}
+
+/// How a mesh is written.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Output")]
+pub(crate) struct FormatArgs {
+    /// Format of the output [default: by its extension; ply on stdout]
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) to: Option<FormatArg>,
+    /// Write PLY as text
+    #[arg(long)]
+    pub(crate) ascii: bool,
+}
+
+/// Formats that meshes are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FormatArg {
+    /// Stanford PLY
+    Ply,
+    /// Wavefront OBJ
+    Obj,
+    /// STL, binary
+    Stl,
+    /// Object file format
+    Off,
+    /// glTF as JSON, all embedded
+    Gltf,
+    /// glTF as one binary file
+    Glb,
+}
+
+/// How triangles are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TriangleForm {
+    /// Three indices a triangle
+    List,
+    /// Triangle strips joined by degenerate triangles
+    Strips,
+}
+
+/// Where vertices may lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PlacementArg {
+    /// Only at vertices of the input, attributes untouched
+    Subset,
+    /// Anywhere: nearer to the surface, attributes interpolated
+    Optimal,
+}
+
+/// What a collapse costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CostArg {
+    /// Against the current mesh: fast, best at mild levels
+    Memoryless,
+    /// Quadrics summed up over the history: the classic
+    Accumulated,
+    /// Against all removed vertices: slower, best at coarse levels
+    Tracked,
+}
+
+/// A length as the user writes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Length {
+    /// Mesh units.
+    Absolute(f64),
+    /// A share of the bounding box's diagonal, 0.01 for `1%`.
+    OfDiagonal(f64),
+}
+
+impl Length {
+    /// The length in mesh units.
+    pub(crate) fn in_units(self, diagonal: f64) -> f64 {
+        match self {
+            Self::Absolute(length) => length,
+            Self::OfDiagonal(share) => share * diagonal,
+        }
+    }
+}
+
+impl fmt::Display for Length {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Absolute(length) => write!(f, "{length}"),
+            Self::OfDiagonal(share) => write!(f, "{}%", share * 100.0),
+        }
+    }
+}
+
+impl FromStr for Length {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong =
+            || format!("{text:?} is no length; write mesh units (0.02) or a share of the diagonal (1%)");
+        let (number, length): (&str, fn(f64) -> Self) = match text.strip_suffix('%') {
+            Some(percent) => (percent, |x| Self::OfDiagonal(x / 100.0)),
+            None => (text, Self::Absolute),
+        };
+        let number: f64 = number.trim().parse().map_err(|_| wrong())?;
+        if number.is_finite() && number >= 0.0 { Ok(length(number)) } else { Err(wrong()) }
+    }
+}
+
+fn parse_detail(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(detail) if (0.0..=1.0).contains(&detail) => Ok(detail),
+        _ => Err("must lie between 0 (base mesh) and 1 (full mesh)".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_tree_of_arguments_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn lengths_are_units_or_shares_of_the_diagonal() {
+        assert_eq!("0.5".parse(), Ok(Length::Absolute(0.5)));
+        assert_eq!("1%".parse(), Ok(Length::OfDiagonal(0.01)));
+        assert_eq!("1 %".parse(), Ok(Length::OfDiagonal(0.01)));
+        assert_eq!("2%".parse::<Length>().map(|l| l.in_units(50.0)), Ok(1.0));
+        for wrong in ["", "%", "-1", "nan", "inf%", "1m"] {
+            assert!(wrong.parse::<Length>().is_err(), "{wrong:?} was taken");
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! `build`: a mesh becomes one .striata file that holds every level.
+
+use std::path::Path;
+
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+use striata::codec::{FileModel, WriteOptions, to_striata};
+use striata::mesh::{IndexedMesh, RefinableMesh, weld};
+use striata::model::{LodModel, LodStrips};
+use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, StopReason, build_welded_sequence};
+use striata::strip::{StripCost, StripOptions, stripify};
+use striata_io::write_atomically;
+
+use crate::args::{BuildArgs, CostArg, SequenceArgs};
+use crate::clock::{Phases, peak_rss_bytes};
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{Bar, Output, Table, grouped, lasted, sized, to_stdout};
+use crate::save::is_stdout;
+
+/// The phases that a build reports.
+pub(crate) const PHASES: [&str; 6] = ["read", "weld", "simplify", "strip", "models", "write"];
+
+/// Orders of collapses that this version has.
+const ORDERS: [&str; 1] = ["quadric"];
+
+/// Models that this version has.
+pub(crate) const MODELS: [&str; 1] = ["lodstrips"];
+
+/// Reads, builds, writes, reports.
+///
+/// # Errors
+/// Where any of it fails; the output is then as it was.
+pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
+    output.check_stdout_is_free(is_stdout(&args.output))?;
+    check_models(&args.models)?;
+    check_output_name(&args.output)?;
+    let mut phases = Phases::new(&PHASES);
+    let mut bar = output.bar();
+    phases.enter("read");
+    bar.phase("read");
+    let input = Input::open(&args.input)?;
+    let (mesh, source) = (input.mesh()?, input.file_name());
+    let diagonal = mesh.diagonal();
+    let mut options = args.sequence.options(diagonal)?;
+    options.base_triangle_count = args.base.unwrap_or(0);
+    options.max_error = args.max_error.map(|error| error.in_units(diagonal));
+    let built = build(&mesh, &options, &mut phases, &mut bar)?;
+    phases.enter("write");
+    bar.phase("write");
+    let bytes = built.to_bytes(&source)?;
+    if is_stdout(&args.output) {
+        to_stdout(&bytes)?;
+    } else {
+        write_atomically(&args.output, |out| out.write_all(&bytes))?;
+    }
+    phases.leave();
+    drop(bar);
+    let report = Report::new(&mesh, &built, bytes.len(), phases);
+    output.summary(&report, &report.to_text(&args.output, &built, diagonal))
+}
+
+/// A mesh with all that a .striata file holds.
+#[derive(Debug)]
+pub(crate) struct Built {
+    /// The mesh in refinement order, and its steps.
+    pub(crate) refinable: RefinableMesh,
+    /// The model of its strips.
+    pub(crate) lod_strips: LodStrips<'static>,
+    stop_reason: StopReason,
+    strip_cost: StripCost,
+}
+
+/// Builds the sequence, the strips and the models of a mesh.
+///
+/// # Errors
+/// Where the mesh does not hang together or an option is out of range.
+pub(crate) fn build(
+    mesh: &IndexedMesh,
+    options: &SequenceOptions,
+    phases: &mut Phases,
+    bar: &mut Bar,
+) -> Result<Built, Failure> {
+    phases.enter("weld");
+    bar.phase("weld");
+    let welded = weld(mesh)?;
+    phases.enter("simplify");
+    let sequence = build_welded_sequence(welded, options, &mut |progress| bar.show(progress))?;
+    let refinable = sequence.refinable;
+    phases.enter("strip");
+    bar.phase("strip");
+    let strips = stripify(&refinable.mesh, &StripOptions::default())?;
+    let strip_cost = strips.cost();
+    phases.enter("models");
+    bar.phase("models");
+    let lod_strips = LodStrips::build(&refinable, &strips)?;
+    Ok(Built { refinable, lod_strips, stop_reason: sequence.stop_reason, strip_cost })
+}
+
+impl Built {
+    /// The .striata file, with the name of the mesh that it was made from.
+    ///
+    /// # Errors
+    /// Where the parts cannot be encoded.
+    pub(crate) fn to_bytes(&self, source: &str) -> Result<Vec<u8>, Failure> {
+        let options = WriteOptions::default()
+            .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
+            .with_metadata("source", source);
+        Ok(to_striata(&self.refinable, &[FileModel::LodStrips(&self.lod_strips)], &options)?)
+    }
+}
+
+#[derive(Serialize)]
+struct Report {
+    input: Value,
+    step_count: usize,
+    base: Value,
+    error_max: f32,
+    stop_reason: &'static str,
+    models: Map<String, Value>,
+    strips: Value,
+    output_bytes: usize,
+    phases: Phases,
+    secs: f64,
+    peak_rss_bytes: Option<u64>,
+}
+
+impl Report {
+    fn new(mesh: &IndexedMesh, built: &Built, output_bytes: usize, phases: Phases) -> Self {
+        let sequence = &built.refinable.sequence;
+        let vertex_count = built.refinable.mesh.vertex_count().max(1);
+        let mut models = Map::new();
+        let bytes = built.lod_strips.bytes().iter().map(|part| part.bytes).sum::<usize>();
+        models.insert(
+            "lodstrips".to_owned(),
+            json!({ "bytes": bytes, "bytes_per_vertex": bytes as f64 / vertex_count as f64 }),
+        );
+        let cost = &built.strip_cost;
+        Self {
+            input: json!({
+                "vertex_count": mesh.vertex_count(),
+                "triangle_count": mesh.triangle_count(),
+                "position_count": sequence.positions().position_count(),
+            }),
+            step_count: sequence.step_count(),
+            base: json!({
+                "vertex_count": sequence.base_vertex_count(),
+                "triangle_count": sequence.triangle_count_at(0),
+            }),
+            error_max: sequence.error_at(0),
+            stop_reason: built.stop_reason.as_str(),
+            models,
+            strips: json!({
+                "algorithm": "greedy",
+                "strip_count": cost.strip_count,
+                "swap_count": cost.swap_count,
+                "index_count": cost.index_count,
+                "indices_per_triangle": cost.indices_per_triangle,
+                "longest_strip": cost.longest_strip,
+            }),
+            output_bytes,
+            secs: phases.total_secs(),
+            phases,
+            peak_rss_bytes: peak_rss_bytes(),
+        }
+    }
+
+    fn to_text(&self, output: &Path, built: &Built, diagonal: f64) -> String {
+        let sequence = &built.refinable.sequence;
+        let last = sequence.step_count();
+        let error = f64::from(sequence.error_at(0));
+        let share = if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
+        let mut table = Table::default();
+        let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
+        let triangles = |at| grouped(sequence.triangle_count_at(at));
+        row("triangles", format!("{} down to {}", triangles(last), triangles(0)));
+        row("levels", grouped(last + 1));
+        row("error of the base", format!("{error:.6} ({share:.3} % of the diagonal)"));
+        let cost = &built.strip_cost;
+        let strips =
+            format!("{}, {:.3} indices a triangle", grouped(cost.strip_count), cost.indices_per_triangle);
+        row("strips", strips);
+        row("file", format!("{} ({})", output.display(), sized(self.output_bytes)));
+        row("time", lasted(self.secs));
+        table.to_text()
+    }
+}
+
+/// # Errors
+/// Where a name is none of ours.
+fn check_models(names: &[String]) -> Result<(), Failure> {
+    match names.iter().find(|name| !MODELS.contains(&name.as_str())) {
+        Some(unknown) => Err(unknown_name("model", unknown, &MODELS)),
+        None => Ok(()),
+    }
+}
+
+pub(crate) fn unknown_name(what: &str, name: &str, known: &[&str]) -> Failure {
+    let hint = format!("this version has: {}", known.join(", "));
+    Failure::user(format!("there is no {what} {name:?}")).with_hint(hint)
+}
+
+/// # Errors
+/// Where the name says that the output is something else.
+fn check_output_name(path: &Path) -> Result<(), Failure> {
+    match striata_io::Format::from_extension(path) {
+        None | Some(striata_io::Format::Striata) => Ok(()),
+        Some(_) => Err(Failure::user(format!("{}: `build` writes .striata files", path.display()))
+            .with_hint("`striata simplify` writes one level as a mesh")),
+    }
+}
+
+impl SequenceArgs {
+    /// The options in mesh units.
+    ///
+    /// # Errors
+    /// Where an order is asked for that this version does not have.
+    pub(crate) fn options(&self, diagonal: f64) -> Result<SequenceOptions, Failure> {
+        if !ORDERS.contains(&self.order.as_str()) {
+            return Err(unknown_name("order", &self.order, &ORDERS));
+        }
+        let mut options = SequenceOptions::default().with_cost(self.cost.into());
+        if self.lock_boundary {
+            options = options.with_boundary(BoundaryRule::Locked);
+        }
+        options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
+        Ok(options)
+    }
+}
+
+impl From<CostArg> for CollapseCost {
+    fn from(cost: CostArg) -> Self {
+        match cost {
+            CostArg::Memoryless => Self::Memoryless,
+            CostArg::Accumulated => Self::Accumulated,
+            CostArg::Tracked => Self::Tracked,
+        }
+    }
+}

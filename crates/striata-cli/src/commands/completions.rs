@@ -1,0 +1,17 @@
+//! `completions`: a script that completes verbs and flags in the user's shell.
+
+use clap::CommandFactory;
+
+use crate::args::{Cli, CompletionsArgs};
+use crate::failure::Failure;
+use crate::output::to_stdout;
+
+/// Prints the script.
+///
+/// # Errors
+/// Where stdout cannot be written.
+pub(crate) fn run(args: &CompletionsArgs) -> Result<(), Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut Cli::command(), "striata", &mut script);
+    to_stdout(&script)
+}

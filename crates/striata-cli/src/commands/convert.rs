@@ -1,0 +1,40 @@
+//! `convert`: one mesh format to another.
+
+use serde::Serialize;
+
+use crate::args::ConvertArgs;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{Output, grouped};
+use crate::save::{format_of, is_stdout, save};
+
+#[derive(Serialize)]
+struct Report {
+    vertex_count: usize,
+    triangle_count: usize,
+    format: &'static str,
+}
+
+/// Reads one file and writes the other.
+///
+/// # Errors
+/// Where either fails.
+pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
+    output.check_stdout_is_free(is_stdout(&args.output))?;
+    let format = format_of(&args.output, &args.format)?;
+    let input = Input::open(&args.input)?;
+    let mesh = input.mesh()?;
+    save(&mesh, None, &args.output, &args.format)?;
+    let report = Report {
+        vertex_count: mesh.vertex_count(),
+        triangle_count: mesh.triangle_count(),
+        format: format.extension(),
+    };
+    let text = format!(
+        "{}: {} vertices, {} triangles",
+        if is_stdout(&args.output) { "stdout".into() } else { args.output.to_string_lossy() },
+        grouped(report.vertex_count),
+        grouped(report.triangle_count)
+    );
+    output.summary(&report, &text)
+}

@@ -1,0 +1,162 @@
+//! The levels that the demo shows: measured, written as meshes, and prepared for pictures.
+
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::codec::StriataFile;
+use striata::model::{LodModel, LodStripsState};
+use striata::strip::strip_triangles;
+use striata_io::{Format, WriteOptions, to_bytes};
+
+use super::Folder;
+use super::shots::Shot;
+use crate::commands::build::Built;
+use crate::commands::extract::{stitched, strips_of_level};
+use crate::failure::Failure;
+use crate::output::{grouped, lasted, sized};
+
+/// Shares of the triangles that the table lists.
+const TABLE_SHARES: [f64; 8] = [1.0, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005];
+
+/// Shares of the triangles that the picture shows.
+pub(super) const SHOWN_SHARES: [f64; 4] = [1.0, 0.1, 0.02, 0.005];
+
+/// One row of the table.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Level {
+    triangle_share: f64,
+    detail: f64,
+    split_count: usize,
+    triangle_count: usize,
+    vertex_count: usize,
+    error: f32,
+    error_of_diagonal: f64,
+    strip_count: usize,
+    /// What a GPU holds to draw the level: positions and strip indices.
+    drawn_bytes: usize,
+    /// From full detail to this level.
+    seek_secs: f64,
+}
+
+/// Goes to each level of the table and measures it.
+pub(super) fn measure(built: &Built) -> Vec<Level> {
+    let diagonal = built.refinable.mesh.diagonal();
+    TABLE_SHARES.iter().map(|&share| measure_one(built, share, diagonal)).collect()
+}
+
+fn measure_one(built: &Built, share: f64, diagonal: f64) -> Level {
+    let sequence = &built.refinable.sequence;
+    let split_count = split_count_at(built, share);
+    let mut state = built.lod_strips.new_state();
+    // The best of three: the first one also pays for memory that nobody has touched yet.
+    let mut seek_secs = f64::INFINITY;
+    for _ in 0..3 {
+        built.lod_strips.move_to(&mut state, sequence.step_count());
+        let started = Instant::now();
+        built.lod_strips.move_to(&mut state, split_count);
+        seek_secs = seek_secs.min(started.elapsed().as_secs_f64());
+    }
+    let strips = strips_of_level(&built.lod_strips, &state);
+    let index_count = strips.to_restart_indices().indices.len();
+    let vertex_count = sequence.vertex_count_at(split_count);
+    let error = sequence.error_at(split_count);
+    Level {
+        triangle_share: share,
+        detail: split_count as f64 / sequence.step_count().max(1) as f64,
+        split_count,
+        triangle_count: sequence.triangle_count_at(split_count),
+        vertex_count,
+        error,
+        error_of_diagonal: f64::from(error) / diagonal,
+        strip_count: strips.strip_count(),
+        drawn_bytes: 12 * vertex_count + 4 * index_count,
+        seek_secs,
+    }
+}
+
+/// The table as text, its head first.
+pub(super) fn rows(levels: &[Level]) -> Vec<Vec<String>> {
+    let head = ["of the triangles", "triangles", "vertices", "error", "strips", "drawn bytes", "seek"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    rows.extend(levels.iter().map(|level| {
+        vec![
+            percent(level.triangle_share),
+            grouped(level.triangle_count),
+            grouped(level.vertex_count),
+            format!("{:.4} %", 100.0 * level.error_of_diagonal),
+            grouped(level.strip_count),
+            sized(level.drawn_bytes),
+            lasted(level.seek_secs),
+        ]
+    }));
+    rows
+}
+
+/// Writes some levels as mesh files.
+///
+/// # Errors
+/// Where one cannot be made or written.
+pub(super) fn write_meshes(
+    file: &StriataFile<'_>,
+    built: &Built,
+    folder: &mut Folder<'_>,
+) -> Result<(), Failure> {
+    let wanted = [
+        (0.5, Format::Glb, false),
+        (0.1, Format::Glb, false),
+        (0.1, Format::Glb, true),
+        (0.02, Format::Ply, false),
+        (0.005, Format::Obj, false),
+    ];
+    let mut state = built.lod_strips.new_state();
+    for (share, format, as_strips) in wanted {
+        let split_count = split_count_at(built, share);
+        built.lod_strips.move_to(&mut state, split_count);
+        let mesh = file.level_of(&built.lod_strips, &state)?;
+        let mut options = WriteOptions::default();
+        if as_strips {
+            options = options.with_strips(stitched(&strips_of_level(&built.lod_strips, &state)));
+        }
+        let form = if as_strips { "-strips" } else { "" };
+        let name = format!("nefertiti-{}-percent{form}.{}", 100.0 * share, format.extension());
+        let what = format!(
+            "{} triangles{}",
+            grouped(mesh.triangle_count()),
+            if as_strips { " as strips" } else { "" }
+        );
+        folder.write(&name, &what, &to_bytes(format, &mesh, &options)?)?;
+    }
+    Ok(())
+}
+
+/// One level as the picture needs it.
+pub(super) fn shot(built: &Built, share: f64) -> Shot {
+    let mut state = built.lod_strips.new_state();
+    built.lod_strips.move_to(&mut state, split_count_at(built, share));
+    let (triangles, strip_of) = triangles_by_strip(built, &state);
+    Shot {
+        title: percent(share),
+        caption: format!("{} triangles", grouped(triangles.len())),
+        triangles,
+        strip_of,
+    }
+}
+
+fn triangles_by_strip(built: &Built, state: &LodStripsState) -> (Vec<[u32; 3]>, Vec<u32>) {
+    let (mut triangles, mut strip_of) = (Vec::new(), Vec::new());
+    for strip in 0..built.lod_strips.strip_count() {
+        triangles.extend(strip_triangles(built.lod_strips.strip(state, strip)));
+        strip_of.resize(triangles.len(), strip as u32);
+    }
+    (triangles, strip_of)
+}
+
+fn split_count_at(built: &Built, share: f64) -> usize {
+    let sequence = &built.refinable.sequence;
+    let full = sequence.triangle_count_at(sequence.step_count());
+    sequence.split_count_for_triangles((share * full as f64).round() as usize)
+}
+
+fn percent(share: f64) -> String {
+    format!("{} %", 100.0 * share)
+}

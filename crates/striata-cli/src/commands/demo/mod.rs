@@ -1,0 +1,150 @@
+//! `demo`: the main job on the mesh that the command carries, and a page to look at it.
+
+mod levels;
+mod page;
+mod shots;
+
+use std::fs;
+use std::path::Path;
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::codec::StriataFile;
+use striata::simplify::SequenceOptions;
+use striata_io::{Source, read_bytes, write_atomically};
+
+use crate::args::DemoArgs;
+use crate::clock::Phases;
+use crate::commands::build::{Built, PHASES, build};
+use crate::failure::Failure;
+use crate::output::{Output, grouped, lasted, sized};
+use levels::{Level, SHOWN_SHARES};
+
+/// The bust of Nefertiti; `assets/README.md` tells its origin.
+const NEFERTITI: &[u8] = include_bytes!("../../../../../assets/nefertiti.ply.zst");
+
+#[derive(Serialize)]
+struct Report {
+    dir: String,
+    files: Vec<String>,
+    levels: Vec<Level>,
+    secs: f64,
+}
+
+/// Fills the folder.
+///
+/// # Errors
+/// Where the folder or a file in it cannot be written.
+pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
+    let started = Instant::now();
+    let mut folder = Folder::create(&args.dir)?;
+    let mut bar = output.bar();
+    let mut phases = Phases::new(&PHASES);
+    let mesh = read_bytes(NEFERTITI, &Source::new("nefertiti.ply.zst"))?;
+    let built = build(&mesh, &SequenceOptions::default(), &mut phases, &mut bar)?;
+    bar.phase("files");
+    let bytes = built.to_bytes("nefertiti.ply.zst")?;
+    folder.write("nefertiti.striata", "every level in one file", &bytes)?;
+    let levels = levels::measure(&built);
+    let file = StriataFile::parse(&bytes)?;
+    levels::write_meshes(&file, &built, &mut folder)?;
+    bar.phase("pictures");
+    let picture = picture(&built)?;
+    folder.write("levels.png", "four levels, shaded and as strips", &picture)?;
+    bar.phase("page");
+    let page = render_page(&built, &levels, &folder, &picture, bytes.len());
+    folder.write("index.html", "the page to open", page.as_bytes())?;
+    drop(bar);
+    let report = Report {
+        dir: args.dir.display().to_string(),
+        files: folder.files.iter().map(|(name, _)| name.clone()).collect(),
+        levels,
+        secs: started.elapsed().as_secs_f64(),
+    };
+    output.data(&report, &report.to_text(&phases))?;
+    output.say(&what_next(&args.dir));
+    Ok(())
+}
+
+/// The folder that is being filled, and what is in it so far.
+struct Folder<'a> {
+    path: &'a Path,
+    files: Vec<(String, String)>,
+}
+
+impl<'a> Folder<'a> {
+    fn create(path: &'a Path) -> Result<Self, Failure> {
+        fs::create_dir_all(path).map_err(|error| {
+            Failure::user(format!("{}: {error}", path.display()))
+                .with_hint("name a folder that you may write")
+        })?;
+        Ok(Self { path, files: Vec::new() })
+    }
+
+    fn write(&mut self, name: &str, what: &str, bytes: &[u8]) -> Result<(), Failure> {
+        write_atomically(&self.path.join(name), |out| out.write_all(bytes))?;
+        self.files.push((name.to_owned(), format!("{what}, {}", sized(bytes.len()))));
+        Ok(())
+    }
+}
+
+fn picture(built: &Built) -> Result<Vec<u8>, Failure> {
+    let shots: Vec<shots::Shot> = SHOWN_SHARES.iter().map(|&share| levels::shot(built, share)).collect();
+    let sheet = shots::contact_sheet(&built.refinable.mesh, &shots);
+    sheet.to_png().map_err(|error| Failure::internal(format!("levels.png: {error}")))
+}
+
+fn render_page(
+    built: &Built,
+    levels: &[Level],
+    folder: &Folder<'_>,
+    picture: &[u8],
+    file_bytes: usize,
+) -> String {
+    let sequence = &built.refinable.sequence;
+    let intro = format!(
+        "The bust of Nefertiti, {} triangles, became one file of {} that holds {} levels.",
+        grouped(sequence.triangle_count_at(sequence.step_count())),
+        sized(file_bytes),
+        grouped(sequence.step_count() + 1),
+    );
+    let content = page::Content {
+        intro: &intro,
+        levels: "Errors are distances from the full mesh, as a share of the bounding box's diagonal. \
+                 Seek times are those of going there from full detail on the machine that ran the demo.",
+        table: &levels::rows(levels),
+        files: &folder.files,
+        picture,
+    };
+    page::render(&content, &built.refinable)
+}
+
+impl Report {
+    fn to_text(&self, phases: &Phases) -> String {
+        let mut table = crate::output::Table::default();
+        for row in levels::rows(&self.levels) {
+            table.row(row);
+        }
+        format!(
+            "{}\nsimplified in {}, all done in {}\n",
+            table.to_text(),
+            lasted(phases.secs_of("simplify")),
+            lasted(self.secs)
+        )
+    }
+}
+
+fn what_next(dir: &Path) -> String {
+    let page = dir.join("index.html");
+    let page = page.canonicalize().unwrap_or(page);
+    let file = dir.join("nefertiti.striata");
+    format!(
+        "\nOpen {} in a browser: a slider goes through every level.\n\
+         Then try:\n  \
+         striata info {file}\n  \
+         striata extract {file} -o small.glb --triangles 5000\n  \
+         striata build YOUR-MESH.ply -o YOUR-MESH.striata",
+        page.display(),
+        file = file.display()
+    )
+}

@@ -1,0 +1,128 @@
+//! `extract`: one level of a .striata file as a mesh.
+
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::codec::StriataFile;
+use striata::model::{LodModel, LodStrips, LodStripsState};
+use striata::strip::StripSet;
+use striata_io::Format;
+
+use crate::args::{ExtractArgs, TriangleForm};
+use crate::commands::build::{MODELS, unknown_name};
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{Output, grouped, lasted};
+use crate::save::{format_of, is_stdout, save};
+
+#[derive(Serialize)]
+struct Report {
+    model: &'static str,
+    split_count: usize,
+    vertex_count: usize,
+    triangle_count: usize,
+    error: f32,
+    stop_reason: &'static str,
+    seek_secs: f64,
+    secs: f64,
+}
+
+/// Opens the file, goes to the level, writes it.
+///
+/// # Errors
+/// Where any of it fails.
+pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
+    let started = Instant::now();
+    output.check_stdout_is_free(is_stdout(&args.output.output))?;
+    check_form(args)?;
+    let input = Input::open(&args.input)?;
+    let file = input.striata()?;
+    let sequence = file.sequence().map_err(|error| input.damaged(&error))?;
+    let model = lod_strips(&file, args.model.as_deref(), &input)?;
+    let target = args.level.target(file.summary().bounds.map_or(0.0, |b| b.diagonal()))?;
+    let (split_count, stop_reason) = target.resolve(&sequence);
+    let mut state = model.new_state();
+    let seek_started = Instant::now();
+    model.move_to(&mut state, split_count);
+    let seek_secs = seek_started.elapsed().as_secs_f64();
+    let mesh = file.level_of(&model, &state).map_err(|error| input.damaged(&error))?;
+    let strips = (args.form == TriangleForm::Strips).then(|| stitched(&strips_of_level(&model, &state)));
+    save(&mesh, strips, &args.output.output, &args.output.format)?;
+    let report = Report {
+        model: "lodstrips",
+        split_count,
+        vertex_count: mesh.vertex_count(),
+        triangle_count: mesh.triangle_count(),
+        error: sequence.error_at(split_count),
+        stop_reason: stop_reason.as_str(),
+        seek_secs,
+        secs: started.elapsed().as_secs_f64(),
+    };
+    output.summary(&report, &report.to_text(sequence.step_count()))
+}
+
+impl Report {
+    fn to_text(&self, step_count: usize) -> String {
+        format!(
+            "{} triangles, {} vertices, split {} of {}, error {:.6}, {}; sought in {}",
+            grouped(self.triangle_count),
+            grouped(self.vertex_count),
+            grouped(self.split_count),
+            grouped(step_count),
+            self.error,
+            self.stop_reason.replace('_', " "),
+            lasted(self.seek_secs)
+        )
+    }
+}
+
+/// The strips that a level shows, group by group; dead ones are left out.
+pub(crate) fn strips_of_level(model: &LodStrips<'_>, state: &LodStripsState) -> StripSet {
+    let mut strips = StripSet::new();
+    for group in 0..model.group_count() {
+        for strip in model.group_strips(group).map(|strip| model.strip(state, strip)) {
+            if strip.len() >= 3 {
+                strips.push(strip);
+            }
+        }
+        strips.end_group();
+    }
+    strips
+}
+
+/// One list of indices a group, its strips joined by degenerate triangles.
+pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
+    let joined = strips.to_stitched_indices();
+    let of_group =
+        |range: &std::ops::Range<u32>| joined.indices[range.start as usize..range.end as usize].to_vec();
+    joined.group_ranges.iter().map(of_group).collect()
+}
+
+/// # Errors
+/// Where the model is none that this version has, or none that the file has.
+fn lod_strips<'a>(
+    file: &StriataFile<'a>,
+    name: Option<&str>,
+    input: &Input,
+) -> Result<LodStrips<'a>, Failure> {
+    if let Some(name) = name.filter(|name| !MODELS.contains(name)) {
+        return Err(unknown_name("model", name, &MODELS));
+    }
+    match file.lod_strips() {
+        Some(model) => model.map_err(|error| input.damaged(&error)),
+        None => Err(Failure::user(format!("{}: no model in this file can be read", input.name))
+            .with_hint("build it again with --models lodstrips")),
+    }
+}
+
+/// # Errors
+/// Where strips are asked for in a format that has none.
+fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
+    let format = format_of(&args.output.output, &args.output.format)?;
+    if args.form == TriangleForm::Strips && !matches!(format, Format::Glb | Format::Gltf) {
+        return Err(
+            Failure::user(format!("{format} has no strips")).with_hint("write .glb or .gltf, or --as list")
+        );
+    }
+    Ok(())
+}

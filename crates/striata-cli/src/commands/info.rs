@@ -1,0 +1,206 @@
+//! `info`: what is inside a file, mesh or container.
+
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+use striata::codec::FORMAT_VERSION;
+use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData, Statistics, validate};
+use striata::model::LodModel;
+use striata_io::Format;
+
+use crate::args::InfoArgs;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{Output, Table, grouped, sized};
+
+/// Defects that the text names one by one; JSON lists more of them.
+const SPELLED_OUT: usize = 5;
+
+/// Counts of the topology are null where the mesh's parts do not fit together: the defects say why.
+#[derive(Serialize)]
+struct Report {
+    kind: &'static str,
+    format_version: Option<u32>,
+    file_bytes: usize,
+    vertex_count: usize,
+    triangle_count: usize,
+    position_count: Option<usize>,
+    component_count: Option<usize>,
+    boundary_edge_count: Option<usize>,
+    boundary_loop_count: Option<usize>,
+    non_manifold_edge_count: Option<usize>,
+    non_manifold_vertex_count: Option<usize>,
+    inconsistent_edge_count: Option<usize>,
+    degenerate_triangle_count: Option<usize>,
+    duplicate_triangle_count: Option<usize>,
+    unused_vertex_count: Option<usize>,
+    genus: Option<usize>,
+    is_closed: Option<bool>,
+    area: Option<f64>,
+    attributes: Vec<Value>,
+    groups: Vec<Value>,
+    materials: Vec<String>,
+    bounds: Option<Value>,
+    diagonal: f64,
+    models: Map<String, Value>,
+    step_count: Option<usize>,
+    base: Option<Value>,
+    error_max: Option<f32>,
+    sections: Vec<Value>,
+    defect_counts: Map<String, Value>,
+    defects: Vec<String>,
+}
+
+/// Looks and reports.
+///
+/// # Errors
+/// Where the file cannot be read.
+pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
+    let input = Input::open(&args.input)?;
+    let report = if input.format == Format::Striata {
+        of_container(&input)?
+    } else {
+        Report::new(&input, &input.mesh()?)
+    };
+    output.data(&report, &report.to_text(&input.name))
+}
+
+fn of_container(input: &Input) -> Result<Report, Failure> {
+    let file = input.striata()?;
+    let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
+    let mut report = Report::new(input, &refinable.mesh);
+    report.format_version = Some(FORMAT_VERSION);
+    report.add_sequence(&refinable.sequence);
+    if let Some(model) = file.lod_strips() {
+        let model = model.map_err(|error| input.damaged(&error))?;
+        let parts = model.bytes();
+        let bytes: usize = parts.iter().map(|part| part.bytes).sum();
+        let by_part: Map<String, Value> = parts.iter().map(|p| (p.name.to_owned(), p.bytes.into())).collect();
+        let bytes_per_vertex = bytes as f64 / refinable.mesh.vertex_count().max(1) as f64;
+        let model = json!({
+            "bytes": bytes,
+            "bytes_per_vertex": bytes_per_vertex,
+            "strip_count": model.strip_count(),
+            "parts": by_part,
+        });
+        report.models.insert("lodstrips".to_owned(), model);
+    }
+    report.sections =
+        file.sections().iter().map(|s| json!({ "kind": s.kind.to_string(), "bytes": s.bytes })).collect();
+    Ok(report)
+}
+
+impl Report {
+    fn new(input: &Input, mesh: &IndexedMesh) -> Self {
+        let statistics = Statistics::of(mesh).ok();
+        let count = |pick: fn(&Statistics) -> usize| statistics.as_ref().map(pick);
+        let defects = validate(mesh);
+        Self {
+            kind: input.format.extension(),
+            format_version: None,
+            file_bytes: input.file_bytes,
+            vertex_count: mesh.vertex_count(),
+            triangle_count: mesh.triangle_count(),
+            position_count: count(|s| s.position_count),
+            component_count: count(|s| s.component_count),
+            boundary_edge_count: count(|s| s.boundary_edge_count),
+            boundary_loop_count: count(|s| s.boundary_loop_count),
+            non_manifold_edge_count: count(|s| s.non_manifold_edge_count),
+            non_manifold_vertex_count: count(|s| s.non_manifold_vertex_count),
+            inconsistent_edge_count: count(|s| s.inconsistent_edge_count),
+            degenerate_triangle_count: count(|s| s.degenerate_triangle_count),
+            duplicate_triangle_count: count(|s| s.duplicate_triangle_count),
+            unused_vertex_count: count(|s| s.unused_vertex_count),
+            genus: statistics.as_ref().and_then(|s| s.genus),
+            is_closed: statistics.as_ref().map(|s| s.is_closed),
+            area: statistics.as_ref().map(|s| s.area),
+            attributes: mesh.layers.iter().map(described).collect(),
+            groups: groups(mesh),
+            materials: mesh.appearance.materials.iter().map(|material| material.name.clone()).collect(),
+            bounds: mesh.bounds().map(|bounds| json!({ "min": bounds.min, "max": bounds.max })),
+            diagonal: mesh.diagonal(),
+            models: Map::new(),
+            step_count: None,
+            base: None,
+            error_max: None,
+            sections: Vec::new(),
+            defect_counts: defects
+                .counts()
+                .map(|(kind, count)| (kind.as_str().to_owned(), count.into()))
+                .collect(),
+            defects: defects.defects().iter().map(ToString::to_string).collect(),
+        }
+    }
+
+    fn add_sequence(&mut self, sequence: &CollapseSequence) {
+        self.step_count = Some(sequence.step_count());
+        self.base = Some(json!({
+            "vertex_count": sequence.base_vertex_count(),
+            "triangle_count": sequence.triangle_count_at(0),
+        }));
+        self.error_max = Some(sequence.error_at(0));
+    }
+
+    fn to_text(&self, name: &str) -> String {
+        let mut table = Table::default();
+        let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
+        row("file", format!("{name} ({}, {})", self.kind, sized(self.file_bytes)));
+        row("triangles", grouped(self.triangle_count));
+        row("vertices", grouped(self.vertex_count));
+        for (what, count) in [
+            ("positions", self.position_count),
+            ("components", self.component_count),
+            ("boundary edges", self.boundary_edge_count),
+            ("non-manifold edges", self.non_manifold_edge_count),
+            ("genus", self.genus),
+        ] {
+            row(what, count.map_or_else(|| "unknown".to_owned(), grouped));
+        }
+        let names = |values: &[Value]| {
+            let names = values.iter().filter_map(|value| value["name"].as_str());
+            names.collect::<Vec<_>>().join(", ")
+        };
+        row("attributes", or_none(names(&self.attributes)));
+        row("materials", or_none(self.materials.join(", ")));
+        row("diagonal", format!("{:.6}", self.diagonal));
+        if let (Some(step_count), Some(base), Some(error)) = (self.step_count, &self.base, self.error_max) {
+            row("levels", grouped(step_count + 1));
+            row("base", format!("{} triangles, error {error:.6}", base["triangle_count"]));
+        }
+        for (model, facts) in &self.models {
+            let bytes_per_vertex = facts["bytes_per_vertex"].as_f64().unwrap_or(0.0);
+            row(model, format!("{bytes_per_vertex:.1} bytes a vertex"));
+        }
+        for (kind, count) in &self.defect_counts {
+            row("defects", format!("{count} {kind}"));
+        }
+        let mut text = table.to_text();
+        for defect in self.defects.iter().take(SPELLED_OUT) {
+            text.push_str(&format!("  {defect}\n"));
+        }
+        text
+    }
+}
+
+fn or_none(names: String) -> String {
+    if names.is_empty() { "none".to_owned() } else { names }
+}
+
+fn described(layer: &AttributeLayer) -> Value {
+    let number = match layer.data {
+        LayerData::F32(_) => "f32",
+        LayerData::U8(_) => "u8",
+        LayerData::U16(_) => "u16",
+        LayerData::U32(_) => "u32",
+    };
+    json!({
+        "name": layer.semantic.to_string(),
+        "component_count": layer.component_count,
+        "type": number,
+        "normalized": layer.normalized,
+    })
+}
+
+fn groups(mesh: &IndexedMesh) -> Vec<Value> {
+    let described = |group: &striata::mesh::TriangleGroup| json!({ "name": group.name, "material": group.material, "triangle_count": group.count });
+    mesh.groups.iter().map(described).collect()
+}

@@ -1,0 +1,32 @@
+//! The verbs, one file each.
+
+mod build;
+mod completions;
+mod convert;
+mod demo;
+mod distance;
+mod extract;
+mod info;
+mod simplify;
+
+use crate::args::{Cli, Verb};
+use crate::failure::Failure;
+use crate::output::Output;
+
+/// Does what the command line asks.
+///
+/// # Errors
+/// Whatever kept the verb from doing it.
+pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
+    let output = Output::new(cli.report);
+    match &cli.verb {
+        Verb::Build(args) => build::run(args, &output),
+        Verb::Info(args) => info::run(args, &output),
+        Verb::Extract(args) => extract::run(args, &output),
+        Verb::Simplify(args) => simplify::run(args, &output),
+        Verb::Distance(args) => distance::run(args, &output),
+        Verb::Convert(args) => convert::run(args, &output),
+        Verb::Demo(args) => demo::run(args, &output),
+        Verb::Completions(args) => completions::run(args),
+    }
+}

@@ -1,0 +1,184 @@
+//! Why the command stops: a message, whose fault it is, what would cure it, and the place in the file.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use striata::codec::{DecodeError, EncodeError};
+use striata::mesh::{DistanceError, MeshError};
+use striata::model::LodStripsError;
+use striata::simplify::SimplifyError;
+use striata_io::{ReadError, WriteError};
+
+/// A failure as the user gets to see it.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    message: String,
+    hint: Option<String>,
+    excerpt: Option<Excerpt>,
+    is_ours: bool,
+}
+
+/// A line of a text file that is to blame, with its neighbours.
+#[derive(Debug)]
+pub(crate) struct Excerpt {
+    name: String,
+    lines: Vec<String>,
+    first_line: usize,
+    blamed: usize,
+}
+
+impl Failure {
+    /// Exit code of failures that the user can fix.
+    pub(crate) const USERS: u8 = 1;
+    /// Exit code of failures that are our fault.
+    pub(crate) const OURS: u8 = 2;
+
+    /// A failure that the user can fix.
+    pub(crate) fn user(message: impl Into<String>) -> Self {
+        Self { message: message.into(), hint: None, excerpt: None, is_ours: false }
+    }
+
+    /// A failure of our own.
+    pub(crate) fn internal(message: impl Into<String>) -> Self {
+        Self { is_ours: true, ..Self::user(message) }
+    }
+
+    /// Adds what would cure it.
+    pub(crate) fn with_hint(self, hint: impl Into<String>) -> Self {
+        Self { hint: Some(hint.into()), ..self }
+    }
+
+    /// Adds the line to blame.
+    pub(crate) fn with_excerpt(self, excerpt: Option<Excerpt>) -> Self {
+        Self { excerpt, ..self }
+    }
+
+    /// Tells the user, and gives the exit code.
+    pub(crate) fn announce(&self) -> ExitCode {
+        let mut text = format!("error: {}\n", self.message);
+        if let Some(excerpt) = &self.excerpt {
+            text.push_str(&excerpt.render());
+        }
+        if let Some(hint) = &self.hint {
+            text.push_str(&format!("hint: {hint}\n"));
+        }
+        if self.is_ours {
+            text.push_str(PLEASE_REPORT);
+        }
+        // A closed stderr leaves the exit code to tell.
+        let _ = io::stderr().write_all(text.as_bytes());
+        ExitCode::from(if self.is_ours { Self::OURS } else { Self::USERS })
+    }
+}
+
+const PLEASE_REPORT: &str = "This is a fault of striata, not yours; please report it with the command line \
+                             and, if you can, the file.\n";
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        Self::user(error.to_string())
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        Self::user(error.to_string())
+    }
+}
+
+impl From<MeshError> for Failure {
+    fn from(error: MeshError) -> Self {
+        let hint = match error {
+            MeshError::NonFinitePosition { .. } => {
+                "remove or repair the vertex; `striata info` counts such defects"
+            }
+            _ => "the file contradicts itself; export it again",
+        };
+        Self::user(error.to_string()).with_hint(hint)
+    }
+}
+
+impl From<SimplifyError> for Failure {
+    fn from(error: SimplifyError) -> Self {
+        match error {
+            SimplifyError::Mesh(error) => error.into(),
+            SimplifyError::Sequence(_) => Self::internal(error.to_string()),
+            _ => Self::user(error.to_string()),
+        }
+    }
+}
+
+impl From<DistanceError> for Failure {
+    fn from(error: DistanceError) -> Self {
+        Self::user(error.to_string())
+    }
+}
+
+/// Failures of parts that were made here and fit together by construction; what comes from a user's file is
+/// told by `Input::damaged`.
+macro_rules! ours {
+    ($($error:ty),*) => {
+        $(impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Self::internal(error.to_string())
+            }
+        })*
+    };
+}
+
+ours!(LodStripsError, DecodeError, EncodeError);
+
+/// Prints a panic as what it is: our fault.
+pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {
+    let message = info.payload_as_str().unwrap_or("no message");
+    let place = info.location().map(|l| format!(" ({}:{})", l.file(), l.line())).unwrap_or_default();
+    let _ = write!(io::stderr(), "internal error: {message}{place}\n{PLEASE_REPORT}");
+}
+
+impl Excerpt {
+    /// Longer lines are no text that a person would look at.
+    const MAX_LINE_BYTES: usize = 400;
+
+    /// The line, counted from 1, between its neighbours; `None` where the text has no such line.
+    pub(crate) fn around(name: &str, text: &str, line: usize) -> Option<Self> {
+        let first_line = line.checked_sub(1)?.max(1);
+        let shown = text.lines().skip(first_line - 1).take(line + 2 - first_line);
+        let lines: Vec<String> = shown.map(str::to_owned).collect();
+        let has_line = first_line + lines.len() > line;
+        let is_text = lines.iter().all(|line| line.len() <= Self::MAX_LINE_BYTES);
+        (has_line && is_text).then(|| Self { name: name.to_owned(), lines, first_line, blamed: line })
+    }
+
+    /// The lines with their numbers, and the one to blame marked below, as compilers do it.
+    fn render(&self) -> String {
+        let margin = (self.first_line + self.lines.len() - 1).to_string().len();
+        let mut text = format!("{:>margin$} --> {}:{}\n", "", self.name, self.blamed);
+        for (number, line) in (self.first_line..).zip(&self.lines) {
+            text.push_str(&format!("{number:>margin$} | {line}\n"));
+            if number == self.blamed {
+                text.push_str(&format!("{:>margin$} | {}\n", "", "^".repeat(line.chars().count().max(1))));
+            }
+        }
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_excerpt_marks_the_line_between_its_neighbours() {
+        let excerpt = Excerpt::around("x.obj", "v 0 0 0\nv 1\nv 2 2 2\nf 1 2 3\n", 2).expect("line 2");
+        assert_eq!(excerpt.render(), "  --> x.obj:2\n1 | v 0 0 0\n2 | v 1\n  | ^^^\n3 | v 2 2 2\n");
+        let last = Excerpt::around("x.obj", "v 0 0 0\nf", 2).expect("line 2");
+        assert_eq!(last.render(), "  --> x.obj:2\n1 | v 0 0 0\n2 | f\n  | ^\n");
+    }
+
+    #[test]
+    fn lines_that_are_not_there_or_too_long_are_not_shown() {
+        assert!(Excerpt::around("x", "one\n", 0).is_none());
+        assert!(Excerpt::around("x", "one\n", 2).is_none());
+        assert!(Excerpt::around("x", &"y".repeat(5000), 1).is_none());
+    }
+}

@@ -1,0 +1,159 @@
+//! Files in: mapped into memory, unpacked, recognised, and blamed line by line where they are wrong.
+
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use memmap2::Mmap;
+use striata::codec::StriataFile;
+use striata::mesh::IndexedMesh;
+use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes};
+
+use crate::failure::{Excerpt, Failure};
+
+/// A file whose bytes are at hand and whose kind is known.
+#[derive(Debug)]
+pub(crate) struct Input {
+    /// The name that messages show.
+    pub(crate) name: String,
+    /// What it is.
+    pub(crate) format: Format,
+    /// Bytes as they lie on disk.
+    pub(crate) file_bytes: usize,
+    folder: Option<PathBuf>,
+    bytes: Bytes,
+}
+
+#[derive(Debug)]
+enum Bytes {
+    Mapped(Mmap),
+    Owned(Vec<u8>),
+}
+
+impl Bytes {
+    fn as_slice(&self) -> &[u8] {
+        match self {
+            Self::Mapped(map) => map,
+            Self::Owned(bytes) => bytes,
+        }
+    }
+}
+
+impl Input {
+    /// Opens a file, or stdin for `-`, takes gzip and zstd off, and recognises what is inside.
+    ///
+    /// # Errors
+    /// Where it cannot be read or is no file that we know.
+    pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
+        let is_stdin = path == Path::new("-");
+        let name = if is_stdin { "stdin".to_owned() } else { path.display().to_string() };
+        let raw = if is_stdin { read_stdin() } else { map(path) };
+        let raw = raw.map_err(|error| unreadable(&name, &error))?;
+        let file_bytes = raw.as_slice().len();
+        let (unpacked, inner_name) = match decompressed(Cow::Borrowed(raw.as_slice()), &name)? {
+            (Cow::Owned(bytes), inner_name) => (Some(bytes), inner_name),
+            (Cow::Borrowed(_), inner_name) => (None, inner_name),
+        };
+        let bytes = unpacked.map_or(raw, Bytes::Owned);
+        let Some(format) = Format::detect(bytes.as_slice(), &inner_name) else {
+            return Err(ReadError::UnknownFormat { file: name }.into());
+        };
+        let folder = (!is_stdin).then(|| folder_of(path));
+        Ok(Self { name, format, file_bytes, folder, bytes })
+    }
+
+    /// The name without its folder: what may be told to others.
+    pub(crate) fn file_name(&self) -> String {
+        let name = Path::new(&self.name).file_name();
+        name.map_or_else(|| self.name.clone(), |name| name.to_string_lossy().into_owned())
+    }
+
+    /// The mesh of a mesh file, or the full level of a .striata file.
+    ///
+    /// # Errors
+    /// Where the bytes are no such thing; the message names the place.
+    pub(crate) fn mesh(&self) -> Result<IndexedMesh, Failure> {
+        if self.format == Format::Striata {
+            let refinable = self.striata()?.refinable_mesh();
+            return Ok(refinable.map_err(|error| self.damaged(&error))?.mesh);
+        }
+        let mut source = Source::new(&self.name);
+        if let Some(folder) = &self.folder {
+            source = source.with_folder(folder);
+        }
+        read_bytes(self.bytes.as_slice(), &source).map_err(|error| {
+            let excerpt = self.excerpt(&error);
+            Failure::from(error).with_excerpt(excerpt)
+        })
+    }
+
+    /// The container, its tables read and checked.
+    ///
+    /// # Errors
+    /// Where the file is a mesh, or a container that is damaged or too new.
+    pub(crate) fn striata(&self) -> Result<StriataFile<'_>, Failure> {
+        if self.format != Format::Striata {
+            let message = format!("{}: this is a mesh ({}), not a .striata file", self.name, self.format);
+            return Err(Failure::user(message)
+                .with_hint("make one with `striata build`, or use `striata simplify` on the mesh"));
+        }
+        StriataFile::parse(self.bytes.as_slice()).map_err(|error| self.damaged(&error))
+    }
+
+    /// A failure to decode this file.
+    pub(crate) fn damaged(&self, error: &striata::codec::DecodeError) -> Failure {
+        Failure::user(format!("{}: {error}", self.name))
+            .with_hint("the file is damaged or cut off; build it again, or copy it again")
+    }
+
+    /// The line to blame, where the file is text and the error knows its line.
+    fn excerpt(&self, error: &ReadError) -> Option<Excerpt> {
+        let ReadError::Malformed { place: Place::Line(line), .. } = error else { return None };
+        let text = std::str::from_utf8(self.bytes.as_slice()).ok()?;
+        Excerpt::around(&self.name, text, usize::try_from(*line).ok()?)
+    }
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+fn unreadable(name: &str, error: &io::Error) -> Failure {
+    let failure = Failure::user(format!("{name}: {error}"));
+    match error.kind() {
+        io::ErrorKind::NotFound => failure.with_hint("check the path; a relative one starts at this folder"),
+        io::ErrorKind::IsADirectory => failure.with_hint("name a file inside the folder"),
+        _ => failure,
+    }
+}
+
+fn read_stdin() -> io::Result<Bytes> {
+    let mut bytes = Vec::new();
+    io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(Bytes::Owned(bytes))
+}
+
+fn map(path: &Path) -> io::Result<Bytes> {
+    let mut file = File::open(path)?;
+    let metadata = file.metadata()?;
+    if metadata.is_dir() {
+        return Err(io::Error::from(io::ErrorKind::IsADirectory));
+    }
+    // Pipes and empty files cannot be mapped.
+    if !metadata.is_file() || metadata.len() == 0 {
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes)?;
+        return Ok(Bytes::Owned(bytes));
+    }
+    #[expect(unsafe_code, reason = "mapping a file is unsafe by nature; there is no safe way to do it")]
+    // SAFETY: the map is only ever read as bytes, and every reader takes any bytes. Another process that
+    // changes the file meanwhile can make us read old or new bytes, and one that cuts it off can end us by a
+    // signal; outputs are written beside their target and renamed, so no file is lost to either.
+    unsafe {
+        Mmap::map(&file).map(Bytes::Mapped)
+    }
+}

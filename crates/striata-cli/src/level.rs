@@ -1,0 +1,23 @@
+//! Which level the user means.
+
+use striata::simplify::Target;
+
+use crate::args::LevelArgs;
+use crate::failure::Failure;
+
+impl LevelArgs {
+    /// The target in mesh units.
+    ///
+    /// # Errors
+    /// Where none is given, which the argument parser refuses before.
+    pub(crate) fn target(&self, diagonal: f64) -> Result<Target, Failure> {
+        let targets = [
+            self.triangles.map(Target::Triangles),
+            self.vertices.map(Target::Vertices),
+            self.detail.map(Target::Detail),
+            self.error.map(|error| Target::Error(error.in_units(diagonal))),
+            self.split_count.map(Target::SplitCount),
+        ];
+        targets.into_iter().flatten().next().ok_or_else(|| Failure::internal("no level was given"))
+    }
+}

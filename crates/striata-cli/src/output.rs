@@ -1,0 +1,224 @@
+//! What the command says, and where: data to stdout, talk to stderr, bars only on a terminal.
+
+use std::fmt::Write as _;
+use std::io::{self, IsTerminal, Write};
+use std::ops::ControlFlow;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Serialize;
+use striata::Progress;
+
+use crate::args::ReportArgs;
+use crate::failure::Failure;
+
+/// Knows how the user wants to be told.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Output {
+    json: bool,
+    quiet: bool,
+    draws_bars: bool,
+}
+
+impl Output {
+    /// As the user asked, with bars only where stderr is a terminal.
+    pub(crate) fn new(args: ReportArgs) -> Self {
+        let draws_bars = !args.quiet && io::stderr().is_terminal();
+        Self { json: args.json, quiet: args.quiet, draws_bars }
+    }
+
+    /// Refuses to mix a JSON report with a mesh on stdout.
+    ///
+    /// # Errors
+    /// Where both would go there.
+    pub(crate) fn check_stdout_is_free(&self, mesh_to_stdout: bool) -> Result<(), Failure> {
+        if self.json && mesh_to_stdout {
+            return Err(Failure::user("--json and the mesh cannot both go to stdout")
+                .with_hint("give the output a file name"));
+        }
+        Ok(())
+    }
+
+    /// What the verb was asked for: to stdout, as text or JSON.
+    ///
+    /// # Errors
+    /// Where stdout cannot be written.
+    pub(crate) fn data(&self, report: &impl Serialize, text: &str) -> Result<(), Failure> {
+        if self.json { self.json_object(report) } else { to_stdout(text.as_bytes()) }
+    }
+
+    /// What the verb achieved besides the file it wrote: JSON to stdout, text to stderr.
+    ///
+    /// # Errors
+    /// Where stdout cannot be written.
+    pub(crate) fn summary(&self, report: &impl Serialize, text: &str) -> Result<(), Failure> {
+        if self.json {
+            return self.json_object(report);
+        }
+        self.say(text);
+        Ok(())
+    }
+
+    /// A remark to stderr.
+    pub(crate) fn say(&self, text: &str) {
+        if !self.quiet {
+            // A closed stderr is no reason to fail.
+            let _ = writeln!(io::stderr(), "{}", text.trim_end());
+        }
+    }
+
+    /// A progress bar that the library's callback can move; invisible unless stderr is a terminal.
+    pub(crate) fn bar(&self) -> Bar {
+        let target =
+            if self.draws_bars { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let bar = ProgressBar::with_draw_target(Some(0), target);
+        let style = ProgressStyle::with_template("{msg:<10} {bar:40} {percent:>3}% {eta}");
+        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        Bar { bar, phase: "" }
+    }
+
+    fn json_object(&self, report: &impl Serialize) -> Result<(), Failure> {
+        let mut bytes = serde_json::to_vec(report).map_err(|e| Failure::internal(format!("report: {e}")))?;
+        bytes.push(b'\n');
+        to_stdout(&bytes)
+    }
+}
+
+/// A progress bar for one run.
+#[derive(Debug)]
+pub(crate) struct Bar {
+    bar: ProgressBar,
+    phase: &'static str,
+}
+
+impl Bar {
+    /// Shows that a phase without parts has begun.
+    pub(crate) fn phase(&mut self, phase: &'static str) {
+        let _ = self.show(Progress { phase, done: 0, total: 1 });
+    }
+
+    /// Shows how far the library has come; never cancels.
+    pub(crate) fn show(&mut self, progress: Progress) -> ControlFlow<()> {
+        if self.phase != progress.phase {
+            self.phase = progress.phase;
+            self.bar.reset_eta();
+            self.bar.set_message(progress.phase);
+        }
+        self.bar.set_length(progress.total);
+        self.bar.set_position(progress.done);
+        ControlFlow::Continue(())
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// Bytes to stdout; a reader that has gone away (`| head`) is no failure.
+///
+/// # Errors
+/// Where stdout cannot be written.
+pub(crate) fn to_stdout(bytes: &[u8]) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::user(format!("stdout: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A number with thin groups of three digits, for people.
+pub(crate) fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut out = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+/// A size in bytes for people.
+pub(crate) fn sized(bytes: usize) -> String {
+    match bytes {
+        0..10_000 => format!("{bytes} B"),
+        10_000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
+        _ => format!("{:.2} MB", bytes as f64 / 1e6),
+    }
+}
+
+/// A duration for people.
+pub(crate) fn lasted(secs: f64) -> String {
+    if secs < 0.001 {
+        format!("{:.0} µs", secs * 1e6)
+    } else if secs < 1.0 {
+        format!("{:.1} ms", secs * 1e3)
+    } else {
+        format!("{secs:.2} s")
+    }
+}
+
+/// Rows of cells in columns: the first column to the left, the others to the right.
+#[derive(Debug, Default)]
+pub(crate) struct Table {
+    rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// A table with its head.
+    pub(crate) fn with_head(head: &[&str]) -> Self {
+        Self { rows: vec![head.iter().map(|&cell| cell.to_owned()).collect()] }
+    }
+
+    /// Appends a row.
+    pub(crate) fn row(&mut self, cells: Vec<String>) {
+        self.rows.push(cells);
+    }
+
+    /// The table as text, every line ended.
+    pub(crate) fn to_text(&self) -> String {
+        let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        let width = |c: usize| self.rows.iter().filter_map(|r| r.get(c)).map(|s| s.chars().count()).max();
+        let widths: Vec<usize> = (0..columns).map(|c| width(c).unwrap_or(0)).collect();
+        let mut text = String::new();
+        for row in &self.rows {
+            let mut line = String::new();
+            for (column, cell) in row.iter().enumerate() {
+                let width = widths[column];
+                // Writing to a string cannot fail.
+                let _ = if column == 0 {
+                    write!(line, "{cell:<width$}")
+                } else {
+                    write!(line, "  {cell:>width$}")
+                };
+            }
+            text.push_str(line.trim_end());
+            text.push('\n');
+        }
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_grouped_by_three() {
+        assert_eq!(grouped(0), "0");
+        assert_eq!(grouped(999), "999");
+        assert_eq!(grouped(1000), "1,000");
+        assert_eq!(grouped(1_234_567), "1,234,567");
+    }
+
+    #[test]
+    fn tables_align_their_columns() {
+        let mut table = Table::with_head(&["level", "triangles"]);
+        table.row(vec!["full".to_owned(), "99,938".to_owned()]);
+        assert_eq!(table.to_text(), "level  triangles\nfull      99,938\n");
+    }
+}

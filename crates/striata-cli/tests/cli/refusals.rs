@@ -1,0 +1,161 @@
+//! Bad input: a clear error that names the file, the place and the reason; exit code 1; nothing half-written.
+
+use crate::workbench::{Workbench, sphere};
+
+#[test]
+fn a_missing_file_is_named() {
+    let bench = Workbench::new();
+    let said = bench.refused("info nowhere.ply");
+    assert!(said.starts_with("error: nowhere.ply: ") && said.contains("hint:"), "{said}");
+    assert!(bench.refused("build nowhere.ply -o out.striata").contains("nowhere.ply"));
+    assert_eq!(bench.names(), Vec::<String>::new());
+}
+
+#[test]
+fn a_folder_is_no_mesh() {
+    let bench = Workbench::new();
+    assert!(bench.refused("info .").contains("hint:"));
+}
+
+#[test]
+fn text_named_ply_is_refused() {
+    let bench = Workbench::new();
+    bench.write("notes.ply", "Dear diary, today I looked at meshes.\n");
+    let said = bench.refused("convert notes.ply out.obj");
+    assert!(said.contains("notes.ply") && said.contains("line 1"), "{said}");
+    assert_eq!(bench.names(), ["notes.ply"]);
+}
+
+#[test]
+fn a_file_of_no_known_kind_is_refused() {
+    let bench = Workbench::new();
+    bench.write("picture.png", b"\x89PNG\r\n\x1a\n0000");
+    bench.write("empty", b"");
+    assert!(bench.refused("info picture.png").contains("picture.png"));
+    assert!(bench.refused("info empty").contains("empty"));
+}
+
+#[test]
+fn the_line_to_blame_is_shown() {
+    let bench = Workbench::new();
+    bench.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n");
+    let said = bench.refused("info bad.obj");
+    assert!(said.contains("line 4") && said.contains("4 | f 1 2 x"), "{said}");
+}
+
+#[test]
+fn an_index_out_of_range_is_named() {
+    let bench = Workbench::new();
+    bench.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+    let said = bench.refused("build bad.off -o out.striata");
+    assert!(said.contains("bad.off") && said.contains('7'), "{said}");
+    bench.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+    assert!(bench.refused("info bad.obj").contains('9'));
+}
+
+#[test]
+fn nan_is_refused_where_it_matters_and_counted_by_info() {
+    let bench = Workbench::new();
+    bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
+    for arguments in ["build nan.off -o out.striata", "simplify nan.off -o out.ply --triangles 1"] {
+        let said = bench.refused(arguments);
+        assert!(said.contains("vertex 2") && said.contains("NaN"), "{said}");
+    }
+    assert_eq!(bench.names(), ["nan.off"]);
+    let info = bench.json("info nan.off");
+    assert_eq!(info["triangle_count"], 2);
+    assert!(
+        info["defects"].to_string().contains("NaN") || info["defects"].to_string().contains("finite"),
+        "{info}"
+    );
+}
+
+#[test]
+fn empty_and_tiny_meshes_go_through() {
+    let bench = Workbench::new();
+    bench.write("none.off", "OFF\n0 0 0\n");
+    bench.write("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for name in ["none", "one"] {
+        bench.run(&format!("info {name}.off")).success();
+        let built = bench.json(&format!("build {name}.off -o {name}.striata"));
+        let full = bench.json(&format!("extract {name}.striata -o {name}.ply --detail 1"));
+        assert_eq!(full["triangle_count"], built["input"]["triangle_count"], "{name}");
+    }
+    let said = bench.refused("distance none.off one.off");
+    assert!(said.contains("error:"), "{said}");
+}
+
+#[test]
+fn half_a_container_is_refused_at_every_length() {
+    let bench = Workbench::with_ball();
+    let whole = bench.read("ball.striata");
+    for length in [0, 1, 7, 8, 9, 40, 100, 500, whole.len() / 2, whole.len() - 1] {
+        bench.write("half.striata", &whole[..length]);
+        for arguments in ["info half.striata", "extract half.striata -o out.ply --detail 0.5"] {
+            let said = bench.refused(arguments);
+            assert!(said.contains("half.striata"), "{length} bytes: {said}");
+        }
+    }
+    assert!(!bench.names().contains(&"out.ply".to_owned()));
+}
+
+#[test]
+fn half_a_mesh_is_refused() {
+    let bench = Workbench::with_ball();
+    bench.run("convert sphere.obj sphere.ply --quiet").success();
+    let whole = bench.read("sphere.ply");
+    bench.write("half.ply", &whole[..whole.len() / 2]);
+    assert!(bench.refused("info half.ply").contains("half.ply"));
+}
+
+#[test]
+fn a_failure_leaves_the_old_output_and_nothing_else() {
+    let bench = Workbench::new();
+    bench.write("out.striata", "precious");
+    bench.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
+    bench.refused("build bad.off -o out.striata");
+    assert_eq!(bench.read("out.striata"), b"precious");
+    assert_eq!(bench.names(), ["bad.off", "out.striata"]);
+    bench.write("sphere.obj", sphere(4, 4));
+    let said = bench.refused("build sphere.obj -o no/such/folder/out.striata");
+    assert!(said.contains("no/such/folder"), "{said}");
+}
+
+#[test]
+fn unknown_names_list_what_there_is() {
+    let bench = Workbench::with_ball();
+    assert!(
+        bench
+            .refused("build sphere.obj -o x.striata --models lodstrips,mts")
+            .contains("hint: this version has: lodstrips")
+    );
+    assert!(
+        bench
+            .refused("build sphere.obj -o x.striata --order hausdorff")
+            .contains("hint: this version has: quadric")
+    );
+    assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --model fans").contains("lodstrips"));
+}
+
+#[test]
+fn the_wrong_kind_of_file_is_explained() {
+    let bench = Workbench::with_ball();
+    assert!(bench.refused("extract sphere.obj -o x.ply --detail 1").contains("striata build"));
+    assert!(bench.refused("build sphere.obj -o x.glb").contains("striata simplify"));
+    assert!(bench.refused("convert sphere.obj x.striata").contains("striata build"));
+    assert!(bench.refused("convert sphere.obj x.docx").contains("--to"));
+    assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --as strips").contains("strips"));
+    assert_eq!(bench.names(), ["ball.striata", "sphere.obj"]);
+}
+
+#[test]
+fn arguments_are_checked_with_suggestions() {
+    let bench = Workbench::with_ball();
+    assert!(bench.refused("extract ball.striata -o x.ply --triangels 10").contains("--triangles"));
+    assert!(bench.refused("simplfy sphere.obj").contains("simplify"));
+    let none = bench.refused("extract ball.striata -o x.ply");
+    assert!(none.contains("--triangles") && none.contains("--detail"), "{none}");
+    bench.refused("extract ball.striata -o x.ply --triangles 10 --detail 0.5");
+    assert!(bench.refused("extract ball.striata -o x.ply --detail 1.5").contains("between 0"));
+    assert!(bench.refused("simplify sphere.obj -o x.ply --error 1m").contains("no length"));
+}

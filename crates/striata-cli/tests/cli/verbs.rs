@@ -1,0 +1,269 @@
+//! Each verb does its job and says so in the promised keys.
+
+use crate::workbench::{Workbench, assert_keys, asset};
+
+#[test]
+fn build_reports_what_it_made() {
+    let bench = Workbench::with_ball();
+    let report = bench.json("build sphere.obj -o again.striata");
+    assert_keys(
+        &report,
+        &[
+            "input.vertex_count",
+            "input.triangle_count",
+            "input.position_count",
+            "step_count",
+            "base.vertex_count",
+            "base.triangle_count",
+            "error_max",
+            "models.lodstrips.bytes",
+            "models.lodstrips.bytes_per_vertex",
+            "strips.strip_count",
+            "strips.swap_count",
+            "strips.index_count",
+            "strips.indices_per_triangle",
+            "strips.longest_strip",
+            "output_bytes",
+            "phases.read",
+            "phases.weld",
+            "phases.simplify",
+            "phases.strip",
+            "phases.models",
+            "phases.write",
+            "secs",
+            "peak_rss_bytes",
+        ],
+    );
+    assert_eq!(report["input"]["triangle_count"], 512);
+    assert_eq!(report["input"]["vertex_count"], 258);
+    assert_eq!(report["output_bytes"], bench.read("again.striata").len());
+    assert_eq!(
+        bench.read("again.striata"),
+        bench.read("ball.striata"),
+        "the same input gives the same bytes"
+    );
+}
+
+#[test]
+fn build_stops_where_it_is_told() {
+    let bench = Workbench::with_ball();
+    let report = bench.json("build sphere.obj -o small.striata --base 100");
+    let base = report["base"]["triangle_count"].as_u64().expect("a count");
+    assert!((90..=100).contains(&base), "{report}");
+    let report = bench.json("build sphere.obj -o small.striata --max-error 1%");
+    let error = report["error_max"].as_f64().expect("a number");
+    assert!(error > 0.0 && error <= 0.01 * 12f64.sqrt(), "{report}");
+    for cost in ["accumulated", "tracked"] {
+        let report = bench.json(&format!("build sphere.obj -o small.striata --cost {cost}"));
+        assert!(report["step_count"].as_u64().is_some_and(|n| n > 200), "{report}");
+    }
+}
+
+#[test]
+fn info_looks_into_meshes_and_containers() {
+    let bench = Workbench::with_ball();
+    let keys = [
+        "kind",
+        "format_version",
+        "vertex_count",
+        "triangle_count",
+        "position_count",
+        "component_count",
+        "boundary_edge_count",
+        "non_manifold_edge_count",
+        "attributes",
+        "materials",
+        "bounds.min",
+        "bounds.max",
+        "diagonal",
+        "models",
+        "step_count",
+        "base",
+        "error_max",
+    ];
+    let mesh = bench.json("info sphere.obj");
+    assert_keys(&mesh, &keys);
+    assert_eq!(mesh["kind"], "obj");
+    assert_eq!(mesh["component_count"], 1);
+    assert_eq!(mesh["boundary_edge_count"], 0);
+    let container = bench.json("info ball.striata");
+    assert_keys(&container, &keys);
+    assert_eq!(container["kind"], "striata");
+    assert_eq!(container["format_version"], 1);
+    assert_eq!(container["triangle_count"], 512);
+    assert_keys(&container, &["models.lodstrips", "base.triangle_count"]);
+    let text = bench.run("info ball.striata").success();
+    assert!(String::from_utf8_lossy(&text.get_output().stdout).contains("512"));
+}
+
+#[test]
+fn extract_gives_the_level_that_was_asked_for() {
+    let bench = Workbench::with_ball();
+    let level = bench.json("extract ball.striata -o level.ply --triangles 200");
+    assert_keys(
+        &level,
+        &[
+            "model",
+            "split_count",
+            "vertex_count",
+            "triangle_count",
+            "error",
+            "seek_secs",
+            "secs",
+            "stop_reason",
+        ],
+    );
+    let count = level["triangle_count"].as_u64().expect("a count");
+    assert!((198..=200).contains(&count), "{level}");
+    assert_eq!(bench.json("info level.ply")["triangle_count"], count);
+    assert_eq!(bench.json("info level.ply")["boundary_edge_count"], 0, "the ball stays closed");
+    let vertices = bench.json("extract ball.striata -o level.ply --vertices 100");
+    assert_eq!(vertices["vertex_count"], 100);
+    let full = bench.json("extract ball.striata -o level.ply --detail 1");
+    assert_eq!((&full["triangle_count"], &full["error"]), (&512.into(), &0.0.into()));
+    let base = bench.json("extract ball.striata -o level.ply --detail 0");
+    assert_eq!(base["split_count"], 0);
+    let near = bench.json("extract ball.striata -o level.ply --error 1%");
+    assert!(near["error"].as_f64().is_some_and(|e| e <= 0.01 * 12f64.sqrt()), "{near}");
+    let exact = bench.json("extract ball.striata -o level.ply --split-count 17");
+    assert_eq!(exact["split_count"], 17);
+}
+
+#[test]
+fn targets_that_cannot_be_met_say_so() {
+    let bench = Workbench::with_ball();
+    let over = bench.json("extract ball.striata -o level.ply --triangles 9999");
+    assert_eq!((&over["triangle_count"], &over["stop_reason"]), (&512.into(), &"full_mesh".into()));
+    let under = bench.json("extract ball.striata -o level.ply --triangles 0");
+    assert_eq!((&under["split_count"], &under["stop_reason"]), (&0.into(), &"base_reached".into()));
+}
+
+#[test]
+fn strips_draw_the_same_level() {
+    let bench = Workbench::with_ball();
+    let strips = bench.json("extract ball.striata -o strips.glb --triangles 300 --as strips");
+    let list = bench.json("extract ball.striata -o list.glb --triangles 300");
+    assert_eq!(strips["triangle_count"], list["triangle_count"]);
+    let read_back = bench.json("info strips.glb");
+    assert_eq!(read_back["triangle_count"], list["triangle_count"]);
+    assert_eq!(read_back["boundary_edge_count"], 0);
+    let distance = bench.json("distance strips.glb list.glb");
+    assert!(distance["max"].as_f64().is_some_and(|d| d < 1e-6), "{distance}");
+}
+
+#[test]
+fn simplify_meets_its_target_and_reports_the_error() {
+    let bench = Workbench::with_ball();
+    for placement in ["subset", "optimal"] {
+        let arguments = format!("simplify sphere.obj -o small.off --triangles 200 --placement {placement}");
+        let report = bench.json(&arguments);
+        assert_keys(
+            &report,
+            &["vertex_count", "triangle_count", "error", "stop_reason", "simplify_secs", "secs"],
+        );
+        assert!(report["triangle_count"].as_u64().is_some_and(|n| (190..=200).contains(&n)), "{report}");
+        assert_eq!(report["stop_reason"], "target_reached");
+    }
+    let distance = bench.json("distance sphere.obj small.off");
+    assert!(distance["max"].as_f64().is_some_and(|d| d < 0.2), "{distance}");
+}
+
+#[test]
+fn distance_is_measured_both_ways() {
+    let bench = Workbench::with_ball();
+    let report = bench.json("distance sphere.obj sphere.obj --samples 1000");
+    assert_keys(
+        &report,
+        &[
+            "max",
+            "rms",
+            "mean",
+            "a_to_b.max",
+            "a_to_b.rms",
+            "a_to_b.mean",
+            "b_to_a.max",
+            "b_to_a.rms",
+            "b_to_a.mean",
+            "diagonal",
+            "sample_count",
+        ],
+    );
+    assert!(report["max"].as_f64().is_some_and(|d| d < 1e-6), "{report}");
+    let container = bench.json("distance sphere.obj ball.striata");
+    assert!(container["max"].as_f64().is_some_and(|d| d < 1e-6), "a container stands for its full level");
+}
+
+#[test]
+fn convert_goes_through_every_format() {
+    let bench = Workbench::with_ball();
+    let mut from = "sphere.obj".to_owned();
+    for to in ["a.ply", "b.off", "c.stl", "d.glb", "e.gltf", "f.obj", "g.ply.gz", "h.ply.zst"] {
+        let report = bench.json(&format!("convert {from} {to}"));
+        assert_eq!(report["triangle_count"], 512, "{from} to {to}");
+        from = to.to_owned();
+    }
+    let last = bench.json(&format!("distance sphere.obj {from}"));
+    assert!(last["max"].as_f64().is_some_and(|d| d < 1e-5), "{last}");
+}
+
+#[test]
+fn meshes_go_through_pipes() {
+    let bench = Workbench::with_ball();
+    let mesh = bench.read("sphere.obj");
+    let converted = bench.command("convert - - --to off").write_stdin(mesh.clone()).assert().success();
+    assert!(converted.get_output().stdout.starts_with(b"OFF"));
+    let ply = bench.command("simplify - -o - --triangles 100").write_stdin(mesh).assert().success();
+    let ply = ply.get_output().stdout.clone();
+    assert!(ply.starts_with(b"ply\nformat binary"));
+    let info = bench.command("info - --json").write_stdin(ply).assert().success();
+    assert!(String::from_utf8_lossy(&info.get_output().stdout).contains("\"kind\":\"ply\""));
+    let both = bench.command("convert sphere.obj - --json").assert().code(1);
+    assert!(String::from_utf8_lossy(&both.get_output().stderr).contains("hint:"));
+}
+
+#[test]
+fn seams_and_uvs_survive_a_level() {
+    let bench = Workbench::new();
+    let spot = asset("spot.obj.zst");
+    bench.command("build -o spot.striata").arg(&spot).assert().success();
+    let level = bench.json("extract spot.striata -o level.glb --triangles 1000");
+    assert!(level["triangle_count"].as_u64().is_some_and(|n| (900..=1000).contains(&n)), "{level}");
+    let info = bench.json("info level.glb");
+    assert_eq!(info["boundary_edge_count"], 0, "seams are no holes: {info}");
+    assert!(info["attributes"].to_string().contains("texcoord_0"), "{info}");
+    let positions = info["position_count"].as_u64().expect("a count");
+    assert!(info["vertex_count"].as_u64().is_some_and(|n| n > positions), "seams have two wedges: {info}");
+}
+
+#[test]
+fn the_demo_leaves_a_page_and_the_files_it_names() {
+    let bench = Workbench::new();
+    let report = bench.json("demo show");
+    assert_keys(&report, &["dir", "files", "levels"]);
+    let files = report["files"].as_array().expect("a list");
+    assert!(files.len() >= 8, "{report}");
+    for name in files {
+        let path = bench.path("show").join(name.as_str().expect("a name"));
+        assert!(path.metadata().is_ok_and(|m| m.len() > 100), "{} is missing", path.display());
+    }
+    let page = String::from_utf8(bench.read("show/index.html")).expect("text");
+    assert!(!page.contains("{{"), "a place of the template is left");
+    assert!(!page.contains("src=\"http") && !page.contains("href=\"http"), "the page needs a network");
+    let triangles: Vec<u64> = report["levels"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|level| level["triangle_count"].as_u64().expect("a count"))
+        .collect();
+    assert_eq!(triangles[0], 99_938);
+    assert!(triangles.is_sorted_by(|a, b| a > b), "{triangles:?}");
+}
+
+#[test]
+fn completions_name_the_verbs() {
+    let bench = Workbench::new();
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = bench.run(&format!("completions {shell}")).success();
+        assert!(String::from_utf8_lossy(&script.get_output().stdout).contains("extract"), "{shell}");
+    }
+}

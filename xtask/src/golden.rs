@@ -1,0 +1,45 @@
+//! The demo from end to end, and its files judged by others: every GLB by Khronos' glTF validator.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use anyhow::{Result, ensure};
+
+use crate::steps::{self, cargo};
+use crate::{machine, workspace};
+
+/// Files that the demo must leave, among others.
+const EXPECTED: [&str; 3] = ["index.html", "nefertiti.striata", "levels.png"];
+
+/// Runs the demo into a folder of its own and checks what it wrote.
+///
+/// # Errors
+/// What is missing or wrong.
+pub(crate) fn run() -> Result<()> {
+    let folder = scratch_folder();
+    machine::remove_folder(&folder)?;
+    steps::run(cargo(&["run", "--package", "striata-cli", "--", "demo"]).arg(&folder))?;
+    for name in EXPECTED {
+        let file = folder.join(name);
+        ensure!(file.metadata().is_ok_and(|m| m.len() > 0), "the demo wrote no {name}");
+    }
+    let mut scenes: Vec<OsString> = Vec::new();
+    for entry in std::fs::read_dir(&folder)? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "glb") {
+            scenes.push(path.into_os_string());
+        }
+    }
+    scenes.sort();
+    ensure!(scenes.len() >= 3, "the demo wrote {} GLB files", scenes.len());
+    let validator = workspace().join("xtask/gltf-validate");
+    machine::npm_install(&validator)?;
+    let mut arguments = vec![OsString::from("validate.mjs")];
+    arguments.append(&mut scenes);
+    machine::node(&validator, &arguments)?;
+    machine::remove_folder(&folder)
+}
+
+fn scratch_folder() -> PathBuf {
+    std::env::temp_dir().join(format!("striata-golden-{}", std::process::id()))
+}

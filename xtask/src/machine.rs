@@ -1,0 +1,101 @@
+//! What the machine must have beside Rust and git, and how a bare Debian or Ubuntu gets it.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use anyhow::{Result, bail};
+
+use crate::steps::{run, run_twice, say};
+
+/// Installs what is missing.
+///
+/// # Errors
+/// Where something is missing and cannot be installed.
+pub(crate) fn prepare() -> Result<()> {
+    let wanted: [(&[&str], &str); 3] = [
+        // The simplifier's yardstick, a dev-dependency, is C++.
+        (&["c++", "g++", "clang++"], "g++"),
+        // The glTF validator runs on Node.js.
+        (&["node"], "nodejs"),
+        (&["npm"], "npm"),
+    ];
+    let is_missing = |programs: &[&str]| !programs.iter().any(|&program| starts(program));
+    let missing: Vec<&str> =
+        wanted.iter().filter(|(p, _)| is_missing(p)).map(|&(_, package)| package).collect();
+    if missing.is_empty() {
+        say("a C++ compiler, node and npm are there");
+        return Ok(());
+    }
+    if !starts("apt-get") {
+        bail!("missing: {}; please install them, there is no apt-get to do it with", missing.join(", "));
+    }
+    run_twice(as_root("apt-get").args(["update", "-q"]))?;
+    run_twice(as_root("apt-get").args(["install", "-y", "-q", "--no-install-recommends"]).args(missing))
+}
+
+/// True where the compiler can make wasm32 code; adds the target where rustup can.
+pub(crate) fn has_wasm_target() -> bool {
+    if target_is_installed() {
+        return true;
+    }
+    if starts("rustup") {
+        // The answer is whether it is there afterwards.
+        let _ = run_twice(Command::new("rustup").args(["target", "add", WASM_TARGET]));
+    }
+    target_is_installed()
+}
+
+/// The target that web pages run.
+pub(crate) const WASM_TARGET: &str = "wasm32-unknown-unknown";
+
+fn target_is_installed() -> bool {
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let output = Command::new(rustc).args(["--print", "target-libdir", "--target", WASM_TARGET]).output();
+    output.is_ok_and(|o| Path::new(String::from_utf8_lossy(&o.stdout).trim()).is_dir())
+}
+
+/// Removes a folder with all it holds; one that is not there is fine.
+///
+/// # Errors
+/// What the system reports.
+pub(crate) fn remove_folder(folder: &Path) -> Result<()> {
+    match std::fs::remove_dir_all(folder) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(error.into()),
+        _ => Ok(()),
+    }
+}
+
+/// Packages of the folder's lock file, into its `node_modules`.
+///
+/// # Errors
+/// Where npm fails twice.
+pub(crate) fn npm_install(folder: &Path) -> Result<()> {
+    run_twice(Command::new("npm").args(["ci", "--no-audit", "--no-fund"]).current_dir(folder))
+}
+
+/// Runs a script with Node.js.
+///
+/// # Errors
+/// Where it fails.
+pub(crate) fn node(folder: &Path, arguments: &[std::ffi::OsString]) -> Result<()> {
+    run(Command::new("node").args(arguments).current_dir(folder))
+}
+
+fn as_root(program: &str) -> Command {
+    let id = Command::new("id").arg("-u").output();
+    if id.is_ok_and(|o| o.stdout.trim_ascii() == b"0") || !starts("sudo") {
+        let mut command = Command::new(program);
+        command.env("DEBIAN_FRONTEND", "noninteractive");
+        return command;
+    }
+    let mut command = Command::new("sudo");
+    command.args(["DEBIAN_FRONTEND=noninteractive", program]);
+    command
+}
+
+fn starts(program: &str) -> bool {
+    let quiet = || Stdio::null();
+    let status =
+        Command::new(program).arg("--version").stdin(quiet()).stdout(quiet()).stderr(quiet()).status();
+    status.is_ok_and(|s| s.success())
+}

@@ -1,0 +1,100 @@
+//! Running commands one after the other, with headings, timings and a summary.
+
+use std::ffi::OsStr;
+use std::fmt::Write as _;
+use std::io::{Write, stderr};
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, bail};
+
+use crate::workspace;
+
+/// One line of talk, to stderr, where the tools below write theirs.
+pub(crate) fn say(text: &str) {
+    // A closed stderr is no reason to stop testing.
+    let _ = writeln!(stderr(), "{text}");
+}
+
+/// The steps done so far.
+#[derive(Debug, Default)]
+pub(crate) struct Steps {
+    done: Vec<(String, Duration)>,
+    skipped: Vec<String>,
+}
+
+impl Steps {
+    /// Runs one step under its heading.
+    ///
+    /// # Errors
+    /// What the step reports, with its name.
+    pub(crate) fn step(&mut self, name: &str, work: impl FnOnce() -> Result<()>) -> Result<()> {
+        say(&format!("\n=== {name}"));
+        let started = Instant::now();
+        work().with_context(|| format!("step `{name}` failed"))?;
+        let took = started.elapsed();
+        say(&format!("=== {name}: ok, {:.1} s", took.as_secs_f64()));
+        self.done.push((name.to_owned(), took));
+        Ok(())
+    }
+
+    /// Says loudly that something was not checked.
+    pub(crate) fn skip(&mut self, name: &str, reason: &str) {
+        say(&format!("\n!!! {name} SKIPPED: {reason}"));
+        self.skipped.push(format!("{name}: {reason}"));
+    }
+
+    /// All steps with their times.
+    pub(crate) fn summary(&self) -> String {
+        let mut text = String::from("\n=== all steps passed\n");
+        for (name, took) in &self.done {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{:>8.1} s  {name}", took.as_secs_f64());
+        }
+        let total: Duration = self.done.iter().map(|(_, took)| *took).sum();
+        let _ = write!(text, "{:>8.1} s  in all", total.as_secs_f64());
+        for skipped in &self.skipped {
+            let _ = write!(text, "\n!!! SKIPPED {skipped}");
+        }
+        text
+    }
+}
+
+/// The cargo that runs us, in the workspace.
+pub(crate) fn cargo(arguments: &[&str]) -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(arguments).current_dir(workspace());
+    command
+}
+
+/// Runs a command to its end.
+///
+/// # Errors
+/// Where it cannot start or reports failure.
+pub(crate) fn run(command: &mut Command) -> Result<()> {
+    let line = shown(command);
+    say(&format!("$ {line}"));
+    let status = command.status().with_context(|| format!("cannot start `{line}`"))?;
+    if !status.success() {
+        bail!("`{line}` ended with {status}");
+    }
+    Ok(())
+}
+
+/// The same, tried twice: networks and package managers fail now and then.
+///
+/// # Errors
+/// Where it fails both times.
+pub(crate) fn run_twice(command: &mut Command) -> Result<()> {
+    if let Err(error) = run(command) {
+        say(&format!("{error:#}; once more in 10 s"));
+        std::thread::sleep(Duration::from_secs(10));
+        return run(command);
+    }
+    Ok(())
+}
+
+fn shown(command: &Command) -> String {
+    let words = std::iter::once(command.get_program()).chain(command.get_args());
+    words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" ")
+}

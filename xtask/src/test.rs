@@ -1,0 +1,72 @@
+//! Everything that must pass before a change lands.
+//!
+//! One profile throughout, so that nothing is compiled twice: `clippy` shares what `check` makes, and the
+//! golden run uses the command that the tests have built.
+
+use anyhow::Result;
+
+use crate::golden;
+use crate::machine::{self, WASM_TARGET};
+use crate::steps::{self, Steps, cargo, say};
+
+/// Each feature that must compile by itself: the crate and the features.
+const FEATURES_ALONE: [(&str, &str); 10] = [
+    ("striata", ""),
+    ("striata", "parallel"),
+    ("striata", "distance"),
+    ("striata-io", ""),
+    ("striata-io", "ply"),
+    ("striata-io", "obj"),
+    ("striata-io", "stl"),
+    ("striata-io", "off"),
+    ("striata-io", "gltf"),
+    ("striata-io", "compressed"),
+];
+
+/// Runs all steps and stops at the first that fails.
+///
+/// # Errors
+/// The step that failed, and why.
+fn run_all(steps: &mut Steps) -> Result<()> {
+    steps.step("machine", machine::prepare)?;
+    steps.step("format", || steps::run(&mut cargo(&["fmt", "--all", "--check"])))?;
+    steps.step("clippy", || {
+        steps::run(&mut cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))
+    })?;
+    steps.step("tests and doc tests", || steps::run(&mut cargo(&["test", "--workspace"])))?;
+    steps.step("documentation", || {
+        let arguments = ["doc", "--workspace", "--no-deps"];
+        steps::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
+    })?;
+    steps.step("each feature alone", check_features)?;
+    if machine::has_wasm_target() {
+        steps.step("wasm32", check_wasm)?;
+    } else {
+        steps.skip(WASM_TARGET, "this Rust has no such target and rustup could not add it");
+    }
+    steps.step("golden", golden::run)
+}
+
+/// `cargo xtask test`.
+///
+/// # Errors
+/// The step that failed, and why.
+pub(crate) fn run() -> Result<()> {
+    let mut steps = Steps::default();
+    run_all(&mut steps)?;
+    say(&steps.summary());
+    Ok(())
+}
+
+fn check_features() -> Result<()> {
+    for (package, features) in FEATURES_ALONE {
+        steps::run(&mut cargo(&["check", "-p", package, "--no-default-features", "--features", features]))?;
+    }
+    Ok(())
+}
+
+fn check_wasm() -> Result<()> {
+    let check = ["check", "-p", "striata", "--target", WASM_TARGET];
+    steps::run(&mut cargo(&check))?;
+    steps::run(cargo(&check).arg("--no-default-features"))
+}
