@@ -212,8 +212,7 @@ impl<'a> Judge<'a> {
         self.candidates.clear();
         self.candidates.resize(self.star.ids.len(), Candidate::default());
         let best = loop {
-            let least = self.star.costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
-            let Some((k, &cost)) = least.filter(|(_, cost)| **cost < f32::INFINITY) else { break None };
+            let Some((k, cost)) = self.star.cheapest() else { break None };
             let candidate = self.candidates[k];
             if candidate.stage == Stage::Settled {
                 let target = self.star.ids[k];

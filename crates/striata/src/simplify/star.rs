@@ -18,7 +18,7 @@
 //! are worked on eight at a time; sums are folded in a fixed order, so results are the same on every machine.
 
 use glam::Vec3;
-use wide::f32x8;
+use wide::{f32x4, f32x8};
 
 use super::fan;
 use super::links::{LinkEdge, LinkKind, Links};
@@ -72,9 +72,9 @@ fn lanes(array: &[f32], index: usize) -> f32x8 {
 
 /// Sum in a fixed order.
 #[inline]
-fn fold(sums: f32x8) -> f32 {
-    let [a, b, c, d, e, f, g, h] = sums.to_array();
-    ((a + e) + (c + g)) + ((b + f) + (d + h))
+fn fold(sums: f32x4) -> f32 {
+    let [a, b, c, d] = sums.to_array();
+    (a + c) + (b + d)
 }
 
 /// Three vectors at once.
@@ -239,7 +239,10 @@ impl Star {
         let mut normals = std::mem::take(&mut self.normals);
         normals.iter_mut().for_each(|array| grow(array, m + 2 * LANES));
         let [a, b] = self.corners();
-        for t in (0..m).step_by(LANES) {
+        let mut next = 0;
+        while next < m {
+            let t = next;
+            next += LANES;
             let normal = Vec3x8::load(a, t).cross(Vec3x8::load(b, t));
             for (array, lanes) in normals.iter_mut().zip([normal.x, normal.y, normal.z]) {
                 array[t..t + LANES].copy_from_slice(&lanes.to_array());
@@ -258,7 +261,10 @@ impl Star {
         let n = self.ids.len();
         self.costs.clear();
         let offsets = slices(&self.offsets, 0);
-        for i in (0..n).step_by(LANES) {
+        let mut next = 0;
+        while next < n {
+            let i = next;
+            next += LANES;
             let Vec3x8 { x, y, z } = Vec3x8::load(offsets, i);
             let mixed = xy * x * y + xz * x * z + yz * y * z;
             let form = xx * x * x + yy * y * y + zz * z * z + (mixed + mixed);
@@ -279,17 +285,20 @@ impl Star {
     /// The form of this module's header: xx, yy, zz, xy, xz, yz.
     fn quadric(&mut self) -> [f32; 6] {
         // xx yy zz xy xz yz | nx ny nz | area
-        let mut sums = [f32x8::ZERO; 10];
-        let normals = slices(&self.normals, 0);
-        for t in (0..self.triangle_count).step_by(LANES) {
-            let c = Vec3x8::load(normals, t);
-            let length = c.dot(c).sqrt();
-            let weight = f32x8::splat(0.5) / length.fast_max(f32x8::splat(f32::MIN_POSITIVE));
-            let (wx, wy, wz) = (weight * c.x, weight * c.y, weight * c.z);
-            let terms = [wx * c.x, wy * c.y, wz * c.z, wx * c.y, wx * c.z, wy * c.z, c.x, c.y, c.z, length];
+        let mut sums = [f32x4::ZERO; 10];
+        let mut t = 0;
+        while t < self.triangle_count {
+            let [x, y, z] = slices(&self.normals, t).map(|array| {
+                f32x4::new(array.first_chunk().copied().unwrap_or([0.0; 4]))
+            });
+            let length = (x * x + y * y + z * z).sqrt();
+            let weight = f32x4::splat(0.5) / length.fast_max(f32x4::splat(f32::MIN_POSITIVE));
+            let (wx, wy, wz) = (weight * x, weight * y, weight * z);
+            let terms = [wx * x, wy * y, wz * z, wx * y, wx * z, wy * z, x, y, z, length];
             for (sum, term) in sums.iter_mut().zip(terms) {
                 *sum += term;
             }
+            t += 4;
         }
         let [xx, yy, zz, xy, xz, yz, nx, ny, nz, area] = sums.map(fold);
         self.area_doubled = area;
@@ -399,7 +408,10 @@ impl Star {
         let [a, b] = self.corners();
         let normals = slices(&self.normals, 0);
         let mut least = f32x8::splat(f32::INFINITY);
-        for t in (0..self.triangle_count).step_by(LANES) {
+        let mut next = 0;
+        while next < self.triangle_count {
+            let t = next;
+            next += LANES;
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
             let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
             let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
@@ -439,7 +451,10 @@ impl Star {
         let [a, b] = self.corners();
         let (u, p) = (Vec3x8::splat(self.offset(k)), Vec3x8::splat(p));
         let mut best = (f32::INFINITY, None);
-        for t in (0..self.triangle_count).step_by(LANES) {
+        let mut next = 0;
+        while next < self.triangle_count {
+            let t = next;
+            next += LANES;
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
             let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
             let (ua, ub, up, ap, bp) = (a.minus(u), b.minus(u), p.minus(u), p.minus(a), p.minus(b));
@@ -470,16 +485,42 @@ impl Star {
         let padded = self.triangle_count.next_multiple_of(LANES);
         grow(&mut self.vanishes, padded);
         let mut vanishes = std::mem::take(&mut self.vanishes);
-        for (t, lane) in vanishes[..padded].iter_mut().enumerate() {
-            *lane = if t >= self.triangle_count {
-                NO_TRIANGLE
-            } else if k.is_some_and(|k| self.triangle(t).contains(&k)) {
-                1.0
-            } else {
-                0.0
-            };
+        let (real, rest) = vanishes[..padded].split_at_mut(self.triangle_count);
+        real.fill(0.0);
+        rest.fill(NO_TRIANGLE);
+        match k {
+            None => {}
+            Some(k) if self.pairs.is_empty() => {
+                // Triangle k begins at the neighbour, the one before ends there.
+                let before = if k == 0 { self.ids.len() - 1 } else { k - 1 };
+                for t in [k, before] {
+                    if let Some(lane) = real.get_mut(t) {
+                        *lane = 1.0;
+                    }
+                }
+            }
+            Some(k) => {
+                for (lane, pair) in real.iter_mut().zip(&self.pairs) {
+                    if pair.contains(&(k as u32)) {
+                        *lane = 1.0;
+                    }
+                }
+            }
         }
         self.vanishes = vanishes;
+    }
+
+    /// The candidate that looks cheapest at present; the first of equal ones.
+    pub(super) fn cheapest(&self) -> Option<(usize, f32)> {
+        let mut best = None;
+        let mut least = f32::INFINITY;
+        for (k, &cost) in self.costs.iter().enumerate() {
+            if cost < least {
+                least = cost;
+                best = Some(k);
+            }
+        }
+        best.map(|k| (k, least))
     }
 
     /// How far the fan's new edges stick out: the largest squared distance of their midpoints from the old star.
@@ -499,7 +540,10 @@ impl Star {
         }
         let [a, b] = self.corners();
         let normals = slices(&self.normals, 0);
-        for t in (0..self.triangle_count).step_by(LANES) {
+        let mut next = 0;
+        while next < self.triangle_count {
+            let t = next;
+            next += LANES;
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
             let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
             let normal = Vec3x8::load(normals, t);
