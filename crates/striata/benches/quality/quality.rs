@@ -8,7 +8,7 @@ use striata::simplify::{
     Placement, SequenceOptions, SimplifyOptions, Target, build_welded_sequence, simplify,
 };
 
-use crate::table::{GeometricMean, Table};
+use crate::table::Table;
 use crate::{Fallible, Request, SHARES, Subject, name_of};
 
 /// Where our levels come from.
@@ -48,6 +48,27 @@ fn tools(request: &Request, subject: &Subject) -> Fallible<Vec<Tool>> {
         tools.push(Tool::Optimal);
     }
     Ok(tools)
+}
+
+/// Mean of ratios: the logarithms are averaged, so that 2 and 1/2 make 1.
+#[derive(Clone, Copy, Default)]
+struct GeometricMean {
+    log_sum: f64,
+    count: usize,
+}
+
+impl GeometricMean {
+    /// Ratios of nothing to nothing say nothing and are passed over.
+    fn add(&mut self, ratio: f64) {
+        if ratio.is_finite() && ratio > 0.0 {
+            self.log_sum += ratio.ln();
+            self.count += 1;
+        }
+    }
+
+    fn value(self) -> f64 {
+        (self.log_sum / self.count as f64).exp()
+    }
 }
 
 /// Ratios of one tool to meshoptimizer at each share, RMS and maximum.

@@ -36,24 +36,3 @@ impl Table {
         writeln!(out)
     }
 }
-
-/// Mean of ratios: the logarithms are averaged, so that 2 and 1/2 make 1.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct GeometricMean {
-    log_sum: f64,
-    count: usize,
-}
-
-impl GeometricMean {
-    /// Ratios of nothing to nothing say nothing and are passed over.
-    pub(crate) fn add(&mut self, ratio: f64) {
-        if ratio.is_finite() && ratio > 0.0 {
-            self.log_sum += ratio.ln();
-            self.count += 1;
-        }
-    }
-
-    pub(crate) fn value(self) -> f64 {
-        (self.log_sum / self.count as f64).exp()
-    }
-}
