@@ -1,0 +1,130 @@
+//! How near simplified meshes stay to their originals, and what that costs: ours beside meshoptimizer's.
+//!
+//! `cargo bench -p striata --bench quality -- [OPTIONS] MESH...` prints Markdown tables. For each mesh and each share of
+//! its triangles meshoptimizer makes one level, and every other tool a level of at most as many triangles; all
+//! levels are measured against the welded original with the same samples. Attributes are left out on both sides.
+//!
+//! ```text
+//! --cost memoryless|accumulated|tracked|all   what orders our collapses; default memoryless
+//! --placement optimal                         adds our one-level simplifier that places vertices freely
+//! --samples N                                 samples a surface; default 500000, 0 measures no distances
+//! --repeat N                                  timed runs, the best counts; default 5, 0 measures no time
+//! ```
+
+mod memory;
+mod quality;
+mod speed;
+mod table;
+
+use std::error::Error;
+use std::io::Write;
+
+use striata::mesh::{IndexedMesh, Welded, weld};
+use striata::simplify::CollapseCost;
+
+type Fallible<T> = Result<T, Box<dyn Error>>;
+
+/// Shares of the triangles that levels are made for.
+const SHARES: [f64; 4] = [0.5, 0.25, 0.1, 0.02];
+
+/// What the command line asks for.
+struct Request {
+    costs: Vec<CollapseCost>,
+    has_optimal: bool,
+    sample_count: usize,
+    repeat_count: usize,
+    paths: Vec<String>,
+}
+
+impl Request {
+    fn parse(mut arguments: impl Iterator<Item = String>) -> Fallible<Self> {
+        let mut request = Self {
+            costs: vec![CollapseCost::Memoryless],
+            has_optimal: false,
+            sample_count: 500_000,
+            repeat_count: 5,
+            paths: Vec::new(),
+        };
+        while let Some(argument) = arguments.next() {
+            let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
+            match argument.as_str() {
+                // Cargo says so to every bench.
+                "--bench" => {}
+                "--cost" => request.costs = costs_of(&value()?)?,
+                "--placement" => request.has_optimal = value()? == "optimal",
+                "--samples" => request.sample_count = value()?.parse()?,
+                "--repeat" => request.repeat_count = value()?.parse()?,
+                option if option.starts_with('-') => return Err(format!("unknown option {option}").into()),
+                _ => request.paths.push(argument),
+            }
+        }
+        Ok(request)
+    }
+}
+
+fn costs_of(name: &str) -> Fallible<Vec<CollapseCost>> {
+    let all = [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked];
+    let costs: Vec<_> = all.into_iter().filter(|&cost| name == "all" || name_of(cost) == name).collect();
+    if costs.is_empty() { Err(format!("unknown cost {name}").into()) } else { Ok(costs) }
+}
+
+fn name_of(cost: CollapseCost) -> String {
+    format!("{cost:?}").to_lowercase()
+}
+
+/// A mesh to measure on: positions and triangles of the file, welded.
+struct Subject {
+    name: String,
+    welded: Welded,
+}
+
+impl Subject {
+    fn read(path: &str) -> Fallible<Self> {
+        let mesh = striata_io::read(path)?;
+        let welded = weld(&IndexedMesh::new(mesh.positions, mesh.triangles))?;
+        let file = std::path::Path::new(path).file_name().map_or(path.into(), |name| name.to_string_lossy());
+        let name = file.split('.').next().unwrap_or_default().to_owned();
+        Ok(Self { name, welded })
+    }
+
+    fn mesh(&self) -> &IndexedMesh {
+        &self.welded.mesh
+    }
+
+    /// The triangles of one level by meshoptimizer, which keeps original vertices as we do.
+    fn meshoptimizer(&self, share: f64) -> Fallible<Vec<u32>> {
+        let mesh = self.mesh();
+        let goal = (mesh.triangle_count() as f64 * share) as usize;
+        let vertices =
+            meshopt::VertexDataAdapter::new(bytemuck::cast_slice(&mesh.positions), size_of::<[f32; 3]>(), 0)?;
+        let indices = bytemuck::cast_slice(&mesh.triangles);
+        Ok(meshopt::simplify(indices, &vertices, 3 * goal, f32::MAX, meshopt::SimplifyOptions::None, None))
+    }
+
+    fn peer_level(&self, share: f64) -> Fallible<IndexedMesh> {
+        let indices = self.meshoptimizer(share)?;
+        let triangles: &[[u32; 3]] = bytemuck::cast_slice(&indices);
+        Ok(IndexedMesh::new(self.mesh().positions.clone(), triangles.to_vec()))
+    }
+}
+
+fn main() -> Fallible<()> {
+    if let Some(request) = memory::ChildRequest::from_environment() {
+        return request.answer();
+    }
+    let request = Request::parse(std::env::args().skip(1))?;
+    let mut out = std::io::stdout().lock();
+    if request.paths.is_empty() {
+        writeln!(out, "no meshes given: cargo bench -p striata --bench quality -- path/to/bunny.ply")?;
+        return Ok(());
+    }
+    let subjects = request.paths.iter().map(|path| Subject::read(path)).collect::<Fallible<Vec<_>>>()?;
+    if request.sample_count > 0 {
+        quality::report(&request, &subjects, &mut out)?;
+    }
+    if request.repeat_count > 0 {
+        speed::report(&request, &subjects, &mut out)?;
+        memory::report(&request, &subjects, &mut out)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,80 @@
+//! Peak memory of welding and simplifying one mesh, in a process that does nothing else.
+//!
+//! The kernel counts the resident set (`/proc/self/status`), so elsewhere than on Linux there is no table.
+
+use std::env;
+use std::fs;
+use std::hint::black_box;
+use std::io::Write;
+use std::process::Command;
+
+use striata::ignore_progress;
+use striata::mesh::IndexedMesh;
+use striata::simplify::{SequenceOptions, build_sequence};
+
+use crate::table::Table;
+use crate::{Fallible, Request, Subject, costs_of, name_of};
+
+/// Tells a child process which mesh to simplify, and by which cost.
+const MESH_VARIABLE: &str = "STRIATA_MEMORY_MESH";
+const COST_VARIABLE: &str = "STRIATA_MEMORY_COST";
+
+pub(crate) struct ChildRequest {
+    path: String,
+    cost: String,
+}
+
+impl ChildRequest {
+    pub(crate) fn from_environment() -> Option<Self> {
+        Some(Self { path: env::var(MESH_VARIABLE).ok()?, cost: env::var(COST_VARIABLE).ok()? })
+    }
+
+    /// Prints the resident bytes with only the mesh in memory, and the peak of simplifying it.
+    pub(crate) fn answer(self) -> Fallible<()> {
+        let mesh = striata_io::read(&self.path)?;
+        let mesh = IndexedMesh::new(mesh.positions, mesh.triangles);
+        // Resets the peak, so that reading does not count.
+        fs::write("/proc/self/clear_refs", "5")?;
+        let loaded = status_bytes("VmRSS:")?;
+        for cost in costs_of(&self.cost)? {
+            let options = SequenceOptions::default().with_cost(cost);
+            black_box(build_sequence(&mesh, &options, &mut ignore_progress)?);
+        }
+        let peak = status_bytes("VmHWM:")?;
+        writeln!(std::io::stdout(), "{loaded} {peak}")?;
+        Ok(())
+    }
+}
+
+fn status_bytes(key: &str) -> Fallible<u64> {
+    let status = fs::read_to_string("/proc/self/status")?;
+    let line =
+        status.lines().find_map(|line| line.strip_prefix(key)).ok_or("the kernel keeps no such count")?;
+    let kibibytes: u64 = line.trim().trim_end_matches("kB").trim().parse()?;
+    Ok(kibibytes * 1024)
+}
+
+pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Write) -> Fallible<()> {
+    if !cfg!(target_os = "linux") {
+        return Ok(());
+    }
+    writeln!(out, "Peak resident memory of a process that welds and simplifies, bytes a triangle.\n")?;
+    let mut table = Table::new(["mesh", "cost", "the process", "above the loaded mesh"]);
+    for (path, subject) in request.paths.iter().zip(subjects) {
+        for &cost in &request.costs {
+            let mut child = Command::new(env::current_exe()?);
+            let answer = child.env(MESH_VARIABLE, path).env(COST_VARIABLE, name_of(cost)).output()?;
+            let text = String::from_utf8(answer.stdout)?;
+            let numbers = text.split_whitespace().map(str::parse).collect::<Result<Vec<u64>, _>>()?;
+            let [loaded, peak] = numbers[..] else {
+                return Err(String::from_utf8_lossy(&answer.stderr).into());
+            };
+            let a_triangle =
+                |bytes: u64| format!("{:.0}", bytes as f64 / subject.mesh().triangle_count() as f64);
+            let above = peak.saturating_sub(loaded);
+            table.push(vec![subject.name.clone(), name_of(cost), a_triangle(peak), a_triangle(above)]);
+        }
+    }
+    table.print(out)?;
+    Ok(())
+}

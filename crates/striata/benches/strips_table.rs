@@ -1,0 +1,136 @@
+//! Strips and LodStrips in numbers: indices, bytes, and what a step costs.
+//!
+//! `cargo bench -p striata --bench strips_table -- MESH...` prints Markdown tables. Attributes are left out; bytes are
+//! counted as the LodStrips papers count them, with a position and a normal of 12 bytes each a vertex and 4
+//! bytes an index. meshoptimizer's strips are made from its own order for them, in the same run.
+
+#[path = "quality/table.rs"]
+mod table;
+
+use std::error::Error;
+use std::hint::black_box;
+use std::io::Write;
+use std::time::Instant;
+
+use striata::ignore_progress;
+use striata::mesh::{IndexedMesh, RefinableMesh};
+use striata::model::{LodModel, LodStrips};
+use striata::simplify::{SequenceOptions, build_sequence};
+use striata::strip::{RESTART, StripOptions, fifo_cache_cost, restart_triangles_into, stripify};
+use table::Table;
+
+type Fallible<T> = Result<T, Box<dyn Error>>;
+
+/// Entries of the first-in first-out cache that misses are counted for.
+const CACHE_SIZE: usize = 16;
+/// Position and normal.
+const VERTEX_BYTES: usize = 24;
+/// Runs that the best time is taken from.
+const RUN_COUNT: usize = 7;
+
+fn main() -> Fallible<()> {
+    let paths: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let mut out = std::io::stdout().lock();
+    if paths.is_empty() {
+        writeln!(out, "no meshes given: cargo bench -p striata --bench strips_table -- path/to/bunny.ply")?;
+        return Ok(());
+    }
+    let mut strips = Table::new(["mesh", "tool", "strips", "indices a triangle", "ACMR, FIFO 16", "ms"]);
+    let mut models = Table::new([
+        "mesh",
+        "vertices",
+        "plain bytes",
+        "model bytes",
+        "ratio",
+        "records",
+        "targets",
+        "an instance",
+        "build ms",
+        "sweep ns a step",
+    ]);
+    for path in &paths {
+        let mesh = striata_io::read(path)?;
+        let mesh = IndexedMesh::new(mesh.positions, mesh.triangles);
+        let refinable = build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
+        let file = std::path::Path::new(path).file_name().map_or(path.into(), |name| name.to_string_lossy());
+        let name = file.split('.').next().unwrap_or_default().to_owned();
+        add_strips(&name, &refinable.mesh, &mut strips)?;
+        add_model(&name, &refinable, &mut models)?;
+    }
+    writeln!(out, "Strips of the full mesh; indices with restarts.\n")?;
+    strips.print(&mut out)?;
+    writeln!(out, "LodStrips: down to the base and back, best of {RUN_COUNT} sweeps.\n")?;
+    models.print(&mut out)?;
+    Ok(())
+}
+
+/// Best time of several runs, in seconds, and what the last one made.
+fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
+    let mut run = || {
+        let start = Instant::now();
+        let made = black_box(work());
+        (start.elapsed().as_secs_f64(), made)
+    };
+    let mut best = run();
+    for _ in 1..RUN_COUNT {
+        let (secs, made) = run();
+        best = (best.0.min(secs), made);
+    }
+    best
+}
+
+fn add_strips(name: &str, mesh: &IndexedMesh, table: &mut Table) -> Fallible<()> {
+    let mut add = |tool: &str, indices: &[u32], secs: f64| {
+        let mut triangles = Vec::new();
+        restart_triangles_into(indices, &mut triangles);
+        let strip_count = indices.split(|&i| i == RESTART).count();
+        let cache = fifo_cache_cost(indices, triangles.len(), CACHE_SIZE);
+        table.push(vec![
+            name.to_owned(),
+            tool.to_owned(),
+            strip_count.to_string(),
+            format!("{:.3}", indices.len() as f64 / triangles.len() as f64),
+            format!("{:.3}", cache.acmr),
+            format!("{:.1}", secs * 1e3),
+        ]);
+    };
+    let (secs, strips) = best(|| stripify(mesh, &StripOptions::default()));
+    add("striata, greedy", &strips?.to_restart_indices().indices, secs);
+    let list: &[u32] = mesh.triangles.as_flattened();
+    let (secs, strips) = best(|| {
+        let ordered = meshopt::optimize_vertex_cache_strip(list, mesh.vertex_count());
+        meshopt::stripify(&ordered, mesh.vertex_count(), RESTART)
+    });
+    add("meshoptimizer, strip order", &strips?, secs);
+    Ok(())
+}
+
+fn add_model(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {
+    let strips = stripify(&refinable.mesh, &StripOptions::default())?;
+    let (build_secs, model) = best(|| LodStrips::build(refinable, &strips));
+    let model = model?;
+    let mut state = model.new_state();
+    let step_count = model.step_count();
+    let (sweep_secs, ()) = best(|| {
+        model.move_to(&mut state, 0);
+        model.move_to(&mut state, step_count);
+    });
+    let vertex_bytes = VERTEX_BYTES * refinable.mesh.vertex_count();
+    let plain = vertex_bytes + 4 * strips.to_restart_indices().indices.len();
+    let parts = model.bytes();
+    let part = |name: &str| parts.iter().filter(|p| p.name.starts_with(name)).map(|p| p.bytes).sum::<usize>();
+    let total = vertex_bytes + parts.iter().map(|p| p.bytes).sum::<usize>();
+    table.push(vec![
+        name.to_owned(),
+        refinable.mesh.vertex_count().to_string(),
+        plain.to_string(),
+        total.to_string(),
+        format!("{:.3}", total as f64 / plain as f64),
+        part("record").to_string(),
+        part("targets").to_string(),
+        state.bytes().to_string(),
+        format!("{:.1}", build_secs * 1e3),
+        format!("{:.1}", sweep_secs * 1e9 / (2 * step_count).max(1) as f64),
+    ]);
+    Ok(())
+}

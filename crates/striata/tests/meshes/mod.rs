@@ -1,0 +1,139 @@
+//! The meshes that the whole pipeline is tried on.
+#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use striata::mesh::{AttributeLayer, IndexedMesh, Material, Random, Semantic, TriangleGroup, shapes};
+use striata::simplify::{CollapseCost, SequenceOptions};
+
+pub const COSTS: [CollapseCost; 3] =
+    [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked];
+
+pub type Named = (String, IndexedMesh);
+
+fn named(name: &str, mesh: IndexedMesh) -> Named {
+    (name.to_owned(), mesh)
+}
+
+/// Closed oriented manifolds; the last ones have seams.
+pub fn closed() -> Vec<Named> {
+    vec![
+        named("tetrahedron", shapes::tetrahedron()),
+        named("cube", shapes::cube()),
+        named("icosphere", shapes::icosphere(2, 1.0)),
+        named("uv sphere", shapes::uv_sphere(9, 14, 3.0)),
+        named("sphere with sharp poles", shapes::uv_sphere(3, 70, 1.0)),
+        named("torus", shapes::torus(14, 9, 2.0, 1.0)),
+        named("rough torus", rough(shapes::torus(20, 12, 2.0, 1.0), 0.15, 3)),
+        named("two bodies", joined(shapes::torus(8, 7, 2.0, 0.5), shapes::icosphere(1, 0.5))),
+        named("two materials", shapes::two_material_sphere(6, 9)),
+        named("hard cube", shapes::hard_cube()),
+        named("torus in patches", with_patches(shapes::torus(12, 10, 2.0, 1.0), 17)),
+    ]
+}
+
+/// Oriented manifolds with boundaries.
+pub fn open() -> Vec<Named> {
+    vec![
+        named(
+            "one triangle",
+            IndexedMesh::new(vec![[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]], vec![[0, 1, 2]]),
+        ),
+        named("flat grid", shapes::grid(9, 7)),
+        named("terrain", shapes::terrain(17, 5)),
+        named("cylinder", shapes::uv_cylinder(16, 7)),
+        named("open fan", shapes::triangle_fan(40)),
+        named("closed fan", shapes::closed_fan(30)),
+        named("perforated torus", without_every(shapes::torus(16, 11, 2.0, 1.0), 37)),
+        named("terrain in patches", with_patches(shapes::terrain(14, 2), 9)),
+    ]
+}
+
+/// Everything else that fits together: what breaks algorithms, soups, one-sided surfaces, books.
+pub fn odd() -> Vec<Named> {
+    let nasty = shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok());
+    let mut all: Vec<Named> = nasty.map(|(name, mesh)| named(name, mesh)).collect();
+    all.push(named("long moebius strip", shapes::moebius_strip(40)));
+    all.push(named("klein bottle", shapes::klein_bottle(12, 9)));
+    all.push(named("book of 30", shapes::book(30)));
+    for seed in 0..12 {
+        all.push((format!("soup {seed}"), shapes::random_soup(20 + 15 * seed as u32, seed)));
+        all.push((format!("sheets {seed}"), crossing_sheets(seed)));
+    }
+    all
+}
+
+/// Runs a check on each mesh with each cost and fails with the list of all that failed it.
+pub fn check_each(meshes: Vec<Named>, check: impl Fn(&str, &IndexedMesh, &SequenceOptions)) {
+    let mut failed = Vec::new();
+    for (name, mesh) in meshes {
+        for cost in COSTS {
+            let name = format!("{name}, {cost:?}");
+            let options = SequenceOptions::default().with_cost(cost);
+            if catch_unwind(AssertUnwindSafe(|| check(&name, &mesh, &options))).is_err() {
+                failed.push(name);
+            }
+        }
+    }
+    assert!(failed.is_empty(), "failed: {failed:#?}");
+}
+
+pub fn all() -> Vec<Named> {
+    [closed(), open(), odd()].concat()
+}
+
+/// Every vertex moved at random by at most `by` along each axis.
+pub fn rough(mut mesh: IndexedMesh, by: f32, seed: u64) -> IndexedMesh {
+    let mut random = Random::new(seed);
+    mesh.positions.iter_mut().flatten().for_each(|x| *x += random.between(-by, by));
+    mesh
+}
+
+fn joined(mut a: IndexedMesh, b: IndexedMesh) -> IndexedMesh {
+    let first = a.vertex_count() as u32;
+    a.positions.extend(b.positions);
+    a.triangles.extend(b.triangles.iter().map(|t| t.map(|v| v + first)));
+    a
+}
+
+fn without_every(mut mesh: IndexedMesh, n: usize) -> IndexedMesh {
+    mesh.triangles =
+        mesh.triangles.into_iter().enumerate().filter(|(i, _)| i % n != 5).map(|(_, t)| t).collect();
+    mesh.without_unused_vertices()
+}
+
+/// Grids over shared vertices: edges of three and four triangles beside ordinary ones.
+fn crossing_sheets(seed: u64) -> IndexedMesh {
+    let mut mesh = rough(shapes::grid(6, 6), 0.02, seed);
+    let mut random = Random::new(seed);
+    let sheets = mesh.triangles.clone();
+    let n = mesh.vertex_count() as u32;
+    mesh.positions.extend(mesh.positions.clone().iter().map(|&[x, y, z]| [x, y, z + 1.0]));
+    let lifted: Vec<u32> = (0..n).map(|v| if random.below(3) == 0 { v } else { v + n }).collect();
+    mesh.triangles.extend(sheets.iter().map(|t| t.map(|v| lifted[v as usize])));
+    mesh
+}
+
+/// Runs of `run` triangles with texture coordinates of their own, and a material for each of three parts.
+pub fn with_patches(mesh: IndexedMesh, run: usize) -> IndexedMesh {
+    let corners: Vec<u32> = mesh.triangles.iter().flatten().copied().collect();
+    let texcoords = corners.iter().enumerate().flat_map(|(c, &v)| [(c / (3 * run)) as f32, v as f32]);
+    let n = mesh.triangle_count() as u32;
+    let cuts = [0, n / 3, n / 2, n];
+    let group = |g: usize| TriangleGroup {
+        name: format!("part {g}"),
+        material: (g != 1).then_some(g as u32 / 2),
+        first: cuts[g],
+        count: cuts[g + 1] - cuts[g],
+    };
+    let mut out = IndexedMesh {
+        positions: corners.iter().map(|&v| mesh.positions[v as usize]).collect(),
+        triangles: (0..n).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect(),
+        layers: vec![AttributeLayer::from_f32(Semantic::TexCoord(0), 2, texcoords.collect())],
+        groups: (0..3).map(group).collect(),
+        ..IndexedMesh::default()
+    };
+    out.appearance.materials =
+        ["red", "blue"].map(|name| Material { name: name.into(), ..Material::default() }).to_vec();
+    out
+}

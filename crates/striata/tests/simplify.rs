@@ -1,0 +1,434 @@
+//! The simplifier against what its sequence promises, on every mesh of the test set and with every cost.
+
+mod meshes;
+
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+
+use meshes::{COSTS, all, check_each, closed, open, with_patches};
+use proptest::prelude::*;
+use striata::codec::{WriteOptions, to_striata};
+use striata::ignore_progress;
+use striata::mesh::{
+    Adjacency, CollapseSequence, IndexedMesh, RefinableMesh, SequenceParts, Statistics, canonical_triangles,
+    replay, shapes, weld,
+};
+use striata::simplify::{
+    BoundaryRule, BuiltSequence, SequenceOptions, SimplifyError, StopReason, build_sequence,
+};
+
+fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> BuiltSequence {
+    build_sequence(mesh, options, &mut ignore_progress).expect("sound meshes are simplified")
+}
+
+fn options_by_cost() -> impl Iterator<Item = SequenceOptions> {
+    COSTS.into_iter().map(|cost| SequenceOptions::default().with_cost(cost))
+}
+
+/// A position as its bits, 0 and -0 being one.
+fn key(p: [f32; 3]) -> [u32; 3] {
+    p.map(|x| (x + 0.0).to_bits())
+}
+
+/// Triangles as positions, smallest first, sorted; those with two corners at one position left out.
+fn triangles_in_space(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
+    let mut out: Vec<[[u32; 3]; 3]> = mesh
+        .triangles
+        .iter()
+        .map(|t| t.map(|v| key(mesh.positions[v as usize])))
+        .filter(|[a, b, c]| a != b && b != c && c != a)
+        .collect();
+    for t in &mut out {
+        let least = (0..3).min_by_key(|&k| t[k]).expect("three corners");
+        t.rotate_left(least);
+    }
+    out.sort_unstable();
+    out
+}
+
+fn positions_of(mesh: &IndexedMesh, count: usize) -> BTreeSet<[u32; 3]> {
+    mesh.positions[..count].iter().map(|&p| key(p)).collect()
+}
+
+/// What holds for every sequence of any sound mesh.
+fn check_sequence(name: &str, input: &IndexedMesh, built: &BuiltSequence) {
+    let RefinableMesh { mesh, sequence } = &built.refinable;
+    assert_eq!(triangles_in_space(mesh), triangles_in_space(input), "{name}: the full mesh");
+    check_parts(name, &built.refinable);
+    check_attributes(name, input, built);
+    let mut last_error = f32::INFINITY;
+    for split_count in 0..=sequence.step_count() {
+        let level = replay(&built.refinable, split_count);
+        let at = || format!("{name} at {split_count} of {}", sequence.step_count());
+        assert_eq!(level.check(), Ok(()), "{}", at());
+        assert_eq!(level.triangle_count(), sequence.triangle_count_at(split_count), "{}", at());
+        assert_eq!(level.vertex_count(), sequence.vertex_count_at(split_count), "{}", at());
+        let error = sequence.error_at(split_count);
+        assert!((0.0..=last_error).contains(&error), "{}: error {error} after {last_error}", at());
+        last_error = error;
+        check_materials(&at(), &level);
+    }
+}
+
+/// The sequence as a file would hand it over is accepted.
+fn check_parts(name: &str, refinable: &RefinableMesh) {
+    let RefinableMesh { mesh, sequence } = refinable;
+    let again = CollapseSequence::from_parts(SequenceParts {
+        positions: sequence.positions().clone(),
+        base_position_count: sequence.base_position_count(),
+        targets: sequence.targets().to_vec(),
+        errors: sequence.errors().to_vec(),
+        removed_triangle_counts: sequence.removed_triangle_counts().to_vec(),
+        triangle_count: mesh.triangle_count(),
+    });
+    assert_eq!(again.as_ref(), Ok(sequence), "{name}");
+    for position in 0..sequence.positions().position_count() as u32 {
+        let keys: BTreeSet<_> =
+            sequence.positions().wedges(position).map(|v| key(mesh.positions[v as usize])).collect();
+        assert_eq!(keys.len(), 1, "{name}: wedges of position {position} lie apart");
+    }
+    let position_count = positions_of(mesh, mesh.vertex_count()).len();
+    assert_eq!(sequence.positions().position_count(), position_count, "{name}: positions are numbered once");
+}
+
+/// Every vertex has what the vertex of the input had that it comes from; levels show a prefix of them.
+fn check_attributes(name: &str, input: &IndexedMesh, built: &BuiltSequence) {
+    let mesh = &built.refinable.mesh;
+    assert_eq!(built.source_vertex.len(), mesh.vertex_count(), "{name}");
+    assert_eq!(mesh.layers.len(), input.layers.len(), "{name}");
+    for (v, &source) in built.source_vertex.iter().enumerate() {
+        assert_eq!(key(mesh.positions[v]), key(input.positions[source as usize]), "{name}: vertex {v}");
+        for (found, expected) in mesh.layers.iter().zip(&input.layers) {
+            assert_eq!(found.semantic, expected.semantic, "{name}");
+            let n = expected.vertex_bytes();
+            assert_eq!(
+                found.data.as_bytes()[v * n..][..n],
+                expected.data.as_bytes()[source as usize * n..][..n],
+                "{name}: {} of vertex {v}",
+                found.semantic
+            );
+        }
+    }
+}
+
+/// No vertex serves two materials: a triangle that took one over from across the border would share it.
+fn check_materials(at: &str, level: &IndexedMesh) {
+    let mut material_of = vec![None; level.vertex_count()];
+    for group in level.groups_or_whole() {
+        for &v in level.triangles[group.range()].iter().flatten() {
+            let expected = *material_of[v as usize].get_or_insert(group.material);
+            assert_eq!(group.material, expected, "{at}: vertex {v} serves two materials");
+        }
+    }
+}
+
+#[test]
+fn every_sequence_keeps_its_promises() {
+    check_each(all(), |name, mesh, options| check_sequence(name, mesh, &build(mesh, options)));
+}
+
+/// Numbers that a collapse on a manifold must not change.
+#[derive(Debug, PartialEq)]
+struct Topology {
+    component_count: usize,
+    boundary_loop_count: usize,
+    euler_characteristic: i64,
+    genus: Option<usize>,
+    duplicate_triangle_count: usize,
+    is_closed: bool,
+}
+
+impl Topology {
+    fn of(mesh: &IndexedMesh) -> Self {
+        let statistics = Statistics::of(mesh).expect("levels are sound");
+        Self {
+            component_count: statistics.component_count,
+            boundary_loop_count: statistics.boundary_loop_count,
+            euler_characteristic: statistics.euler_characteristic,
+            genus: statistics.genus,
+            duplicate_triangle_count: statistics.duplicate_triangle_count,
+            is_closed: statistics.is_closed,
+        }
+    }
+}
+
+#[test]
+fn manifolds_keep_their_topology_at_every_level() {
+    check_each([closed(), open()].concat(), |_, mesh, options| {
+        let expected = Topology::of(mesh);
+        assert!(expected.genus.is_some() && expected.duplicate_triangle_count == 0);
+        let refinable = build(mesh, options).refinable;
+        for split_count in (0..=refinable.sequence.step_count()).rev() {
+            assert_eq!(Topology::of(&replay(&refinable, split_count)), expected, "at {split_count}");
+        }
+    });
+}
+
+#[test]
+fn surfaces_without_seams_run_down_to_a_handful() {
+    let limits = [
+        ("icosphere", 4),
+        ("uv sphere", 4),
+        ("sphere with sharp poles", 4),
+        ("torus", 20),
+        ("two bodies", 24),
+        ("flat grid", 2),
+        ("terrain", 6),
+    ];
+    let meshes = [closed(), open()].concat();
+    let plain = meshes.into_iter().filter(|(name, _)| limits.iter().any(|(n, _)| n == name)).collect();
+    check_each(plain, |name, mesh, options| {
+        let built = build(mesh, options);
+        let (_, limit) = limits.iter().find(|(n, _)| name.starts_with(&format!("{n},"))).expect("filtered");
+        let count = built.refinable.sequence.triangle_count_at(0);
+        assert!(count <= *limit, "{count} triangles left");
+        assert_eq!(built.stop_reason, StopReason::BaseReached);
+    });
+}
+
+#[test]
+fn seams_cut_every_level_into_the_same_pieces() {
+    // Cut open along its seams a mesh falls into pieces, each with its boundaries; collapses along seams keep them.
+    let pieces = |mesh: &IndexedMesh| {
+        let adjacency = Adjacency::of_vertices(&mesh.without_unused_vertices());
+        (adjacency.component_count(), adjacency.boundary_loop_count(), adjacency.bow_ties().len())
+    };
+    let seamed = [
+        ("cylinder", shapes::uv_cylinder(20, 9)),
+        ("two materials", shapes::two_material_sphere(9, 12)),
+        ("hard cube", shapes::hard_cube()),
+    ];
+    check_each(seamed.map(|(name, mesh)| (name.to_owned(), mesh)).to_vec(), |_, mesh, options| {
+        let welded = weld(mesh).expect("shapes are sound").mesh;
+        let refinable = build(mesh, options).refinable;
+        for split_count in (0..=refinable.sequence.step_count()).rev() {
+            assert_eq!(pieces(&replay(&refinable, split_count)), pieces(&welded), "at {split_count}");
+        }
+    });
+}
+
+#[test]
+fn boundary_vertices_only_move_along_the_boundary() {
+    check_each(open(), |_, mesh, options| {
+        let refinable = build(mesh, options).refinable;
+        let sequence = &refinable.sequence;
+        let positions = sequence.positions();
+        for step in (0..sequence.step_count()).rev() {
+            let before = replay(&refinable, step + 1);
+            let by_position = before.triangles.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
+            let adjacency = Adjacency::of_triangles(by_position, positions.position_count());
+            let removed = (sequence.base_position_count() + step) as u32;
+            let target = positions.position_of(sequence.target(positions.first_vertex(removed)));
+            if adjacency.edges().any(|e| e.is_boundary() && e.ends.contains(&removed)) {
+                let edge = adjacency.edge_between(removed, target);
+                assert!(edge.is_some_and(|e| e.is_boundary()), "step {step} leaves the boundary");
+            }
+        }
+    });
+}
+
+#[test]
+fn locked_vertices_are_in_the_base() {
+    check_each(all(), |_, mesh, options| {
+        let locked: Vec<u32> = mesh.triangles.iter().flatten().copied().step_by(7).take(12).collect();
+        let built = build(mesh, &options.clone().with_locked_vertices(locked.clone()));
+        let RefinableMesh { mesh: full, sequence } = &built.refinable;
+        let base = positions_of(full, sequence.base_vertex_count());
+        // A triangle whose corners meet is dropped, and may be all that names a vertex.
+        let shown: BTreeSet<[u32; 3]> = triangles_in_space(mesh).into_iter().flatten().collect();
+        for &v in &locked {
+            let place = key(mesh.positions[v as usize]);
+            assert!(base.contains(&place) || !shown.contains(&place), "vertex {v} was locked");
+        }
+    });
+}
+
+#[test]
+fn locked_boundaries_keep_every_vertex() {
+    check_each([open(), closed()].concat(), |_, mesh, options| {
+        let (welded, boundary) = boundary_of(mesh);
+        let built = build(mesh, &options.clone().with_boundary(BoundaryRule::Locked));
+        let RefinableMesh { mesh: full, sequence } = &built.refinable;
+        let base = positions_of(full, sequence.base_vertex_count());
+        assert!(boundary.is_subset(&base), "a boundary vertex went");
+        let interior = positions_of(&welded, welded.vertex_count()).len() - boundary.len();
+        if interior > 60 {
+            assert!(sequence.step_count() > interior / 3, "the interior is simplified");
+        }
+    });
+}
+
+/// The welded mesh and the places on its boundary.
+fn boundary_of(mesh: &IndexedMesh) -> (IndexedMesh, BTreeSet<[u32; 3]>) {
+    let welded = weld(mesh).expect("test meshes are sound");
+    let adjacency = Adjacency::of_positions(&welded.mesh, &welded.positions);
+    let place = |p: u32| key(welded.mesh.positions[welded.positions.first_vertex(p) as usize]);
+    let ends = adjacency.edges().filter(|e| e.is_boundary()).flat_map(|e| e.ends);
+    let boundary = ends.map(place).collect();
+    (welded.mesh, boundary)
+}
+
+#[test]
+fn the_error_limit_is_the_last_step_that_fits() {
+    check_each(all(), |_, mesh, options| {
+        let free = build(mesh, options).refinable.sequence;
+        let Some(&middle) = free.errors().get(free.step_count() / 2) else { return };
+        // Just below a reported error, where rounding would show.
+        let below = f64::from(middle) * (1.0 - 1e-9);
+        for limit in [0.0, below, f64::from(middle), f64::from(free.error_at(0)) * 2.0] {
+            let built = build(mesh, &options.clone().with_max_error(limit));
+            let sequence = &built.refinable.sequence;
+            let error = f64::from(sequence.error_at(0));
+            assert!(error <= limit, "limit {limit}, error {error}");
+            let fitting = free.errors().iter().filter(|&&e| f64::from(e) <= limit).count();
+            assert_eq!(sequence.errors(), &free.errors()[free.step_count() - fitting..], "limit {limit}");
+            let has_stopped = built.stop_reason == StopReason::ErrorLimit;
+            assert_eq!(has_stopped, fitting < free.step_count(), "limit {limit}");
+        }
+    });
+}
+
+#[test]
+fn the_base_triangle_count_is_undercut_by_less_than_a_step() {
+    check_each(all(), |_, mesh, options| {
+        let free = build(mesh, options).refinable.sequence;
+        let goal = (free.triangle_count_at(0) + free.triangle_count_at(free.step_count())) / 2;
+        let built = build(mesh, &options.clone().with_base_triangle_count(goal));
+        let sequence = &built.refinable.sequence;
+        assert!(sequence.triangle_count_at(0) <= goal);
+        let more = (sequence.step_count() > 0).then(|| sequence.triangle_count_at(1));
+        assert!(more.is_none_or(|n| n > goal), "went too far");
+        if goal > free.triangle_count_at(0) {
+            assert_eq!(built.stop_reason, StopReason::TargetReached);
+        }
+    });
+}
+
+#[test]
+fn options_out_of_range_are_refused() {
+    let mesh = shapes::cube();
+    let options = SequenceOptions::default;
+    let cases = [
+        ("max_error", options().with_max_error(f64::NAN)),
+        ("max_error", options().with_max_error(-1.0)),
+        ("pair_distance", options().with_pair_distance(f64::NAN)),
+        ("pair_distance", options().with_pair_distance(-0.5)),
+        ("locked_vertices", options().with_locked_vertices(vec![3, 8])),
+    ];
+    for (name, options) in cases {
+        match build_sequence(&mesh, &options, &mut ignore_progress) {
+            Err(SimplifyError::Option { option, .. }) => assert_eq!(option, name),
+            other => panic!("{name} in {options:?}: {:?}", other.map(|built| built.stop_reason)),
+        }
+    }
+}
+
+#[test]
+fn unsound_meshes_are_refused_with_their_place() {
+    let mut count = 0;
+    for (name, mesh) in shapes::nasty() {
+        let Err(expected) = mesh.check() else { continue };
+        let error = build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress).unwrap_err();
+        // Compared as text, since NaN is not equal to itself.
+        assert_eq!(error.to_string(), expected.to_string(), "{name}");
+        count += 1;
+    }
+    assert!(count > 5);
+}
+
+#[test]
+fn the_callback_sees_progress_and_can_cancel() {
+    let mesh = shapes::torus(110, 80, 2.0, 1.0);
+    for options in options_by_cost() {
+        let mut seen = Vec::new();
+        let mut watch = |progress: striata::Progress| {
+            seen.push((progress.done, progress.total));
+            ControlFlow::Continue(())
+        };
+        build_sequence(&mesh, &options, &mut watch).expect("nobody cancels");
+        assert!(!seen.is_empty());
+        assert!(seen.is_sorted() && seen.iter().all(|(done, total)| done <= total), "{seen:?}");
+        let mut calls = 0;
+        let mut cancel = |_| {
+            calls += 1;
+            ControlFlow::Break(())
+        };
+        let error = build_sequence(&mesh, &options, &mut cancel).unwrap_err();
+        assert_eq!(error, SimplifyError::Cancelled(striata::Cancelled));
+        assert_eq!(calls, 1, "nothing is asked again after a cancellation");
+    }
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    check_each(all(), |_, mesh, options| {
+        let bytes = || {
+            let refinable = build(mesh, options).refinable;
+            to_striata(&refinable, &[], &WriteOptions::default()).expect("memory does not fail")
+        };
+        assert!(bytes() == bytes());
+    });
+}
+
+#[test]
+fn no_triangle_of_a_sphere_turns_inward() {
+    let mesh = shapes::icosphere(3, 1.0);
+    for options in options_by_cost() {
+        let refinable = build(&mesh, &options).refinable;
+        let from = refinable.sequence.split_count_for_triangles(60);
+        for split_count in (from..=refinable.sequence.step_count()).step_by(7) {
+            let level = replay(&refinable, split_count);
+            for t in &level.triangles {
+                let [a, b, c] = t.map(|v| glam::Vec3::from(level.positions[v as usize]));
+                let outward = (b - a).cross(c - a).dot(a + b + c);
+                assert!(outward > 0.0, "{:?} at {split_count}: triangle {t:?}", options.cost);
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn random_soups_keep_the_promises(count in 1u32..160, seed: u64, cost in 0usize..3) {
+        let mesh = shapes::random_soup(count, seed);
+        let options = SequenceOptions::default().with_cost(COSTS[cost]);
+        check_sequence("soup", &mesh, &build(&mesh, &options));
+    }
+
+    #[test]
+    fn random_patches_keep_the_promises(
+        (rings, segments) in (3u32..12, 3u32..12),
+        run in 1usize..40,
+        seed: u64,
+        cost in 0usize..3,
+    ) {
+        let rough = meshes::rough(shapes::torus(rings, segments, 2.0, 1.0), 0.2, seed);
+        let mesh = with_patches(rough, run);
+        let options = SequenceOptions::default().with_cost(COSTS[cost]);
+        let built = build(&mesh, &options);
+        check_sequence("patches", &mesh, &built);
+        for split_count in 0..=built.refinable.sequence.step_count() {
+            let level = replay(&built.refinable, split_count);
+            prop_assert_eq!(Topology::of(&level).genus, Some(1));
+        }
+    }
+
+    #[test]
+    fn the_full_mesh_is_the_welded_mesh(count in 1u32..200, seed: u64) {
+        let mesh = with_patches(shapes::random_soup(count, seed), 3);
+        let built = build(&mesh, &SequenceOptions::default());
+        let welded = weld(&mesh).expect("soups are sound");
+        let by_source = |triangles: &[[u32; 3]], source: &[u32]| {
+            let named: Vec<_> = triangles.iter().map(|t| t.map(|v| source[v as usize])).collect();
+            canonical_triangles(&named)
+        };
+        prop_assert_eq!(
+            by_source(&built.refinable.mesh.triangles, &built.source_vertex),
+            by_source(&welded.mesh.triangles, &welded.source_vertex)
+        );
+        prop_assert_eq!(built.degenerate_triangle_count, welded.degenerate_triangle_count);
+        prop_assert_eq!(built.merged_vertex_count, welded.merged_vertex_count);
+    }
+}

@@ -1,0 +1,74 @@
+//! Writes small sound files for the fuzzer to start from, into `fuzz/corpus/TARGET/`.
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use striata::codec::{FileModel, WriteOptions, to_striata};
+use striata::ignore_progress;
+use striata::mesh::{IndexedMesh, shapes};
+use striata::model::LodStrips;
+use striata::simplify::{SequenceOptions, build_sequence};
+use striata::strip::{StripOptions, stripify};
+use striata_io::Format;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
+    let folder = |target: &str| -> std::io::Result<PathBuf> {
+        let path = corpus.join(target);
+        fs::create_dir_all(&path).map(|()| path)
+    };
+    let sound: Vec<(&str, IndexedMesh)> = shapes::nasty()
+        .into_iter()
+        .filter(|(_, mesh)| mesh.check().is_ok() && mesh.triangle_count() < 100)
+        .collect();
+    for (i, (_, mesh)) in sound.iter().enumerate() {
+        write_formats(i, mesh, &folder("read_bytes")?)?;
+        fs::write(folder("striata_file")?.join(format!("{i}.striata")), container(mesh)?)?;
+        for target in ["simplify", "stripify"] {
+            fs::write(folder(target)?.join(i.to_string()), as_fuzz_input(mesh))?;
+        }
+    }
+    Ok(())
+}
+
+/// The place of each format's extension in the list of `read_bytes`.
+const FORMATS: [(u8, Format); 6] = [
+    (0, Format::Ply),
+    (1, Format::Obj),
+    (2, Format::Stl),
+    (3, Format::Off),
+    (4, Format::Gltf),
+    (5, Format::Glb),
+];
+
+fn write_formats(i: usize, mesh: &IndexedMesh, folder: &Path) -> Result<(), Box<dyn Error>> {
+    for (place, format) in FORMATS {
+        for ascii in [false, true] {
+            let options = striata_io::WriteOptions::default().with_ascii(ascii);
+            // Some formats cannot hold an empty mesh.
+            let Ok(bytes) = striata_io::to_bytes(format, mesh, &options) else { continue };
+            let name = format!("{i}-{ascii}.{}", format.extension());
+            fs::write(folder.join(name), [&[place], &bytes[..]].concat())?;
+        }
+    }
+    Ok(())
+}
+
+fn container(mesh: &IndexedMesh) -> Result<Vec<u8>, Box<dyn Error>> {
+    let refinable = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
+    let strips = stripify(&refinable.mesh, &StripOptions::default())?;
+    let model = LodStrips::build(&refinable, &strips)?;
+    Ok(to_striata(&refinable, &[FileModel::LodStrips(&model)], &WriteOptions::default())?)
+}
+
+/// Options, shape, vertices on whole numbers, cuts, triangles: what `Bytes::mesh` takes apart.
+fn as_fuzz_input(mesh: &IndexedMesh) -> Vec<u8> {
+    let vertex_count = mesh.vertex_count().min(48);
+    let mut out = vec![0, 0, vertex_count.saturating_sub(1) as u8];
+    let coordinate = |x: &f32| [255].into_iter().chain(x.to_le_bytes());
+    out.extend(mesh.positions[..vertex_count].iter().flatten().flat_map(coordinate));
+    out.extend([0, 0]);
+    out.extend(mesh.triangles.iter().flatten().map(|&v| v as u8));
+    out
+}
