@@ -20,7 +20,7 @@ fuzz_target!(|data: &[u8]| {
     let stitched = strips.to_stitched_indices();
     assert!(!stitched.indices.contains(&RESTART));
     check(&mesh, &stitched);
-    if max_indices >= 3 {
+    if max_indices >= 4 {
         check(&mesh, &strips.cut(max_indices).to_restart_indices());
     }
 });
