@@ -91,7 +91,7 @@ impl<'a> Engine<'a> {
                 return Ok((self.record, StopReason::ErrorLimit));
             }
             error = error.max(collapse_error);
-            self.record.errors.push(error as f32);
+            self.record.errors.push(error.min(f64::from(f32::MAX)) as f32);
             let done = self.record.removed.len() as u64;
             let is_report = done.is_multiple_of(REPORT_INTERVAL);
             if is_report && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(()) {
