@@ -50,6 +50,7 @@ pub fn build_sequence(
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltSequence, SimplifyError> {
     options.check()?;
+    options.check_locked(mesh.vertex_count())?;
     build_welded_sequence(weld(mesh)?, options, progress)
 }
 
@@ -86,6 +87,7 @@ pub fn simplify(
     progress: &mut ProgressFn<'_>,
 ) -> Result<Simplified, SimplifyError> {
     options.check()?;
+    options.sequence.check_locked(mesh.vertex_count())?;
     let welded = weld(mesh)?;
     if options.placement == Placement::Optimal {
         return optimal::simplify_optimal(&welded, options, progress);
