@@ -50,14 +50,15 @@ impl Legality {
         {
             return false;
         }
+        if self.may_vanish {
+            // Merged parts are tangled already: what they share keeps nothing apart.
+            return true;
+        }
         let is_apex = |x: u32| self.apexes.binary_search(&x).is_ok();
         let near_u = |x: u32| self.other.iter().any(|e| e.a == x || e.b == x);
         let mut neighbours = self.edges.iter().flat_map(|e| [e.a, e.b]).filter(|&x| x != u);
         if neighbours.any(|x| !is_apex(x) && near_u(x)) {
             return false;
-        }
-        if self.may_vanish {
-            return true;
         }
         // Two apexes joined on both sides: a tetrahedron would fold flat.
         let both = |e: &&LinkEdge| is_apex(e.a) && is_apex(e.b);

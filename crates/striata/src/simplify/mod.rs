@@ -36,7 +36,8 @@ use crate::mesh::{IndexedMesh, Welded, replay, weld};
 /// use striata::mesh::shapes;
 /// use striata::simplify::{SequenceOptions, Target, build_sequence};
 ///
-/// let built = build_sequence(&shapes::torus(32, 16), &SequenceOptions::default(), &mut striata::ignore_progress)?;
+/// let torus = shapes::torus(32, 16, 1.0, 0.4);
+/// let built = build_sequence(&torus, &SequenceOptions::default(), &mut striata::ignore_progress)?;
 /// let sequence = &built.refinable.sequence;
 /// let (split_count, _) = Target::Triangles(200).resolve(sequence);
 /// let level = striata::mesh::replay(&built.refinable, split_count);
