@@ -68,7 +68,7 @@ impl<'a> Engine<'a> {
         self.heap = IndexedHeap::new(&keys);
         drop(keys);
         let limit = self.options.max_error.unwrap_or(f64::INFINITY);
-        let mut error = 0.0f64;
+        let mut error = 0.0f32;
         while let Some((key, v)) = self.heap.first() {
             if self.triangle_count <= self.options.base_triangle_count {
                 return Ok((self.record, StopReason::TargetReached));
@@ -84,14 +84,15 @@ impl<'a> Engine<'a> {
                 self.decide(v, key);
                 continue;
             }
-            let collapse_error = self.collapse(v, u);
-            if collapse_error > limit {
+            // As it will be reported, rounded and all, so that the limit holds for what is reported.
+            let collapse_error = self.collapse(v, u).min(f64::from(f32::MAX)) as f32;
+            if f64::from(collapse_error) > limit {
                 self.record.removed.pop();
                 self.record.removed_triangle_counts.pop();
                 return Ok((self.record, StopReason::ErrorLimit));
             }
             error = error.max(collapse_error);
-            self.record.errors.push(error as f32);
+            self.record.errors.push(error);
             let done = self.record.removed.len() as u64;
             let is_report = done.is_multiple_of(REPORT_INTERVAL);
             if is_report && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(()) {

@@ -113,6 +113,7 @@ impl<'a> Judge<'a> {
             let threshold = ((distance / scale) as f32).clamp(1e-6, 1.0);
             let is_neighbour = |p: u32, q: u32| judge.links.entries(p).contains(&q);
             judge.pairs = Some(Pairs::new(&judge.positions, threshold, is_neighbour));
+            judge.legality.may_vanish = true;
         }
         judge
     }
@@ -239,7 +240,12 @@ impl<'a> Judge<'a> {
         if self.wedges.as_mut().is_some_and(|wedges| !wedges.pair(&self.star, v, k)) {
             return None;
         }
-        let distance_squared = self.star.fan_distance_squared(k)?;
+        let distance_squared = match self.star.fan_distance_squared(k) {
+            Some(distance_squared) => distance_squared,
+            // Parts that may merge may also fold and vanish, at the price of the whole way.
+            None if self.pairs.is_some() => self.star.offset(k).length_squared(),
+            None => return None,
+        };
         let quadratic = self.star.costs[k];
         self.candidates[k] = Candidate { stage: Stage::Measured, quadratic, distance_squared };
         Some(match &self.memory {
@@ -284,7 +290,7 @@ impl<'a> Judge<'a> {
             if self.links.kind(target) == LinkKind::Empty || self.links.entries(v).contains(&target) {
                 continue;
             }
-            let Some(distance_squared) = self.star.moved_distance_squared(to) else { continue };
+            let distance_squared = self.star.moved_distance_squared(to).unwrap_or(to.length_squared());
             let cost = match &self.memory {
                 Memory::Accumulated(quadrics) => accumulated_cost(quadrics, &self.positions, v, target),
                 _ => self.star.cost_at(to) + self.star.distance_cost(distance_squared),

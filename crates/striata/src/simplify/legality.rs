@@ -14,6 +14,8 @@ const MAX_REMOVED: usize = 255;
 /// Scratch for checks on links that are no rings.
 #[derive(Debug, Default)]
 pub(super) struct Legality {
+    /// Whole parts may vanish: set where parts may also merge, so that a soup of them can shrink.
+    pub(super) may_vanish: bool,
     apexes: Vec<u32>,
     edges: Vec<LinkEdge>,
     other: Vec<LinkEdge>,
@@ -24,7 +26,7 @@ impl Legality {
     pub(super) fn allows(&mut self, links: &Links, v: u32, u: u32) -> bool {
         let is_ring = |p| matches!(links.kind(p), LinkKind::Closed | LinkKind::Open);
         if is_ring(v) && is_ring(u) {
-            return rings_allow(links, v, u);
+            return rings_allow(links, v, u, self.may_vanish);
         }
         self.edges_allow(links, v, u)
     }
@@ -42,8 +44,15 @@ impl Legality {
         }
         self.apexes.sort_unstable();
         let kept = self.edges.len() + self.other.len() - 2 * removed;
-        if kept == 0 || removed > MAX_REMOVED || kept > MAX_VALENCE.max(self.other.len()) {
+        if (kept == 0 && !self.may_vanish)
+            || removed > MAX_REMOVED
+            || kept > MAX_VALENCE.max(self.other.len())
+        {
             return false;
+        }
+        if self.may_vanish {
+            // Merged parts are tangled already: what they share keeps nothing apart.
+            return true;
         }
         let is_apex = |x: u32| self.apexes.binary_search(&x).is_ok();
         let near_u = |x: u32| self.other.iter().any(|e| e.a == x || e.b == x);
@@ -66,7 +75,7 @@ impl Legality {
 }
 
 /// The same where both links are rings: the usual case, without scratch.
-fn rings_allow(links: &Links, v: u32, u: u32) -> bool {
+fn rings_allow(links: &Links, v: u32, u: u32, may_vanish: bool) -> bool {
     let (ring, other) = (links.entries(v), links.entries(u));
     let n = ring.len();
     let Some(k) = ring.iter().position(|&w| w == u) else { return false };
@@ -77,7 +86,7 @@ fn rings_allow(links: &Links, v: u32, u: u32) -> bool {
     let last = if k == 0 { n - 1 } else { k - 1 };
     let removed = usize::from(has_next) + usize::from(has_last);
     let kept = links.triangle_count(v) + links.triangle_count(u) - 2 * removed;
-    if kept == 0 || kept > MAX_VALENCE.max(other.len()) {
+    if (kept == 0 && !may_vanish) || kept > MAX_VALENCE.max(other.len()) {
         return false;
     }
     for (i, w) in ring.iter().enumerate() {
@@ -85,6 +94,9 @@ fn rings_allow(links: &Links, v: u32, u: u32) -> bool {
         if i != k && !is_apex && other.contains(w) {
             return false;
         }
+    }
+    if may_vanish {
+        return true;
     }
     // A boundary path of two has one apex only; a cycle of three joins its two apexes.
     if is_closed && n == 3 && are_joined(links, u, ring[next], ring[last]) {

@@ -36,7 +36,8 @@ use crate::mesh::{IndexedMesh, Welded, replay, weld};
 /// use striata::mesh::shapes;
 /// use striata::simplify::{SequenceOptions, Target, build_sequence};
 ///
-/// let built = build_sequence(&shapes::torus(32, 16), &SequenceOptions::default(), &mut striata::ignore_progress)?;
+/// let torus = shapes::torus(32, 16, 1.0, 0.4);
+/// let built = build_sequence(&torus, &SequenceOptions::default(), &mut striata::ignore_progress)?;
 /// let sequence = &built.refinable.sequence;
 /// let (split_count, _) = Target::Triangles(200).resolve(sequence);
 /// let level = striata::mesh::replay(&built.refinable, split_count);
@@ -50,6 +51,7 @@ pub fn build_sequence(
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltSequence, SimplifyError> {
     options.check()?;
+    options.check_locked(mesh.vertex_count())?;
     build_welded_sequence(weld(mesh)?, options, progress)
 }
 
@@ -86,6 +88,7 @@ pub fn simplify(
     progress: &mut ProgressFn<'_>,
 ) -> Result<Simplified, SimplifyError> {
     options.check()?;
+    options.sequence.check_locked(mesh.vertex_count())?;
     let welded = weld(mesh)?;
     if options.placement == Placement::Optimal {
         return optimal::simplify_optimal(&welded, options, progress);

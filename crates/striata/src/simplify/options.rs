@@ -138,6 +138,18 @@ impl SequenceOptions {
         }
         Ok(())
     }
+    /// Checks that the locked vertices are vertices of the mesh.
+    pub(super) fn check_locked(&self, vertex_count: usize) -> Result<(), SimplifyError> {
+        match self.locked_vertices.iter().find(|&&v| v as usize >= vertex_count) {
+            None => Ok(()),
+            Some(vertex) => Err(SimplifyError::Option {
+                option: "locked_vertices",
+                value: format!("vertex {vertex} of {vertex_count}"),
+                expected: "a vertex of the mesh",
+            }),
+        }
+    }
+
     /// Sets [`Self::cost`].
     pub fn with_cost(self, cost: CollapseCost) -> Self {
         Self { cost, ..self }

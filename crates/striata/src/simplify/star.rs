@@ -11,8 +11,8 @@
 //! cost(u) = (u - v)^T Q (u - v)     [length^4]
 //! ```
 //!
-//! Borders of any kind (boundaries, seams, edges with three triangles) are **special** edges: a vertex on some may only
-//! move along one of them, and pays the squared area between the old and the new course of the border.
+//! Borders of any kind (boundaries, edges with three triangles, seams) are **special** edges: a vertex on some may only
+//! move along one of the strongest kind, and pays the squared area between the old and the new course of all.
 //!
 //! A candidate that survives pays for the distances of the fan that it leaves (see [`Star::distance_cost`]). Triangles
 //! are worked on eight at a time; sums are folded in a fixed order, so results are the same on every machine.
@@ -28,6 +28,17 @@ const LANES: usize = 8;
 
 /// Marks lanes past the last triangle.
 const NO_TRIANGLE: f32 = 2.0;
+
+/// What makes an edge special, the weakest first: a vertex moves along the strongest that it is on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Border {
+    /// Its triangles show different wedges.
+    Seam,
+    /// It has three or more triangles, or two that disagree about its direction.
+    Branch,
+    /// It has one triangle.
+    Boundary,
+}
 
 /// Three coordinates of many points.
 type Coordinates = [Vec<f32>; 3];
@@ -61,7 +72,7 @@ pub(super) struct Star {
     /// Midpoints of new edges, and their squared distances from the old triangles.
     middles: Vec<(Vec3, f32x8)>,
     edges: Vec<LinkEdge>,
-    special: Vec<u32>,
+    special: Vec<(u32, Border)>,
 }
 
 /// Eight floats from `index` on; every array is padded so that they are there.
@@ -330,19 +341,18 @@ impl Star {
             return;
         }
         self.find_special(is_seam);
-        if self.special.is_empty() {
-            return;
-        }
+        let Some(strongest) = self.special.iter().map(|&(_, border)| border).max() else { return };
         let special = std::mem::take(&mut self.special);
         let mut costs = std::mem::take(&mut self.costs);
         for (i, cost) in costs.iter_mut().enumerate() {
-            if special.binary_search(&(i as u32)).is_err() {
+            if !special.contains(&(i as u32, strongest)) {
                 *cost = f32::INFINITY;
                 continue;
             }
             let u = self.offset(i);
-            let swept = |&j: &u32| self.offset(j as usize).cross(u).length_squared();
-            *cost += BORDER_WEIGHT * special.iter().filter(|&&j| j as usize != i).map(swept).sum::<f32>();
+            let others = special.iter().filter(|(j, _)| *j as usize != i);
+            let swept: f32 = others.map(|&(j, _)| self.offset(j as usize).cross(u).length_squared()).sum();
+            *cost += BORDER_WEIGHT * swept;
             if special.len() == 1 {
                 // The border ends here and would recede.
                 *cost += u.length_squared() * u.length_squared();
@@ -368,13 +378,15 @@ impl Star {
                     count += 1;
                 }
             }
-            let is_inner = match (before, after) {
-                (Some(t), Some(s)) if count == 2 => !is_seam.is_some_and(|f| f(t, s)),
-                _ => false,
+            let border = match (before, after) {
+                _ if count == 1 => Border::Boundary,
+                (Some(t), Some(s)) if count == 2 => match is_seam {
+                    Some(is_seam) if is_seam(t, s) => Border::Seam,
+                    _ => continue,
+                },
+                _ => Border::Branch,
             };
-            if !is_inner {
-                self.special.push(i as u32);
-            }
+            self.special.push((i as u32, border));
         }
     }
 
