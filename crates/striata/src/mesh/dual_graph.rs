@@ -23,7 +23,7 @@ pub struct DualGraph {
 }
 
 /// No link across this side.
-const NONE: u32 = u32::MAX;
+pub(crate) const NONE: u32 = u32::MAX;
 
 impl DualGraph {
     /// Links triangles of one group that share two vertices: seams and groups are borders, as strips need it.
@@ -84,6 +84,11 @@ impl DualGraph {
     #[inline]
     pub fn neighbours(&self, triangle: u32) -> [u32; 3] {
         self.twins[triangle as usize].map(|side| if side == NONE { NONE } else { side / 3 })
+    }
+
+    /// The twin of every side, [`NONE`] where there is none.
+    pub(crate) fn twins(&self) -> &[u32] {
+        self.twins.as_flattened()
     }
 
     /// The side `3 * triangle + k` that runs along the same edge the other way.

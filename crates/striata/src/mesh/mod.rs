@@ -30,6 +30,7 @@ pub use defect::{Defect, DefectKind};
 #[cfg(feature = "distance")]
 pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};
 pub use dual_graph::DualGraph;
+pub(crate) use dual_graph::NONE as NO_TWIN;
 pub use indexed_mesh::{Bounds, IndexedMesh, MeshError, TriangleGroup};
 pub use positions::PositionIndex;
 pub use random::Random;

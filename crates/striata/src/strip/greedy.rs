@@ -6,17 +6,29 @@
 //! \[ESV96\], but the merit is indices (`swaps + 3 * strips`), not the number of strips.
 //! Time and memory are linear: at most three times the triangles of the chosen strip are looked at.
 
-use super::{
-    StripSet,
-    links::{NONE, twins},
-};
+use std::ops::Range;
 
-/// Appends strips that hold each proper triangle of one group once.
-pub(super) fn stripify_group(triangles: &[[u32; 3]], out: &mut StripSet) {
-    let mut walker = Walker::new(triangles);
-    let mut seeds = Seeds::new(&walker);
+use super::StripSet;
+use crate::mesh::{DualGraph, NO_TWIN as NONE};
+
+/// Appends strips that hold each proper triangle of each group once; links of the graph stay within a group.
+pub(super) fn stripify(
+    triangles: &[[u32; 3]],
+    graph: &DualGraph,
+    groups: impl Iterator<Item = Range<usize>>,
+    out: &mut StripSet,
+) {
+    let mut walker = Walker::new(triangles, graph);
+    for group in groups {
+        stripify_group(&mut walker, group, out);
+        out.end_group();
+    }
+}
+
+fn stripify_group(walker: &mut Walker<'_>, group: Range<usize>, out: &mut StripSet) {
+    let mut seeds = Seeds::new(walker, group);
     let (mut best, mut trial, mut strip) = (Walk::default(), Walk::default(), Vec::new());
-    while let Some(seed) = seeds.pop(&walker) {
+    while let Some(seed) = seeds.pop(walker) {
         best.clear();
         for edge in 3 * seed..3 * seed + 3 {
             walker.walk_both_ways(edge, &mut trial);
@@ -34,7 +46,7 @@ pub(super) fn stripify_group(triangles: &[[u32; 3]], out: &mut StripSet) {
             let first = h - h % 3;
             for neighbour in (first..first + 3).map(|e| walker.twins[e as usize]) {
                 if neighbour != NONE && walker.is_free[neighbour as usize / 3] {
-                    seeds.push(neighbour / 3, &walker);
+                    seeds.push(neighbour / 3, walker);
                 }
             }
         }
@@ -80,7 +92,7 @@ impl Walk {
 
 struct Walker<'a> {
     triangles: &'a [[u32; 3]],
-    twins: Vec<u32>,
+    twins: &'a [u32],
     is_free: Vec<bool>,
     /// The trial that last passed each triangle.
     stamps: Vec<u32>,
@@ -88,9 +100,9 @@ struct Walker<'a> {
 }
 
 impl<'a> Walker<'a> {
-    fn new(triangles: &'a [[u32; 3]]) -> Self {
+    fn new(triangles: &'a [[u32; 3]], graph: &'a DualGraph) -> Self {
         let is_free = triangles.iter().map(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]).collect();
-        Self { triangles, twins: twins(triangles), is_free, stamps: vec![0; triangles.len()], stamp: 0 }
+        Self { triangles, twins: graph.twins(), is_free, stamps: vec![0; triangles.len()], stamp: 0 }
     }
 
     fn free_neighbour_count(&self, triangle: u32) -> usize {
@@ -189,9 +201,9 @@ struct Seeds {
 }
 
 impl Seeds {
-    fn new(walker: &Walker<'_>) -> Self {
+    fn new(walker: &Walker<'_>, group: Range<usize>) -> Self {
         let mut seeds = Self { by_count: Default::default() };
-        for triangle in (0..walker.triangles.len() as u32).rev().filter(|&t| walker.is_free[t as usize]) {
+        for triangle in (group.start as u32..group.end as u32).rev().filter(|&t| walker.is_free[t as usize]) {
             seeds.push(triangle, walker);
         }
         seeds

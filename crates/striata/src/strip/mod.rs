@@ -8,7 +8,6 @@
 mod cost;
 mod greedy;
 mod index_buffer;
-mod links;
 mod strip_set;
 mod stripifier;
 

@@ -1,7 +1,7 @@
 //! One entry for all stripifiers.
 
 use super::{StripSet, greedy};
-use crate::mesh::{IndexedMesh, MeshError};
+use crate::mesh::{DualGraph, IndexedMesh, MeshError};
 
 /// Which algorithm makes the strips.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,12 +37,11 @@ impl StripOptions {
 pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, MeshError> {
     mesh.check()?;
     let mut out = StripSet::new();
-    for group in mesh.groups_or_whole() {
-        let triangles = &mesh.triangles[group.range()];
-        match options.stripifier {
-            Stripifier::Greedy => greedy::stripify_group(triangles, &mut out),
-        }
-        out.end_group();
+    let graph = DualGraph::of_vertices(mesh);
+    let groups = mesh.groups_or_whole();
+    let ranges = groups.iter().map(|group| group.range());
+    match options.stripifier {
+        Stripifier::Greedy => greedy::stripify(&mesh.triangles, &graph, ranges, &mut out),
     }
     Ok(out)
 }
