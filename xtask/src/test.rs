@@ -44,6 +44,7 @@ fn run_all(steps: &mut Steps) -> Result<()> {
     } else {
         steps.skip(WASM_TARGET, "this Rust has no such target and rustup could not add it");
     }
+    steps.step("fuzz targets", check_fuzz)?;
     steps.step("golden", golden::run)
 }
 
@@ -63,6 +64,12 @@ fn check_features() -> Result<()> {
         steps::run(&mut cargo(&["check", "-p", package, "--no-default-features", "--features", features]))?;
     }
     Ok(())
+}
+
+/// Fuzz targets are a workspace of their own; running them takes a nightly toolchain, checking them does not.
+fn check_fuzz() -> Result<()> {
+    let arguments = ["clippy", "--manifest-path", "fuzz/Cargo.toml", "--all-targets", "--", "-D", "warnings"];
+    steps::run(&mut cargo(&arguments))
 }
 
 fn check_wasm() -> Result<()> {
