@@ -14,8 +14,8 @@ pub(super) struct IndexedHeap {
 
 #[inline]
 fn pack(key: f32, v: u32) -> u64 {
-    // The bits of non-negative floats are ordered as the floats are.
-    (u64::from(key.to_bits()) << 32) | u64::from(v)
+    // The bits of non-negative floats are ordered as the floats are; adding zero makes a -0 one of them.
+    (u64::from((key + 0.0).to_bits()) << 32) | u64::from(v)
 }
 
 impl IndexedHeap {
