@@ -13,7 +13,7 @@ use std::io::Write;
 use std::time::Instant;
 
 use striata::ignore_progress;
-use striata::mesh::{IndexedMesh, RefinableMesh};
+use striata::mesh::{IndexedMesh, RefinableMesh, replay};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{RESTART, StripOptions, fifo_cache_cost, restart_triangles_into, stripify};
@@ -48,6 +48,7 @@ fn main() -> Fallible<()> {
         "build ms",
         "sweep ns a step",
     ]);
+    let mut levels = Table::new(["mesh", "share", "triangles", "LodStrips", "strips made anew"]);
     for path in &paths {
         let mesh = striata_io::read(path)?;
         let mesh = IndexedMesh::new(mesh.positions, mesh.triangles);
@@ -56,11 +57,17 @@ fn main() -> Fallible<()> {
         let name = file.split('.').next().unwrap_or_default().to_owned();
         add_strips(&name, &refinable.mesh, &mut strips)?;
         add_model(&name, &refinable, &mut models)?;
+        add_levels(&name, &refinable, &mut levels)?;
     }
     writeln!(out, "Strips of the full mesh; indices with restarts.\n")?;
     strips.print(&mut out)?;
     writeln!(out, "LodStrips: down to the base and back, best of {RUN_COUNT} sweeps.\n")?;
     models.print(&mut out)?;
+    writeln!(
+        out,
+        "Indices a triangle, restarts counted, of LodStrips at a level and of new strips for it.\n"
+    )?;
+    levels.print(&mut out)?;
     Ok(())
 }
 
@@ -132,5 +139,29 @@ fn add_model(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallib
         format!("{:.1}", build_secs * 1e3),
         format!("{:.1}", sweep_secs * 1e9 / (2 * step_count).max(1) as f64),
     ]);
+    Ok(())
+}
+
+fn add_levels(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {
+    let model = LodStrips::build(refinable, &stripify(&refinable.mesh, &StripOptions::default())?)?;
+    let mut state = model.new_state();
+    let full = refinable.mesh.triangle_count();
+    for percent in [100, 50, 25, 10, 2] {
+        let split_count = refinable.sequence.split_count_for_triangles(full * percent / 100);
+        model.move_to(&mut state, split_count);
+        let live = (0..model.strip_count()).map(|strip| model.strip(&state, strip).len()).filter(|&n| n > 0);
+        let (strip_count, index_count) = live.fold((0, 0), |(strips, indices), n| (strips + 1, indices + n));
+        let level = replay(refinable, split_count);
+        let anew = stripify(&level, &StripOptions::default())?.to_restart_indices().indices.len();
+        let per_triangle =
+            |indices: usize| format!("{:.2}", indices as f64 / level.triangle_count().max(1) as f64);
+        table.push(vec![
+            name.to_owned(),
+            format!("{percent} %"),
+            level.triangle_count().to_string(),
+            per_triangle(index_count + strip_count),
+            per_triangle(anew),
+        ]);
+    }
     Ok(())
 }
