@@ -82,10 +82,10 @@ pub(crate) struct BuildArgs {
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "lodstrips")]
     pub(crate) models: Vec<String>,
     /// Stop when no more than this many triangles are left [default: as far as it goes]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) base: Option<usize>,
     /// Stop before the error exceeds this: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "E")]
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
     pub(crate) max_error: Option<Length>,
     /// How collapses are ordered.
     #[command(flatten)]
@@ -161,10 +161,10 @@ pub(crate) struct DistanceArgs {
     /// The other mesh
     pub(crate) b: PathBuf,
     /// Samples taken on each surface
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) samples: Option<usize>,
     /// Seed of the samples' places
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) seed: Option<u64>,
 }
 
@@ -208,19 +208,19 @@ pub(crate) struct CompletionsArgs {
 #[command(next_help_heading = "Level (exactly one)")]
 pub(crate) struct LevelArgs {
     /// At most so many triangles
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) triangles: Option<usize>,
     /// At most so many vertices
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) vertices: Option<usize>,
     /// Share of the way from the base mesh (0) to the full mesh (1)
-    #[arg(long, value_name = "F", value_parser = parse_detail)]
+    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail)]
     pub(crate) detail: Option<f64>,
     /// At most this error: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "E")]
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
     pub(crate) error: Option<Length>,
     /// Exactly so many vertex splits above the base mesh
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) split_count: Option<usize>,
 }
 
@@ -238,7 +238,7 @@ pub(crate) struct SequenceArgs {
     #[arg(long)]
     pub(crate) lock_boundary: bool,
     /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "D")]
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
     pub(crate) pair_distance: Option<Length>,
 }
 

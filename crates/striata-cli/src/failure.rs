@@ -4,10 +4,10 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use striata::codec::{DecodeError, EncodeError};
-use striata::mesh::{DistanceError, MeshError};
+use striata::mesh::MeshError;
 use striata::model::LodStripsError;
 use striata::simplify::SimplifyError;
-use striata_io::{ReadError, WriteError};
+use striata_io::{Place, ReadError, WriteError};
 
 /// A failure as the user gets to see it.
 #[derive(Debug)]
@@ -16,6 +16,7 @@ pub(crate) struct Failure {
     hint: Option<String>,
     excerpt: Option<Excerpt>,
     is_ours: bool,
+    lacks_file: bool,
 }
 
 /// A line of a text file that is to blame, with its neighbours.
@@ -35,7 +36,7 @@ impl Failure {
 
     /// A failure that the user can fix.
     pub(crate) fn user(message: impl Into<String>) -> Self {
-        Self { message: message.into(), hint: None, excerpt: None, is_ours: false }
+        Self { message: message.into(), hint: None, excerpt: None, is_ours: false, lacks_file: false }
     }
 
     /// A failure of our own.
@@ -46,6 +47,14 @@ impl Failure {
     /// Adds what would cure it.
     pub(crate) fn with_hint(self, hint: impl Into<String>) -> Self {
         Self { hint: Some(hint.into()), ..self }
+    }
+
+    /// Names the file to blame, where what the library said about its mesh leaves it out.
+    pub(crate) fn in_file(self, name: &str) -> Self {
+        if !self.lacks_file {
+            return self;
+        }
+        Self { message: format!("{name}: {}", self.message), lacks_file: false, ..self }
     }
 
     /// Adds the line to blame.
@@ -76,13 +85,28 @@ const PLEASE_REPORT: &str = "This is a fault of striata, not yours; please repor
 
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
-        Self::user(error.to_string())
+        let failure = Self::user(error.to_string());
+        match error {
+            ReadError::Malformed { place: Place::Byte(_), .. } => {
+                failure.with_hint("the file is damaged or cut off; copy it or export it again")
+            }
+            ReadError::Malformed { .. } => failure.with_hint("correct the file there, or export it again"),
+            ReadError::UnsupportedExtension { .. } => failure.with_hint("export the file without it"),
+            _ => failure,
+        }
     }
 }
 
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
-        Self::user(error.to_string())
+        let failure = Self::user(error.to_string());
+        let WriteError::Io { source, .. } = error else { return failure };
+        match source.kind() {
+            io::ErrorKind::NotFound => failure.with_hint("make the output's folder first"),
+            io::ErrorKind::PermissionDenied => failure.with_hint("choose a folder that you may write"),
+            io::ErrorKind::IsADirectory => failure.with_hint("name a file inside the folder"),
+            _ => failure,
+        }
     }
 }
 
@@ -94,7 +118,7 @@ impl From<MeshError> for Failure {
             }
             _ => "the file contradicts itself; export it again",
         };
-        Self::user(error.to_string()).with_hint(hint)
+        Self { lacks_file: true, ..Self::user(error.to_string()).with_hint(hint) }
     }
 }
 
@@ -105,12 +129,6 @@ impl From<SimplifyError> for Failure {
             SimplifyError::Sequence(_) => Self::internal(error.to_string()),
             _ => Self::user(error.to_string()),
         }
-    }
-}
-
-impl From<DistanceError> for Failure {
-    fn from(error: DistanceError) -> Self {
-        Self::user(error.to_string())
     }
 }
 

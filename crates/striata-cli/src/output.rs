@@ -151,6 +151,14 @@ pub(crate) fn sized(bytes: usize) -> String {
     }
 }
 
+/// A length in mesh units for people: digits that tell something at any scale.
+pub(crate) fn measured(length: f64) -> String {
+    match length.abs() {
+        size if size == 0.0 || (1e-4..1e7).contains(&size) => format!("{length:.6}"),
+        _ => format!("{length:.3e}"),
+    }
+}
+
 /// A duration for people.
 pub(crate) fn lasted(secs: f64) -> String {
     if secs < 0.001 {
@@ -169,6 +177,9 @@ pub(crate) struct Table {
 }
 
 impl Table {
+    /// Longer cells stick out instead of pushing all others to the right.
+    const MAX_WIDTH: usize = 64;
+
     /// A table with its head.
     pub(crate) fn with_head(head: &[&str]) -> Self {
         Self { rows: vec![head.iter().map(|&cell| cell.to_owned()).collect()] }
@@ -182,8 +193,10 @@ impl Table {
     /// The table as text, every line ended.
     pub(crate) fn to_text(&self) -> String {
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
-        let width = |c: usize| self.rows.iter().filter_map(|r| r.get(c)).map(|s| s.chars().count()).max();
-        let widths: Vec<usize> = (0..columns).map(|c| width(c).unwrap_or(0)).collect();
+        let width = |c: usize| self.rows.iter().filter_map(move |r| r.get(c)).map(|s| s.chars().count());
+        let widths: Vec<usize> = (0..columns)
+            .map(|c| width(c).filter(|&width| width <= Self::MAX_WIDTH).max().unwrap_or(0))
+            .collect();
         let mut text = String::new();
         for row in &self.rows {
             let mut line = String::new();
@@ -213,6 +226,22 @@ mod tests {
         assert_eq!(grouped(999), "999");
         assert_eq!(grouped(1000), "1,000");
         assert_eq!(grouped(1_234_567), "1,234,567");
+    }
+
+    #[test]
+    fn lengths_tell_something_at_any_scale() {
+        assert_eq!(measured(0.0), "0.000000");
+        assert_eq!(measured(1.25), "1.250000");
+        assert_eq!(measured(8.76e-11), "8.760e-11");
+        assert_eq!(measured(7.07e29), "7.070e29");
+    }
+
+    #[test]
+    fn a_long_cell_pushes_no_other() {
+        let mut table = Table::default();
+        table.row(vec!["names".to_owned(), "x".repeat(200)]);
+        table.row(vec!["count".to_owned(), "7".to_owned()]);
+        assert!(table.to_text().ends_with("\ncount  7\n"));
     }
 
     #[test]

@@ -40,12 +40,14 @@ fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
         _ => PathBuf::from("."),
     };
+    // A folder that is missing is told in the system's own words.
+    fs::metadata(&folder)?;
     let mut builder = tempfile::Builder::new();
     builder.prefix(".striata-").suffix(".part");
     // Else the file would be readable by its owner alone; the mask of the process still applies.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let file = builder.tempfile_in(folder)?;
+    let file = builder.tempfile_in(folder).map_err(without_path)?;
     let mut buffered = BufWriter::with_capacity(1 << 16, file);
     write(&mut buffered)?;
     let file = buffered.into_inner().map_err(io::IntoInnerError::into_error)?;
@@ -54,6 +56,14 @@ fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>
     }
     file.persist(target).map_err(|error| error.error)?;
     Ok(())
+}
+
+/// What the system said, without the temporary name that the caller never chose.
+fn without_path(error: io::Error) -> io::Error {
+    match error.kind() {
+        kind @ (io::ErrorKind::PermissionDenied | io::ErrorKind::StorageFull) => kind.into(),
+        _ => error,
+    }
 }
 
 #[cfg(test)]
@@ -74,6 +84,13 @@ mod tests {
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         write_atomically(&path, |out| out.write_all(b"new")).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new");
+    }
+
+    #[test]
+    fn a_missing_folder_is_told_without_the_temporary_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let said = write_atomically(&folder.path().join("no/mesh.off"), |_| Ok(())).unwrap_err();
+        assert!(!said.to_string().contains(".part"), "{said}");
     }
 
     #[test]

@@ -15,7 +15,7 @@ use crate::args::{BuildArgs, CostArg, SequenceArgs};
 use crate::clock::{Phases, peak_rss_bytes};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Bar, Output, Table, grouped, lasted, sized, to_stdout};
+use crate::output::{Bar, Output, Table, grouped, lasted, measured, sized, to_stdout};
 use crate::save::is_stdout;
 
 /// The phases that a build reports.
@@ -45,7 +45,8 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let mut options = args.sequence.options(diagonal)?;
     options.base_triangle_count = args.base.unwrap_or(0);
     options.max_error = args.max_error.map(|error| error.in_units(diagonal));
-    let built = build(&mesh, &options, &mut phases, &mut bar)?;
+    let built =
+        build(&mesh, &options, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     phases.enter("write");
     bar.phase("write");
     let bytes = built.to_bytes(&source)?;
@@ -175,7 +176,7 @@ impl Report {
         let triangles = |at| grouped(sequence.triangle_count_at(at));
         row("triangles", format!("{} down to {}", triangles(last), triangles(0)));
         row("levels", grouped(last + 1));
-        row("error of the base", format!("{error:.6} ({share:.3} % of the diagonal)"));
+        row("error of the base", format!("{} ({share:.3} % of the diagonal)", measured(error)));
         let cost = &built.strip_cost;
         let strips =
             format!("{}, {:.3} indices a triangle", grouped(cost.strip_count), cost.indices_per_triangle);

@@ -1,12 +1,12 @@
 //! `distance`: how far two surfaces are from each other, both ways.
 
 use serde::Serialize;
-use striata::mesh::{DistanceOptions, OneSided, surface_distance};
+use striata::mesh::{DistanceError, DistanceOptions, OneSided, surface_distance};
 
 use crate::args::DistanceArgs;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Output, Table};
+use crate::output::{Output, Table, measured};
 
 #[derive(Serialize)]
 struct Report {
@@ -39,8 +39,9 @@ impl From<OneSided> for Way {
 pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
-    let a = Input::open(&args.a)?.mesh()?;
-    let b = Input::open(&args.b)?.mesh()?;
+    let inputs = [Input::open(&args.a)?, Input::open(&args.b)?];
+    let (a, b) = (inputs[0].mesh()?, inputs[1].mesh()?);
+    let of = |which| if which == "first" { &inputs[0] } else { &inputs[1] };
     let mut options = DistanceOptions::default();
     if let Some(samples) = args.samples {
         options = options.with_sample_count(samples);
@@ -49,7 +50,11 @@ pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
         options = options.with_seed(seed);
     }
     bar.phase("distance");
-    let distance = surface_distance(&a, &b, &options)?;
+    let distance = surface_distance(&a, &b, &options).map_err(|error| match error {
+        DistanceError::Mesh { which, source } => Failure::from(source).in_file(&of(which).name),
+        DistanceError::Empty { which } => no_surface(of(which)),
+        error => Failure::user(error.to_string()),
+    })?;
     drop(bar);
     let report = Report {
         max: distance.max,
@@ -63,6 +68,11 @@ pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
     output.data(&report, &report.to_text())
 }
 
+fn no_surface(input: &Input) -> Failure {
+    Failure::user(format!("{}: there is no triangle to measure a distance to", input.name))
+        .with_hint("`striata info` says what the file holds")
+}
+
 impl Report {
     fn to_text(&self) -> String {
         let mut table = Table::with_head(&["", "max", "rms", "mean", "rms / diagonal"]);
@@ -71,12 +81,12 @@ impl Report {
             let share = if self.diagonal > 0.0 { way.rms / self.diagonal } else { 0.0 };
             table.row(vec![
                 name.to_owned(),
-                format!("{:.6}", way.max),
-                format!("{:.6}", way.rms),
-                format!("{:.6}", way.mean),
+                measured(way.max),
+                measured(way.rms),
+                measured(way.mean),
                 format!("{:.5} %", 100.0 * share),
             ]);
         }
-        format!("{}{} samples; diagonal {:.6}\n", table.to_text(), self.sample_count, self.diagonal)
+        format!("{}{} samples; diagonal {}\n", table.to_text(), self.sample_count, measured(self.diagonal))
     }
 }

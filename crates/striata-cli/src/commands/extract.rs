@@ -12,7 +12,7 @@ use crate::args::{ExtractArgs, TriangleForm};
 use crate::commands::build::{MODELS, unknown_name};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Output, grouped, lasted};
+use crate::output::{Output, grouped, lasted, measured};
 use crate::save::{format_of, is_stdout, save};
 
 #[derive(Serialize)]
@@ -64,12 +64,12 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
 impl Report {
     fn to_text(&self, step_count: usize) -> String {
         format!(
-            "{} triangles, {} vertices, split {} of {}, error {:.6}, {}; sought in {}",
+            "{} triangles, {} vertices, split {} of {}, error {}, {}; sought in {}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.split_count),
             grouped(step_count),
-            self.error,
+            measured(self.error.into()),
             self.stop_reason.replace('_', " "),
             lasted(self.seek_secs)
         )

@@ -10,7 +10,7 @@ use striata_io::Format;
 use crate::args::InfoArgs;
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Output, Table, grouped, sized};
+use crate::output::{Output, Table, grouped, measured, sized};
 
 /// Defects that the text names one by one; JSON lists more of them.
 const SPELLED_OUT: usize = 5;
@@ -161,10 +161,10 @@ impl Report {
         };
         row("attributes", or_none(names(&self.attributes)));
         row("materials", or_none(self.materials.join(", ")));
-        row("diagonal", format!("{:.6}", self.diagonal));
+        row("diagonal", measured(self.diagonal));
         if let (Some(step_count), Some(base), Some(error)) = (self.step_count, &self.base, self.error_max) {
             row("levels", grouped(step_count + 1));
-            row("base", format!("{} triangles, error {error:.6}", base["triangle_count"]));
+            row("base", format!("{} triangles, error {}", base["triangle_count"], measured(error.into())));
         }
         for (model, facts) in &self.models {
             let bytes_per_vertex = facts["bytes_per_vertex"].as_f64().unwrap_or(0.0);

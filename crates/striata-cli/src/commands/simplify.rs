@@ -8,7 +8,7 @@ use striata::simplify::{Placement, SimplifyOptions, simplify};
 use crate::args::{PlacementArg, SimplifyArgs};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Output, grouped, lasted};
+use crate::output::{Output, grouped, lasted, measured};
 use crate::save::{format_of, is_stdout, save};
 
 #[derive(Serialize)]
@@ -31,14 +31,16 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     format_of(&args.output.output, &args.output.format)?;
     let mut bar = output.bar();
     bar.phase("read");
-    let mesh = Input::open(&args.input)?.mesh()?;
+    let input = Input::open(&args.input)?;
+    let mesh = input.mesh()?;
     let diagonal = mesh.diagonal();
     let options = SimplifyOptions::default()
         .with_target(args.level.target(diagonal)?)
         .with_placement(args.placement.into())
         .with_sequence(args.sequence.options(diagonal)?);
     let simplify_started = Instant::now();
-    let simplified = simplify(&mesh, &options, &mut |progress| bar.show(progress))?;
+    let simplified = simplify(&mesh, &options, &mut |progress| bar.show(progress))
+        .map_err(|error| Failure::from(error).in_file(&input.name))?;
     let simplify_secs = simplify_started.elapsed().as_secs_f64();
     bar.phase("write");
     save(&simplified.mesh, None, &args.output.output, &args.output.format)?;
@@ -58,10 +60,10 @@ impl Report {
     fn to_text(&self, before: usize, diagonal: f64) -> String {
         let share = if diagonal > 0.0 { 100.0 * self.error / diagonal } else { 0.0 };
         format!(
-            "{} -> {} triangles, error {:.6} ({share:.4} % of the diagonal), {}, {}",
+            "{} -> {} triangles, error {} ({share:.4} % of the diagonal), {}, {}",
             grouped(before),
             grouped(self.triangle_count),
-            self.error,
+            measured(self.error),
             self.stop_reason.replace('_', " "),
             lasted(self.secs)
         )

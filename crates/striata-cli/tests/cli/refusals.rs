@@ -59,7 +59,10 @@ fn nan_is_refused_where_it_matters_and_counted_by_info() {
     bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
     for arguments in ["build nan.off -o out.striata", "simplify nan.off -o out.ply --triangles 1"] {
         let said = bench.refused(arguments);
-        assert!(said.contains("vertex 2") && said.contains("NaN"), "{said}");
+        assert!(
+            said.starts_with("error: nan.off: ") && said.contains("vertex 2") && said.contains("NaN"),
+            "{said}"
+        );
     }
     assert_eq!(bench.names(), ["nan.off"]);
     let info = bench.json("info nan.off");
@@ -82,7 +85,25 @@ fn empty_and_tiny_meshes_go_through() {
         assert_eq!(full["triangle_count"], built["input"]["triangle_count"], "{name}");
     }
     let said = bench.refused("distance none.off one.off");
-    assert!(said.contains("error:"), "{said}");
+    assert!(said.starts_with("error: none.off: ") && said.contains("hint:"), "{said}");
+    let said = bench.refused("distance one.off none.off");
+    assert!(said.starts_with("error: none.off: "), "{said}");
+}
+
+#[test]
+fn an_output_folder_that_is_not_there_is_told_plainly() {
+    let bench = Workbench::with_ball();
+    let said = bench.refused("extract ball.striata -o no/out.ply --detail 1");
+    assert!(said.contains("no/out.ply") && said.contains("hint:") && !said.contains(".part"), "{said}");
+}
+
+#[test]
+fn a_negative_target_is_taken_for_a_value() {
+    let bench = Workbench::with_ball();
+    for target in ["--triangles -5", "--detail -0.5", "--error -1"] {
+        let said = bench.refused(&format!("extract ball.striata -o out.ply {target}"));
+        assert!(said.contains("invalid value"), "{said}");
+    }
 }
 
 #[test]
@@ -105,7 +126,8 @@ fn half_a_mesh_is_refused() {
     bench.run("convert sphere.obj sphere.ply --quiet").success();
     let whole = bench.read("sphere.ply");
     bench.write("half.ply", &whole[..whole.len() / 2]);
-    assert!(bench.refused("info half.ply").contains("half.ply"));
+    let said = bench.refused("info half.ply");
+    assert!(said.contains("half.ply") && said.contains("hint:"), "{said}");
 }
 
 #[test]
