@@ -216,7 +216,7 @@ pub(crate) struct LevelArgs {
     /// Share of the way from the base mesh (0) to the full mesh (1)
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail)]
     pub(crate) detail: Option<f64>,
-    /// At most this error: mesh units, or `1%` of the diagonal
+    /// At most this error, as the file estimates it: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "E", allow_negative_numbers = true)]
     pub(crate) error: Option<Length>,
     /// Exactly so many vertex splits above the base mesh

@@ -22,6 +22,8 @@ use super::witness::Witnesses;
 
 /// No target chosen yet: the key is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
+/// Squared protrusions under this share of the squared edge are what single precision leaves of flat places.
+const PROTRUSION_NOISE: f32 = 1e-5;
 /// Collapses between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
 
@@ -34,6 +36,7 @@ pub(super) struct Engine<'a> {
     heap: IndexedHeap,
     target: Vec<u32>,
     distance_squared: Vec<f32>,
+    protrusion_squared: Vec<f32>,
     witnesses: Witnesses,
     ring: Vec<u32>,
     triangle_count: usize,
@@ -51,6 +54,7 @@ impl<'a> Engine<'a> {
             heap: IndexedHeap::new(&[]),
             target: vec![UNDECIDED; position_count],
             distance_squared: vec![0.0; position_count],
+            protrusion_squared: vec![0.0; position_count],
             witnesses: Witnesses::new(position_count),
             ring: Vec::new(),
             triangle_count: welded.mesh.triangle_count(),
@@ -110,6 +114,7 @@ impl<'a> Engine<'a> {
             Some(choice) => {
                 self.target[v as usize] = choice.target;
                 self.distance_squared[v as usize] = choice.distance_squared;
+                self.protrusion_squared[v as usize] = choice.protrusion_squared;
                 if choice.cost > bound {
                     self.heap.set(v, choice.cost);
                 }
@@ -146,10 +151,19 @@ impl<'a> Engine<'a> {
         self.record.removed_triangle_counts.push(removed as u8);
         let worst = tracked.unwrap_or_else(|| {
             let own = self.distance_squared[v as usize];
-            self.witnesses.collapse(&self.judge.links, &self.judge.positions, (v, u), own)
+            let worst = self.witnesses.collapse(&self.judge.links, &self.judge.positions, (v, u), own);
+            worst.max(self.reported_protrusion(v, u))
         });
         self.update_neighbours(u);
         f64::from(worst).sqrt() * self.scale
+    }
+
+    /// How far the surface that replaces the star of `v` sticks out, squared, unless that may be rounding.
+    fn reported_protrusion(&self, v: u32, u: u32) -> f32 {
+        let [from, to] = [v, u].map(|p| self.judge.positions[p as usize]);
+        let edge_squared: f32 = (0..3).map(|a| (from[a] - to[a]) * (from[a] - to[a])).sum();
+        let protrusion = self.protrusion_squared[v as usize];
+        if protrusion > PROTRUSION_NOISE * edge_squared { protrusion } else { 0.0 }
     }
 
     /// Does what must be done while the star of `v` still stands: targets of its wedges, memory of the cost function.

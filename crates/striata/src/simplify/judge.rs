@@ -49,6 +49,7 @@ struct Candidate {
     stage: Stage,
     quadratic: f32,
     distance_squared: f32,
+    protrusion_squared: f32,
 }
 
 /// A collapse that was judged in full.
@@ -58,6 +59,8 @@ pub(super) struct Choice {
     pub(super) target: u32,
     /// Squared distance of the vertex from its new fan.
     pub(super) distance_squared: f32,
+    /// Squared distance of the fan's new edges from the old star.
+    pub(super) protrusion_squared: f32,
 }
 
 /// The mesh as it is, and all that judges it.
@@ -223,7 +226,8 @@ impl<'a> Judge<'a> {
             let candidate = self.candidates[k];
             if candidate.stage == Stage::Settled {
                 let target = self.star.ids[k];
-                break Some(Choice { cost, target, distance_squared: candidate.distance_squared });
+                let Candidate { distance_squared, protrusion_squared, .. } = candidate;
+                break Some(Choice { cost, target, distance_squared, protrusion_squared });
             }
             let refined =
                 if candidate.stage == Stage::Bound { self.measure(v, k) } else { self.settle(v, k) };
@@ -247,7 +251,8 @@ impl<'a> Judge<'a> {
             None => return None,
         };
         let quadratic = self.star.costs[k];
-        self.candidates[k] = Candidate { stage: Stage::Measured, quadratic, distance_squared };
+        self.candidates[k] =
+            Candidate { stage: Stage::Measured, quadratic, distance_squared, protrusion_squared: 0.0 };
         Some(match &self.memory {
             Memory::Memoryless => quadratic + self.star.distance_cost(distance_squared),
             Memory::Accumulated(_) => quadratic,
@@ -261,7 +266,9 @@ impl<'a> Judge<'a> {
         let Candidate { quadratic, distance_squared, .. } = self.candidates[k];
         let mut cost = quadratic;
         if !matches!(self.memory, Memory::Accumulated(_)) {
-            let off = distance_squared + self.star.protrusion_squared(k);
+            let protrusion_squared = self.star.protrusion_squared(k);
+            self.candidates[k].protrusion_squared = protrusion_squared;
+            let off = distance_squared + protrusion_squared;
             let share = if matches!(self.memory, Memory::Tracked(_)) { MEMORYLESS_SHARE } else { 1.0 };
             cost += share * self.star.distance_cost(off);
         }
@@ -296,7 +303,7 @@ impl<'a> Judge<'a> {
                 _ => self.star.cost_at(to) + self.star.distance_cost(distance_squared),
             } + PAIR_WEIGHT * self.star.area() * to.length_squared();
             if cost < best.map_or(f32::INFINITY, |b| b.cost) {
-                best = Some(Choice { cost, target, distance_squared });
+                best = Some(Choice { cost, target, distance_squared, protrusion_squared: 0.0 });
             }
         }
         self.partners = partners;

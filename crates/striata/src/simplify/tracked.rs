@@ -8,6 +8,7 @@
 
 use glam::Vec3;
 
+use super::fan::distance_squared;
 use super::star::Star;
 
 /// Share of the memoryless cost in the tracked one.
@@ -56,8 +57,11 @@ impl Tracker {
     /// What collapsing the star's centre `v` to neighbour `k` adds to the loaded vertices' weighted squared distances,
     /// at least 0; `own` is the squared distance of v from the fan.
     pub(super) fn increase(&self, star: &Star, k: usize, (v, own): (u32, f32)) -> f32 {
+        let to = star.offset(k);
         let grown = |&(p, at): &(u32, Vec3)| {
-            self.weight[p as usize] * (star.fan_nearest(k, at).0 - self.distance_squared[p as usize])
+            // Where no triangle is left, the target is.
+            let now = star.fan_nearest(k, at).0.min((to - at).length_squared());
+            self.weight[p as usize] * (now - self.distance_squared[p as usize])
         };
         (self.weight[v as usize] * own + self.points.iter().map(grown).sum::<f32>()).max(0.0)
     }
@@ -70,10 +74,16 @@ impl Tracker {
         self.points.push((v, Vec3::ZERO));
         let mut worst = 0.0f32;
         for &(p, at) in &self.points {
-            let (distance_squared, triangle) = star.fan_nearest(k, at);
-            let Some(triangle) = triangle else { continue };
-            worst = worst.max(distance_squared);
-            self.distance_squared[p as usize] = distance_squared;
+            let (measured, Some(triangle)) = star.fan_nearest(k, at) else {
+                // No triangle is left here: the target is the nearest thing that is.
+                worst = worst.max((star.offset(k) - at).length_squared());
+                continue;
+            };
+            // Reported is the exact distance; compared are distances of one make, whose rounding cancels.
+            let [i, j] = star.triangle(triangle);
+            let to_corners = [star.offset(k) - at, star.offset(i) - at, star.offset(j) - at];
+            worst = worst.max(distance_squared(to_corners[0], to_corners[1], to_corners[2]));
+            self.distance_squared[p as usize] = measured;
             let head = &mut self.head[star.triangles[triangle] as usize];
             self.next[p as usize] = std::mem::replace(head, p);
         }
