@@ -456,12 +456,12 @@ impl Star {
         Some(least.to_array().into_iter().fold(f32::INFINITY, f32::min))
     }
 
-    /// Squared distance of the point `p` from the fan that was judged last, neighbour `k` being the target, and the
-    /// triangle nearest to it.
-    pub(super) fn fan_nearest(&self, k: usize, p: Vec3) -> (f32, Option<usize>) {
+    /// Squared distance of the point `p` from the fan that was judged last, neighbour `k` being the target; infinite
+    /// where no triangle is left.
+    pub(super) fn fan_distance_squared_of(&self, k: usize, p: Vec3) -> f32 {
         let [a, b] = self.corners();
         let (u, p) = (Vec3x8::splat(self.offset(k)), Vec3x8::splat(p));
-        let mut best = (f32::INFINITY, None);
+        let mut least = f32x8::splat(f32::INFINITY);
         let mut next = 0;
         while next < self.triangle_count {
             let t = next;
@@ -477,13 +477,9 @@ impl Star {
                 normal_squared: normal.dot(normal),
             };
             let squared = vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
-            for (lane, squared) in squared.to_array().into_iter().enumerate() {
-                if squared < best.0 {
-                    best = (squared, Some(t + lane));
-                }
-            }
+            least = least.fast_min(squared);
         }
-        best
+        least.to_array().into_iter().fold(f32::INFINITY, f32::min)
     }
 
     /// The cost of a squared distance from v over the area of the star.

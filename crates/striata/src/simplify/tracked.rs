@@ -60,7 +60,7 @@ impl Tracker {
         let to = star.offset(k);
         let grown = |&(p, at): &(u32, Vec3)| {
             // Where no triangle is left, the target is.
-            let now = star.fan_nearest(k, at).0.min((to - at).length_squared());
+            let now = star.fan_distance_squared_of(k, at).min((to - at).length_squared());
             self.weight[p as usize] * (now - self.distance_squared[p as usize])
         };
         (self.weight[v as usize] * own + self.points.iter().map(grown).sum::<f32>()).max(0.0)
@@ -74,19 +74,30 @@ impl Tracker {
         self.points.push((v, Vec3::ZERO));
         let mut worst = 0.0f32;
         for &(p, at) in &self.points {
-            let (measured, Some(triangle)) = star.fan_nearest(k, at) else {
-                // No triangle is left here: the target is the nearest thing that is.
-                worst = worst.max((star.offset(k) - at).length_squared());
+            // Where it goes and what is reported are exact; compared are distances of one make, whose rounding cancels.
+            let Some((exact, triangle)) = nearest_exactly(star, k, at) else { continue };
+            worst = worst.max(exact);
+            if star.triangle(triangle).contains(&k) {
+                // No triangle is left here to follow it with.
                 continue;
-            };
-            // Reported is the exact distance; compared are distances of one make, whose rounding cancels.
-            let [i, j] = star.triangle(triangle);
-            let to_corners = [star.offset(k) - at, star.offset(i) - at, star.offset(j) - at];
-            worst = worst.max(distance_squared(to_corners[0], to_corners[1], to_corners[2]));
-            self.distance_squared[p as usize] = measured;
+            }
+            self.distance_squared[p as usize] = star.fan_distance_squared_of(k, at);
             let head = &mut self.head[star.triangles[triangle] as usize];
             self.next[p as usize] = std::mem::replace(head, p);
         }
         worst
     }
+}
+
+/// Squared distance of a point from the fan around neighbour `k`, and the triangle nearest to it; where none is left, a
+/// vanished one, of which the edge that stays is measured.
+fn nearest_exactly(star: &Star, k: usize, at: Vec3) -> Option<(f32, usize)> {
+    let distance = |t: usize| {
+        let [i, j] = star.triangle(t);
+        distance_squared(star.offset(k) - at, star.offset(i) - at, star.offset(j) - at)
+    };
+    let vanishes = |t: usize| star.triangle(t).contains(&k);
+    let all_vanish = (0..star.triangle_count()).all(vanishes);
+    let triangles = (0..star.triangle_count()).filter(|&t| all_vanish || !vanishes(t));
+    triangles.map(|t| (distance(t), t)).min_by(|a, b| a.0.total_cmp(&b.0))
 }
