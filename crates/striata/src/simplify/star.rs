@@ -534,7 +534,8 @@ impl Star {
     ///
     /// The distance of v alone does not see a fan that bridges a valley.
     pub(super) fn protrusion_squared(&mut self, k: usize) -> f32 {
-        if self.triangle_count < 4 {
+        // A ring of three has no new edge; where sheets meet there can be one among fewer.
+        if self.pairs.is_empty() && self.triangle_count < 4 {
             return 0.0;
         }
         let mut middles = std::mem::take(&mut self.middles);
