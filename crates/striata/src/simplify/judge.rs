@@ -17,9 +17,9 @@ use super::wedges::Wedges;
 /// Share of the squared way between two parts that merging them costs, over the area that moves.
 const PAIR_WEIGHT: f32 = 0.1;
 
-/// What a full cost nearly always is of its quadratic part, at least. Raising the bounds by it saves a third of the
-/// time, since fewer positions reach the top only to go back; a rare one whose full cost is less comes up later
-/// by at most this factor in cost, which quality does not notice (0.5 % in RMS).
+/// What a full cost nearly always is of its quadratic part, at least. Raising the bounds by it saves over a quarter of the
+/// time on the bunny, since fewer positions reach the top only to go back. A rare one whose full cost is less comes up
+/// late, by at most this factor in cost: over five meshes that costs 0.3 % of RMS down to 10 % of the triangles, 1.3 % at 2 %.
 const BOUND_FACTOR: f32 = 2.0;
 
 /// What a cost function remembers of the past.
@@ -310,7 +310,7 @@ impl<'a> Judge<'a> {
         best
     }
 
-    /// Squared difference of two vertices' attributes; 0 where attributes do not count.
+    /// Pairs each wedge of `v` with the wedge of `u` nearest to it in attributes: for parts that merge.
     pub(super) fn pair_wedges(&mut self, v: u32, u: u32) {
         let Some(wedges) = &mut self.wedges else { return };
         let attributes = &self.attributes;
