@@ -6,7 +6,7 @@
 //! position reaches the top; if its full cost is higher than the next bound it goes back. The order is therefore strict
 //! but for the rare position whose full cost is less than its bound, for a fraction of the work.
 //!
-//! Time O(n log n); 85 to 91 bytes a triangle on top of the loaded mesh (docs/results.md).
+//! Time O(n log n); 87 to 91 bytes a triangle on top of a large loaded mesh (docs/results.md).
 
 use std::ops::ControlFlow;
 
