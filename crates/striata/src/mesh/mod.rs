@@ -34,6 +34,7 @@ pub(crate) use dual_graph::NONE as NO_TWIN;
 pub use indexed_mesh::{Bounds, IndexedMesh, MeshError, TriangleGroup};
 pub use positions::PositionIndex;
 pub use random::Random;
+pub(crate) use replay::canonical_triangle;
 pub use replay::{canonical_triangles, replay, replay_into};
 pub use sequence::{CollapseSequence, RefinableMesh, SequenceError, SequenceParts};
 pub use statistics::Statistics;

@@ -60,19 +60,21 @@ pub fn replay_into(
     out.extend(triangles.iter().map(|t| t.map(shown)).filter(|&[a, b, c]| a != b && b != c && c != a));
 }
 
+/// A triangle turned so that its smallest index comes first: its winding stays.
+pub(crate) fn canonical_triangle([a, b, c]: [u32; 3]) -> [u32; 3] {
+    if a <= b && a <= c {
+        [a, b, c]
+    } else if b <= a && b <= c {
+        [b, c, a]
+    } else {
+        [c, a, b]
+    }
+}
+
 /// Triangles turned so that the smallest index comes first, then sorted: equal lists are equal multisets
 /// of oriented triangles.
 pub fn canonical_triangles(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let turned = |[a, b, c]: [u32; 3]| {
-        if a <= b && a <= c {
-            [a, b, c]
-        } else if b <= a && b <= c {
-            [b, c, a]
-        } else {
-            [c, a, b]
-        }
-    };
-    let mut out: Vec<_> = triangles.iter().map(|&t| turned(t)).collect();
+    let mut out: Vec<_> = triangles.iter().map(|&t| canonical_triangle(t)).collect();
     out.sort_unstable();
     out
 }

@@ -8,26 +8,22 @@
 
 use std::ops::Range;
 
-use super::StripSet;
-use crate::mesh::{DualGraph, NO_TWIN as NONE};
+use super::StripLinks;
+use super::links::{next, prev};
+use super::stripifier::Task;
+use crate::mesh::NO_TWIN as NONE;
 
-/// Appends strips that hold each proper triangle of each group once; links of the graph stay within a group.
-pub(super) fn stripify(
-    triangles: &[[u32; 3]],
-    graph: &DualGraph,
-    groups: impl Iterator<Item = Range<usize>>,
-    out: &mut StripSet,
-) {
-    let mut walker = Walker::new(triangles, graph);
-    for group in groups {
-        stripify_group(&mut walker, group, out);
-        out.end_group();
+/// Joins triangles that stand alone into strips; strips that are there already stay as they are.
+pub(super) fn run(task: &Task<'_>, links: &mut StripLinks<'_>) {
+    let mut walker = Walker::new(task.triangles, links);
+    for group in &task.groups {
+        run_group(&mut walker, group.clone(), links);
     }
 }
 
-fn stripify_group(walker: &mut Walker<'_>, group: Range<usize>, out: &mut StripSet) {
+fn run_group(walker: &mut Walker<'_>, group: Range<usize>, links: &mut StripLinks<'_>) {
     let mut seeds = Seeds::new(walker, group);
-    let (mut best, mut trial, mut strip) = (Walk::default(), Walk::default(), Vec::new());
+    let (mut best, mut trial) = (Walk::default(), Walk::default());
     while let Some(seed) = seeds.pop(walker) {
         best.clear();
         for edge in 3 * seed..3 * seed + 3 {
@@ -36,11 +32,11 @@ fn stripify_group(walker: &mut Walker<'_>, group: Range<usize>, out: &mut StripS
                 std::mem::swap(&mut best, &mut trial);
             }
         }
-        strip.clear();
-        walker.write_strip(&best, &mut strip);
-        out.push(&strip);
-        for &triangle in best.back.iter().chain(&best.front).chain([&(3 * seed)]) {
-            walker.is_free[triangle as usize / 3] = false;
+        for &entered in best.back.iter().chain(&best.front) {
+            links.join(entered);
+        }
+        for &h in best.back.iter().chain(&best.front).chain([&(3 * seed)]) {
+            walker.is_free[h as usize / 3] = false;
         }
         for &h in best.back.iter().chain(&best.front).chain([&(3 * seed)]) {
             let first = h - h % 3;
@@ -51,16 +47,6 @@ fn stripify_group(walker: &mut Walker<'_>, group: Range<usize>, out: &mut StripS
             }
         }
     }
-}
-
-#[inline]
-fn next(h: u32) -> u32 {
-    if h % 3 == 2 { h - 2 } else { h + 1 }
-}
-
-#[inline]
-fn prev(h: u32) -> u32 {
-    if h.is_multiple_of(3) { h + 2 } else { h - 1 }
 }
 
 /// A walk through a seed: the half-edges by which the triangles after and before it are entered.
@@ -91,7 +77,6 @@ impl Walk {
 }
 
 struct Walker<'a> {
-    triangles: &'a [[u32; 3]],
     twins: &'a [u32],
     is_free: Vec<bool>,
     /// The trial that last passed each triangle.
@@ -100,9 +85,10 @@ struct Walker<'a> {
 }
 
 impl<'a> Walker<'a> {
-    fn new(triangles: &'a [[u32; 3]], graph: &'a DualGraph) -> Self {
-        let is_free = triangles.iter().map(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]).collect();
-        Self { triangles, twins: graph.twins(), is_free, stamps: vec![0; triangles.len()], stamp: 0 }
+    fn new(triangles: &[[u32; 3]], links: &StripLinks<'a>) -> Self {
+        let is_proper = |t: &[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+        let is_free = (0..).zip(triangles).map(|(i, t)| is_proper(t) && links.solid_bits(i) == 0).collect();
+        Self { twins: links.twins(), is_free, stamps: vec![0; triangles.len()], stamp: 0 }
     }
 
     fn free_neighbour_count(&self, triangle: u32) -> usize {
@@ -156,42 +142,6 @@ impl<'a> Walker<'a> {
             usize::from(self.is_open(next(enter))) + usize::from(self.is_open(prev(enter)))
         };
         ways_on(turned) == 1 && ways_on(straight) == 2
-    }
-
-    /// Writes the walk as a strip that starts at whichever end needs fewer indices.
-    fn write_strip(&self, walk: &Walk, strip: &mut Vec<u32>) {
-        // The half-edges by which triangles are left, from the one end to the other.
-        let mut exits: Vec<u32> = walk.back.iter().rev().copied().collect();
-        exits.extend(walk.front.iter().map(|&enter| self.twins[enter as usize]));
-        if exits.is_empty() {
-            strip.extend(self.triangles[walk.seed as usize / 3]);
-            return;
-        }
-        self.write_path(&exits, strip);
-        let reversed: Vec<u32> = exits.iter().rev().map(|&exit| self.twins[exit as usize]).collect();
-        let mut other = Vec::with_capacity(strip.len());
-        self.write_path(&reversed, &mut other);
-        if other.len() < strip.len() {
-            std::mem::swap(strip, &mut other);
-        }
-    }
-
-    fn write_path(&self, exits: &[u32], strip: &mut Vec<u32>) {
-        let corner = |h: u32| self.triangles[h as usize / 3][h as usize % 3];
-        let first = exits[0];
-        strip.extend([corner(prev(first)), corner(first), corner(next(first))]);
-        for (i, &exit) in exits.iter().enumerate() {
-            let enter = self.twins[exit as usize];
-            let apex = corner(prev(enter));
-            let &[.., older, newer] = strip.as_slice() else { return };
-            if let Some(&exit) = exits.get(i + 1) {
-                let ends = [corner(exit), corner(next(exit))];
-                if !ends.contains(&newer) {
-                    strip.push(older);
-                }
-            }
-            strip.push(apex);
-        }
     }
 }
 

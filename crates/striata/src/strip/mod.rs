@@ -8,11 +8,16 @@
 mod cost;
 mod greedy;
 mod index_buffer;
+mod links;
 mod strip_set;
 mod stripifier;
+mod write;
 
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
+pub use links::StripLinks;
 pub(crate) use strip_set::check_offsets;
 pub use strip_set::{StripSet, StripSetError, strip_triangles};
-pub use stripifier::{StripOptions, Stripifier, stripify};
+pub use stripifier::{
+    DEFAULT_TUNNEL_LENGTH, ParseStripifierError, SpentFn, StripOptions, Stripifier, stripify, stripify_from,
+};

@@ -1,5 +1,11 @@
 //! One entry for all stripifiers.
 
+use std::fmt;
+use std::ops::Range;
+use std::str::FromStr;
+
+use super::links::StripLinks;
+use super::write::write_strips;
 use super::{StripSet, greedy};
 use crate::mesh::{DualGraph, IndexedMesh, MeshError};
 
@@ -12,12 +18,63 @@ pub enum Stripifier {
     Greedy,
 }
 
+/// The longest tunnel that is searched for where nothing else is said: what the paper took for its bunny.
+pub const DEFAULT_TUNNEL_LENGTH: u32 = 17;
+
+impl fmt::Display for Stripifier {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Greedy => f.write_str("greedy"),
+        }
+    }
+}
+
+/// A name that no stripifier has.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{found:?} is no stripifier; there are {}", Stripifier::SPELLINGS)]
+pub struct ParseStripifierError {
+    /// What was found.
+    pub found: String,
+}
+
+impl Stripifier {
+    /// How each is written, for messages and help.
+    pub const SPELLINGS: &'static str = "greedy";
+}
+
+impl FromStr for Stripifier {
+    type Err = ParseStripifierError;
+
+    /// Reads `greedy`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let wrong = || ParseStripifierError { found: text.to_owned() };
+        match text {
+            "greedy" => Ok(Self::Greedy),
+            _ => Err(wrong()),
+        }
+    }
+}
+
 /// Options of [`stripify`].
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct StripOptions {
     /// The algorithm; default [`Stripifier::Greedy`].
     pub stripifier: Stripifier,
+    /// Seed of those that choose at random; equal seeds give equal strips. Default 0.
+    pub seed: u64,
+    /// How long those that search go on, as a factor of their usual number of moves; default 1.
+    pub effort: f64,
+    /// [`Stripifier::Cheapest`] only: indices that one miss of a vertex cache is worth; default 0.
+    pub cache_weight: f64,
+    /// Entries of that first-in first-out cache; default 16.
+    pub cache_size: usize,
+}
+
+impl Default for StripOptions {
+    fn default() -> Self {
+        Self { stripifier: Stripifier::default(), seed: 0, effort: 1.0, cache_weight: 0.0, cache_size: 16 }
+    }
 }
 
 impl StripOptions {
@@ -26,6 +83,42 @@ impl StripOptions {
         self.stripifier = stripifier;
         self
     }
+
+    /// Sets [`StripOptions::seed`].
+    pub fn with_seed(mut self, seed: u64) -> Self {
+        self.seed = seed;
+        self
+    }
+
+    /// Sets [`StripOptions::effort`].
+    pub fn with_effort(mut self, effort: f64) -> Self {
+        self.effort = effort;
+        self
+    }
+
+    /// Sets [`StripOptions::cache_weight`].
+    pub fn with_cache_weight(mut self, weight: f64) -> Self {
+        self.cache_weight = weight;
+        self
+    }
+
+    /// Sets [`StripOptions::cache_size`].
+    pub fn with_cache_size(mut self, size: usize) -> Self {
+        self.cache_size = size;
+        self
+    }
+}
+
+/// Told how many moves a search has made, answers which share of its budget that is; the search ends at 1.
+///
+/// A search plans with it (it cools as the share grows), so it should grow steadily.
+pub type SpentFn<'a> = dyn FnMut(u64) -> f64 + 'a;
+
+/// What a stripifier works on.
+pub(super) struct Task<'a> {
+    pub(super) triangles: &'a [[u32; 3]],
+    pub(super) groups: Vec<Range<usize>>,
+    pub(super) options: &'a StripOptions,
 }
 
 /// Covers each triangle of a mesh by exactly one strip; degenerate triangles (two equal corners) are left out.
@@ -35,13 +128,47 @@ impl StripOptions {
 /// # Errors
 /// [`MeshError`] where the mesh's parts do not fit together.
 pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, MeshError> {
+    let allowed = options.effort * mesh.triangle_count() as f64 * options.stripifier.moves_per_triangle();
+    stripify_from(mesh, &StripSet::new(), options, &mut |moves| moves as f64 / allowed.max(1.0))
+}
+
+/// Does as [`stripify`], but begins with strips that are there (none: an empty set) and lasts as long as
+/// the caller's budget.
+///
+/// Strips that do not fit the mesh are cut where they do not: triangles that it does not have, edges that its dual
+/// graph does not link. The stripifiers that do not search keep what is there and cover the rest.
+///
+/// # Errors
+/// [`MeshError`] where the mesh's parts do not fit together.
+pub fn stripify_from(
+    mesh: &IndexedMesh,
+    start: &StripSet,
+    options: &StripOptions,
+    spent: &mut SpentFn<'_>,
+) -> Result<StripSet, MeshError> {
     mesh.check()?;
-    let mut out = StripSet::new();
     let graph = DualGraph::of_vertices(mesh);
-    let groups = mesh.groups_or_whole();
-    let ranges = groups.iter().map(|group| group.range());
+    let groups = mesh.groups_or_whole().iter().map(|group| group.range()).collect();
+    let task = Task { triangles: &mesh.triangles, groups, options };
+    let mut links = match start.strip_count() {
+        0 => StripLinks::new(&graph),
+        _ => StripLinks::from_strips(&graph, &mesh.triangles, start),
+    };
+    links.cut_loops();
+    let mut out = StripSet::new();
     match options.stripifier {
-        Stripifier::Greedy => greedy::stripify(&mesh.triangles, &graph, ranges, &mut out),
+        Stripifier::Greedy => greedy::run(&task, &mut links),
     }
+    let _ = spent;
+    write_strips(task.triangles, &mut links, task.groups.iter().cloned(), &mut out);
     Ok(out)
+}
+
+impl Stripifier {
+    /// Moves that the search makes for each triangle of a mesh, with an effort of 1.
+    fn moves_per_triangle(self) -> f64 {
+        match self {
+            Self::Greedy => 0.0,
+        }
+    }
 }

@@ -1,0 +1,245 @@
+//! Solid and dashed links: a set of strips as a colouring of the dual graph.
+//!
+//! A link of the [`DualGraph`] is **solid** where its two triangles follow each other in one strip and
+//! **dashed** elsewhere \[PS03, 3.1\]. A set of strips is then nothing but a set of solid links in which no node
+//! has more than two and no loop closes; every stripifier here edits such a colouring, and one writer
+//! turns it into indices.
+//!
+//! ```text
+//!     o===o---o===o===o      === solid, --- dashed: two strips, of two and of three triangles
+//! ```
+//!
+//! One byte a triangle; a join, a cut and a question cost a few loads.
+
+use super::StripSet;
+use super::strip_set::strip_triangles;
+use crate::mesh::{DualGraph, NO_TWIN, canonical_triangle};
+
+/// Which links of a dual graph are solid.
+#[derive(Clone, Debug)]
+pub struct StripLinks<'a> {
+    twins: &'a [u32],
+    /// Bit `k` of a triangle: the link across its side `k` is solid.
+    solid: Vec<u8>,
+}
+
+/// How a strip that passes a triangle's side goes on from there.
+///
+/// Seen from a solid side, the triangle's other solid side is the next one around it, the one before, or
+/// there is none. A strip goes on without a swap across a link where both of its sides turn alike.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(crate) enum Turn {
+    /// The strip ends in this triangle.
+    End = 0,
+    /// The other solid side follows this one.
+    Next = 1,
+    /// The other solid side comes before this one.
+    Prev = 2,
+}
+
+/// By solid bits and side.
+const TURNS: [[Turn; 3]; 8] = {
+    use Turn::{End as E, Next as N, Prev as P};
+    [[E, E, E], [E, E, E], [E, E, E], [N, P, E], [E, E, E], [P, E, N], [E, N, P], [E, E, E]]
+};
+
+/// The side after this one around its triangle.
+#[inline]
+pub(crate) fn next(side: u32) -> u32 {
+    if side % 3 == 2 { side - 2 } else { side + 1 }
+}
+
+/// The side before this one around its triangle.
+#[inline]
+pub(crate) fn prev(side: u32) -> u32 {
+    if side.is_multiple_of(3) { side + 2 } else { side - 1 }
+}
+
+impl<'a> StripLinks<'a> {
+    /// All links dashed: every triangle is a strip.
+    pub fn new(graph: &'a DualGraph) -> Self {
+        Self { twins: graph.twins(), solid: vec![0; graph.triangle_count()] }
+    }
+
+    /// The links that strips of this mesh run along.
+    ///
+    /// A strip is cut where it crosses an edge that the graph does not link (some edges with more than two
+    /// sides) and where it repeats a triangle; triangles that the mesh does not have are passed over.
+    pub fn from_strips(graph: &'a DualGraph, triangles: &[[u32; 3]], strips: &StripSet) -> Self {
+        let mut links = Self::new(graph);
+        let mut by_corners: Vec<([u32; 3], u32)> =
+            triangles.iter().enumerate().map(|(i, &t)| (canonical_triangle(t), i as u32)).collect();
+        by_corners.sort_unstable();
+        let mut is_taken = vec![false; triangles.len()];
+        for strip in strips.strips() {
+            let mut last: Option<u32> = None;
+            for corners in strip_triangles(strip).map(canonical_triangle) {
+                let first = by_corners.partition_point(|&(other, _)| other < corners);
+                let equal = by_corners[first..].iter().take_while(|&&(other, _)| other == corners);
+                // Among equal triangles the linked one is the one that the strip means.
+                let free = equal.map(|&(_, triangle)| triangle).filter(|&t| !is_taken[t as usize]);
+                let link = |t: u32| last.and_then(|last| links.dashed_side_between(last, t));
+                let found = free.clone().find(|&t| link(t).is_some()).or_else(|| free.clone().next());
+                let side = found.and_then(link);
+                if let Some(triangle) = found {
+                    is_taken[triangle as usize] = true;
+                }
+                if let Some(side) = side {
+                    links.join(side);
+                }
+                last = found;
+            }
+        }
+        links
+    }
+
+    /// A dashed link from one triangle to another, both of which can take it.
+    fn dashed_side_between(&self, from: u32, to: u32) -> Option<u32> {
+        if self.solid_degree(from) == 2 || self.solid_degree(to) == 2 {
+            return None;
+        }
+        (3 * from..3 * from + 3).find(|&side| {
+            let twin = self.twins[side as usize];
+            twin != NO_TWIN && twin / 3 == to && !self.is_solid(side)
+        })
+    }
+
+    /// Triangles of the graph.
+    pub fn triangle_count(&self) -> usize {
+        self.solid.len()
+    }
+
+    /// The twins of all sides, [`NO_TWIN`] where there is none.
+    #[inline]
+    pub(crate) fn twins(&self) -> &'a [u32] {
+        self.twins
+    }
+
+    /// Solid bits of a triangle.
+    #[inline]
+    pub(crate) fn solid_bits(&self, triangle: u32) -> u8 {
+        self.solid[triangle as usize]
+    }
+
+    /// Whether the link across this side is solid.
+    #[inline]
+    pub fn is_solid(&self, side: u32) -> bool {
+        self.solid[side as usize / 3] & bit(side) != 0
+    }
+
+    /// Solid links of a triangle, 0 to 2.
+    #[inline]
+    pub fn solid_degree(&self, triangle: u32) -> u32 {
+        self.solid[triangle as usize].count_ones()
+    }
+
+    /// Solid links in all; proper triangles less this are the strips.
+    pub fn solid_count(&self) -> usize {
+        self.solid.iter().map(|bits| bits.count_ones() as usize).sum::<usize>() / 2
+    }
+
+    /// How the strip that passes this side goes on within its triangle.
+    #[inline]
+    pub(crate) fn turn(&self, side: u32) -> Turn {
+        TURNS[usize::from(self.solid[side as usize / 3] & 7)][side as usize % 3]
+    }
+
+    /// The solid side of a triangle other than this one.
+    #[inline]
+    pub(crate) fn other_solid(&self, side: u32) -> Option<u32> {
+        match self.turn(side) {
+            Turn::End => None,
+            Turn::Next => Some(next(side)),
+            Turn::Prev => Some(prev(side)),
+        }
+    }
+
+    /// A solid side of a triangle, the lowest.
+    #[inline]
+    pub(crate) fn first_solid(&self, triangle: u32) -> Option<u32> {
+        let bits = self.solid[triangle as usize];
+        (bits != 0).then(|| 3 * triangle + bits.trailing_zeros())
+    }
+
+    /// Makes a dashed link solid.
+    ///
+    /// The caller sees to it that no loop closes; one that does is cut again when strips are written.
+    ///
+    /// # Panics
+    /// If there is no link across this side; in debug builds also if it is solid or a triangle has two already.
+    #[inline]
+    pub fn join(&mut self, side: u32) {
+        let twin = self.twins[side as usize];
+        debug_assert!(!self.is_solid(side), "side {side} is solid already");
+        self.solid[side as usize / 3] |= bit(side);
+        self.solid[twin as usize / 3] |= bit(twin);
+        debug_assert!(self.solid_degree(side / 3) <= 2, "triangle {} has three solid links", side / 3);
+        debug_assert!(self.solid_degree(twin / 3) <= 2, "triangle {} has three solid links", twin / 3);
+    }
+
+    /// Makes a solid link dashed.
+    ///
+    /// # Panics
+    /// If there is no link across this side; in debug builds also if it is dashed.
+    #[inline]
+    pub fn cut(&mut self, side: u32) {
+        let twin = self.twins[side as usize];
+        debug_assert!(self.is_solid(side), "side {side} is dashed already");
+        self.solid[side as usize / 3] &= !bit(side);
+        self.solid[twin as usize / 3] &= !bit(twin);
+    }
+
+    /// Follows the strip out of its triangle through a solid side to its end: the end's triangle.
+    ///
+    /// On a loop, comes back to where it began.
+    #[inline]
+    pub(crate) fn end_beyond(&self, side: u32) -> u32 {
+        let first = side / 3;
+        let mut exit = side;
+        loop {
+            let entered = self.twins[exit as usize];
+            match self.other_solid(entered) {
+                Some(other) if entered / 3 != first => exit = other,
+                _ => return entered / 3,
+            }
+        }
+    }
+
+    /// Cuts one link of every loop, so that every strip has ends; gives the number of loops.
+    pub(crate) fn cut_loops(&mut self) -> usize {
+        let mut is_seen = vec![false; self.solid.len()];
+        for end in 0..self.solid.len() as u32 {
+            if self.solid_degree(end) == 1 && !is_seen[end as usize] {
+                self.mark(end, &mut is_seen);
+            }
+        }
+        let mut loop_count = 0;
+        for triangle in 0..self.solid.len() as u32 {
+            if self.solid_degree(triangle) == 2 && !is_seen[triangle as usize] {
+                if let Some(side) = self.first_solid(triangle) {
+                    self.cut(side);
+                }
+                self.mark(triangle, &mut is_seen);
+                loop_count += 1;
+            }
+        }
+        loop_count
+    }
+
+    /// Marks the triangles of the strip that ends here.
+    fn mark(&self, end: u32, is_seen: &mut [bool]) {
+        is_seen[end as usize] = true;
+        let mut exit = self.first_solid(end);
+        while let Some(side) = exit {
+            let entered = self.twins[side as usize];
+            is_seen[entered as usize / 3] = true;
+            exit = self.other_solid(entered);
+        }
+    }
+}
+
+#[inline]
+fn bit(side: u32) -> u8 {
+    1 << (side % 3)
+}

@@ -1,0 +1,150 @@
+//! From solid links to strips: which end a strip begins at, and in which order strips come.
+//!
+//! A strip of `n` triangles takes `n + 2` indices and one more for every swap. Written from one end, its
+//! first turn may fall on the wrong winding, which costs one index again; it is written from the
+//! other end where that one is free. The next strip is one that touches where the last one ended, so that
+//! vertices are used again while a cache holds them. Linear in time; five bytes a triangle.
+
+use std::ops::Range;
+
+use super::StripSet;
+use super::links::{StripLinks, Turn, next, prev};
+use crate::mesh::NO_TWIN;
+
+/// A strip that is not yet indices: the sides by which its triangles are left, from one end to the other.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Path {
+    /// Where it begins.
+    pub(crate) first: u32,
+    /// One for each triangle but the last.
+    pub(crate) exits: Vec<u32>,
+}
+
+impl Path {
+    /// Follows the strip that ends in this triangle to its other end.
+    pub(crate) fn follow(&mut self, links: &StripLinks<'_>, end: u32) {
+        debug_assert!(links.solid_degree(end) < 2, "triangle {end} is inside a strip");
+        self.first = end;
+        self.exits.clear();
+        let mut exit = links.first_solid(end);
+        while let Some(side) = exit {
+            self.exits.push(side);
+            exit = links.other_solid(links.twins()[side as usize]);
+        }
+    }
+
+    /// The same strip from its other end.
+    pub(crate) fn reverse(&mut self, links: &StripLinks<'_>) {
+        if let Some(&last) = self.exits.last() {
+            self.first = links.twins()[last as usize] / 3;
+            self.exits.reverse();
+            for side in &mut self.exits {
+                *side = links.twins()[*side as usize];
+            }
+        }
+    }
+
+    /// Whether its first turn falls on the right winding where the first triangle stands at an even place.
+    pub(crate) fn begins_well(&self, links: &StripLinks<'_>) -> bool {
+        self.exits.first().is_none_or(|&exit| links.turn(links.twins()[exit as usize]) != Turn::Next)
+    }
+
+    /// The same, seen from the other end.
+    pub(crate) fn ends_well(&self, links: &StripLinks<'_>) -> bool {
+        self.exits.last().is_none_or(|&exit| links.turn(exit) != Turn::Next)
+    }
+
+    /// Triangles from the first to the last.
+    pub(crate) fn triangles(&self, links: &StripLinks<'_>) -> impl Iterator<Item = u32> {
+        let twins = links.twins();
+        std::iter::once(self.first).chain(self.exits.iter().map(|&exit| twins[exit as usize] / 3))
+    }
+
+    /// Appends its indices; the first triangle stands at an even place of its draw unless `is_odd`.
+    pub(crate) fn write(
+        &self,
+        triangles: &[[u32; 3]],
+        links: &StripLinks<'_>,
+        is_odd: bool,
+        out: &mut Vec<u32>,
+    ) {
+        let corner = |side: u32| triangles[side as usize / 3][side as usize % 3];
+        let exit = self.exits.first().map_or(3 * self.first + 1, |&exit| exit);
+        let (mut older, mut newer) = (corner(exit), corner(next(exit)));
+        if is_odd {
+            std::mem::swap(&mut older, &mut newer);
+        }
+        out.extend([corner(prev(exit)), older, newer]);
+        for (i, &exit) in self.exits.iter().enumerate() {
+            let entered = links.twins()[exit as usize];
+            let apex = corner(prev(entered));
+            if let Some(&exit) = self.exits.get(i + 1) {
+                if corner(exit) != newer && corner(next(exit)) != newer {
+                    out.push(older);
+                } else {
+                    older = newer;
+                }
+            }
+            out.push(apex);
+            newer = apex;
+        }
+    }
+}
+
+/// Appends the strips of all groups.
+///
+/// Degenerate triangles are left out.
+pub(crate) fn write_strips(
+    triangles: &[[u32; 3]],
+    links: &mut StripLinks<'_>,
+    groups: impl Iterator<Item = Range<usize>>,
+    out: &mut StripSet,
+) {
+    links.cut_loops();
+    let mut indices = Vec::new();
+    in_order(triangles, links, groups, |links, path| match path {
+        Some(path) => {
+            if !path.begins_well(links) && path.ends_well(links) {
+                path.reverse(links);
+            }
+            indices.clear();
+            path.write(triangles, links, false, &mut indices);
+            out.push(&indices);
+        }
+        None => out.end_group(),
+    });
+}
+
+/// Visits every strip once, group by group, neighbours after each other; `None` ends a group.
+fn in_order<'a>(
+    triangles: &[[u32; 3]],
+    links: &StripLinks<'a>,
+    groups: impl Iterator<Item = Range<usize>>,
+    mut visit: impl FnMut(&StripLinks<'a>, Option<&mut Path>),
+) {
+    let mut is_done: Vec<bool> =
+        triangles.iter().map(|t| t[0] == t[1] || t[1] == t[2] || t[2] == t[0]).collect();
+    let (mut path, mut waiting) = (Path::default(), Vec::new());
+    for group in groups {
+        for seed in group.start as u32..group.end as u32 {
+            waiting.push(seed);
+            while let Some(near) = waiting.pop() {
+                if is_done[near as usize] {
+                    continue;
+                }
+                let end = links.first_solid(near).map_or(near, |side| links.end_beyond(side));
+                path.follow(links, end);
+                visit(links, Some(&mut path));
+                for triangle in path.triangles(links) {
+                    is_done[triangle as usize] = true;
+                }
+                for triangle in path.triangles(links) {
+                    let sides = 3 * triangle as usize..3 * triangle as usize + 3;
+                    let beside = links.twins()[sides].iter().filter(|&&twin| twin != NO_TWIN);
+                    waiting.extend(beside.map(|&twin| twin / 3).filter(|&t| !is_done[t as usize]));
+                }
+            }
+        }
+        visit(links, None);
+    }
+}
