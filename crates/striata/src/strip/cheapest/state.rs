@@ -98,6 +98,11 @@ impl State {
         self.nodes.len() as u32
     }
 
+    /// Whether there is a link at all.
+    pub(super) fn can_move(&self) -> bool {
+        self.nodes.iter().any(|node| node.twins != [NO_TWIN; 3])
+    }
+
     /// The side on the other side of this one.
     #[inline]
     pub(super) fn twin(&self, side: Side) -> Side {
