@@ -107,6 +107,11 @@ impl StripOptions {
         self.cache_size = size;
         self
     }
+
+    /// The moves that [`stripify`] allows a search on so many triangles; infinite for those that end by themselves.
+    pub fn allowed_moves(&self, triangle_count: usize) -> f64 {
+        self.stripifier.moves_per_triangle() * self.effort * triangle_count.max(1) as f64
+    }
 }
 
 /// Told how many moves a search has made, answers which share of its budget that is; the search ends at 1.
@@ -128,7 +133,7 @@ pub(super) struct Task<'a> {
 /// # Errors
 /// [`MeshError`] where the mesh's parts do not fit together.
 pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, MeshError> {
-    let allowed = options.effort * mesh.triangle_count() as f64 * options.stripifier.moves_per_triangle();
+    let allowed = options.allowed_moves(mesh.triangle_count());
     stripify_from(mesh, &StripSet::new(), options, &mut |moves| moves as f64 / allowed.max(1.0))
 }
 
@@ -168,7 +173,7 @@ impl Stripifier {
     /// Moves that the search makes for each triangle of a mesh, with an effort of 1.
     fn moves_per_triangle(self) -> f64 {
         match self {
-            Self::Greedy => 0.0,
+            Self::Greedy => f64::INFINITY,
         }
     }
 }
