@@ -5,6 +5,9 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+use striata::strip::{StripOptions, Stripifier};
+
+use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
 #[derive(Debug, Parser)]
@@ -12,7 +15,7 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
     name = "striata",
     version,
     about = "Continuous level of detail for triangle meshes",
-    after_help = "Meshes: .ply .obj .stl .off .gltf .glb, and .gz or .zst around them; `-` is stdin or stdout.\n\
+    after_help = "Meshes: .ply .obj .stl .off .gltf .glb, .gz, .zst; `-` is stdin or stdout.\n\
                   `striata VERB --help` tells all of a verb, with examples.",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs",
@@ -54,6 +57,8 @@ pub(crate) enum Verb {
     Extract(ExtractArgs),
     /// Simplify a mesh to one level
     Simplify(SimplifyArgs),
+    /// Cover a mesh by triangle strips
+    Strip(StripArgs),
     /// Measure the distance between two surfaces
     Distance(DistanceArgs),
     /// Convert between mesh formats
@@ -90,6 +95,12 @@ pub(crate) struct BuildArgs {
     /// How collapses are ordered.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
+    /// How the strips at full detail are made.
+    #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into(), help = strips_help(), help_heading = STRIPS)]
+    pub(crate) strips: StripChain,
+    /// How long, and with which chances, strips are searched.
+    #[command(flatten)]
+    pub(crate) search: StripSearchArgs,
 }
 
 /// Arguments of `info`.
@@ -148,6 +159,31 @@ pub(crate) struct SimplifyArgs {
     /// Where the mesh goes.
     #[command(flatten)]
     pub(crate) output: OutputArgs,
+}
+
+/// Arguments of `strip`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata strip bunny.ply\n  \
+    striata strip bunny.ply -o bunny.glb --strips greedy --json")]
+pub(crate) struct StripArgs {
+    /// A mesh, a .striata file (its full level), or - for stdin
+    pub(crate) input: PathBuf,
+    /// The .glb or .gltf to write with these strips, or - for stdout [default: only report]
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Format of the output [default: by its extension]
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) to: Option<FormatArg>,
+    /// Merge equal vertices first, as `build` does: strips cross only edges whose vertices are shared
+    #[arg(long)]
+    pub(crate) weld: bool,
+    /// How strips are made.
+    #[arg(long, value_name = "SPEC", default_value_t = STRIP_STRIPS.into(), help = strips_help(), help_heading = STRIPS)]
+    pub(crate) strips: StripChain,
+    /// How long, and with which chances.
+    #[command(flatten)]
+    pub(crate) search: StripSearchArgs,
 }
 
 /// Arguments of `distance`.
@@ -242,6 +278,43 @@ pub(crate) struct SequenceArgs {
     pub(crate) pair_distance: Option<Length>,
 }
 
+/// The strips that `strip` makes where nothing else is said.
+const STRIP_STRIPS: Stripifier = Stripifier::Greedy;
+
+/// The strips that `build` makes where nothing else is said.
+const BUILD_STRIPS: Stripifier = Stripifier::Greedy;
+
+/// Entries of the vertex cache that misses are counted for where nothing else is said.
+const USUAL_CACHE_SIZE: u32 = 16;
+
+/// Heading of the flags about strips.
+const STRIPS: &str = "Strips";
+
+fn strips_help() -> String {
+    format!(
+        "Stripifiers, joined by +, each beginning with the strips of the one before: {}",
+        Stripifier::SPELLINGS
+    )
+}
+
+/// How those stripifiers that search do it.
+#[derive(Clone, Copy, Debug, Args)]
+#[command(next_help_heading = STRIPS)]
+pub(crate) struct StripSearchArgs {
+    /// Seconds for each stripifier that searches; results then differ between runs [default: a fixed number of moves]
+    #[arg(long, value_name = "SECS", allow_negative_numbers = true, value_parser = parse_at_least_zero)]
+    pub(crate) budget: Option<f64>,
+    /// Seed of what is chosen at random; equal seeds give equal strips
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    pub(crate) seed: u64,
+    /// For `cheapest`: how many indices one miss of the vertex cache is worth
+    #[arg(long, value_name = "W", default_value_t = 0.0, allow_negative_numbers = true, value_parser = parse_at_least_zero)]
+    pub(crate) cache_weight: f64,
+    /// Entries of that first-in first-out cache
+    #[arg(long, value_name = "N", default_value_t = USUAL_CACHE_SIZE, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) cache_size: u32,
+}
+
 /// Where a mesh goes, and how it is written.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Output")]
@@ -331,6 +404,32 @@ impl Length {
     }
 }
 
+impl StripArgs {
+    /// The strips asked for.
+    pub(crate) fn plan(&self) -> StripPlan {
+        StripPlan { chain: self.strips.clone(), search: self.search }
+    }
+}
+
+impl BuildArgs {
+    /// The strips asked for.
+    pub(crate) fn strip_plan(&self) -> StripPlan {
+        StripPlan { chain: self.strips.clone(), search: self.search }
+    }
+
+    /// The strips that are made where nothing is asked for.
+    pub(crate) fn usual_strip_plan() -> StripPlan {
+        StripPlan { chain: BUILD_STRIPS.into(), search: StripSearchArgs::default() }
+    }
+}
+
+impl Default for StripSearchArgs {
+    fn default() -> Self {
+        let StripOptions { seed, cache_weight, .. } = StripOptions::default();
+        Self { budget: None, seed, cache_weight, cache_size: USUAL_CACHE_SIZE }
+    }
+}
+
 impl fmt::Display for Length {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -352,6 +451,13 @@ impl FromStr for Length {
         };
         let number: f64 = number.trim().parse().map_err(|_| wrong())?;
         if number.is_finite() && number >= 0.0 { Ok(length(number)) } else { Err(wrong()) }
+    }
+}
+
+fn parse_at_least_zero(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() && number >= 0.0 => Ok(number),
+        _ => Err("must be a number, 0 or more".to_owned()),
     }
 }
 

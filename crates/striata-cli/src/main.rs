@@ -11,6 +11,8 @@ mod level;
 mod output;
 mod picture;
 mod save;
+mod strip_chain;
+mod strip_report;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;

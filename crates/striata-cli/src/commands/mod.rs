@@ -8,6 +8,7 @@ mod distance;
 mod extract;
 mod info;
 mod simplify;
+mod strip;
 
 use crate::args::{Cli, Verb};
 use crate::failure::Failure;
@@ -24,6 +25,7 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Info(args) => info::run(args, &output),
         Verb::Extract(args) => extract::run(args, &output),
         Verb::Simplify(args) => simplify::run(args, &output),
+        Verb::Strip(args) => strip::run(args, &output),
         Verb::Distance(args) => distance::run(args, &output),
         Verb::Convert(args) => convert::run(args, &output),
         Verb::Demo(args) => demo::run(args, &output),

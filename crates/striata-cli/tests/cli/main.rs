@@ -2,5 +2,6 @@
 
 mod help;
 mod refusals;
+mod strips;
 mod verbs;
 mod workbench;
