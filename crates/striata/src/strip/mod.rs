@@ -11,6 +11,7 @@ mod index_buffer;
 mod links;
 mod strip_set;
 mod stripifier;
+mod tunnel;
 mod write;
 
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
