@@ -59,6 +59,8 @@ pub(crate) enum Verb {
     Simplify(SimplifyArgs),
     /// Cover a mesh by triangle strips
     Strip(StripArgs),
+    /// Compare stripifiers on the same meshes
+    Compare(CompareArgs),
     /// Measure the distance between two surfaces
     Distance(DistanceArgs),
     /// Convert between mesh formats
@@ -186,6 +188,35 @@ pub(crate) struct StripArgs {
     pub(crate) search: StripSearchArgs,
 }
 
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata compare bunny.ply cow.obj --html strips.html\n  \
+    striata compare bunny.ply --strips greedy,greedy+tunnel:9 --seeds 3 --json")]
+pub(crate) struct CompareArgs {
+    /// Meshes, or .striata files (their full level)
+    #[arg(value_name = "INPUT", required = true)]
+    pub(crate) inputs: Vec<PathBuf>,
+    /// Write a page with charts too; it opens without a network
+    #[arg(long, value_name = "OUT")]
+    pub(crate) html: Option<PathBuf>,
+    /// Merge equal vertices first, as `build` does
+    #[arg(long)]
+    pub(crate) weld: bool,
+    /// The longest tunnel searched for: every odd length up to it is measured
+    #[arg(long, value_name = "N", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..=999))]
+    pub(crate) max_tunnel: u32,
+    /// Seeds that each tunnel length is measured with
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(crate) seeds: u32,
+    /// Stripifiers to compare, separated by commas, chained by +
+    #[arg(long, value_name = "SPECS", value_delimiter = ',', default_value = COMPARED_STRIPS)]
+    pub(crate) strips: Vec<StripChain>,
+    /// Seconds that those which search are given, one after the other, besides their usual number of moves
+    #[arg(long, value_name = "SECS", value_delimiter = ',', default_value = "0.1,0.5,2", value_parser = parse_at_least_zero)]
+    pub(crate) budgets: Vec<f64>,
+}
+
 /// Arguments of `distance`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
@@ -283,6 +314,9 @@ const STRIP_STRIPS: Stripifier = Stripifier::Greedy;
 
 /// The strips that `build` makes where nothing else is said.
 const BUILD_STRIPS: Stripifier = Stripifier::Greedy;
+
+/// The stripifiers that `compare` measures where nothing else is said.
+const COMPARED_STRIPS: &str = "greedy,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17";
 
 /// Entries of the vertex cache that misses are counted for where nothing else is said.
 const USUAL_CACHE_SIZE: u32 = 16;

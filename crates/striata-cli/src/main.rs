@@ -9,6 +9,7 @@ mod failure;
 mod input;
 mod level;
 mod output;
+mod page;
 mod picture;
 mod save;
 mod strip_chain;

@@ -61,6 +61,16 @@ pub(crate) struct Stripped {
 }
 
 impl StripPlan {
+    /// The same with another seed.
+    pub(crate) fn with_seed(&self, seed: u64) -> Self {
+        Self { chain: self.chain.clone(), search: StripSearchArgs { seed, ..self.search } }
+    }
+
+    /// The same with a budget in seconds.
+    pub(crate) fn with_budget(&self, secs: f64) -> Self {
+        Self { chain: self.chain.clone(), search: StripSearchArgs { budget: Some(secs), ..self.search } }
+    }
+
     /// Lets each stripifier work on the strips of the one before; `show` is told which share of the work is done.
     ///
     /// # Errors

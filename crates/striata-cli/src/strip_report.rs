@@ -5,7 +5,7 @@ use striata::mesh::{IndexedMesh, MeshError};
 use striata::strip::{RESTART, fifo_cache_cost};
 
 use crate::output::{Table, grouped, lasted};
-use crate::strip_chain::{StripChain, Stripped};
+use crate::strip_chain::Stripped;
 
 /// What strips cost.
 #[derive(Clone, Debug, Serialize)]
@@ -26,20 +26,16 @@ pub(crate) struct StripReport {
 }
 
 impl StripReport {
-    /// Measures the strips of a mesh.
+    /// Measures the strips of a mesh; `algorithm` is what made them.
     ///
     /// # Errors
     /// Where the mesh's parts do not fit together.
-    pub(crate) fn new(
-        chain: &StripChain,
-        mesh: &IndexedMesh,
-        stripped: &Stripped,
-    ) -> Result<Self, MeshError> {
+    pub(crate) fn new(algorithm: String, mesh: &IndexedMesh, stripped: &Stripped) -> Result<Self, MeshError> {
         let cost = stripped.strips.cost();
         let drawn = stripped.strips.to_restart_indices().indices;
         let fifo_16 = fifo_cache_cost(&drawn, cost.triangle_count, 16);
         Ok(Self {
-            algorithm: chain.to_string(),
+            algorithm,
             triangle_count: cost.triangle_count,
             degenerate_triangle_count: mesh.triangle_count() - cost.triangle_count,
             component_count: mesh.component_count()?,

@@ -92,7 +92,7 @@ pub(crate) fn build(
     let refinable = sequence.refinable;
     phases.enter("strip");
     let stripped = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
-    let strip_report = StripReport::new(&plan.chain, &refinable.mesh, &stripped)?;
+    let strip_report = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped)?;
     phases.enter("models");
     bar.phase("models");
     let lod_strips = LodStrips::build(&refinable, &stripped.strips)?;
