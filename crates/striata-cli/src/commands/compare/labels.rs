@@ -1,5 +1,8 @@
 //! Where the name of a series goes in a chart: beside one of its points, over nothing else.
 
+/// Pixels to the right and downwards.
+pub(super) type Pixel = (i32, i32);
+
 /// A place for a text: its anchor in pixels, and which part of the text lies there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Spot {
@@ -33,7 +36,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    fn around((x, y): (i32, i32), px: i32) -> Self {
+    fn around((x, y): Pixel, px: i32) -> Self {
         Self { left: x - px, top: y - px, right: x + px, bottom: y + px }
     }
 
@@ -72,7 +75,7 @@ impl Labels {
     }
 
     /// Marks, and the line through them, that no name may cover.
-    pub(super) fn keep_free(&mut self, points: &[(i32, i32)]) {
+    pub(super) fn keep_free(&mut self, points: &[Pixel]) {
         self.taken.extend(points.iter().map(|&point| Frame::around(point, Self::MARK_PX)));
         for pair in points.windows(2) {
             let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
@@ -83,13 +86,13 @@ impl Labels {
     }
 
     /// The first free place beside one of these points, or further off; `None` where there are no points.
-    pub(super) fn place(&mut self, name: &str, points: &[(i32, i32)]) -> Option<Spot> {
+    pub(super) fn place(&mut self, name: &str, points: &[Pixel]) -> Option<Spot> {
         // Fonts differ; six tenths of their height is wide for most.
         let width = name.chars().count() as i32 * self.font_px * 6 / 10;
         let line = self.font_px * 11 / 10;
         let beside = Self::MARK_PX + 3;
-        let spot = |(x, y): (i32, i32), dx: i32, dy: i32, anchor| Spot { x: x + dx, y: y + dy, anchor };
-        let around = |&point: &(i32, i32)| {
+        let spot = |(x, y): Pixel, dx: i32, dy: i32, anchor| Spot { x: x + dx, y: y + dy, anchor };
+        let around = |&point: &Pixel| {
             [
                 spot(point, beside, 0, Anchor::Start),
                 spot(point, -beside, 0, Anchor::End),

@@ -123,7 +123,7 @@ impl Report {
             text.push_str(&text_of(stripifiers::table(&strips.stripifiers)));
             text.push('\n');
         }
-        text.push_str(&format!("all measured in {}\n", lasted(self.secs)));
+        text.push_str(&format!("{}; all measured in {}\n", self.machine, lasted(self.secs)));
         text
     }
 
@@ -173,7 +173,9 @@ fn machine() -> String {
     let threads = std::thread::available_parallelism().map_or(1, |count| count.get());
     let version = env!("CARGO_PKG_VERSION");
     let (system, processor) = (std::env::consts::OS, std::env::consts::ARCH);
-    format!("striata {version} on {system}, {processor}, {threads} threads")
+    let peers =
+        if cfg!(feature = "peers") { "" } else { "; built without other tools (the feature `peers`)" };
+    format!("striata {version} on {system}, {processor}, {threads} threads{peers}")
 }
 
 /// A page that cannot be written is told before the work, not after.

@@ -10,7 +10,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::labels::{Anchor, Frame, Labels};
+use super::labels::{Anchor, Frame, Labels, Pixel};
 use super::scale::Scale;
 use crate::failure::Failure;
 
@@ -109,10 +109,10 @@ impl Chart {
         }
         let (across, down) = chart.plotting_area().get_pixel_range();
         let frame = Frame { left: across.start, top: down.start, right: across.end, bottom: down.end };
-        let pixels = |points: &[(f64, f64)]| {
-            points.iter().map(|point| chart.plotting_area().map_coordinate(point)).collect()
-        };
-        self.name_series(root, Labels::new(frame, FONT_PX as i32), &pixels)?;
+        let pixel = |point: &(f64, f64)| chart.plotting_area().map_coordinate(point);
+        let places: Vec<Vec<Pixel>> =
+            self.series.iter().map(|series| series.points.iter().map(pixel).collect()).collect();
+        self.name_series(root, Labels::new(frame, FONT_PX as i32), &places)?;
         root.present()?;
         Ok(())
     }
@@ -122,14 +122,12 @@ impl Chart {
         &self,
         root: &Area<'_>,
         mut labels: Labels,
-        pixels: &dyn Fn(&[(f64, f64)]) -> Vec<(i32, i32)>,
+        places: &[Vec<Pixel>],
     ) -> Result<(), Box<dyn Error + '_>> {
-        for series in &self.series {
-            labels.keep_free(&pixels(&series.points));
-        }
-        for (series, (colour, _)) in self.series.iter().zip(SERIES.iter().cycle()) {
-            let mut from_the_right = pixels(&series.points);
-            from_the_right.reverse();
+        places.iter().for_each(|points| labels.keep_free(points));
+        let drawn = self.series.iter().zip(places).zip(SERIES.iter().cycle());
+        for ((series, points), (colour, _)) in drawn {
+            let from_the_right: Vec<Pixel> = points.iter().rev().copied().collect();
             let Some(spot) = labels.place(&series.name, &from_the_right) else { continue };
             let anchor = match spot.anchor {
                 Anchor::Start => HPos::Left,

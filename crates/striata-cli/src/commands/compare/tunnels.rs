@@ -114,7 +114,7 @@ fn take<'a>(runs: &'a [StripPlan], next: &AtomicUsize) -> Option<(usize, &'a Str
 
 /// Head and rows, a row for each length.
 pub(super) fn table(rows: &[TunnelRow]) -> Vec<Vec<String>> {
-    let mut table = vec![vec!["longest tunnel".to_owned()]];
+    let mut table = vec![vec!["longest".to_owned()]];
     for algorithm in ALGORITHMS {
         table[0].extend([algorithm.to_owned(), "range".to_owned(), "std".to_owned()]);
     }
