@@ -63,9 +63,14 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     report.secs = started.elapsed().as_secs_f64();
     let text = report.to_text(args.output.as_deref());
     match args.output {
-        Some(_) => output.summary(&report, &text),
-        None => output.data(&report, &text),
+        Some(_) => output.summary(&report, &text)?,
+        None => output.data(&report, &text)?,
     }
+    let StripReport { strip_count, triangle_count, .. } = report.strips;
+    if !args.weld && triangle_count > 1 && strip_count == triangle_count {
+        output.say("hint: no strip has two triangles; --weld merges vertices that are equal but not shared");
+    }
+    Ok(())
 }
 
 impl Report {

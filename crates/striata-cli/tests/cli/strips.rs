@@ -147,6 +147,9 @@ fn equal_vertices_are_merged_only_where_that_is_asked_for() {
     // Two triangles of a square that share an edge but no vertex.
     bench.write("loose.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n");
     assert_eq!(bench.json("strip loose.off")["strip_count"], 2);
+    let said = bench.run("strip loose.off").success();
+    assert!(String::from_utf8_lossy(&said.get_output().stderr).contains("hint: "), "no word about --weld");
+    assert!(bench.run("strip loose.off --weld").success().get_output().stderr.is_empty());
     let welded = bench.json("strip loose.off --weld");
     assert_eq!((&welded["strip_count"], &welded["component_count"]), (&1.into(), &1.into()));
 }
