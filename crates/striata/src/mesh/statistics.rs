@@ -222,9 +222,10 @@ mod tests {
     fn components_alone_are_those_of_all_numbers() {
         let mut compared = 0;
         for (name, mesh) in shapes::nasty() {
-            let whole = Statistics::of(&mesh).map(|statistics| statistics.component_count);
-            assert_eq!(mesh.component_count(), whole, "{name}");
-            compared += usize::from(whole.is_ok_and(|count| count > 1));
+            // An error may hold a NaN, which equals nothing.
+            let whole = Statistics::of(&mesh).ok().map(|statistics| statistics.component_count);
+            assert_eq!(mesh.component_count().ok(), whole, "{name}");
+            compared += usize::from(whole.is_some_and(|count| count > 1));
         }
         assert!(compared > 0, "no mesh of several pieces was among them");
     }
