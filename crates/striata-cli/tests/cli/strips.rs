@@ -5,12 +5,13 @@ use striata::mesh::{IndexedMesh, canonical_triangles};
 
 use crate::workbench::{Workbench, assert_keys, asset};
 
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 18] = [
     "algorithm",
     "triangle_count",
     "degenerate_triangle_count",
     "component_count",
     "strip_count",
+    "strip_count_bound",
     "swap_count",
     "restart_count",
     "index_count",
@@ -121,6 +122,17 @@ fn searching_costs_no_indices_and_keeps_to_its_budget() {
     assert_eq!(budget["budget_secs"], 0.25);
     let secs = budget["stripify_secs"].as_f64().expect("a number");
     assert!((0.25..5.0).contains(&secs), "{secs} s of 0.25");
+}
+
+#[test]
+fn fewest_strips_are_told_with_their_bound() {
+    let bench = Workbench::with_ball();
+    let fewest = bench.json("strip sphere.obj --strips fewest");
+    assert_adds_up(&fewest);
+    assert_eq!((count(&fewest, "strip_count"), count(&fewest, "strip_count_bound")), (1, 1));
+    assert!(bench.json("strip sphere.obj --strips greedy")["strip_count_bound"].is_null());
+    let text = bench.run("strip sphere.obj --strips greedy+fewest").success();
+    assert!(String::from_utf8_lossy(&text.get_output().stdout).contains("at the very least"));
 }
 
 #[test]
