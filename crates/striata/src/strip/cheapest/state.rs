@@ -64,7 +64,7 @@ impl State {
         }
         let packed = |side: u32| match links.twins()[side as usize] {
             NO_TWIN => NO_TWIN,
-            twin => place[twin as usize / 3] << 2 | twin % 3,
+            twin => (place[twin as usize / 3] << 2) | (twin % 3),
         };
         let node = |&triangle: &u32| Node {
             twins: [0, 1, 2].map(|k| packed(3 * triangle + k)),
