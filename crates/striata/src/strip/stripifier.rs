@@ -228,7 +228,7 @@ impl Stripifier {
             // These end by themselves.
             Self::Greedy | Self::Tunnel { .. } | Self::StaticTunnel { .. } => f64::INFINITY,
             Self::Fewest => 20.0,
-            Self::Cheapest => 100.0,
+            Self::Cheapest => 50.0,
         }
     }
 }
