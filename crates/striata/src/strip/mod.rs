@@ -9,11 +9,13 @@ mod cost;
 mod greedy;
 mod index_buffer;
 mod links;
+mod seeds;
 mod strip_set;
+mod stripe;
 mod stripifier;
 mod write;
 
-pub use cost::{CacheCost, StripCost, fifo_cache_cost};
+pub use cost::{CacheCost, StripCost, fifo_cache_cost, lru_cache_cost};
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
 pub use links::StripLinks;
 pub(crate) use strip_set::check_offsets;

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use super::links::StripLinks;
 use super::write::write_strips;
-use super::{StripSet, greedy};
+use super::{StripSet, greedy, stripe};
 use crate::mesh::{DualGraph, IndexedMesh, MeshError};
 
 /// Which algorithm makes the strips.
@@ -16,6 +16,8 @@ pub enum Stripifier {
     /// Best of three walks from triangles with few free neighbours: fast, few indices.
     #[default]
     Greedy,
+    /// On to the neighbour with the fewest free neighbours: few strips, many swaps; the classic baseline.
+    Stripe,
 }
 
 /// The longest tunnel that is searched for where nothing else is said: what the paper took for its bunny.
@@ -25,6 +27,7 @@ impl fmt::Display for Stripifier {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Greedy => f.write_str("greedy"),
+            Self::Stripe => f.write_str("stripe"),
         }
     }
 }
@@ -39,17 +42,18 @@ pub struct ParseStripifierError {
 
 impl Stripifier {
     /// How each is written, for messages and help.
-    pub const SPELLINGS: &'static str = "greedy";
+    pub const SPELLINGS: &'static str = "greedy, stripe";
 }
 
 impl FromStr for Stripifier {
     type Err = ParseStripifierError;
 
-    /// Reads `greedy`.
+    /// Reads `greedy`, `stripe`.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let wrong = || ParseStripifierError { found: text.to_owned() };
         match text {
             "greedy" => Ok(Self::Greedy),
+            "stripe" => Ok(Self::Stripe),
             _ => Err(wrong()),
         }
     }
@@ -158,6 +162,7 @@ pub fn stripify_from(
     let mut out = StripSet::new();
     match options.stripifier {
         Stripifier::Greedy => greedy::run(&task, &mut links),
+        Stripifier::Stripe => stripe::run(&task, &mut links),
     }
     let _ = spent;
     write_strips(task.triangles, &mut links, task.groups.iter().cloned(), &mut out);
@@ -168,7 +173,7 @@ impl Stripifier {
     /// Moves that the search makes for each triangle of a mesh, with an effort of 1.
     fn moves_per_triangle(self) -> f64 {
         match self {
-            Self::Greedy => 0.0,
+            Self::Greedy | Self::Stripe => 0.0,
         }
     }
 }
