@@ -17,7 +17,7 @@ use crate::mesh::NO_TWIN as NONE;
 /// Joins triangles that stand alone into strips; strips that are there already stay as they are.
 pub(super) fn run(task: &Task<'_>, links: &mut StripLinks<'_>) {
     let stamps = vec![0; task.triangles.len()];
-    let mut walker = Walker { free: FreeTriangles::new(task.triangles, links), stamps, stamp: 0 };
+    let mut walker = Walker { free: FreeTriangles::new(task, links), stamps, stamp: 0 };
     for group in &task.groups {
         run_group(&mut walker, group.clone(), links);
     }

@@ -13,6 +13,7 @@ mod seeds;
 mod strip_set;
 mod stripe;
 mod stripifier;
+mod tunnel;
 mod write;
 
 pub use cost::{CacheCost, StripCost, fifo_cache_cost, lru_cache_cost};

@@ -8,6 +8,7 @@
 use std::ops::Range;
 
 use super::StripLinks;
+use super::stripifier::Task;
 use crate::mesh::NO_TWIN as NONE;
 
 /// Triangles that no strip holds yet.
@@ -18,10 +19,9 @@ pub(super) struct FreeTriangles<'a> {
 
 impl<'a> FreeTriangles<'a> {
     /// Proper triangles that stand alone.
-    pub(super) fn new(triangles: &[[u32; 3]], links: &StripLinks<'a>) -> Self {
-        let is_proper = |t: &[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-        let is_free = (0..).zip(triangles).map(|(i, t)| is_proper(t) && links.solid_bits(i) == 0).collect();
-        Self { twins: links.twins(), is_free }
+    pub(super) fn new(task: &Task<'_>, links: &StripLinks<'a>) -> Self {
+        let is_free = |t: u32| task.is_proper(t) && links.solid_bits(t) == 0;
+        Self { twins: links.twins(), is_free: (0..task.triangles.len() as u32).map(is_free).collect() }
     }
 
     #[inline]

@@ -15,7 +15,7 @@ use super::stripifier::Task;
 
 /// Joins triangles that stand alone into strips; strips that are there already stay as they are.
 pub(super) fn run(task: &Task<'_>, links: &mut StripLinks<'_>) {
-    let mut free = FreeTriangles::new(task.triangles, links);
+    let mut free = FreeTriangles::new(task, links);
     let mut strip = Vec::new();
     for group in &task.groups {
         let mut seeds = Seeds::new(&free, group.clone());
