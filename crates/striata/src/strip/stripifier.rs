@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
+use super::cache::cheapest_for_cache;
 use super::links::StripLinks;
 use super::tunnel::{self, Identity};
 use super::write::write_strips;
@@ -204,6 +205,9 @@ pub fn stripify_from(
     }
     debug_assert_eq!(links.clone().cut_loops(), 0, "{} closed a loop", options.stripifier);
     write_strips(task.triangles, &links, task.groups.iter().cloned(), &mut out);
+    if options.cache_weight > 0.0 {
+        out = cheapest_for_cache(&task, &links, out);
+    }
     Ok(out)
 }
 
