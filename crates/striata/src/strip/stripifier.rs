@@ -8,7 +8,7 @@ use super::cache::cheapest_for_cache;
 use super::links::StripLinks;
 use super::tunnel::{self, Identity};
 use super::write::write_strips;
-use super::{StripSet, greedy, stripe};
+use super::{StripSet, cheapest, greedy, stripe};
 use crate::mesh::{DualGraph, IndexedMesh, MeshError};
 
 /// Which algorithm makes the strips.
@@ -30,6 +30,8 @@ pub enum Stripifier {
         /// As for [`Stripifier::Tunnel`].
         max_length: u32,
     },
+    /// Local moves with annealing, strips joined where they meet: fewest indices.
+    Cheapest,
 }
 
 /// The longest tunnel that is searched for where nothing else is said: what the paper took for its bunny.
@@ -42,6 +44,7 @@ impl fmt::Display for Stripifier {
             Self::Stripe => f.write_str("stripe"),
             Self::Tunnel { max_length } => write!(f, "tunnel:{max_length}"),
             Self::StaticTunnel { max_length } => write!(f, "tunnel-static:{max_length}"),
+            Self::Cheapest => f.write_str("cheapest"),
         }
     }
 }
@@ -56,7 +59,7 @@ pub struct ParseStripifierError {
 
 impl Stripifier {
     /// How each is written, for messages and help.
-    pub const SPELLINGS: &'static str = "greedy, stripe, tunnel[:MAX], tunnel-static[:MAX]";
+    pub const SPELLINGS: &'static str = "greedy, stripe, tunnel[:MAX], tunnel-static[:MAX], cheapest";
 }
 
 impl FromStr for Stripifier {
@@ -79,6 +82,7 @@ impl FromStr for Stripifier {
             _ if parameter.is_some() => Err(wrong()),
             "greedy" => Ok(Self::Greedy),
             "stripe" => Ok(Self::Stripe),
+            "cheapest" => Ok(Self::Cheapest),
             _ => Err(wrong()),
         }
     }
@@ -140,7 +144,8 @@ impl StripOptions {
 
 /// Told how many moves a search has made, answers which share of its budget that is; the search ends at 1.
 ///
-/// A search plans with it (it cools as the share grows), so it should grow steadily.
+/// A search plans with it (it cools as the share grows), so it should grow steadily, and it must come to 1:
+/// `cheapest` has no other end.
 pub type SpentFn<'a> = dyn FnMut(u64) -> f64 + 'a;
 
 /// What a stripifier works on.
@@ -202,9 +207,14 @@ pub fn stripify_from(
         Stripifier::StaticTunnel { max_length } => {
             tunnel::run(&task, &mut links, max_length, Identity::Static, spent);
         }
+        Stripifier::Cheapest => {
+            cheapest::run(&task, &mut links, spent, &mut out);
+        }
     }
     debug_assert_eq!(links.clone().cut_loops(), 0, "{} closed a loop", options.stripifier);
-    write_strips(task.triangles, &links, task.groups.iter().cloned(), &mut out);
+    if options.stripifier != Stripifier::Cheapest {
+        write_strips(task.triangles, &links, task.groups.iter().cloned(), &mut out);
+    }
     if options.cache_weight > 0.0 {
         out = cheapest_for_cache(&task, &links, out);
     }
@@ -217,6 +227,7 @@ impl Stripifier {
         match self {
             // These end by themselves.
             Self::Greedy | Self::Stripe | Self::Tunnel { .. } | Self::StaticTunnel { .. } => f64::INFINITY,
+            Self::Cheapest => 100.0,
         }
     }
 }
