@@ -98,9 +98,12 @@ pub struct StripOptions {
     pub seed: u64,
     /// How long those that search go on, as a factor of their usual number of moves; default 1.
     pub effort: f64,
-    /// [`Stripifier::Cheapest`] only: indices that one miss of a vertex cache is worth; default 0.
+    /// Indices that one miss of a vertex cache is worth; default 0: misses do not count. Over 0, the strips of any
+    /// stripifier are put in a better order, and from 0.1 on they give way to strips grown for the cache where
+    /// these make `indices + cache_weight * misses` less. Between 0.5 and 3 these are compact rows.
     pub cache_weight: f64,
-    /// Entries of that first-in first-out cache; default 16.
+    /// Entries of that first-in first-out cache; default 16. With fewer than 3 misses do not count; strips are
+    /// grown for at most 64.
     pub cache_size: usize,
 }
 
