@@ -4,7 +4,7 @@
 //! that arise are kept, as long as they differ: answers that have drawn the same triangles are one, and at most half
 //! begin their last strip with the same step, so that the rows that turned back early live to show their worth. The
 //! steps that all answers share are final.
-//! \[Hop99\] grows one strip and simulates at each triangle whether to turn back now or somewhat later. Differs:
+//! \[Hop99b\] grows one strip and simulates at each triangle whether to turn back now or somewhat later. Differs:
 //! the looks ahead are the answers themselves, swaps and starts are decided in the same way, and an answer is judged by the
 //! open vertices it loses and not by the misses so far.
 //!

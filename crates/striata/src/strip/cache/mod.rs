@@ -2,7 +2,7 @@
 //!
 //! A GPU that sends few indices may still transform vertices twice: a long strip comes back to its other side when the
 //! cache has forgotten it. Two ways to do better: put the strips that there are in a better order (`order`), or
-//! grow new ones in rows that turn back before the cache forgets, as in \[Hop99\] (`grow`). The first leaves the
+//! grow new ones in rows that turn back before the cache forgets, as in \[Hop99b\] (`grow`). The first leaves the
 //! indices alone and takes milliseconds; the second trades indices for misses. Which one pays depends on the
 //! weight, so both are tried, and the cheaper set of strips is given.
 
