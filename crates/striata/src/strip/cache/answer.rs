@@ -258,15 +258,16 @@ impl Answer {
         let step = way.step;
         let triangle = step.triangle(&scene.surface);
         let poverty = self.poverty + self.poverty_change(scene, triangle);
-        let misses = way.sent().iter().filter(|&&v| self.cached.slot(v).is_none()).count();
+        let slots = scene.surface.triangles[triangle as usize].map(|v| (v, self.cached.slot(v)));
+        // All that is sent are corners of the triangle, what a swap repeats too.
+        let is_cached = |v: u32| slots.iter().any(|&(corner, slot)| corner == v && slot.is_some());
+        let misses = way.sent().iter().filter(|&&v| !is_cached(v)).count();
         let (mut paid, mut likely) = outlook.0[misses];
-        for v in scene.surface.triangles[triangle as usize] {
-            // What this triangle closes can neither be lost nor in danger.
-            if let Some(slot) = self.cached.slot(v).filter(|&slot| self.cached.open(slot) == 1) {
-                match scene.prices.risks.get(self.cached.age(slot) + misses) {
-                    Some(risk) => likely -= risk,
-                    None => paid -= scene.prices.loss,
-                }
+        // What this triangle closes can neither be lost nor in danger.
+        for slot in slots.iter().filter_map(|&(_, slot)| slot).filter(|&slot| self.cached.open(slot) == 1) {
+            match scene.prices.risks.get(self.cached.age(slot) + misses) {
+                Some(risk) => likely -= risk,
+                None => paid -= scene.prices.loss,
             }
         }
         let cost = self.cost + way.index_price + paid;

@@ -31,7 +31,14 @@ impl Cached {
 
     #[inline]
     pub(super) fn slot(&self, v: u32) -> Option<usize> {
-        self.vertices.iter().position(|&cached| cached == v)
+        // Without an early end the comparisons go side by side; slots count from 1 here.
+        let found = self.vertices.iter().zip(1u32..).fold(
+            0,
+            |found, (&cached, slot)| {
+                if cached == v { slot } else { found }
+            },
+        );
+        (found > 0).then(|| found as usize - 1)
     }
 
     /// Misses since an entry came in.

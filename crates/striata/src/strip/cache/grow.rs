@@ -66,6 +66,8 @@ struct Search<'a> {
     trail: Vec<u32>,
     /// All ways on: answer and judgement.
     found: Vec<(usize, Judgement)>,
+    /// Of `found`, scores and places, best first.
+    ranked: Vec<(f64, u32)>,
     /// Of the ways on that are taken: what tells answers apart, and the first step of the last strip.
     taken: Vec<(u64, u32)>,
 }
@@ -90,6 +92,7 @@ impl<'a> Search<'a> {
             steps: Steps::default(),
             trail: Vec::new(),
             found: Vec::new(),
+            ranked: Vec::new(),
             taken: Vec::new(),
         }
     }
@@ -123,14 +126,17 @@ impl<'a> Search<'a> {
             }
             self.found.extend(ways.drain(..).map(|judgement| (i, judgement)));
         }
-        self.found.sort_by(|a, b| a.1.score.total_cmp(&b.1.score));
+        self.ranked.clear();
+        self.ranked.extend(self.found.iter().zip(0..).map(|((_, judgement), i)| (judgement.score, i)));
+        self.ranked.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     }
 
     /// Takes the best ways on that differ.
     fn choose(&mut self, step_index: u32) {
         let max_alike = self.answers.len() / 2;
         self.taken.clear();
-        for (parent, judgement) in &self.found {
+        for &(_, i) in &self.ranked {
+            let (parent, judgement) = &self.found[i as usize];
             let parent = &self.answers[*parent];
             let triangle = judgement.step.triangle(&self.scene.surface);
             let (is_start, strip_start) = match judgement.step {
