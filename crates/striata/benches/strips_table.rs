@@ -2,9 +2,10 @@
 //!
 //! `cargo bench -p striata --bench strips_table -- MESH...` prints Markdown tables. Attributes are left out; bytes are
 //! counted as the LodStrips papers count them, with a position and a normal of 12 bytes each a vertex and 4
-//! bytes an index. meshoptimizer's strips are made from its own order for them, in the same run. `--strips-only` leaves the
-//! models out; `--peers DIR` adds the strips of other tools that lie there, and `--write-lists DIR` writes what they
-//! read: `benches/peers/run.sh` does both.
+//! bytes an index. meshoptimizer's strips are made from its own order for them, in the same run.
+//!
+//! `--strips-only` leaves the models out, `--quick` most efforts and weights. `--peers DIR` adds the strips of other tools
+//! that lie there, and `--write-lists DIR` writes what they read: `benches/peers/run.sh` does both.
 
 #[path = "strips_table/contest.rs"]
 mod contest;
@@ -35,7 +36,7 @@ const RUN_COUNT: usize = 7;
 #[derive(Default)]
 struct Arguments {
     meshes: Vec<PathBuf>,
-    peers: Option<PathBuf>,
+    choice: contest::Choice,
     lists: Option<PathBuf>,
     is_strips_only: bool,
 }
@@ -47,7 +48,8 @@ impl Arguments {
             let mut folder = || words.next().map(PathBuf::from).ok_or(format!("{word} needs a folder"));
             match word.as_str() {
                 "--bench" => {}
-                "--peers" => (found.peers, found.is_strips_only) = (Some(folder()?), true),
+                "--peers" => (found.choice.peers, found.is_strips_only) = (Some(folder()?), true),
+                "--quick" => found.choice.is_quick = true,
                 "--write-lists" => found.lists = Some(folder()?),
                 "--strips-only" => found.is_strips_only = true,
                 _ => found.meshes.push(word.into()),
@@ -87,7 +89,7 @@ fn main() -> Fallible<()> {
             contest::write_list(&name, &mesh, folder)?;
             continue;
         }
-        contest::add_rows(&name, &mesh, arguments.peers.as_deref(), &mut strips)?;
+        contest::add_rows(&name, &mesh, &arguments.choice, &mut strips)?;
         if !arguments.is_strips_only {
             let refinable =
                 build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;

@@ -44,4 +44,4 @@ for list in "$work"/*.triangles; do
         "$work/$tool" "$list" "${list%.triangles}.$tool.strips" >&2 || echo "$tool: nothing for $list" >&2
     done
 done
-cargo bench --quiet -p striata --bench strips_table -- --peers "$work" "$@"
+cargo bench --quiet -p striata --bench strips_table -- --peers "$work" ${QUICK:+--quick} "$@"
