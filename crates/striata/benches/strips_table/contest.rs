@@ -39,13 +39,17 @@ const OURS: &[(&str, f64, f64)] = &[
 pub(crate) const HEAD: [&str; 8] =
     ["mesh", "tool", "strips", "indices a triangle", "ACMR, FIFO 16", "ATVR, FIFO 16", "ACMR, LRU 16", "ms"];
 
-/// Adds all rows for a mesh; `peers` is where their strips lie.
-pub(crate) fn add_rows(
-    name: &str,
-    mesh: &IndexedMesh,
-    peers: Option<&Path>,
-    table: &mut Table,
-) -> Fallible<()> {
+/// Which rows a table has.
+#[derive(Default)]
+pub(crate) struct Choice {
+    /// Leaves out efforts other than 1 and weights other than 0 and 1.
+    pub(crate) is_quick: bool,
+    /// Where the strips of peers lie.
+    pub(crate) peers: Option<PathBuf>,
+}
+
+/// Adds the rows for a mesh.
+pub(crate) fn add_rows(name: &str, mesh: &IndexedMesh, choice: &Choice, table: &mut Table) -> Fallible<()> {
     let contest = Contest { name, expected: sorted_triangles(mesh.triangles.clone()) };
     for &(spelling, effort, weight) in OURS {
         if choice.is_quick && (effort != 1.0 || (weight != 0.0 && weight != 1.0)) {
@@ -94,7 +98,7 @@ impl Contest<'_> {
         let told = if missing + extra == 0 {
             String::new()
         } else {
-            format!(" ({missing} triangles missing, {extra} wrong)")
+            format!(" ({missing} triangles missing, {extra} not the mesh's)")
         };
         table.push(vec![
             self.name.to_owned(),

@@ -76,7 +76,8 @@ impl<'a> Search<'a> {
     fn new(task: &Task<'a>, links: &StripLinks<'a>) -> Self {
         let options = task.options;
         let cache_size = options.cache_size.min(MAX_CACHE_SIZE);
-        let width = (WIDTH * options.effort).clamp(*WIDTHS.start(), *WIDTHS.end()) as usize;
+        // In this order no effort at all is taken for the least.
+        let width = (WIDTH * options.effort).max(*WIDTHS.start()).min(*WIDTHS.end()) as usize;
         let surface = Surface::new(task, links);
         let scene = Scene {
             covered: Covered::new(&surface),
