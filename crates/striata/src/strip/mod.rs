@@ -8,6 +8,7 @@
 mod cache;
 mod cheapest;
 mod cost;
+mod fewest;
 mod greedy;
 mod index_buffer;
 mod links;
@@ -19,6 +20,7 @@ mod tunnel;
 mod write;
 
 pub use cost::{CacheCost, StripCost, fifo_cache_cost, lru_cache_cost};
+pub use fewest::strip_count_bound;
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
 pub use links::StripLinks;
 pub(crate) use strip_set::check_offsets;

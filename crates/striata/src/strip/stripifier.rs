@@ -8,7 +8,7 @@ use super::cache::cheapest_for_cache;
 use super::links::StripLinks;
 use super::tunnel::{self, Identity};
 use super::write::write_strips;
-use super::{StripSet, cheapest, greedy, stripe};
+use super::{StripSet, cheapest, fewest, greedy, stripe};
 use crate::mesh::{DualGraph, IndexedMesh, MeshError};
 
 /// Which algorithm makes the strips.
@@ -30,6 +30,8 @@ pub enum Stripifier {
         /// As for [`Stripifier::Tunnel`].
         max_length: u32,
     },
+    /// Walks of strip ends: fewest strips.
+    Fewest,
     /// Local moves with annealing, strips joined where they meet: fewest indices.
     Cheapest,
 }
@@ -44,6 +46,7 @@ impl fmt::Display for Stripifier {
             Self::Stripe => f.write_str("stripe"),
             Self::Tunnel { max_length } => write!(f, "tunnel:{max_length}"),
             Self::StaticTunnel { max_length } => write!(f, "tunnel-static:{max_length}"),
+            Self::Fewest => f.write_str("fewest"),
             Self::Cheapest => f.write_str("cheapest"),
         }
     }
@@ -59,7 +62,7 @@ pub struct ParseStripifierError {
 
 impl Stripifier {
     /// How each is written, for messages and help.
-    pub const SPELLINGS: &'static str = "greedy, stripe, tunnel[:MAX], tunnel-static[:MAX], cheapest";
+    pub const SPELLINGS: &'static str = "greedy, stripe, tunnel[:MAX], tunnel-static[:MAX], fewest, cheapest";
 }
 
 impl FromStr for Stripifier {
@@ -82,6 +85,7 @@ impl FromStr for Stripifier {
             _ if parameter.is_some() => Err(wrong()),
             "greedy" => Ok(Self::Greedy),
             "stripe" => Ok(Self::Stripe),
+            "fewest" => Ok(Self::Fewest),
             "cheapest" => Ok(Self::Cheapest),
             _ => Err(wrong()),
         }
@@ -210,6 +214,7 @@ pub fn stripify_from(
         Stripifier::StaticTunnel { max_length } => {
             tunnel::run(&task, &mut links, max_length, Identity::Static, spent);
         }
+        Stripifier::Fewest => fewest::run(&task, &graph, &mut links, spent),
         Stripifier::Cheapest => {
             cheapest::run(&task, &mut links, spent, &mut out);
         }
@@ -230,6 +235,7 @@ impl Stripifier {
         match self {
             // These end by themselves.
             Self::Greedy | Self::Stripe | Self::Tunnel { .. } | Self::StaticTunnel { .. } => f64::INFINITY,
+            Self::Fewest => 20.0,
             Self::Cheapest => 100.0,
         }
     }
