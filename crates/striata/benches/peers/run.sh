@@ -41,7 +41,8 @@ offer nvtristrip pyffi.utils.tristrip
 
 for list in "$work"/*.triangles; do
     for tool in $tools; do
-        "$work/$tool" "$list" "${list%.triangles}.$tool.strips" >&2 || echo "$tool: nothing for $list" >&2
+        timeout "${PEER_SECS:-300}" "$work/$tool" "$list" "${list%.triangles}.$tool.strips" >&2 ||
+            echo "$tool: no strips of $list within ${PEER_SECS:-300} s" >&2
     done
 done
 cargo bench --quiet -p striata --bench strips_table -- --peers "$work" ${QUICK:+--quick} "$@"
