@@ -93,6 +93,11 @@ impl State {
         }
     }
 
+    /// The mesh's number of each triangle.
+    pub(super) fn into_order(self) -> Vec<u32> {
+        self.order
+    }
+
     /// Triangles.
     pub(super) fn triangle_count(&self) -> u32 {
         self.nodes.len() as u32
