@@ -9,6 +9,7 @@ mod cost;
 mod greedy;
 mod index_buffer;
 mod links;
+mod repair;
 mod strip_set;
 mod stripifier;
 mod write;
@@ -16,6 +17,7 @@ mod write;
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
 pub use links::StripLinks;
+pub use repair::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
 pub(crate) use strip_set::check_offsets;
 pub use strip_set::{StripSet, StripSetError, strip_triangles};
 pub use stripifier::{
