@@ -12,6 +12,7 @@ mod links;
 mod repair;
 mod strip_set;
 mod stripifier;
+mod tunnel;
 mod write;
 
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
