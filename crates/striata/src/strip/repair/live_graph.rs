@@ -66,11 +66,6 @@ impl LiveGraph {
         }
     }
 
-    /// Triangles of the full mesh.
-    pub(super) fn full_triangle_count(&self) -> usize {
-        self.corners.len()
-    }
-
     /// The twin of every side, [`NO_TWIN`] where there is none; dead triangles have none.
     pub(super) fn twins(&self) -> &[u32] {
         &self.twins
