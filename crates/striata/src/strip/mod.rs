@@ -5,6 +5,7 @@
 //! index makes a degenerate triangle that nobody draws; that is how a strip turns (a **swap**) and how two
 //! strips are joined without a restart index (a **stitch**).
 
+mod cheapest;
 mod cost;
 mod greedy;
 mod index_buffer;
