@@ -34,6 +34,8 @@ pub struct LiveStrips<'a> {
     pub(super) triangle_count: usize,
     pub(super) solid_count: usize,
     pub(super) goal: RepairGoal,
+    /// Rings around a step from which repair searches.
+    pub(super) reach: u32,
     pub(super) search: TunnelSearch,
     pub(super) scratch: Scratch,
 }
@@ -70,6 +72,7 @@ impl<'a> LiveStrips<'a> {
             triangle_count: 0,
             solid_count: 0,
             goal: options.goal,
+            reach: options.reach,
             search: TunnelSearch::new(options),
             scratch: Scratch::default(),
         };
@@ -142,9 +145,9 @@ impl<'a> LiveStrips<'a> {
     /// The strips of the level, with the groups of the mesh; linear in the size of the full mesh.
     pub fn to_strip_set(&self) -> StripSet {
         let triangles = self.graph.numbered_triangles();
-        let mut links = StripLinks::from_bits(self.graph.twins(), self.solid.clone());
+        let links = StripLinks::from_bits(self.graph.twins(), self.solid.clone());
         debug_assert_eq!(links.solid_count(), self.solid_count, "links are counted as they come and go");
-        debug_assert_eq!(links.cut_loops(), 0, "a loop was closed");
+        debug_assert_eq!(links.clone().cut_loops(), 0, "a loop was closed");
         let mut first = 0;
         let groups = self.graph.group_ends().iter().map(|&end| {
             let group = first..end as usize;
@@ -152,7 +155,7 @@ impl<'a> LiveStrips<'a> {
             group
         });
         let mut out = StripSet::new();
-        write_strips(&triangles, &mut links, groups, &mut out);
+        write_strips(&triangles, &links, groups, &mut out);
         out
     }
 

@@ -4,7 +4,8 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RepairGoal {
-    /// Indices: `swaps + 3 * strips`, since a strip costs two indices and its restart.
+    /// Indices: `swaps + 3.25 * strips`, since a strip costs two indices, its restart and every fourth time a
+    /// parity fix.
     #[default]
     FewestIndices,
     /// Strips, and among as many strips swaps.
@@ -19,8 +20,10 @@ pub struct RepairOptions {
     pub goal: RepairGoal,
     /// Links of the longest tunnel, an odd number; 0 searches for none. Default 9.
     pub tunnel_length: u32,
-    /// Tunnels, whole or begun, that one search looks at; default 32.
+    /// Tunnels, whole or begun, that one search looks at; default 24.
     pub search_limit: u32,
+    /// Searches begin at the triangles of a step and at so many rings of neighbours around them; default 1.
+    pub reach: u32,
     /// Triangles of a strip that are walked to learn whether a tunnel would close it to a loop; in longer
     /// strips some tunnels are passed over. Default 1,024.
     pub walk_limit: u32,
@@ -28,7 +31,7 @@ pub struct RepairOptions {
 
 impl Default for RepairOptions {
     fn default() -> Self {
-        Self { goal: RepairGoal::default(), tunnel_length: 9, search_limit: 32, walk_limit: 1_024 }
+        Self { goal: RepairGoal::default(), tunnel_length: 9, search_limit: 24, reach: 1, walk_limit: 1_024 }
     }
 }
 
@@ -51,6 +54,12 @@ impl RepairOptions {
         self
     }
 
+    /// Sets [`RepairOptions::reach`].
+    pub fn with_reach(mut self, rings: u32) -> Self {
+        self.reach = rings;
+        self
+    }
+
     /// Sets [`RepairOptions::walk_limit`].
     pub fn with_walk_limit(mut self, limit: u32) -> Self {
         self.walk_limit = limit;
@@ -70,7 +79,7 @@ pub struct RepairReport {
     pub cut_count: usize,
     /// Dashed links that steps and repair joined.
     pub joined_count: usize,
-    /// Tunnels that repair found.
+    /// Tunnels that made the strips better; ends that only moved are not counted.
     pub tunnel_count: usize,
     /// Triangles that steps changed, killed or brought back, each counted once a step.
     pub touched_count: usize,

@@ -1,13 +1,10 @@
 //! One step: the mesh changes, the strips through the changed triangles go on, tunnels mend the rest.
 
 use super::live_strips::LiveStrips;
-use super::tunnel_search::{Found, swap_at};
+use super::tunnel_search::{Found, TunnelSearch, swap_at};
 use super::{RepairGoal, RepairReport};
 use crate::mesh::NO_TWIN;
 use crate::strip::StripLinks;
-
-/// Triangles that one repair begins searches at, for each that the step touched.
-const SEEDS_PER_TRIANGLE: usize = 3;
 
 /// Lists kept between steps so that none allocates.
 #[derive(Clone, Debug, Default)]
@@ -132,38 +129,53 @@ impl LiveStrips<'_> {
 
     /// Searches tunnels from the triangles around a step, and from where those that it finds lead.
     fn repair(&mut self, report: &mut RepairReport) {
-        let Self { graph, scratch, search, goal, .. } = self;
+        let Self { graph, scratch, search, .. } = self;
         let seeds = &mut scratch.touched;
+        let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
         seeds.sort_unstable();
         seeds.dedup();
         report.touched_count += seeds.len();
-        let seed_limit = SEEDS_PER_TRIANGLE * seeds.len();
-        let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
-        let mut total = Found::default();
-        let mut next = 0;
-        while next < seeds.len() {
-            let seed = seeds[next];
-            next += 1;
-            let mut found = None;
-            if links.solid_degree(seed) < 2 {
-                found = search.from_end(&mut links, seed);
-            } else if *goal == RepairGoal::FewestIndices {
-                for side in 3 * seed..3 * seed + 3 {
-                    if found.is_none() && links.is_solid(side) && swap_at(&links, side) > 0 {
-                        found = search.through_cut(&mut links, side);
-                    }
-                }
+        for _ in 0..self.reach {
+            for i in 0..seeds.len() {
+                seeds.extend(neighbours(&links, seeds[i]));
             }
-            if let Some(found) = found {
-                report.tunnel_count += 1;
-                total.joined_count += found.joined_count;
-                total.cut_count += found.cut_count;
+            seeds.sort_unstable();
+            seeds.dedup();
+        }
+        let seed_limit = 2 * seeds.len();
+        let (mut joined_count, mut cut_count) = (0, 0);
+        let mut next = 0;
+        while let Some(&seed) = seeds.get(next) {
+            next += 1;
+            if let Some(found) = search_at(seed, self.goal, &mut links, search) {
+                report.tunnel_count += usize::from(found.is_gain);
+                joined_count += found.joined_count;
+                cut_count += found.cut_count;
                 seeds.extend(search.passed().take(seed_limit.saturating_sub(seeds.len())));
             }
         }
         self.solid = links.into_bits();
-        self.count_links(total.joined_count, total.cut_count, report);
+        self.count_links(joined_count, cut_count, report);
     }
+}
+
+/// Searches from one triangle: where it is an end from there, else through those of its links that are swaps.
+fn search_at(
+    seed: u32,
+    goal: RepairGoal,
+    links: &mut StripLinks<'_>,
+    search: &mut TunnelSearch,
+) -> Option<Found> {
+    if links.solid_degree(seed) < 2 {
+        return search.dig_from(links, seed);
+    }
+    if goal == RepairGoal::FewestStrips {
+        return None;
+    }
+    (3 * seed..3 * seed + 3).find_map(|side| {
+        let is_swap = links.is_solid(side) && swap_at(links, side) > 0;
+        if is_swap { search.dig_through(links, side) } else { None }
+    })
 }
 
 /// Triangles across the links of a triangle.

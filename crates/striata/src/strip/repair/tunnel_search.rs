@@ -2,8 +2,8 @@
 //!
 //! A tunnel from the end `t` of a strip is a chain of moves: `t` takes a neighbour `x`, which lets one of its own
 //! neighbours `b` go, and `b` is the next end; a last move joins the end to another strip's. Each move leaves proper
-//! strips, so chains are tried on the links themselves, breadth first, and the cheapest that lowers
-//! `swaps * swap weight + strips * strip weight` stays. Where `x` is in the strip of `t`, the neighbour
+//! strips, so chains are tried on the links themselves, the cheapest first, and the one that leaves least of
+//! `swap weight * swaps + strip weight * strips` stays. Where `x` is in the strip of `t`, the neighbour
 //! between them must go, or a loop would close \[PS03, 3.1\]; who is in whose strip is found by walking it.
 //!
 //! ```text
@@ -21,7 +21,10 @@ use crate::mesh::NO_TWIN;
 use crate::strip::StripLinks;
 use crate::strip::links::Turn;
 
-/// What an index and a strip weigh.
+/// What a swap and a strip weigh.
+///
+/// For fewest indices a strip weighs three swaps, two indices and its restart, and a quarter more: about every
+/// fourth strip can begin at neither end without a parity fix.
 #[derive(Clone, Copy, Debug)]
 struct Weights {
     strip: i32,
@@ -41,20 +44,30 @@ struct Chain {
     /// What all its moves cost.
     cost: i32,
     move_count: u32,
+    /// Whether the search may go on from it and has not yet.
+    is_open: bool,
 }
 
-/// A neighbour of an end, and how the end's strip comes to it.
+/// A move that a chain may make next.
 #[derive(Clone, Copy, Debug)]
-struct Beside {
-    exit: u32,
-    triangle: u32,
-    /// The side by which a walk from the end enters it, where it is in the same strip.
+struct Move {
+    joined: u32,
+    /// The triangle beyond the link that is joined.
+    taken: u32,
+    /// [`NO_TWIN`] where `taken` is an end, and the move the last.
+    cut: u32,
+    end: u32,
+    /// Of the whole chain.
+    cost: i32,
+    /// The side by which a walk from the moving end enters `taken`, where it is in the same strip.
     facing: Option<u32>,
 }
 
 /// What a search changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Found {
+    /// Whether the strips are cheaper now, and not only other.
+    pub(super) is_gain: bool,
     pub(super) joined_count: usize,
     pub(super) cut_count: usize,
 }
@@ -67,16 +80,20 @@ pub(super) struct TunnelSearch {
     chain_limit: usize,
     walk_limit: u32,
     chains: Vec<Chain>,
+    /// The cheapest chain; 0, the beginning, until another is as cheap as what was there.
+    best: u32,
     /// Chains whose moves the links show now, from the first move on.
     shown: Vec<u32>,
     path: Vec<u32>,
+    /// Moves that the chain at hand may go on with.
+    moves: Vec<Move>,
 }
 
 impl TunnelSearch {
     pub(super) fn new(options: &RepairOptions) -> Self {
         let weights = match options.goal {
             RepairGoal::FewestStrips => Weights { strip: 1_000, swap: 1 },
-            RepairGoal::FewestIndices => Weights { strip: 3, swap: 1 },
+            RepairGoal::FewestIndices => Weights { strip: 13, swap: 4 },
         };
         Self {
             weights,
@@ -84,53 +101,58 @@ impl TunnelSearch {
             chain_limit: options.search_limit.max(1) as usize,
             walk_limit: options.walk_limit,
             chains: Vec::new(),
+            best: 0,
             shown: Vec::new(),
             path: Vec::new(),
+            moves: Vec::new(),
         }
     }
 
     /// Looks for a tunnel from the end of a strip.
-    pub(super) fn from_end(&mut self, links: &mut StripLinks<'_>, end: u32) -> Option<Found> {
+    pub(super) fn dig_from(&mut self, links: &mut StripLinks<'_>, end: u32) -> Option<Found> {
         debug_assert!(links.solid_degree(end) < 2, "triangle {end} is inside a strip");
-        self.search(links, Chain { parent: 0, joined: NO_TWIN, cut: NO_TWIN, end, cost: 0, move_count: 0 })
+        self.search(links, NO_TWIN, end, 0)
     }
 
-    /// Cuts a solid link and looks for a tunnel from the triangle of its side that pays for it.
-    pub(super) fn through_cut(&mut self, links: &mut StripLinks<'_>, cut: u32) -> Option<Found> {
-        let cost = self.price_of_cut(links, cut);
-        links.join(cut);
-        self.search(links, Chain { parent: 0, joined: NO_TWIN, cut, end: cut / 3, cost, move_count: 0 })
+    /// Looks for a tunnel from the triangle of a solid side that pays for cutting its link.
+    pub(super) fn dig_through(&mut self, links: &mut StripLinks<'_>, cut: u32) -> Option<Found> {
+        let cost = self.weights.strip - self.weights.swap * swaps_between(links, cut);
+        self.search(links, cut, cut / 3, cost)
     }
 
-    fn search(&mut self, links: &mut StripLinks<'_>, start: Chain) -> Option<Found> {
+    /// Begins with one chain, goes on with the cheapest that there is, leaves the links as the best chain has them.
+    ///
+    /// Where none is cheaper than what is there, the first that is as cheap is taken: ends that wander meet.
+    fn search(&mut self, links: &mut StripLinks<'_>, cut: u32, end: u32, cost: i32) -> Option<Found> {
         self.chains.clear();
         self.shown.clear();
-        self.chains.push(start);
-        let mut best = 0;
-        let mut next = 0;
-        while next < self.chains.len() {
-            if self.chains[next].end != NO_TWIN && self.chains[next].move_count < self.move_limit {
-                self.show(links, next as u32);
-                self.extend(links, next as u32);
-            }
-            let cheapest = (best..self.chains.len()).min_by_key(|&i| self.chains[i].cost);
-            best = cheapest.unwrap_or(best);
-            if self.chains[best].cost <= -self.weights.strip {
-                break;
-            }
-            next += 1;
+        self.best = 0;
+        let is_open = self.move_limit > 0;
+        self.chains.push(Chain { parent: 0, joined: NO_TWIN, cut, end, cost, move_count: 0, is_open });
+        while self.chains[self.best as usize].cost > -self.weights.strip {
+            let Some(next) = self.cheapest_open() else { break };
+            self.chains[next as usize].is_open = false;
+            self.show(links, next);
+            self.extend(links, next);
         }
-        if self.chains[best].cost >= 0 {
+        let cost = self.chains[self.best as usize].cost;
+        if self.best == 0 || cost > 0 {
             self.hide_from(links, 0);
             return None;
         }
-        self.show(links, best as u32);
-        let mut found = Found::default();
+        self.show(links, self.best);
+        debug_assert!(self.passed().all(|t| !is_in_loop(links, t)), "a tunnel closed a loop");
+        let mut found = Found { is_gain: cost < 0, ..Found::default() };
         for &chain in &self.shown {
             found.joined_count += usize::from(self.chains[chain as usize].joined != NO_TWIN);
             found.cut_count += usize::from(self.chains[chain as usize].cut != NO_TWIN);
         }
         Some(found)
+    }
+
+    fn cheapest_open(&self) -> Option<u32> {
+        let open = (0..).zip(&self.chains).filter(|(_, chain)| chain.is_open);
+        open.min_by_key(|(_, chain)| chain.cost).map(|(chain, _)| chain)
     }
 
     /// The triangles that the chain of the last search ends at and passes.
@@ -182,99 +204,119 @@ impl TunnelSearch {
 
     /// Adds the chains that go one move further than this one, which is shown.
     fn extend(&mut self, links: &mut StripLinks<'_>, parent: u32) {
-        let Chain { end, cut: came_from, .. } = self.chains[parent as usize];
-        let (beside, count, is_whole) = self.beside(links, end);
-        for Beside { exit, triangle, facing } in beside.into_iter().take(count) {
-            let entered = links.twins()[exit as usize];
-            if exit == came_from || entered == came_from || (facing.is_none() && !is_whole) {
+        self.propose(links, parent);
+        if self.moves.is_empty() {
+            return;
+        }
+        let Chain { end, move_count, .. } = self.chains[parent as usize];
+        let is_whole = self.walk_from(links, end);
+        for i in 0..self.moves.len() {
+            let Move { joined, cut, end, cost, facing, .. } = self.moves[i];
+            let is_loose = links.solid_degree(links.twins()[joined as usize] / 3) == 2;
+            let is_proper = match facing {
+                Some(facing) => facing == cut,
+                None => is_whole && (is_loose || cut == NO_TWIN),
+            };
+            if is_proper && self.chains.len() < self.chain_limit {
+                if cost < self.chains[self.best as usize].cost || (self.best == 0 && cost == 0) {
+                    self.best = self.chains.len() as u32;
+                }
+                let is_open = end != NO_TWIN;
+                self.chains.push(Chain {
+                    parent,
+                    joined,
+                    cut,
+                    end,
+                    cost,
+                    move_count: move_count + 1,
+                    is_open,
+                });
+            }
+        }
+    }
+
+    /// Lists the moves from the end of a chain that are worth a walk.
+    fn propose(&mut self, links: &mut StripLinks<'_>, parent: u32) {
+        self.moves.clear();
+        let Chain { end, cut: came_from, cost, move_count, .. } = self.chains[parent as usize];
+        let best_cost = self.chains[self.best as usize].cost;
+        let goes_on = move_count + 1 < self.move_limit;
+        for joined in 3 * end..3 * end + 3 {
+            let entered = links.twins()[joined as usize];
+            if entered == NO_TWIN || links.is_solid(joined) || joined == came_from || entered == came_from {
                 continue;
             }
-            if links.solid_degree(triangle) < 2 && facing.is_none() {
-                self.add(links, parent, exit, NO_TWIN);
-                continue;
+            let taken = entered / 3;
+            if links.solid_degree(taken) < 2 {
+                let cost = cost + self.price_of_join(links, joined);
+                if cost < best_cost {
+                    self.moves.push(Move { joined, taken, cut: NO_TWIN, end: NO_TWIN, cost, facing: None });
+                }
             }
-            let solid = links.solid_bits(triangle);
-            for cut in (3 * triangle..3 * triangle + 3).filter(|side| solid & 1 << (side % 3) != 0) {
-                if facing.is_none_or(|facing| facing == cut) {
-                    self.add(links, parent, exit, cut);
+            let solid = links.solid_bits(taken);
+            for cut in (3 * taken..3 * taken + 3).filter(|side| goes_on && solid & 1 << (side % 3) != 0) {
+                let end = links.twins()[cut as usize] / 3;
+                let cost = cost + self.price_of_slide(links, joined, cut);
+                let is_known = |other: &Chain| other.end == end && other.cost <= cost;
+                if cost < self.weights.strip && !self.chains.iter().any(is_known) {
+                    self.moves.push(Move { joined, taken, cut, end, cost, facing: None });
                 }
             }
         }
     }
 
-    /// The neighbours of an end across dashed links, and whether its whole strip was walked for them.
-    fn beside(&self, links: &StripLinks<'_>, end: u32) -> ([Beside; 3], usize, bool) {
-        let mut beside = [Beside { exit: NO_TWIN, triangle: NO_TWIN, facing: None }; 3];
-        let mut count = 0;
-        for exit in 3 * end..3 * end + 3 {
-            let twin = links.twins()[exit as usize];
-            if twin != NO_TWIN && !links.is_solid(exit) {
-                beside[count] = Beside { exit, triangle: twin / 3, facing: None };
-                count += 1;
-            }
-        }
+    /// Walks the strip of an end until it has met all triangles that the moves take, and notes where it enters
+    /// them; whether it met all or came to the strip's other end.
+    fn walk_from(&mut self, links: &StripLinks<'_>, end: u32) -> bool {
+        let mut unmet_count = self.moves.len();
         let mut exit = links.first_solid(end);
-        let mut unmet_count = count;
         for _ in 0..self.walk_limit {
-            let Some(side) = exit.filter(|_| unmet_count > 0) else { return (beside, count, true) };
+            let Some(side) = exit.filter(|_| unmet_count > 0) else { return true };
             let entered = links.twins()[side as usize];
-            for met in beside[..count].iter_mut().filter(|met| met.triangle == entered / 3) {
+            for met in self.moves.iter_mut().filter(|met| met.taken == entered / 3) {
                 met.facing = Some(entered);
                 unmet_count -= 1;
             }
             exit = links.other_solid(entered);
         }
-        (beside, count, exit.is_none())
+        exit.is_none()
     }
 
-    /// Adds the chain that joins across `joined` and cuts `cut`, unless one as cheap leads to the same end.
-    fn add(&mut self, links: &mut StripLinks<'_>, parent: u32, joined: u32, cut: u32) {
-        let before = self.chains[parent as usize];
-        let mut cost = before.cost;
-        let mut end = NO_TWIN;
-        if cut != NO_TWIN {
-            cost += self.price_of_cut(links, cut);
-            end = links.twins()[cut as usize] / 3;
-        }
-        cost += self.price_of_join(links, joined);
-        links.cut(joined);
-        if cut != NO_TWIN {
-            links.join(cut);
-        }
-        let is_known = |other: &Chain| other.end == end && other.cost <= cost;
-        if self.chains.len() < self.chain_limit && (end == NO_TWIN || !self.chains.iter().any(is_known)) {
-            self.chains.push(Chain { parent, joined, cut, end, cost, move_count: before.move_count + 1 });
-        }
-    }
-
-    /// Joins a link; what that costs.
+    /// What it costs to join a link between two ends.
     fn price_of_join(&self, links: &mut StripLinks<'_>, side: u32) -> i32 {
-        let twin = links.twins()[side as usize];
-        let before = swaps_at(links, side / 3) + swaps_at(links, twin / 3);
         links.join(side);
-        let after = swaps_at(links, side / 3) + swaps_at(links, twin / 3) - swap_at(links, side);
-        self.weights.swap * (after - before) - self.weights.strip
+        let after = swaps_between(links, side);
+        links.cut(side);
+        self.weights.swap * after - self.weights.strip
     }
 
-    /// Cuts a link; what that costs.
-    fn price_of_cut(&self, links: &mut StripLinks<'_>, side: u32) -> i32 {
-        let twin = links.twins()[side as usize];
-        let before = swaps_at(links, side / 3) + swaps_at(links, twin / 3) - swap_at(links, side);
-        links.cut(side);
-        let after = swaps_at(links, side / 3) + swaps_at(links, twin / 3);
-        self.weights.swap * (after - before) + self.weights.strip
+    /// What it costs to join a link from an end to a triangle and to cut another one there.
+    fn price_of_slide(&self, links: &mut StripLinks<'_>, joined: u32, cut: u32) -> i32 {
+        let before = swaps_between(links, cut);
+        links.cut(cut);
+        links.join(joined);
+        let after = swaps_between(links, joined);
+        links.cut(joined);
+        links.join(cut);
+        self.weights.swap * (after - before)
     }
 }
 
 /// Swaps of a solid link: 1 where its two sides turn differently.
+#[inline]
 pub(super) fn swap_at(links: &StripLinks<'_>, side: u32) -> i32 {
     let (here, there) = (links.turn(side), links.turn(links.twins()[side as usize]));
     i32::from(here != Turn::End && there != Turn::End && here != there)
 }
 
-/// Swaps of the solid links of a triangle.
-fn swaps_at(links: &StripLinks<'_>, triangle: u32) -> i32 {
-    let solid = links.solid_bits(triangle);
-    let sides = (3 * triangle..3 * triangle + 3).filter(|side| solid & 1 << (side % 3) != 0);
-    sides.map(|side| swap_at(links, side)).sum()
+/// Swaps of a solid link and of those next to it, all that its triangles take part in.
+#[inline]
+fn swaps_between(links: &StripLinks<'_>, side: u32) -> i32 {
+    let beyond = |side: u32| links.other_solid(side).map_or(0, |other| swap_at(links, other));
+    swap_at(links, side) + beyond(side) + beyond(links.twins()[side as usize])
+}
+
+/// Whether the strip of a triangle comes back to it.
+fn is_in_loop(links: &StripLinks<'_>, triangle: u32) -> bool {
+    links.first_solid(triangle).is_some_and(|side| links.end_beyond(side) == triangle)
 }
