@@ -268,16 +268,32 @@ impl TunnelSearch {
     /// Walks the strip of an end until it has met all triangles that the moves take, and notes where it enters
     /// them; whether it met all or came to the strip's other end.
     fn walk_from(&mut self, links: &StripLinks<'_>, end: u32) -> bool {
-        let mut unmet_count = self.moves.len();
+        // An end has three neighbours at most.
+        let mut sought = [NO_TWIN; 3];
+        let mut sought_count = 0;
+        for taken in self.moves.iter().map(|other| other.taken) {
+            if !sought[..sought_count].contains(&taken) {
+                sought[sought_count] = taken;
+                sought_count += 1;
+            }
+        }
+        let [a, b, c] = sought;
         let mut exit = links.first_solid(end);
         for _ in 0..self.walk_limit {
-            let Some(side) = exit.filter(|_| unmet_count > 0) else { return true };
+            let Some(side) = exit else { return true };
             let entered = links.twins()[side as usize];
-            for met in self.moves.iter_mut().filter(|met| met.taken == entered / 3) {
-                met.facing = Some(entered);
-                unmet_count -= 1;
+            let triangle = entered / 3;
+            if triangle == a || triangle == b || triangle == c {
+                self.moves.iter_mut().filter(|other| other.taken == triangle).for_each(|other| {
+                    other.facing = Some(entered);
+                });
+                sought_count -= 1;
+                if sought_count == 0 {
+                    return true;
+                }
             }
-            exit = links.other_solid(entered);
+            let others = links.solid_bits(triangle) & !(1 << (entered - 3 * triangle));
+            exit = (others != 0).then(|| 3 * triangle + others.trailing_zeros());
         }
         exit.is_none()
     }
@@ -305,8 +321,12 @@ impl TunnelSearch {
 /// Swaps of a solid link: 1 where its two sides turn differently.
 #[inline]
 pub(super) fn swap_at(links: &StripLinks<'_>, side: u32) -> i32 {
-    let (here, there) = (links.turn(side), links.turn(links.twins()[side as usize]));
-    i32::from(here != Turn::End && there != Turn::End && here != there)
+    let here = links.turn(side);
+    if here == Turn::End {
+        return 0;
+    }
+    let there = links.turn(links.twins()[side as usize]);
+    i32::from(there != Turn::End && here != there)
 }
 
 /// Swaps of a solid link and of those next to it, all that its triangles take part in.
