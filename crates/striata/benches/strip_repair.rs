@@ -1,13 +1,16 @@
 //! Strips under level of detail: substituted, repaired, or made anew.
 //!
 //! `cargo bench -p striata --bench strip_repair -- MESH...` prints Markdown tables; attributes are left out. Strips of
-//! the full mesh follow it to the base and back. The last table repeats the time of a step on terrains of growing size.
+//! the full mesh follow it to the base and back. The last table repeats the time of a step on terrains of growing size;
+//! times are those of the thread on its processor.
 
 #[path = "quality/table.rs"]
 mod table;
 
 use std::error::Error;
+use std::hint::black_box;
 use std::io::Write;
+use std::sync::OnceLock;
 use std::time::Instant;
 
 use striata::ignore_progress;
@@ -15,8 +18,8 @@ use striata::mesh::{IndexedMesh, RefinableMesh, replay, shapes};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{
-    LiveStrips, RepairGoal, RepairOptions, StripOptions, StripSet, Stripifier, restart_triangles_into,
-    stripify,
+    LiveStrips, RepairGoal, RepairOptions, RepairReport, StripOptions, StripSet, Stripifier,
+    restart_triangles_into, stripify,
 };
 use table::Table;
 
@@ -24,6 +27,8 @@ type Fallible<T> = Result<T, Box<dyn Error>>;
 
 /// Shares of the triangles that levels are compared at.
 const PERCENTS: [usize; 5] = [100, 50, 25, 10, 2];
+/// Runs that the best time is taken from.
+const RUN_COUNT: usize = 3;
 /// Sides of the terrains that time is measured on: 10 thousand, 100 thousand and a million triangles.
 const TERRAIN_SIDES: [u32; 3] = [71, 224, 708];
 
@@ -60,8 +65,10 @@ fn refinable(mesh: &IndexedMesh) -> Fallible<RefinableMesh> {
 /// What repair begins with and is measured by: a name and options.
 fn repairs() -> Vec<(&'static str, RepairOptions)> {
     let goal = |goal| RepairOptions::default().with_goal(goal);
+    let quick = RepairOptions::default().with_tunnel_length(5).with_search_limit(8).with_reach(0);
     vec![
         ("carried on, no search", RepairOptions::default().with_tunnel_length(0)),
+        ("repaired, quick", quick),
         ("repaired, fewest indices", goal(RepairGoal::FewestIndices)),
         ("repaired, fewest strips", goal(RepairGoal::FewestStrips)),
     ]
@@ -139,17 +146,12 @@ const TIMES_HEAD: [&str; 9] = [
 
 fn add_times(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {
     let step_count = refinable.sequence.step_count();
-    let start = Instant::now();
-    let strips = stripify(&refinable.mesh, &StripOptions::default())?;
-    let anew_secs = start.elapsed().as_secs_f64();
+    let (anew_secs, strips) = best(|| stripify(&refinable.mesh, &StripOptions::default()));
+    let strips = strips?;
     for (tool, options) in repairs() {
-        let mut live = LiveStrips::new(refinable, step_count, &strips, &options)?;
-        let start = Instant::now();
-        let down = live.move_to(0);
-        let down_secs = start.elapsed().as_secs_f64();
-        let start = Instant::now();
-        let up = live.move_to(step_count);
-        let up_secs = start.elapsed().as_secs_f64();
+        let full = LiveStrips::new(refinable, step_count, &strips, &options)?;
+        let (down_secs, (down, base)) = best_move(&full, 0);
+        let (up_secs, (up, live)) = best_move(&base, step_count);
         let a_step = |secs: f64| format!("{:.2}", secs * 1e6 / step_count.max(1) as f64);
         let share = |count: usize| format!("{:.2}", count as f64 / (2 * step_count).max(1) as f64);
         table.push(vec![
@@ -165,4 +167,40 @@ fn add_times(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallib
         ]);
     }
     Ok(())
+}
+
+/// Best time of several moves from one state, the report and where the last one led.
+fn best_move<'a>(from: &LiveStrips<'a>, split_count: usize) -> (f64, (RepairReport, LiveStrips<'a>)) {
+    let run = || {
+        let mut live = from.clone();
+        let start = processor_secs();
+        let report = live.move_to(split_count);
+        (processor_secs() - start, (report, live))
+    };
+    (1..RUN_COUNT).fold(run(), |best, _| {
+        let next = run();
+        if next.0 < best.0 { next } else { best }
+    })
+}
+
+/// Best time of several runs, and what one of them made; too short for the system's account.
+fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
+    let mut run = || {
+        let start = Instant::now();
+        let made = black_box(work());
+        (start.elapsed().as_secs_f64(), made)
+    };
+    let first = run();
+    (1..RUN_COUNT).fold(first, |best, _| {
+        let next = run();
+        if next.0 < best.0 { next } else { best }
+    })
+}
+
+/// Time of this thread on a processor where the system tells it, else time on the clock.
+fn processor_secs() -> f64 {
+    static START: OnceLock<Instant> = OnceLock::new();
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanos = told.and_then(|text| text.split_whitespace().next()?.parse::<u64>().ok());
+    nanos.map_or_else(|| START.get_or_init(Instant::now).elapsed().as_secs_f64(), |nanos| nanos as f64 * 1e-9)
 }

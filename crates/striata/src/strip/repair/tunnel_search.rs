@@ -321,12 +321,8 @@ impl TunnelSearch {
 /// Swaps of a solid link: 1 where its two sides turn differently.
 #[inline]
 pub(super) fn swap_at(links: &StripLinks<'_>, side: u32) -> i32 {
-    let here = links.turn(side);
-    if here == Turn::End {
-        return 0;
-    }
-    let there = links.turn(links.twins()[side as usize]);
-    i32::from(there != Turn::End && here != there)
+    let (here, there) = (links.turn(side), links.turn(links.twins()[side as usize]));
+    i32::from(here != Turn::End && there != Turn::End && here != there)
 }
 
 /// Swaps of a solid link and of those next to it, all that its triangles take part in.
