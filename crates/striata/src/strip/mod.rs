@@ -7,6 +7,7 @@
 
 mod cheapest;
 mod cost;
+mod fewest;
 mod greedy;
 mod index_buffer;
 mod links;
@@ -17,6 +18,7 @@ mod tunnel;
 mod write;
 
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
+pub use fewest::strip_count_bound;
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
 pub use links::StripLinks;
 pub use repair::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
