@@ -7,7 +7,11 @@ use crate::mesh::{CollapseSequence, NO_TWIN, RefinableMesh};
 use crate::strip::write::write_strips;
 use crate::strip::{StripLinks, StripSet, strip_triangles};
 
-/// The strips of one level of a mesh, which follow it to any other; see the [module](self).
+/// The strips of one level of a mesh, which follow it to any other.
+///
+/// Each step changes the mesh as its collapse or vertex split does, lets strips go on through the triangles that die or
+/// come back, and then searches tunnels around them. The strips of a level depend on the way that led
+/// there, its triangles do not.
 ///
 /// ```
 /// use striata::mesh::shapes;
@@ -132,7 +136,7 @@ impl<'a> LiveStrips<'a> {
         self.triangle_count - self.solid_count
     }
 
-    /// Links of the level's dual graph, solid and dashed.
+    /// Links of the level's dual graph, solid and dashed; linear in the size of the full mesh.
     pub fn link_count(&self) -> usize {
         self.graph.twins().iter().filter(|&&twin| twin != NO_TWIN).count() / 2
     }
