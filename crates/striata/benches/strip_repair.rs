@@ -110,11 +110,12 @@ fn add_levels(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Falli
     for stripifier in ["greedy", "tunnel:17", "cheapest"] {
         let Ok(stripifier) = stripifier.parse::<Stripifier>() else { continue };
         let options = StripOptions::default().with_stripifier(stripifier);
-        let cells: Result<Vec<_>, _> = way
-            .iter()
-            .map(|&s| Ok::<_, Box<dyn Error>>(cell(&stripify(&replay(refinable, s), &options)?)))
-            .collect();
-        add(&format!("anew, {stripifier}"), cells?);
+        let anew = |&s: &usize| Ok::<_, Box<dyn Error>>(cell(&stripify(&replay(refinable, s), &options)?));
+        let mut cells = down.iter().map(anew).collect::<Result<Vec<_>, _>>()?;
+        // They do not depend on the way.
+        cells.extend_from_within(..PERCENTS.len() - 1);
+        cells[PERCENTS.len()..].reverse();
+        add(&format!("anew, {stripifier}"), cells);
     }
     Ok(())
 }
