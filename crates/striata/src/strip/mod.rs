@@ -5,6 +5,7 @@
 //! index makes a degenerate triangle that nobody draws; that is how a strip turns (a **swap**) and how two
 //! strips are joined without a restart index (a **stitch**).
 
+mod cache;
 mod cheapest;
 mod cost;
 mod fewest;
@@ -12,12 +13,14 @@ mod greedy;
 mod index_buffer;
 mod links;
 mod repair;
+mod seeds;
 mod strip_set;
+mod stripe;
 mod stripifier;
 mod tunnel;
 mod write;
 
-pub use cost::{CacheCost, StripCost, fifo_cache_cost};
+pub use cost::{CacheCost, StripCost, fifo_cache_cost, lru_cache_cost};
 pub use fewest::strip_count_bound;
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
 pub use links::StripLinks;

@@ -28,7 +28,10 @@ pub(super) fn anneal(state: &mut State, seed: u64, spent: &mut SpentFn<'_>) {
     let count = state.triangle_count();
     let mut annealer = Annealer { state, random: Random::new(seed), chances: [0; MAX_COST] };
     let (mut move_count, mut triangle) = (0, 0);
-    while count > 0 {
+    if !annealer.state.can_move() {
+        return;
+    }
+    loop {
         let share = spent(move_count);
         if share >= 1.0 {
             return;
