@@ -12,6 +12,7 @@ mod fewest;
 mod greedy;
 mod index_buffer;
 mod links;
+mod repair;
 mod seeds;
 mod strip_set;
 mod stripe;
@@ -23,6 +24,7 @@ pub use cost::{CacheCost, StripCost, fifo_cache_cost, lru_cache_cost};
 pub use fewest::strip_count_bound;
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
 pub use links::StripLinks;
+pub use repair::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
 pub(crate) use strip_set::check_offsets;
 pub use strip_set::{StripSet, StripSetError, strip_triangles};
 pub use stripifier::{
