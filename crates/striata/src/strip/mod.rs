@@ -5,6 +5,7 @@
 //! index makes a degenerate triangle that nobody draws; that is how a strip turns (a **swap**) and how two
 //! strips are joined without a restart index (a **stitch**).
 
+mod blocks;
 mod cost;
 mod greedy;
 mod index_buffer;
@@ -13,6 +14,10 @@ mod strip_set;
 mod stripifier;
 mod write;
 
+pub use blocks::{
+    Block, BlockCurve, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks,
+    stripify_blocks,
+};
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
 pub use links::StripLinks;
