@@ -16,7 +16,7 @@ mod write;
 
 pub use blocks::{
     Block, BlockCurve, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks,
-    stripify_blocks,
+    block_length, stripify_blocks,
 };
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};

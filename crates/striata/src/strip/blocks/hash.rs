@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
 /// A map that is only asked, never listed, so that its order shows nowhere.
-pub(super) type NumberMap<K> = HashMap<K, u32, BuildHasherDefault<NumberHasher>>;
+pub(super) type NumberMap<K, V> = HashMap<K, V, BuildHasherDefault<NumberHasher>>;
 
 /// One multiplication a number.
 #[derive(Clone, Copy, Debug, Default)]

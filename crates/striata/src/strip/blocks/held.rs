@@ -1,22 +1,81 @@
 //! Strips that wait for a later block, found by the sides where one may go on.
+//!
+//! A **loose** strip is taken apart by the block that comes beside it: its triangles are looked at anew. A
+//! longer one keeps its triangles but those at its ends: it is a chain that later strips may go on with.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::chain::{Chain, End};
 use super::hash::NumberMap;
 use super::{Block, BlockTriangle};
-use crate::strip::strip_triangles;
 
-/// A strip that touches triangles which are still to come.
-#[derive(Clone, Debug)]
-pub(super) struct HeldStrip {
-    /// Its indices, as numbered in the whole mesh.
-    pub(super) indices: Vec<u32>,
-    /// For each index the last block that uses its vertex.
-    pub(super) last_blocks: Vec<u32>,
-    /// The last block that can have a triangle at one of its open sides.
+/// The three sides of a triangle as they run.
+pub(super) fn sides_of([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
+    [(a, b), (b, c), (c, a)]
+}
+
+/// Sides of a strip that have no triangle beside them yet, but may get one.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct OpenSides {
+    /// As they run, over the vertices of the whole mesh.
+    pub(super) sides: Vec<(u32, u32)>,
+    /// The last block that can have a triangle beside one of them.
     pub(super) expiry: u32,
-    /// Triangles, degenerate ones not counted.
-    pub(super) triangle_count: usize,
+}
+
+/// The end of a chain: its triangle, and where that is open.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct OpenEnd {
+    pub(super) triangle: BlockTriangle,
+    pub(super) open: OpenSides,
+}
+
+/// A strip that waits.
+#[derive(Clone, Debug)]
+pub(super) enum HeldStrip {
+    /// Its triangles, free to be taken apart, and all open sides.
+    Loose { strip: Vec<u32>, triangles: Vec<BlockTriangle>, open: OpenSides },
+    /// Its ends, where they are open.
+    Chain { chain: Chain, ends: [Option<OpenEnd>; 2] },
+}
+
+impl HeldStrip {
+    /// Triangles, as far as they count for memory.
+    pub(super) fn triangle_count(&self) -> usize {
+        match self {
+            Self::Loose { triangles, .. } => triangles.len(),
+            Self::Chain { chain, .. } => chain.len() - 2,
+        }
+    }
+
+    fn open_sides(&self) -> impl Iterator<Item = (&OpenSides, End)> {
+        let (loose, ends) = match self {
+            Self::Loose { open, .. } => (Some((open, End::Front)), None),
+            Self::Chain { ends, .. } => (None, Some(ends)),
+        };
+        let at_ends = ends.into_iter().flat_map(|ends| ends.iter().zip(End::BOTH));
+        loose.into_iter().chain(at_ends.filter_map(|(end, which)| Some((&end.as_ref()?.open, which))))
+    }
+
+    fn expiry(&self) -> u32 {
+        self.open_sides().map(|(open, _)| open.expiry).max().unwrap_or(0)
+    }
+
+    /// As it is written.
+    pub(super) fn write(&self, out: &mut Vec<u32>) {
+        match self {
+            Self::Loose { strip, .. } => out.clone_from(strip),
+            Self::Chain { chain, .. } => chain.write(out),
+        }
+    }
+}
+
+/// A strip that a block lies beside.
+#[derive(Debug)]
+pub(super) struct Reached {
+    pub(super) strip: HeldStrip,
+    /// For a chain, the sides of its end triangles where that is.
+    pub(super) at: [Vec<(u32, u32)>; 2],
 }
 
 /// All strips that wait.
@@ -25,16 +84,11 @@ pub(super) struct Held {
     /// By number, which rises in the order in which they came.
     strips: BTreeMap<u32, HeldStrip>,
     by_expiry: BTreeSet<(u32, u32)>,
-    /// Which strip has a triangle that runs along this edge in this direction, and may be gone on from there.
-    sides: NumberMap<(u32, u32)>,
+    /// Which strip may be gone on with beside this side, and at which end.
+    sides: NumberMap<(u32, u32), (u32, End)>,
     next_number: u32,
     triangle_count: usize,
     peak_triangle_count: usize,
-}
-
-/// The three sides of a triangle as they run.
-pub(super) fn sides_of([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
-    [(a, b), (b, c), (c, a)]
 }
 
 impl Held {
@@ -48,28 +102,34 @@ impl Held {
         self.peak_triangle_count
     }
 
-    /// Lets a strip wait; `open_sides` are those of its sides where it may be gone on from.
-    pub(super) fn push(&mut self, strip: HeldStrip, open_sides: impl Iterator<Item = (u32, u32)>) {
+    /// Lets a strip wait.
+    pub(super) fn push(&mut self, strip: HeldStrip) {
         let number = self.next_number;
         self.next_number += 1;
-        // Where two triangles run along one edge alike, the later one is found; the other leaves in time.
-        self.sides.extend(open_sides.map(|side| (side, number)));
-        self.by_expiry.insert((strip.expiry, number));
-        self.triangle_count += strip.triangle_count;
+        for (open, end) in strip.open_sides() {
+            // Where two triangles run along one edge alike, the later one is found; the other leaves in time.
+            self.sides.extend(open.sides.iter().map(|&side| (side, (number, end))));
+        }
+        self.by_expiry.insert((strip.expiry(), number));
+        self.triangle_count += strip.triangle_count();
         self.peak_triangle_count = self.peak_triangle_count.max(self.triangle_count);
         self.strips.insert(number, strip);
     }
 
     /// Takes the strips out that a block's triangles lie beside.
-    pub(super) fn take_beside(&mut self, block: &Block) -> Vec<HeldStrip> {
+    pub(super) fn take_beside(&mut self, block: &Block) -> Vec<Reached> {
         if self.strips.is_empty() {
             return Vec::new();
         }
+        let mut found: BTreeMap<u32, [Vec<(u32, u32)>; 2]> = BTreeMap::new();
         let sides = block.triangles.iter().flat_map(|&BlockTriangle { corners, .. }| sides_of(corners));
-        let mut found: Vec<u32> = sides.filter_map(|(a, b)| self.sides.get(&(b, a)).copied()).collect();
-        found.sort_unstable();
-        found.dedup();
-        found.into_iter().filter_map(|number| self.take(number)).collect()
+        for side in sides.map(|(a, b)| (b, a)) {
+            if let Some(&(number, end)) = self.sides.get(&side) {
+                found.entry(number).or_default()[end as usize].push(side);
+            }
+        }
+        let reached = |(number, at)| Some(Reached { strip: self.take(number)?, at });
+        found.into_iter().filter_map(reached).collect()
     }
 
     /// Takes out a strip that no block after this one can touch.
@@ -80,10 +140,10 @@ impl Held {
 
     fn take(&mut self, number: u32) -> Option<HeldStrip> {
         let strip = self.strips.remove(&number)?;
-        self.by_expiry.remove(&(strip.expiry, number));
-        self.triangle_count -= strip.triangle_count;
-        for side in strip_triangles(&strip.indices).flat_map(sides_of) {
-            if self.sides.get(&side) == Some(&number) {
+        self.by_expiry.remove(&(strip.expiry(), number));
+        self.triangle_count -= strip.triangle_count();
+        for &side in strip.open_sides().flat_map(|(open, _)| &open.sides) {
+            if self.sides.get(&side).is_some_and(|&(found, _)| found == number) {
                 self.sides.remove(&side);
             }
         }

@@ -3,10 +3,10 @@
 use std::convert::Infallible;
 use std::ops::Range;
 
-use super::{Block, BlockCurve, BlockSource, BlockTriangle};
+use super::{Block, BlockCurve, BlockSource, BlockTriangle, block_length};
 use crate::mesh::{IndexedMesh, MeshError};
 
-/// A mesh in memory, block by block: each group along a space-filling curve, cut into even pieces.
+/// A mesh in memory, block by block: each group along a space-filling curve, cut into pieces.
 ///
 /// Bounds the memory of the search, not of the mesh: 12 bytes a triangle and 4 a vertex come on top of that.
 #[derive(Clone, Debug)]
@@ -36,9 +36,18 @@ impl<'a> MeshBlocks<'a> {
                 (range.start as u32..range.end as u32).map(|t| (curve.key(corners(t)), t)).collect();
             keys.sort_unstable();
             let first = order.len();
+            let mut rest = &keys[..];
+            while !rest.is_empty() {
+                let length = block_length(rest, |&(key, _)| key, block_triangles);
+                let start = first + keys.len() - rest.len();
+                blocks.push((group as u32, start..start + length));
+                rest = &rest[length..];
+            }
             order.extend(keys.into_iter().map(|(_, t)| t));
-            let pieces = even_pieces(range.len() as u64, block_triangles);
-            blocks.extend(pieces.map(|p| (group as u32, first + p.start as usize..first + p.end as usize)));
+        }
+        // Neighbours in a file are often neighbours in a row of triangles, which strips follow well.
+        for (_, range) in &blocks {
+            order[range.clone()].sort_unstable();
         }
         let mut last_blocks = vec![0; mesh.vertex_count()];
         for (block, (_, range)) in (0..).zip(&blocks) {
@@ -48,13 +57,6 @@ impl<'a> MeshBlocks<'a> {
         }
         Ok(Self { triangles: &mesh.triangles, order, blocks, last_blocks })
     }
-}
-
-/// Cuts `0..count` into as few pieces of nearly one length as `longest` allows.
-pub(super) fn even_pieces(count: u64, longest: usize) -> impl Iterator<Item = Range<u64>> {
-    let piece_count = count.div_ceil(longest.max(1) as u64);
-    let cut = move |piece: u64| (u128::from(count) * u128::from(piece) / u128::from(piece_count)) as u64;
-    (0..piece_count).map(move |piece| cut(piece)..cut(piece + 1))
 }
 
 impl BlockSource for MeshBlocks<'_> {
@@ -80,16 +82,6 @@ impl BlockSource for MeshBlocks<'_> {
 mod tests {
     use super::*;
     use crate::mesh::shapes;
-
-    #[test]
-    fn pieces_are_even_and_cover_all() {
-        for (count, longest, expected) in [(0, 5, 0), (5, 5, 1), (6, 5, 2), (23, 5, 5), (3, 0, 3)] {
-            let pieces: Vec<_> = even_pieces(count, longest).collect();
-            assert_eq!(pieces.len(), expected);
-            assert!(pieces.iter().all(|p| (1..=longest.max(1) as u64).contains(&(p.end - p.start))));
-            assert_eq!(pieces.iter().map(|p| p.end - p.start).sum::<u64>(), count);
-        }
-    }
 
     #[test]
     fn blocks_hold_each_triangle_once_and_know_the_last_use() {

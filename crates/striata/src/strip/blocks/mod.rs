@@ -18,22 +18,24 @@
 //! is done, which on a surface grows as the square root of the mesh, up to [`BlockOptions::held_limit`].
 //! Invariants: each triangle is written once, in its winding; no strip crosses a group.
 
+mod chain;
 mod curve;
 mod hash;
 mod held;
+mod joints;
 mod mesh_blocks;
 mod source;
 mod window;
+mod work;
 
 use crate::mesh::MeshError;
-use crate::strip::{RESTART, StripCost, StripOptions, StripSet, strip_triangles};
+use crate::strip::{RESTART, StripCost, StripOptions};
 use crate::{Cancelled, Progress, ProgressFn};
 
-pub use curve::BlockCurve;
-use held::Held;
+pub use curve::{BlockCurve, block_length};
 pub use mesh_blocks::MeshBlocks;
 pub use source::{Block, BlockSource, BlockTriangle};
-use window::Window;
+use work::Work;
 
 /// Options of [`stripify_blocks`].
 #[derive(Clone, Debug, PartialEq)]
@@ -175,155 +177,5 @@ pub fn stripify_blocks<S: BlockSource, W>(
         source.read_block(number, &mut block).map_err(|error| BlocksError::Read { block: number, error })?;
         work.add(number, &block)?;
     }
-    work.write_expired(u32::MAX).map_err(BlocksError::Write)?;
-    Ok(BlocksReport { block_count: total, ..work.report() })
-}
-
-/// Fewest triangles that may wait, however small the block was.
-const LEAST_HELD: usize = 4096;
-
-/// The state between two blocks.
-struct Work<'a, W> {
-    options: &'a BlockOptions,
-    writer: Writer<'a, W>,
-    held: Held,
-    window: Window,
-    report: BlocksReport,
-}
-
-impl<'a, W> Work<'a, W> {
-    fn new(options: &'a BlockOptions, write: &'a mut dyn FnMut(u32, &[u32]) -> Result<(), W>) -> Self {
-        Self {
-            options,
-            writer: Writer { write, group: 0, is_begun: false, cost: StripCost::default() },
-            held: Held::default(),
-            window: Window::default(),
-            report: BlocksReport::default(),
-        }
-    }
-
-    /// Makes strips of a block and of what waited for it; writes those that are complete.
-    fn add<R>(&mut self, number: u32, block: &Block) -> Result<(), BlocksError<R, W>> {
-        self.enter_group(number, block.group)?;
-        check_vertices(number, block)?;
-        self.window.clear();
-        for strip in self.held.take_beside(block) {
-            self.report.carried_count += strip.triangle_count;
-            self.window.push_strip(&strip);
-        }
-        self.write_expired(number).map_err(BlocksError::Write)?;
-        for triangle in &block.triangles {
-            self.window.push(triangle);
-        }
-        let report = &mut self.report;
-        report.peak_block_triangles = report.peak_block_triangles.max(block.triangles.len());
-        report.peak_window_triangles = report.peak_window_triangles.max(self.window.triangle_count());
-        let strips = self.window.stripify(&self.options.strip);
-        let strips = strips.map_err(|error| BlocksError::TooLarge { block: number, error })?;
-        self.window.find_rim(number);
-        let budget = self.options.held_limit.saturating_sub(self.held.triangle_count());
-        let expiries =
-            choose_held(&self.window, &strips, budget.min(block.triangles.len().max(LEAST_HELD) / 2));
-        self.write_or_hold(&strips, &expiries).map_err(BlocksError::Write)
-    }
-
-    /// Nothing waits for a group that is over.
-    fn enter_group<R>(&mut self, block: u32, found: u32) -> Result<(), BlocksError<R, W>> {
-        let previous = self.writer.group;
-        if found < previous {
-            return Err(BlocksError::GroupFalls { block, found, previous });
-        }
-        if found > previous {
-            self.write_expired(u32::MAX).map_err(BlocksError::Write)?;
-            self.writer.group = found;
-            self.writer.is_begun = false;
-        }
-        Ok(())
-    }
-
-    fn write_expired(&mut self, block: u32) -> Result<(), W> {
-        while let Some(strip) = self.held.take_expired(block) {
-            self.writer.push(&strip.indices)?;
-        }
-        Ok(())
-    }
-
-    fn write_or_hold(&mut self, strips: &StripSet, expiries: &[Option<u32>]) -> Result<(), W> {
-        let mut in_mesh = Vec::new();
-        for (strip, expiry) in strips.strips().zip(expiries) {
-            if let Some(expiry) = *expiry {
-                let (held, open_sides) = self.window.to_held(strip, expiry);
-                self.held.push(held, open_sides.into_iter());
-            } else {
-                self.window.strip_in_mesh(strip, &mut in_mesh);
-                self.writer.push(&in_mesh)?;
-            }
-        }
-        Ok(())
-    }
-
-    fn report(&self) -> BlocksReport {
-        let mut report = self.report;
-        report.cost = self.writer.cost;
-        report.peak_held_triangles = self.held.peak_triangle_count();
-        if report.cost.triangle_count > 0 {
-            report.cost.indices_per_triangle =
-                report.cost.index_count as f64 / report.cost.triangle_count as f64;
-        }
-        report
-    }
-}
-
-fn check_vertices<R, W>(number: u32, block: &Block) -> Result<(), BlocksError<R, W>> {
-    match block.triangles.iter().position(|triangle| triangle.corners.contains(&RESTART)) {
-        Some(triangle) => Err(BlocksError::ReservedVertex { block: number, triangle }),
-        None => Ok(()),
-    }
-}
-
-/// Until which block each strip waits; `None` for those that are complete, or for which there is no room.
-///
-/// A strip is worth holding for the sides that it has open, and costs its triangles.
-fn choose_held(window: &Window, strips: &StripSet, budget: usize) -> Vec<Option<u32>> {
-    let mut chosen = vec![None; strips.strip_count()];
-    let mut candidates: Vec<(usize, usize, usize)> = Vec::new();
-    for (index, strip) in strips.strips().enumerate() {
-        let open = window.count_open_sides(strip);
-        if open.count > 0 {
-            candidates.push((open.count, strip_triangles(strip).count(), index));
-            chosen[index] = Some(open.expiry);
-        }
-    }
-    candidates.sort_by(|a, b| (b.0 * a.1).cmp(&(a.0 * b.1)).then(a.2.cmp(&b.2)));
-    let mut held = 0;
-    for (_, triangle_count, index) in candidates {
-        if held + triangle_count > budget {
-            chosen[index] = None;
-        } else {
-            held += triangle_count;
-        }
-    }
-    chosen
-}
-
-/// Hands strips out and counts what they cost.
-struct Writer<'a, W> {
-    write: &'a mut dyn FnMut(u32, &[u32]) -> Result<(), W>,
-    group: u32,
-    /// Whether the group has a strip.
-    is_begun: bool,
-    cost: StripCost,
-}
-
-impl<W> Writer<'_, W> {
-    fn push(&mut self, strip: &[u32]) -> Result<(), W> {
-        let triangle_count = strip_triangles(strip).count();
-        self.cost.triangle_count += triangle_count;
-        self.cost.strip_count += 1;
-        self.cost.swap_count += strip.len().saturating_sub(2) - triangle_count;
-        self.cost.index_count += strip.len() + usize::from(self.is_begun);
-        self.cost.longest_strip = self.cost.longest_strip.max(strip.len());
-        self.is_begun = true;
-        (self.write)(self.group, strip)
-    }
+    work.finish(total).map_err(BlocksError::Write)
 }

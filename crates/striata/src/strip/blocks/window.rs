@@ -2,7 +2,7 @@
 
 use super::BlockTriangle;
 use super::hash::NumberMap;
-use super::held::{HeldStrip, sides_of};
+use super::held::{OpenSides, sides_of};
 use crate::mesh::{IndexedMesh, MeshError};
 use crate::strip::{StripOptions, StripSet, strip_triangles, stripify};
 
@@ -11,21 +11,13 @@ use crate::strip::{StripOptions, StripSet, strip_triangles, stripify};
 pub(super) struct Window {
     mesh: IndexedMesh,
     /// The number of a vertex here, by its number in the whole mesh.
-    numbers: NumberMap<u32>,
+    numbers: NumberMap<u32, u32>,
     /// The other way round.
     vertices: Vec<u32>,
     /// For each vertex the last block that uses it.
     last_blocks: Vec<u32>,
     /// Sides between vertices that later blocks use, as they run, rising.
     rim: Vec<(u32, u32)>,
-}
-
-/// Where a strip may be gone on from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct OpenSides {
-    pub(super) count: usize,
-    /// The last block that can have a triangle at one of them.
-    pub(super) expiry: u32,
 }
 
 impl Window {
@@ -42,17 +34,28 @@ impl Window {
         self.mesh.triangle_count()
     }
 
-    /// Adds a triangle of the block.
+    /// Adds a triangle.
     pub(super) fn push(&mut self, triangle: &BlockTriangle) {
         let [a, b, c] = [0, 1, 2].map(|k| self.number(triangle.corners[k], triangle.last_blocks[k]));
         self.mesh.triangles.push([a, b, c]);
     }
 
-    /// Adds the triangles of a strip that waited.
-    pub(super) fn push_strip(&mut self, strip: &HeldStrip) {
-        let corners = strip.indices.iter().zip(&strip.last_blocks);
-        let indices: Vec<u32> = corners.map(|(&v, &last)| self.number(v, last)).collect();
-        self.mesh.triangles.extend(strip_triangles(&indices));
+    /// Adds the end triangle of a chain so that only the side without this corner has a neighbour: whatever
+    /// passes it, ends in it.
+    pub(super) fn push_end(&mut self, triangle: &BlockTriangle, spare: u32) {
+        let mut corner = |k: usize| {
+            let (vertex, last_block) = (triangle.corners[k], triangle.last_blocks[k]);
+            let number = self.number(vertex, last_block);
+            if vertex != spare {
+                return number;
+            }
+            // A vertex beside the real one, which no other triangle has.
+            self.vertices.push(vertex);
+            self.last_blocks.push(last_block);
+            self.vertices.len() as u32 - 1
+        };
+        let corners = [0, 1, 2].map(&mut corner);
+        self.mesh.triangles.push(corners);
     }
 
     fn number(&mut self, vertex: u32, last_block: u32) -> u32 {
@@ -75,52 +78,63 @@ impl Window {
         stripify(&self.mesh, options)
     }
 
-    /// Finds the sides between vertices that blocks after this one use.
-    pub(super) fn find_rim(&mut self, block: u32) {
+    /// Finds the sides between vertices that blocks after this one use; beside those of `taken`, sides over
+    /// the vertices of the whole mesh, lies a triangle that is not in the window.
+    pub(super) fn find_rim<'a>(&mut self, block: u32, taken: impl Iterator<Item = &'a (u32, u32)>) {
         self.rim.clear();
         let is_shared = |v: u32| self.last_blocks[v as usize] > block;
+        let real = |v: u32| self.numbers.get(&self.vertices[v as usize]).copied().unwrap_or(v);
         for (a, b) in self.mesh.triangles.iter().flat_map(|&t| sides_of(t)) {
             if is_shared(a) && is_shared(b) {
-                self.rim.push((a, b));
+                self.rim.push((real(a), real(b)));
             }
         }
+        self.rim.extend(taken.filter_map(|(a, b)| Some((*self.numbers.get(b)?, *self.numbers.get(a)?))));
         self.rim.sort_unstable();
     }
 
-    /// Sides of a strip that have no triangle beside them yet, but may get one.
-    pub(super) fn open_sides<'a>(&'a self, strip: &'a [u32]) -> impl Iterator<Item = (u32, u32)> + 'a {
+    /// Open sides of a triangle over this window's numbers.
+    fn open_sides_of(&self, triangle: [u32; 3]) -> impl Iterator<Item = (u32, u32)> {
         let is_rim = |side: &(u32, u32)| self.rim.binary_search(side).is_ok();
-        let sides = strip_triangles(strip)
-            .flat_map(sides_of)
-            .filter(move |side| !self.rim.is_empty() && is_rim(side));
-        sides.filter(move |&(a, b)| !is_rim(&(b, a)))
+        let sides = if self.rim.is_empty() { None } else { Some(sides_of(triangle)) };
+        sides.into_iter().flatten().filter(move |&(a, b)| is_rim(&(a, b)) && !is_rim(&(b, a)))
     }
 
-    /// How many these are, and until when they are open.
-    pub(super) fn count_open_sides(&self, strip: &[u32]) -> OpenSides {
+    /// Open sides of all triangles of a strip over this window's numbers.
+    pub(super) fn open_sides(&self, strip: &[u32]) -> OpenSides {
+        self.collected(strip_triangles(strip).flat_map(|t| self.open_sides_of(t)))
+    }
+
+    /// How many open sides a strip has.
+    pub(super) fn open_side_count(&self, strip: &[u32]) -> usize {
+        strip_triangles(strip).map(|t| self.open_sides_of(t).count()).sum()
+    }
+
+    fn collected(&self, sides: impl Iterator<Item = (u32, u32)>) -> OpenSides {
         let mut open = OpenSides::default();
-        for (a, b) in self.open_sides(strip) {
-            let until = self.last_blocks[a as usize].min(self.last_blocks[b as usize]);
-            open = OpenSides { count: open.count + 1, expiry: open.expiry.max(until) };
+        for (a, b) in sides {
+            open.expiry = open.expiry.max(self.last_blocks[a as usize].min(self.last_blocks[b as usize]));
+            open.sides.push((self.vertices[a as usize], self.vertices[b as usize]));
         }
         open
     }
 
-    /// The strip over the vertices of the whole mesh.
-    pub(super) fn strip_in_mesh(&self, strip: &[u32], out: &mut Vec<u32>) {
-        out.clear();
-        out.extend(strip.iter().map(|&v| self.vertices[v as usize]));
+    /// A triangle of this window in the whole mesh.
+    pub(super) fn in_mesh(&self, triangle: [u32; 3]) -> BlockTriangle {
+        let [corners, last_blocks] =
+            [&self.vertices, &self.last_blocks].map(|numbers| triangle.map(|v| numbers[v as usize]));
+        BlockTriangle { corners, last_blocks }
     }
 
-    /// The strip as one that waits, and its open sides in the whole mesh.
-    pub(super) fn to_held(&self, strip: &[u32], expiry: u32) -> (HeldStrip, Vec<(u32, u32)>) {
-        let in_mesh = |v: u32| self.vertices[v as usize];
-        let held = HeldStrip {
-            indices: strip.iter().map(|&v| in_mesh(v)).collect(),
-            last_blocks: strip.iter().map(|&v| self.last_blocks[v as usize]).collect(),
-            expiry,
-            triangle_count: strip_triangles(strip).count(),
-        };
-        (held, self.open_sides(strip).map(|(a, b)| (in_mesh(a), in_mesh(b))).collect())
+    /// The open sides of one triangle, its corners numbered as in the whole mesh.
+    pub(super) fn open_sides_in_mesh(&self, corners: [u32; 3]) -> Option<(BlockTriangle, OpenSides)> {
+        let [Some(&a), Some(&b), Some(&c)] = corners.map(|v| self.numbers.get(&v)) else { return None };
+        let open = self.collected(self.open_sides_of([a, b, c]));
+        (!open.sides.is_empty()).then(|| (self.in_mesh([a, b, c]), open))
+    }
+
+    /// A strip of this window over the vertices of the whole mesh.
+    pub(super) fn strip_in_mesh(&self, strip: &[u32]) -> Vec<u32> {
+        strip.iter().map(|&v| self.vertices[v as usize]).collect()
     }
 }
