@@ -164,7 +164,7 @@ impl<'a> StripLinks<'a> {
 
     /// Makes a dashed link solid.
     ///
-    /// The caller sees to it that no loop closes; one that does is cut again when strips are written.
+    /// The caller sees to it that no loop closes: a loop has no end to write it from.
     ///
     /// # Panics
     /// If there is no link across this side; in debug builds also if it is solid or a triangle has two already.

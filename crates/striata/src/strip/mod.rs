@@ -12,6 +12,7 @@ mod index_buffer;
 mod links;
 mod strip_set;
 mod stripifier;
+mod tunnel;
 mod write;
 
 pub use blocks::{

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::str::FromStr;
 
 use super::links::StripLinks;
+use super::tunnel::{self, Identity};
 use super::write::write_strips;
 use super::{StripSet, greedy};
 use crate::mesh::{DualGraph, IndexedMesh, MeshError};
@@ -16,6 +17,16 @@ pub enum Stripifier {
     /// Best of three walks from triangles with few free neighbours: fast, few indices.
     #[default]
     Greedy,
+    /// Tunnelling with dynamic identities \[PS03\]: few strips.
+    Tunnel {
+        /// The longest tunnel searched for, in links; odd (an even length acts as the odd one below it).
+        max_length: u32,
+    },
+    /// Tunnelling with identities of the search's beginning \[Ste01\]: the baseline of the former.
+    StaticTunnel {
+        /// As for [`Stripifier::Tunnel`].
+        max_length: u32,
+    },
 }
 
 /// The longest tunnel that is searched for where nothing else is said: what the paper took for its bunny.
@@ -25,6 +36,8 @@ impl fmt::Display for Stripifier {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Greedy => f.write_str("greedy"),
+            Self::Tunnel { max_length } => write!(f, "tunnel:{max_length}"),
+            Self::StaticTunnel { max_length } => write!(f, "tunnel-static:{max_length}"),
         }
     }
 }
@@ -39,16 +52,27 @@ pub struct ParseStripifierError {
 
 impl Stripifier {
     /// How each is written, for messages and help.
-    pub const SPELLINGS: &'static str = "greedy";
+    pub const SPELLINGS: &'static str = "greedy, tunnel[:MAX], tunnel-static[:MAX]";
 }
 
 impl FromStr for Stripifier {
     type Err = ParseStripifierError;
 
-    /// Reads `greedy`.
+    /// Reads a name, and after a colon the parameter of those that have one.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let wrong = || ParseStripifierError { found: text.to_owned() };
-        match text {
+        let (name, parameter) = match text.split_once(':') {
+            Some((name, parameter)) => (name, Some(parameter)),
+            None => (text, None),
+        };
+        let max_length = || match parameter {
+            Some(length) => length.parse().ok().filter(|&length| length > 0).ok_or_else(wrong),
+            None => Ok(DEFAULT_TUNNEL_LENGTH),
+        };
+        match name {
+            "tunnel" => Ok(Self::Tunnel { max_length: max_length()? }),
+            "tunnel-static" => Ok(Self::StaticTunnel { max_length: max_length()? }),
+            _ if parameter.is_some() => Err(wrong()),
             "greedy" => Ok(Self::Greedy),
             _ => Err(wrong()),
         }
@@ -121,6 +145,14 @@ pub(super) struct Task<'a> {
     pub(super) options: &'a StripOptions,
 }
 
+impl Task<'_> {
+    /// Whether a triangle has three corners: others are in no strip.
+    pub(super) fn is_proper(&self, triangle: u32) -> bool {
+        let [a, b, c] = self.triangles[triangle as usize];
+        a != b && b != c && c != a
+    }
+}
+
 /// Covers each triangle of a mesh by exactly one strip; degenerate triangles (two equal corners) are left out.
 ///
 /// The groups of the set are those of the mesh (one where it has none).
@@ -128,7 +160,7 @@ pub(super) struct Task<'a> {
 /// # Errors
 /// [`MeshError`] where the mesh's parts do not fit together.
 pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, MeshError> {
-    let allowed = options.effort * mesh.triangle_count() as f64 * options.stripifier.moves_per_triangle();
+    let allowed = options.stripifier.moves_per_triangle() * options.effort * mesh.triangle_count() as f64;
     stripify_from(mesh, &StripSet::new(), options, &mut |moves| moves as f64 / allowed.max(1.0))
 }
 
@@ -158,9 +190,15 @@ pub fn stripify_from(
     let mut out = StripSet::new();
     match options.stripifier {
         Stripifier::Greedy => greedy::run(&task, &mut links),
+        Stripifier::Tunnel { max_length } => {
+            tunnel::run(&task, &mut links, max_length, Identity::Dynamic, spent);
+        }
+        Stripifier::StaticTunnel { max_length } => {
+            tunnel::run(&task, &mut links, max_length, Identity::Static, spent);
+        }
     }
-    let _ = spent;
-    write_strips(task.triangles, &mut links, task.groups.iter().cloned(), &mut out);
+    debug_assert_eq!(links.clone().cut_loops(), 0, "{} closed a loop", options.stripifier);
+    write_strips(task.triangles, &links, task.groups.iter().cloned(), &mut out);
     Ok(out)
 }
 
@@ -168,7 +206,8 @@ impl Stripifier {
     /// Moves that the search makes for each triangle of a mesh, with an effort of 1.
     fn moves_per_triangle(self) -> f64 {
         match self {
-            Self::Greedy => 0.0,
+            // These end by themselves.
+            Self::Greedy | Self::Tunnel { .. } | Self::StaticTunnel { .. } => f64::INFINITY,
         }
     }
 }

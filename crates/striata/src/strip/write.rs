@@ -93,14 +93,13 @@ impl Path {
 
 /// Appends the strips of all groups.
 ///
-/// Degenerate triangles are left out.
+/// Degenerate triangles are left out; a loop would be too.
 pub(crate) fn write_strips(
     triangles: &[[u32; 3]],
-    links: &mut StripLinks<'_>,
+    links: &StripLinks<'_>,
     groups: impl Iterator<Item = Range<usize>>,
     out: &mut StripSet,
 ) {
-    links.cut_loops();
     let mut indices = Vec::new();
     in_order(triangles, links, groups, |links, path| match path {
         Some(path) => {

@@ -1,0 +1,130 @@
+//! Every stripifier on every kind of mesh: each proper triangle once, winding and groups kept, costs as counted.
+
+use proptest::prelude::*;
+use striata::mesh::{IndexedMesh, Random, TriangleGroup, canonical_triangles, shapes};
+use striata::strip::{
+    RESTART, StripOptions, StripSet, Stripifier, restart_triangles_into, strip_triangles, stripify,
+    stripify_from,
+};
+
+/// One of each, with parameters that matter.
+const SPECS: [&str; 5] = ["greedy", "tunnel:1", "tunnel:9", "tunnel-static:9", "tunnel:40"];
+
+fn options(spec: &str) -> StripOptions {
+    StripOptions::default().with_stripifier(spec.parse().unwrap()).with_effort(0.2)
+}
+
+fn proper(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    canonical_triangles(triangles).into_iter().filter(|[a, b, c]| a != b && b != c && c != a).collect()
+}
+
+/// Group by group, strips hold the mesh's proper triangles; both index buffers draw them too.
+fn check(mesh: &IndexedMesh, strips: &StripSet, what: &str) {
+    let groups = mesh.groups_or_whole();
+    assert_eq!(strips.group_count(), groups.len(), "{what}");
+    let (restart, stitched) = (strips.to_restart_indices(), strips.to_stitched_indices());
+    for (g, group) in groups.iter().enumerate() {
+        let expected = proper(&mesh.triangles[group.range()]);
+        let from_strips: Vec<_> =
+            strips.group_strips(g).flat_map(|s| strip_triangles(strips.strip(s))).collect();
+        assert_eq!(canonical_triangles(&from_strips), expected, "{what}, group {g}");
+        for joined in [&restart, &stitched] {
+            let range = &joined.group_ranges[g];
+            let mut drawn = Vec::new();
+            restart_triangles_into(&joined.indices[range.start as usize..range.end as usize], &mut drawn);
+            assert_eq!(canonical_triangles(&drawn), expected, "{what}, drawn, group {g}");
+        }
+    }
+    let cost = strips.cost();
+    assert_eq!(cost.index_count, restart.indices.len(), "{what}");
+    assert!(!stitched.indices.contains(&RESTART), "{what}");
+    assert!(strips.strips().all(|strip| strip.len() >= 3), "{what}: an empty strip");
+}
+
+/// Triangles between few vertices: crowded edges, twins, degenerate ones.
+fn soup(vertices: u32, triangles: u32, seed: u64) -> IndexedMesh {
+    let mut random = Random::new(seed);
+    let triangles = (0..triangles).map(|_| [(); 3].map(|()| random.below(vertices))).collect();
+    IndexedMesh::new(vec![[0.0; 3]; vertices as usize], triangles)
+}
+
+fn check_all(mesh: &IndexedMesh, what: &str) {
+    let mut last = StripSet::new();
+    for spec in SPECS {
+        let strips = stripify(mesh, &options(spec)).unwrap();
+        check(mesh, &strips, &format!("{what}, {spec}"));
+        let again = stripify(mesh, &options(spec)).unwrap();
+        assert_eq!(strips, again, "{what}, {spec}: not the same twice");
+        // From the strips of the one before, and from strips of which some do not fit.
+        let unbounded = &mut |_| 0.0;
+        let from = stripify_from(mesh, &last, &options(spec), unbounded).unwrap();
+        check(mesh, &from, &format!("{what}, {spec} from others"));
+        last = strips;
+    }
+}
+
+#[test]
+fn shapes_and_nasty_meshes_are_covered() {
+    for (name, mesh) in shapes::nasty() {
+        if mesh.check().is_ok() {
+            check_all(&mesh, name);
+        }
+    }
+    check_all(&shapes::torus(12, 9, 1.0, 0.4), "torus");
+    check_all(&shapes::grid(9, 7), "grid");
+    check_all(&shapes::hard_cube(), "cube");
+    check_all(&IndexedMesh::default(), "nothing");
+}
+
+#[test]
+fn strips_do_not_cross_groups() {
+    let mut mesh = shapes::grid(12, 12);
+    let third = mesh.triangle_count() as u32 / 3;
+    let group = |first, count| TriangleGroup { first, count, ..TriangleGroup::default() };
+    mesh.groups = vec![group(0, third), group(third, 0), group(third, mesh.triangle_count() as u32 - third)];
+    check_all(&mesh, "grid in groups");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_soups_are_covered(seed in any::<u64>(), vertices in 3u32..30, triangles in 0u32..80) {
+        check_all(&soup(vertices, triangles, seed), "soup");
+    }
+
+    /// Strips of another mesh are no start, but no harm either.
+    #[test]
+    fn foreign_strips_do_no_harm(seed in any::<u64>(), indices in prop::collection::vec(0u32..30, 0..40)) {
+        let mesh = soup(20, 40, seed);
+        let mut start = StripSet::new();
+        for strip in indices.chunks(7) {
+            start.push(strip);
+        }
+        start.end_group();
+        for spec in SPECS {
+            check(&mesh, &stripify_from(&mesh, &start, &options(spec), &mut |_| 0.0).unwrap(), spec);
+        }
+    }
+}
+
+#[test]
+fn longer_tunnels_leave_fewer_strips() {
+    let mesh = shapes::torus(60, 40, 1.0, 0.4);
+    let count = |spec: &str| stripify(&mesh, &options(spec)).unwrap().strip_count();
+    assert!(count("tunnel:21") < count("tunnel:5"), "{} and {}", count("tunnel:21"), count("tunnel:5"));
+    assert!(count("tunnel:5") < count("tunnel:1"));
+    assert!(count("tunnel:9") < count("tunnel-static:9"));
+}
+
+#[test]
+fn names_are_read_back_and_wrong_ones_refused() {
+    for spec in SPECS {
+        assert_eq!(spec.parse::<Stripifier>().unwrap().to_string(), spec);
+    }
+    assert_eq!("tunnel".parse(), Ok(Stripifier::Tunnel { max_length: 17 }));
+    for wrong in ["", "tunnel:", "tunnel:0", "tunnel:-1", "greedy:3", "Greedy", "tunnel:99999999999"] {
+        let error = wrong.parse::<Stripifier>().unwrap_err().to_string();
+        assert!(error.contains("tunnel[:MAX]"), "{error}");
+    }
+}
