@@ -89,7 +89,7 @@ fn blocks_cost_hardly_more_indices_than_the_whole() {
         striata_io::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/nefertiti.ply.zst")).unwrap();
     for (name, mesh, block_triangles) in [
         ("terrain", shapes::terrain(180, 3), 6000),
-        ("torus", shapes::torus(200, 260, 3.0, 1.0), 12_000),
+        ("sphere", shapes::uv_sphere(150, 200, 1.0), 12_000),
         ("nefertiti", scan, 10_000),
     ] {
         let whole = stripify(&mesh, &StripOptions::default()).unwrap().cost().index_count;
