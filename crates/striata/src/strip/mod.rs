@@ -20,7 +20,7 @@ pub use blocks::{
     block_length, stripify_blocks,
 };
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
-pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
+pub use index_buffer::{RESTART, StripIndices, restart_triangles_into, stitch};
 pub use links::StripLinks;
 pub(crate) use strip_set::check_offsets;
 pub use strip_set::{StripSet, StripSetError, strip_triangles};
