@@ -27,6 +27,7 @@ pub use adjacency::{Adjacency, Edge};
 pub use appearance::{Appearance, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
 pub use defect::{Defect, DefectKind};
+pub(crate) use disjoint_sets::DisjointSets;
 #[cfg(feature = "distance")]
 pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};
 pub use dual_graph::DualGraph;

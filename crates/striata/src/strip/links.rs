@@ -116,6 +116,11 @@ impl<'a> StripLinks<'a> {
         self.twins
     }
 
+    /// Makes all links dashed.
+    pub fn clear(&mut self) {
+        self.solid.fill(0);
+    }
+
     /// Solid bits of a triangle.
     #[inline]
     pub(crate) fn solid_bits(&self, triangle: u32) -> u8 {

@@ -6,6 +6,7 @@
 //! strips are joined without a restart index (a **stitch**).
 
 mod blocks;
+mod cheapest;
 mod cost;
 mod greedy;
 mod index_buffer;

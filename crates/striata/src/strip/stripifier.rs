@@ -7,7 +7,7 @@ use std::str::FromStr;
 use super::links::StripLinks;
 use super::tunnel::{self, Identity};
 use super::write::write_strips;
-use super::{StripSet, greedy};
+use super::{StripSet, cheapest, greedy};
 use crate::mesh::{DualGraph, IndexedMesh, MeshError};
 
 /// Which algorithm makes the strips.
@@ -27,6 +27,8 @@ pub enum Stripifier {
         /// As for [`Stripifier::Tunnel`].
         max_length: u32,
     },
+    /// Local moves with annealing, strips joined where they meet: fewest indices.
+    Cheapest,
 }
 
 /// The longest tunnel that is searched for where nothing else is said: what the paper took for its bunny.
@@ -38,6 +40,7 @@ impl fmt::Display for Stripifier {
             Self::Greedy => f.write_str("greedy"),
             Self::Tunnel { max_length } => write!(f, "tunnel:{max_length}"),
             Self::StaticTunnel { max_length } => write!(f, "tunnel-static:{max_length}"),
+            Self::Cheapest => f.write_str("cheapest"),
         }
     }
 }
@@ -52,7 +55,7 @@ pub struct ParseStripifierError {
 
 impl Stripifier {
     /// How each is written, for messages and help.
-    pub const SPELLINGS: &'static str = "greedy, tunnel[:MAX], tunnel-static[:MAX]";
+    pub const SPELLINGS: &'static str = "greedy, tunnel[:MAX], tunnel-static[:MAX], cheapest";
 }
 
 impl FromStr for Stripifier {
@@ -74,6 +77,7 @@ impl FromStr for Stripifier {
             "tunnel-static" => Ok(Self::StaticTunnel { max_length: max_length()? }),
             _ if parameter.is_some() => Err(wrong()),
             "greedy" => Ok(Self::Greedy),
+            "cheapest" => Ok(Self::Cheapest),
             _ => Err(wrong()),
         }
     }
@@ -135,7 +139,8 @@ impl StripOptions {
 
 /// Told how many moves a search has made, answers which share of its budget that is; the search ends at 1.
 ///
-/// A search plans with it (it cools as the share grows), so it should grow steadily.
+/// A search plans with it (it cools as the share grows), so it should grow steadily, and it must come to 1:
+/// `cheapest` has no other end.
 pub type SpentFn<'a> = dyn FnMut(u64) -> f64 + 'a;
 
 /// What a stripifier works on.
@@ -196,6 +201,10 @@ pub fn stripify_from(
         Stripifier::StaticTunnel { max_length } => {
             tunnel::run(&task, &mut links, max_length, Identity::Static, spent);
         }
+        Stripifier::Cheapest => {
+            cheapest::run(&task, &mut links, spent, &mut out);
+            return Ok(out);
+        }
     }
     debug_assert_eq!(links.clone().cut_loops(), 0, "{} closed a loop", options.stripifier);
     write_strips(task.triangles, &links, task.groups.iter().cloned(), &mut out);
@@ -208,6 +217,7 @@ impl Stripifier {
         match self {
             // These end by themselves.
             Self::Greedy | Self::Tunnel { .. } | Self::StaticTunnel { .. } => f64::INFINITY,
+            Self::Cheapest => 100.0,
         }
     }
 }

@@ -100,50 +100,61 @@ pub(crate) fn write_strips(
     groups: impl Iterator<Item = Range<usize>>,
     out: &mut StripSet,
 ) {
-    let mut indices = Vec::new();
-    in_order(triangles, links, groups, |links, path| match path {
-        Some(path) => {
+    let (mut order, mut indices) = (StripOrder::new(triangles), Vec::new());
+    for group in groups {
+        order.visit(group, links, |path| {
             if !path.begins_well(links) && path.ends_well(links) {
                 path.reverse(links);
             }
             indices.clear();
             path.write(triangles, links, false, &mut indices);
             out.push(&indices);
-        }
-        None => out.end_group(),
-    });
+        });
+        out.end_group();
+    }
 }
 
-/// Visits every strip once, group by group, neighbours after each other; `None` ends a group.
-fn in_order<'a>(
-    triangles: &[[u32; 3]],
-    links: &StripLinks<'a>,
-    groups: impl Iterator<Item = Range<usize>>,
-    mut visit: impl FnMut(&StripLinks<'a>, Option<&mut Path>),
-) {
-    let mut is_done: Vec<bool> =
-        triangles.iter().map(|t| t[0] == t[1] || t[1] == t[2] || t[2] == t[0]).collect();
-    let (mut path, mut waiting) = (Path::default(), Vec::new());
-    for group in groups {
+/// Visits every strip once, neighbours after each other.
+pub(crate) struct StripOrder {
+    is_done: Vec<bool>,
+    /// Triangles beside strips that were visited, the last ones first.
+    waiting: Vec<u32>,
+    path: Path,
+}
+
+impl StripOrder {
+    /// Degenerate triangles belong to no strip.
+    pub(crate) fn new(triangles: &[[u32; 3]]) -> Self {
+        let is_done = triangles.iter().map(|t| t[0] == t[1] || t[1] == t[2] || t[2] == t[0]).collect();
+        Self { is_done, waiting: Vec::new(), path: Path::default() }
+    }
+
+    /// Visits the strips of one group of triangles.
+    pub(crate) fn visit(
+        &mut self,
+        group: Range<usize>,
+        links: &StripLinks<'_>,
+        mut visit: impl FnMut(&mut Path),
+    ) {
         for seed in group.start as u32..group.end as u32 {
-            waiting.push(seed);
-            while let Some(near) = waiting.pop() {
-                if is_done[near as usize] {
+            self.waiting.push(seed);
+            while let Some(near) = self.waiting.pop() {
+                if self.is_done[near as usize] {
                     continue;
                 }
                 let end = links.first_solid(near).map_or(near, |side| links.end_beyond(side));
-                path.follow(links, end);
-                visit(links, Some(&mut path));
-                for triangle in path.triangles(links) {
-                    is_done[triangle as usize] = true;
+                self.path.follow(links, end);
+                visit(&mut self.path);
+                for triangle in self.path.triangles(links) {
+                    self.is_done[triangle as usize] = true;
                 }
-                for triangle in path.triangles(links) {
+                for triangle in self.path.triangles(links) {
                     let sides = 3 * triangle as usize..3 * triangle as usize + 3;
                     let beside = links.twins()[sides].iter().filter(|&&twin| twin != NO_TWIN);
-                    waiting.extend(beside.map(|&twin| twin / 3).filter(|&t| !is_done[t as usize]));
+                    let is_done = &self.is_done;
+                    self.waiting.extend(beside.map(|&twin| twin / 3).filter(|&t| !is_done[t as usize]));
                 }
             }
         }
-        visit(links, None);
     }
 }

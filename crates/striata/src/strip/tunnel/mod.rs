@@ -19,7 +19,7 @@ mod trace;
 
 pub(crate) use places::PlaceTable;
 pub(crate) use search::{Identity, Search};
-pub(crate) use trace::{Places, Step};
+pub(crate) use trace::Step;
 
 use super::StripLinks;
 use super::stripifier::{SpentFn, Task};
