@@ -10,7 +10,7 @@ use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, Steps, cargo, say};
 
 /// Each feature that must compile by itself: the crate and the features.
-const FEATURES_ALONE: [(&str, &str); 10] = [
+const FEATURES_ALONE: [(&str, &str); 11] = [
     ("striata", ""),
     ("striata", "parallel"),
     ("striata", "distance"),
@@ -21,6 +21,7 @@ const FEATURES_ALONE: [(&str, &str); 10] = [
     ("striata-io", "off"),
     ("striata-io", "gltf"),
     ("striata-io", "compressed"),
+    ("striata-cli", "peers"),
 ];
 
 /// Runs all steps and stops at the first that fails.

@@ -9,8 +9,11 @@ mod failure;
 mod input;
 mod level;
 mod output;
+mod page;
 mod picture;
 mod save;
+mod strip_chain;
+mod strip_report;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;

@@ -96,6 +96,11 @@ impl Bar {
         let _ = self.show(Progress { phase, done: 0, total: 1 });
     }
 
+    /// Shows which share of a phase is done.
+    pub(crate) fn share(&mut self, phase: &'static str, share: f64) {
+        let _ = self.show(Progress { phase, done: (1000.0 * share) as u64, total: 1000 });
+    }
+
     /// Shows how far the library has come; never cancels.
     pub(crate) fn show(&mut self, progress: Progress) -> ControlFlow<()> {
         if self.phase != progress.phase {

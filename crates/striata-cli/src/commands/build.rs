@@ -8,7 +8,6 @@ use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, StopReason, build_welded_sequence};
-use striata::strip::{StripCost, StripOptions, stripify};
 use striata_io::write_atomically;
 
 use crate::args::{BuildArgs, CostArg, SequenceArgs};
@@ -17,6 +16,8 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Bar, Output, Table, grouped, lasted, measured, sized, to_stdout};
 use crate::save::is_stdout;
+use crate::strip_chain::StripPlan;
+use crate::strip_report::StripReport;
 
 /// The phases that a build reports.
 pub(crate) const PHASES: [&str; 6] = ["read", "weld", "simplify", "strip", "models", "write"];
@@ -45,8 +46,8 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let mut options = args.sequence.options(diagonal)?;
     options.base_triangle_count = args.base.unwrap_or(0);
     options.max_error = args.max_error.map(|error| error.in_units(diagonal));
-    let built =
-        build(&mesh, &options, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
+    let built = build(&mesh, &options, &args.strip_plan(), &mut phases, &mut bar)
+        .map_err(|failure| failure.in_file(&input.name))?;
     phases.enter("write");
     bar.phase("write");
     let bytes = built.to_bytes(&source)?;
@@ -69,7 +70,7 @@ pub(crate) struct Built {
     /// The model of its strips.
     pub(crate) lod_strips: LodStrips<'static>,
     stop_reason: StopReason,
-    strip_cost: StripCost,
+    strip_report: StripReport,
 }
 
 /// Builds the sequence, the strips and the models of a mesh.
@@ -79,6 +80,7 @@ pub(crate) struct Built {
 pub(crate) fn build(
     mesh: &IndexedMesh,
     options: &SequenceOptions,
+    plan: &StripPlan,
     phases: &mut Phases,
     bar: &mut Bar,
 ) -> Result<Built, Failure> {
@@ -89,13 +91,12 @@ pub(crate) fn build(
     let sequence = build_welded_sequence(welded, options, &mut |progress| bar.show(progress))?;
     let refinable = sequence.refinable;
     phases.enter("strip");
-    bar.phase("strip");
-    let strips = stripify(&refinable.mesh, &StripOptions::default())?;
-    let strip_cost = strips.cost();
+    let stripped = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
+    let strip_report = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped)?;
     phases.enter("models");
     bar.phase("models");
-    let lod_strips = LodStrips::build(&refinable, &strips)?;
-    Ok(Built { refinable, lod_strips, stop_reason: sequence.stop_reason, strip_cost })
+    let lod_strips = LodStrips::build(&refinable, &stripped.strips)?;
+    Ok(Built { refinable, lod_strips, stop_reason: sequence.stop_reason, strip_report })
 }
 
 impl Built {
@@ -136,7 +137,8 @@ impl Report {
             "lodstrips".to_owned(),
             json!({ "bytes": bytes, "bytes_per_vertex": bytes as f64 / vertex_count as f64 }),
         );
-        let cost = &built.strip_cost;
+        let mut strips = json!(built.strip_report);
+        strips["secs"] = json!(phases.secs_of("strip"));
         Self {
             input: json!({
                 "vertex_count": mesh.vertex_count(),
@@ -151,14 +153,7 @@ impl Report {
             error_max: sequence.error_at(0),
             stop_reason: built.stop_reason.as_str(),
             models,
-            strips: json!({
-                "algorithm": "greedy",
-                "strip_count": cost.strip_count,
-                "swap_count": cost.swap_count,
-                "index_count": cost.index_count,
-                "indices_per_triangle": cost.indices_per_triangle,
-                "longest_strip": cost.longest_strip,
-            }),
+            strips,
             output_bytes,
             secs: phases.total_secs(),
             phases,
@@ -177,9 +172,9 @@ impl Report {
         row("triangles", format!("{} down to {}", triangles(last), triangles(0)));
         row("levels", grouped(last + 1));
         row("error of the base", format!("{} ({share:.3} % of the diagonal)", measured(error)));
-        let cost = &built.strip_cost;
+        let StripReport { algorithm, strip_count, indices_per_triangle, .. } = &built.strip_report;
         let strips =
-            format!("{}, {:.3} indices a triangle", grouped(cost.strip_count), cost.indices_per_triangle);
+            format!("{} ({algorithm}), {indices_per_triangle:.3} indices a triangle", grouped(*strip_count));
         row("strips", strips);
         row("file", format!("{} ({})", output.display(), sized(self.output_bytes)));
         row("time", lasted(self.secs));

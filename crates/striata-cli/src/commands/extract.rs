@@ -6,8 +6,8 @@ use serde::Serialize;
 use striata::codec::StriataFile;
 use striata::model::{LodModel, LodStrips, LodStripsState};
 use striata::strip::StripSet;
-use striata_io::Format;
 
+use super::strip::check_strips_fit;
 use crate::args::{ExtractArgs, TriangleForm};
 use crate::commands::build::{MODELS, unknown_name};
 use crate::failure::Failure;
@@ -119,10 +119,8 @@ fn lod_strips<'a>(
 /// Where strips are asked for in a format that has none.
 fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
     let format = format_of(&args.output.output, &args.output.format)?;
-    if args.form == TriangleForm::Strips && !matches!(format, Format::Glb | Format::Gltf) {
-        return Err(
-            Failure::user(format!("{format} has no strips")).with_hint("write .glb or .gltf, or --as list")
-        );
+    if args.form == TriangleForm::Strips {
+        return check_strips_fit(&args.output.output, format, "say --as list");
     }
     Ok(())
 }

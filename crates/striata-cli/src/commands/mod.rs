@@ -1,6 +1,7 @@
 //! The verbs, one file each.
 
 mod build;
+mod compare;
 mod completions;
 mod convert;
 mod demo;
@@ -8,6 +9,7 @@ mod distance;
 mod extract;
 mod info;
 mod simplify;
+mod strip;
 
 use crate::args::{Cli, Verb};
 use crate::failure::Failure;
@@ -24,6 +26,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Info(args) => info::run(args, &output),
         Verb::Extract(args) => extract::run(args, &output),
         Verb::Simplify(args) => simplify::run(args, &output),
+        Verb::Strip(args) => strip::run(args, &output),
+        Verb::Compare(args) => compare::run(args, &output),
         Verb::Distance(args) => distance::run(args, &output),
         Verb::Convert(args) => convert::run(args, &output),
         Verb::Demo(args) => demo::run(args, &output),

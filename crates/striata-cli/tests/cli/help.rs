@@ -18,7 +18,18 @@ fn the_whole_help_fits_one_screen() {
 
 #[test]
 fn every_verb_ends_with_two_examples() {
-    for verb in ["build", "info", "extract", "simplify", "distance", "convert", "demo", "completions"] {
+    for verb in [
+        "build",
+        "info",
+        "extract",
+        "simplify",
+        "strip",
+        "compare",
+        "distance",
+        "convert",
+        "demo",
+        "completions",
+    ] {
         let text = help(&format!("{verb} --help"));
         let (_, examples) = text.split_once("Examples:\n").expect("examples");
         let count = examples.lines().filter(|line| line.starts_with("  striata ")).count();

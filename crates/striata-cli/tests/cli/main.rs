@@ -1,6 +1,8 @@
 //! The command as its users meet it: run in a folder of its own, judged by what it prints and leaves.
 
+mod compare;
 mod help;
 mod refusals;
+mod strips;
 mod verbs;
 mod workbench;

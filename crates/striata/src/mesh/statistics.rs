@@ -8,6 +8,7 @@
 
 use glam::DVec3;
 
+use super::disjoint_sets::DisjointSets;
 use super::weld::number_positions;
 use super::{Adjacency, Bounds, IndexedMesh, MeshError};
 
@@ -120,6 +121,27 @@ pub(super) fn triangles_by_position(mesh: &IndexedMesh) -> (Vec<[u32; 3]>, usize
     (mesh.triangles.iter().map(|t| t.map(|v| position_of[v as usize])).collect(), position_count)
 }
 
+impl IndexedMesh {
+    /// Pieces that share no position: [`Statistics::component_count`] without the rest, in linear time.
+    ///
+    /// # Errors
+    /// [`MeshError`] where the mesh's parts do not fit together.
+    pub fn component_count(&self) -> Result<usize, MeshError> {
+        self.check()?;
+        let (triangles, position_count) = triangles_by_position(self);
+        let mut sets = DisjointSets::new(position_count);
+        let mut is_used = vec![false; position_count];
+        let mut joined = 0;
+        for [a, b, c] in triangles {
+            if a != b && b != c && c != a {
+                [a, b, c].iter().for_each(|&p| is_used[p as usize] = true);
+                joined += usize::from(sets.join(a, b)) + usize::from(sets.join(b, c));
+            }
+        }
+        Ok(is_used.iter().filter(|&&is| is).count() - joined)
+    }
+}
+
 /// A triangle's area, square mesh units; exactly 0 where two corners are at one position.
 pub(super) fn area_of(mesh: &IndexedMesh, triangle: usize) -> f64 {
     let corner = |v: u32| DVec3::from_array(mesh.positions[v as usize].map(f64::from));
@@ -194,6 +216,18 @@ mod tests {
         let plain = of(&IndexedMesh::new(positions, vec![[0, 1, 2], [5, 2, 3]]));
         assert_eq!((plain.unused_vertex_count, plain.boundary_edge_count, plain.genus), (1, 4, Some(0)));
         assert!(!plain.is_closed);
+    }
+
+    #[test]
+    fn components_alone_are_those_of_all_numbers() {
+        let mut compared = 0;
+        for (name, mesh) in shapes::nasty() {
+            // An error may hold a NaN, which equals nothing.
+            let whole = Statistics::of(&mesh).ok().map(|statistics| statistics.component_count);
+            assert_eq!(mesh.component_count().ok(), whole, "{name}");
+            compared += usize::from(whole.is_some_and(|count| count > 1));
+        }
+        assert!(compared > 0, "no mesh of several pieces was among them");
     }
 
     #[test]

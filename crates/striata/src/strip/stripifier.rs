@@ -135,6 +135,11 @@ impl StripOptions {
         self.cache_size = size;
         self
     }
+
+    /// The moves that [`stripify`] allows a search on so many triangles; infinite for those that end by themselves.
+    pub fn allowed_moves(&self, triangle_count: usize) -> f64 {
+        self.stripifier.moves_per_triangle() * self.effort * triangle_count.max(1) as f64
+    }
 }
 
 /// Told how many moves a search has made, answers which share of its budget that is; the search ends at 1.
@@ -165,7 +170,7 @@ impl Task<'_> {
 /// # Errors
 /// [`MeshError`] where the mesh's parts do not fit together.
 pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, MeshError> {
-    let allowed = options.stripifier.moves_per_triangle() * options.effort * mesh.triangle_count() as f64;
+    let allowed = options.allowed_moves(mesh.triangle_count());
     stripify_from(mesh, &StripSet::new(), options, &mut |moves| moves as f64 / allowed.max(1.0))
 }
 

@@ -1,8 +1,8 @@
 //! The page that the demo leaves: a template, filled with pictures, tables and the mesh itself.
 
-use std::fmt::Write as _;
-
 use striata::mesh::RefinableMesh;
+
+use crate::page::{STYLE, fill, table};
 
 /// The page with `{{NAMES}}` where content goes.
 const TEMPLATE: &str = include_str!("page.html");
@@ -35,7 +35,8 @@ pub(super) fn render(content: &Content<'_>, refinable: &RefinableMesh) -> String
         .iter()
         .map(|(name, what)| vec![format!("<a href=\"{name}\">{name}</a>"), what.clone()])
         .collect();
-    fill(|name| match name {
+    fill(TEMPLATE, |name| match name {
+        "STYLE" => STYLE.to_owned(),
         "INTRO" => content.intro.to_owned(),
         "LEVELS" => content.levels.to_owned(),
         "TABLE" => table(content.table, true),
@@ -48,35 +49,6 @@ pub(super) fn render(content: &Content<'_>, refinable: &RefinableMesh) -> String
         "VIEWER" => VIEWER.to_owned(),
         unknown => unreachable!("the template asks for {unknown}"),
     })
-}
-
-/// The template with each `{{NAME}}` replaced by what `content_of` says; contents are not looked into.
-fn fill(content_of: impl Fn(&str) -> String) -> String {
-    let mut page = String::new();
-    let mut rest = TEMPLATE;
-    while let Some((before, after)) = rest.split_once("{{") {
-        let (name, after) = after.split_once("}}").unwrap_or((after, ""));
-        page.push_str(before);
-        page.push_str(&content_of(name));
-        rest = after;
-    }
-    page.push_str(rest);
-    page
-}
-
-fn table(rows: &[Vec<String>], has_head: bool) -> String {
-    let mut html = String::from("<table>");
-    for (index, row) in rows.iter().enumerate() {
-        let cell = if has_head && index == 0 { "th" } else { "td" };
-        html.push_str("<tr>");
-        for content in row {
-            // Writing to a string cannot fail.
-            let _ = write!(html, "<{cell}>{content}</{cell}>");
-        }
-        html.push_str("</tr>");
-    }
-    html.push_str("</table>");
-    html
 }
 
 fn little_endian<T: Copy, const N: usize>(values: &[T], bytes_of: impl Fn(T) -> [u8; N]) -> Vec<u8> {
@@ -113,17 +85,11 @@ mod tests {
 
     #[test]
     fn every_name_of_the_template_is_filled() {
-        let page = fill(|name| {
+        let page = fill(TEMPLATE, |name| {
             assert!(name.bytes().all(|b| b.is_ascii_uppercase()), "odd name {name:?}");
             format!("<<{name}>>")
         });
         assert!(!page.contains("{{") && !page.contains("}}"));
         assert!(page.contains("<<VIEWER>>") && page.ends_with("</html>\n"));
-    }
-
-    #[test]
-    fn tables_have_one_head() {
-        let rows = [vec!["a".to_owned()], vec!["1".to_owned()]];
-        assert_eq!(table(&rows, true), "<table><tr><th>a</th></tr><tr><td>1</td></tr></table>");
     }
 }

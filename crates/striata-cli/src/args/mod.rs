@@ -1,10 +1,16 @@
 //! The arguments of the command: one type per verb, and the values that flags take.
 
+mod strips;
+
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+
+use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
+pub(crate) use self::strips::{CompareArgs, StripArgs, StripSearchArgs};
+use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
 #[derive(Debug, Parser)]
@@ -12,7 +18,7 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
     name = "striata",
     version,
     about = "Continuous level of detail for triangle meshes",
-    after_help = "Meshes: .ply .obj .stl .off .gltf .glb, and .gz or .zst around them; `-` is stdin or stdout.\n\
+    after_help = "Meshes: .ply .obj .stl .off .gltf .glb, .gz, .zst; `-` is stdin or stdout.\n\
                   `striata VERB --help` tells all of a verb, with examples.",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs",
@@ -54,6 +60,10 @@ pub(crate) enum Verb {
     Extract(ExtractArgs),
     /// Simplify a mesh to one level
     Simplify(SimplifyArgs),
+    /// Cover a mesh by triangle strips
+    Strip(StripArgs),
+    /// Compare stripifiers on the same meshes
+    Compare(CompareArgs),
     /// Measure the distance between two surfaces
     Distance(DistanceArgs),
     /// Convert between mesh formats
@@ -90,6 +100,12 @@ pub(crate) struct BuildArgs {
     /// How collapses are ordered.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
+    /// How the strips at full detail are made.
+    #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into(), help = strips_help(), help_heading = STRIPS)]
+    pub(crate) strips: StripChain,
+    /// How long, and with which chances, strips are searched.
+    #[command(flatten)]
+    pub(crate) search: StripSearchArgs,
 }
 
 /// Arguments of `info`.
@@ -328,6 +344,18 @@ impl Length {
             Self::Absolute(length) => length,
             Self::OfDiagonal(share) => share * diagonal,
         }
+    }
+}
+
+impl BuildArgs {
+    /// The strips asked for.
+    pub(crate) fn strip_plan(&self) -> StripPlan {
+        StripPlan { chain: self.strips.clone(), search: self.search }
+    }
+
+    /// The strips that are made where nothing is asked for.
+    pub(crate) fn usual_strip_plan() -> StripPlan {
+        StripPlan { chain: BUILD_STRIPS.into(), search: StripSearchArgs::default() }
     }
 }
 

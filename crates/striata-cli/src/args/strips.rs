@@ -1,0 +1,124 @@
+//! The arguments of verbs that make strips.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use striata::strip::{StripOptions, Stripifier};
+
+use super::FormatArg;
+use crate::strip_chain::{StripChain, StripPlan};
+
+/// The strips that `strip` makes where nothing else is said.
+const STRIP_STRIPS: Stripifier = Stripifier::Greedy;
+
+/// The strips that `build` makes where nothing else is said.
+pub(super) const BUILD_STRIPS: Stripifier = Stripifier::Greedy;
+
+/// The stripifiers that `compare` measures where nothing else is said.
+const COMPARED_STRIPS: &str = "greedy,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17";
+
+/// Entries of the vertex cache that misses are counted for where nothing else is said.
+const USUAL_CACHE_SIZE: u32 = 16;
+
+/// Heading of the flags about strips.
+pub(super) const STRIPS: &str = "Strips";
+
+pub(super) fn strips_help() -> String {
+    format!(
+        "Stripifiers, joined by +, each beginning with the strips of the one before: {}",
+        Stripifier::SPELLINGS
+    )
+}
+
+/// Arguments of `strip`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata strip bunny.ply\n  \
+    striata strip bunny.ply -o bunny.glb --strips greedy --json")]
+pub(crate) struct StripArgs {
+    /// A mesh, a .striata file (its full level), or - for stdin
+    pub(crate) input: PathBuf,
+    /// The .glb or .gltf to write with these strips, or - for stdout [default: only report]
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Format of the output [default: by its extension]
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) to: Option<FormatArg>,
+    /// Merge equal vertices first, as `build` does: strips cross only edges whose vertices are shared
+    #[arg(long)]
+    pub(crate) weld: bool,
+    /// How strips are made.
+    #[arg(long, value_name = "SPEC", default_value_t = STRIP_STRIPS.into(), help = strips_help(), help_heading = STRIPS)]
+    pub(crate) strips: StripChain,
+    /// How long, and with which chances.
+    #[command(flatten)]
+    pub(crate) search: StripSearchArgs,
+}
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata compare bunny.ply cow.obj --html strips.html\n  \
+    striata compare bunny.ply --strips greedy,greedy+tunnel:9 --seeds 3 --json")]
+pub(crate) struct CompareArgs {
+    /// Meshes, or .striata files (their full level)
+    #[arg(value_name = "INPUT", required = true)]
+    pub(crate) inputs: Vec<PathBuf>,
+    /// Write a page with charts too; it opens without a network
+    #[arg(long, value_name = "OUT")]
+    pub(crate) html: Option<PathBuf>,
+    /// Merge equal vertices first, as `build` does
+    #[arg(long)]
+    pub(crate) weld: bool,
+    /// The longest tunnel searched for: every odd length up to it is measured
+    #[arg(long, value_name = "N", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..=999))]
+    pub(crate) max_tunnel: u32,
+    /// Seeds that each tunnel length is measured with
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(crate) seeds: u32,
+    /// Stripifiers to compare, separated by commas, chained by +
+    #[arg(long, value_name = "SPECS", value_delimiter = ',', default_value = COMPARED_STRIPS)]
+    pub(crate) strips: Vec<StripChain>,
+    /// Seconds that those which search are given, one after the other, besides their usual number of moves
+    #[arg(long, value_name = "SECS", value_delimiter = ',', default_value = "0.1,0.5,2", value_parser = parse_at_least_zero)]
+    pub(crate) budgets: Vec<f64>,
+}
+
+/// How those stripifiers that search do it.
+#[derive(Clone, Copy, Debug, Args)]
+#[command(next_help_heading = STRIPS)]
+pub(crate) struct StripSearchArgs {
+    /// Seconds for each stripifier that searches; results then differ between runs [default: a fixed number of moves]
+    #[arg(long, value_name = "SECS", allow_negative_numbers = true, value_parser = parse_at_least_zero)]
+    pub(crate) budget: Option<f64>,
+    /// Seed of what is chosen at random; equal seeds give equal strips
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    pub(crate) seed: u64,
+    /// For `cheapest`: how many indices one miss of the vertex cache is worth
+    #[arg(long, value_name = "W", default_value_t = 0.0, allow_negative_numbers = true, value_parser = parse_at_least_zero)]
+    pub(crate) cache_weight: f64,
+    /// Entries of that first-in first-out cache
+    #[arg(long, value_name = "N", default_value_t = USUAL_CACHE_SIZE, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) cache_size: u32,
+}
+
+impl StripArgs {
+    /// The strips asked for.
+    pub(crate) fn plan(&self) -> StripPlan {
+        StripPlan { chain: self.strips.clone(), search: self.search }
+    }
+}
+
+impl Default for StripSearchArgs {
+    fn default() -> Self {
+        let StripOptions { seed, cache_weight, .. } = StripOptions::default();
+        Self { budget: None, seed, cache_weight, cache_size: USUAL_CACHE_SIZE }
+    }
+}
+
+fn parse_at_least_zero(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() && number >= 0.0 => Ok(number),
+        _ => Err("must be a number, 0 or more".to_owned()),
+    }
+}

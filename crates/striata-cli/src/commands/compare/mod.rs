@@ -1,0 +1,202 @@
+//! `compare`: what there is to choose from, measured on the same meshes, as tables, JSON and a page with charts.
+//!
+//! Each part that measures something is a file here with its `measure`, its `table` of rows for people, and its
+//! `section` of the page; this file puts parts and meshes together.
+
+mod labels;
+mod page;
+#[cfg(feature = "peers")]
+mod peers;
+mod plot;
+mod scale;
+mod stripifiers;
+mod tunnels;
+
+use std::path::Path;
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::mesh::{IndexedMesh, weld};
+use striata_io::write_atomically;
+
+use self::page::MeshPart;
+use self::stripifiers::StripifierRow;
+use self::tunnels::TunnelRow;
+use crate::args::CompareArgs;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{Bar, Output, Table, grouped, lasted, to_stdout};
+use crate::save::is_stdout;
+
+#[derive(Serialize)]
+struct Report {
+    command: String,
+    machine: String,
+    meshes: Vec<MeshReport>,
+    secs: f64,
+}
+
+#[derive(Serialize)]
+struct MeshReport {
+    name: String,
+    vertex_count: usize,
+    triangle_count: usize,
+    component_count: usize,
+    strips: StripsReport,
+}
+
+#[derive(Serialize)]
+struct StripsReport {
+    tunnel_lengths: Vec<TunnelRow>,
+    stripifiers: Vec<StripifierRow>,
+}
+
+/// Measures every mesh, writes the page, reports.
+///
+/// # Errors
+/// Where a mesh cannot be read or the page not be written.
+pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
+    let started = Instant::now();
+    let page_to_stdout = args.html.as_deref().is_some_and(is_stdout);
+    output.check_stdout_is_free(page_to_stdout)?;
+    args.html.as_deref().map_or(Ok(()), check_folder)?;
+    // All are opened first: a file that is not there is told before minutes of work.
+    let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
+    let meshes = inputs.iter().map(|input| measure(input, args, output)).collect::<Result<_, _>>()?;
+    let (command, machine) = (command_line(std::env::args().skip(1)), machine());
+    let report = Report { command, machine, meshes, secs: started.elapsed().as_secs_f64() };
+    if let Some(path) = &args.html {
+        let html = report.to_page()?;
+        if is_stdout(path) {
+            to_stdout(html.as_bytes())?;
+        } else {
+            write_atomically(path, |out| out.write_all(html.as_bytes()))?;
+        }
+    }
+    let text = report.to_text();
+    if page_to_stdout { output.summary(&report, &text) } else { output.data(&report, &text) }
+}
+
+fn measure(input: &Input, args: &CompareArgs, output: &Output) -> Result<MeshReport, Failure> {
+    let mut mesh = input.mesh()?;
+    let blamed = |failure: Failure| failure.in_file(&input.name);
+    if args.weld {
+        mesh = weld(&mesh).map_err(|error| blamed(error.into()))?.mesh;
+    }
+    let mut bar = output.bar();
+    let strips =
+        measure_strips(&mesh, args, &mut bar, &|what| output.say(&format!("{}: {what}", input.name)));
+    Ok(MeshReport {
+        name: input.file_name(),
+        vertex_count: mesh.vertex_count(),
+        triangle_count: mesh.triangle_count(),
+        component_count: mesh.component_count().map_err(|error| blamed(error.into()))?,
+        strips: strips.map_err(blamed)?,
+    })
+}
+
+fn measure_strips(
+    mesh: &IndexedMesh,
+    args: &CompareArgs,
+    bar: &mut Bar,
+    say: &dyn Fn(&str),
+) -> Result<StripsReport, Failure> {
+    say(&format!("tunnels of up to {} links, {} seeds each", args.max_tunnel, args.seeds));
+    let tunnel_lengths =
+        tunnels::measure(mesh, args.max_tunnel, args.seeds, &mut |share| bar.share("tunnels", share))?;
+    let mut show = |name: &str| say(name);
+    let stripifiers = stripifiers::measure(mesh, &args.strips, &args.budgets, &mut show)?;
+    Ok(StripsReport { tunnel_lengths, stripifiers })
+}
+
+impl Report {
+    fn to_text(&self) -> String {
+        let mut text = String::new();
+        for mesh in &self.meshes {
+            let strips = &mesh.strips;
+            text.push_str(&format!("{}: {}\n\n", mesh.name, mesh.summary()));
+            text.push_str(
+                "Strips by the longest tunnel: mean, lowest to highest, standard deviation of the sample\n",
+            );
+            text.push_str(&text_of(tunnels::table(&strips.tunnel_lengths)));
+            text.push_str("\nTime against quality\n");
+            text.push_str(&text_of(stripifiers::table(&strips.stripifiers)));
+            text.push('\n');
+        }
+        text.push_str(&format!("{}; all measured in {}\n", self.machine, lasted(self.secs)));
+        text
+    }
+
+    fn to_page(&self) -> Result<String, Failure> {
+        let meshes: Result<Vec<MeshPart>, Failure> = self.meshes.iter().map(MeshReport::to_part).collect();
+        Ok(page::render(&self.command, &self.machine, &meshes?))
+    }
+}
+
+impl MeshReport {
+    fn summary(&self) -> String {
+        let components = if self.component_count == 1 { "component" } else { "components" };
+        format!(
+            "{} triangles, {} vertices, {} {components}",
+            grouped(self.triangle_count),
+            grouped(self.vertex_count),
+            grouped(self.component_count)
+        )
+    }
+
+    fn to_part(&self) -> Result<MeshPart, Failure> {
+        let sections = vec![
+            tunnels::section(&self.strips.tunnel_lengths)?,
+            stripifiers::section(&self.strips.stripifiers)?,
+        ];
+        Ok(MeshPart { name: self.name.clone(), summary: self.summary(), sections })
+    }
+}
+
+fn text_of(rows: Vec<Vec<String>>) -> String {
+    let mut table = Table::default();
+    rows.into_iter().for_each(|row| table.row(row));
+    table.to_text()
+}
+
+/// The command line as a shell takes it again.
+fn command_line(arguments: impl Iterator<Item = String>) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./:,=+%@".contains(c);
+    let quoted = arguments.map(|argument| {
+        let needs_none = !argument.is_empty() && argument.chars().all(is_plain);
+        if needs_none { argument } else { format!("'{}'", argument.replace('\'', "'\\''")) }
+    });
+    std::iter::once("striata".to_owned()).chain(quoted).collect::<Vec<_>>().join(" ")
+}
+
+fn machine() -> String {
+    let threads = std::thread::available_parallelism().map_or(1, |count| count.get());
+    let version = env!("CARGO_PKG_VERSION");
+    let (system, processor) = (std::env::consts::OS, std::env::consts::ARCH);
+    let peers =
+        if cfg!(feature = "peers") { "" } else { "; built without other tools (the feature `peers`)" };
+    format!("striata {version} on {system}, {processor}, {threads} threads{peers}")
+}
+
+/// A page that cannot be written is told before the work, not after.
+fn check_folder(path: &Path) -> Result<(), Failure> {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
+            Err(Failure::user(format!("{}: there is no folder {}", path.display(), folder.display()))
+                .with_hint("make the output's folder first"))
+        }
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_line_can_be_pasted() {
+        let line = |arguments: &[&str]| command_line(arguments.iter().map(|&a| a.to_owned()));
+        assert_eq!(line(&["compare", "a.ply", "--seeds", "3"]), "striata compare a.ply --seeds 3");
+        assert_eq!(line(&["it's here.ply", ""]), "striata 'it'\\''s here.ply' ''");
+    }
+}

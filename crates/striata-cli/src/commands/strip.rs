@@ -1,0 +1,107 @@
+//! `strip`: a mesh covered by triangle strips, and what they cost.
+
+use std::path::Path;
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::mesh::weld;
+use striata_io::Format;
+
+use super::extract::stitched;
+use crate::args::{FormatArgs, StripArgs};
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{Output, grouped};
+use crate::save::{format_of, is_stdout, save};
+use crate::strip_report::StripReport;
+
+#[derive(Serialize)]
+struct Report {
+    #[serde(flatten)]
+    strips: StripReport,
+    seed: u64,
+    budget_secs: Option<f64>,
+    /// Indices of the file that was written: joined by degenerate triangles instead of restarts.
+    stitched_index_count: Option<usize>,
+    secs: f64,
+}
+
+/// Reads, stripifies, writes where that is asked for, and reports.
+///
+/// # Errors
+/// Where any of it fails; the output is then as it was.
+pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
+    let started = Instant::now();
+    let format = FormatArgs { to: args.to, ascii: false };
+    check_output(args, &format, output)?;
+    let mut bar = output.bar();
+    bar.phase("read");
+    let input = Input::open(&args.input)?;
+    let blamed = |failure: Failure| failure.in_file(&input.name);
+    let mut mesh = input.mesh()?;
+    if args.weld {
+        bar.phase("weld");
+        mesh = weld(&mesh).map_err(|error| blamed(error.into()))?.mesh;
+    }
+    let stripped = args.plan().run(&mesh, &mut |share| bar.share("strip", share));
+    let stripped = stripped.map_err(|error| blamed(error.into()))?;
+    let strips = StripReport::new(args.strips.to_string(), &mesh, &stripped)?;
+    let mut report = Report {
+        strips,
+        seed: args.search.seed,
+        budget_secs: args.search.budget,
+        stitched_index_count: None,
+        secs: 0.0,
+    };
+    if let Some(path) = &args.output {
+        bar.phase("write");
+        let lists = stitched(&stripped.strips);
+        report.stitched_index_count = Some(lists.iter().map(Vec::len).sum());
+        save(&mesh, Some(lists), path, &format)?;
+    }
+    drop(bar);
+    report.secs = started.elapsed().as_secs_f64();
+    let text = report.to_text(args.output.as_deref());
+    match args.output {
+        Some(_) => output.summary(&report, &text)?,
+        None => output.data(&report, &text)?,
+    }
+    let StripReport { strip_count, triangle_count, .. } = report.strips;
+    if !args.weld && triangle_count > 1 && strip_count == triangle_count {
+        output.say("hint: no strip has two triangles; --weld merges vertices that are equal but not shared");
+    }
+    Ok(())
+}
+
+impl Report {
+    fn to_text(&self, path: Option<&Path>) -> String {
+        let mut text = self.strips.to_text();
+        if let (Some(path), Some(count)) = (path, self.stitched_index_count) {
+            let name = if is_stdout(path) { "stdout".into() } else { path.to_string_lossy() };
+            text.push_str(&format!(
+                "{name}: {} indices, strips joined by degenerate triangles\n",
+                grouped(count)
+            ));
+        }
+        text
+    }
+}
+
+/// # Errors
+/// Where the output cannot hold strips, or stdout would have to take two things.
+fn check_output(args: &StripArgs, format: &FormatArgs, output: &Output) -> Result<(), Failure> {
+    let Some(path) = &args.output else { return Ok(()) };
+    output.check_stdout_is_free(is_stdout(path))?;
+    check_strips_fit(path, format_of(path, format)?, "drop -o to only see what the strips cost")
+}
+
+/// # Errors
+/// Where a format has no strips; `instead` is what the user can do besides choosing another.
+pub(super) fn check_strips_fit(path: &Path, format: Format, instead: &str) -> Result<(), Failure> {
+    if matches!(format, Format::Glb | Format::Gltf) {
+        return Ok(());
+    }
+    let name = if is_stdout(path) { "stdout".into() } else { path.to_string_lossy() };
+    Err(Failure::user(format!("{name}: {format} has no strips"))
+        .with_hint(format!("write .glb or .gltf (`--to glb` for stdout), or {instead}")))
+}

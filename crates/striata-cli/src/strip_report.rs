@@ -1,0 +1,75 @@
+//! What strips cost, in the keys and rows that every verb tells it in.
+
+use serde::Serialize;
+use striata::mesh::{IndexedMesh, MeshError};
+use striata::strip::{RESTART, fifo_cache_cost};
+
+use crate::output::{Table, grouped, lasted};
+use crate::strip_chain::Stripped;
+
+/// What strips cost.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct StripReport {
+    pub(crate) algorithm: String,
+    pub(crate) triangle_count: usize,
+    pub(crate) degenerate_triangle_count: usize,
+    pub(crate) component_count: usize,
+    pub(crate) strip_count: usize,
+    pub(crate) swap_count: usize,
+    pub(crate) restart_count: usize,
+    pub(crate) index_count: usize,
+    pub(crate) indices_per_triangle: f64,
+    pub(crate) longest_strip: usize,
+    pub(crate) acmr_16: f64,
+    pub(crate) atvr_16: f64,
+    pub(crate) stripify_secs: f64,
+}
+
+impl StripReport {
+    /// Measures the strips of a mesh; `algorithm` is what made them.
+    ///
+    /// # Errors
+    /// Where the mesh's parts do not fit together.
+    pub(crate) fn new(algorithm: String, mesh: &IndexedMesh, stripped: &Stripped) -> Result<Self, MeshError> {
+        let cost = stripped.strips.cost();
+        let drawn = stripped.strips.to_restart_indices().indices;
+        let fifo_16 = fifo_cache_cost(&drawn, cost.triangle_count, 16);
+        Ok(Self {
+            algorithm,
+            triangle_count: cost.triangle_count,
+            degenerate_triangle_count: mesh.triangle_count() - cost.triangle_count,
+            component_count: mesh.component_count()?,
+            strip_count: cost.strip_count,
+            swap_count: cost.swap_count,
+            restart_count: drawn.iter().filter(|&&index| index == RESTART).count(),
+            index_count: cost.index_count,
+            indices_per_triangle: cost.indices_per_triangle,
+            longest_strip: cost.longest_strip,
+            acmr_16: fifo_16.acmr,
+            atvr_16: fifo_16.atvr,
+            stripify_secs: stripped.secs,
+        })
+    }
+
+    /// The same for people.
+    pub(crate) fn to_text(&self) -> String {
+        let mut table = Table::default();
+        let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
+        row("algorithm", self.algorithm.clone());
+        row("triangles", grouped(self.triangle_count));
+        if self.degenerate_triangle_count > 0 {
+            row("degenerate, left out", grouped(self.degenerate_triangle_count));
+        }
+        row("components", grouped(self.component_count));
+        row("strips", grouped(self.strip_count));
+        row("swaps", grouped(self.swap_count));
+        row("restarts", grouped(self.restart_count));
+        row("indices", grouped(self.index_count));
+        row("indices a triangle", format!("{:.4}", self.indices_per_triangle));
+        row("longest strip, indices", grouped(self.longest_strip));
+        row("misses a triangle, FIFO 16", format!("{:.4}", self.acmr_16));
+        row("misses a vertex, FIFO 16", format!("{:.4}", self.atvr_16));
+        row("time of the stripifier", lasted(self.stripify_secs));
+        table.to_text()
+    }
+}
