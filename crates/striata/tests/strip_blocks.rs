@@ -9,7 +9,7 @@ use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, canonical_triangles, shapes};
 use striata::strip::{
     Block, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks, RESTART,
-    StripOptions, StripSet, stripify, stripify_blocks,
+    StripOptions, StripSet, Stripifier, stripify, stripify_blocks,
 };
 use support::{Random, soup, with_seams_and_groups};
 
@@ -72,6 +72,22 @@ fn every_triangle_is_in_one_strip_whatever_the_mesh_and_the_blocks() {
         for block_triangles in [0, 1, 2, 7, 50, usize::MAX] {
             check(name, &mesh, block_triangles, &options);
         }
+    }
+}
+
+#[test]
+fn any_stripifier_works_in_blocks() {
+    for name in Stripifier::SPELLINGS.split(", ") {
+        let stripifier = name.replace("[:MAX]", ":5").replace(":MAX", ":5").parse().unwrap();
+        let strip = StripOptions::default().with_stripifier(stripifier).with_effort(0.2);
+        let options = BlockOptions::default().with_strip(strip);
+        for (name, mesh) in shapes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok()) {
+            check(name, &mesh, 20, &options);
+        }
+        let mesh = with_seams_and_groups(shapes::terrain(40, 8));
+        check("terrain with seams", &mesh, 90, &options);
+        let report = check("terrain", &shapes::terrain(40, 8), 300, &options);
+        assert!(report.carried_count > 0, "{stripifier}: {report:?}");
     }
 }
 

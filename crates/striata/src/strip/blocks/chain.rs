@@ -98,28 +98,30 @@ impl Chain {
         if has_triangle_beside([outermost, middle]) { inner } else { middle }
     }
 
-    /// Takes the triangle at an end off; gives the edge that it shared with the triangle before it.
-    ///
-    /// The strip has more than one triangle.
-    pub(super) fn take_end(&mut self, end: End) -> [u32; 2] {
+    /// The edge by which the strip came to its end triangle; none where it came by a vertex alone, or where
+    /// there is no other triangle.
+    pub(super) fn last_edge(&self, end: End) -> Option<[u32; 2]> {
         let edge = [self.at(end, 1), self.at(end, 2)];
-        self.pop(end);
-        while self.len() > 3 && self.is_degenerate_at(end) {
-            self.pop(end);
-        }
-        edge
+        let before = (1..self.len() - 2).map(|first| [0, 1, 2].map(|i| self.at(end, first + i)));
+        let previous = before.into_iter().find(is_proper)?;
+        edge.iter().all(|corner| previous.contains(corner)).then_some(edge)
     }
 
-    fn is_degenerate_at(&self, end: End) -> bool {
-        let [a, b, c] = [0, 1, 2].map(|distance| self.at(end, distance));
-        a == b || b == c || c == a
+    /// Takes the triangle at an end off, where the strip came to it by an edge: gives that edge.
+    pub(super) fn take_end(&mut self, end: End) -> Option<[u32; 2]> {
+        let edge = self.last_edge(end)?;
+        self.pop(end);
+        while !is_proper(&[0, 1, 2].map(|distance| self.at(end, distance))) {
+            self.pop(end);
+        }
+        Some(edge)
     }
 
     /// Whether the strip can go on from an end over this edge of its end triangle.
     fn can_leave_by(&self, end: End, [u, v]: [u32; 2]) -> bool {
         let corners = [0, 1, 2].map(|distance| self.at(end, distance));
         let is_free = |corner: u32| corner == corners[0] || self.len() == 3;
-        corners.contains(&u) && corners.contains(&v) && (is_free(u) || is_free(v))
+        is_proper(&corners) && corners.contains(&u) && corners.contains(&v) && (is_free(u) || is_free(v))
     }
 
     /// Makes this edge the outermost two indices.
@@ -168,6 +170,10 @@ impl Chain {
     }
 }
 
+fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
+    a != b && b != c && c != a
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -200,7 +206,7 @@ mod tests {
                 let whole = Chain::new(strip);
                 let mut rest = whole.clone();
                 let corners = whole.end_triangle(end);
-                let edge = rest.take_end(end);
+                let edge = rest.take_end(end).unwrap();
                 assert!(triangles(&rest).len() + 1 == triangles(&whole).len(), "{strip:?} {end:?}");
                 for turn in 0..3 {
                     let mut single = corners;
@@ -212,6 +218,17 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn an_end_that_was_reached_by_a_vertex_alone_stays() {
+        // Two strips joined at vertex 3 by degenerate triangles; a strip of one triangle.
+        for strip in [&[0, 1, 2, 3, 3, 4, 5][..], &[0, 1, 2]] {
+            let mut chain = Chain::new(strip);
+            let whole = chain.clone();
+            assert_eq!((chain.last_edge(End::Back), chain.take_end(End::Back)), (None, None), "{strip:?}");
+            assert_eq!(chain, whole);
         }
     }
 

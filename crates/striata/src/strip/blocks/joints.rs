@@ -40,7 +40,7 @@ impl Joints {
             let beside =
                 |[u, v]: [u32; 2]| reached[end as usize].iter().any(|&side| side == (u, v) || side == (v, u));
             let spare = chain.spare_corner(end, beside);
-            let edge = chain.take_end(end);
+            let Some(edge) = chain.take_end(end) else { continue };
             window.push_end(&open_end.triangle, spare);
             let sides = sides_of(open_end.triangle.corners);
             let joint = sides.into_iter().find(|&(a, b)| edge.contains(&a) && edge.contains(&b));

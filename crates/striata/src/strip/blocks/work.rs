@@ -114,7 +114,10 @@ impl<'a, W> Work<'a, W> {
                 HeldStrip::Loose { strip: in_mesh, triangles, open: self.window.open_sides(strip) }
             } else {
                 let chain = Chain::new(&in_mesh);
-                let end_of = |end| self.window.open_sides_in_mesh(chain.end_triangle(end));
+                let end_of = |end| {
+                    chain.last_edge(end)?;
+                    self.window.open_sides_in_mesh(chain.end_triangle(end))
+                };
                 let ends = End::BOTH.map(|e| end_of(e).map(|(triangle, open)| OpenEnd { triangle, open }));
                 HeldStrip::Chain { chain, ends }
             };
