@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 use std::fs::File;
-use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use striata::mesh::IndexedMesh;
@@ -194,13 +194,19 @@ impl PlyStream {
             is_big: self.is_big_endian(),
         };
         let Some(list) = index_list(element) else { return Ok(()) };
-        for _ in 0..element.count {
+        let mut left = element.count;
+        while left > 0 {
+            left -= reader.plain_triangles(element, left, &mut visit)?;
+            if left == 0 {
+                break;
+            }
             for (place, property) in element.properties.iter().enumerate() {
                 match property.list {
                     Some(length) if list == place => reader.polygon(property.scalar, length, &mut visit)?,
                     _ => reader.skip(property)?,
                 }
             }
+            left -= 1;
         }
         Ok(())
     }
@@ -299,6 +305,39 @@ struct Faces<'a> {
 }
 
 impl Faces<'_> {
+    /// The usual file: three 32-bit indices after one byte. Takes rows that are in memory, up to the first that is
+    /// something else, and says how many.
+    fn plain_triangles(
+        &mut self,
+        element: &Element,
+        most: usize,
+        visit: &mut impl FnMut([u32; 3]) -> Result<(), ReadError>,
+    ) -> Result<usize, ReadError> {
+        const ROW: usize = 13;
+        let is_plain = matches!(
+            element.properties[..],
+            [Property { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }]
+        );
+        if !is_plain || self.is_big {
+            return Ok(0);
+        }
+        let stream = self.stream;
+        let rows = self.bytes.fill_buf().map_err(|error| stream.io(error))?.as_chunks::<ROW>().0;
+        let mut count = 0;
+        for row in rows.iter().take(most) {
+            let index = |at: usize| u32::from_le_bytes([row[at], row[at + 1], row[at + 2], row[at + 3]]);
+            let triangle = [index(1), index(5), index(9)];
+            if row[0] != 3 || triangle.iter().any(|&v| v >= stream.vertex_count) {
+                break;
+            }
+            visit(triangle)?;
+            count += 1;
+        }
+        self.bytes.consume(count * ROW);
+        self.at += (count * ROW) as u64;
+        Ok(count)
+    }
+
     #[inline]
     fn integer(&mut self, scalar: Scalar) -> Result<i64, ReadError> {
         let mut word = [0; 8];
