@@ -8,6 +8,7 @@
 mod blocks;
 mod cheapest;
 mod cost;
+mod fewest;
 mod greedy;
 mod index_buffer;
 mod links;
@@ -21,6 +22,7 @@ pub use blocks::{
     block_length, stripify_blocks,
 };
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
+pub use fewest::strip_count_bound;
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into, stitch};
 pub use links::StripLinks;
 pub(crate) use strip_set::check_offsets;

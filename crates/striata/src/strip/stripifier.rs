@@ -7,7 +7,7 @@ use std::str::FromStr;
 use super::links::StripLinks;
 use super::tunnel::{self, Identity};
 use super::write::write_strips;
-use super::{StripSet, cheapest, greedy};
+use super::{StripSet, cheapest, fewest, greedy};
 use crate::mesh::{DualGraph, IndexedMesh, MeshError};
 
 /// Which algorithm makes the strips.
@@ -27,6 +27,8 @@ pub enum Stripifier {
         /// As for [`Stripifier::Tunnel`].
         max_length: u32,
     },
+    /// Walks of strip ends: fewest strips.
+    Fewest,
     /// Local moves with annealing, strips joined where they meet: fewest indices.
     Cheapest,
 }
@@ -40,6 +42,7 @@ impl fmt::Display for Stripifier {
             Self::Greedy => f.write_str("greedy"),
             Self::Tunnel { max_length } => write!(f, "tunnel:{max_length}"),
             Self::StaticTunnel { max_length } => write!(f, "tunnel-static:{max_length}"),
+            Self::Fewest => f.write_str("fewest"),
             Self::Cheapest => f.write_str("cheapest"),
         }
     }
@@ -55,7 +58,7 @@ pub struct ParseStripifierError {
 
 impl Stripifier {
     /// How each is written, for messages and help.
-    pub const SPELLINGS: &'static str = "greedy, tunnel[:MAX], tunnel-static[:MAX], cheapest";
+    pub const SPELLINGS: &'static str = "greedy, tunnel[:MAX], tunnel-static[:MAX], fewest, cheapest";
 }
 
 impl FromStr for Stripifier {
@@ -77,6 +80,7 @@ impl FromStr for Stripifier {
             "tunnel-static" => Ok(Self::StaticTunnel { max_length: max_length()? }),
             _ if parameter.is_some() => Err(wrong()),
             "greedy" => Ok(Self::Greedy),
+            "fewest" => Ok(Self::Fewest),
             "cheapest" => Ok(Self::Cheapest),
             _ => Err(wrong()),
         }
@@ -206,6 +210,7 @@ pub fn stripify_from(
         Stripifier::StaticTunnel { max_length } => {
             tunnel::run(&task, &mut links, max_length, Identity::Static, spent);
         }
+        Stripifier::Fewest => fewest::run(&task, &graph, &mut links, spent),
         Stripifier::Cheapest => {
             cheapest::run(&task, &mut links, spent, &mut out);
             return Ok(out);
@@ -222,6 +227,7 @@ impl Stripifier {
         match self {
             // These end by themselves.
             Self::Greedy | Self::Tunnel { .. } | Self::StaticTunnel { .. } => f64::INFINITY,
+            Self::Fewest => 20.0,
             Self::Cheapest => 100.0,
         }
     }

@@ -8,7 +8,7 @@ use crate::mesh::{NO_TWIN, Random};
 use crate::strip::links::{StripLinks, next};
 
 /// Takes tunnels of length one until there is none.
-pub(super) fn join_ends(ends: &[u32], links: &mut StripLinks<'_>, random: &mut Random) {
+pub(crate) fn join_ends(ends: &[u32], links: &mut StripLinks<'_>, random: &mut Random) {
     let mut growth = Growth::new(ends, links);
     let mut waiting: [Vec<u32>; 4] = Default::default();
     for &end in ends {

@@ -17,6 +17,7 @@ mod places;
 mod search;
 mod trace;
 
+pub(super) use growth::join_ends;
 pub(crate) use places::PlaceTable;
 pub(crate) use search::{Identity, Search};
 pub(crate) use trace::Step;
@@ -40,7 +41,7 @@ pub(super) fn run(
 ) {
     let mut random = Random::new(task.options.seed);
     let mut ends = shuffled_ends(task, links, &mut random);
-    growth::join_ends(&ends, links, &mut random);
+    join_ends(&ends, links, &mut random);
     let move_rounds = if identity == Identity::Dynamic { MOVE_ROUNDS } else { 0 };
     let places = PlaceTable::new(links);
     let search = Search::new(links.triangle_count(), max_length, identity);
@@ -61,7 +62,7 @@ pub(super) fn run(
 }
 
 /// The triangles at which strips end, in random order.
-fn shuffled_ends(task: &Task<'_>, links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
+pub(super) fn shuffled_ends(task: &Task<'_>, links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
     let is_end = |&t: &u32| links.solid_degree(t) < 2 && task.is_proper(t);
     let mut ends: Vec<u32> = (0..links.triangle_count() as u32).filter(is_end).collect();
     for i in (1..ends.len()).rev() {
