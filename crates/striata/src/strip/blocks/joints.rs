@@ -1,7 +1,8 @@
 //! Chains that a block lies beside, and where strips of the block may join them.
 //!
-//! A chain's end triangle goes into the window as any other triangle. Where it comes out as the end of a
-//! strip, free at the side by which the chain had come to it (the **joint**), chain and strip are one.
+//! A chain's last two triangles go into the window, linked with each other and with what lies ahead: a strip that
+//! passes them begins with them, and knows by their turn how to go on without a swap. It joins the chain at
+//! the side by which the chain had come to them, the **joint**.
 
 use super::chain::{Chain, End};
 use super::hash::NumberMap;
@@ -41,8 +42,13 @@ impl Joints {
                 |[u, v]: [u32; 2]| reached[end as usize].iter().any(|&side| side == (u, v) || side == (v, u));
             let spare = chain.spare_corner(end, beside);
             let Some(edge) = chain.take_end(end) else { continue };
-            window.push_end(&open_end.triangle, spare);
-            let sides = sides_of(open_end.triangle.corners);
+            let before = chain.end_triangle(end);
+            let edge_before = chain.take_end(end);
+            window.push_end(&open_end.triangle, spare, edge_before.map(|_| before));
+            let (edge, sides) = match edge_before {
+                Some(edge) => (edge, sides_of(before)),
+                None => (edge, sides_of(open_end.triangle.corners)),
+            };
             let joint = sides.into_iter().find(|&(a, b)| edge.contains(&a) && edge.contains(&b));
             joints[end as usize] = joint;
             self.by_side.extend(joint.map(|side| (side, (self.parts.len(), end))));

@@ -40,22 +40,32 @@ impl Window {
         self.mesh.triangles.push([a, b, c]);
     }
 
-    /// Adds the end triangle of a chain so that only the side without this corner has a neighbour: whatever
-    /// passes it, ends in it.
-    pub(super) fn push_end(&mut self, triangle: &BlockTriangle, spare: u32) {
-        let mut corner = |k: usize| {
-            let (vertex, last_block) = (triangle.corners[k], triangle.last_blocks[k]);
-            let number = self.number(vertex, last_block);
-            if vertex != spare {
-                return number;
-            }
-            // A vertex beside the real one, which no other triangle has.
-            self.vertices.push(vertex);
-            self.last_blocks.push(last_block);
-            self.vertices.len() as u32 - 1
-        };
-        let corners = [0, 1, 2].map(&mut corner);
-        self.mesh.triangles.push(corners);
+    /// Adds the end triangle of a chain and, where there is one, the triangle before it: linked with each other and
+    /// on at the side without this corner, nowhere else. Whatever passes them begins with them, and turns as the
+    /// chain did.
+    pub(super) fn push_end(&mut self, triangle: &BlockTriangle, spare: u32, before: Option<[u32; 3]>) {
+        let BlockTriangle { corners, last_blocks } = *triangle;
+        let spare_twin = self.twin_vertex(spare);
+        let mut numbers = [0; 3];
+        for k in 0..3 {
+            numbers[k] =
+                if corners[k] == spare { spare_twin } else { self.number(corners[k], last_blocks[k]) };
+        }
+        self.mesh.triangles.push(numbers);
+        let Some(before) = before else { return };
+        let shared = |vertex: u32| corners.iter().position(|&corner| corner == vertex);
+        let numbers = before.map(|vertex| match shared(vertex) {
+            Some(k) => numbers[k],
+            None => self.twin_vertex(vertex),
+        });
+        self.mesh.triangles.push(numbers);
+    }
+
+    /// A number beside that of the vertex, for one place: no side there meets another.
+    fn twin_vertex(&mut self, vertex: u32) -> u32 {
+        self.vertices.push(vertex);
+        self.last_blocks.push(0);
+        self.vertices.len() as u32 - 1
     }
 
     fn number(&mut self, vertex: u32, last_block: u32) -> u32 {
