@@ -8,7 +8,7 @@ use super::{Block, BlockOptions, BlocksError, BlocksReport};
 use crate::strip::{RESTART, StripCost, StripSet, strip_triangles};
 
 /// A strip that has more triangles than this for each of its open sides is not taken apart again.
-const LOOSE_TRIANGLES: usize = 12;
+const LOOSE_TRIANGLES: usize = 8;
 /// Fewest triangles of a strip that others may go on with: shorter ones are taken apart.
 const SHORTEST_CHAIN: usize = 8;
 /// Strips that have so many triangles are written: what going on would save is nothing beside them.
