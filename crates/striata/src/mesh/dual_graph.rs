@@ -12,9 +12,11 @@
 //!    a --------- b
 //! ```
 //!
-//! Cost: that of [`Adjacency`]; 12 bytes a triangle are kept.
+//! Linear on meshes of bounded valence; 40 bytes a triangle while it is made, 12 are kept.
 
-use super::{Adjacency, IndexedMesh, PositionIndex};
+use std::cmp::Ordering;
+
+use super::{IndexedMesh, PositionIndex};
 
 /// Links between neighbouring triangles.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,7 +33,7 @@ impl DualGraph {
     /// # Panics
     /// If a triangle names a vertex that is not there, or groups do not cover the triangles.
     pub fn of_vertices(mesh: &IndexedMesh) -> Self {
-        Self::of_adjacency(&Adjacency::of_vertices(mesh), &group_ends(mesh))
+        Self::of_triangles(&mesh.triangles, mesh.vertex_count(), &group_ends(mesh))
     }
 
     /// Links triangles that share two positions, across seams and groups.
@@ -39,32 +41,27 @@ impl DualGraph {
     /// # Panics
     /// If a triangle names a vertex that `positions` does not know.
     pub fn of_positions(mesh: &IndexedMesh, positions: &PositionIndex) -> Self {
-        let whole = [mesh.triangles.len() as u32];
-        Self::of_adjacency(&Adjacency::of_positions(mesh, positions), &whole)
+        let triangles: Vec<_> = mesh.triangles.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
+        Self::of_triangles(&triangles, positions.position_count(), &[triangles.len() as u32])
     }
 
-    /// Links triangles over an adjacency at hand; `group_ends` rises and ends with the triangle count.
-    fn of_adjacency(adjacency: &Adjacency, group_ends: &[u32]) -> Self {
-        let mut twins = vec![[NONE; 3]; adjacency.triangles().len()];
-        let group_of = |side: u32| group_ends.partition_point(|&end| end <= side / 3);
-        for edge in adjacency.edges() {
-            let (mut forward, mut backward) = (edge.forward, edge.backward);
-            // Sides rise with their triangles, and so do groups: one pass pairs group by group.
-            while let (&[a, ref later_forward @ ..], &[b, ref later_backward @ ..]) = (forward, backward) {
-                let order = group_of(a).cmp(&group_of(b));
-                if order.is_eq() {
-                    twins[a as usize / 3][a as usize % 3] = b;
-                    twins[b as usize / 3][b as usize % 3] = a;
-                }
-                if order.is_le() {
-                    forward = later_forward;
-                }
-                if order.is_ge() {
-                    backward = later_backward;
-                }
+    /// Links triangles of one group; `group_ends` rises and ends with the triangle count.
+    fn of_triangles(triangles: &[[u32; 3]], vertex_count: usize, group_ends: &[u32]) -> Self {
+        let (firsts, mut sides) = sides_by_low_end(triangles, vertex_count);
+        let mut pairing = Pairing {
+            triangles,
+            group_ends,
+            twins: vec![[NONE; 3]; triangles.len()],
+            edge: [vec![], vec![]],
+        };
+        for range in firsts.windows(2) {
+            let around = &mut sides[range[0] as usize..range[1] as usize];
+            around.sort_unstable();
+            for edge in around.chunk_by(|a, b| a >> 32 == b >> 32) {
+                pairing.pair_edge(edge);
             }
         }
-        Self { twins }
+        Self { twins: pairing.twins }
     }
 
     /// Nodes, one for each triangle; degenerate triangles have no link.
@@ -107,6 +104,67 @@ impl DualGraph {
     /// Links in all.
     pub fn link_count(&self) -> usize {
         self.twins.iter().flatten().filter(|&&side| side != NONE).count() / 2
+    }
+}
+
+/// The sides of all proper triangles by the lower of their ends: where each vertex's begin, and for each side
+/// the higher end and, in the low 32 bits, the side.
+fn sides_by_low_end(triangles: &[[u32; 3]], vertex_count: usize) -> (Vec<u32>, Vec<u64>) {
+    let ends = |[a, b, c]: [u32; 3]| [(a, b), (b, c), (c, a)].map(|(a, b)| (a.min(b), a.max(b)));
+    let proper = || {
+        let is_proper = |&(_, [a, b, c]): &(u32, [u32; 3])| a != b && b != c && c != a;
+        (0..).zip(triangles.iter().copied()).filter(is_proper)
+    };
+    let mut firsts = vec![0; vertex_count + 2];
+    for (low, _) in proper().flat_map(|(_, corners)| ends(corners)) {
+        firsts[low as usize + 2] += 1;
+    }
+    for i in 2..firsts.len() {
+        firsts[i] += firsts[i - 1];
+    }
+    let mut sides = vec![0; firsts[vertex_count + 1] as usize];
+    for (triangle, corners) in proper() {
+        for (side, (low, high)) in (3 * triangle..).zip(ends(corners)) {
+            let slot = &mut firsts[low as usize + 1];
+            sides[*slot as usize] = u64::from(high) << 32 | u64::from(side);
+            *slot += 1;
+        }
+    }
+    firsts.pop();
+    (firsts, sides)
+}
+
+/// Pairs the sides of one edge after another.
+struct Pairing<'a> {
+    triangles: &'a [[u32; 3]],
+    group_ends: &'a [u32],
+    twins: Vec<[u32; 3]>,
+    /// Sides of the edge at hand that run to its higher end, and to its lower one.
+    edge: [Vec<u32>; 2],
+}
+
+impl Pairing<'_> {
+    /// Sides of an edge, rising in their low 32 bits.
+    fn pair_edge(&mut self, sides: &[u64]) {
+        for side in sides.iter().map(|&side| side as u32) {
+            let [a, b, c] = self.triangles[side as usize / 3];
+            let runs_down = [a > b, b > c, c > a][side as usize % 3];
+            self.edge[usize::from(runs_down)].push(side);
+        }
+        let group_of = |side: u32| self.group_ends.partition_point(|&end| end <= side / 3);
+        let [mut up, mut down] = [0, 0];
+        // Sides rise with their triangles, and so do groups: one pass pairs group by group.
+        while let (Some(&a), Some(&b)) = (self.edge[0].get(up), self.edge[1].get(down)) {
+            let order =
+                if self.group_ends.len() == 1 { Ordering::Equal } else { group_of(a).cmp(&group_of(b)) };
+            if order.is_eq() {
+                self.twins[a as usize / 3][a as usize % 3] = b;
+                self.twins[b as usize / 3][b as usize % 3] = a;
+            }
+            up += usize::from(order.is_le());
+            down += usize::from(order.is_ge());
+        }
+        self.edge.iter_mut().for_each(Vec::clear);
     }
 }
 

@@ -18,7 +18,7 @@ use path_forest::PathForest;
 use super::StripLinks;
 use super::links::next;
 use super::stripifier::{SpentFn, Task};
-use super::tunnel::{join_ends, shuffled_ends};
+use super::tunnel::{ends_of, join_ends};
 use super::write::Path;
 use crate::mesh::{DualGraph, IndexedMesh, NO_TWIN, Random};
 
@@ -46,10 +46,9 @@ pub fn strip_count_bound(mesh: &IndexedMesh) -> usize {
 /// Joins strips until every component has as few as can be, or the budget is spent.
 pub(super) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>) {
     let mut random = Random::new(task.options.seed);
-    let ends = shuffled_ends(task, links, &mut random);
-    join_ends(&ends, links, &mut random);
+    join_ends(&ends_of(task, links), links, &mut random);
     let bounds = Bounds::new(graph, |t| !task.is_proper(t));
-    let ends = shuffled_ends(task, links, &mut random);
+    let ends = ends_of(task, links);
     let mut walker = Walker::new(links, &ends, bounds, random);
     let mut step_count = 0;
     while let Some(mut end) = walker.pick_end() {

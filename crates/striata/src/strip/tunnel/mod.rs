@@ -40,8 +40,8 @@ pub(super) fn run(
     spent: &mut SpentFn<'_>,
 ) {
     let mut random = Random::new(task.options.seed);
+    join_ends(&ends_of(task, links), links, &mut random);
     let mut ends = shuffled_ends(task, links, &mut random);
-    join_ends(&ends, links, &mut random);
     let move_rounds = if identity == Identity::Dynamic { MOVE_ROUNDS } else { 0 };
     let places = PlaceTable::new(links);
     let search = Search::new(links.triangle_count(), max_length, identity);
@@ -61,10 +61,15 @@ pub(super) fn run(
     }
 }
 
+/// The triangles at which strips end.
+pub(super) fn ends_of(task: &Task<'_>, links: &StripLinks<'_>) -> Vec<u32> {
+    let is_end = |&t: &u32| links.solid_degree(t) < 2 && task.is_proper(t);
+    (0..links.triangle_count() as u32).filter(is_end).collect()
+}
+
 /// The triangles at which strips end, in random order.
 pub(super) fn shuffled_ends(task: &Task<'_>, links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
-    let is_end = |&t: &u32| links.solid_degree(t) < 2 && task.is_proper(t);
-    let mut ends: Vec<u32> = (0..links.triangle_count() as u32).filter(is_end).collect();
+    let mut ends = ends_of(task, links);
     for i in (1..ends.len()).rev() {
         ends.swap(i, random.below(i as u32 + 1) as usize);
     }
