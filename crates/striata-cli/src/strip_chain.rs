@@ -111,6 +111,11 @@ impl StripChain {
             StripOptions::default().with_stripifier(stripifier).allowed_moves(1).is_finite()
         })
     }
+
+    /// Whether few strips are what counts at last.
+    pub(crate) fn wants_few_strips(&self) -> bool {
+        self.stripifiers.last() == Some(&Stripifier::Fewest)
+    }
 }
 
 /// All of it where nothing is allowed.

@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, MeshError};
-use striata::strip::{RESTART, fifo_cache_cost};
+use striata::strip::{RESTART, fifo_cache_cost, strip_count_bound};
 
 use crate::output::{Table, grouped, lasted};
-use crate::strip_chain::Stripped;
+use crate::strip_chain::{StripChain, Stripped};
 
 /// What strips cost.
 #[derive(Clone, Debug, Serialize)]
@@ -15,6 +15,8 @@ pub(crate) struct StripReport {
     pub(crate) degenerate_triangle_count: usize,
     pub(crate) component_count: usize,
     pub(crate) strip_count: usize,
+    /// Told where few strips are what was wanted.
+    pub(crate) strip_count_bound: Option<usize>,
     pub(crate) swap_count: usize,
     pub(crate) restart_count: usize,
     pub(crate) index_count: usize,
@@ -40,6 +42,7 @@ impl StripReport {
             degenerate_triangle_count: mesh.triangle_count() - cost.triangle_count,
             component_count: mesh.component_count()?,
             strip_count: cost.strip_count,
+            strip_count_bound: None,
             swap_count: cost.swap_count,
             restart_count: drawn.iter().filter(|&&index| index == RESTART).count(),
             index_count: cost.index_count,
@@ -49,6 +52,11 @@ impl StripReport {
             atvr_16: fifo_16.atvr,
             stripify_secs: stripped.secs,
         })
+    }
+
+    /// Adds how many strips no stripification of the mesh can go below, where the chain ends with fewest strips.
+    pub(crate) fn with_bound(self, chain: &StripChain, mesh: &IndexedMesh) -> Self {
+        Self { strip_count_bound: chain.wants_few_strips().then(|| strip_count_bound(mesh)), ..self }
     }
 
     /// The same for people.
@@ -62,6 +70,9 @@ impl StripReport {
         }
         row("components", grouped(self.component_count));
         row("strips", grouped(self.strip_count));
+        if let Some(bound) = self.strip_count_bound {
+            row("strips, at the very least", grouped(bound));
+        }
         row("swaps", grouped(self.swap_count));
         row("restarts", grouped(self.restart_count));
         row("indices", grouped(self.index_count));

@@ -10,13 +10,13 @@ use crate::failure::Failure;
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// The strips that `strip` makes where nothing else is said.
-const STRIP_STRIPS: Stripifier = Stripifier::Greedy;
+const STRIP_STRIPS: Stripifier = Stripifier::Cheapest;
 
 /// The strips that `build` makes where nothing else is said.
 pub(super) const BUILD_STRIPS: Stripifier = Stripifier::Greedy;
 
 /// The stripifiers that `compare` measures where nothing else is said.
-const COMPARED_STRIPS: &str = "greedy,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17";
+const COMPARED_STRIPS: &str = "greedy,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17,fewest,cheapest";
 
 /// Entries of the vertex cache that misses are counted for where nothing else is said.
 const USUAL_CACHE_SIZE: u32 = 16;
@@ -35,7 +35,7 @@ pub(super) fn strips_help() -> String {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata strip bunny.ply\n  \
-    striata strip bunny.ply -o bunny.glb --strips greedy --json")]
+    striata strip bunny.ply -o bunny.glb --strips cheapest --budget 10 --json")]
 pub(crate) struct StripArgs {
     /// A mesh, a .striata file (its full level), or - for stdin
     pub(crate) input: PathBuf,

@@ -93,6 +93,7 @@ pub(crate) fn build(
     phases.enter("strip");
     let stripped = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
     let strip_report = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped)?;
+    let strip_report = strip_report.with_bound(&plan.chain, &refinable.mesh);
     phases.enter("models");
     bar.phase("models");
     let lod_strips = LodStrips::build(&refinable, &stripped.strips)?;

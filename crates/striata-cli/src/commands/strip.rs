@@ -49,7 +49,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     }
     let stripped = args.plan().run(&mesh, &mut |share| bar.share("strip", share));
     let stripped = stripped.map_err(|error| blamed(error.into()))?;
-    let strips = StripReport::new(args.strips.to_string(), &mesh, &stripped)?;
+    let strips = StripReport::new(args.strips.to_string(), &mesh, &stripped)?.with_bound(&args.strips, &mesh);
     let mut report = Report {
         strips,
         seed: args.search.seed,

@@ -2,7 +2,7 @@
 
 use crate::workbench::{Workbench, assert_keys};
 
-const QUICK: &str = "--seeds 2 --max-tunnel 5";
+const QUICK: &str = "--seeds 2 --max-tunnel 5 --budgets 0.01,0.02";
 
 #[test]
 fn lengths_and_stripifiers_are_all_there() {
@@ -66,6 +66,21 @@ fn a_tunnel_length_counts_what_strip_makes_of_it() {
 }
 
 #[test]
+fn what_searches_is_given_every_budget_and_its_own_time() {
+    let bench = Workbench::with_ball();
+    let report = bench.json(&format!("compare sphere.obj {QUICK} --strips greedy,cheapest"));
+    let rows = report["meshes"][0]["strips"]["stripifiers"].as_array().expect("a list");
+    let budgets = |algorithm: &str| -> Vec<Option<f64>> {
+        rows.iter()
+            .filter(|row| row["algorithm"] == algorithm)
+            .map(|row| row["budget_secs"].as_f64())
+            .collect()
+    };
+    assert_eq!(budgets("greedy"), [None]);
+    assert_eq!(budgets("cheapest"), [Some(0.01), Some(0.02), None]);
+}
+
+#[test]
 fn the_page_stands_alone() {
     let bench = Workbench::with_ball();
     let assert = bench.run(&format!("compare sphere.obj {QUICK} --html page.html")).success();
@@ -74,7 +89,9 @@ fn the_page_stands_alone() {
     let page = String::from_utf8(bench.read("page.html")).expect("text");
     assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
     assert!(
-        page.contains("striata compare sphere.obj --seeds 2 --max-tunnel 5 --html page.html"),
+        page.contains(
+            "striata compare sphere.obj --seeds 2 --max-tunnel 5 --budgets 0.01,0.02 --html page.html"
+        ),
         "no command line"
     );
     assert_eq!(page.matches("<svg").count(), 3);

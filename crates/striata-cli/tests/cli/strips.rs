@@ -5,12 +5,13 @@ use striata::mesh::{IndexedMesh, canonical_triangles};
 
 use crate::workbench::{Workbench, assert_keys, asset};
 
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 18] = [
     "algorithm",
     "triangle_count",
     "degenerate_triangle_count",
     "component_count",
     "strip_count",
+    "strip_count_bound",
     "swap_count",
     "restart_count",
     "index_count",
@@ -92,7 +93,9 @@ fn equal_seeds_give_equal_strips() {
     let bench = Workbench::with_ball();
     bench.run("strip sphere.obj -o a.glb --seed 7 --quiet").success();
     bench.run("strip sphere.obj -o b.glb --seed 7 --quiet").success();
+    bench.run("strip sphere.obj -o c.glb --seed 8 --quiet").success();
     assert_eq!(bench.read("a.glb"), bench.read("b.glb"));
+    assert_ne!(bench.read("a.glb"), bench.read("c.glb"), "the seed goes nowhere");
 }
 
 #[test]
@@ -103,6 +106,33 @@ fn a_chain_begins_with_what_is_there() {
     assert_eq!(again["algorithm"], "greedy+greedy");
     assert_eq!(again["strip_count"], alone["strip_count"]);
     assert_eq!(again["index_count"], alone["index_count"]);
+}
+
+#[test]
+fn searching_costs_no_indices_and_keeps_to_its_budget() {
+    let bench = Workbench::with_ball();
+    let greedy = bench.json("strip sphere.obj --strips greedy");
+    let searched = bench.json("strip sphere.obj");
+    assert_eq!(searched["algorithm"], "cheapest");
+    assert!(count(&searched, "index_count") < count(&greedy, "index_count"), "{searched}");
+    let nothing = bench.json("strip sphere.obj --budget 0");
+    assert!(count(&nothing, "index_count") <= count(&greedy, "index_count"), "{nothing}");
+    let budget = bench.json("strip sphere.obj --budget 0.25");
+    assert_adds_up(&budget);
+    assert_eq!(budget["budget_secs"], 0.25);
+    let secs = budget["stripify_secs"].as_f64().expect("a number");
+    assert!((0.25..5.0).contains(&secs), "{secs} s of 0.25");
+}
+
+#[test]
+fn fewest_strips_are_told_with_their_bound() {
+    let bench = Workbench::with_ball();
+    let fewest = bench.json("strip sphere.obj --strips fewest");
+    assert_adds_up(&fewest);
+    assert_eq!((count(&fewest, "strip_count"), count(&fewest, "strip_count_bound")), (1, 1));
+    assert!(bench.json("strip sphere.obj --strips greedy")["strip_count_bound"].is_null());
+    let text = bench.run("strip sphere.obj --strips greedy+fewest").success();
+    assert!(String::from_utf8_lossy(&text.get_output().stdout).contains("at the very least"));
 }
 
 #[test]

@@ -17,6 +17,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, weld};
+use striata::strip::strip_count_bound;
 use striata_io::write_atomically;
 
 use self::page::MeshPart;
@@ -47,6 +48,7 @@ struct MeshReport {
 
 #[derive(Serialize)]
 struct StripsReport {
+    strip_count_bound: usize,
     tunnel_lengths: Vec<TunnelRow>,
     stripifiers: Vec<StripifierRow>,
 }
@@ -106,7 +108,7 @@ fn measure_strips(
         tunnels::measure(mesh, args.max_tunnel, args.seeds, &mut |share| bar.share("tunnels", share))?;
     let mut show = |name: &str| say(name);
     let stripifiers = stripifiers::measure(mesh, &args.strips, &args.budgets, &mut show)?;
-    Ok(StripsReport { tunnel_lengths, stripifiers })
+    Ok(StripsReport { strip_count_bound: strip_count_bound(mesh), tunnel_lengths, stripifiers })
 }
 
 impl Report {
@@ -137,10 +139,11 @@ impl MeshReport {
     fn summary(&self) -> String {
         let components = if self.component_count == 1 { "component" } else { "components" };
         format!(
-            "{} triangles, {} vertices, {} {components}",
+            "{} triangles, {} vertices, {} {components}; no stripification has fewer strips than {}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
-            grouped(self.component_count)
+            grouped(self.component_count),
+            grouped(self.strips.strip_count_bound)
         )
     }
 
