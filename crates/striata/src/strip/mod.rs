@@ -19,7 +19,7 @@ mod write;
 
 pub use blocks::{
     Block, BlockCurve, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks,
-    block_length, stripify_blocks,
+    WriteStripFn, block_length, stripify_blocks,
 };
 pub use cost::{CacheCost, StripCost, fifo_cache_cost};
 pub use fewest::strip_count_bound;

@@ -132,6 +132,9 @@ pub enum BlocksError<R, W> {
     Cancelled(#[from] Cancelled),
 }
 
+/// Takes strips one after another, each with its group.
+pub type WriteStripFn<'a, W> = dyn FnMut(u32, &[u32]) -> Result<(), W> + 'a;
+
 /// Covers each triangle of a mesh by exactly one strip, with one block of it in memory at a time.
 ///
 /// `write` takes the strips one after another, each with its group, which never falls. Degenerate
@@ -163,7 +166,7 @@ pub enum BlocksError<R, W> {
 pub fn stripify_blocks<S: BlockSource, W>(
     source: &mut S,
     options: &BlockOptions,
-    write: &mut dyn FnMut(u32, &[u32]) -> Result<(), W>,
+    write: &mut WriteStripFn<'_, W>,
     progress: &mut ProgressFn<'_>,
 ) -> Result<BlocksReport, BlocksError<S::Error, W>> {
     let total = source.block_count();

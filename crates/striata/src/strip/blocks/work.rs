@@ -4,7 +4,7 @@ use super::chain::{Chain, End};
 use super::held::{Held, HeldStrip, OpenEnd, Reached};
 use super::joints::Joints;
 use super::window::Window;
-use super::{Block, BlockOptions, BlocksError, BlocksReport};
+use super::{Block, BlockOptions, BlocksError, BlocksReport, WriteStripFn};
 use crate::strip::{RESTART, StripCost, StripSet, strip_triangles};
 
 /// A strip that has more triangles than this for each of its open sides is not taken apart again.
@@ -27,10 +27,7 @@ pub(super) struct Work<'a, W> {
 }
 
 impl<'a, W> Work<'a, W> {
-    pub(super) fn new(
-        options: &'a BlockOptions,
-        write: &'a mut dyn FnMut(u32, &[u32]) -> Result<(), W>,
-    ) -> Self {
+    pub(super) fn new(options: &'a BlockOptions, write: &'a mut WriteStripFn<'a, W>) -> Self {
         Self {
             options,
             writer: Writer { write, group: 0, is_begun: false, cost: StripCost::default() },
@@ -174,7 +171,7 @@ fn check_vertices<R, W>(number: u32, block: &Block) -> Result<(), BlocksError<R,
 
 /// Hands strips out and counts what they cost.
 struct Writer<'a, W> {
-    write: &'a mut dyn FnMut(u32, &[u32]) -> Result<(), W>,
+    write: &'a mut WriteStripFn<'a, W>,
     group: u32,
     /// Whether the group has a strip.
     is_begun: bool,

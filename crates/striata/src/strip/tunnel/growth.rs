@@ -50,13 +50,7 @@ impl Growth {
     }
 
     /// Lengthens a strip at one end until it is stuck; `urgent` gets the ends beside it that have one way left.
-    fn grow(
-        &mut self,
-        end: u32,
-        links: &mut StripLinks<'_>,
-        random: &mut Random,
-        urgent: &mut Vec<u32>,
-    ) {
+    fn grow(&mut self, end: u32, links: &mut StripLinks<'_>, random: &mut Random, urgent: &mut Vec<u32>) {
         let mut tip = end;
         while let Some(side) = self.best_side(tip, links, random) {
             let taken = links.twins()[side as usize] / 3;
