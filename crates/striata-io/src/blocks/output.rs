@@ -29,11 +29,7 @@ impl StripSpool {
     /// # Errors
     /// [`WriteError`], where the format is another or the system refuses.
     pub fn new(format: Format, scratch: &Path) -> Result<Self, WriteError> {
-        let is_writable = match format {
-            Format::Ply => true,
-            Format::Glb => cfg!(feature = "gltf"),
-            _ => false,
-        };
+        let is_writable = format == Format::Ply || cfg!(feature = "gltf") && format == Format::Glb;
         if !is_writable {
             let reason = "strips block by block go to PLY or GLB".to_owned();
             return Err(WriteError::Unsupported { file: format.to_string(), format, reason });
