@@ -91,6 +91,9 @@ impl From<ReadError> for Failure {
                 failure.with_hint("the file is damaged or cut off; copy it or export it again")
             }
             ReadError::Malformed { .. } => failure.with_hint("correct the file there, or export it again"),
+            ReadError::NotInBlocks { .. } => {
+                failure.with_hint("`striata convert IN OUT.ply` makes one, with the whole mesh in memory")
+            }
             ReadError::UnsupportedExtension { .. } => failure.with_hint("export the file without it"),
             _ => failure,
         }

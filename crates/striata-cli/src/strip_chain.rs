@@ -97,6 +97,14 @@ impl StripPlan {
 }
 
 impl StripChain {
+    /// The stripifier of a chain of one.
+    pub(crate) fn only(&self) -> Option<Stripifier> {
+        match self.stripifiers[..] {
+            [only] => Some(only),
+            _ => None,
+        }
+    }
+
     /// Whether a budget changes what comes out: one of the stripifiers goes on as long as it may.
     pub(crate) fn searches(&self) -> bool {
         self.stripifiers.iter().any(|&stripifier| {
@@ -116,7 +124,8 @@ fn share_of(spent: f64, allowed: f64) -> f64 {
 }
 
 impl StripSearchArgs {
-    fn options(&self, stripifier: Stripifier) -> StripOptions {
+    /// Options of one stripifier.
+    pub(crate) fn options(&self, stripifier: Stripifier) -> StripOptions {
         StripOptions::default()
             .with_stripifier(stripifier)
             .with_seed(self.seed)

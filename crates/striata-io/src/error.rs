@@ -85,6 +85,14 @@ pub enum ReadError {
         /// What it uses.
         what: String,
     },
+    /// The file cannot be read in pieces.
+    #[error("{file}: is {found}; only binary PLY files are read block by block")]
+    NotInBlocks {
+        /// The file.
+        file: String,
+        /// What it is instead.
+        found: String,
+    },
     /// The file breaks its format's rules.
     #[error("{file}: {place}: {reason}")]
     Malformed {

@@ -17,6 +17,8 @@
 )]
 
 mod atomic;
+#[cfg(feature = "ply")]
+mod blocks;
 mod compressed;
 mod error;
 mod format;
@@ -36,6 +38,8 @@ mod text;
 mod write;
 
 pub use atomic::write_atomically;
+#[cfg(feature = "ply")]
+pub use blocks::{StripSpool, TriangleBlocks};
 pub use compressed::decompressed;
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;

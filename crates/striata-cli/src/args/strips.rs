@@ -6,6 +6,7 @@ use clap::Args;
 use striata::strip::{StripOptions, Stripifier};
 
 use super::FormatArg;
+use crate::failure::Failure;
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// The strips that `strip` makes where nothing else is said.
@@ -47,6 +48,9 @@ pub(crate) struct StripArgs {
     /// Merge equal vertices first, as `build` does: strips cross only edges whose vertices are shared
     #[arg(long)]
     pub(crate) weld: bool,
+    /// Work in blocks of at most so many triangles, without the mesh in memory; binary PLY to .ply or .glb
+    #[arg(long, value_name = "N", value_parser = parse_block_triangles)]
+    pub(crate) block_triangles: Option<usize>,
     /// How strips are made.
     #[arg(long, value_name = "SPEC", default_value_t = STRIP_STRIPS.into(), help = strips_help(), help_heading = STRIPS)]
     pub(crate) strips: StripChain,
@@ -103,6 +107,22 @@ pub(crate) struct StripSearchArgs {
 }
 
 impl StripArgs {
+    /// The stripifier asked for and how it searches, where it is one and not told how long.
+    ///
+    /// # Errors
+    /// Where blocks cannot have what was asked for.
+    pub(crate) fn only_stripifier(&self) -> Result<StripOptions, Failure> {
+        if self.search.budget.is_some() {
+            return Err(Failure::user("--budget is for a mesh as a whole, not for blocks")
+                .with_hint("leave --budget out: each block gets the usual number of moves"));
+        }
+        let stripifier = self.strips.only().ok_or_else(|| {
+            Failure::user(format!("{}: blocks take one stripifier", self.strips))
+                .with_hint("name the last one of the chain alone")
+        })?;
+        Ok(self.search.options(stripifier))
+    }
+
     /// The strips asked for.
     pub(crate) fn plan(&self) -> StripPlan {
         StripPlan { chain: self.strips.clone(), search: self.search }
@@ -113,6 +133,14 @@ impl Default for StripSearchArgs {
     fn default() -> Self {
         let StripOptions { seed, cache_weight, .. } = StripOptions::default();
         Self { budget: None, seed, cache_weight, cache_size: USUAL_CACHE_SIZE }
+    }
+}
+
+fn parse_block_triangles(text: &str) -> Result<usize, String> {
+    match text.parse::<usize>() {
+        // Smaller blocks are nothing but borders, larger ones cannot be numbered.
+        Ok(count) if (100..=1 << 28).contains(&count) => Ok(count),
+        _ => Err(format!("must be a number from 100 to {}", 1 << 28)),
     }
 }
 

@@ -10,6 +10,7 @@ mod extract;
 mod info;
 mod simplify;
 mod strip;
+mod strip_blocks;
 
 use crate::args::{Cli, Verb};
 use crate::failure::Failure;

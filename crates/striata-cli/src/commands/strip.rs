@@ -8,6 +8,7 @@ use striata::mesh::weld;
 use striata_io::Format;
 
 use super::extract::stitched;
+use super::strip_blocks;
 use crate::args::{FormatArgs, StripArgs};
 use crate::failure::Failure;
 use crate::input::Input;
@@ -31,6 +32,9 @@ struct Report {
 /// # Errors
 /// Where any of it fails; the output is then as it was.
 pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
+    if let Some(block_triangles) = args.block_triangles {
+        return strip_blocks::run(args, block_triangles, output);
+    }
     let started = Instant::now();
     let format = FormatArgs { to: args.to, ascii: false };
     check_output(args, &format, output)?;

@@ -3,6 +3,7 @@
 mod compare;
 mod help;
 mod refusals;
+mod strip_blocks;
 mod strips;
 mod verbs;
 mod workbench;

@@ -13,6 +13,8 @@ mod document;
 mod json;
 mod layers;
 mod looks;
+#[cfg(feature = "ply")]
+mod pieces;
 mod primitive;
 mod scene;
 mod uri;
@@ -21,6 +23,8 @@ mod write_layers;
 
 use striata::mesh::IndexedMesh;
 
+#[cfg(feature = "ply")]
+pub(crate) use pieces::VertexPieces;
 pub(crate) use write::{to_glb_bytes, to_json_bytes};
 
 use crate::error::Fault;

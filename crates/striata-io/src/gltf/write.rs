@@ -15,9 +15,9 @@ use crate::WriteOptions;
 use crate::error::Refusal;
 
 const ARRAY_BUFFER: u32 = 34962;
-const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+pub(super) const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const TRIANGLES: u32 = 4;
-const TRIANGLE_STRIP: u32 = 5;
+pub(super) const TRIANGLE_STRIP: u32 = 5;
 
 pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
     let (root, binary) = document(mesh, options, |_| Value::Null)?;
@@ -73,9 +73,9 @@ fn insert(root: &mut Map<String, Value>, key: &str, entries: Vec<Value>) {
 
 #[derive(Default)]
 pub(super) struct Builder {
-    binary: Vec<u8>,
-    views: Vec<Value>,
-    accessors: Vec<Value>,
+    pub(super) binary: Vec<u8>,
+    pub(super) views: Vec<Value>,
+    pub(super) accessors: Vec<Value>,
 }
 
 impl Builder {

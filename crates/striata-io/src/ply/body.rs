@@ -128,7 +128,7 @@ fn skip_element<'a>(element: &Element, rows: &mut impl Rows<'a>) -> Result<(), F
 }
 
 /// Where the list of vertices stands among an element's properties.
-fn index_list(element: &Element) -> Option<usize> {
+pub(crate) fn index_list(element: &Element) -> Option<usize> {
     let is_index_list =
         |p: &Property| p.list.is_some() && matches!(p.name.as_str(), "vertex_indices" | "vertex_index");
     element.properties.iter().position(is_index_list)
@@ -270,6 +270,14 @@ impl Faces {
             }
             _ => Ok(()),
         }
+    }
+}
+
+impl<'a> Vertices<'a> {
+    /// Whole rows of little-endian bytes, however many.
+    pub(crate) fn of_rows(element: &Element, rows: Cow<'a, [u8]>) -> Self {
+        let (columns, stride) = columns_of(element);
+        Self { count: rows.len() / stride.max(1), rows, stride, columns }
     }
 }
 

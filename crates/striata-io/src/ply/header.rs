@@ -87,6 +87,7 @@ impl Element {
     }
 }
 
+#[derive(Clone, Debug)]
 pub(crate) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,

@@ -11,8 +11,10 @@ mod body;
 mod header;
 mod names;
 mod rows;
+mod stream;
 mod write;
 
+pub(crate) use stream::{PlyStream, Stopped};
 pub(crate) use write::to_bytes;
 
 use striata::mesh::IndexedMesh;

@@ -132,21 +132,7 @@ impl<'a, const BIG: bool> BinaryRows<'a, BIG> {
 impl<'a, const BIG: bool> Rows<'a> for BinaryRows<'a, BIG> {
     #[inline]
     fn integer(&mut self, scalar: Scalar) -> Result<i64, Fault> {
-        let taken = self.take(scalar.bytes())?;
-        let mut word = [0u8; 8];
-        for (i, &byte) in taken.iter().enumerate() {
-            word[if BIG { taken.len() - 1 - i } else { i }] = byte;
-        }
-        let value = u64::from_le_bytes(word);
-        Ok(match scalar {
-            Scalar::I8 => i64::from(value as i8),
-            Scalar::I16 => i64::from(value as i16),
-            Scalar::I32 => i64::from(value as i32),
-            Scalar::U8 | Scalar::U16 | Scalar::U32 => value as i64,
-            // Indices in floats exist; what is not whole becomes an index that does not exist.
-            Scalar::F32 => whole(f64::from(f32::from_bits(value as u32))),
-            Scalar::F64 => whole(f64::from_bits(value)),
-        })
+        Ok(whole_number(self.take(scalar.bytes())?, scalar, BIG))
     }
 
     #[inline]
@@ -193,6 +179,25 @@ impl<'a, const BIG: bool> Rows<'a> for BinaryRows<'a, BIG> {
 
     fn fault_at(mark: u64, reason: String) -> Fault {
         Fault::at_byte(mark as usize, reason)
+    }
+}
+
+/// A number that must be whole, from its bytes.
+#[inline]
+pub(crate) fn whole_number(taken: &[u8], scalar: Scalar, is_big: bool) -> i64 {
+    let mut word = [0u8; 8];
+    for (i, &byte) in taken.iter().enumerate() {
+        word[if is_big { taken.len() - 1 - i } else { i }] = byte;
+    }
+    let value = u64::from_le_bytes(word);
+    match scalar {
+        Scalar::I8 => i64::from(value as i8),
+        Scalar::I16 => i64::from(value as i16),
+        Scalar::I32 => i64::from(value as i32),
+        Scalar::U8 | Scalar::U16 | Scalar::U32 => value as i64,
+        // Indices in floats exist; what is not whole becomes an index that does not exist.
+        Scalar::F32 => whole(f64::from(f32::from_bits(value as u32))),
+        Scalar::F64 => whole(f64::from_bits(value)),
     }
 }
 

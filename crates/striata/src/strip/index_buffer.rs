@@ -26,12 +26,8 @@ impl StripSet {
     /// triangles), as formats such as glTF 2.0 need it; every winding stays.
     pub fn to_stitched_indices(&self) -> StripIndices {
         self.joined(|indices, next| {
-            let Some(&last) = indices.last() else { return };
-            let is_odd = indices.len() % 2 == 1;
-            if last == next {
-                indices.extend(is_odd.then_some(last));
-            } else {
-                indices.extend([last, last, next].iter().skip(usize::from(!is_odd)));
+            if let Some(&last) = indices.last() {
+                stitch(last, indices.len() % 2 == 1, next, indices);
             }
         })
     }
@@ -54,6 +50,16 @@ impl StripSet {
             out.group_ranges.push(first..out.indices.len() as u32);
         }
         out
+    }
+}
+
+/// Appends what joins two strips by degenerate triangles: the first ends with `last`, the other begins with
+/// `next`. `is_odd` says whether the number of indices so far is, since the other has to begin at an even place.
+pub fn stitch(last: u32, is_odd: bool, next: u32, out: &mut Vec<u32>) {
+    if last == next {
+        out.extend(is_odd.then_some(last));
+    } else {
+        out.extend([last, last, next].iter().skip(usize::from(!is_odd)));
     }
 }
 

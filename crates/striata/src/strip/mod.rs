@@ -5,6 +5,7 @@
 //! index makes a degenerate triangle that nobody draws; that is how a strip turns (a **swap**) and how two
 //! strips are joined without a restart index (a **stitch**).
 
+mod blocks;
 mod cache;
 mod cheapest;
 mod cost;
@@ -20,9 +21,13 @@ mod stripifier;
 mod tunnel;
 mod write;
 
+pub use blocks::{
+    Block, BlockCurve, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks,
+    WriteStripFn, block_length, stripify_blocks,
+};
 pub use cost::{CacheCost, StripCost, fifo_cache_cost, lru_cache_cost};
 pub use fewest::strip_count_bound;
-pub use index_buffer::{RESTART, StripIndices, restart_triangles_into};
+pub use index_buffer::{RESTART, StripIndices, restart_triangles_into, stitch};
 pub use links::StripLinks;
 pub use repair::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
 pub(crate) use strip_set::check_offsets;

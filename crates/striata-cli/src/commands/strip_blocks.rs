@@ -1,0 +1,184 @@
+//! `strip --block-triangles`: strips of a mesh that need not fit into memory.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks};
+use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteError};
+
+use crate::args::{FormatArgs, StripArgs};
+use crate::clock::peak_rss_bytes;
+use crate::failure::Failure;
+use crate::output::{Output, Table, grouped, lasted, sized};
+use crate::save::{format_of, is_stdout};
+
+#[derive(Serialize)]
+struct Report {
+    algorithm: String,
+    seed: u64,
+    vertex_count: u32,
+    triangle_count: usize,
+    degenerate_triangle_count: u64,
+    strip_count: usize,
+    swap_count: usize,
+    restart_count: usize,
+    index_count: usize,
+    indices_per_triangle: f64,
+    longest_strip: usize,
+    block_triangles: usize,
+    block_count: u32,
+    peak_block_triangles: usize,
+    peak_window_triangles: usize,
+    peak_held_triangles: usize,
+    carried_count: usize,
+    /// Indices of the file that was written, with what parts or joins the strips.
+    written_index_count: Option<u64>,
+    read_secs: f64,
+    stripify_secs: f64,
+    secs: f64,
+    peak_rss_bytes: Option<u64>,
+}
+
+/// Sorts into blocks, stripifies one after another, writes where that is asked for, and reports.
+///
+/// # Errors
+/// Where any of it fails; the output is then as it was.
+pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> Result<(), Failure> {
+    let started = Instant::now();
+    let options = BlockOptions::default().with_strip(args.only_stripifier()?);
+    let format = check_places(args)?;
+    let scratch = scratch_folder(args.output.as_deref());
+    let mut bar = output.bar();
+    bar.phase("read");
+    let mut blocks = TriangleBlocks::open(&args.input, block_triangles, &scratch)?;
+    let read_secs = started.elapsed().as_secs_f64();
+    let mut spool = format.map(|format| StripSpool::new(format, &scratch)).transpose()?;
+    let mut write = |_: u32, strip: &[u32]| match &mut spool {
+        Some(spool) => spool.push(strip),
+        None => Ok(()),
+    };
+    let made = stripify_blocks(&mut blocks, &options, &mut write, &mut |progress| bar.show(progress))?;
+    let stripify_secs = started.elapsed().as_secs_f64() - read_secs;
+    let written_index_count = match (spool, &args.output) {
+        (Some(spool), Some(path)) => {
+            bar.phase("write");
+            Some(spool.write(path, &blocks)?)
+        }
+        _ => None,
+    };
+    drop(bar);
+    let report = Report {
+        written_index_count,
+        read_secs,
+        stripify_secs,
+        secs: started.elapsed().as_secs_f64(),
+        peak_rss_bytes: peak_rss_bytes(),
+        ..Report::new(args, block_triangles, &blocks, &made)
+    };
+    match args.output {
+        Some(_) => output.summary(&report, &report.to_text()),
+        None => output.data(&report, &report.to_text()),
+    }
+}
+
+/// The format of the output, if there is one.
+///
+/// # Errors
+/// Where input or output is not a file, or the output's format takes no strips in blocks.
+fn check_places(args: &StripArgs) -> Result<Option<Format>, Failure> {
+    if args.weld {
+        return Err(Failure::user("--weld needs the whole mesh in memory")
+            .with_hint("leave --weld out, or leave --block-triangles out"));
+    }
+    if is_stdout(&args.input) {
+        return Err(Failure::user("stdin: a mesh is read several times to cut it into blocks")
+            .with_hint("name a binary .ply file"));
+    }
+    let Some(path) = &args.output else { return Ok(None) };
+    if is_stdout(path) {
+        return Err(Failure::user("stdout: strips in blocks are written to a file").with_hint("name a file"));
+    }
+    let format = format_of(path, &FormatArgs { to: args.to, ascii: false })?;
+    if !matches!(format, Format::Glb | Format::Ply) {
+        return Err(Failure::user(format!("{}: {format} takes no strips in blocks", path.display()))
+            .with_hint("write .glb or .ply"));
+    }
+    Ok(Some(format))
+}
+
+/// Beside the output, where there is room for that; else where the system wants temporary files.
+fn scratch_folder(output: Option<&Path>) -> PathBuf {
+    match output.and_then(Path::parent) {
+        Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
+        Some(_) => PathBuf::from("."),
+        None => std::env::temp_dir(),
+    }
+}
+
+impl Report {
+    fn new(args: &StripArgs, block_triangles: usize, blocks: &TriangleBlocks, made: &BlocksReport) -> Self {
+        let cost = made.cost;
+        Self {
+            algorithm: args.strips.to_string(),
+            seed: args.search.seed,
+            vertex_count: blocks.vertex_count(),
+            triangle_count: cost.triangle_count,
+            degenerate_triangle_count: blocks.triangle_count() - cost.triangle_count as u64,
+            strip_count: cost.strip_count,
+            swap_count: cost.swap_count,
+            restart_count: cost.strip_count.saturating_sub(1),
+            index_count: cost.index_count,
+            indices_per_triangle: cost.indices_per_triangle,
+            longest_strip: cost.longest_strip,
+            block_triangles,
+            block_count: made.block_count,
+            peak_block_triangles: made.peak_block_triangles,
+            peak_window_triangles: made.peak_window_triangles,
+            peak_held_triangles: made.peak_held_triangles,
+            carried_count: made.carried_count,
+            written_index_count: None,
+            read_secs: 0.0,
+            stripify_secs: 0.0,
+            secs: 0.0,
+            peak_rss_bytes: None,
+        }
+    }
+
+    fn to_text(&self) -> String {
+        let mut table = Table::default();
+        let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
+        row("algorithm", self.algorithm.clone());
+        row("triangles", grouped(self.triangle_count));
+        if self.degenerate_triangle_count > 0 {
+            row("degenerate, left out", self.degenerate_triangle_count.to_string());
+        }
+        row("strips", grouped(self.strip_count));
+        row("swaps", grouped(self.swap_count));
+        row("indices", grouped(self.index_count));
+        row("indices a triangle", format!("{:.4}", self.indices_per_triangle));
+        row("longest strip, indices", grouped(self.longest_strip));
+        row("blocks", grouped(self.block_count as usize));
+        row("triangles at once, most", grouped(self.peak_window_triangles));
+        row("triangles waiting, most", grouped(self.peak_held_triangles));
+        row("time to cut into blocks", lasted(self.read_secs));
+        row("time of the stripifier", lasted(self.stripify_secs));
+        if let Some(bytes) = self.peak_rss_bytes {
+            row("memory, most", sized(bytes as usize));
+        }
+        table.to_text()
+    }
+}
+
+impl From<BlocksError<ReadError, WriteError>> for Failure {
+    fn from(error: BlocksError<ReadError, WriteError>) -> Self {
+        match error {
+            BlocksError::Read { error, .. } => error.into(),
+            BlocksError::Write(error) => error.into(),
+            BlocksError::TooLarge { .. } => {
+                Self::user(error.to_string()).with_hint("make --block-triangles smaller")
+            }
+            _ => Self::internal(error.to_string()),
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! `strip --block-triangles`: the same mesh as in memory, files whole or not at all, refusals that say what to do.
+
+use serde_json::Value;
+use striata::mesh::{IndexedMesh, canonical_triangles};
+
+use crate::workbench::{Workbench, assert_keys};
+
+const KEYS: [&str; 22] = [
+    "algorithm",
+    "seed",
+    "vertex_count",
+    "triangle_count",
+    "degenerate_triangle_count",
+    "strip_count",
+    "swap_count",
+    "restart_count",
+    "index_count",
+    "indices_per_triangle",
+    "longest_strip",
+    "block_triangles",
+    "block_count",
+    "peak_block_triangles",
+    "peak_window_triangles",
+    "peak_held_triangles",
+    "carried_count",
+    "written_index_count",
+    "read_secs",
+    "stripify_secs",
+    "secs",
+    "peak_rss_bytes",
+];
+
+fn count(report: &Value, key: &str) -> u64 {
+    report[key].as_u64().unwrap_or_else(|| panic!("{key} of {report}"))
+}
+
+/// A workbench with a sphere as binary PLY.
+fn with_sphere() -> Workbench {
+    let bench = Workbench::with_ball();
+    bench.run("convert sphere.obj sphere.ply --quiet").success();
+    bench
+}
+
+fn mesh(bench: &Workbench, name: &str) -> IndexedMesh {
+    striata_io::read(bench.path(name)).expect("what was written is read")
+}
+
+#[test]
+fn blocks_write_the_mesh_that_they_read() {
+    let bench = with_sphere();
+    let sphere = mesh(&bench, "sphere.ply");
+    let before = bench.names();
+    for (out, parted_by) in [("strips.ply", 1), ("strips.glb", 3)] {
+        let report = bench.json(&format!("strip sphere.ply --block-triangles 200 -o {out}"));
+        assert_keys(&report, &KEYS);
+        let strips = count(&report, "strip_count");
+        let indices = count(&report, "triangle_count") + 3 * strips - 1 + count(&report, "swap_count");
+        assert_eq!(count(&report, "index_count"), indices, "{report}");
+        assert!(count(&report, "block_count") > 1 && count(&report, "peak_block_triangles") <= 200);
+        let unparted = indices - (strips - 1);
+        let written = count(&report, "written_index_count");
+        assert!((unparted..=unparted + parted_by * (strips - 1)).contains(&written), "{report}");
+        let back = mesh(&bench, out);
+        assert_eq!(back.positions, sphere.positions, "{out}");
+        assert_eq!(canonical_triangles(&back.triangles), canonical_triangles(&sphere.triangles), "{out}");
+    }
+    let mut after = before;
+    after.extend(["strips.glb".to_owned(), "strips.ply".to_owned()]);
+    after.sort();
+    let mut names = bench.names();
+    names.sort();
+    assert_eq!(names, after, "temporary files are gone");
+}
+
+#[test]
+fn without_an_output_blocks_are_only_told() {
+    let bench = with_sphere();
+    let before = bench.names();
+    let told = bench.json("strip sphere.ply --block-triangles 200 --strips greedy");
+    assert_eq!(told["written_index_count"], Value::Null);
+    assert_eq!(bench.names(), before);
+    let text = bench.run("strip sphere.ply --block-triangles 200").success();
+    let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
+    assert!(text.contains("triangles at once, most"), "{text}");
+}
+
+#[test]
+fn what_blocks_cannot_do_is_refused_with_a_hint() {
+    let bench = with_sphere();
+    for (arguments, said) in [
+        ("strip sphere.obj --block-triangles 500", "only binary PLY files are read block by block"),
+        ("strip sphere.obj --block-triangles 500", "hint: `striata convert IN OUT.ply`"),
+        ("strip sphere.ply --block-triangles 500 -o s.obj", "hint: write .glb or .ply"),
+        ("strip sphere.ply --block-triangles 500 -o -", "hint: name a file"),
+        ("strip - --block-triangles 500", "hint: name a binary .ply file"),
+        ("strip sphere.ply --block-triangles 500 --weld", "hint: leave --weld out"),
+        ("strip sphere.ply --block-triangles 500 --budget 1", "hint: leave --budget out"),
+        ("strip sphere.ply --block-triangles 500 --strips greedy+greedy", "blocks take one stripifier"),
+        ("strip sphere.ply --block-triangles 5", "must be a number from 100"),
+        ("strip none.ply --block-triangles 500", "none.ply"),
+        ("strip sphere.ply --block-triangles 500 -o no/such/folder.glb", "no/such"),
+    ] {
+        let found = bench.refused(arguments);
+        assert!(found.contains(said), "{arguments}: {found}");
+    }
+    bench.write("cut.ply", &bench.read("sphere.ply")[..3000]);
+    assert!(bench.refused("strip cut.ply --block-triangles 500 -o cut.glb").contains("cut.ply: byte "));
+    assert!(!bench.names().contains(&"cut.glb".to_owned()));
+}

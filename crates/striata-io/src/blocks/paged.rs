@@ -1,0 +1,131 @@
+//! A file that is read and written anywhere, with a small part of it in memory.
+//!
+//! Pages sit where their number says, modulo the number of places: a page that comes drives out the one before it at
+//! its place, which is written back if it was changed. Vertices that are near in space are mostly near
+//! in a file, so that most requests find their page.
+
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+
+const PAGE_BYTES: usize = 1 << 14;
+/// 8 MiB in memory.
+const PLACE_COUNT: usize = 512;
+
+/// Pages of a file.
+#[derive(Debug)]
+pub(super) struct PagedFile {
+    file: File,
+    /// Where the first page begins in the file.
+    start: u64,
+    bytes: u64,
+    pages: Vec<Page>,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Page {
+    number: Option<u64>,
+    is_changed: bool,
+    bytes: Vec<u8>,
+}
+
+impl PagedFile {
+    /// The part of a file from `start` on, `bytes` long.
+    pub(super) fn new(file: File, start: u64, bytes: u64) -> Self {
+        let page_count = bytes.div_ceil(PAGE_BYTES as u64).clamp(1, PLACE_COUNT as u64);
+        Self { file, start, bytes, pages: vec![Page::default(); page_count as usize] }
+    }
+
+    /// Fills `out` from this place on.
+    pub(super) fn read(&mut self, mut at: u64, mut out: &mut [u8]) -> io::Result<()> {
+        while !out.is_empty() {
+            let (page, first) = self.page(at)?;
+            let length = out.len().min(page.bytes.len().saturating_sub(first));
+            if length == 0 {
+                return Err(io::ErrorKind::UnexpectedEof.into());
+            }
+            let (head, rest) = out.split_at_mut(length);
+            head.copy_from_slice(&page.bytes[first..first + length]);
+            (at, out) = (at + length as u64, rest);
+        }
+        Ok(())
+    }
+
+    /// A number of four bytes at a multiple of four.
+    pub(super) fn read_u32(&mut self, index: u32) -> io::Result<u32> {
+        let mut bytes = [0; 4];
+        self.read(u64::from(index) * 4, &mut bytes)?;
+        Ok(u32::from_le_bytes(bytes))
+    }
+
+    /// Changes a number of four bytes at a multiple of four.
+    pub(super) fn write_u32(&mut self, index: u32, number: u32) -> io::Result<()> {
+        let (page, first) = self.page(u64::from(index) * 4)?;
+        let Some(bytes) = page.bytes.get_mut(first..first + 4) else {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        };
+        bytes.copy_from_slice(&number.to_le_bytes());
+        page.is_changed = true;
+        Ok(())
+    }
+
+    /// The page of a byte, and where in it that byte is.
+    #[inline]
+    fn page(&mut self, at: u64) -> io::Result<(&mut Page, usize)> {
+        let (number, first) = (at / PAGE_BYTES as u64, (at % PAGE_BYTES as u64) as usize);
+        let place = (number % self.pages.len() as u64) as usize;
+        if self.pages[place].number != Some(number) {
+            self.change_page(place, number)?;
+        }
+        Ok((&mut self.pages[place], first))
+    }
+
+    fn change_page(&mut self, place: usize, number: u64) -> io::Result<()> {
+        let page = &mut self.pages[place];
+        let place_of = |number: u64| SeekFrom::Start(self.start + number * PAGE_BYTES as u64);
+        if let Some(old) = page.number.take().filter(|_| page.is_changed) {
+            self.file.seek(place_of(old))?;
+            self.file.write_all(&page.bytes)?;
+        }
+        let left = self.bytes.saturating_sub(number * PAGE_BYTES as u64);
+        page.bytes.resize(left.min(PAGE_BYTES as u64) as usize, 0);
+        self.file.seek(place_of(number))?;
+        self.file.read_exact(&mut page.bytes)?;
+        (page.number, page.is_changed) = (Some(number), false);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_driven_out_is_found_again() {
+        let file = tempfile::tempfile().unwrap();
+        // Three times what fits into memory, and half a page.
+        let count = (3 * PLACE_COUNT * PAGE_BYTES + PAGE_BYTES / 2) as u32 / 4;
+        file.set_len(u64::from(count) * 4).unwrap();
+        let mut paged = PagedFile::new(file, 0, u64::from(count) * 4);
+        let step = PAGE_BYTES as u32 / 4 + 7;
+        for index in (0..count).step_by(step as usize) {
+            paged.write_u32(index, index ^ 0x5555).unwrap();
+        }
+        for index in (0..count).step_by(step as usize) {
+            assert_eq!(paged.read_u32(index).unwrap(), index ^ 0x5555);
+        }
+        assert_eq!(paged.read_u32(1).unwrap(), 0);
+        assert!(paged.read_u32(count).is_err() && paged.write_u32(count, 1).is_err());
+    }
+
+    #[test]
+    fn a_piece_may_lie_on_two_pages() {
+        let mut file = tempfile::tempfile().unwrap();
+        let bytes: Vec<u8> = (0..2 * PAGE_BYTES + 9).map(|i| (i * 7 % 251) as u8).collect();
+        file.write_all(&bytes).unwrap();
+        let mut paged = PagedFile::new(file, 5, bytes.len() as u64 - 5);
+        let mut out = [0; 12];
+        paged.read(PAGE_BYTES as u64 - 3, &mut out).unwrap();
+        assert_eq!(out, bytes[PAGE_BYTES + 2..PAGE_BYTES + 14]);
+        assert!(paged.read(bytes.len() as u64 - 10, &mut out).is_err());
+    }
+}

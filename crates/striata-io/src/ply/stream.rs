@@ -1,0 +1,407 @@
+//! A binary PLY file read piece by piece, for meshes that do not fit into memory.
+//!
+//! Vertices must be rows of one length, so that any of them is found by its number, and stand before the
+//! faces. Of other elements only those of one length can be passed.
+
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use striata::mesh::IndexedMesh;
+
+use super::body::{Vertices, index_list};
+use super::header::{Element, Encoding, Header, Property, Scalar};
+use super::rows::whole_number;
+use crate::ReadError;
+use crate::error::{Fault, Place};
+
+/// Headers are not longer than this.
+const MAX_HEADER_BYTES: u64 = 1 << 20;
+/// Rows are read in pieces of about this size.
+const PIECE_BYTES: usize = 1 << 18;
+
+/// A file whose header is read and whose places are known.
+#[derive(Clone, Debug)]
+pub(crate) struct PlyStream {
+    path: PathBuf,
+    name: String,
+    pub(crate) header: Header,
+    /// Where the first vertex begins.
+    pub(crate) vertices_at: u64,
+    pub(crate) vertex_count: u32,
+    pub(crate) stride: usize,
+    /// Offsets and types of the three coordinates.
+    axes: [(usize, Scalar); 3],
+    /// Where the first face begins.
+    faces_at: u64,
+    file_bytes: u64,
+}
+
+impl PlyStream {
+    /// Reads the header and finds the elements.
+    ///
+    /// # Errors
+    /// Where the file is no binary PLY, or one whose elements cannot be found without reading all of it.
+    pub(crate) fn open(path: &Path) -> Result<Self, ReadError> {
+        let name = path.display().to_string();
+        let io = |source| ReadError::Io { file: name.clone(), source };
+        let mut file = File::open(path).map_err(io)?;
+        let metadata = file.metadata().map_err(io)?;
+        let not_so = |found: &str| ReadError::NotInBlocks { file: name.clone(), found: found.to_owned() };
+        if !metadata.is_file() {
+            return Err(not_so("no plain file"));
+        }
+        let mut head = Vec::new();
+        (&mut file).take(MAX_HEADER_BYTES).read_to_end(&mut head).map_err(io)?;
+        if !head.starts_with(b"ply") {
+            return Err(not_so("no PLY file"));
+        }
+        let header = Header::read(&head).map_err(|fault| fault.in_file(&name))?;
+        if header.encoding == Encoding::Ascii {
+            return Err(not_so("a PLY file of text"));
+        }
+        let in_file = |fault: Fault| fault.in_file(&name);
+        let places = Places::of(&header, metadata.len()).map_err(in_file)?;
+        let vertex = header.vertex().map_err(in_file)?;
+        let axes = axes_of(vertex, header.body_at as u64).map_err(in_file)?;
+        let (vertex_count, stride) = (vertex.count as u32, vertex.least_row_bytes());
+        let (vertices_at, faces_at) = (places.vertices_at, places.faces_at);
+        let file_bytes = metadata.len();
+        let path = path.to_owned();
+        Ok(Self { path, name, header, vertices_at, vertex_count, stride, axes, faces_at, file_bytes })
+    }
+
+    /// The file's name for messages.
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The file, opened anew: with a place of its own to read at.
+    pub(crate) fn file(&self) -> Result<File, ReadError> {
+        File::open(&self.path).map_err(|source| self.io(source))
+    }
+
+    /// What the system says, with the file's name.
+    pub(crate) fn io(&self, source: io::Error) -> ReadError {
+        ReadError::Io { file: self.name.clone(), source }
+    }
+
+    fn is_big_endian(&self) -> bool {
+        self.header.encoding == Encoding::BigEndian
+    }
+
+    /// The coordinates of one row.
+    pub(crate) fn position(&self, row: &[u8]) -> [f32; 3] {
+        self.axes.map(|(offset, scalar)| {
+            let taken = &row[offset..offset + scalar.bytes()];
+            let mut word = [0; 8];
+            for (i, &byte) in taken.iter().enumerate() {
+                word[if self.is_big_endian() { taken.len() - 1 - i } else { i }] = byte;
+            }
+            match scalar {
+                Scalar::F32 => f32::from_bits(u64::from_le_bytes(word) as u32),
+                Scalar::F64 => f64::from_le_bytes(word) as f32,
+                _ => whole_number(taken, scalar, self.is_big_endian()) as f32,
+            }
+        })
+    }
+
+    /// Whole rows of vertices as a mesh without triangles, all layers with it.
+    pub(crate) fn vertices(&self, rows: &[u8]) -> Result<IndexedMesh, ReadError> {
+        let in_file = |fault: Fault| fault.in_file(&self.name);
+        let vertex = self.header.vertex().map_err(in_file)?;
+        let mut rows = Cow::Borrowed(rows);
+        if self.is_big_endian() {
+            for row in rows.to_mut().chunks_exact_mut(self.stride) {
+                let mut at = 0;
+                for property in &vertex.properties {
+                    row[at..at + property.scalar.bytes()].reverse();
+                    at += property.scalar.bytes();
+                }
+            }
+        }
+        let vertices = Vertices::of_rows(vertex, rows);
+        let positions = vertices.positions(&self.header).map_err(in_file)?;
+        Ok(IndexedMesh { layers: vertices.layers(&self.header), ..IndexedMesh::new(positions, Vec::new()) })
+    }
+
+    /// Writes the vertices' rows as they stand under the header of a file whose triangles are strips: all
+    /// indices as one list, strips parted by -1.
+    ///
+    /// The list itself is the caller's to write, in this file's byte order.
+    pub(crate) fn write_strips_head(&self, index_count: u32, out: &mut dyn Write) -> io::Result<()> {
+        let encoding = if self.is_big_endian() { "binary_big_endian" } else { "binary_little_endian" };
+        let mut head = format!("ply\nformat {encoding} 1.0\n");
+        for name in &self.header.normalized {
+            head += &format!("comment normalized {name}\n");
+        }
+        head += &format!("element vertex {}\n", self.vertex_count);
+        let vertex = self.header.elements.iter().find(|e| e.name == "vertex");
+        for property in vertex.into_iter().flat_map(|vertex| &vertex.properties) {
+            head += &format!("property {} {}\n", property.scalar.name(), property.name);
+        }
+        head += "element tristrips 1\nproperty list uint int vertex_indices\nend_header\n";
+        out.write_all(head.as_bytes())?;
+        self.for_rows(|_, rows| out.write_all(rows).map_err(Stopped::Write))?;
+        out.write_all(&self.word(index_count))
+    }
+
+    /// A number of four bytes in this file's byte order.
+    pub(crate) fn word(&self, number: u32) -> [u8; 4] {
+        if self.is_big_endian() { number.to_be_bytes() } else { number.to_le_bytes() }
+    }
+
+    /// Hands out the vertices' rows in order: the number of the first, and whole rows.
+    ///
+    /// # Errors
+    /// Where the file cannot be read, or what `visit` says.
+    pub(crate) fn for_rows<E: From<ReadError>>(
+        &self,
+        mut visit: impl FnMut(u32, &[u8]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        if self.stride == 0 {
+            return Ok(());
+        }
+        let mut file = self.file()?;
+        file.seek(SeekFrom::Start(self.vertices_at)).map_err(|e| self.io(e))?;
+        let rows_at_once = (PIECE_BYTES / self.stride).max(1) as u32;
+        let mut rows = Vec::new();
+        for first in (0..self.vertex_count).step_by(rows_at_once as usize) {
+            let count = rows_at_once.min(self.vertex_count - first);
+            rows.resize(count as usize * self.stride, 0);
+            file.read_exact(&mut rows).map_err(|e| self.io(e))?;
+            visit(first, &rows)?;
+        }
+        Ok(())
+    }
+
+    /// Hands out the triangles in order; polygons are fanned.
+    ///
+    /// # Errors
+    /// Where the file is cut off or names a vertex that is not there, or what `visit` says.
+    pub(crate) fn for_triangles(
+        &self,
+        mut visit: impl FnMut([u32; 3]) -> Result<(), ReadError>,
+    ) -> Result<(), ReadError> {
+        let Some(element) = self.header.elements.iter().find(|e| e.name == "face") else { return Ok(()) };
+        let mut file = self.file()?;
+        file.seek(SeekFrom::Start(self.faces_at)).map_err(|e| self.io(e))?;
+        let mut reader = Faces {
+            stream: self,
+            bytes: BufReader::with_capacity(PIECE_BYTES, file),
+            at: self.faces_at,
+            is_big: self.is_big_endian(),
+        };
+        let Some(list) = index_list(element) else { return Ok(()) };
+        let mut left = element.count;
+        while left > 0 {
+            left -= reader.plain_triangles(element, left, &mut visit)?;
+            if left == 0 {
+                break;
+            }
+            for (place, property) in element.properties.iter().enumerate() {
+                match property.list {
+                    Some(length) if list == place => reader.polygon(property.scalar, length, &mut visit)?,
+                    _ => reader.skip(property)?,
+                }
+            }
+            left -= 1;
+        }
+        Ok(())
+    }
+}
+
+/// Why a copy of a file's vertices ends early.
+pub(crate) enum Stopped {
+    /// The file they come from.
+    Read(ReadError),
+    /// The file they go to.
+    Write(io::Error),
+}
+
+impl From<ReadError> for Stopped {
+    fn from(error: ReadError) -> Self {
+        Self::Read(error)
+    }
+}
+
+impl From<Stopped> for io::Error {
+    fn from(stopped: Stopped) -> Self {
+        match stopped {
+            Stopped::Read(error) => Self::other(error),
+            Stopped::Write(error) => error,
+        }
+    }
+}
+
+/// Where elements begin.
+struct Places {
+    vertices_at: u64,
+    faces_at: u64,
+}
+
+impl Places {
+    fn of(header: &Header, file_bytes: u64) -> Result<Self, Fault> {
+        let (mut at, mut vertices_at, mut faces_at) = (header.body_at as u64, None, None);
+        for element in &header.elements {
+            let has_lists = element.properties.iter().any(|p| p.list.is_some());
+            let found = element.name.as_str();
+            let needed = element.least_row_bytes() as u64 * element.count as u64;
+            if needed > file_bytes.saturating_sub(at) {
+                let (count, left) = (element.count, file_bytes.saturating_sub(at));
+                let reason = format!(
+                    "{count} rows of `{found}` are promised, which take {needed} bytes or more, found {left}"
+                );
+                return Err(fault_at(at, reason));
+            }
+            match found {
+                "vertex" if vertices_at.is_none() && !has_lists => vertices_at = Some(at),
+                "face" if vertices_at.is_some() => {
+                    faces_at = Some(at);
+                    break;
+                }
+                "tristrips" => return Err(not_in_blocks(at, "element `tristrips`")),
+                _ if has_lists => return Err(not_in_blocks(at, &format!("list in the element `{found}`"))),
+                _ => {}
+            }
+            at += needed;
+        }
+        let vertices_at = vertices_at.unwrap_or(at);
+        Ok(Self { vertices_at, faces_at: faces_at.unwrap_or(at) })
+    }
+}
+
+fn fault_at(at: u64, reason: String) -> Fault {
+    Fault::Malformed(Place::Byte(at), reason)
+}
+
+fn not_in_blocks(at: u64, what: &str) -> Fault {
+    Fault::Unsupported(Place::Byte(at), format!("an {what} before the faces, block by block,"))
+}
+
+fn axes_of(vertex: &Element, at: u64) -> Result<[(usize, Scalar); 3], Fault> {
+    let mut axes = [(0, Scalar::F32); 3];
+    if vertex.count == 0 {
+        return Ok(axes);
+    }
+    for (axis, name) in axes.iter_mut().zip(["x", "y", "z"]) {
+        let Some(place) = vertex.properties.iter().position(|p| p.name == name) else {
+            return Err(fault_at(at, format!("the element `vertex` has no property `{name}`")));
+        };
+        let before = &vertex.properties[..place];
+        *axis = (before.iter().map(|p| p.scalar.bytes()).sum(), vertex.properties[place].scalar);
+    }
+    Ok(axes)
+}
+
+/// Reads the rows of faces one after another.
+struct Faces<'a> {
+    stream: &'a PlyStream,
+    bytes: BufReader<File>,
+    /// The byte that comes next.
+    at: u64,
+    is_big: bool,
+}
+
+impl Faces<'_> {
+    /// The usual file: three 32-bit indices after one byte. Takes rows that are in memory, up to the first that is
+    /// something else, and says how many.
+    fn plain_triangles(
+        &mut self,
+        element: &Element,
+        most: usize,
+        visit: &mut impl FnMut([u32; 3]) -> Result<(), ReadError>,
+    ) -> Result<usize, ReadError> {
+        const ROW: usize = 13;
+        let is_plain = matches!(
+            element.properties[..],
+            [Property { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }]
+        );
+        if !is_plain || self.is_big {
+            return Ok(0);
+        }
+        let stream = self.stream;
+        let rows = self.bytes.fill_buf().map_err(|error| stream.io(error))?.as_chunks::<ROW>().0;
+        let mut count = 0;
+        for row in rows.iter().take(most) {
+            let index = |at: usize| u32::from_le_bytes([row[at], row[at + 1], row[at + 2], row[at + 3]]);
+            let triangle = [index(1), index(5), index(9)];
+            if row[0] != 3 || triangle.iter().any(|&v| v >= stream.vertex_count) {
+                break;
+            }
+            visit(triangle)?;
+            count += 1;
+        }
+        self.bytes.consume(count * ROW);
+        self.at += (count * ROW) as u64;
+        Ok(count)
+    }
+
+    #[inline]
+    fn integer(&mut self, scalar: Scalar) -> Result<i64, ReadError> {
+        let mut word = [0; 8];
+        let taken = &mut word[..scalar.bytes()];
+        match self.bytes.read_exact(taken) {
+            Ok(()) => {}
+            Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
+                let left = self.stream.file_bytes.saturating_sub(self.at);
+                return Err(self.fault(format!("{} bytes expected, {left} left", scalar.bytes())));
+            }
+            Err(error) => return Err(self.stream.io(error)),
+        }
+        self.at += taken.len() as u64;
+        Ok(whole_number(taken, scalar, self.is_big))
+    }
+
+    fn fault(&self, reason: String) -> ReadError {
+        fault_at(self.at, reason).in_file(&self.stream.name)
+    }
+
+    fn length(&mut self, scalar: Scalar) -> Result<u64, ReadError> {
+        let length = self.integer(scalar)?;
+        u64::try_from(length).map_err(|_| self.fault(format!("a list cannot have {length} entries")))
+    }
+
+    fn skip(&mut self, property: &Property) -> Result<(), ReadError> {
+        let count = match property.list {
+            None => 1,
+            Some(scalar) => self.length(scalar)?,
+        };
+        for _ in 0..count {
+            self.integer(property.scalar)?;
+        }
+        Ok(())
+    }
+
+    fn vertex(&mut self, scalar: Scalar) -> Result<u32, ReadError> {
+        let index = self.integer(scalar)?;
+        match u32::try_from(index) {
+            Ok(vertex) if vertex < self.stream.vertex_count => Ok(vertex),
+            _ => {
+                self.at -= scalar.bytes() as u64;
+                let count = self.stream.vertex_count;
+                Err(self.fault(format!("vertex {index} does not exist: there are {count}")))
+            }
+        }
+    }
+
+    fn polygon(
+        &mut self,
+        scalar: Scalar,
+        length: Scalar,
+        visit: &mut impl FnMut([u32; 3]) -> Result<(), ReadError>,
+    ) -> Result<(), ReadError> {
+        let (mut first, mut last) = (0, 0);
+        for corner in 0..self.length(length)? {
+            let vertex = self.vertex(scalar)?;
+            match corner {
+                0 => first = vertex,
+                1 => {}
+                _ => visit([first, last, vertex])?,
+            }
+            last = vertex;
+        }
+        Ok(())
+    }
+}

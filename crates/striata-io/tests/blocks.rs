@@ -1,0 +1,279 @@
+//! Meshes read in blocks from files, and written strip by strip.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use striata::ignore_progress;
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, canonical_triangles, shapes};
+use striata::strip::{
+    Block, BlockOptions, BlockSource, BlocksReport, MeshBlocks, restart_triangles_into, strip_triangles,
+    stripify_blocks,
+};
+use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteOptions, read, to_bytes};
+
+/// A folder with one file in it, and one for what does not fit into memory.
+struct Place {
+    _folder: tempfile::TempDir,
+    file: PathBuf,
+    scratch: PathBuf,
+}
+
+fn place(name: &str, bytes: &[u8]) -> Place {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, scratch) = (folder.path().join(name), folder.path().join("scratch"));
+    fs::write(&file, bytes).unwrap();
+    fs::create_dir(&scratch).unwrap();
+    Place { _folder: folder, file, scratch }
+}
+
+impl Place {
+    fn open(&self, block_triangles: usize) -> Result<TriangleBlocks, ReadError> {
+        TriangleBlocks::open(&self.file, block_triangles, &self.scratch)
+    }
+
+    /// What is said about bytes that cannot be read.
+    fn said(name: &str, bytes: &[u8]) -> String {
+        let place = place(name, bytes);
+        let said = place.open(10).unwrap_err().to_string();
+        assert_eq!(fs::read_dir(&place.scratch).unwrap().count(), 0);
+        said.replace(&place.file.display().to_string(), name)
+    }
+}
+
+fn ply(mesh: &IndexedMesh) -> Vec<u8> {
+    to_bytes(Format::Ply, mesh, &WriteOptions::default()).unwrap()
+}
+
+/// The same file with its numbers the other way round; what is no face is rows of floats.
+fn big_endian(mesh: &IndexedMesh) -> Vec<u8> {
+    let mut out =
+        format!("ply\nformat binary_big_endian 1.0\nelement vertex {}\n", mesh.vertex_count()).into_bytes();
+    out.extend(b"property double x\nproperty float y\nproperty float z\nproperty short w\n");
+    out.extend(format!("element face {}\n", mesh.triangle_count()).bytes());
+    out.extend(b"property uchar mark\nproperty list int uint vertex_index\nend_header\n");
+    for (v, &[x, y, z]) in mesh.positions.iter().enumerate() {
+        out.extend(f64::from(x).to_be_bytes());
+        out.extend([y, z].iter().flat_map(|x| x.to_be_bytes()));
+        out.extend((v as i16 - 50).to_be_bytes());
+    }
+    for triangle in &mesh.triangles {
+        out.push(9);
+        out.extend([3].iter().chain(triangle).flat_map(|x| x.to_be_bytes()));
+    }
+    out
+}
+
+/// Strips of the file in blocks, written to a file of this format.
+fn strip_to(place: &Place, block_triangles: usize, format: Format, out: &Path) -> BlocksReport {
+    let mut blocks = place.open(block_triangles).unwrap();
+    let mut spool = StripSpool::new(format, &place.scratch).unwrap();
+    let options = BlockOptions::default();
+    let report =
+        stripify_blocks(&mut blocks, &options, &mut |_, strip| spool.push(strip), &mut ignore_progress);
+    spool.write(out, &blocks).unwrap();
+    assert_eq!(fs::read_dir(&place.scratch).unwrap().count(), 0);
+    report.unwrap()
+}
+
+fn proper(mesh: &IndexedMesh) -> Vec<[u32; 3]> {
+    let is_proper = |t: &&[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+    canonical_triangles(&mesh.triangles.iter().filter(is_proper).copied().collect::<Vec<_>>())
+}
+
+fn with_layers(mut mesh: IndexedMesh) -> IndexedMesh {
+    let count = mesh.vertex_count();
+    let floats = |width: usize| (0..count * width).map(|i| (i % 7) as f32 * 0.125).collect::<Vec<_>>();
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, floats(2)));
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Generic("heat".to_owned()), 1, floats(1)));
+    mesh
+}
+
+#[test]
+fn blocks_of_a_file_are_those_of_the_mesh() {
+    let mesh = shapes::terrain(60, 4);
+    let place = place("terrain.ply", &ply(&mesh));
+    let mut from_file = place.open(500).unwrap();
+    let mut from_mesh = MeshBlocks::new(&mesh, 500).unwrap();
+    assert_eq!(from_file.block_count(), from_mesh.block_count());
+    assert_eq!((from_file.vertex_count(), from_file.triangle_count()), (3721, 7200));
+    assert_eq!(from_file.bounds(), mesh.bounds());
+    let (mut a, mut b) = (Block::default(), Block::default());
+    for number in (0..from_file.block_count()).rev() {
+        from_file.read_block(number, &mut a).unwrap();
+        from_mesh.read_block(number, &mut b).unwrap();
+        assert_eq!(a, b, "block {number}");
+    }
+}
+
+#[test]
+fn strips_written_in_blocks_show_the_mesh_with_all_its_layers() {
+    let small = with_layers(shapes::torus(20, 30, 3.0, 1.0));
+    // More vertices than short indices can name.
+    let large = with_layers(shapes::grid(260, 255));
+    for (mesh, block_triangles) in [(&small, 1), (&small, 100), (&small, usize::MAX), (&large, 20_000)] {
+        let place = place("mesh.ply", &ply(mesh));
+        for format in [Format::Ply, Format::Glb] {
+            let out = place.scratch.with_extension(format.extension());
+            let report = strip_to(&place, block_triangles, format, &out);
+            assert_eq!(report.cost.triangle_count, mesh.triangle_count());
+            let back = read(&out).unwrap();
+            assert_eq!(back.positions, mesh.positions, "{format}");
+            assert_eq!(proper(&back), proper(mesh), "{format}, blocks of {block_triangles}");
+            for layer in &mesh.layers {
+                let found = back.layers.iter().find(|found| found.component_count == layer.component_count);
+                assert_eq!(found.map(|found| &found.data), Some(&layer.data), "{format}: {}", layer.semantic);
+            }
+        }
+    }
+}
+
+#[test]
+fn odd_meshes_come_through() {
+    for (name, mesh) in shapes::nasty() {
+        if mesh.check().is_err() || !mesh.layers.is_empty() {
+            continue;
+        }
+        for bytes in [ply(&mesh), big_endian(&mesh)] {
+            let place = place("mesh.ply", &bytes);
+            let out = place.scratch.with_extension("out.ply");
+            strip_to(&place, 7, Format::Ply, &out);
+            let back = read(&out).unwrap();
+            assert_eq!((back.positions == mesh.positions, proper(&back)), (true, proper(&mesh)), "{name}");
+            let out = place.scratch.with_extension("glb");
+            strip_to(&place, 7, Format::Glb, &out);
+            assert_eq!(proper(&read(&out).unwrap()), proper(&mesh), "{name}");
+        }
+    }
+}
+
+#[test]
+fn polygons_are_fanned_and_other_elements_passed() {
+    let head =
+        b"ply\nformat binary_little_endian 1.0\nelement camera 2\nproperty float f\nelement vertex 5\n\
+        property float x\nproperty float y\nproperty float z\nelement face 2\n\
+        property list uchar ushort vertex_indices\nproperty list uchar float uv\nelement edge 1\n\
+        property list uchar uchar rest\nend_header\n";
+    let mut bytes = head.to_vec();
+    bytes.extend([7.0f32; 2].iter().flat_map(|x| x.to_le_bytes()));
+    let points = [[0.0f32, 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.], [-1., 0.5, 0.]];
+    bytes.extend(points.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+    for polygon in [&[0u16, 1, 2, 3, 4][..], &[3, 2]] {
+        bytes.push(polygon.len() as u8);
+        bytes.extend(polygon.iter().flat_map(|v| v.to_le_bytes()));
+        bytes.push(1);
+        bytes.extend(0.5f32.to_le_bytes());
+    }
+    bytes.extend([2, 1, 1]);
+    let place = place("mesh.ply", &bytes);
+    let mut found = Vec::new();
+    let mut take = |_, strip: &[u32]| -> Result<(), ()> {
+        found.extend(strip_triangles(strip));
+        Ok(())
+    };
+    stripify_blocks(&mut place.open(2).unwrap(), &BlockOptions::default(), &mut take, &mut ignore_progress)
+        .unwrap();
+    assert_eq!(canonical_triangles(&found), canonical_triangles(&[[0, 1, 2], [0, 2, 3], [0, 3, 4]]));
+}
+
+#[test]
+fn every_truncation_is_told() {
+    let whole = ply(&shapes::icosphere(1, 1.0));
+    for length in 0..whole.len() {
+        let place = place("cut.ply", &whole[..length]);
+        let error = place.open(8).unwrap_err();
+        assert!(error.to_string().contains("cut.ply"), "{length} bytes: {error}");
+    }
+}
+
+#[test]
+fn a_flipped_bit_is_an_error_or_another_mesh() {
+    let whole = ply(&shapes::tetrahedron());
+    for bit in 0..whole.len() * 8 {
+        let mut bytes = whole.clone();
+        bytes[bit / 8] ^= 1 << (bit % 8);
+        let place = place("flipped.ply", &bytes);
+        let Ok(mut blocks) = place.open(2) else { continue };
+        let write = &mut |_: u32, _: &[u32]| Ok::<(), ()>(());
+        stripify_blocks(&mut blocks, &BlockOptions::default(), write, &mut ignore_progress).unwrap();
+    }
+}
+
+#[test]
+fn what_cannot_be_read_in_blocks_is_named() {
+    let mesh = shapes::tetrahedron();
+    let ascii = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true)).unwrap();
+    assert_eq!(
+        Place::said("a.ply", &ascii),
+        "a.ply: is a PLY file of text; only binary PLY files are read block by block"
+    );
+    let obj = to_bytes(Format::Obj, &mesh, &WriteOptions::default()).unwrap();
+    assert!(Place::said("a.obj", &obj).starts_with("a.obj: is no PLY file;"));
+    let folder = tempfile::tempdir().unwrap();
+    let said = TriangleBlocks::open(folder.path(), 5, folder.path()).unwrap_err().to_string();
+    assert!(said.contains("is no plain file"), "{said}");
+    let mut outside = mesh.clone();
+    outside.triangles[2][1] = 3;
+    let mut bytes = ply(&outside);
+    let place_of_index = bytes.len() - 2 * 13 + 5;
+    bytes[place_of_index] = 4;
+    assert_eq!(
+        Place::said("a.ply", &bytes),
+        format!("a.ply: byte {place_of_index}: vertex 4 does not exist: there are 4")
+    );
+    let mut bytes = ply(&mesh);
+    let second_y = bytes.len() - 4 * 13 - 3 * 12 + 4;
+    bytes[second_y..second_y + 4].copy_from_slice(&f32::NAN.to_le_bytes());
+    let said = Place::said("a.ply", &bytes);
+    assert_eq!(said, format!("a.ply: byte {}: vertex 1 has the coordinate NaN on axis 1", second_y - 4));
+    let head = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n\
+        property float y\nproperty float z\nelement face 4294967295\n\
+        property list uchar int vertex_indices\nend_header\n";
+    let said = Place::said("a.ply", head.as_bytes());
+    assert!(
+        said.contains("4000000000 rows of `vertex` are promised, which take 48000000000 bytes"),
+        "{said}"
+    );
+    let strips = "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\n\
+        element tristrips 1\nproperty list int int vertex_indices\nend_header\n\0\0\0\0";
+    assert!(Place::said("a.ply", strips.as_bytes()).contains("`tristrips`"));
+}
+
+#[test]
+fn a_missing_folder_and_another_format_are_refused() {
+    let place = place("mesh.ply", &ply(&shapes::tetrahedron()));
+    let missing = place.scratch.join("no");
+    let said = TriangleBlocks::open(&place.file, 5, &missing).unwrap_err().to_string();
+    assert!(said.starts_with("temporary file in"), "{said}");
+    assert!(StripSpool::new(Format::Ply, &missing).is_err());
+    let said = StripSpool::new(Format::Obj, &place.scratch).unwrap_err().to_string();
+    assert!(said.contains("PLY or GLB"), "{said}");
+}
+
+#[test]
+fn a_failed_write_leaves_the_old_file() {
+    let place = place("mesh.ply", &ply(&shapes::tetrahedron()));
+    let blocks = place.open(5).unwrap();
+    let out = place.scratch.with_extension("glb");
+    fs::write(&out, b"old").unwrap();
+    // The mesh is gone before its vertices are copied.
+    fs::remove_file(&place.file).unwrap();
+    let mut spool = StripSpool::new(Format::Glb, &place.scratch).unwrap();
+    spool.push(&[0, 1, 2]).unwrap();
+    assert!(spool.write(&out, &blocks).is_err());
+    assert_eq!(fs::read(&out).unwrap(), b"old");
+}
+
+#[test]
+fn restarts_part_the_strips_of_a_ply() {
+    let place = place("mesh.ply", &ply(&shapes::many_components(5)));
+    let out = place.scratch.with_extension("out.ply");
+    let report = strip_to(&place, 1, Format::Ply, &out);
+    let bytes = fs::read(&out).unwrap();
+    let list = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11 + 20 * 12;
+    let words: Vec<u32> =
+        bytes[list..].chunks_exact(4).map(|w| u32::from_le_bytes(w.try_into().unwrap())).collect();
+    assert_eq!(words[0] as usize, words.len() - 1);
+    let mut triangles = Vec::new();
+    restart_triangles_into(&words[1..], &mut triangles);
+    assert_eq!((words.len() - 1, triangles.len()), (report.cost.index_count, 20));
+}
