@@ -3,39 +3,70 @@
 //! `cargo bench -p striata --bench strips_table -- MESH...` prints Markdown tables. Attributes are left out; bytes are
 //! counted as the LodStrips papers count them, with a position and a normal of 12 bytes each a vertex and 4
 //! bytes an index. meshoptimizer's strips are made from its own order for them, in the same run.
+//!
+//! `--strips-only` leaves the models out, `--quick` most efforts and weights. `--peers DIR` adds the strips of other tools
+//! that lie there, and `--write-lists DIR` writes what they read: `benches/peers/run.sh` does both.
 
+#[path = "strips_table/contest.rs"]
+mod contest;
 #[path = "quality/table.rs"]
 mod table;
 
 use std::error::Error;
 use std::hint::black_box;
 use std::io::Write;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use striata::ignore_progress;
-use striata::mesh::{IndexedMesh, RefinableMesh, replay};
+use striata::mesh::{IndexedMesh, RefinableMesh, replay, weld};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::strip::{RESTART, StripOptions, fifo_cache_cost, restart_triangles_into, stripify};
+use striata::strip::{StripOptions, stripify};
 use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
-/// Entries of the first-in first-out cache that misses are counted for.
-const CACHE_SIZE: usize = 16;
 /// Position and normal.
 const VERTEX_BYTES: usize = 24;
 /// Runs that the best time is taken from.
 const RUN_COUNT: usize = 7;
 
+/// What the command line says.
+#[derive(Default)]
+struct Arguments {
+    meshes: Vec<PathBuf>,
+    choice: contest::Choice,
+    lists: Option<PathBuf>,
+    is_strips_only: bool,
+}
+
+impl Arguments {
+    fn parse(mut words: impl Iterator<Item = String>) -> Fallible<Self> {
+        let mut found = Self::default();
+        while let Some(word) = words.next() {
+            let mut folder = || words.next().map(PathBuf::from).ok_or(format!("{word} needs a folder"));
+            match word.as_str() {
+                "--bench" => {}
+                "--peers" => (found.choice.peers, found.is_strips_only) = (Some(folder()?), true),
+                "--quick" => found.choice.is_quick = true,
+                "--write-lists" => found.lists = Some(folder()?),
+                "--strips-only" => found.is_strips_only = true,
+                _ => found.meshes.push(word.into()),
+            }
+        }
+        Ok(found)
+    }
+}
+
 fn main() -> Fallible<()> {
-    let paths: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let arguments = Arguments::parse(std::env::args().skip(1))?;
     let mut out = std::io::stdout().lock();
-    if paths.is_empty() {
+    if arguments.meshes.is_empty() {
         writeln!(out, "no meshes given: cargo bench -p striata --bench strips_table -- path/to/bunny.ply")?;
         return Ok(());
     }
-    let mut strips = Table::new(["mesh", "tool", "strips", "indices a triangle", "ACMR, FIFO 16", "ms"]);
+    let mut strips = Table::new(contest::HEAD);
     let mut models = Table::new([
         "mesh",
         "vertices",
@@ -49,18 +80,31 @@ fn main() -> Fallible<()> {
         "sweep ns a step",
     ]);
     let mut levels = Table::new(["mesh", "share", "triangles", "LodStrips", "strips made anew"]);
-    for path in &paths {
+    for path in &arguments.meshes {
         let mesh = striata_io::read(path)?;
-        let mesh = IndexedMesh::new(mesh.positions, mesh.triangles);
-        let refinable = build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
-        let file = std::path::Path::new(path).file_name().map_or(path.into(), |name| name.to_string_lossy());
+        let mesh = weld(&IndexedMesh::new(mesh.positions, mesh.triangles))?.mesh;
+        let file = path.file_name().map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy());
         let name = file.split('.').next().unwrap_or_default().to_owned();
-        add_strips(&name, &refinable.mesh, &mut strips)?;
-        add_model(&name, &refinable, &mut models)?;
-        add_levels(&name, &refinable, &mut levels)?;
+        if let Some(folder) = &arguments.lists {
+            contest::write_list(&name, &mesh, folder)?;
+            continue;
+        }
+        contest::add_rows(&name, &mesh, &arguments.choice, &mut strips)?;
+        if !arguments.is_strips_only {
+            let refinable =
+                build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
+            add_model(&name, &refinable, &mut models)?;
+            add_levels(&name, &refinable, &mut levels)?;
+        }
+    }
+    if arguments.lists.is_some() {
+        return Ok(());
     }
     writeln!(out, "Strips of the full mesh; indices with restarts.\n")?;
     strips.print(&mut out)?;
+    if arguments.is_strips_only {
+        return Ok(());
+    }
     writeln!(out, "LodStrips: down to the base and back, best of {RUN_COUNT} sweeps.\n")?;
     models.print(&mut out)?;
     writeln!(
@@ -84,32 +128,6 @@ fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
         best = (best.0.min(secs), made);
     }
     best
-}
-
-fn add_strips(name: &str, mesh: &IndexedMesh, table: &mut Table) -> Fallible<()> {
-    let mut add = |tool: &str, indices: &[u32], secs: f64| {
-        let mut triangles = Vec::new();
-        restart_triangles_into(indices, &mut triangles);
-        let strip_count = indices.split(|&i| i == RESTART).count();
-        let cache = fifo_cache_cost(indices, triangles.len(), CACHE_SIZE);
-        table.push(vec![
-            name.to_owned(),
-            tool.to_owned(),
-            strip_count.to_string(),
-            format!("{:.3}", indices.len() as f64 / triangles.len() as f64),
-            format!("{:.3}", cache.acmr),
-            format!("{:.1}", secs * 1e3),
-        ]);
-    };
-    let (secs, strips) = best(|| stripify(mesh, &StripOptions::default()));
-    add("striata, greedy", &strips?.to_restart_indices().indices, secs);
-    let list: &[u32] = mesh.triangles.as_flattened();
-    let (secs, strips) = best(|| {
-        let ordered = meshopt::optimize_vertex_cache_strip(list, mesh.vertex_count());
-        meshopt::stripify(&ordered, mesh.vertex_count(), RESTART)
-    });
-    add("meshoptimizer, strip order", &strips?, secs);
-    Ok(())
 }
 
 fn add_model(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {

@@ -1,10 +1,10 @@
 //! Every stripifier on every kind of mesh: each proper triangle once, winding and groups kept, costs as counted.
 
 use proptest::prelude::*;
-use striata::mesh::{IndexedMesh, Random, TriangleGroup, canonical_triangles, shapes};
+use striata::mesh::{DualGraph, IndexedMesh, Random, TriangleGroup, canonical_triangles, shapes};
 use striata::strip::{
-    RESTART, StripOptions, StripSet, Stripifier, restart_triangles_into, strip_triangles, stripify,
-    stripify_from,
+    RESTART, StripOptions, StripSet, Stripifier, restart_triangles_into, strip_count_bound, strip_triangles,
+    stripify, stripify_from,
 };
 
 /// One of each, with parameters that matter.
@@ -131,5 +131,71 @@ fn names_are_read_back_and_wrong_ones_refused() {
     for wrong in ["", "tunnel:", "tunnel:0", "tunnel:-1", "greedy:3", "Greedy", "tunnel:99999999999"] {
         let error = wrong.parse::<Stripifier>().unwrap_err().to_string();
         assert!(error.contains("tunnel[:MAX]"), "{error}");
+    }
+}
+
+/// The fewest strips there are, by trying every set of links.
+fn fewest_by_trial(mesh: &IndexedMesh) -> usize {
+    let graph = DualGraph::of_vertices(mesh);
+    let mut links = Vec::new();
+    for side in 0..3 * mesh.triangle_count() as u32 {
+        if let Some(twin) = graph.twin(side).filter(|&twin| side < twin) {
+            links.push((side as usize / 3, twin as usize / 3));
+        }
+    }
+    let triangle_count = proper(&mesh.triangles).len();
+    let most = (0u32..1 << links.len()).filter(|&set| is_strips(&links, set, mesh.triangle_count()));
+    triangle_count - most.map(u32::count_ones).max().unwrap_or(0) as usize
+}
+
+/// At most two links a triangle and no loop.
+fn is_strips(links: &[(usize, usize)], set: u32, triangle_count: usize) -> bool {
+    let mut degrees = [0; 32];
+    let mut roots: [usize; 32] = std::array::from_fn(|i| i);
+    for (i, &(a, b)) in links.iter().enumerate() {
+        if set & 1 << i != 0 {
+            degrees[a] += 1;
+            degrees[b] += 1;
+            let (ra, rb) = (roots[a], roots[b]);
+            if degrees[a] > 2 || degrees[b] > 2 || ra == rb {
+                return false;
+            }
+            roots[..triangle_count].iter_mut().filter(|r| **r == rb).for_each(|r| *r = ra);
+        }
+    }
+    true
+}
+
+fn check_bound(mesh: &IndexedMesh) {
+    let fewest = fewest_by_trial(mesh);
+    let bound = strip_count_bound(mesh);
+    assert!(bound <= fewest, "a bound of {bound}, but {fewest} strips will do");
+    for spec in SPECS {
+        let count = stripify(mesh, &options(spec)).unwrap().strip_count();
+        // Joined strips of `cheapest` count as one: they need no restart.
+        assert!(
+            count >= fewest || spec == "cheapest",
+            "{spec}: {count} strips where {fewest} are the fewest"
+        );
+    }
+}
+
+#[test]
+fn bounds_hold_on_small_shapes() {
+    // A bound need not be reached.
+    assert_eq!((strip_count_bound(&shapes::grid(3, 3)), fewest_by_trial(&shapes::grid(3, 3))), (2, 3));
+    for mesh in
+        [shapes::grid(3, 2), shapes::grid(3, 3), shapes::tetrahedron(), shapes::closed_fan(7), shapes::cube()]
+    {
+        check_bound(&mesh);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn bounds_hold_on_random_soups(seed in any::<u64>(), vertices in 5u32..12, triangles in 1u32..13) {
+        check_bound(&soup(vertices, triangles, seed));
     }
 }

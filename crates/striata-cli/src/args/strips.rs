@@ -13,7 +13,7 @@ use crate::strip_chain::{StripChain, StripPlan};
 const STRIP_STRIPS: Stripifier = Stripifier::Cheapest;
 
 /// The strips that `build` makes where nothing else is said.
-pub(super) const BUILD_STRIPS: Stripifier = Stripifier::Greedy;
+pub(super) const BUILD_STRIPS: Stripifier = Stripifier::Cheapest;
 
 /// The stripifiers that `compare` measures where nothing else is said.
 const COMPARED_STRIPS: &str = "greedy,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17,fewest,cheapest";

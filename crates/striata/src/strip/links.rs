@@ -68,30 +68,54 @@ impl<'a> StripLinks<'a> {
     /// sides) and where it repeats a triangle; triangles that the mesh does not have are passed over.
     pub fn from_strips(graph: &'a DualGraph, triangles: &[[u32; 3]], strips: &StripSet) -> Self {
         let mut links = Self::new(graph);
+        links.join_along(triangles, strips);
+        links
+    }
+
+    /// Solid bits of triangles whose twins are kept elsewhere, to work on them.
+    pub(crate) fn from_bits(twins: &'a [u32], solid: Vec<u8>) -> Self {
+        debug_assert_eq!(twins.len(), 3 * solid.len(), "three sides a triangle");
+        Self { twins, solid }
+    }
+
+    /// Gives back what [`Self::from_bits`] took.
+    pub(crate) fn into_bits(self) -> Vec<u8> {
+        self.solid
+    }
+
+    /// Makes the links solid that strips of these triangles run along; gives the first triangle of a strip
+    /// that is not there (or not so often), with the number of its strip.
+    pub(crate) fn join_along(
+        &mut self,
+        triangles: &[[u32; 3]],
+        strips: &StripSet,
+    ) -> Option<(usize, [u32; 3])> {
+        let mut missing = None;
         let mut by_corners: Vec<([u32; 3], u32)> =
             triangles.iter().enumerate().map(|(i, &t)| (canonical_triangle(t), i as u32)).collect();
         by_corners.sort_unstable();
         let mut is_taken = vec![false; triangles.len()];
-        for strip in strips.strips() {
+        for (strip, indices) in strips.strips().enumerate() {
             let mut last: Option<u32> = None;
-            for corners in strip_triangles(strip).map(canonical_triangle) {
+            for corners in strip_triangles(indices).map(canonical_triangle) {
                 let first = by_corners.partition_point(|&(other, _)| other < corners);
                 let equal = by_corners[first..].iter().take_while(|&&(other, _)| other == corners);
                 // Among equal triangles the linked one is the one that the strip means.
                 let free = equal.map(|&(_, triangle)| triangle).filter(|&t| !is_taken[t as usize]);
-                let link = |t: u32| last.and_then(|last| links.dashed_side_between(last, t));
+                let link = |t: u32| last.and_then(|last| self.dashed_side_between(last, t));
                 let found = free.clone().find(|&t| link(t).is_some()).or_else(|| free.clone().next());
                 let side = found.and_then(link);
-                if let Some(triangle) = found {
-                    is_taken[triangle as usize] = true;
+                match found {
+                    Some(triangle) => is_taken[triangle as usize] = true,
+                    None => missing = missing.or(Some((strip, corners))),
                 }
                 if let Some(side) = side {
-                    links.join(side);
+                    self.join(side);
                 }
                 last = found;
             }
         }
-        links
+        missing
     }
 
     /// A dashed link from one triangle to another, both of which can take it.

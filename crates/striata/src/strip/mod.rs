@@ -6,13 +6,17 @@
 //! strips are joined without a restart index (a **stitch**).
 
 mod blocks;
+mod cache;
 mod cheapest;
 mod cost;
 mod fewest;
 mod greedy;
 mod index_buffer;
 mod links;
+mod repair;
+mod seeds;
 mod strip_set;
+mod stripe;
 mod stripifier;
 mod tunnel;
 mod write;
@@ -21,10 +25,11 @@ pub use blocks::{
     Block, BlockCurve, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks,
     WriteStripFn, block_length, stripify_blocks,
 };
-pub use cost::{CacheCost, StripCost, fifo_cache_cost};
+pub use cost::{CacheCost, StripCost, fifo_cache_cost, lru_cache_cost};
 pub use fewest::strip_count_bound;
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into, stitch};
 pub use links::StripLinks;
+pub use repair::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
 pub(crate) use strip_set::check_offsets;
 pub use strip_set::{StripSet, StripSetError, strip_triangles};
 pub use stripifier::{

@@ -15,40 +15,52 @@ const BATCH: u64 = 4096;
 /// Further moves at a triangle where a strip ends. On the bunny in equal time, indices a triangle are 1.132 without
 /// them, 1.124 with three, 1.123 with eight, 1.126 with twenty.
 const MOVES_AT_END: u64 = 5;
-/// Temperatures of the beginning and the end, in indices. Flat around the best: 0.6 to 1.0 and 0.1 to 0.2 differ by
-/// no more than 0.003 indices a triangle.
-const TEMPERATURES: [f64; 2] = [0.7, 0.2];
+/// Temperatures of a search's beginning and end, in indices. Flat around the best: 0.6 to 1.0 and 0.1 to 0.2 differ by
+/// no more than 0.003 indices a triangle on the bunny.
+pub(super) const HOT_TO_COLD: [f64; 2] = [0.7, 0.2];
+/// The same for strips that are good already.
+pub(super) const COLD: [f64; 2] = [0.2, 0.15];
 /// What two new ends can gain at most by meeting others.
 const MAX_GAIN: i32 = 2 * INDEX;
 /// Costs from here on are never paid.
 const MAX_COST: usize = 64;
 
-/// Improves strips until the budget is spent.
-pub(super) fn anneal(state: &mut State, seed: u64, spent: &mut SpentFn<'_>) {
-    let count = state.triangle_count();
-    let mut annealer = Annealer { state, random: Random::new(seed), chances: [0; MAX_COST] };
-    let (mut move_count, mut triangle) = (0, 0);
-    while count > 0 {
-        let share = spent(move_count);
-        if share >= 1.0 {
-            return;
-        }
-        annealer.set_temperature(TEMPERATURES[0] + (TEMPERATURES[1] - TEMPERATURES[0]) * share);
-        for _ in 0..BATCH {
-            move_count += annealer.visit(triangle);
-            triangle = if triangle + 1 == count { 0 } else { triangle + 1 };
-        }
-    }
-}
-
-struct Annealer<'s> {
+/// A search under way.
+pub(super) struct Annealer<'s> {
     state: &'s mut State,
     random: Random,
     /// Chance of paying a cost, of `u32::MAX`.
     chances: [u32; MAX_COST],
+    move_count: u64,
 }
 
-impl Annealer<'_> {
+impl<'s> Annealer<'s> {
+    /// A search that changes these strips.
+    pub(super) fn new(state: &'s mut State, seed: u64) -> Self {
+        Self { state, random: Random::new(seed), chances: [0; MAX_COST], move_count: 0 }
+    }
+
+    /// Improves strips until the budget is spent: by how much the cost has changed.
+    pub(super) fn anneal(&mut self, temperatures: [f64; 2], spent: &mut SpentFn<'_>) -> i64 {
+        let [first, last] = temperatures;
+        let count = self.state.triangle_count();
+        let (mut triangle, mut change) = (0, 0);
+        if !self.state.can_move() {
+            return 0;
+        }
+        loop {
+            let share = spent(self.move_count);
+            if share >= 1.0 {
+                return change;
+            }
+            self.set_temperature(first + (last - first) * share);
+            for _ in 0..BATCH {
+                change += i64::from(self.visit(triangle));
+                triangle = if triangle + 1 == count { 0 } else { triangle + 1 };
+            }
+        }
+    }
+
     /// Temperature in indices.
     fn set_temperature(&mut self, temperature: f64) {
         let factor = exp_minus(1.0 / (temperature * f64::from(INDEX)));
@@ -65,70 +77,74 @@ impl Annealer<'_> {
         self.chances.iter().skip(1).take_while(|&&chance| fate < chance).count() as i32
     }
 
-    /// Tries moves at a triangle: how many.
-    fn visit(&mut self, triangle: u32) -> u64 {
-        self.try_move(triangle);
-        if self.state.solid(triangle << 2).count_ones() == 2 {
-            return 1;
+    /// Tries moves at a triangle: the change of cost.
+    fn visit(&mut self, triangle: u32) -> i32 {
+        let mut change = self.try_move(triangle);
+        self.move_count += 1;
+        if self.state.solid(triangle << 2).count_ones() < 2 {
+            for _ in 0..MOVES_AT_END {
+                change += self.try_move(triangle);
+            }
+            self.move_count += MOVES_AT_END;
         }
-        for _ in 0..MOVES_AT_END {
-            self.try_move(triangle);
-        }
-        1 + MOVES_AT_END
+        change
     }
 
     /// Takes one of a triangle's links and turns it over if that is cheap enough.
-    fn try_move(&mut self, triangle: u32) {
+    fn try_move(&mut self, triangle: u32) -> i32 {
         let bits = self.random.next_u64();
         let k = ((bits & 0xFFFF) as u32 * 3) >> 16;
-        let side = triangle << 2 | k;
+        let side = (triangle << 2) | k;
         let twin = self.state.twin(side);
         if twin == NO_TWIN {
-            return;
+            return 0;
         }
         let allowance = self.allowance((bits >> 32) as u32);
         if self.state.is_solid(side) {
-            self.try_cut(side, allowance);
-        } else {
-            // The older links of both triangles, one of which goes where there are two.
-            let older = |side: u32, bit: u64| match self.state.solid(side).count_ones() {
-                2 if bits & bit != 0 => State::next(side),
-                2 => State::prev(side),
-                _ => NO_TWIN,
-            };
-            self.try_join(side, [older(side, 1 << 16), older(twin, 1 << 17)], allowance);
+            return self.try_cut(side, allowance);
         }
+        // The older links of both triangles, one of which goes where there are two.
+        let older = |side: u32, bit: u64| match self.state.solid(side).count_ones() {
+            2 if bits & bit != 0 => State::next(side),
+            2 => State::prev(side),
+            _ => NO_TWIN,
+        };
+        self.try_join(side, [older(side, 1 << 16), older(twin, 1 << 17)], allowance)
     }
 
-    fn try_cut(&mut self, side: u32, allowance: i32) {
-        if 3 * INDEX - INDEX * self.state.swaps_at(side) - MAX_GAIN <= allowance
-            && self.state.cut(side) > allowance
-        {
-            self.state.join(side);
+    fn try_cut(&mut self, side: u32, allowance: i32) -> i32 {
+        if 3 * INDEX - INDEX * self.state.swaps_at(side) - MAX_GAIN > allowance {
+            return 0;
         }
+        let cost = self.state.cut(side);
+        if cost <= allowance {
+            return cost;
+        }
+        self.state.join(side);
+        0
     }
 
-    fn try_join(&mut self, side: u32, cuts: [u32; 2], allowance: i32) {
-        let cut_count = cuts.iter().filter(|&&cut| cut != NO_TWIN).count();
-        if cut_count == 2 {
+    fn try_join(&mut self, side: u32, cuts: [u32; 2], allowance: i32) -> i32 {
+        if cuts.iter().all(|&cut| cut != NO_TWIN) {
             // What the move costs at least can often be told without making it. (Two triangles with two links
             // between them have but one to let go.)
             let swaps = self.state.swaps_at(cuts[0]) + self.state.swaps_at(cuts[1]);
             if 3 * INDEX - INDEX * swaps - MAX_GAIN > allowance || self.state.twin(cuts[0]) == cuts[1] {
-                return;
+                return 0;
             }
         }
         let cuts = || cuts.into_iter().filter(|&cut| cut != NO_TWIN);
         let cut_cost: i32 = cuts().map(|cut| self.state.cut(cut)).sum();
-        let is_cheap = cut_cost + self.state.join(side) <= allowance;
+        let cost = cut_cost + self.state.join(side);
         self.state.cut(side);
-        if is_cheap && !self.state.closes_loop(side) {
+        if cost <= allowance && !self.state.closes_loop(side) {
             self.state.join(side);
-        } else {
-            for cut in cuts() {
-                self.state.join(cut);
-            }
+            return cost;
         }
+        for cut in cuts() {
+            self.state.join(cut);
+        }
+        0
     }
 }
 

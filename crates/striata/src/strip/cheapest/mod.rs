@@ -16,9 +16,16 @@ use super::StripLinks;
 use super::stripifier::{SpentFn, Task};
 use super::write::StripOrder;
 use super::{StripSet, greedy};
+use anneal::{Annealer, COLD, HOT_TO_COLD};
 use state::State;
 
+/// Share of the budget that a search takes from hot to cold; the rest goes on cold.
+const COOLING_SHARE: f64 = 0.8;
+
 /// Improves strips for as long as the budget lasts, and writes them.
+///
+/// A regular mesh, whose strips hardly can be better, loses more by heat than it gains in the time: where the
+/// strips that the search began with were cheaper, it goes on from those and stays cold.
 pub(super) fn run(task: &Task<'_>, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>, out: &mut StripSet) {
     greedy::run(task, links);
     let mut order = Vec::with_capacity(task.triangles.len());
@@ -27,7 +34,17 @@ pub(super) fn run(task: &Task<'_>, links: &mut StripLinks<'_>, spent: &mut Spent
         strips.visit(group.clone(), links, |path| order.extend(path.triangles(links)));
     }
     let mut state = State::new(order, task.triangles, links);
-    anneal::anneal(&mut state, task.options.seed, spent);
-    state.write_links(links);
+    let mut annealer = Annealer::new(&mut state, task.options.seed);
+    let cost = annealer.anneal(HOT_TO_COLD, &mut |moves| spent(moves) / COOLING_SHARE);
+    if cost <= 0 {
+        annealer.anneal(COLD, spent);
+        state.write_links(links);
+    } else {
+        let mut state = State::new(state.into_order(), task.triangles, links);
+        let mut annealer = Annealer::new(&mut state, task.options.seed);
+        if annealer.anneal(COLD, spent) < 0 {
+            state.write_links(links);
+        }
+    }
     stitch::write(task, links, out);
 }

@@ -64,7 +64,7 @@ impl State {
         }
         let packed = |side: u32| match links.twins()[side as usize] {
             NO_TWIN => NO_TWIN,
-            twin => place[twin as usize / 3] << 2 | twin % 3,
+            twin => (place[twin as usize / 3] << 2) | (twin % 3),
         };
         let node = |&triangle: &u32| Node {
             twins: [0, 1, 2].map(|k| packed(3 * triangle + k)),
@@ -93,9 +93,19 @@ impl State {
         }
     }
 
+    /// The mesh's number of each triangle.
+    pub(super) fn into_order(self) -> Vec<u32> {
+        self.order
+    }
+
     /// Triangles.
     pub(super) fn triangle_count(&self) -> u32 {
         self.nodes.len() as u32
+    }
+
+    /// Whether there is a link at all.
+    pub(super) fn can_move(&self) -> bool {
+        self.nodes.iter().any(|node| node.twins != [NO_TWIN; 3])
     }
 
     /// The side on the other side of this one.

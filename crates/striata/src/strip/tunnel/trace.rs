@@ -94,7 +94,7 @@ impl Trace {
             Some(last) => (last.end, Some(last.taken)),
             None => (start, None),
         };
-        while let Some(run) = self.run_from(from, start, steps, links, places) {
+        while let Some(run) = self.run_from(from, steps, links, places) {
             let Some(far) = self.far_end(run, start, steps, places) else { return };
             from = match far {
                 Far::Taken(0) => (start, None),
@@ -111,7 +111,6 @@ impl Trace {
     fn run_from(
         &mut self,
         (first, cut_from): (u32, Option<u32>),
-        start: u32,
         steps: &[Step],
         links: &StripLinks<'_>,
         places: &impl Places,
@@ -119,7 +118,7 @@ impl Trace {
         let (strip, place) = (places.strip(first), places.place(first));
         let rises = match cut_from {
             Some(other) => place > places.place(other),
-            None => match links.first_solid(start) {
+            None => match links.first_solid(first) {
                 Some(side) => places.place(links.twins()[side as usize] / 3) > place,
                 None => true,
             },
