@@ -116,6 +116,17 @@ fn strips_written_in_blocks_show_the_mesh_with_all_its_layers() {
             let out = place.scratch.with_extension(format.extension());
             let report = strip_to(&place, block_triangles, format, &out);
             assert_eq!(report.cost.triangle_count, mesh.triangle_count());
+            if format == Format::Glb {
+                // The oracle's own rules: accessors within views, views within the buffer, bounds of positions.
+                let glb = gltf::Gltf::open(&out).unwrap();
+                let primitive = glb.meshes().next().unwrap().primitives().next().unwrap();
+                assert_eq!(primitive.mode(), gltf::mesh::Mode::TriangleStrip);
+                let bounds = mesh.bounds().unwrap();
+                assert_eq!(
+                    (primitive.bounding_box().min, primitive.bounding_box().max),
+                    (bounds.min, bounds.max)
+                );
+            }
             let back = read(&out).unwrap();
             assert_eq!(back.positions, mesh.positions, "{format}");
             assert_eq!(proper(&back), proper(mesh), "{format}, blocks of {block_triangles}");
