@@ -16,6 +16,18 @@ pub struct StripIndices {
     pub group_ranges: Vec<Range<u32>>,
 }
 
+impl StripIndices {
+    /// The same indices in 16 bits, [`RESTART`] as `0xFFFF`; none where a vertex has no such number.
+    pub fn to_u16(&self) -> Option<Vec<u16>> {
+        let narrow = |&index: &u32| match index {
+            RESTART => Some(u16::MAX),
+            // The restart's own number is no vertex.
+            _ => u16::try_from(index).ok().filter(|&index| index != u16::MAX),
+        };
+        self.indices.iter().map(narrow).collect()
+    }
+}
+
 impl StripSet {
     /// One index buffer with [`RESTART`] between the strips of a group.
     pub fn to_restart_indices(&self) -> StripIndices {
@@ -74,6 +86,14 @@ pub fn restart_triangles_into(indices: &[u32], out: &mut Vec<[u32; 3]>) {
 mod tests {
     use super::*;
     use crate::mesh::canonical_triangles;
+
+    #[test]
+    fn sixteen_bits_hold_what_they_can() {
+        let indices = |indices: &[u32]| StripIndices { indices: indices.to_vec(), group_ranges: Vec::new() };
+        assert_eq!(indices(&[0, 1, 65_534, RESTART]).to_u16(), Some(vec![0, 1, 65_534, 65_535]));
+        assert_eq!(indices(&[0, 1, 65_535]).to_u16(), None);
+        assert_eq!(indices(&[0, 1, 65_536]).to_u16(), None);
+    }
 
     #[test]
     fn joined_strips_draw_the_same_triangles() {
