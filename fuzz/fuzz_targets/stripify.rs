@@ -6,11 +6,17 @@ use striata::mesh::{IndexedMesh, canonical_triangles};
 use striata::strip::{RESTART, StripIndices, StripOptions, restart_triangles_into, stripify};
 use striata_fuzz::Bytes;
 
+/// Every stripifier; the bytes choose.
+const SPECS: [&str; 7] = ["greedy", "stripe", "tunnel:1", "tunnel:9", "tunnel-static:9", "fewest", "cheapest"];
+
 fuzz_target!(|data: &[u8]| {
     let mut bytes = Bytes(data);
     let max_indices = usize::from(bytes.byte());
     let mesh = bytes.mesh();
-    let strips = stripify(&mesh, &StripOptions::default());
+    let spec = SPECS[usize::from(bytes.byte()) % SPECS.len()];
+    let options = StripOptions::default().with_stripifier(spec.parse().expect("a known name")).with_effort(0.1);
+    let options = options.with_cache_weight(f64::from(bytes.byte() % 4) / 2.0);
+    let strips = stripify(&mesh, &options);
     assert_eq!(strips.is_ok(), mesh.check().is_ok());
     let Ok(strips) = strips else { return };
     let cost = strips.cost();

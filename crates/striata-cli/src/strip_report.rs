@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, MeshError};
-use striata::strip::{RESTART, fifo_cache_cost, strip_count_bound};
+use striata::strip::{RESTART, fifo_cache_cost, lru_cache_cost, strip_count_bound};
 
 use crate::output::{Table, grouped, lasted};
 use crate::strip_chain::{StripChain, Stripped};
@@ -24,6 +24,8 @@ pub(crate) struct StripReport {
     pub(crate) longest_strip: usize,
     pub(crate) acmr_16: f64,
     pub(crate) atvr_16: f64,
+    pub(crate) acmr_lru_16: f64,
+    pub(crate) atvr_lru_16: f64,
     pub(crate) stripify_secs: f64,
 }
 
@@ -36,6 +38,7 @@ impl StripReport {
         let cost = stripped.strips.cost();
         let drawn = stripped.strips.to_restart_indices().indices;
         let fifo_16 = fifo_cache_cost(&drawn, cost.triangle_count, 16);
+        let lru_16 = lru_cache_cost(&drawn, cost.triangle_count, 16);
         Ok(Self {
             algorithm,
             triangle_count: cost.triangle_count,
@@ -50,6 +53,8 @@ impl StripReport {
             longest_strip: cost.longest_strip,
             acmr_16: fifo_16.acmr,
             atvr_16: fifo_16.atvr,
+            acmr_lru_16: lru_16.acmr,
+            atvr_lru_16: lru_16.atvr,
             stripify_secs: stripped.secs,
         })
     }
@@ -80,6 +85,8 @@ impl StripReport {
         row("longest strip, indices", grouped(self.longest_strip));
         row("misses a triangle, FIFO 16", format!("{:.4}", self.acmr_16));
         row("misses a vertex, FIFO 16", format!("{:.4}", self.atvr_16));
+        row("misses a triangle, LRU 16", format!("{:.4}", self.acmr_lru_16));
+        row("misses a vertex, LRU 16", format!("{:.4}", self.atvr_lru_16));
         row("time of the stripifier", lasted(self.stripify_secs));
         table.to_text()
     }

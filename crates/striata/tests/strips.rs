@@ -8,8 +8,8 @@ use striata::strip::{
 };
 
 /// One of each, with parameters that matter.
-const SPECS: [&str; 7] =
-    ["greedy", "fewest", "cheapest", "tunnel:1", "tunnel:9", "tunnel-static:9", "tunnel:40"];
+const SPECS: [&str; 8] =
+    ["greedy", "stripe", "fewest", "cheapest", "tunnel:1", "tunnel:9", "tunnel-static:9", "tunnel:40"];
 
 fn options(spec: &str) -> StripOptions {
     StripOptions::default().with_stripifier(spec.parse().unwrap()).with_effort(0.2)

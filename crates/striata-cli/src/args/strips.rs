@@ -16,7 +16,8 @@ const STRIP_STRIPS: Stripifier = Stripifier::Cheapest;
 pub(super) const BUILD_STRIPS: Stripifier = Stripifier::Cheapest;
 
 /// The stripifiers that `compare` measures where nothing else is said.
-const COMPARED_STRIPS: &str = "greedy,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17,fewest,cheapest";
+const COMPARED_STRIPS: &str =
+    "greedy,stripe,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17,fewest,cheapest";
 
 /// Entries of the vertex cache that misses are counted for where nothing else is said.
 const USUAL_CACHE_SIZE: u32 = 16;

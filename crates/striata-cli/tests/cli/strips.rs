@@ -5,7 +5,7 @@ use striata::mesh::{IndexedMesh, canonical_triangles};
 
 use crate::workbench::{Workbench, assert_keys, asset};
 
-const KEYS: [&str; 18] = [
+const KEYS: [&str; 20] = [
     "algorithm",
     "triangle_count",
     "degenerate_triangle_count",
@@ -18,6 +18,8 @@ const KEYS: [&str; 18] = [
     "indices_per_triangle",
     "longest_strip",
     "acmr_16",
+    "acmr_lru_16",
+    "atvr_lru_16",
     "atvr_16",
     "stripify_secs",
     "seed",

@@ -167,8 +167,6 @@ pub(super) fn section(rows: &[TunnelRow]) -> Result<Section, Failure> {
 
 #[cfg(test)]
 mod tests {
-    use striata::mesh::shapes;
-
     use super::*;
 
     #[test]
@@ -182,7 +180,8 @@ mod tests {
 
     #[test]
     fn threads_change_nothing_and_longer_tunnels_leave_fewer_strips() {
-        let mesh = shapes::icosphere(3, 1.0);
+        let spot = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/spot.obj.zst");
+        let mesh = striata_io::read(spot).unwrap();
         let mut shares = Vec::new();
         let rows = measure(&mesh, 6, 3, &mut |share| shares.push(share)).unwrap();
         assert_eq!(rows.iter().map(|row| row.max_length).collect::<Vec<_>>(), [1, 1, 3, 3, 5, 5]);
