@@ -22,13 +22,20 @@ use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay, weld};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::strip::{StripOptions, stripify};
+use striata::strip::{StripOptions, Stripifier, stripify};
 use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
 /// Position and normal.
 const VERTEX_BYTES: usize = 24;
+/// What `striata build` makes strips with.
+const BUILD_STRIPIFIER: Stripifier = Stripifier::Cheapest;
+/// Strips that LodStrips are built from to see which last longest.
+const LEVEL_STRIPIFIERS: [Stripifier; 4] =
+    [Stripifier::Greedy, Stripifier::Tunnel { max_length: 17 }, Stripifier::Fewest, Stripifier::Cheapest];
+/// Shares of the triangles shown.
+const LEVEL_PERCENTS: [usize; 5] = [100, 50, 25, 10, 2];
 /// Runs that the best time is taken from.
 const RUN_COUNT: usize = 7;
 
@@ -79,7 +86,7 @@ fn main() -> Fallible<()> {
         "build ms",
         "sweep ns a step",
     ]);
-    let mut levels = Table::new(["mesh", "share", "triangles", "LodStrips", "strips made anew"]);
+    let mut levels = Table::new(["mesh", "strips", "100 %", "50 %", "25 %", "10 %", "2 %", "all levels"]);
     for path in &arguments.meshes {
         let mesh = striata_io::read(path)?;
         let mesh = weld(&IndexedMesh::new(mesh.positions, mesh.triangles))?.mesh;
@@ -131,7 +138,8 @@ fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
 }
 
 fn add_model(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {
-    let strips = stripify(&refinable.mesh, &StripOptions::default())?;
+    let options = StripOptions::default().with_stripifier(BUILD_STRIPIFIER);
+    let strips = stripify(&refinable.mesh, &options)?;
     let (build_secs, model) = best(|| LodStrips::build(refinable, &strips));
     let model = model?;
     let mut state = model.new_state();
@@ -161,25 +169,59 @@ fn add_model(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallib
 }
 
 fn add_levels(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {
-    let model = LodStrips::build(refinable, &stripify(&refinable.mesh, &StripOptions::default())?)?;
-    let mut state = model.new_state();
-    let full = refinable.mesh.triangle_count();
-    for percent in [100, 50, 25, 10, 2] {
-        let split_count = refinable.sequence.split_count_for_triangles(full * percent / 100);
-        model.move_to(&mut state, split_count);
-        let live = (0..model.strip_count()).map(|strip| model.strip(&state, strip).len()).filter(|&n| n > 0);
-        let (strip_count, index_count) = live.fold((0, 0), |(strips, indices), n| (strips + 1, indices + n));
-        let level = replay(refinable, split_count);
-        let anew = stripify(&level, &StripOptions::default())?.to_restart_indices().indices.len();
-        let per_triangle =
-            |indices: usize| format!("{:.2}", indices as f64 / level.triangle_count().max(1) as f64);
-        table.push(vec![
-            name.to_owned(),
-            format!("{percent} %"),
-            level.triangle_count().to_string(),
-            per_triangle(index_count + strip_count),
-            per_triangle(anew),
-        ]);
+    for stripifier in LEVEL_STRIPIFIERS {
+        let options = StripOptions::default().with_stripifier(stripifier);
+        let model = LodStrips::build(refinable, &stripify(&refinable.mesh, &options)?)?;
+        let mut state = model.new_state();
+        let mut index_count_at = |split_count: usize| {
+            model.move_to(&mut state, split_count);
+            let live =
+                (0..model.strip_count()).map(|strip| model.strip(&state, strip).len()).filter(|&n| n > 0);
+            // A restart or the buffer's end after each strip.
+            live.map(|n| n + 1).sum::<usize>()
+        };
+        let what = format!("LodStrips of {stripifier}");
+        let mut row = levels_row(name, &what, refinable, &mut index_count_at);
+        row.push(format!("{:.3}", over_all_levels(refinable, &mut index_count_at)));
+        table.push(row);
     }
+    let options = StripOptions::default().with_stripifier(BUILD_STRIPIFIER);
+    let mut anew = |split_count: usize| {
+        let strips = stripify(&replay(refinable, split_count), &options);
+        strips.map_or(0, |strips| strips.to_restart_indices().indices.len())
+    };
+    let what = format!("{BUILD_STRIPIFIER}, anew for the level");
+    let mut row = levels_row(name, &what, refinable, &mut anew);
+    row.push("–".to_owned());
+    table.push(row);
     Ok(())
+}
+
+/// Indices a triangle at some shares of the triangles.
+fn levels_row(
+    name: &str,
+    what: &str,
+    refinable: &RefinableMesh,
+    index_count_at: &mut dyn FnMut(usize) -> usize,
+) -> Vec<String> {
+    let sequence = &refinable.sequence;
+    let full = refinable.mesh.triangle_count();
+    let mut row = vec![name.to_owned(), what.to_owned()];
+    for percent in LEVEL_PERCENTS {
+        let split_count = sequence.split_count_for_triangles(full * percent / 100);
+        let triangle_count = sequence.triangle_count_at(split_count).max(1);
+        row.push(format!("{:.2}", index_count_at(split_count) as f64 / triangle_count as f64));
+    }
+    row
+}
+
+/// Indices a triangle over all levels, of which each hundredth is looked at.
+fn over_all_levels(refinable: &RefinableMesh, index_count_at: &mut dyn FnMut(usize) -> usize) -> f64 {
+    let (mut indices, mut triangles) = (0, 0);
+    for hundredth in (0..=100).rev() {
+        let split_count = refinable.sequence.step_count() * hundredth / 100;
+        indices += index_count_at(split_count);
+        triangles += refinable.sequence.triangle_count_at(split_count);
+    }
+    indices as f64 / triangles.max(1) as f64
 }
