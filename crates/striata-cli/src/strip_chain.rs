@@ -79,7 +79,12 @@ impl StripPlan {
         let started = Instant::now();
         let mut strips = StripSet::new();
         for (i, &stripifier) in self.chain.stripifiers.iter().enumerate() {
-            let options = self.search.options(stripifier);
+            let is_last = i + 1 == self.chain.stripifiers.len();
+            let mut options = self.search.options(stripifier);
+            if !is_last {
+                // The next one would take strips for a cache apart.
+                options.cache_weight = 0.0;
+            }
             let allowed = options.allowed_moves(mesh.triangle_count());
             let searches_since = Instant::now();
             let mut spent = |moves: u64| {

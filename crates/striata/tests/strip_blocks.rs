@@ -92,6 +92,34 @@ fn any_stripifier_works_in_blocks() {
 }
 
 #[test]
+fn windings_that_disagree_come_through_every_stripifier() {
+    let specs = ["greedy", "stripe", "tunnel:9", "tunnel-static:9", "fewest", "cheapest"];
+    for (seed, percent) in (0..6).zip([3, 8, 15, 22, 30, 40]) {
+        let mut random = striata::mesh::Random::new(seed);
+        let mut mesh = shapes::grid(24, 24);
+        for i in 0..mesh.triangles.len() {
+            let [a, b, c] = mesh.triangles[i];
+            match random.below(100) {
+                chance if chance < percent / 2 => mesh.triangles[i] = [b, a, c],
+                chance if chance < percent => mesh.triangles.push([b, c, a]),
+                _ => {}
+            }
+        }
+        for spec in specs {
+            let strip = StripOptions::default().with_stripifier(spec.parse().unwrap()).with_effort(0.3);
+            for size in [100, 250] {
+                check(
+                    &format!("{spec}, seed {seed}"),
+                    &mesh,
+                    size,
+                    &BlockOptions::default().with_strip(strip.clone()),
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn groups_and_seams_are_borders_of_strips() {
     let mesh = with_seams_and_groups(shapes::torus(12, 17, 3.0, 1.0));
     for block_triangles in [1, 10, 100, 1000] {

@@ -82,6 +82,26 @@ fn shapes_and_nasty_meshes_are_covered() {
 }
 
 #[test]
+fn thousands_of_equal_triangles_are_found_again_at_once() {
+    let mesh = IndexedMesh::new(vec![[0.0; 3]; 3], vec![[0, 1, 2]; 60_000]);
+    let start = stripify(&mesh, &options("greedy")).unwrap();
+    let strips = stripify_from(&mesh, &start, &options("greedy"), &mut short()).unwrap();
+    check(&mesh, &strips, "equal triangles");
+}
+
+/// The search counts costs that writing cannot always keep, so what is written is compared.
+#[test]
+fn cheapest_strips_are_no_dearer_than_what_they_began_with() {
+    for seed in 0..60 {
+        let mesh = soup(40, 90, seed);
+        let cost = |strips: &StripSet| strips.cost().index_count;
+        let start = stripify(&mesh, &options("greedy")).unwrap();
+        let cheapest = stripify_from(&mesh, &start, &options("cheapest"), &mut short()).unwrap();
+        assert!(cost(&cheapest) <= cost(&start), "seed {seed}: {} > {}", cost(&cheapest), cost(&start));
+    }
+}
+
+#[test]
 fn strips_do_not_cross_groups() {
     let mut mesh = shapes::grid(12, 12);
     let third = mesh.triangle_count() as u32 / 3;

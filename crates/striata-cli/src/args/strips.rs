@@ -85,7 +85,7 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_name = "SPECS", value_delimiter = ',', default_value = COMPARED_STRIPS)]
     pub(crate) strips: Vec<StripChain>,
     /// Seconds that those which search are given, one after the other, besides their usual number of moves
-    #[arg(long, value_name = "SECS", value_delimiter = ',', default_value = "0.1,0.5,2", value_parser = parse_at_least_zero)]
+    #[arg(long, value_name = "SECS", value_delimiter = ',', default_value = "0.1,0.5,2", allow_negative_numbers = true, value_parser = parse_at_least_zero)]
     pub(crate) budgets: Vec<f64>,
 }
 
@@ -99,7 +99,7 @@ pub(crate) struct StripSearchArgs {
     /// Seed of what is chosen at random; equal seeds give equal strips
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     pub(crate) seed: u64,
-    /// For `cheapest`: how many indices one miss of the vertex cache is worth
+    /// How many indices one miss of the vertex cache is worth, to the last stripifier
     #[arg(long, value_name = "W", default_value_t = 0.0, allow_negative_numbers = true, value_parser = parse_at_least_zero)]
     pub(crate) cache_weight: f64,
     /// Entries of that first-in first-out cache

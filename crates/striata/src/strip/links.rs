@@ -95,16 +95,29 @@ impl<'a> StripLinks<'a> {
             triangles.iter().enumerate().map(|(i, &t)| (canonical_triangle(t), i as u32)).collect();
         by_corners.sort_unstable();
         let mut is_taken = vec![false; triangles.len()];
+        // For the first of equal triangles, how many of them are known to be taken.
+        let mut taken_counts = vec![0; triangles.len()];
         for (strip, indices) in strips.strips().enumerate() {
             let mut last: Option<u32> = None;
             for corners in strip_triangles(indices).map(canonical_triangle) {
-                let first = by_corners.partition_point(|&(other, _)| other < corners);
-                let equal = by_corners[first..].iter().take_while(|&&(other, _)| other == corners);
-                // Among equal triangles the linked one is the one that the strip means.
-                let free = equal.map(|&(_, triangle)| triangle).filter(|&t| !is_taken[t as usize]);
-                let link = |t: u32| last.and_then(|last| self.dashed_side_between(last, t));
-                let found = free.clone().find(|&t| link(t).is_some()).or_else(|| free.clone().next());
-                let side = found.and_then(link);
+                // Among equal triangles a linked one is the one that the strip means.
+                let fits =
+                    |t: u32| !is_taken[t as usize] && canonical_triangle(triangles[t as usize]) == corners;
+                let side = last.and_then(|last| self.dashed_side_to(last, fits));
+                let found = side.map(|side| self.twins[side as usize] / 3).or_else(|| {
+                    let first = by_corners.partition_point(|&(other, _)| other < corners);
+                    let count = taken_counts.get_mut(first)?;
+                    loop {
+                        let &(other, triangle) = by_corners.get(first + *count)?;
+                        if other != corners {
+                            return None;
+                        }
+                        if !is_taken[triangle as usize] {
+                            return Some(triangle);
+                        }
+                        *count += 1;
+                    }
+                });
                 match found {
                     Some(triangle) => is_taken[triangle as usize] = true,
                     None => missing = missing.or(Some((strip, corners))),
@@ -118,14 +131,14 @@ impl<'a> StripLinks<'a> {
         missing
     }
 
-    /// A dashed link from one triangle to another, both of which can take it.
-    fn dashed_side_between(&self, from: u32, to: u32) -> Option<u32> {
-        if self.solid_degree(from) == 2 || self.solid_degree(to) == 2 {
+    /// A dashed link from a triangle to one that fits, both of which can take it.
+    fn dashed_side_to(&self, from: u32, fits: impl Fn(u32) -> bool) -> Option<u32> {
+        if self.solid_degree(from) == 2 {
             return None;
         }
         (3 * from..3 * from + 3).find(|&side| {
             let twin = self.twins[side as usize];
-            twin != NO_TWIN && twin / 3 == to && !self.is_solid(side)
+            twin != NO_TWIN && !self.is_solid(side) && self.solid_degree(twin / 3) < 2 && fits(twin / 3)
         })
     }
 

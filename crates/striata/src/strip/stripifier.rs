@@ -18,7 +18,7 @@ pub enum Stripifier {
     /// Best of three walks from triangles with few free neighbours: fast, few indices.
     #[default]
     Greedy,
-    /// On to the neighbour with the fewest free neighbours: few strips, many swaps; the classic baseline.
+    /// On to the neighbour with the fewest free neighbours, without a swap among equals: the classic \[ESV96\], few strips.
     Stripe,
     /// Tunnelling with dynamic identities \[PS03\]: few strips.
     Tunnel {
@@ -54,7 +54,7 @@ impl fmt::Display for Stripifier {
 
 /// A name that no stripifier has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{found:?} is no stripifier; there are {}", Stripifier::SPELLINGS)]
+#[error("{found:?} is no stripifier; there are {}, where MAX is 1 or more", Stripifier::SPELLINGS)]
 pub struct ParseStripifierError {
     /// What was found.
     pub found: String,
@@ -92,6 +92,9 @@ impl FromStr for Stripifier {
     }
 }
 
+/// The most that [`StripOptions::effort`] counts as.
+const MAX_EFFORT: f64 = 1e6;
+
 /// Options of [`stripify`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -100,7 +103,7 @@ pub struct StripOptions {
     pub stripifier: Stripifier,
     /// Seed of those that choose at random; equal seeds give equal strips. Default 0.
     pub seed: u64,
-    /// How long those that search go on, as a factor of their usual number of moves; default 1.
+    /// How long those that search go on, as a factor of their usual number of moves, 0 to 1,000,000; default 1.
     pub effort: f64,
     /// Indices that one miss of a vertex cache is worth; default 0: misses do not count. Over 0, the strips of any
     /// stripifier are put in a better order, and from 0.1 on they give way to strips grown for the cache where
@@ -150,7 +153,9 @@ impl StripOptions {
 
     /// The moves that [`stripify`] allows a search on so many triangles; infinite for those that end by themselves.
     pub fn allowed_moves(&self, triangle_count: usize) -> f64 {
-        self.stripifier.moves_per_triangle() * self.effort * triangle_count.max(1) as f64
+        // In this order NaN becomes 0.
+        let effort = self.effort.max(0.0).min(MAX_EFFORT);
+        self.stripifier.moves_per_triangle() * effort * triangle_count.max(1) as f64
     }
 }
 
@@ -190,7 +195,8 @@ pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, 
 /// the caller's budget.
 ///
 /// Strips that do not fit the mesh are cut where they do not: triangles that it does not have, edges that its dual
-/// graph does not link. The stripifiers that do not search keep what is there and cover the rest.
+/// graph does not link, and, among equal triangles, where the one that a strip meant cannot be told. The
+/// stripifiers that do not search keep what is then there and cover the rest.
 ///
 /// # Errors
 /// [`MeshError`] where the mesh's parts do not fit together.

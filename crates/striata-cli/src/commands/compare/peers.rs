@@ -28,6 +28,11 @@ fn by_group(
     let started = Instant::now();
     let mut joined = Vec::new();
     for group in mesh.groups_or_whole() {
+        if group.count == 0 {
+            // meshoptimizer asserts that there is something to do.
+            joined.push(Vec::new());
+            continue;
+        }
         let indices = mesh.triangles[group.range()].as_flattened();
         let made = stripify(indices, mesh.vertex_count());
         joined.push(made.map_err(|error| Failure::internal(format!("meshoptimizer: {error}")))?);

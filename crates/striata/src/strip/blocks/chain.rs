@@ -100,11 +100,19 @@ impl Chain {
 
     /// The edge by which the strip came to its end triangle; none where it came by a vertex alone, or where
     /// there is no other triangle.
+    ///
+    /// Two triangles that lie on an edge in the same direction were joined by a vertex, whatever else they share.
     pub(super) fn last_edge(&self, end: End) -> Option<[u32; 2]> {
         let edge = [self.at(end, 1), self.at(end, 2)];
         let before = (1..self.len() - 2).map(|first| [0, 1, 2].map(|i| self.at(end, first + i)));
-        let previous = before.into_iter().find(is_proper)?;
-        edge.iter().all(|corner| previous.contains(corner)).then_some(edge)
+        let (distance, previous) = (1..).zip(before).find(|(_, corners)| is_proper(corners))?;
+        // Seen from an end, every other triangle is turned round.
+        let turned = |[a, b, c]: [u32; 3], is_turned: bool| if is_turned { [b, a, c] } else { [a, b, c] };
+        let runs_along = |corners| super::held::sides_of(corners).contains(&(edge[0], edge[1]));
+        let last = [0, 1, 2].map(|i| self.at(end, i));
+        let is_edge = edge.iter().all(|corner| previous.contains(corner))
+            && runs_along(last) != runs_along(turned(previous, distance % 2 == 1));
+        is_edge.then_some(edge)
     }
 
     /// Takes the triangle at an end off, where the strip came to it by an edge: gives that edge.

@@ -17,8 +17,8 @@ use path_forest::PathForest;
 
 use super::StripLinks;
 use super::links::next;
-use super::stripifier::{SpentFn, Task};
-use super::tunnel::{ends_of, join_ends};
+use super::stripifier::{DEFAULT_TUNNEL_LENGTH, SpentFn, Task};
+use super::tunnel::{self, Identity, ends_of, join_ends};
 use super::write::Path;
 use crate::mesh::{DualGraph, IndexedMesh, NO_TWIN, Random};
 
@@ -31,7 +31,13 @@ const WALK_STEPS: [u64; 2] = [4096, 64];
 /// So many ends are few.
 const FEW_ENDS: usize = 32;
 
-/// A number of strips that no stripification of a mesh can go below, proven from its dual graph.
+/// Searches for tunnels after the walks.
+const LAST_SEARCHES: u64 = 1024;
+
+/// A number of strips that no strips along the links of a mesh's dual graph can go below, proven from that graph.
+///
+/// Where more than two triangles share an edge, the graph pairs them in one way of several, and another way might do
+/// with fewer. Strips that `cheapest` joins at a vertex follow no link there and count as one.
 ///
 /// # Panics
 /// If a triangle names a vertex that is not there, or groups do not cover the triangles.
@@ -44,7 +50,22 @@ pub fn strip_count_bound(mesh: &IndexedMesh) -> usize {
 }
 
 /// Joins strips until every component has as few as can be, or the budget is spent.
+///
+/// Where boundaries and seams leave ends little room to walk, a last search for tunnels finds what walks have missed.
 pub(super) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>) {
+    if walk_ends(task, graph, links, spent) {
+        let mut few = |searches| searches as f64 / LAST_SEARCHES as f64;
+        tunnel::run(task, links, DEFAULT_TUNNEL_LENGTH, Identity::Dynamic, &mut few);
+    }
+}
+
+/// Walks until the budget is spent; whether any component still has more strips than it is known to need.
+fn walk_ends(
+    task: &Task<'_>,
+    graph: &DualGraph,
+    links: &mut StripLinks<'_>,
+    spent: &mut SpentFn<'_>,
+) -> bool {
     let mut random = Random::new(task.options.seed);
     join_ends(&ends_of(task, links), links, &mut random);
     let bounds = Bounds::new(graph, |t| !task.is_proper(t));
@@ -54,16 +75,18 @@ pub(super) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>
     while let Some(mut end) = walker.pick_end() {
         let is_late = walker.ends.len() <= FEW_ENDS;
         for _ in 0..WALK_STEPS[usize::from(is_late)] {
+            // Asked before the step: ends that cannot move must spend too.
+            if step_count % 256 == 0 && spent(step_count) >= 1.0 {
+                return true;
+            }
             step_count += 1;
             match walker.step(end) {
                 Some(moved) => end = moved,
                 None => break,
             }
-            if step_count % 256 == 0 && spent(step_count) >= 1.0 {
-                return;
-            }
         }
     }
+    false
 }
 
 /// Strips whose ends walk.

@@ -1,7 +1,7 @@
 //! A number of strips that no stripification can go below, component by component.
 //!
 //! Two proofs, of which the stronger counts: bridges (`bridges`) and links (`cover`). Both look at the dual graph
-//! alone, so they hold for every stripifier. Linear in time.
+//! alone, so they hold for all strips that run along its links. Linear in time.
 
 mod bridges;
 mod cover;
