@@ -13,8 +13,8 @@
 //! it saves indices, swaps counted, and a swap is also searched around. The strips of a level depend on the way
 //! that led there, its triangles do not.
 //!
-//! Cost: what a step does is bounded by the triangles around it and by [`RepairOptions`], not by the mesh: 4 to 20
-//! microseconds, two to three times that on a million triangles, which no cache holds. 57 bytes a triangle
+//! Cost: what a step does is bounded by the triangles around it and by [`RepairOptions`], not by the mesh: 5 to 20
+//! microseconds, twice that on a million triangles, which no cache holds. 57 bytes a triangle
 //! of the full mesh.
 
 mod error;
