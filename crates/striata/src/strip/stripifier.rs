@@ -153,8 +153,7 @@ impl StripOptions {
 
     /// The moves that [`stripify`] allows a search on so many triangles; infinite for those that end by themselves.
     pub fn allowed_moves(&self, triangle_count: usize) -> f64 {
-        // In this order NaN becomes 0.
-        let effort = self.effort.max(0.0).min(MAX_EFFORT);
+        let effort = if self.effort.is_nan() { 0.0 } else { self.effort.clamp(0.0, MAX_EFFORT) };
         self.stripifier.moves_per_triangle() * effort * triangle_count.max(1) as f64
     }
 }
