@@ -59,7 +59,7 @@ impl StripReport {
         })
     }
 
-    /// Adds how many strips no stripification of the mesh can go below, where the chain ends with fewest strips.
+    /// Adds how many strips along the edges of the mesh there are at least, where the chain ends with fewest strips.
     pub(crate) fn with_bound(self, chain: &StripChain, mesh: &IndexedMesh) -> Self {
         Self { strip_count_bound: chain.wants_few_strips().then(|| strip_count_bound(mesh)), ..self }
     }

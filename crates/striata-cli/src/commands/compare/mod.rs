@@ -138,8 +138,9 @@ impl Report {
 impl MeshReport {
     fn summary(&self) -> String {
         let components = if self.component_count == 1 { "component" } else { "components" };
+        // Not a bound for `cheapest`, which also joins strips at vertices.
         format!(
-            "{} triangles, {} vertices, {} {components}; no stripification has fewer strips than {}",
+            "{} triangles, {} vertices, {} {components}; at least {} strips along its edges",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.component_count),
