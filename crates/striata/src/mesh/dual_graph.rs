@@ -16,7 +16,7 @@
 
 use std::cmp::Ordering;
 
-use super::{IndexedMesh, PositionIndex};
+use super::{IndexedMesh, PositionIndex, is_proper};
 
 /// Links between neighbouring triangles.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -111,10 +111,8 @@ impl DualGraph {
 /// the higher end and, in the low 32 bits, the side.
 fn sides_by_low_end(triangles: &[[u32; 3]], vertex_count: usize) -> (Vec<u32>, Vec<u64>) {
     let ends = |[a, b, c]: [u32; 3]| [(a, b), (b, c), (c, a)].map(|(a, b)| (a.min(b), a.max(b)));
-    let proper = || {
-        let is_proper = |&(_, [a, b, c]): &(u32, [u32; 3])| a != b && b != c && c != a;
-        (0..).zip(triangles.iter().copied()).filter(is_proper)
-    };
+    let proper =
+        || (0..).zip(triangles.iter().copied()).filter(|(_, corners): &(u32, [u32; 3])| is_proper(corners));
     let mut firsts = vec![0; vertex_count + 2];
     for (low, _) in proper().flat_map(|(_, corners)| ends(corners)) {
         firsts[low as usize + 2] += 1;

@@ -23,6 +23,7 @@ mod triangle_tree;
 mod validate;
 mod weld;
 
+pub(crate) use adjacency::is_proper;
 pub use adjacency::{Adjacency, Edge};
 pub use appearance::{Appearance, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};

@@ -9,7 +9,7 @@ use super::links::StripLinks;
 use super::tunnel::{self, Identity};
 use super::write::write_strips;
 use super::{StripSet, cheapest, fewest, greedy, stripe};
-use crate::mesh::{DualGraph, IndexedMesh, MeshError};
+use crate::mesh::{DualGraph, IndexedMesh, MeshError, is_proper};
 
 /// Which algorithm makes the strips.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -174,8 +174,7 @@ pub(super) struct Task<'a> {
 impl Task<'_> {
     /// Whether a triangle has three corners: others are in no strip.
     pub(super) fn is_proper(&self, triangle: u32) -> bool {
-        let [a, b, c] = self.triangles[triangle as usize];
-        a != b && b != c && c != a
+        is_proper(&self.triangles[triangle as usize])
     }
 }
 

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use super::StripSet;
 use super::links::{StripLinks, Turn, next, prev};
-use crate::mesh::NO_TWIN;
+use crate::mesh::{NO_TWIN, is_proper};
 
 /// A strip that is not yet indices: the sides by which its triangles are left, from one end to the other.
 #[derive(Clone, Debug, Default)]
@@ -125,7 +125,7 @@ pub(crate) struct StripOrder {
 impl StripOrder {
     /// Degenerate triangles belong to no strip.
     pub(crate) fn new(triangles: &[[u32; 3]]) -> Self {
-        let is_done = triangles.iter().map(|t| t[0] == t[1] || t[1] == t[2] || t[2] == t[0]).collect();
+        let is_done = triangles.iter().map(|corners| !is_proper(corners)).collect();
         Self { is_done, waiting: Vec::new(), path: Path::default() }
     }
 

@@ -13,6 +13,8 @@
 
 use std::collections::VecDeque;
 
+use crate::mesh::is_proper;
+
 /// One end of a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
@@ -176,10 +178,6 @@ impl Chain {
             out.extend(&self.indices);
         }
     }
-}
-
-fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
-    a != b && b != c && c != a
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ use super::links::next;
 use super::stripifier::{DEFAULT_TUNNEL_LENGTH, SpentFn, Task};
 use super::tunnel::{self, Identity, ends_of, join_ends};
 use super::write::Path;
-use crate::mesh::{DualGraph, IndexedMesh, NO_TWIN, Random};
+use crate::mesh::{DualGraph, IndexedMesh, NO_TWIN, Random, is_proper};
 
 /// Steps after which another end has its turn, while many ends are left and when few are.
 ///
@@ -42,10 +42,7 @@ const LAST_SEARCHES: u64 = 1024;
 /// # Panics
 /// If a triangle names a vertex that is not there, or groups do not cover the triangles.
 pub fn strip_count_bound(mesh: &IndexedMesh) -> usize {
-    let is_degenerate = |t: u32| {
-        let [a, b, c] = mesh.triangles[t as usize];
-        a == b || b == c || c == a
-    };
+    let is_degenerate = |t: u32| !is_proper(&mesh.triangles[t as usize]);
     Bounds::new(&DualGraph::of_vertices(mesh), is_degenerate).least.iter().map(|&least| least as usize).sum()
 }
 

@@ -18,9 +18,11 @@ mod search;
 mod trace;
 
 pub(super) use growth::join_ends;
-pub(crate) use places::PlaceTable;
-pub(crate) use search::{Identity, Search};
-pub(crate) use trace::Step;
+pub(super) use search::Identity;
+
+use places::PlaceTable;
+use search::Search;
+use trace::Step;
 
 use super::StripLinks;
 use super::stripifier::{SpentFn, Task};
@@ -123,7 +125,7 @@ impl Digger<'_, '_> {
 /// Changes the links of a tunnel: dashed ones become solid, solid ones dashed.
 ///
 /// Without a last link it moves an end instead of joining two strips.
-pub(crate) fn complement(steps: &[Step], last: Option<u32>, links: &mut StripLinks<'_>) {
+fn complement(steps: &[Step], last: Option<u32>, links: &mut StripLinks<'_>) {
     for step in steps {
         links.cut(step.cut);
     }
