@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use striata::codec::{DecodeError, EncodeError};
 use striata::mesh::MeshError;
-use striata::model::LodStripsError;
+use striata::model::ModelError;
 use striata::simplify::SimplifyError;
 use striata_io::{Place, ReadError, WriteError};
 
@@ -147,7 +147,7 @@ macro_rules! ours {
     };
 }
 
-ours!(LodStripsError, DecodeError, EncodeError);
+ours!(ModelError, DecodeError, EncodeError);
 
 /// Prints a panic as what it is: our fault.
 pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
-use striata::model::{LodModel, LodStrips, LodStripsError, LodStripsState, StripBuffer};
+use striata::model::{LodModel, LodStrips, LodStripsState, ModelError, StripBuffer};
 use striata::strip::{RESTART, StripOptions, StripSet, restart_triangles_into, stripify};
 use support::{Random, Wildness, grid, nasty, random_refinable, soup, with_seams_and_groups};
 
@@ -57,6 +57,11 @@ fn check_level(
         assert_eq!(canonical_triangles(&found), expected, "strips of group {g} at {split_count}");
         assert_eq!(uploaded.triangles(ranges[g].clone()), expected, "buffer of group {g} at {split_count}");
     }
+    let (mut drawn, mut shown) = (Vec::new(), Vec::new());
+    model.indices_into(state, &mut drawn);
+    assert_eq!(drawn.len(), model.draw_counts(state).index_count);
+    model.triangles_into(state, &mut shown);
+    assert_eq!(canonical_triangles(&shown), canonical_triangles(&level.triangles));
     let mut all = Vec::new();
     for range in uploaded.buffer.strip_ranges() {
         let strip = &uploaded.copy[range.start as usize..range.end as usize];
@@ -143,15 +148,15 @@ fn strips_of_another_mesh_are_refused() {
     let mut strips = StripSet::new();
     strips.push(&[0, 1, 2, 99]);
     let error = LodStrips::build(&refinable, &strips).unwrap_err();
-    assert_eq!(error, LodStripsError::GroupCount { found: 0, expected: 1 });
+    assert_eq!(error, ModelError::GroupCount { found: 0, expected: 1 });
     strips.end_group();
     let error = LodStrips::build(&refinable, &strips).unwrap_err();
-    assert_eq!(error, LodStripsError::Vertex { strip: 0, vertex: 99, vertex_count: 25 });
+    assert_eq!(error, ModelError::Vertex { strip: 0, vertex: 99, vertex_count: 25 });
     let mut strips = StripSet::new();
     strips.push(&[0, 1, 2]);
     strips.end_group();
     let error = LodStrips::build(&refinable, &strips).unwrap_err();
-    assert_eq!(error, LodStripsError::TriangleCount { group: 0, found: 1, expected: 32 });
+    assert_eq!(error, ModelError::TriangleCount { group: 0, found: 1, expected: 32 });
 }
 
 proptest! {

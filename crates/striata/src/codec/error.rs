@@ -2,7 +2,7 @@
 
 use super::SectionKind;
 use crate::mesh::{MeshError, SequenceError};
-use crate::model::LodStripsError;
+use crate::model::ModelError;
 
 /// Why bytes are not a `.striata` file, or not a sound one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -114,7 +114,7 @@ pub enum DecodeError {
     Sequence(#[from] SequenceError),
     /// The LodStrips are unsound.
     #[error("lodstrips: {0}")]
-    LodStrips(#[from] LodStripsError),
+    LodStrips(#[from] ModelError),
 }
 
 /// Why a mesh and its models cannot be written.

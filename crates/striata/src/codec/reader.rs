@@ -8,8 +8,8 @@ use super::{DecodeError, SectionInfo, SectionKind, Summary, Verify};
 use crate::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
 };
-use crate::model::lod_strips::{LodStripsParts, StepVertices};
-use crate::model::{LodModel, LodStrips, LodStripsState};
+use crate::model::lod_strips::LodStripsParts;
+use crate::model::{LodModel, LodStrips, LodStripsState, StepVertices};
 
 /// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
 #[derive(Clone, Debug)]

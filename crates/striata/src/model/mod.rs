@@ -6,7 +6,18 @@
 
 pub mod lod_strips;
 
-pub use lod_strips::{LodStrips, LodStripsError, LodStripsState, StripBuffer};
+mod error;
+mod record_arena;
+mod step_vertices;
+mod strip_input;
+mod strip_run;
+mod superfluous;
+
+pub use error::ModelError;
+pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
+pub(crate) use step_vertices::StepVertices;
+
+use crate::strip::{RESTART, restart_triangles_into};
 
 /// What a part of a model takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +26,49 @@ pub struct PartBytes {
     pub name: &'static str,
     /// Its bytes.
     pub bytes: usize,
+}
+
+/// How the indices of a model are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Topology {
+    /// Three indices a triangle.
+    Triangles,
+    /// Strips with [`RESTART`](crate::strip::RESTART) between them.
+    Strips,
+}
+
+/// What it takes to draw what an instance shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DrawCounts {
+    /// Strips; 0 for a model that draws single triangles.
+    pub strip_count: usize,
+    /// Indices, those between strips counted.
+    pub index_count: usize,
+}
+
+impl DrawCounts {
+    /// Of strips drawn with a restart index between them; empty ones are not drawn.
+    pub(crate) fn of_strips<'s>(strips: impl Iterator<Item = &'s [u32]>) -> Self {
+        let mut counts = Self::default();
+        for strip in strips.filter(|strip| !strip.is_empty()) {
+            counts.strip_count += 1;
+            counts.index_count += strip.len() + 1;
+        }
+        counts.index_count = counts.index_count.saturating_sub(1);
+        counts
+    }
+}
+
+/// Appends strips with a restart index between them.
+pub(crate) fn join_strips<'s>(strips: impl Iterator<Item = &'s [u32]>, out: &mut Vec<u32>) {
+    let mut is_first = true;
+    for strip in strips.filter(|strip| !strip.is_empty()) {
+        if !is_first {
+            out.push(RESTART);
+        }
+        is_first = false;
+        out.extend_from_slice(strip);
+    }
 }
 
 /// A model that shows any level of a collapse sequence as a whole.
@@ -31,15 +85,39 @@ pub trait LodModel {
     /// The level that an instance shows.
     fn split_count(&self, state: &Self::State) -> usize;
 
-    /// Moves an instance to a level, step by step.
+    /// Moves an instance to a level; what it draws is then up to date. A model of few levels goes to the
+    /// finest that does not exceed it, or to its coarsest.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count, or the state belongs to a model of another shape.
     fn move_to(&self, state: &mut Self::State, split_count: usize);
 
+    /// How [`indices_into`](Self::indices_into) is drawn.
+    fn topology(&self) -> Topology;
+
+    /// What drawing the instance takes now.
+    fn draw_counts(&self, state: &Self::State) -> DrawCounts;
+
+    /// Appends all that is drawn, group after group: as many indices as [`draw_counts`](Self::draw_counts) says.
+    fn indices_into(&self, state: &Self::State, out: &mut Vec<u32>);
+
     /// Appends the triangles that an instance shows, group after group.
-    fn triangles_into(&self, state: &Self::State, out: &mut Vec<[u32; 3]>);
+    fn triangles_into(&self, state: &Self::State, out: &mut Vec<[u32; 3]>) {
+        let mut indices = Vec::with_capacity(self.draw_counts(state).index_count);
+        self.indices_into(state, &mut indices);
+        match self.topology() {
+            Topology::Triangles => out.extend_from_slice(indices.as_chunks().0),
+            Topology::Strips => restart_triangles_into(&indices, out),
+        }
+    }
 
     /// Bytes of the static half by part; positions and attributes are the mesh's and not counted.
     fn bytes(&self) -> Vec<PartBytes>;
+
+    /// Bytes that an instance owns.
+    fn state_bytes(&self, state: &Self::State) -> usize;
+
+    /// Bytes of the static half as the papers count: their structures, 4 bytes a number, an index or a
+    /// pointer; positions not counted.
+    fn paper_bytes(&self) -> usize;
 }

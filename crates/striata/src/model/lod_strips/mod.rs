@@ -11,7 +11,7 @@
 //!
 //! Dropping a run rotates it behind the live part, so its indices wait in the slot until refining rotates them
 //! back: a record holds places only, no values, and undoing is exact by construction. A run is dropped
-//! when the strip shows the same triangles without it (see `drops.rs`).
+//! when the strip shows the same triangles without it (see `superfluous.rs`).
 //!
 //! Differs: \[RCRG06\] drops only `aa(a)+` and `ab(ab)+` and stores machine words; records here are
 //! bytes in one arena, delta-coded over strips sorted by place, walked both ways.
@@ -20,9 +20,7 @@
 //! [`MAX_STRIP_INDICES`].
 
 mod build;
-mod drops;
 mod record;
-mod slot;
 mod state;
 mod strip_buffer;
 mod validate;
@@ -30,69 +28,17 @@ mod validate;
 use std::borrow::Cow;
 use std::ops::Range;
 
+use self::record::EditCounts;
 pub use state::LodStripsState;
 pub use strip_buffer::StripBuffer;
 
-use super::{LodModel, PartBytes};
-use crate::strip::{StripSetError, strip_triangles};
+use super::record_arena::record_at;
+use super::step_vertices::StepVertices;
+use super::{DrawCounts, LodModel, ModelError, PartBytes, Topology, join_strips};
+use crate::strip::strip_triangles;
 
 /// Longer strips are cut when the model is built, so that an edit moves few indices.
 pub const MAX_STRIP_INDICES: usize = 128;
-
-/// What keeps strips and a sequence from becoming a model, or makes a stored model unusable.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum LodStripsError {
-    /// The strips have other groups than the mesh.
-    #[error("the strips have {found} groups, the mesh has {expected}")]
-    GroupCount {
-        /// Groups of the strips.
-        found: usize,
-        /// Groups of the mesh.
-        expected: usize,
-    },
-    /// The strips hold other triangles than the mesh.
-    #[error("the strips of group {group} hold {found} triangles, the mesh has {expected}")]
-    TriangleCount {
-        /// The group.
-        group: usize,
-        /// Triangles of the strips.
-        found: usize,
-        /// Triangles of the mesh.
-        expected: usize,
-    },
-    /// A strip names a vertex that is not there.
-    #[error("strip {strip} uses vertex {vertex}, but there are {vertex_count} vertices")]
-    Vertex {
-        /// The strip.
-        strip: usize,
-        /// The vertex it names.
-        vertex: u32,
-        /// Vertices that exist.
-        vertex_count: usize,
-    },
-    /// Offsets of strips or groups do not fit.
-    #[error(transparent)]
-    Offsets(#[from] StripSetError),
-    /// Arrays of a stored model do not fit together.
-    #[error("{what} number {found}, expected {expected}")]
-    Length {
-        /// Which array.
-        what: &'static str,
-        /// Its length.
-        found: usize,
-        /// The length that fits.
-        expected: usize,
-    },
-    /// A record does not fit the strips that it edits.
-    #[error("the record of step {step} {reason}")]
-    Record {
-        /// The step.
-        step: usize,
-        /// What is wrong.
-        reason: &'static str,
-    },
-}
 
 /// The static half of the model; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -106,33 +52,6 @@ pub struct LodStrips<'a> {
     pub(crate) arena: Cow<'a, [u8]>,
     /// Bytes of the first strip number in a record, from the strip count.
     head_bytes: usize,
-}
-
-/// What the model takes from the sequence: the vertices of each step and where they collapse to.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct StepVertices<'a> {
-    pub(crate) vertex_count: usize,
-    pub(crate) base_vertex_count: u32,
-    /// First vertex of each step, closed by the vertex count; empty where each step has one vertex.
-    pub(crate) firsts: Cow<'a, [u32]>,
-    pub(crate) targets: Cow<'a, [u32]>,
-}
-
-impl StepVertices<'_> {
-    #[inline]
-    fn of_step(&self, step: usize) -> Range<u32> {
-        if self.firsts.is_empty() {
-            let first = self.base_vertex_count + step as u32;
-            first..first + 1
-        } else {
-            self.firsts[step]..self.firsts[step + 1]
-        }
-    }
-
-    #[inline]
-    fn target(&self, vertex: u32) -> u32 {
-        self.targets[(vertex - self.base_vertex_count) as usize]
-    }
 }
 
 /// The stored arrays of a model, without what the sequence knows already.
@@ -149,7 +68,7 @@ impl<'a> LodStrips<'a> {
     pub(crate) fn from_parts(
         vertices: StepVertices<'a>,
         parts: LodStripsParts<'a>,
-    ) -> Result<Self, LodStripsError> {
+    ) -> Result<Self, ModelError> {
         let model = Self::unchecked(vertices, parts);
         validate::check(&model)?;
         Ok(model)
@@ -222,6 +141,20 @@ impl<'a> LodStrips<'a> {
         state.live(strip)
     }
 
+    /// What all records edit, in numbers.
+    fn edit_counts(&self) -> EditCounts {
+        let mut counts = EditCounts::default();
+        let mut cursor = 0;
+        for (step, &length) in self.record_lengths.iter().enumerate() {
+            let Some((body, end)) = record_at(&self.arena, cursor, length) else { break };
+            cursor = end;
+            let vertices = self.vertices.of_step(step);
+            let counted = counts.add(body, self.head_bytes, vertices.end - vertices.start);
+            debug_assert!(counted.is_some(), "a checked record ended early");
+        }
+        counts
+    }
+
     /// Appends the triangles that one group shows now.
     ///
     /// # Panics
@@ -252,10 +185,16 @@ impl LodModel for LodStrips<'_> {
         state.move_to(self, split_count);
     }
 
-    fn triangles_into(&self, state: &LodStripsState, out: &mut Vec<[u32; 3]>) {
-        for strip in 0..self.strip_count() {
-            out.extend(strip_triangles(self.strip(state, strip)));
-        }
+    fn topology(&self) -> Topology {
+        Topology::Strips
+    }
+
+    fn draw_counts(&self, state: &LodStripsState) -> DrawCounts {
+        DrawCounts::of_strips((0..self.strip_count()).map(|strip| self.strip(state, strip)))
+    }
+
+    fn indices_into(&self, state: &LodStripsState, out: &mut Vec<u32>) {
+        join_strips((0..self.strip_count()).map(|strip| self.strip(state, strip)), out);
     }
 
     fn bytes(&self) -> Vec<PartBytes> {
@@ -267,5 +206,19 @@ impl LodModel for LodStrips<'_> {
             part("record lengths", self.record_lengths.len()),
             part("records", self.arena.len()),
         ]
+    }
+
+    fn state_bytes(&self, state: &LodStripsState) -> usize {
+        state.bytes()
+    }
+
+    /// The structures of \[RCRG06\], its figure 3: a `Collapse` for each vertex, a pointer for each strip, a
+    /// `Change` of two words for each step, a `RecordChange` of four for each strip that it affects, and a word
+    /// for each place that is collapsed or resized.
+    fn paper_bytes(&self) -> usize {
+        let edits = self.edit_counts();
+        let strips = self.strip_count() + self.indices.len();
+        let changes = 2 * self.step_count() + 4 * edits.strips + edits.places + edits.drops;
+        4 * (self.vertex_count() + strips + changes)
     }
 }

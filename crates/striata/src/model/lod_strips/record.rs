@@ -15,15 +15,13 @@
 //! of vertices of the step and `wedge` which of them stands at the place. A varint has 7 bits a byte, low ones
 //! first.
 
-use super::slot::Run;
+use crate::model::record_arena::{read_varint, write_varint};
+use crate::model::strip_run::Run;
 
 pub(super) const HAS_SEVERAL_PLACES: u32 = 1;
 pub(super) const HAS_DROPS: u32 = 2;
 const DROP_FOLLOWS: u32 = 1;
 const COUNT_FOLLOWS: u32 = 2;
-
-/// A record of 255 bytes or more has its length in 4 bytes at both ends, so that it can be walked both ways.
-pub(super) const LONG_RECORD: u8 = u8::MAX;
 
 /// Bytes of the first strip number in a record, flags included.
 pub(super) fn head_bytes(strip_count: usize) -> usize {
@@ -38,6 +36,44 @@ pub(super) struct Edit {
     /// Places before any drop, rising, each with the wedge that stands there.
     pub(super) places: Vec<(u32, u32)>,
     pub(super) drops: Vec<Run>,
+}
+
+/// What records edit, in numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct EditCounts {
+    /// Strips, counted once for each record that edits them.
+    pub(super) strips: usize,
+    /// Places where a vertex is substituted.
+    pub(super) places: usize,
+    /// Runs that are dropped.
+    pub(super) drops: usize,
+}
+
+impl EditCounts {
+    /// Counts one record.
+    pub(super) fn add(&mut self, body: &[u8], head_bytes: usize, wedge_count: u32) -> Option<()> {
+        let mut reader = RecordReader::new(body);
+        let mut last = None;
+        while !reader.is_empty() {
+            let (strip, flags) = match last {
+                None => reader.first_head(head_bytes)?,
+                Some(last) => reader.next_head(last)?,
+            };
+            last = Some(strip);
+            let further = reader.further_place_count(flags)?;
+            for _ in 0..=further {
+                reader.place(0, wedge_count)?;
+            }
+            self.strips += 1;
+            self.places += further as usize + 1;
+            let mut follows = flags & HAS_DROPS != 0;
+            while follows {
+                follows = reader.run(0)?.1;
+                self.drops += 1;
+            }
+        }
+        Some(())
+    }
 }
 
 /// Writes a record of edits, sorted by strip.
@@ -75,14 +111,6 @@ pub(super) fn write_record<'e>(
             anchor = run.first;
         }
     }
-}
-
-fn write_varint(mut value: u32, out: &mut Vec<u8>) {
-    while value >= 0x80 {
-        out.push(value as u8 | 0x80);
-        value >>= 7;
-    }
-    out.push(value as u8);
 }
 
 fn zigzag(value: i32) -> u32 {
@@ -148,57 +176,8 @@ impl<'r> RecordReader<'r> {
 
     #[inline]
     fn varint(&mut self) -> Option<u32> {
-        let (&first, mut rest) = self.bytes.split_first()?;
-        let mut value = u32::from(first & 0x7f);
-        if first >= 0x80 {
-            let mut shift = 7;
-            loop {
-                let (&byte, after) = rest.split_first()?;
-                rest = after;
-                let bits = u32::from(byte & 0x7f);
-                // The fifth byte has room for 4 bits.
-                if shift > 28 || (shift == 28 && bits > 0xf) {
-                    return None;
-                }
-                value |= bits << shift;
-                if byte < 0x80 {
-                    break;
-                }
-                shift += 7;
-            }
-        }
-        self.bytes = rest;
-        Some(value)
+        read_varint(&mut self.bytes)
     }
-}
-
-/// The record that begins at `start`: its body and where it ends.
-#[inline]
-pub(super) fn record_at(arena: &[u8], start: usize, length: u8) -> Option<(&[u8], usize)> {
-    if length < LONG_RECORD {
-        let end = start + usize::from(length);
-        return Some((arena.get(start..end)?, end));
-    }
-    let length = long_length(arena.get(start..start.checked_add(4)?)?)?;
-    let end = start.checked_add(length)?;
-    Some((arena.get(start + 4..end)?.get(..length - 8)?, end))
-}
-
-/// The record that ends at `end`: its body and where it begins.
-#[inline]
-pub(super) fn record_before(arena: &[u8], end: usize, length: u8) -> Option<(&[u8], usize)> {
-    if length < LONG_RECORD {
-        let start = end.checked_sub(usize::from(length))?;
-        return Some((arena.get(start..end)?, start));
-    }
-    let length = long_length(arena.get(end.checked_sub(4)?..end)?)?;
-    let start = end.checked_sub(length)?;
-    Some((arena.get(start + 4..end - 4)?, start))
-}
-
-fn long_length(bytes: &[u8]) -> Option<usize> {
-    let length = u32::from_le_bytes(bytes.try_into().ok()?) as usize;
-    (length >= 8).then_some(length)
 }
 
 #[cfg(test)]
@@ -230,27 +209,8 @@ mod tests {
         assert_eq!(reader.run(15), Some((Run { first: 40, count: 300 }, false)));
         assert!(reader.is_empty());
         assert_eq!(reader.run(0), None);
-    }
-
-    #[test]
-    fn numbers_over_32_bits_are_refused() {
-        for bytes in [&[0xff, 0xff, 0xff, 0xff, 0x1f][..], &[0x80, 0x80, 0x80, 0x80, 0x80, 0x00], &[0x80]] {
-            assert_eq!(RecordReader::new(bytes).varint(), None);
-        }
-        assert_eq!(RecordReader::new(&[0xff, 0xff, 0xff, 0xff, 0x0f]).varint(), Some(u32::MAX));
-    }
-
-    #[test]
-    fn long_records_are_found_from_both_ends() {
-        let mut arena = vec![1, 2, 3];
-        let length = 308u32.to_le_bytes();
-        arena.extend(length);
-        arena.extend([7; 300]);
-        arena.extend(length);
-        let body = &[7; 300][..];
-        assert_eq!(record_at(&arena, 3, LONG_RECORD), Some((body, 311)));
-        assert_eq!(record_before(&arena, 311, LONG_RECORD), Some((body, 3)));
-        assert_eq!(record_before(&arena, 310, LONG_RECORD), None);
-        assert_eq!(record_at(&arena, 0, 3), Some((&[1, 2, 3][..], 3)));
+        let mut counts = EditCounts::default();
+        assert_eq!(counts.add(&bytes, 2, 3), Some(()));
+        assert_eq!(counts, EditCounts { strips: 2, places: 4, drops: 2 });
     }
 }

@@ -1,8 +1,9 @@
 //! What one instance of LodStrips owns, and how it moves between levels.
 
 use super::LodStrips;
-use super::record::{HAS_DROPS, RecordReader, record_at, record_before};
-use super::slot::{Run, drop_run, restore_run};
+use super::record::{HAS_DROPS, RecordReader};
+use crate::model::record_arena::{record_at, record_before};
+use crate::model::strip_run::{Run, drop_run, restore_run};
 
 /// An instance: its level and its current strips. Made by [`LodModel::new_state`](crate::model::LodModel).
 #[derive(Clone, Debug, PartialEq, Eq)]

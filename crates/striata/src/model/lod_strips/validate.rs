@@ -5,30 +5,31 @@
 //! What passes can be walked up and down without a failing step, and shows at each level only vertices that
 //! the level has. Time as one sweep, memory as one instance.
 
-use super::record::{HAS_DROPS, RecordReader, record_before};
-use super::slot::drop_run;
-use super::{LodStrips, LodStripsError};
+use super::record::{HAS_DROPS, RecordReader};
+use super::{LodStrips, ModelError};
+use crate::model::record_arena::{record_at, record_before};
+use crate::model::strip_run::drop_run;
 use crate::strip::check_offsets;
 
-pub(super) fn check(model: &LodStrips<'_>) -> Result<(), LodStripsError> {
+pub(super) fn check(model: &LodStrips<'_>) -> Result<(), ModelError> {
     check_shape(model)?;
     let mut sweep = Sweep::new(model)?;
     for step in (0..model.record_lengths.len()).rev() {
-        sweep.apply(step).map_err(|reason| LodStripsError::Record { step, reason })?;
+        sweep.apply(step).map_err(|reason| ModelError::Record { step, reason })?;
     }
     if sweep.cursor != 0 {
-        return Err(LodStripsError::Length { what: "record bytes left", found: sweep.cursor, expected: 0 });
+        return Err(ModelError::Length { what: "record bytes left", found: sweep.cursor, expected: 0 });
     }
     Ok(())
 }
 
-fn check_shape(model: &LodStrips<'_>) -> Result<(), LodStripsError> {
+fn check_shape(model: &LodStrips<'_>) -> Result<(), ModelError> {
     check_offsets("strip", &model.offsets, model.indices.len())?;
     check_offsets("group", &model.group_offsets, model.strip_count())?;
     let vertices = &model.vertices;
     let (step_count, vertex_count) = (model.record_lengths.len(), vertices.vertex_count);
     let length = |what, found, expected| {
-        if found == expected { Ok(()) } else { Err(LodStripsError::Length { what, found, expected }) }
+        if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
     };
     if vertices.firsts.is_empty() {
         length("steps", (vertices.base_vertex_count as usize).saturating_add(step_count), vertex_count)?;
@@ -38,7 +39,7 @@ fn check_shape(model: &LodStrips<'_>) -> Result<(), LodStripsError> {
         length("vertices", vertices.firsts[step_count] as usize, vertex_count)?;
         if let Some(i) = vertices.firsts.windows(2).position(|w| w[0] >= w[1]) {
             let [found, expected] = [i + 1, i].map(|i| vertices.firsts[i] as usize);
-            return Err(LodStripsError::Length { what: "first vertices", found, expected });
+            return Err(ModelError::Length { what: "first vertices", found, expected });
         }
     }
     length(
@@ -49,7 +50,7 @@ fn check_shape(model: &LodStrips<'_>) -> Result<(), LodStripsError> {
     for step in 0..step_count {
         let range = vertices.of_step(step);
         if range.clone().any(|v| vertices.target(v) >= range.start) {
-            return Err(LodStripsError::Record { step, reason: "collapses to a later vertex" });
+            return Err(ModelError::Record { step, reason: "collapses to a later vertex" });
         }
     }
     Ok(())
@@ -65,13 +66,13 @@ struct Sweep<'m, 'a> {
 }
 
 impl<'m, 'a> Sweep<'m, 'a> {
-    fn new(model: &'m LodStrips<'a>) -> Result<Self, LodStripsError> {
+    fn new(model: &'m LodStrips<'a>) -> Result<Self, ModelError> {
         let vertex_count = model.vertices.vertex_count;
         let mut uses = vec![0; vertex_count];
         for strip in 0..model.strip_count() {
             for &vertex in &model.indices[model.offsets[strip] as usize..model.offsets[strip + 1] as usize] {
                 let Some(count) = uses.get_mut(vertex as usize) else {
-                    return Err(LodStripsError::Vertex { strip, vertex, vertex_count });
+                    return Err(ModelError::Vertex { strip, vertex, vertex_count });
                 };
                 *count += 1;
             }
@@ -86,7 +87,7 @@ impl<'m, 'a> Sweep<'m, 'a> {
         let (body, start) =
             record_before(&model.arena, self.cursor, model.record_lengths[step]).ok_or(SHORT)?;
         // Long records hold their length at both ends, and both ways must agree.
-        let forward = super::record::record_at(&model.arena, start, model.record_lengths[step]);
+        let forward = record_at(&model.arena, start, model.record_lengths[step]);
         if forward != Some((body, self.cursor)) {
             return Err("has different lengths at its ends");
         }

@@ -5,7 +5,7 @@
 //! covers `aa(aa)+`, `ab(ab)+` and every stretch of degenerate triangles that is longer than needed to get
 //! from one shown triangle to the next. At the end of a strip nothing follows, so any count may go.
 
-use super::slot::{Run, drop_run};
+use super::strip_run::{Run, drop_run};
 
 /// Longest run that is looked for inside a strip in one piece; longer ones go in several.
 const MAX_RUN: usize = 16;

@@ -1,0 +1,58 @@
+//! Why strips, baselines or stored arrays do not make a model.
+
+use crate::strip::StripSetError;
+
+/// What keeps strips and a sequence from becoming a model, or makes a stored model unusable.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// The strips have other groups than the mesh.
+    #[error("the strips have {found} groups, the mesh has {expected}")]
+    GroupCount {
+        /// Groups of the strips.
+        found: usize,
+        /// Groups of the mesh.
+        expected: usize,
+    },
+    /// The strips hold other triangles than the mesh.
+    #[error("the strips of group {group} hold {found} triangles, the mesh has {expected}")]
+    TriangleCount {
+        /// The group.
+        group: usize,
+        /// Triangles of the strips.
+        found: usize,
+        /// Triangles of the mesh.
+        expected: usize,
+    },
+    /// A strip names a vertex that is not there.
+    #[error("strip {strip} uses vertex {vertex}, but there are {vertex_count} vertices")]
+    Vertex {
+        /// The strip.
+        strip: usize,
+        /// The vertex it names.
+        vertex: u32,
+        /// Vertices that exist.
+        vertex_count: usize,
+    },
+    /// Offsets of strips or groups do not fit.
+    #[error(transparent)]
+    Offsets(#[from] StripSetError),
+    /// Arrays of a stored model do not fit together.
+    #[error("{what} number {found}, expected {expected}")]
+    Length {
+        /// Which array.
+        what: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length that fits.
+        expected: usize,
+    },
+    /// A record does not fit the strips that it edits.
+    #[error("the record of step {step} {reason}")]
+    Record {
+        /// The step.
+        step: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
+}

@@ -1,0 +1,120 @@
+//! Records of all steps in one arena of bytes, walked from the base up and from the full mesh down.
+//!
+//! The length of each record stands beside the arena, in a byte; a record of 255 bytes or more has it at both of its
+//! ends. A varint has 7 bits a byte, low ones first.
+
+/// A record of 255 bytes or more has its length in 4 bytes at both ends, so that it can be walked both ways.
+pub(super) const LONG_RECORD: u8 = u8::MAX;
+
+/// Appends a number.
+pub(super) fn write_varint(mut value: u32, out: &mut Vec<u8>) {
+    while value >= 0x80 {
+        out.push(value as u8 | 0x80);
+        value >>= 7;
+    }
+    out.push(value as u8);
+}
+
+/// Takes a number off the front; `None` where it ends too early or does not fit.
+#[inline]
+pub(super) fn read_varint(bytes: &mut &[u8]) -> Option<u32> {
+    let (&first, mut rest) = bytes.split_first()?;
+    let mut value = u32::from(first & 0x7f);
+    if first >= 0x80 {
+        let mut shift = 7;
+        loop {
+            let (&byte, after) = rest.split_first()?;
+            rest = after;
+            let bits = u32::from(byte & 0x7f);
+            // The fifth byte has room for 4 bits.
+            if shift > 28 || (shift == 28 && bits > 0xf) {
+                return None;
+            }
+            value |= bits << shift;
+            if byte < 0x80 {
+                break;
+            }
+            shift += 7;
+        }
+    }
+    *bytes = rest;
+    Some(value)
+}
+
+/// The record that begins at `start`: its body and where it ends.
+#[inline]
+pub(super) fn record_at(arena: &[u8], start: usize, length: u8) -> Option<(&[u8], usize)> {
+    if length < LONG_RECORD {
+        let end = start + usize::from(length);
+        return Some((arena.get(start..end)?, end));
+    }
+    let length = long_length(arena.get(start..start.checked_add(4)?)?)?;
+    let end = start.checked_add(length)?;
+    Some((arena.get(start + 4..end)?.get(..length - 8)?, end))
+}
+
+/// The record that ends at `end`: its body and where it begins.
+#[inline]
+pub(super) fn record_before(arena: &[u8], end: usize, length: u8) -> Option<(&[u8], usize)> {
+    if length < LONG_RECORD {
+        let start = end.checked_sub(usize::from(length))?;
+        return Some((arena.get(start..end)?, start));
+    }
+    let length = long_length(arena.get(end.checked_sub(4)?..end)?)?;
+    let start = end.checked_sub(length)?;
+    Some((arena.get(start + 4..end - 4)?, start))
+}
+
+fn long_length(bytes: &[u8]) -> Option<usize> {
+    let length = u32::from_le_bytes(bytes.try_into().ok()?) as usize;
+    (length >= 8).then_some(length)
+}
+
+/// Turns records written from the full mesh down into the arena, which is read from the base up.
+pub(super) fn in_refinement_order(reversed: &[u8], lengths: &[usize]) -> (Vec<u8>, Vec<u8>) {
+    let mut arena = Vec::with_capacity(reversed.len());
+    let mut record_lengths = Vec::with_capacity(lengths.len());
+    let mut end = reversed.len();
+    for &length in lengths.iter().rev() {
+        let body = &reversed[end - length..end];
+        end -= length;
+        if length < usize::from(LONG_RECORD) {
+            record_lengths.push(length as u8);
+            arena.extend_from_slice(body);
+        } else {
+            let ends = (length as u32 + 8).to_le_bytes();
+            record_lengths.push(LONG_RECORD);
+            arena.extend(ends);
+            arena.extend_from_slice(body);
+            arena.extend(ends);
+        }
+    }
+    (arena, record_lengths)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_over_32_bits_are_refused() {
+        for bytes in [&[0xff, 0xff, 0xff, 0xff, 0x1f][..], &[0x80, 0x80, 0x80, 0x80, 0x80, 0x00], &[0x80]] {
+            assert_eq!(read_varint(&mut &*bytes), None);
+        }
+        assert_eq!(read_varint(&mut &[0xff, 0xff, 0xff, 0xff, 0x0f][..]), Some(u32::MAX));
+    }
+
+    #[test]
+    fn long_records_are_found_from_both_ends() {
+        let mut arena = vec![1, 2, 3];
+        let length = 308u32.to_le_bytes();
+        arena.extend(length);
+        arena.extend([7; 300]);
+        arena.extend(length);
+        let body = &[7; 300][..];
+        assert_eq!(record_at(&arena, 3, LONG_RECORD), Some((body, 311)));
+        assert_eq!(record_before(&arena, 311, LONG_RECORD), Some((body, 3)));
+        assert_eq!(record_before(&arena, 310, LONG_RECORD), None);
+        assert_eq!(record_at(&arena, 0, 3), Some((&[1, 2, 3][..], 3)));
+    }
+}

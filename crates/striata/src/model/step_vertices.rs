@@ -1,0 +1,58 @@
+//! What strip models take from a collapse sequence.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use crate::mesh::CollapseSequence;
+
+/// What the model takes from the sequence: the vertices of each step and where they collapse to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct StepVertices<'a> {
+    pub(crate) vertex_count: usize,
+    pub(crate) base_vertex_count: u32,
+    /// First vertex of each step, closed by the vertex count; empty where each step has one vertex.
+    pub(crate) firsts: Cow<'a, [u32]>,
+    pub(crate) targets: Cow<'a, [u32]>,
+}
+
+impl StepVertices<'_> {
+    /// The vertices that a step restores.
+    #[inline]
+    pub(super) fn of_step(&self, step: usize) -> Range<u32> {
+        if self.firsts.is_empty() {
+            let first = self.base_vertex_count + step as u32;
+            first..first + 1
+        } else {
+            self.firsts[step]..self.firsts[step + 1]
+        }
+    }
+
+    /// Where a vertex above the base collapses to.
+    #[inline]
+    pub(super) fn target(&self, vertex: u32) -> u32 {
+        self.targets[(vertex - self.base_vertex_count) as usize]
+    }
+}
+
+impl<'a> StepVertices<'a> {
+    /// The vertices of the steps as the sequence has them.
+    pub(crate) fn of_sequence(sequence: &'a CollapseSequence) -> Self {
+        let positions = sequence.positions();
+        let firsts = &positions.first_vertices()[sequence.base_position_count()..];
+        Self {
+            vertex_count: positions.vertex_count(),
+            base_vertex_count: sequence.base_vertex_count() as u32,
+            firsts: if positions.is_identity() { [].as_slice().into() } else { firsts.into() },
+            targets: sequence.targets().into(),
+        }
+    }
+
+    pub(super) fn into_owned(self) -> StepVertices<'static> {
+        StepVertices {
+            vertex_count: self.vertex_count,
+            base_vertex_count: self.base_vertex_count,
+            firsts: self.firsts.into_owned().into(),
+            targets: self.targets.into_owned().into(),
+        }
+    }
+}
