@@ -1,4 +1,4 @@
-//! Files in: mapped into memory, unpacked, recognised, and blamed line by line where they are wrong.
+//! Files in: mapped into memory, unpacked, recognised, and blamed line by line where they are wrong; and shapes.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -11,16 +11,27 @@ use striata::mesh::IndexedMesh;
 use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes};
 
 use crate::failure::{Excerpt, Failure};
+use crate::shapes::Shape;
 
-/// A file whose bytes are at hand and whose kind is known.
+/// A file whose bytes are at hand and whose kind is known, or a shape.
 #[derive(Debug)]
 pub(crate) struct Input {
     /// The name that messages show.
     pub(crate) name: String,
-    /// What it is.
-    pub(crate) format: Format,
-    /// Bytes as they lie on disk.
-    pub(crate) file_bytes: usize,
+    content: Content,
+}
+
+#[derive(Debug)]
+enum Content {
+    File(FileContent),
+    Shape(Shape),
+}
+
+#[derive(Debug)]
+struct FileContent {
+    format: Format,
+    /// As they lie on disk.
+    file_bytes: usize,
     folder: Option<PathBuf>,
     bytes: Bytes,
 }
@@ -41,11 +52,14 @@ impl Bytes {
 }
 
 impl Input {
-    /// Opens a file, or stdin for `-`, takes gzip and zstd off, and recognises what is inside.
+    /// Opens a file, or stdin for `-`, takes gzip and zstd off, and recognises what is inside; or finds a shape.
     ///
     /// # Errors
-    /// Where it cannot be read or is no file that we know.
+    /// Where it cannot be read, is no file that we know, or there is no such shape.
     pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
+        if let Some(shape) = Shape::named(path)? {
+            return Ok(Self { name: path.display().to_string(), content: Content::Shape(shape) });
+        }
         let is_stdin = path == Path::new("-");
         let name = if is_stdin { "stdin".to_owned() } else { path.display().to_string() };
         let raw = if is_stdin { read_stdin() } else { map(path) };
@@ -60,7 +74,28 @@ impl Input {
             return Err(ReadError::UnknownFormat { file: name }.into());
         };
         let folder = (!is_stdin).then(|| folder_of(path));
-        Ok(Self { name, format, file_bytes, folder, bytes })
+        Ok(Self { name, content: Content::File(FileContent { format, file_bytes, folder, bytes }) })
+    }
+
+    /// What it is, in a word.
+    pub(crate) fn kind(&self) -> &'static str {
+        match &self.content {
+            Content::File(file) => file.format.extension(),
+            Content::Shape(_) => "shape",
+        }
+    }
+
+    /// Whether it is a .striata file.
+    pub(crate) fn is_striata(&self) -> bool {
+        matches!(&self.content, Content::File(file) if file.format == Format::Striata)
+    }
+
+    /// Bytes as they lie on disk; none of a shape.
+    pub(crate) fn file_bytes(&self) -> Option<usize> {
+        match &self.content {
+            Content::File(file) => Some(file.file_bytes),
+            Content::Shape(_) => None,
+        }
     }
 
     /// The name without its folder: what may be told to others.
@@ -69,21 +104,25 @@ impl Input {
         name.map_or_else(|| self.name.clone(), |name| name.to_string_lossy().into_owned())
     }
 
-    /// The mesh of a mesh file, or the full level of a .striata file.
+    /// The mesh of a mesh file or a shape, or the full level of a .striata file.
     ///
     /// # Errors
     /// Where the bytes are no such thing; the message names the place.
     pub(crate) fn mesh(&self) -> Result<IndexedMesh, Failure> {
-        if self.format == Format::Striata {
+        let file = match &self.content {
+            Content::File(file) => file,
+            Content::Shape(shape) => return Ok(shape.mesh()),
+        };
+        if file.format == Format::Striata {
             let refinable = self.striata()?.refinable_mesh();
             return Ok(refinable.map_err(|error| self.damaged(&error))?.mesh);
         }
         let mut source = Source::new(&self.name);
-        if let Some(folder) = &self.folder {
+        if let Some(folder) = &file.folder {
             source = source.with_folder(folder);
         }
-        read_bytes(self.bytes.as_slice(), &source).map_err(|error| {
-            let excerpt = self.excerpt(&error);
+        read_bytes(file.bytes.as_slice(), &source).map_err(|error| {
+            let excerpt = excerpt(&self.name, file.bytes.as_slice(), &error);
             Failure::from(error).with_excerpt(excerpt)
         })
     }
@@ -93,12 +132,16 @@ impl Input {
     /// # Errors
     /// Where the file is a mesh, or a container that is damaged or too new.
     pub(crate) fn striata(&self) -> Result<StriataFile<'_>, Failure> {
-        if self.format != Format::Striata {
-            let message = format!("{}: this is a mesh ({}), not a .striata file", self.name, self.format);
-            return Err(Failure::user(message)
-                .with_hint("make one with `striata build`, or use `striata simplify` on the mesh"));
+        match &self.content {
+            Content::File(file) if file.format == Format::Striata => {
+                StriataFile::parse(file.bytes.as_slice()).map_err(|error| self.damaged(&error))
+            }
+            _ => {
+                let message = format!("{}: this is a mesh ({}), not a .striata file", self.name, self.kind());
+                Err(Failure::user(message)
+                    .with_hint("make one with `striata build`, or use `striata simplify` on the mesh"))
+            }
         }
-        StriataFile::parse(self.bytes.as_slice()).map_err(|error| self.damaged(&error))
     }
 
     /// A failure to decode this file.
@@ -106,13 +149,12 @@ impl Input {
         Failure::user(format!("{}: {error}", self.name))
             .with_hint("the file is damaged or cut off; build it again, or copy it again")
     }
+}
 
-    /// The line to blame, where the file is text and the error knows its line.
-    fn excerpt(&self, error: &ReadError) -> Option<Excerpt> {
-        let ReadError::Malformed { place: Place::Line(line), .. } = error else { return None };
-        let text = std::str::from_utf8(self.bytes.as_slice()).ok()?;
-        Excerpt::around(&self.name, text, usize::try_from(*line).ok()?)
-    }
+/// The line to blame, where the file is text and the error knows its line.
+fn excerpt(name: &str, bytes: &[u8], error: &ReadError) -> Option<Excerpt> {
+    let ReadError::Malformed { place: Place::Line(line), .. } = error else { return None };
+    Excerpt::around(name, std::str::from_utf8(bytes).ok()?, usize::try_from(*line).ok()?)
 }
 
 fn folder_of(path: &Path) -> PathBuf {

@@ -12,6 +12,7 @@ mod output;
 mod page;
 mod picture;
 mod save;
+mod shapes;
 mod strip_chain;
 mod strip_report;
 

@@ -1,5 +1,6 @@
 //! The arguments of the command: one type per verb, and the values that flags take.
 
+mod compare;
 mod strips;
 
 use std::fmt;
@@ -8,8 +9,9 @@ use std::str::FromStr;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
+pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, StripifierArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
-pub(crate) use self::strips::{CompareArgs, StripArgs, StripSearchArgs};
+pub(crate) use self::strips::{StripArgs, StripSearchArgs};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
@@ -62,7 +64,7 @@ pub(crate) enum Verb {
     Simplify(SimplifyArgs),
     /// Cover a mesh by triangle strips
     Strip(StripArgs),
-    /// Compare stripifiers on the same meshes
+    /// Compare models and stripifiers on the same meshes
     Compare(CompareArgs),
     /// Measure the distance between two surfaces
     Distance(DistanceArgs),

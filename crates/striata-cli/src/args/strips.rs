@@ -15,10 +15,6 @@ const STRIP_STRIPS: Stripifier = Stripifier::Cheapest;
 /// The strips that `build` makes where nothing else is said.
 pub(super) const BUILD_STRIPS: Stripifier = Stripifier::Cheapest;
 
-/// The stripifiers that `compare` measures where nothing else is said.
-const COMPARED_STRIPS: &str =
-    "greedy,stripe,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17,fewest,cheapest";
-
 /// Entries of the vertex cache that misses are counted for where nothing else is said.
 const USUAL_CACHE_SIZE: u32 = 16;
 
@@ -58,35 +54,6 @@ pub(crate) struct StripArgs {
     /// How long, and with which chances.
     #[command(flatten)]
     pub(crate) search: StripSearchArgs,
-}
-
-/// Arguments of `compare`.
-#[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  \
-    striata compare bunny.ply cow.obj --html strips.html\n  \
-    striata compare bunny.ply --strips greedy,greedy+tunnel:9 --seeds 3 --json")]
-pub(crate) struct CompareArgs {
-    /// Meshes, or .striata files (their full level)
-    #[arg(value_name = "INPUT", required = true)]
-    pub(crate) inputs: Vec<PathBuf>,
-    /// Write a page with charts too; it opens without a network
-    #[arg(long, value_name = "OUT")]
-    pub(crate) html: Option<PathBuf>,
-    /// Merge equal vertices first, as `build` does
-    #[arg(long)]
-    pub(crate) weld: bool,
-    /// The longest tunnel searched for: every odd length up to it is measured
-    #[arg(long, value_name = "N", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..=999))]
-    pub(crate) max_tunnel: u32,
-    /// Seeds that each tunnel length is measured with
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
-    pub(crate) seeds: u32,
-    /// Stripifiers to compare, separated by commas, chained by +
-    #[arg(long, value_name = "SPECS", value_delimiter = ',', default_value = COMPARED_STRIPS)]
-    pub(crate) strips: Vec<StripChain>,
-    /// Seconds that those which search are given, one after the other, besides their usual number of moves
-    #[arg(long, value_name = "SECS", value_delimiter = ',', default_value = "0.1,0.5,2", allow_negative_numbers = true, value_parser = parse_at_least_zero)]
-    pub(crate) budgets: Vec<f64>,
 }
 
 /// How those stripifiers that search do it.
@@ -145,7 +112,7 @@ fn parse_block_triangles(text: &str) -> Result<usize, String> {
     }
 }
 
-fn parse_at_least_zero(text: &str) -> Result<f64, String> {
+pub(super) fn parse_at_least_zero(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() && number >= 0.0 => Ok(number),
         _ => Err("must be a number, 0 or more".to_owned()),

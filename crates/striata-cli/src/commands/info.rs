@@ -5,7 +5,6 @@ use serde_json::{Map, Value, json};
 use striata::codec::FORMAT_VERSION;
 use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData, Statistics, validate};
 use striata::model::LodModel;
-use striata_io::Format;
 
 use crate::args::InfoArgs;
 use crate::failure::Failure;
@@ -20,7 +19,8 @@ const SPELLED_OUT: usize = 5;
 struct Report {
     kind: &'static str,
     format_version: Option<u32>,
-    file_bytes: usize,
+    /// None of a shape.
+    file_bytes: Option<usize>,
     vertex_count: usize,
     triangle_count: usize,
     position_count: Option<usize>,
@@ -56,11 +56,7 @@ struct Report {
 /// Where the file cannot be read.
 pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
-    let report = if input.format == Format::Striata {
-        of_container(&input)?
-    } else {
-        Report::new(&input, &input.mesh()?)
-    };
+    let report = if input.is_striata() { of_container(&input)? } else { Report::new(&input, &input.mesh()?) };
     output.data(&report, &report.to_text(&input.name))
 }
 
@@ -95,9 +91,9 @@ impl Report {
         let count = |pick: fn(&Statistics) -> usize| statistics.as_ref().map(pick);
         let defects = validate(mesh);
         Self {
-            kind: input.format.extension(),
+            kind: input.kind(),
             format_version: None,
-            file_bytes: input.file_bytes,
+            file_bytes: input.file_bytes(),
             vertex_count: mesh.vertex_count(),
             triangle_count: mesh.triangle_count(),
             position_count: count(|s| s.position_count),
@@ -143,7 +139,8 @@ impl Report {
     fn to_text(&self, name: &str) -> String {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
-        row("file", format!("{name} ({}, {})", self.kind, sized(self.file_bytes)));
+        let size = self.file_bytes.map_or_else(String::new, |bytes| format!(", {}", sized(bytes)));
+        row("file", format!("{name} ({}{size})", self.kind));
         row("triangles", grouped(self.triangle_count));
         row("vertices", grouped(self.vertex_count));
         for (what, count) in [

@@ -12,6 +12,7 @@ mod simplify;
 mod strip;
 mod strip_blocks;
 
+pub(crate) use self::compare::compared_models;
 use crate::args::{Cli, Verb};
 use crate::failure::Failure;
 use crate::output::Output;

@@ -12,6 +12,7 @@ use crate::clock::peak_rss_bytes;
 use crate::failure::Failure;
 use crate::output::{Output, Table, grouped, lasted, sized};
 use crate::save::{format_of, is_stdout};
+use crate::shapes::Shape;
 
 #[derive(Serialize)]
 struct Report {
@@ -94,6 +95,10 @@ fn check_places(args: &StripArgs) -> Result<Option<Format>, Failure> {
     if args.weld {
         return Err(Failure::user("--weld needs the whole mesh in memory")
             .with_hint("leave --weld out, or leave --block-triangles out"));
+    }
+    if Shape::named(&args.input)?.is_some() {
+        return Err(Failure::user(format!("{}: blocks are read from a file", args.input.display()))
+            .with_hint("write one first: striata convert SHAPE OUT.ply"));
     }
     if is_stdout(&args.input) {
         return Err(Failure::user("stdin: a mesh is read several times to cut it into blocks")

@@ -74,9 +74,10 @@ impl Labels {
         Self { frame, font_px, taken: Vec::new() }
     }
 
-    /// Marks, and the line through them, that no name may cover.
-    pub(super) fn keep_free(&mut self, points: &[Pixel]) {
-        self.taken.extend(points.iter().map(|&point| Frame::around(point, Self::MARK_PX)));
+    /// Points, marked or not, and the line through them, that no name may cover.
+    pub(super) fn keep_free(&mut self, points: &[Pixel], has_marks: bool) {
+        let point_px = if has_marks { Self::MARK_PX } else { Self::LINE_PX };
+        self.taken.extend(points.iter().map(|&point| Frame::around(point, point_px)));
         for pair in points.windows(2) {
             let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
             let count = ((x1 - x0).abs().max((y1 - y0).abs()) / Self::LINE_PX).max(1);
@@ -142,7 +143,7 @@ mod tests {
     fn names_lie_beside_their_points_and_not_over_each_other() {
         let mut labels = Labels::new(Frame { left: 0, top: 0, right: 400, bottom: 300 }, 20);
         let points = [(100, 100), (100, 104), (390, 50), (100, 96)];
-        points.iter().for_each(|&point| labels.keep_free(&[point]));
+        points.iter().for_each(|&point| labels.keep_free(&[point], true));
         let spots: Vec<Spot> = points.iter().map(|&p| labels.place("name", &[p]).unwrap()).collect();
         assert_eq!(spots[0], Spot { x: 111, y: 100, anchor: Anchor::Start });
         assert_eq!(spots[2].anchor, Anchor::End, "a name at the edge goes to the left");
@@ -157,7 +158,7 @@ mod tests {
     fn names_keep_off_lines() {
         let mut labels = Labels::new(Frame { left: 0, top: 0, right: 400, bottom: 300 }, 20);
         let line = [(50, 50), (350, 250)];
-        labels.keep_free(&line);
+        labels.keep_free(&line, true);
         let spot = labels.place("a longer name", &line[1..]).unwrap();
         let frame = labels.box_of(spot, 156);
         for x in 50..350 {

@@ -3,14 +3,21 @@
 //! Each part that measures something is a file here with its `measure`, its `table` of rows for people, and its
 //! `section` of the page; this file puts parts and meshes together.
 
+mod bars;
+mod contenders;
+mod contest;
 mod labels;
+mod models;
+mod oracle;
 mod page;
+mod papers;
 #[cfg(feature = "peers")]
 mod peers;
 mod plot;
 mod scale;
 mod stripifiers;
 mod tunnels;
+mod walks;
 
 use std::path::Path;
 use std::time::Instant;
@@ -20,10 +27,13 @@ use striata::mesh::{IndexedMesh, weld};
 use striata::strip::strip_count_bound;
 use striata_io::write_atomically;
 
+pub(crate) use self::contenders::compared_models;
+use self::models::ModelsReport;
 use self::page::MeshPart;
+use self::papers::PaperRow;
 use self::stripifiers::StripifierRow;
 use self::tunnels::TunnelRow;
-use crate::args::CompareArgs;
+use crate::args::{CompareArgs, Part, StripifierArgs};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Bar, Output, Table, grouped, lasted, to_stdout};
@@ -43,7 +53,12 @@ struct MeshReport {
     vertex_count: usize,
     triangle_count: usize,
     component_count: usize,
-    strips: StripsReport,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    strips: Option<StripsReport>,
+    #[serde(flatten)]
+    models: Option<ModelsReport>,
+    /// Empty where no paper measured this mesh.
+    papers: Vec<PaperRow>,
 }
 
 #[derive(Serialize)]
@@ -62,6 +77,7 @@ pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     let page_to_stdout = args.html.as_deref().is_some_and(is_stdout);
     output.check_stdout_is_free(page_to_stdout)?;
     args.html.as_deref().map_or(Ok(()), check_folder)?;
+    contenders::entries(&args.models.names())?;
     // All are opened first: a file that is not there is told before minutes of work.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
     let meshes = inputs.iter().map(|input| measure(input, args, output)).collect::<Result<_, _>>()?;
@@ -80,26 +96,40 @@ pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
 }
 
 fn measure(input: &Input, args: &CompareArgs, output: &Output) -> Result<MeshReport, Failure> {
-    let mut mesh = input.mesh()?;
+    let mesh = input.mesh()?;
     let blamed = |failure: Failure| failure.in_file(&input.name);
-    if args.weld {
-        mesh = weld(&mesh).map_err(|error| blamed(error.into()))?.mesh;
-    }
+    let say = |what: &str| output.say(&format!("{}: {what}", input.name));
     let mut bar = output.bar();
-    let strips =
-        measure_strips(&mesh, args, &mut bar, &|what| output.say(&format!("{}: {what}", input.name)));
+    let report = measure_mesh(input.file_name(), mesh, args, &mut bar, &say);
+    report.map_err(blamed)
+}
+
+fn measure_mesh(
+    name: String,
+    mesh: IndexedMesh,
+    args: &CompareArgs,
+    bar: &mut Bar,
+    say: &dyn Fn(&str),
+) -> Result<MeshReport, Failure> {
+    let mesh = if args.strips.weld { weld(&mesh)?.mesh } else { mesh };
+    let component_count = mesh.component_count()?;
+    let strips = args.has(Part::Strips).then(|| measure_strips(&mesh, &args.strips, bar, say)).transpose()?;
+    let models =
+        args.has(Part::Models).then(|| models::measure(&mesh, &args.models, bar, say)).transpose()?;
     Ok(MeshReport {
-        name: input.file_name(),
+        name,
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
-        component_count: mesh.component_count().map_err(|error| blamed(error.into()))?,
-        strips: strips.map_err(blamed)?,
+        component_count,
+        strips,
+        papers: models.as_ref().map_or_else(Vec::new, papers::beside),
+        models,
     })
 }
 
 fn measure_strips(
     mesh: &IndexedMesh,
-    args: &CompareArgs,
+    args: &StripifierArgs,
     bar: &mut Bar,
     say: &dyn Fn(&str),
 ) -> Result<StripsReport, Failure> {
@@ -107,7 +137,7 @@ fn measure_strips(
     let tunnel_lengths =
         tunnels::measure(mesh, args.max_tunnel, args.seeds, &mut |share| bar.share("tunnels", share))?;
     let mut show = |name: &str| say(name);
-    let stripifiers = stripifiers::measure(mesh, &args.strips, &args.budgets, &mut show)?;
+    let stripifiers = stripifiers::measure(mesh, &args.chains, &args.budgets, &mut show)?;
     Ok(StripsReport { strip_count_bound: strip_count_bound(mesh), tunnel_lengths, stripifiers })
 }
 
@@ -115,15 +145,8 @@ impl Report {
     fn to_text(&self) -> String {
         let mut text = String::new();
         for mesh in &self.meshes {
-            let strips = &mesh.strips;
             text.push_str(&format!("{}: {}\n\n", mesh.name, mesh.summary()));
-            text.push_str(
-                "Strips by the longest tunnel: mean, lowest to highest, standard deviation of the sample\n",
-            );
-            text.push_str(&text_of(tunnels::table(&strips.tunnel_lengths)));
-            text.push_str("\nTime against quality\n");
-            text.push_str(&text_of(stripifiers::table(&strips.stripifiers)));
-            text.push('\n');
+            mesh.add_text(&mut text);
         }
         text.push_str(&format!("{}; all measured in {}\n", self.machine, lasted(self.secs)));
         text
@@ -139,20 +162,50 @@ impl MeshReport {
     fn summary(&self) -> String {
         let components = if self.component_count == 1 { "component" } else { "components" };
         // Not a bound for `cheapest`, which also joins strips at vertices.
+        let bound = self.strips.as_ref().map_or_else(String::new, |strips| {
+            format!("; at least {} strips along its edges", grouped(strips.strip_count_bound))
+        });
         format!(
-            "{} triangles, {} vertices, {} {components}; at least {} strips along its edges",
+            "{} triangles, {} vertices, {} {components}{bound}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.component_count),
-            grouped(self.strips.strip_count_bound)
         )
     }
 
+    fn add_text(&self, text: &mut String) {
+        if let Some(models) = &self.models {
+            text.push_str(&models::to_text(models, text_of));
+            text.push('\n');
+        }
+        if !self.papers.is_empty() {
+            text.push_str(&format!("Beside the papers: {}\n", papers::READING));
+            text.push_str(&text_of(papers::table(&self.papers)));
+            text.push('\n');
+        }
+        if let Some(strips) = &self.strips {
+            text.push_str(
+                "Strips by the longest tunnel: mean, lowest to highest, standard deviation of the sample\n",
+            );
+            text.push_str(&text_of(tunnels::table(&strips.tunnel_lengths)));
+            text.push_str("\nTime against quality\n");
+            text.push_str(&text_of(stripifiers::table(&strips.stripifiers)));
+            text.push('\n');
+        }
+    }
+
     fn to_part(&self) -> Result<MeshPart, Failure> {
-        let sections = vec![
-            tunnels::section(&self.strips.tunnel_lengths)?,
-            stripifiers::section(&self.strips.stripifiers)?,
-        ];
+        let mut sections = Vec::new();
+        if let Some(models) = &self.models {
+            sections.extend(models::sections(models)?);
+        }
+        if !self.papers.is_empty() {
+            sections.push(papers::section(&self.papers));
+        }
+        if let Some(strips) = &self.strips {
+            sections.push(tunnels::section(&strips.tunnel_lengths)?);
+            sections.push(stripifiers::section(&strips.stripifiers)?);
+        }
         Ok(MeshPart { name: self.name.clone(), summary: self.summary(), sections })
     }
 }

@@ -1,5 +1,6 @@
 //! The page of a comparison: for each mesh its sections, each with charts and tables.
 
+use super::bars::BarChart;
 use super::plot::{self, Chart};
 use crate::failure::Failure;
 use crate::page::{STYLE, escaped, fill, table};
@@ -35,6 +36,14 @@ impl Block {
     /// # Errors
     /// Where it cannot be drawn.
     pub(super) fn chart(chart: &Chart, alt: &str) -> Result<Self, Failure> {
+        Ok(Self::Chart { svg: chart.to_svg()?, alt: alt.to_owned() })
+    }
+
+    /// Draws the bars.
+    ///
+    /// # Errors
+    /// Where they cannot be drawn.
+    pub(super) fn bars(chart: &BarChart, alt: &str) -> Result<Self, Failure> {
         Ok(Self::Chart { svg: chart.to_svg()?, alt: alt.to_owned() })
     }
 

@@ -15,17 +15,21 @@ use super::scale::Scale;
 use crate::failure::Failure;
 
 /// Pixels of a chart as drawn; the page scales it.
-const SIZE: (u32, u32) = (960, 560);
-const FONT: &str = "sans-serif";
-const FONT_PX: u32 = 22;
+pub(super) const SIZE: (u32, u32) = (960, 560);
+/// Letters.
+pub(super) const FONT: &str = "sans-serif";
+/// Their height.
+pub(super) const FONT_PX: u32 = 22;
 
-/// What is drawn that is no series: colour, and the page's variable for it.
-const INK: (RGBColor, &str) = (RGBColor(0x23, 0x20, 0x1c), "ink");
-const SOFT: (RGBColor, &str) = (RGBColor(0x6d, 0x66, 0x5c), "soft");
-const RULE: (RGBColor, &str) = (RGBColor(0xdd, 0xd7, 0xcd), "rule");
+/// Names and titles, as all that is no series: colour, and the page's variable for it.
+pub(super) const INK: (RGBColor, &str) = (RGBColor(0x23, 0x20, 0x1c), "ink");
+/// Numbers on axes.
+pub(super) const SOFT: (RGBColor, &str) = (RGBColor(0x6d, 0x66, 0x5c), "soft");
+/// Lines behind what is drawn.
+pub(super) const RULE: (RGBColor, &str) = (RGBColor(0xdd, 0xd7, 0xcd), "rule");
 
 /// Colours of series in the light theme and in the dark one.
-const SERIES: [(RGBColor, &str); 10] = [
+pub(super) const SERIES: [(RGBColor, &str); 10] = [
     (RGBColor(0x0b, 0x6e, 0x99), "#5bb8e0"),
     (RGBColor(0xc2, 0x57, 0x1a), "#f0955a"),
     (RGBColor(0x2e, 0x8b, 0x57), "#6fcf97"),
@@ -47,6 +51,15 @@ pub(super) struct Series {
     pub(super) points: Vec<(f64, f64)>,
     /// The lowest and the highest of what each point stands for; empty where there is no spread.
     pub(super) spread: Vec<(f64, f64)>,
+}
+
+impl Series {
+    /// More points are a line only.
+    const MAX_MARKS: usize = 30;
+
+    fn has_marks(&self) -> bool {
+        self.points.len() <= Self::MAX_MARKS
+    }
 }
 
 /// A chart to draw.
@@ -103,7 +116,7 @@ impl Chart {
                 chart.plotting_area().draw(&Polygon::new(outline, colour.mix(0.22)))?;
             }
             chart.plotting_area().draw(&PathElement::new(series.points.clone(), colour.stroke_width(3)))?;
-            for &point in &series.points {
+            for &point in series.points.iter().filter(|_| series.has_marks()) {
                 chart.plotting_area().draw(&Circle::new(point, 5, colour.filled()))?;
             }
         }
@@ -124,7 +137,9 @@ impl Chart {
         mut labels: Labels,
         places: &[Vec<Pixel>],
     ) -> Result<(), Box<dyn Error + '_>> {
-        places.iter().for_each(|points| labels.keep_free(points));
+        for (series, points) in self.series.iter().zip(places) {
+            labels.keep_free(points, series.has_marks());
+        }
         let drawn = self.series.iter().zip(places).zip(SERIES.iter().cycle());
         for ((series, points), (colour, _)) in drawn {
             let from_the_right: Vec<Pixel> = points.iter().rev().copied().collect();

@@ -52,6 +52,26 @@ impl Scale {
         Self { low: lowest, high: highest, is_log: true, ticks }
     }
 
+    /// Where its ticks are.
+    pub(super) fn ticks(&self) -> &[f64] {
+        &self.ticks
+    }
+
+    /// The pixel of a value on an axis from one pixel to another.
+    pub(super) fn pixel(&self, value: f64, (first, last): (i32, i32)) -> i32 {
+        first + (self.share(value) * f64::from(last - first)).round() as i32
+    }
+
+    /// A tick as it is written.
+    pub(super) fn label(value: f64) -> String {
+        if value >= 1000.0 {
+            return grouped(value.round() as usize);
+        }
+        // Ticks have few digits; what arithmetic left behind them is not shown.
+        let text = format!("{value:.6}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    }
+
     fn share(&self, value: f64) -> f64 {
         if self.is_log {
             (value.max(self.low / 10.0) / self.low).ln() / (self.high / self.low).ln()
@@ -82,8 +102,8 @@ impl Ranged for Scale {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
 
-    fn map(&self, value: &f64, (first, last): (i32, i32)) -> i32 {
-        first + (self.share(*value) * f64::from(last - first)).round() as i32
+    fn map(&self, &value: &f64, ends: (i32, i32)) -> i32 {
+        self.pixel(value, ends)
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
@@ -98,12 +118,7 @@ impl Ranged for Scale {
 
 impl ValueFormatter<f64> for Scale {
     fn format_ext(&self, &value: &f64) -> String {
-        if value >= 1000.0 {
-            return grouped(value.round() as usize);
-        }
-        // Ticks have few digits; what arithmetic left behind them is not shown.
-        let text = format!("{value:.6}");
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        Self::label(value)
     }
 }
 

@@ -1,0 +1,118 @@
+//! The arguments of `compare`.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use super::strips::{BUILD_STRIPS, STRIPS, parse_at_least_zero};
+use crate::commands::compared_models;
+use crate::strip_chain::{StripChain, StripPlan};
+
+/// The stripifiers that are measured where nothing else is said.
+const COMPARED_STRIPS: &str =
+    "greedy,stripe,tunnel:3,tunnel:17,tunnel-static:17,greedy+tunnel:17,fewest,cheapest";
+
+/// Heading of the flags about models.
+const MODELS: &str = "Models";
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata compare cow.obj bunny.ply shape:sphere --html compared.html\n  \
+    striata compare bunny.ply --parts strips --strips greedy,greedy+tunnel:9 --json")]
+pub(crate) struct CompareArgs {
+    /// Meshes, .striata files (their full level), or shapes such as shape:sphere
+    #[arg(value_name = "INPUT", required = true)]
+    pub(crate) inputs: Vec<PathBuf>,
+    /// Write a page with charts too; it opens without a network
+    #[arg(long, value_name = "OUT")]
+    pub(crate) html: Option<PathBuf>,
+    /// What to measure, separated by commas: strips, models
+    #[arg(
+        long,
+        value_name = "PARTS",
+        value_delimiter = ',',
+        default_value = "strips,models",
+        hide_possible_values = true
+    )]
+    pub(crate) parts: Vec<Part>,
+    /// How models are compared.
+    #[command(flatten)]
+    pub(crate) models: ModelArgs,
+    /// How stripifiers are compared.
+    #[command(flatten)]
+    pub(crate) strips: StripifierArgs,
+}
+
+/// What can be measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Part {
+    /// Stripifiers, on the mesh as it is.
+    Strips,
+    /// Multiresolution models.
+    Models,
+}
+
+/// How models are compared.
+#[derive(Debug, Args)]
+#[command(next_help_heading = MODELS)]
+pub(crate) struct ModelArgs {
+    #[arg(long = "models", value_name = "NAMES", value_delimiter = ',', help = models_help())]
+    names: Option<Vec<String>>,
+    /// Levels that a model is moved to on its way to the base mesh, and again on its way back
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub(crate) frames: u32,
+    /// The stripifiers whose strips models are built from, as in --strips
+    #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into())]
+    model_strips: StripChain,
+}
+
+/// How stripifiers are compared.
+#[derive(Debug, Args)]
+#[command(next_help_heading = STRIPS)]
+pub(crate) struct StripifierArgs {
+    /// Merge equal vertices before stripifiers are compared; for models they always are
+    #[arg(long)]
+    pub(crate) weld: bool,
+    /// The longest tunnel searched for: every odd length up to it is measured
+    #[arg(long, value_name = "N", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..=999))]
+    pub(crate) max_tunnel: u32,
+    /// Seeds that each tunnel length is measured with
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(crate) seeds: u32,
+    /// Stripifiers to compare, separated by commas, chained by +
+    #[arg(long = "strips", value_name = "SPECS", value_delimiter = ',', default_value = COMPARED_STRIPS)]
+    pub(crate) chains: Vec<StripChain>,
+    /// Seconds that those which search are given, one after the other, besides their usual number of moves
+    #[arg(long, value_name = "SECS", value_delimiter = ',', default_value = "0.1,0.5,2", allow_negative_numbers = true, value_parser = parse_at_least_zero)]
+    pub(crate) budgets: Vec<f64>,
+}
+
+impl CompareArgs {
+    /// Whether a part is asked for.
+    pub(crate) fn has(&self, part: Part) -> bool {
+        self.parts.contains(&part)
+    }
+}
+
+impl ModelArgs {
+    /// The models asked for; all where none is named.
+    pub(crate) fn names(&self) -> Vec<&str> {
+        match &self.names {
+            Some(names) => names.iter().map(|name| name.trim()).collect(),
+            None => compared_models().collect(),
+        }
+    }
+
+    /// The strips that models are built from.
+    pub(crate) fn strip_plan(&self) -> StripPlan {
+        StripPlan { chain: self.model_strips.clone(), search: Default::default() }
+    }
+}
+
+fn models_help() -> String {
+    format!(
+        "Models to compare, separated by commas [default: all]: {}",
+        compared_models().collect::<Vec<_>>().join(", ")
+    )
+}

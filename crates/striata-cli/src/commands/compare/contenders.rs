@@ -1,0 +1,185 @@
+//! The models that are compared: one line for each, and what is asked of all of them.
+
+use std::hint::black_box;
+use std::ops::Range;
+use std::time::{Duration, Instant};
+
+use striata::mesh::RefinableMesh;
+use striata::model::{DrawCounts, LodModel, LodStrips, ModelError, PartBytes, Topology};
+use striata::strip::StripSet;
+
+use crate::commands::build::unknown_name;
+use crate::failure::Failure;
+
+/// What all models are built from.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Given<'g> {
+    /// The mesh with its sequence.
+    pub(super) refinable: &'g RefinableMesh,
+    /// Strips of the full mesh.
+    pub(super) strips: &'g StripSet,
+}
+
+/// A model that can be compared.
+#[derive(Debug)]
+pub(super) struct Entry {
+    /// Its name.
+    pub(super) name: &'static str,
+    /// Whether it shows only some levels of the sequence.
+    pub(super) has_few_levels: bool,
+    build: fn(Given<'_>) -> Result<Box<dyn Contender>, Failure>,
+}
+
+/// All of them; the colours of charts follow this order.
+const ENTRIES: [Entry; 1] =
+    [Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips)))];
+
+impl Entry {
+    const fn new(name: &'static str, build: fn(Given<'_>) -> Result<Box<dyn Contender>, Failure>) -> Self {
+        Self { name, has_few_levels: false, build }
+    }
+
+    /// Builds the model, several times where that is quick.
+    ///
+    /// # Errors
+    /// Where it cannot be built, which is our fault.
+    pub(super) fn build(&self, given: Given<'_>) -> Result<Box<dyn Contender>, Failure> {
+        (self.build)(given)
+    }
+}
+
+/// The names of all models.
+pub(crate) fn compared_models() -> impl Iterator<Item = &'static str> {
+    ENTRIES.iter().map(|entry| entry.name)
+}
+
+/// The models of these names, each once and in our order.
+///
+/// # Errors
+/// Where a name is none of ours.
+pub(super) fn entries(names: &[&str]) -> Result<Vec<&'static Entry>, Failure> {
+    let known: Vec<&str> = compared_models().collect();
+    if let Some(unknown) = names.iter().find(|name| !known.contains(name)) {
+        return Err(unknown_name("model", unknown, &known));
+    }
+    static ALL: [Entry; ENTRIES.len()] = ENTRIES;
+    Ok(ALL.iter().filter(|entry| names.contains(&entry.name)).collect())
+}
+
+/// A model with one instance, whatever its type.
+pub(super) trait Contender {
+    /// The quickest of its builds, seconds.
+    fn build_secs(&self) -> f64;
+    /// The level that it shows.
+    fn split_count(&self) -> usize;
+    /// Moves it to a level.
+    fn move_to(&mut self, split_count: usize);
+    /// From the finest of these levels one step at a time to the coarsest, and back; how long that took.
+    fn sweep(&mut self, levels: Range<usize>) -> Duration;
+    /// What drawing it takes now.
+    fn draw_counts(&self) -> DrawCounts;
+    /// How it is drawn.
+    fn topology(&self) -> Topology;
+    /// Appends all that is drawn.
+    fn indices_into(&self, out: &mut Vec<u32>);
+    /// Appends the triangles that it shows.
+    fn triangles_into(&self, out: &mut Vec<[u32; 3]>);
+    /// Bytes of the static half by part.
+    fn bytes(&self) -> Vec<PartBytes>;
+    /// Bytes of the instance as it is now.
+    fn state_bytes(&self) -> usize;
+    /// Bytes of the static half as the papers count.
+    fn paper_bytes(&self) -> usize;
+}
+
+struct Built<M: LodModel> {
+    model: M,
+    state: M::State,
+    build_secs: f64,
+}
+
+/// Builds a model up to [`BUILD_COUNT`] times, as long as that stays within [`BUILD_SECS`].
+fn built<M>(mut make: impl FnMut() -> Result<M, ModelError>) -> Result<Box<dyn Contender>, Failure>
+where
+    M: LodModel + 'static,
+{
+    let mut timed = || {
+        let started = Instant::now();
+        let model = make()?;
+        Ok::<_, Failure>((model, started.elapsed().as_secs_f64()))
+    };
+    let (mut model, mut build_secs) = timed()?;
+    let mut spent = build_secs;
+    for _ in 1..BUILD_COUNT {
+        if spent >= BUILD_SECS {
+            break;
+        }
+        // The one before is gone first: two of them may be more than there is memory for.
+        drop(model);
+        let (again, secs) = timed()?;
+        (model, build_secs, spent) = (again, build_secs.min(secs), spent + secs);
+    }
+    let state = model.new_state();
+    Ok(Box::new(Built { model, state, build_secs }))
+}
+
+/// Builds of a model, at most; the quickest is told.
+const BUILD_COUNT: usize = 3;
+
+/// Seconds after which a model is not built again.
+const BUILD_SECS: f64 = 1.0;
+
+impl<M: LodModel> Contender for Built<M> {
+    fn build_secs(&self) -> f64 {
+        self.build_secs
+    }
+
+    fn split_count(&self) -> usize {
+        self.model.split_count(&self.state)
+    }
+
+    fn move_to(&mut self, split_count: usize) {
+        self.model.move_to(&mut self.state, split_count);
+    }
+
+    fn sweep(&mut self, levels: Range<usize>) -> Duration {
+        self.move_to(levels.end);
+        let started = Instant::now();
+        for split_count in levels.clone().rev() {
+            self.model.move_to(&mut self.state, split_count);
+        }
+        for split_count in levels {
+            self.model.move_to(&mut self.state, split_count + 1);
+        }
+        black_box(&self.state);
+        started.elapsed()
+    }
+
+    fn draw_counts(&self) -> DrawCounts {
+        self.model.draw_counts(&self.state)
+    }
+
+    fn topology(&self) -> Topology {
+        self.model.topology()
+    }
+
+    fn indices_into(&self, out: &mut Vec<u32>) {
+        self.model.indices_into(&self.state, out);
+    }
+
+    fn triangles_into(&self, out: &mut Vec<[u32; 3]>) {
+        self.model.triangles_into(&self.state, out);
+    }
+
+    fn bytes(&self) -> Vec<PartBytes> {
+        self.model.bytes()
+    }
+
+    fn state_bytes(&self) -> usize {
+        self.model.state_bytes(&self.state)
+    }
+
+    fn paper_bytes(&self) -> usize {
+        self.model.paper_bytes()
+    }
+}

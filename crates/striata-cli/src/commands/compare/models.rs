@@ -1,0 +1,390 @@
+//! Multiresolution models side by side: all are built from one sequence and one set of strips, held to the oracle,
+//! and then timed at the same work.
+
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+use striata::mesh::{IndexedMesh, RefinableMesh, weld};
+use striata::model::Topology;
+use striata::simplify::{SequenceOptions, build_welded_sequence};
+
+use super::bars::{BarChart, Bars};
+use super::contenders::{Entry, Given, entries};
+use super::contest::{Contestant, hold};
+use super::oracle::{Checked, check};
+use super::page::{Block, Section};
+use super::plot::{Chart, Series};
+use super::scale::Scale;
+use super::walks::{self, Pace, WalkReport};
+use crate::args::ModelArgs;
+use crate::failure::Failure;
+use crate::output::{Bar, grouped, lasted};
+use crate::strip_chain::Stripped;
+use crate::strip_report::StripReport;
+
+/// Bytes of a position: what the papers count for a vertex.
+pub(super) const POSITION_BYTES: usize = 12;
+
+/// What all models of a mesh were built from, and the models.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct ModelsReport {
+    /// What they were built from.
+    #[serde(rename = "models_of")]
+    pub(super) basis: Basis,
+    /// A row for each.
+    #[serde(rename = "models")]
+    pub(super) rows: Vec<ModelRow>,
+}
+
+/// What all models of a mesh were built from.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Basis {
+    /// Vertices after welding.
+    pub(super) vertex_count: usize,
+    /// Triangles after welding.
+    pub(super) triangle_count: usize,
+    step_count: usize,
+    base_triangle_count: usize,
+    /// Strips of the full mesh.
+    pub(super) strips: StripReport,
+    /// Positions, and the indices of those strips: a mesh without levels.
+    pub(super) plain_bytes: usize,
+    /// Seconds that the sequence took.
+    pub(super) sequence_secs: f64,
+    frames: usize,
+    rounds: usize,
+}
+
+/// What was measured of one model.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct ModelRow {
+    /// The model.
+    pub(super) name: &'static str,
+    /// Of the static half, without positions.
+    bytes: usize,
+    bytes_per_vertex: f64,
+    parts: Map<String, Value>,
+    /// With positions.
+    pub(super) total_bytes: usize,
+    /// Of `total_bytes`.
+    pub(super) ratio_to_plain: f64,
+    /// With positions, as the papers count.
+    pub(super) paper_bytes: usize,
+    paper_bytes_per_vertex: f64,
+    /// Of `paper_bytes`.
+    pub(super) paper_ratio_to_plain: f64,
+    /// Of an instance that shows the full mesh.
+    state_bytes: usize,
+    /// From the sequence and the strips.
+    pub(super) build_secs: f64,
+    /// None where the model has too few levels for steps.
+    sweep_ns_per_step: Option<f64>,
+    swept_step_count: usize,
+    seek_secs: f64,
+    #[serde(skip)]
+    draws_strips: bool,
+    /// By pace.
+    walks: BTreeMap<&'static str, WalkReport>,
+}
+
+/// Welds, builds the sequence, the strips and the models, checks and times them.
+///
+/// # Errors
+/// Where a name is no model, the mesh does not hang together, or a model shows something else than the sequence.
+pub(super) fn measure(
+    mesh: &IndexedMesh,
+    args: &ModelArgs,
+    bar: &mut Bar,
+    say: &dyn Fn(&str),
+) -> Result<ModelsReport, Failure> {
+    let entries = entries(&args.names())?;
+    say("the sequence");
+    let started = Instant::now();
+    let sequence =
+        build_welded_sequence(weld(mesh)?, &SequenceOptions::default(), &mut |progress| bar.show(progress))?;
+    let (refinable, sequence_secs) = (sequence.refinable, started.elapsed().as_secs_f64());
+    let plan = args.strip_plan();
+    say(&format!("strips for models, {}", plan.chain));
+    let stripped = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
+    let (frames, step_count) = (args.frames as usize, refinable.sequence.step_count());
+    let mut contestants = Vec::new();
+    for entry in entries {
+        say(entry.name);
+        let contender = entry.build(Given { refinable: &refinable, strips: &stripped.strips })?;
+        contestants.push(Contestant::new(entry, contender, step_count, frames));
+    }
+    bar.phase("check");
+    let mut checked: Vec<Checked<'_>> = contestants.iter_mut().map(Contestant::checked).collect();
+    check(&mut checked, &refinable)?;
+    say("all models in turn");
+    let rounds = hold(&mut contestants, step_count, &mut |share| bar.share("timing", share));
+    let strips = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped)?;
+    let basis = Basis::new(&refinable, (&stripped, strips), sequence_secs, (frames, rounds));
+    let rows = contestants.iter_mut().map(|contestant| ModelRow::new(contestant, &refinable, &basis));
+    Ok(ModelsReport { rows: rows.collect(), basis })
+}
+
+impl Contestant {
+    fn checked(&mut self) -> Checked<'_> {
+        let Entry { name, has_few_levels, .. } = *self.entry;
+        Checked { name, has_few_levels, contender: &mut *self.contender }
+    }
+}
+
+impl Basis {
+    fn new(
+        refinable: &RefinableMesh,
+        (stripped, strips): (&Stripped, StripReport),
+        sequence_secs: f64,
+        (frames, rounds): (usize, usize),
+    ) -> Self {
+        let vertex_count = refinable.mesh.vertex_count();
+        let index_count = stripped.strips.to_restart_indices().indices.len();
+        Self {
+            vertex_count,
+            triangle_count: refinable.mesh.triangle_count(),
+            step_count: refinable.sequence.step_count(),
+            base_triangle_count: refinable.sequence.triangle_count_at(0),
+            strips,
+            plain_bytes: POSITION_BYTES * vertex_count + 4 * index_count,
+            sequence_secs,
+            frames,
+            rounds,
+        }
+    }
+
+    /// What models are built from, in a sentence.
+    fn summary(&self) -> String {
+        format!(
+            "{} steps from {} triangles down to {}; {} strips ({}) of {} indices; positions and these take {:.1} bytes a vertex",
+            grouped(self.step_count),
+            grouped(self.triangle_count),
+            grouped(self.base_triangle_count),
+            grouped(self.strips.strip_count),
+            self.strips.algorithm,
+            grouped(self.strips.index_count),
+            self.plain_bytes as f64 / self.vertex_count.max(1) as f64,
+        )
+    }
+}
+
+impl ModelRow {
+    fn new(contestant: &mut Contestant, refinable: &RefinableMesh, basis: &Basis) -> Self {
+        contestant.contender.move_to(basis.step_count);
+        let contender = &*contestant.contender;
+        let parts = contender.bytes();
+        let bytes: usize = parts.iter().map(|part| part.bytes).sum();
+        let positions = POSITION_BYTES * basis.vertex_count;
+        let (total_bytes, paper_bytes) = (bytes + positions, contender.paper_bytes() + positions);
+        let ratio = |bytes: usize| bytes as f64 / basis.plain_bytes.max(1) as f64;
+        let per_vertex = |bytes: usize| bytes as f64 / basis.vertex_count.max(1) as f64;
+        let reports = contestant.walks().iter().map(|walk| {
+            let report = walk.report(&refinable.sequence);
+            (walk.pace().as_str(), report)
+        });
+        Self {
+            name: contestant.entry.name,
+            bytes,
+            bytes_per_vertex: per_vertex(bytes),
+            parts: parts.iter().map(|part| (part.name.to_owned(), part.bytes.into())).collect(),
+            total_bytes,
+            ratio_to_plain: ratio(total_bytes),
+            paper_bytes,
+            paper_bytes_per_vertex: per_vertex(paper_bytes),
+            paper_ratio_to_plain: ratio(paper_bytes),
+            state_bytes: contender.state_bytes(),
+            build_secs: contender.build_secs(),
+            sweep_ns_per_step: contestant.sweep_ns_per_step(),
+            swept_step_count: contestant.swept_steps(),
+            seek_secs: contestant.seek_secs(),
+            draws_strips: contender.topology() == Topology::Strips,
+            walks: reports.collect(),
+        }
+    }
+
+    /// What one of its walks took.
+    pub(super) fn walk(&self, pace: Pace) -> &WalkReport {
+        &self.walks[pace.as_str()]
+    }
+}
+
+/// Head and rows: what models take, and how quickly they move.
+pub(super) fn table(report: &ModelsReport) -> Vec<Vec<String>> {
+    let head = [
+        "model",
+        "bytes a vertex",
+        "with positions",
+        "x plain",
+        "as the papers count",
+        "x plain",
+        "instance",
+        "build",
+        "ns a step",
+        "random access",
+    ];
+    let mut table = vec![head.map(str::to_owned).to_vec()];
+    let per_vertex = |bytes: usize| format!("{:.1}", bytes as f64 / report.basis.vertex_count.max(1) as f64);
+    for row in &report.rows {
+        table.push(vec![
+            row.name.to_owned(),
+            format!("{:.1}", row.bytes_per_vertex),
+            per_vertex(row.total_bytes),
+            format!("{:.2}", row.ratio_to_plain),
+            per_vertex(row.paper_bytes),
+            format!("{:.2}", row.paper_ratio_to_plain),
+            per_vertex(row.state_bytes),
+            lasted(row.build_secs),
+            row.sweep_ns_per_step.map_or_else(|| "-".to_owned(), |ns| format!("{ns:.1}")),
+            precisely(row.seek_secs),
+        ]);
+    }
+    table
+}
+
+/// Head and rows of one walk.
+pub(super) fn walk_table(report: &ModelsReport, pace: Pace) -> Vec<Vec<String>> {
+    let head = ["model", "extraction", "with sending", "indices", "strips", "triangles"];
+    let mut table = vec![head.map(str::to_owned).to_vec()];
+    let rounded = |number: f64| grouped(number.round() as usize);
+    for row in &report.rows {
+        let walk = row.walk(pace);
+        table.push(vec![
+            row.name.to_owned(),
+            precisely(walk.extract_secs),
+            precisely(walk.extract_and_send_secs),
+            rounded(walk.index_count),
+            if row.draws_strips { rounded(walk.strip_count) } else { "-".to_owned() },
+            rounded(walk.triangle_count),
+        ]);
+    }
+    table
+}
+
+/// A duration with digits that tell quick models apart.
+fn precisely(secs: f64) -> String {
+    if secs < 1e-4 { format!("{:.2} µs", secs * 1e6) } else { lasted(secs) }
+}
+
+/// The tables for people, with what is to be known about them.
+pub(super) fn to_text(report: &ModelsReport, text_of: impl Fn(Vec<Vec<String>>) -> String) -> String {
+    let mut text = format!("Models: {}\n{}", report.basis.summary(), text_of(table(report)));
+    for pace in Pace::ALL {
+        let frames = report.basis.frames;
+        text.push_str(&format!("\n{} walk, {frames} frames away and {frames} back: means\n", titled(pace)));
+        text.push_str(&text_of(walk_table(report, pace)));
+    }
+    text
+}
+
+fn titled(pace: Pace) -> &'static str {
+    match pace {
+        Pace::Linear => "Linear",
+        Pace::Exponential => "Exponential",
+    }
+}
+
+/// The same as charts and tables.
+///
+/// # Errors
+/// Where a chart cannot be drawn.
+pub(super) fn sections(report: &ModelsReport) -> Result<Vec<Section>, Failure> {
+    let Basis { frames, rounds, .. } = report.basis;
+    let space = Section {
+        title: "Models".to_owned(),
+        intro: format!(
+            "{}. All models are built from the same sequence and strips, and show the same triangles. Bytes a vertex \
+             are those of what is built once, without positions; the next two columns add {POSITION_BYTES} bytes a vertex \
+             for positions. What the papers count: their structures, 4 bytes a number, an index or a pointer, positions \
+             added. Plain is positions and strips without levels. An instance is what each object on the screen owns \
+             besides, in bytes a vertex. Steps: from the full mesh to the base and back, one at a time. Random access: \
+             the mean move between random levels. Of each, the quickest of {rounds} rounds in which models take turns.",
+            report.basis.summary()
+        ),
+        blocks: vec![
+            Block::bars(&space_chart(report), "Bytes a vertex of each model")?,
+            Block::WideTable(table(report)),
+        ],
+    };
+    let mut sections = vec![space];
+    for pace in Pace::ALL {
+        sections.push(Section {
+            title: format!("{} walk", titled(pace)),
+            intro: format!(
+                "{} There are {frames} frames from near to far and as many back; tables show means over all, charts each \
+                 frame, both ways averaged. Extraction is moving to the level; sending copies all indices to a buffer, which \
+                 is what immediate mode asks of the processor. Of each frame, the quickest of {rounds} rounds.",
+                match pace {
+                    Pace::Linear => "The level falls evenly with time.",
+                    Pace::Exponential => "The level changes much while the object is near, and little far away.",
+                }
+            ),
+            blocks: walk_blocks(report, pace)?,
+        });
+    }
+    Ok(sections)
+}
+
+fn space_chart(report: &ModelsReport) -> BarChart {
+    let per_vertex = |bytes: usize| bytes as f64 / report.basis.vertex_count.max(1) as f64;
+    let bars = |row: &ModelRow| Bars {
+        name: row.name.to_owned(),
+        values: vec![per_vertex(row.total_bytes), per_vertex(row.paper_bytes)],
+    };
+    let plain = per_vertex(report.basis.plain_bytes);
+    BarChart {
+        title: "bytes a vertex, positions included",
+        kinds: vec!["as stored", "as the papers count"],
+        bars: std::iter::once(Bars { name: "plain strips".to_owned(), values: vec![plain] })
+            .chain(report.rows.iter().map(bars))
+            .collect(),
+    }
+}
+
+fn walk_blocks(report: &ModelsReport, pace: Pace) -> Result<Vec<Block>, Failure> {
+    type Values = fn(&walks::Series) -> Vec<f64>;
+    let chart = |title: &'static str, is_log: bool, only_strips: bool, values: Values| {
+        let series: Vec<Series> = report
+            .rows
+            .iter()
+            .map(|row| {
+                let walk = &row.walk(pace).series;
+                let points = walk.frame.iter().map(|&frame| frame as f64).zip(values(walk));
+                // Without points a model still has its colour.
+                let is_shown = row.draws_strips || !only_strips;
+                Series {
+                    name: row.name.to_owned(),
+                    points: if is_shown { points.collect() } else { Vec::new() },
+                    spread: Vec::new(),
+                }
+            })
+            .collect();
+        let all = || series.iter().flat_map(|series| series.points.iter().map(|&(_, y)| y));
+        let y = if is_log { Scale::log(all()) } else { Scale::linear(all().chain([0.0])) };
+        let x = Scale::linear([0.0, report.basis.frames as f64]);
+        Chart { x_title: "frame, near to far", y_title: title, x, y, series }
+    };
+    let extraction = chart("extraction, µs", true, false, |s| in_micros(&s.extract_secs));
+    let sending = chart("extraction and sending, µs", true, false, |s| in_micros(&s.extract_and_send_secs));
+    let mut blocks = vec![
+        Block::chart(&extraction, "Time of extraction by frame")?,
+        Block::chart(&sending, "Time of extraction and sending by frame")?,
+    ];
+    if pace == Pace::Linear {
+        let indices = chart("indices", false, false, |s| as_floats(&s.index_count));
+        let strips = chart("strips", false, true, |s| as_floats(&s.strip_count));
+        blocks.push(Block::chart(&indices, "Indices by frame")?);
+        blocks.push(Block::chart(&strips, "Strips by frame")?);
+    }
+    blocks.push(Block::WideTable(walk_table(report, pace)));
+    Ok(blocks)
+}
+
+fn in_micros(secs: &[f64]) -> Vec<f64> {
+    secs.iter().map(|secs| secs * 1e6).collect()
+}
+
+fn as_floats(counts: &[usize]) -> Vec<f64> {
+    counts.iter().map(|&count| count as f64).collect()
+}
