@@ -1,10 +1,10 @@
 //! Checking stored arrays: whatever passes cannot make a later walk fail.
 //!
-//! Every strip is walked at each of its changes, so that arcs are known to lead on inside the strip and to fit its slot,
+//! Every strip is short enough, and is walked at each of its changes, so that arcs are known to lead on inside the strip and to fit its slot,
 //! and every record is read once, so that changes are known to be within what was walked.
 
 use super::state::for_each_strip;
-use super::{Mts, MtsParts};
+use super::{MAX_STRIP_INDICES, Mts, MtsParts};
 use crate::model::ModelError;
 use crate::model::record_arena::{record_at, record_before};
 use crate::strip::check_offsets;
@@ -23,6 +23,10 @@ pub(super) fn check(model: &Mts<'_>) -> Result<(), ModelError> {
     let mut slot = Vec::new();
     for (strip, &last) in changes.iter().enumerate() {
         let graph = model.graph(strip);
+        // Each change drops a place or breaks behind one; more would only cost time.
+        if usize::from(last) > 2 * graph.indices.len() {
+            return Err(ModelError::Graph { strip, reason: "cannot change any more", change: last.into() });
+        }
         if let Some(row) = graph.rows.windows(2).position(|w| w[0] > w[1]) {
             return Err(ModelError::Graph { strip, reason: "has rows out of order", change: row });
         }
@@ -45,6 +49,9 @@ fn check_shape(model: &Mts<'_>) -> Result<(), ModelError> {
         if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
     };
     length("strips of arcs", arc_offsets.len(), offsets.len())?;
+    if let Some(found) = offsets.windows(2).map(|w| (w[1] - w[0]) as usize).find(|&n| n > MAX_STRIP_INDICES) {
+        return Err(ModelError::Length { what: "places of a strip", found, expected: MAX_STRIP_INDICES });
+    }
     length("rows", rows.len(), indices.len() + 2 * model.strip_count())
 }
 
