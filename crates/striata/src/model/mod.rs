@@ -5,16 +5,19 @@
 //! screen owns: where it stands and what it shows.
 
 pub mod lod_strips;
+pub mod mts;
 
 mod error;
 mod record_arena;
 mod step_vertices;
+mod strip_history;
 mod strip_input;
 mod strip_run;
 mod superfluous;
 
 pub use error::ModelError;
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
+pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
 pub(crate) use step_vertices::StepVertices;
 
 use crate::strip::{RESTART, restart_triangles_into};

@@ -32,7 +32,7 @@ use self::record::EditCounts;
 pub use state::LodStripsState;
 pub use strip_buffer::StripBuffer;
 
-use super::record_arena::record_at;
+use super::record_arena::{head_bytes, record_at};
 use super::step_vertices::StepVertices;
 use super::{DrawCounts, LodModel, ModelError, PartBytes, Topology, join_strips};
 use crate::strip::strip_triangles;
@@ -76,7 +76,7 @@ impl<'a> LodStrips<'a> {
 
     fn unchecked(vertices: StepVertices<'a>, parts: LodStripsParts<'a>) -> Self {
         let LodStripsParts { indices, offsets, group_offsets, record_lengths, arena } = parts;
-        let head_bytes = record::head_bytes(offsets.len().saturating_sub(1));
+        let head_bytes = head_bytes(offsets.len().saturating_sub(1), record::FLAG_BITS);
         Self { vertices, indices, offsets, group_offsets, record_lengths, arena, head_bytes }
     }
 
