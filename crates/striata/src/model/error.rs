@@ -55,4 +55,14 @@ pub enum ModelError {
         /// What is wrong.
         reason: &'static str,
     },
+    /// The model would be too large to number its parts.
+    #[error("the model needs {found} {what}, and 32-bit numbers reach to {limit}")]
+    TooMany {
+        /// What there would be too many of.
+        what: &'static str,
+        /// How many.
+        found: u64,
+        /// The most there can be.
+        limit: u64,
+    },
 }
