@@ -1,6 +1,9 @@
-//! Meshes and random collapse sequences for tests.
-#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+//! Meshes and random collapse sequences for tests, and what every model is held to.
+#![allow(dead_code, unreachable_pub, unused_imports, reason = "each test file uses its own part")]
 
+mod oracle;
+
+pub use oracle::{follows_the_oracle, follows_the_oracle_at};
 use striata::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, Material, PositionIndex, RefinableMesh, Semantic,
     SequenceParts, TriangleGroup, weld,
