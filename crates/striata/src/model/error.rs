@@ -65,4 +65,14 @@ pub enum ModelError {
         /// Changes of the strip since the full mesh.
         change: usize,
     },
+    /// The model would be too large to number its parts.
+    #[error("the model needs {found} {what}, and 32-bit numbers reach to {limit}")]
+    TooMany {
+        /// What there would be too many of.
+        what: &'static str,
+        /// How many.
+        found: u64,
+        /// The most there can be.
+        limit: u64,
+    },
 }

@@ -17,6 +17,24 @@ pub(crate) struct StepVertices<'a> {
 }
 
 impl StepVertices<'_> {
+    /// Steps from the base mesh to the full mesh.
+    pub(super) fn step_count(&self) -> usize {
+        if self.firsts.is_empty() {
+            self.vertex_count - self.base_vertex_count as usize
+        } else {
+            self.firsts.len() - 1
+        }
+    }
+
+    /// The vertices that a level shows: the first so many.
+    pub(super) fn count_at(&self, split_count: usize) -> u32 {
+        if self.firsts.is_empty() {
+            self.base_vertex_count + split_count as u32
+        } else {
+            self.firsts[split_count]
+        }
+    }
+
     /// The vertices that a step restores.
     #[inline]
     pub(super) fn of_step(&self, step: usize) -> Range<u32> {

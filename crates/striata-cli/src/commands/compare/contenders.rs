@@ -5,7 +5,8 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use striata::mesh::RefinableMesh;
-use striata::model::{DrawCounts, LodModel, LodStrips, ModelError, PartBytes, Topology};
+use striata::model::baseline::{OriginalLodStrips, SkipStrips};
+use striata::model::{DrawCounts, LodModel, LodStrips, ModelError, Mts, MtsGraph, PartBytes, Topology};
 use striata::strip::StripSet;
 
 use crate::commands::build::unknown_name;
@@ -31,8 +32,15 @@ pub(super) struct Entry {
 }
 
 /// All of them; the colours of charts follow this order.
-const ENTRIES: [Entry; 1] =
-    [Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips)))];
+const ENTRIES: [Entry; 5] = [
+    Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips))),
+    Entry::new("mts", |given| built(|| Mts::build(given.refinable, given.strips))),
+    Entry::new("lodstrips-original", |given| {
+        built(|| OriginalLodStrips::build(given.refinable, given.strips))
+    }),
+    Entry::new("skip-strips", |given| built(|| SkipStrips::build(given.refinable, given.strips))),
+    Entry::new("mts-graph", |given| built(|| MtsGraph::build(given.refinable, given.strips))),
+];
 
 impl Entry {
     const fn new(name: &'static str, build: fn(Given<'_>) -> Result<Box<dyn Contender>, Failure>) -> Self {
