@@ -7,6 +7,7 @@ mod bars;
 mod contenders;
 mod contest;
 mod labels;
+mod model_charts;
 mod models;
 mod oracle;
 mod page;
@@ -197,7 +198,7 @@ impl MeshReport {
     fn to_part(&self) -> Result<MeshPart, Failure> {
         let mut sections = Vec::new();
         if let Some(models) = &self.models {
-            sections.extend(models::sections(models)?);
+            sections.extend(model_charts::sections(models)?);
         }
         if !self.papers.is_empty() {
             sections.push(papers::section(&self.papers));

@@ -10,14 +10,10 @@ use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::model::Topology;
 use striata::simplify::{SequenceOptions, build_welded_sequence};
 
-use super::bars::{BarChart, Bars};
 use super::contenders::{Entry, Given, entries};
 use super::contest::{Contestant, hold};
 use super::oracle::{Checked, check};
-use super::page::{Block, Section};
-use super::plot::{Chart, Series};
-use super::scale::Scale;
-use super::walks::{self, Pace, WalkReport};
+use super::walks::{Pace, WalkReport};
 use crate::args::ModelArgs;
 use crate::failure::Failure;
 use crate::output::{Bar, grouped, lasted};
@@ -53,8 +49,10 @@ pub(super) struct Basis {
     pub(super) plain_bytes: usize,
     /// Seconds that the sequence took.
     pub(super) sequence_secs: f64,
-    frames: usize,
-    rounds: usize,
+    /// Of each way of a walk.
+    pub(super) frames: usize,
+    /// That the models took turns in.
+    pub(super) rounds: usize,
 }
 
 /// What was measured of one model.
@@ -83,8 +81,9 @@ pub(super) struct ModelRow {
     sweep_ns_per_step: Option<f64>,
     swept_step_count: usize,
     seek_secs: f64,
+    /// Else it draws single triangles.
     #[serde(skip)]
-    draws_strips: bool,
+    pub(super) draws_strips: bool,
     /// By pace.
     walks: BTreeMap<&'static str, WalkReport>,
 }
@@ -156,7 +155,7 @@ impl Basis {
     }
 
     /// What models are built from, in a sentence.
-    fn summary(&self) -> String {
+    pub(super) fn summary(&self) -> String {
         format!(
             "{} steps from {} triangles down to {}; {} strips ({}) of {} indices; positions and these take {:.1} bytes a vertex",
             grouped(self.step_count),
@@ -236,7 +235,7 @@ pub(super) fn table(report: &ModelsReport) -> Vec<Vec<String>> {
             format!("{:.2}", row.paper_ratio_to_plain),
             per_vertex(row.state_bytes),
             lasted(row.build_secs),
-            row.sweep_ns_per_step.map_or_else(|| "-".to_owned(), |ns| format!("{ns:.1}")),
+            row.sweep_ns_per_step.map_or_else(|| "-".to_owned(), nanos),
             precisely(row.seek_secs),
         ]);
     }
@@ -262,6 +261,10 @@ pub(super) fn walk_table(report: &ModelsReport, pace: Pace) -> Vec<Vec<String>> 
     table
 }
 
+fn nanos(ns: f64) -> String {
+    if ns < 1000.0 { format!("{ns:.1}") } else { grouped(ns.round() as usize) }
+}
+
 /// A duration with digits that tell quick models apart.
 fn precisely(secs: f64) -> String {
     if secs < 1e-4 { format!("{:.2} µs", secs * 1e6) } else { lasted(secs) }
@@ -272,119 +275,8 @@ pub(super) fn to_text(report: &ModelsReport, text_of: impl Fn(Vec<Vec<String>>) 
     let mut text = format!("Models: {}\n{}", report.basis.summary(), text_of(table(report)));
     for pace in Pace::ALL {
         let frames = report.basis.frames;
-        text.push_str(&format!("\n{} walk, {frames} frames away and {frames} back: means\n", titled(pace)));
+        text.push_str(&format!("\n{} walk, {frames} frames away and {frames} back: means\n", pace.title()));
         text.push_str(&text_of(walk_table(report, pace)));
     }
     text
-}
-
-fn titled(pace: Pace) -> &'static str {
-    match pace {
-        Pace::Linear => "Linear",
-        Pace::Exponential => "Exponential",
-    }
-}
-
-/// The same as charts and tables.
-///
-/// # Errors
-/// Where a chart cannot be drawn.
-pub(super) fn sections(report: &ModelsReport) -> Result<Vec<Section>, Failure> {
-    let Basis { frames, rounds, .. } = report.basis;
-    let space = Section {
-        title: "Models".to_owned(),
-        intro: format!(
-            "{}. All models are built from the same sequence and strips, and show the same triangles. Bytes a vertex \
-             are those of what is built once, without positions; the next two columns add {POSITION_BYTES} bytes a vertex \
-             for positions. What the papers count: their structures, 4 bytes a number, an index or a pointer, positions \
-             added. Plain is positions and strips without levels. An instance is what each object on the screen owns \
-             besides, in bytes a vertex. Steps: from the full mesh to the base and back, one at a time. Random access: \
-             the mean move between random levels. Of each, the quickest of {rounds} rounds in which models take turns.",
-            report.basis.summary()
-        ),
-        blocks: vec![
-            Block::bars(&space_chart(report), "Bytes a vertex of each model")?,
-            Block::WideTable(table(report)),
-        ],
-    };
-    let mut sections = vec![space];
-    for pace in Pace::ALL {
-        sections.push(Section {
-            title: format!("{} walk", titled(pace)),
-            intro: format!(
-                "{} There are {frames} frames from near to far and as many back; tables show means over all, charts each \
-                 frame, both ways averaged. Extraction is moving to the level; sending copies all indices to a buffer, which \
-                 is what immediate mode asks of the processor. Of each frame, the quickest of {rounds} rounds.",
-                match pace {
-                    Pace::Linear => "The level falls evenly with time.",
-                    Pace::Exponential => "The level changes much while the object is near, and little far away.",
-                }
-            ),
-            blocks: walk_blocks(report, pace)?,
-        });
-    }
-    Ok(sections)
-}
-
-fn space_chart(report: &ModelsReport) -> BarChart {
-    let per_vertex = |bytes: usize| bytes as f64 / report.basis.vertex_count.max(1) as f64;
-    let bars = |row: &ModelRow| Bars {
-        name: row.name.to_owned(),
-        values: vec![per_vertex(row.total_bytes), per_vertex(row.paper_bytes)],
-    };
-    let plain = per_vertex(report.basis.plain_bytes);
-    BarChart {
-        title: "bytes a vertex, positions included",
-        kinds: vec!["as stored", "as the papers count"],
-        bars: std::iter::once(Bars { name: "plain strips".to_owned(), values: vec![plain] })
-            .chain(report.rows.iter().map(bars))
-            .collect(),
-    }
-}
-
-fn walk_blocks(report: &ModelsReport, pace: Pace) -> Result<Vec<Block>, Failure> {
-    type Values = fn(&walks::Series) -> Vec<f64>;
-    let chart = |title: &'static str, is_log: bool, only_strips: bool, values: Values| {
-        let series: Vec<Series> = report
-            .rows
-            .iter()
-            .map(|row| {
-                let walk = &row.walk(pace).series;
-                let points = walk.frame.iter().map(|&frame| frame as f64).zip(values(walk));
-                // Without points a model still has its colour.
-                let is_shown = row.draws_strips || !only_strips;
-                Series {
-                    name: row.name.to_owned(),
-                    points: if is_shown { points.collect() } else { Vec::new() },
-                    spread: Vec::new(),
-                }
-            })
-            .collect();
-        let all = || series.iter().flat_map(|series| series.points.iter().map(|&(_, y)| y));
-        let y = if is_log { Scale::log(all()) } else { Scale::linear(all().chain([0.0])) };
-        let x = Scale::linear([0.0, report.basis.frames as f64]);
-        Chart { x_title: "frame, near to far", y_title: title, x, y, series }
-    };
-    let extraction = chart("extraction, µs", true, false, |s| in_micros(&s.extract_secs));
-    let sending = chart("extraction and sending, µs", true, false, |s| in_micros(&s.extract_and_send_secs));
-    let mut blocks = vec![
-        Block::chart(&extraction, "Time of extraction by frame")?,
-        Block::chart(&sending, "Time of extraction and sending by frame")?,
-    ];
-    if pace == Pace::Linear {
-        let indices = chart("indices", false, false, |s| as_floats(&s.index_count));
-        let strips = chart("strips", false, true, |s| as_floats(&s.strip_count));
-        blocks.push(Block::chart(&indices, "Indices by frame")?);
-        blocks.push(Block::chart(&strips, "Strips by frame")?);
-    }
-    blocks.push(Block::WideTable(walk_table(report, pace)));
-    Ok(blocks)
-}
-
-fn in_micros(secs: &[f64]) -> Vec<f64> {
-    secs.iter().map(|secs| secs * 1e6).collect()
-}
-
-fn as_floats(counts: &[usize]) -> Vec<f64> {
-    counts.iter().map(|&count| count as f64).collect()
 }

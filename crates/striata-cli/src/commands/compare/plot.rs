@@ -21,6 +21,10 @@ pub(super) const FONT: &str = "sans-serif";
 /// Their height.
 pub(super) const FONT_PX: u32 = 22;
 
+/// Around a chart, and at its right where names are listed there.
+const MARGIN_PX: u32 = 16;
+const NAMES_PX: u32 = 236;
+
 /// Names and titles, as all that is no series: colour, and the page's variable for it.
 pub(super) const INK: (RGBColor, &str) = (RGBColor(0x23, 0x20, 0x1c), "ink");
 /// Numbers on axes.
@@ -94,7 +98,8 @@ impl Chart {
     fn draw(&self, root: &Area<'_>) -> Result<(), Box<dyn Error + '_>> {
         let text = (FONT, FONT_PX).into_font();
         let mut chart = ChartBuilder::on(root)
-            .margin(16)
+            .margin(MARGIN_PX)
+            .margin_right(if self.lists_names() { NAMES_PX } else { MARGIN_PX })
             .x_label_area_size(68)
             .y_label_area_size(112)
             .build_cartesian_2d(self.x.clone(), self.y.clone())?;
@@ -120,6 +125,11 @@ impl Chart {
                 chart.plotting_area().draw(&Circle::new(point, 5, colour.filled()))?;
             }
         }
+        if self.lists_names() {
+            self.list_names(root)?;
+            root.present()?;
+            return Ok(());
+        }
         let (across, down) = chart.plotting_area().get_pixel_range();
         let frame = Frame { left: across.start, top: down.start, right: across.end, bottom: down.end };
         let pixel = |point: &(f64, f64)| chart.plotting_area().map_coordinate(point);
@@ -127,6 +137,28 @@ impl Chart {
             self.series.iter().map(|series| series.points.iter().map(pixel).collect()).collect();
         self.name_series(root, Labels::new(frame, FONT_PX as i32), &places)?;
         root.present()?;
+        Ok(())
+    }
+
+    /// Lines of many points leave no place for names beside them.
+    fn lists_names(&self) -> bool {
+        self.series.iter().any(|series| !series.has_marks())
+    }
+
+    /// Writes the names in a column beside the chart, those of high lines first.
+    fn list_names(&self, root: &Area<'_>) -> Result<(), Box<dyn Error + '_>> {
+        let height =
+            |series: &Series| series.points.iter().map(|&(_, y)| y).sum::<f64>() / series.points.len() as f64;
+        let drawn = self.series.iter().zip(SERIES.iter().cycle()).filter(|(s, _)| !s.points.is_empty());
+        let mut named: Vec<_> = drawn.map(|(series, (colour, _))| (height(series), series, colour)).collect();
+        named.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let left = (SIZE.0 - NAMES_PX) as i32 + 12;
+        for (line, (_, series, colour)) in named.into_iter().enumerate() {
+            let y = MARGIN_PX as i32 + 14 + line as i32 * FONT_PX as i32 * 3 / 2;
+            root.draw(&PathElement::new([(left, y), (left + 18, y)], colour.stroke_width(4)))?;
+            let style = (FONT, FONT_PX).into_font().color(colour).pos(Pos::new(HPos::Left, VPos::Center));
+            root.draw_text(&series.name, &style, (left + 26, y))?;
+        }
         Ok(())
     }
 
@@ -212,6 +244,19 @@ mod tests {
         for colour in svg.split("=\"#").skip(1).map(|rest| &rest[..6]) {
             assert!(style.contains(colour), "the style does not know #{colour}");
         }
+    }
+
+    #[test]
+    fn names_of_long_lines_are_listed_from_high_to_low() {
+        let line = |name: &str, y: f64| Series {
+            name: name.to_owned(),
+            points: (0..100).map(|i| (1.0 + f64::from(i) / 25.0, y)).collect(),
+            spread: Vec::new(),
+        };
+        let nothing = Series { name: "nothing".to_owned(), points: Vec::new(), spread: Vec::new() };
+        let svg = chart(vec![line("low", 3.0), nothing, line("high", 500.0)]).to_svg().unwrap();
+        assert!(svg.find("high").unwrap() < svg.find("low").unwrap());
+        assert!(!svg.contains("nothing") && !svg.contains("<circle"));
     }
 
     #[test]

@@ -42,6 +42,14 @@ impl Pace {
         }
     }
 
+    /// Its name at the beginning of a line.
+    pub(super) const fn title(self) -> &'static str {
+        match self {
+            Self::Linear => "Linear",
+            Self::Exponential => "Exponential",
+        }
+    }
+
     /// Split counts from the full mesh, near, to the base mesh, far: one more than there are frames.
     pub(super) fn split_counts(self, step_count: usize, frames: usize) -> Vec<usize> {
         let frames = frames.max(1);
