@@ -4,7 +4,7 @@ mod support;
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::model::{LodModel, ModelError, Mts, MtsGraph};
+use striata::model::{LodModel, ModelError, Mts, MtsGraph, StripModel};
 use striata::strip::{StripOptions, StripSet, Stripifier, stripify};
 use support::{
     Random, Wildness, follows_the_oracle, grid, nasty, random_refinable, soup, with_seams_and_groups,

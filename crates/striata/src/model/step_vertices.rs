@@ -46,6 +46,17 @@ impl StepVertices<'_> {
         }
     }
 
+    /// Vertices that a level shows.
+    ///
+    /// # Panics
+    /// If the split count exceeds the step count.
+    #[inline]
+    pub(super) fn count_at(&self, split_count: usize) -> usize {
+        let step_count = self.firsts.len().checked_sub(1).unwrap_or(self.targets.len());
+        assert!(split_count <= step_count, "split count {split_count} of {step_count}");
+        if split_count == step_count { self.vertex_count } else { self.of_step(split_count).start as usize }
+    }
+
     /// Where a vertex above the base collapses to.
     #[inline]
     pub(super) fn target(&self, vertex: u32) -> u32 {

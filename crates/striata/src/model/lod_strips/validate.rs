@@ -7,6 +7,7 @@
 
 use super::record::{HAS_DROPS, RecordReader};
 use super::{LodStrips, ModelError};
+use crate::model::StripModel;
 use crate::model::record_arena::{record_at, record_before};
 use crate::model::strip_run::drop_run;
 use crate::strip::check_offsets;
@@ -25,7 +26,7 @@ pub(super) fn check(model: &LodStrips<'_>) -> Result<(), ModelError> {
 
 fn check_shape(model: &LodStrips<'_>) -> Result<(), ModelError> {
     check_offsets("strip", &model.offsets, model.indices.len())?;
-    check_offsets("group", &model.group_offsets, model.strip_count())?;
+    check_offsets("group", &model.group_offsets, model.offsets.len().saturating_sub(1))?;
     model.vertices.check(model.record_lengths.len())
 }
 

@@ -29,14 +29,13 @@ mod state;
 mod validate;
 
 use std::borrow::Cow;
-use std::ops::Range;
 
 pub use graph::{MtsGraph, MtsGraphState};
 pub use state::MtsState;
 
 pub use super::lod_strips::MAX_STRIP_INDICES;
 use super::step_vertices::StepVertices;
-use super::{DrawCounts, LodModel, ModelError, PartBytes, Topology, join_strips};
+use super::{DrawCounts, LodModel, ModelError, PartBytes, StripModel, Topology, join_strips};
 use crate::strip::RESTART;
 
 /// The static half of the model; see the [module](self).
@@ -82,35 +81,9 @@ impl<'a> Mts<'a> {
         Self { vertices, parts, head_bytes }
     }
 
-    /// Strips, dead ones at coarse levels counted.
-    pub fn strip_count(&self) -> usize {
-        self.parts.offsets.len() - 1
-    }
-
-    /// Groups of triangles; strips never cross them.
-    pub fn group_count(&self) -> usize {
-        self.parts.group_offsets.len() - 1
-    }
-
-    /// Vertices of the full mesh.
-    pub fn vertex_count(&self) -> usize {
-        self.vertices.vertex_count
-    }
-
-    /// The strips of one group.
-    ///
-    /// # Panics
-    /// If there is no such group.
-    pub fn group_strips(&self, group: usize) -> Range<usize> {
-        self.parts.group_offsets[group] as usize..self.parts.group_offsets[group + 1] as usize
-    }
-
-    /// What a strip shows now, in pieces with [`RESTART`] between them; empty once all its triangles are gone.
-    ///
-    /// # Panics
-    /// If there is no such strip.
-    pub fn strip<'s>(&self, state: &'s MtsState, strip: usize) -> &'s [u32] {
-        state.live(strip)
+    /// Vertex of each place at full detail, strip after strip.
+    pub fn indices(&self) -> &[u32] {
+        &self.parts.indices
     }
 
     /// Walks every strip of an instance at its level, as the published model does at each change of level.
@@ -203,5 +176,23 @@ impl LodModel for Mts<'_> {
         let arcs = parts.arcs.len() + parts.indices.len();
         let changes = self.vertices.targets.len() + self.change_count();
         12 * parts.indices.len() + 8 * arcs + 8 * self.strip_count() + 4 * changes
+    }
+}
+
+impl StripModel for Mts<'_> {
+    fn vertex_count(&self) -> usize {
+        self.vertices.vertex_count
+    }
+
+    fn vertex_count_at(&self, split_count: usize) -> usize {
+        self.vertices.count_at(split_count)
+    }
+
+    fn group_offsets(&self) -> &[u32] {
+        &self.parts.group_offsets
+    }
+
+    fn strip<'s>(&self, state: &'s MtsState, strip: usize) -> &'s [u32] {
+        state.live(strip)
     }
 }

@@ -6,6 +6,7 @@
 
 use super::Mts;
 use super::arcs::Arc;
+use crate::model::StripModel;
 use crate::model::record_arena::{read_fixed, read_varint, record_at, record_before};
 use crate::strip::RESTART;
 
@@ -77,7 +78,7 @@ impl MtsState {
 
     pub(super) fn recover(&mut self, model: &Mts<'_>) {
         self.check_model(model);
-        let vertex_count = model.vertex_count_at(self.split_count);
+        let vertex_count = model.vertex_count_at(self.split_count) as u32;
         for strip in 0..self.strips.len() {
             self.walk(model, strip, vertex_count);
         }
@@ -102,7 +103,7 @@ impl MtsState {
             let done = self.touch_finer(model);
             debug_assert!(done.is_some(), "a checked record ended early");
         }
-        let vertex_count = model.vertex_count_at(split_count);
+        let vertex_count = model.vertex_count_at(split_count) as u32;
         let mut touched = std::mem::take(&mut self.touched);
         for &strip in &touched {
             self.strips[strip as usize].is_touched = false;
@@ -236,14 +237,5 @@ impl Mts<'_> {
             debug_assert!(counted.is_some(), "a checked record ended early");
         }
         count
-    }
-
-    /// The first vertex that a level does not show.
-    fn vertex_count_at(&self, split_count: usize) -> u32 {
-        if split_count == self.parts.record_lengths.len() {
-            self.vertices.vertex_count as u32
-        } else {
-            self.vertices.of_step(split_count).start
-        }
     }
 }

@@ -6,6 +6,7 @@
 use super::state::for_each_strip;
 use super::{MAX_STRIP_INDICES, Mts, MtsParts};
 use crate::model::ModelError;
+use crate::model::StripModel;
 use crate::model::record_arena::{record_at, record_before};
 use crate::strip::check_offsets;
 
@@ -43,7 +44,7 @@ pub(super) fn check(model: &Mts<'_>) -> Result<(), ModelError> {
 fn check_shape(model: &Mts<'_>) -> Result<(), ModelError> {
     let MtsParts { indices, offsets, group_offsets, arc_offsets, rows, arcs, .. } = &model.parts;
     check_offsets("strip", offsets, indices.len())?;
-    check_offsets("group", group_offsets, model.strip_count())?;
+    check_offsets("group", group_offsets, offsets.len().saturating_sub(1))?;
     check_offsets("arc", arc_offsets, arcs.len())?;
     let length = |what, found, expected| {
         if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
