@@ -29,7 +29,7 @@ pub enum DiscreteLevelsError {
     Mesh(#[from] MeshError),
 }
 
-/// The static half of the model: some levels as triangle strips, level 0 the full mesh.
+/// The static half of the model: some levels as triangle strips, level 0 the full mesh; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DiscreteLevels {
     step_count: usize,
@@ -91,6 +91,9 @@ impl DiscreteLevels {
     ///
     /// # Errors
     /// [`DiscreteLevelsError`] where no levels are asked for or the mesh's parts do not fit together.
+    ///
+    /// # Panics
+    /// If the sequence is another mesh's.
     pub fn build(
         refinable: &RefinableMesh,
         level_count: usize,

@@ -3,8 +3,8 @@
 //! They show the same triangles as the other models over the same vertex buffer, so that what is
 //! compared is the data structure alone.
 
-mod discrete_levels;
-mod progressive_meshes;
+pub mod discrete_levels;
+pub mod progressive_meshes;
 
 pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
 pub use progressive_meshes::{ProgressiveMeshes, ProgressiveMeshesState};

@@ -15,7 +15,7 @@
 //! walking around the vertex, with the neighbours of each triangle kept in the instance; here they are listed, which
 //! serves any mesh, needs no neighbours and makes a step a few writes. A corner is a word, a count is a byte.
 //!
-//! Cost: a step touches about four corners and two triangles. Building is linear in the corners that change, but
+//! Cost: a step touches about three corners and two triangles. Building is linear in the corners that change, but
 //! for sorting.
 
 mod build;
@@ -28,7 +28,7 @@ use self::counts::{Counts, GroupNumbers};
 pub use self::state::ProgressiveMeshesState;
 use crate::model::{DrawCounts, LodModel, PartBytes, StepVertices, Topology};
 
-/// The static half of the model: progressive meshes \[Hop96\] with half-edge collapses, for comparison.
+/// The static half of the model; see the [module](self).
 ///
 /// [`ProgressiveMeshesState::indices`] is the list that a renderer draws,
 /// [`group_ranges`](Self::group_ranges) says what of it.
