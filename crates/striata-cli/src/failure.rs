@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use striata::codec::{DecodeError, EncodeError};
 use striata::mesh::MeshError;
 use striata::model::ModelError;
+use striata::model::baseline::DiscreteLevelsError;
 use striata::simplify::SimplifyError;
 use striata_io::{Place, ReadError, WriteError};
 
@@ -147,7 +148,7 @@ macro_rules! ours {
     };
 }
 
-ours!(ModelError, DecodeError, EncodeError);
+ours!(DiscreteLevelsError, ModelError, DecodeError, EncodeError);
 
 /// Prints a panic as what it is: our fault.
 pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {

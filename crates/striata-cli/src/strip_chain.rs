@@ -110,6 +110,11 @@ impl StripChain {
         }
     }
 
+    /// The stripifier whose strips come out.
+    pub(crate) fn last(&self) -> Stripifier {
+        self.stripifiers.last().copied().unwrap_or(StripOptions::default().stripifier)
+    }
+
     /// Whether a budget changes what comes out: one of the stripifiers goes on as long as it may.
     pub(crate) fn searches(&self) -> bool {
         self.stripifiers.iter().any(|&stripifier| {
@@ -119,7 +124,7 @@ impl StripChain {
 
     /// Whether few strips are what counts at last.
     pub(crate) fn wants_few_strips(&self) -> bool {
-        self.stripifiers.last() == Some(&Stripifier::Fewest)
+        self.last() == Stripifier::Fewest
     }
 }
 

@@ -5,9 +5,11 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use striata::mesh::RefinableMesh;
-use striata::model::baseline::{OriginalLodStrips, SkipStrips};
-use striata::model::{DrawCounts, LodModel, LodStrips, ModelError, Mts, MtsGraph, PartBytes, Topology};
-use striata::strip::StripSet;
+use striata::model::baseline::{
+    DiscreteLevels, DiscreteLevelsError, OriginalLodStrips, ProgressiveMeshes, SkipStrips,
+};
+use striata::model::{DrawCounts, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Topology};
+use striata::strip::{StripOptions, StripSet};
 
 use crate::commands::build::unknown_name;
 use crate::failure::Failure;
@@ -19,6 +21,8 @@ pub(super) struct Given<'g> {
     pub(super) refinable: &'g RefinableMesh,
     /// Strips of the full mesh.
     pub(super) strips: &'g StripSet,
+    /// How strips are made for models that store some of every level.
+    pub(super) level_strips: &'g StripOptions,
 }
 
 /// A model that can be compared.
@@ -32,19 +36,35 @@ pub(super) struct Entry {
 }
 
 /// All of them; the colours of charts follow this order.
-const ENTRIES: [Entry; 5] = [
+const ENTRIES: [Entry; 8] = [
     Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips))),
     Entry::new("mts", |given| built(|| Mts::build(given.refinable, given.strips))),
     Entry::new("lodstrips-original", |given| {
         built(|| OriginalLodStrips::build(given.refinable, given.strips))
     }),
-    Entry::new("skip-strips", |given| built(|| SkipStrips::build(given.refinable, given.strips))),
     Entry::new("mts-graph", |given| built(|| MtsGraph::build(given.refinable, given.strips))),
+    Entry::new("skip-strips", |given| built(|| SkipStrips::build(given.refinable, given.strips))),
+    Entry::new("progressive-meshes", |given| {
+        built(|| Ok::<_, Failure>(ProgressiveMeshes::build(given.refinable)))
+    }),
+    Entry::of_few_levels("discrete-5", |given| built(|| discrete(given, 5))),
+    Entry::of_few_levels("discrete-10", |given| built(|| discrete(given, 10))),
 ];
+
+fn discrete(given: Given<'_>, level_count: usize) -> Result<DiscreteLevels, DiscreteLevelsError> {
+    DiscreteLevels::build(given.refinable, level_count, given.level_strips)
+}
 
 impl Entry {
     const fn new(name: &'static str, build: fn(Given<'_>) -> Result<Box<dyn Contender>, Failure>) -> Self {
         Self { name, has_few_levels: false, build }
+    }
+
+    const fn of_few_levels(
+        name: &'static str,
+        build: fn(Given<'_>) -> Result<Box<dyn Contender>, Failure>,
+    ) -> Self {
+        Self { name, has_few_levels: true, build }
     }
 
     /// Builds the model, several times where that is quick.
@@ -107,13 +127,14 @@ struct Built<M: LodModel> {
 }
 
 /// Builds a model up to [`BUILD_COUNT`] times, as long as that stays within [`BUILD_SECS`].
-fn built<M>(mut make: impl FnMut() -> Result<M, ModelError>) -> Result<Box<dyn Contender>, Failure>
+fn built<M, E>(mut make: impl FnMut() -> Result<M, E>) -> Result<Box<dyn Contender>, Failure>
 where
     M: LodModel + 'static,
+    E: Into<Failure>,
 {
     let mut timed = || {
         let started = Instant::now();
-        let model = make()?;
+        let model = make().map_err(Into::into)?;
         Ok::<_, Failure>((model, started.elapsed().as_secs_f64()))
     };
     let (mut model, mut build_secs) = timed()?;

@@ -108,10 +108,12 @@ pub(super) fn measure(
     say(&format!("strips for models, {}", plan.chain));
     let stripped = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
     let (frames, step_count) = (args.frames as usize, refinable.sequence.step_count());
+    let level_strips = plan.search.options(plan.chain.last());
+    let given = Given { refinable: &refinable, strips: &stripped.strips, level_strips: &level_strips };
     let mut contestants = Vec::new();
     for entry in entries {
         say(entry.name);
-        let contender = entry.build(Given { refinable: &refinable, strips: &stripped.strips })?;
+        let contender = entry.build(given)?;
         contestants.push(Contestant::new(entry, contender, step_count, frames));
     }
     bar.phase("check");
