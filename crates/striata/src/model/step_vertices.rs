@@ -26,15 +26,6 @@ impl StepVertices<'_> {
         }
     }
 
-    /// The vertices that a level shows: the first so many.
-    pub(super) fn count_at(&self, split_count: usize) -> u32 {
-        if self.firsts.is_empty() {
-            self.base_vertex_count + split_count as u32
-        } else {
-            self.firsts[split_count]
-        }
-    }
-
     /// The vertices that a step restores.
     #[inline]
     pub(super) fn of_step(&self, step: usize) -> Range<u32> {

@@ -102,8 +102,8 @@ pub(super) trait Contender {
     fn split_count(&self) -> usize;
     /// Moves it to a level.
     fn move_to(&mut self, split_count: usize);
-    /// From the finest of these levels one step at a time to the coarsest, and back; how long that took.
-    fn sweep(&mut self, levels: Range<usize>) -> Duration;
+    /// Moves it one step at a time over these levels, down or up; how long that took. It must stand at one end.
+    fn step_over(&mut self, levels: Range<usize>, is_down: bool) -> Duration;
     /// What drawing it takes now.
     fn draw_counts(&self) -> DrawCounts;
     /// How it is drawn.
@@ -171,14 +171,13 @@ impl<M: LodModel> Contender for Built<M> {
         self.model.move_to(&mut self.state, split_count);
     }
 
-    fn sweep(&mut self, levels: Range<usize>) -> Duration {
-        self.move_to(levels.end);
+    fn step_over(&mut self, levels: Range<usize>, is_down: bool) -> Duration {
+        debug_assert_eq!(self.split_count(), if is_down { levels.end } else { levels.start });
         let started = Instant::now();
-        for split_count in levels.clone().rev() {
-            self.model.move_to(&mut self.state, split_count);
-        }
-        for split_count in levels {
-            self.model.move_to(&mut self.state, split_count + 1);
+        if is_down {
+            levels.rev().for_each(|split_count| self.model.move_to(&mut self.state, split_count));
+        } else {
+            levels.for_each(|split_count| self.model.move_to(&mut self.state, split_count + 1));
         }
         black_box(&self.state);
         started.elapsed()

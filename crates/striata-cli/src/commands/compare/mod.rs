@@ -17,6 +17,7 @@ mod peers;
 mod plot;
 mod scale;
 mod stripifiers;
+mod sweep;
 mod tunnels;
 mod walks;
 
