@@ -39,8 +39,10 @@ impl Eq for SkipStripsState {}
 impl SkipStripsState {
     pub(super) fn new(model: &SkipStrips) -> Self {
         let strip_count = model.strip_count();
-        let strip = |strip: usize| {
-            DisplayStrip { first: model.strips[strip].first_place, length: 0, is_marked: true }
+        let strip = |strip: usize| DisplayStrip {
+            first: model.strips[strip].first_place,
+            length: 0,
+            is_marked: true,
         };
         let mut state = Self {
             split_count: model.vertices.step_count(),
