@@ -65,4 +65,14 @@ pub enum ModelError {
         /// The most there can be.
         limit: u64,
     },
+    /// The graph of a strip does not lead from its beginning to its end.
+    #[error("strip {strip} {reason} after {change} changes")]
+    Graph {
+        /// The strip.
+        strip: usize,
+        /// What is wrong.
+        reason: &'static str,
+        /// Changes of the strip since the full mesh.
+        change: usize,
+    },
 }

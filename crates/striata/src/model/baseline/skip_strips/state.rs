@@ -87,7 +87,7 @@ impl SkipStripsState {
     }
 
     fn make_marked(&mut self, model: &SkipStrips) {
-        let vertex_count = model.vertices.count_at(self.split_count);
+        let vertex_count = model.vertices.count_at(self.split_count) as u32;
         let mut marked = std::mem::take(&mut self.marked);
         for strip in marked.drain(..) {
             self.make(model, strip as usize, vertex_count);
