@@ -55,16 +55,6 @@ pub enum ModelError {
         /// What is wrong.
         reason: &'static str,
     },
-    /// The graph of a strip does not lead from its beginning to its end.
-    #[error("strip {strip} {reason} after {change} changes")]
-    Graph {
-        /// The strip.
-        strip: usize,
-        /// What is wrong.
-        reason: &'static str,
-        /// Changes of the strip since the full mesh.
-        change: usize,
-    },
     /// The model would be too large to number its parts.
     #[error("the model needs {found} {what}, and 32-bit numbers reach to {limit}")]
     TooMany {
@@ -74,5 +64,15 @@ pub enum ModelError {
         found: u64,
         /// The most there can be.
         limit: u64,
+    },
+    /// The graph of a strip does not lead from its beginning to its end.
+    #[error("strip {strip} {reason} after {change} changes")]
+    Graph {
+        /// The strip.
+        strip: usize,
+        /// What is wrong.
+        reason: &'static str,
+        /// Changes of the strip since the full mesh.
+        change: usize,
     },
 }

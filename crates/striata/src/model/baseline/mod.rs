@@ -1,7 +1,7 @@
-//! The models that ours are measured against, each with the data structures of its publication.
+//! The models that others are measured against, each as its paper has it and as fast as that allows.
 //!
-//! A weak baseline makes every ratio against it worthless, so each is built as somebody would who wants it to win:
-//! flat arrays, no allocation and no search in a move. What they show is what the oracle shows, at every level.
+//! They show the same triangles as the other models over the same vertex buffer, so that what is
+//! compared is the data structure alone.
 
 pub mod discrete_levels;
 pub mod original_lod_strips;

@@ -3,6 +3,8 @@
 //! Vertices that have become one stand side by side as `abab`, whose triangles have no area. Leaving out two indices
 //! at a time keeps the winding of all that follows: `abab` becomes `ab`, and by the same rule `aaaa` becomes `aa`.
 
+use std::hint::select_unpredictable;
+
 /// Stands where no index does; no vertex has this number.
 const NONE: u32 = u32::MAX;
 
@@ -18,17 +20,24 @@ impl RepetitionFilter {
     }
 
     /// Whether the next index completes a repetition: it goes then, and the one before it too.
+    ///
+    /// Coarse levels repeat without any pattern that a branch could learn, hence the selections.
     #[inline]
     fn completes_repetition(&mut self, index: u32) -> bool {
         let [d, a, b, c] = self.kept;
-        if a == c && b == index {
-            // What stood before `d` is not needed: what is kept never ends in `abab`, so an index must stay first.
-            self.kept = [NONE, d, a, b];
-            return true;
-        }
-        self.has_triangle |= index != c && index != b && b != c && b != NONE;
-        self.kept = [a, b, c, index];
-        false
+        let is_repetition = (a == c) & (b == index);
+        self.has_triangle |= (index != c) & (index != b) & (b != c) & (b != NONE) & !is_repetition;
+        // What stood before `d` is not needed: what is kept never ends in `abab`, so an index must stay first.
+        let (if_it_goes, if_it_stays) = ([NONE, d, a, b], [a, b, c, index]);
+        self.kept =
+            std::array::from_fn(|i| select_unpredictable(is_repetition, if_it_goes[i], if_it_stays[i]));
+        is_repetition
+    }
+
+    /// The length after an index for which [`completes_repetition`](Self::completes_repetition) said this.
+    #[inline]
+    fn grown(length: usize, is_repetition: bool) -> usize {
+        (length + 1).wrapping_sub(2 * usize::from(is_repetition))
     }
 }
 
@@ -38,12 +47,8 @@ pub(super) fn write_filtered(strip: impl Iterator<Item = u32>, slot: &mut [u32])
     let mut filter = RepetitionFilter::new();
     let mut length = 0;
     for index in strip {
-        if filter.completes_repetition(index) {
-            length -= 1;
-        } else {
-            slot[length] = index;
-            length += 1;
-        }
+        slot[length] = index;
+        length = RepetitionFilter::grown(length, filter.completes_repetition(index));
     }
     if filter.has_triangle { length } else { 0 }
 }
@@ -53,11 +58,7 @@ pub(super) fn filtered_length(strip: impl Iterator<Item = u32>) -> usize {
     let mut filter = RepetitionFilter::new();
     let mut length = 0;
     for index in strip {
-        if filter.completes_repetition(index) {
-            length -= 1;
-        } else {
-            length += 1;
-        }
+        length = RepetitionFilter::grown(length, filter.completes_repetition(index));
     }
     if filter.has_triangle { length } else { 0 }
 }

@@ -8,17 +8,20 @@
 //! change of a vertex   strip, place count, places ... | strip, place count, places ... | ...
 //! ```
 //!
+//! A strip whose last triangle is gone draws nothing, whatever stands in it: later changes leave it out. That keeps
+//! 45 % of the places of the bunny from being listed.
+//!
 //! Differs: the publication has one vertex a position. Here a step has one change for each wedge of its position, so
 //! that no place needs to say which wedge stands there.
 //!
-//! Cost: a place is listed once for each vertex that it shows over time, also where a filter would leave it out;
-//! building is linear in that. Sending a level costs the length of the strips of the full mesh.
+//! Cost: a place is listed once for each vertex that it shows while its strip is drawn, also where a filter would
+//! leave it out; building is linear in that. Sending a level costs the length of the strips of the full mesh.
+
+mod build;
 
 use super::repetitions::{filtered_length, write_filtered};
-use crate::mesh::RefinableMesh;
 use crate::model::step_vertices::StepVertices;
-use crate::model::strip_input::check_strips;
-use crate::model::{DrawCounts, LodModel, ModelError, PartBytes, Topology};
+use crate::model::{DrawCounts, LodModel, PartBytes, Topology};
 use crate::strip::{RESTART, StripSet};
 
 /// The static half of the model; see the [module](self).
@@ -39,35 +42,6 @@ pub struct OriginalLodStripsState {
 }
 
 impl OriginalLodStrips {
-    /// Builds the model from strips of the full mesh, which are taken as they are.
-    ///
-    /// # Errors
-    /// [`ModelError`] where the strips are not those of the mesh: other groups, other numbers of
-    /// triangles, vertices that are not there; or where all changes together need more than 2^32 words.
-    pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
-        check_strips(&refinable.mesh, strips)?;
-        let vertices = StepVertices::of_sequence(&refinable.sequence).into_owned();
-        let mut places_of = places_by_vertex(strips, vertices.vertex_count);
-        check_size(&vertices, &places_of)?;
-        let mut reversed = Vec::new();
-        let mut ends = vec![0];
-        for vertex in (vertices.base_vertex_count..vertices.vertex_count as u32).rev() {
-            let mut places = std::mem::take(&mut places_of[vertex as usize]);
-            // Runs of those that came together: this sort merges them.
-            places.sort();
-            write_change(strips, &places, &mut reversed);
-            ends.push(reversed.len() as u32);
-            let target = &mut places_of[vertices.target(vertex) as usize];
-            if target.is_empty() {
-                *target = places;
-            } else {
-                target.append(&mut places);
-            }
-        }
-        let (changes, change_offsets) = in_vertex_order(&reversed, &ends);
-        Ok(Self { vertices, strips: strips.clone(), change_offsets, changes })
-    }
-
     /// Strips, those without triangles at coarse levels counted.
     pub fn strip_count(&self) -> usize {
         self.strips.strip_count()
@@ -113,7 +87,7 @@ impl OriginalLodStrips {
         &state.indices[offsets[strip] as usize..offsets[strip + 1] as usize]
     }
 
-    /// Puts `shown` where a vertex of a step stands at full detail of that step.
+    /// Puts `shown` in all places that a vertex has while it is there.
     fn substitute(&self, indices: &mut [u32], vertex: u32, shown: u32) {
         let change = (vertex - self.vertices.base_vertex_count) as usize;
         let [start, end] = [change, change + 1].map(|i| self.change_offsets[i] as usize);
@@ -145,54 +119,6 @@ impl<'m> Iterator for Records<'m> {
         self.0 = rest;
         Some(Record { strip: *strip, places })
     }
-}
-
-/// Where each vertex stands in the strips of the full mesh, counted through all of them.
-fn places_by_vertex(strips: &StripSet, vertex_count: usize) -> Vec<Vec<u32>> {
-    let mut places_of = vec![Vec::new(); vertex_count];
-    for (place, &vertex) in strips.indices().iter().enumerate() {
-        places_of[vertex as usize].push(place as u32);
-    }
-    places_of
-}
-
-/// Whether the changes fit 32-bit offsets; looked at before any of them takes memory.
-fn check_size(vertices: &StepVertices<'_>, places_of: &[Vec<u32>]) -> Result<(), ModelError> {
-    let mut counts: Vec<u64> = places_of.iter().map(|places| places.len() as u64).collect();
-    let mut found = 0;
-    for vertex in (vertices.base_vertex_count..vertices.vertex_count as u32).rev() {
-        // At worst each place has a record of its own.
-        found += 3 * counts[vertex as usize];
-        counts[vertices.target(vertex) as usize] += counts[vertex as usize];
-    }
-    let limit = u64::from(u32::MAX);
-    if found > limit { Err(ModelError::TooMany { what: "words of changes", found, limit }) } else { Ok(()) }
-}
-
-/// Appends the change of a vertex that stands at `places`, which rise.
-fn write_change(strips: &StripSet, places: &[u32], out: &mut Vec<u32>) {
-    let offsets = strips.offsets();
-    let mut rest = places;
-    while let Some(&first) = rest.first() {
-        let strip = offsets.partition_point(|&offset| offset <= first) - 1;
-        let count = rest.partition_point(|&place| place < offsets[strip + 1]);
-        let (here, behind) = rest.split_at(count);
-        out.extend([strip as u32, count as u32]);
-        out.extend(here.iter().map(|place| place - offsets[strip]));
-        rest = behind;
-    }
-}
-
-/// Turns changes written from the last vertex down, with the ends of each, into those in order of vertices.
-fn in_vertex_order(reversed: &[u32], ends: &[u32]) -> (Vec<u32>, Vec<u32>) {
-    let mut changes = Vec::with_capacity(reversed.len());
-    let mut offsets = Vec::with_capacity(ends.len());
-    offsets.push(0);
-    for w in ends.windows(2).rev() {
-        changes.extend_from_slice(&reversed[w[0] as usize..w[1] as usize]);
-        offsets.push(changes.len() as u32);
-    }
-    (changes, offsets)
 }
 
 impl LodModel for OriginalLodStrips {
