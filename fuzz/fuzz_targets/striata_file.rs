@@ -4,7 +4,7 @@
 use libfuzzer_sys::fuzz_target;
 use striata::codec::{DecodeError, StriataFile, Verify};
 use striata::mesh::replay;
-use striata::model::LodModel;
+use striata::model::StripModel;
 use striata_fuzz::with_checksums_set_right;
 
 fuzz_target!(|data: &[u8]| {
@@ -22,19 +22,26 @@ fn read_all(bytes: &[u8], verify: Verify) -> Result<(), DecodeError> {
             assert_eq!(replay(&refinable, split_count).check(), Ok(()));
         }
     }
-    let Some(model) = file.lod_strips() else { return Ok(()) };
-    let model = model?;
+    if let Some(model) = file.lod_strips() {
+        walk_through(&file, &model?);
+    }
+    if let Some(model) = file.mts() {
+        walk_through(&file, &model?);
+    }
+    Ok(())
+}
+
+fn walk_through<M: StripModel>(file: &StriataFile<'_>, model: &M) {
     let full = model.new_state();
-    let mut state = full.clone();
+    let mut state = model.new_state();
     let step_count = model.step_count();
     for split_count in [step_count / 2, 0, step_count / 3, step_count] {
         model.move_to(&mut state, split_count);
-        if let Ok(level) = file.level_of(&model, &state) {
+        if let Ok(level) = file.level_of(model, &state) {
             assert_eq!(level.check(), Ok(()));
         }
     }
     for strip in 0..model.strip_count() {
         assert_eq!(model.strip(&state, strip), model.strip(&full, strip), "down and up is not the same");
     }
-    Ok(())
 }

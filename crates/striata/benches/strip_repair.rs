@@ -15,7 +15,7 @@ use std::time::Instant;
 
 use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay, shapes};
-use striata::model::{LodModel, LodStrips};
+use striata::model::{LodModel, LodStrips, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{
     LiveStrips, RepairGoal, RepairOptions, RepairReport, StripOptions, StripSet, Stripifier,

@@ -20,7 +20,7 @@ use std::time::Instant;
 
 use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay, weld};
-use striata::model::{LodModel, LodStrips};
+use striata::model::{LodModel, LodStrips, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, Stripifier, stripify};
 use table::Table;

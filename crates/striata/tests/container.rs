@@ -9,8 +9,8 @@ use striata::codec::{
 use striata::mesh::{
     AttributeLayer, Image, IndexedMesh, LayerData, RefinableMesh, Semantic, canonical_triangles, replay,
 };
-use striata::model::{LodModel, LodStrips};
-use striata::strip::{StripOptions, stripify};
+use striata::model::{LodStrips, Mts, StripModel};
+use striata::strip::{StripOptions, StripSet, stripify};
 use support::{Random, Wildness, grid, nasty, random_refinable, with_seams_and_groups};
 
 /// A mesh with everything that a file can hold.
@@ -56,10 +56,15 @@ fn model_of(refinable: &RefinableMesh) -> LodStrips<'static> {
     LodStrips::build(refinable, &strips).unwrap()
 }
 
+fn mts_of(refinable: &RefinableMesh) -> Mts<'static> {
+    let strips = stripify(&refinable.mesh, &StripOptions::default()).unwrap();
+    Mts::build(refinable, &strips).unwrap()
+}
+
 fn bytes_of(refinable: &RefinableMesh) -> Vec<u8> {
-    let model = model_of(refinable);
+    let (model, mts) = (model_of(refinable), mts_of(refinable));
     let options = WriteOptions::default().with_metadata("creator", "test");
-    to_striata(refinable, &[FileModel::LodStrips(&model)], &options).unwrap()
+    to_striata(refinable, &[FileModel::LodStrips(&model), FileModel::Mts(&mts)], &options).unwrap()
 }
 
 /// Equal but for the order of triangles within their groups.
@@ -80,19 +85,27 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
     file.metadata()?;
     let refinable = file.refinable_mesh()?;
     refinable.mesh.check()?;
-    if let Some(model) = file.lod_strips() {
-        let model = model?;
-        let mut state = model.new_state();
-        let full = state.clone();
-        for split_count in (0..=model.step_count()).rev().step_by(5).chain([0]) {
-            model.move_to(&mut state, split_count);
-            file.level_of(&model, &state)?.check()?;
-        }
-        model.move_to(&mut state, model.step_count());
-        for strip in 0..model.strip_count() {
-            assert_eq!(model.strip(&state, strip), model.strip(&full, strip));
-        }
-        file.level(model.step_count() / 2)?.check()?;
+    let models = (file.lod_strips(), file.mts());
+    if let (Some(model), _) = models {
+        walk_through(&file, &model?)?;
+    }
+    if let (_, Some(model)) = models {
+        walk_through(&file, &model?)?;
+    }
+    file.level(file.summary().step_count / 2)?.check()?;
+    Ok(())
+}
+
+fn walk_through<M: StripModel>(file: &StriataFile<'_>, model: &M) -> Result<(), DecodeError> {
+    let mut state = model.new_state();
+    let full = model.new_state();
+    for split_count in (0..=model.step_count()).rev().step_by(5).chain([0]) {
+        model.move_to(&mut state, split_count);
+        file.level_of(model, &state)?.check()?;
+    }
+    model.move_to(&mut state, model.step_count());
+    for strip in 0..model.strip_count() {
+        assert_eq!(model.strip(&state, strip), model.strip(&full, strip));
     }
     Ok(())
 }
@@ -106,6 +119,7 @@ fn all_parts_come_back() {
     assert_same_mesh(&found.mesh, &refinable.mesh);
     assert_eq!(found.sequence, refinable.sequence);
     assert_eq!(file.lod_strips().unwrap().unwrap(), model_of(&refinable));
+    assert_eq!(file.mts().unwrap().unwrap(), mts_of(&refinable));
     assert_eq!(file.metadata().unwrap(), [("creator".to_owned(), "test".to_owned())]);
     let summary = file.summary();
     assert_eq!(summary.triangle_count, refinable.mesh.triangle_count());
@@ -255,6 +269,37 @@ fn models_of_other_meshes_are_not_written() {
     let models = [FileModel::LodStrips(&model); 2];
     let error = to_striata(&refinable, &models, &WriteOptions::default());
     assert!(matches!(error, Err(EncodeError::RepeatedModel { .. })));
+    let triangles = refinable.mesh.triangles.iter().map(|t| t.to_vec()).collect::<Vec<_>>();
+    let mut single = StripSet::new();
+    for group in refinable.mesh.groups_or_whole() {
+        triangles[group.range()].iter().for_each(|t| single.push(t));
+        single.end_group();
+    }
+    let mts = Mts::build(&refinable, &single).unwrap();
+    let models = [FileModel::LodStrips(&model), FileModel::Mts(&mts)];
+    let error = to_striata(&refinable, &models, &WriteOptions::default());
+    assert!(matches!(error, Err(EncodeError::OtherStrips { model: "mts" })));
+}
+
+#[test]
+fn strips_are_stored_once_for_all_models() {
+    let refinable = rich();
+    let (model, mts) = (model_of(&refinable), mts_of(&refinable));
+    let of = |models: &[FileModel<'_>]| to_striata(&refinable, models, &WriteOptions::default()).unwrap();
+    let alone = of(&[FileModel::Mts(&mts)]);
+    let file = StriataFile::parse(&alone).unwrap();
+    assert!(file.lod_strips().is_none());
+    assert_eq!(file.mts().unwrap().unwrap(), mts);
+    let level = file.level(file.summary().step_count / 3).unwrap();
+    assert_same_mesh(&level, &replay(&refinable, refinable.sequence.step_count() / 3));
+    let both = of(&[FileModel::LodStrips(&model), FileModel::Mts(&mts)]);
+    let file = StriataFile::parse(&both).unwrap();
+    let count = |kind| file.sections().iter().filter(|s| s.kind == kind).count();
+    assert_eq!(
+        [count(SectionKind::STRIP_INDICES), count(SectionKind::ARCS), count(SectionKind::RECORDS)],
+        [1; 3]
+    );
+    assert_eq!(file.strips().unwrap().unwrap().indices(), file.mts().unwrap().unwrap().indices());
 }
 
 proptest! {

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
-use striata::model::{LodModel, LodStrips, LodStripsState, ModelError, StripBuffer};
+use striata::model::{LodModel, LodStrips, LodStripsState, ModelError, StripBuffer, StripModel};
 use striata::strip::{RESTART, StripOptions, StripSet, restart_triangles_into, stripify};
 use support::{Random, Wildness, grid, nasty, random_refinable, soup, with_seams_and_groups};
 

@@ -88,7 +88,7 @@ pub(crate) struct BuildArgs {
     /// The file to write
     #[arg(short, long, value_name = "OUT.striata")]
     pub(crate) output: PathBuf,
-    /// Models to store, separated by commas: lodstrips
+    /// Models to store, separated by commas: lodstrips (small, steps fast), mts (walks strips anew)
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "lodstrips")]
     pub(crate) models: Vec<String>,
     /// Stop when no more than this many triangles are left [default: as far as it goes]

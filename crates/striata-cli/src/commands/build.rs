@@ -6,8 +6,9 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::model::{LodModel, LodStrips};
+use striata::model::{LodModel, LodStrips, Mts, PartBytes};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, StopReason, build_welded_sequence};
+use striata::strip::StripSet;
 use striata_io::write_atomically;
 
 use crate::args::{BuildArgs, CostArg, SequenceArgs};
@@ -26,7 +27,7 @@ pub(crate) const PHASES: [&str; 6] = ["read", "weld", "simplify", "strip", "mode
 const ORDERS: [&str; 1] = ["quadric"];
 
 /// Models that this version has.
-pub(crate) const MODELS: [&str; 1] = ["lodstrips"];
+pub(crate) const MODELS: [&str; 2] = ["lodstrips", "mts"];
 
 /// Reads, builds, writes, reports.
 ///
@@ -46,8 +47,8 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let mut options = args.sequence.options(diagonal)?;
     options.base_triangle_count = args.base.unwrap_or(0);
     options.max_error = args.max_error.map(|error| error.in_units(diagonal));
-    let built = build(&mesh, &options, &args.strip_plan(), &mut phases, &mut bar)
-        .map_err(|failure| failure.in_file(&input.name))?;
+    let plan = BuildPlan { options, strips: args.strip_plan(), models: args.models.clone() };
+    let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     phases.enter("write");
     bar.phase("write");
     let bytes = built.to_bytes(&source)?;
@@ -62,15 +63,66 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     output.summary(&report, &report.to_text(&args.output, &built, diagonal))
 }
 
+/// What a build is to make.
+#[derive(Clone, Debug)]
+pub(crate) struct BuildPlan {
+    /// How the mesh is simplified.
+    pub(crate) options: SequenceOptions,
+    /// How its strips are made.
+    pub(crate) strips: StripPlan,
+    /// The models, by name.
+    pub(crate) models: Vec<String>,
+}
+
+impl BuildPlan {
+    /// What is built where nothing is asked for.
+    pub(crate) fn usual() -> Self {
+        Self {
+            options: SequenceOptions::default(),
+            strips: BuildArgs::usual_strip_plan(),
+            models: vec![MODELS[0].to_owned()],
+        }
+    }
+}
+
 /// A mesh with all that a .striata file holds.
 #[derive(Debug)]
 pub(crate) struct Built {
     /// The mesh in refinement order, and its steps.
     pub(crate) refinable: RefinableMesh,
-    /// The model of its strips.
-    pub(crate) lod_strips: LodStrips<'static>,
+    models: Models,
     stop_reason: StopReason,
     strip_report: StripReport,
+}
+
+/// The models that were asked for.
+#[derive(Debug)]
+struct Models {
+    lod_strips: Option<LodStrips<'static>>,
+    mts: Option<Mts<'static>>,
+}
+
+impl Models {
+    /// # Errors
+    /// Where the strips are not those of the mesh.
+    fn build(names: &[String], refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, Failure> {
+        let is_wanted = |name: &str| names.iter().any(|n| n == name);
+        Ok(Self {
+            lod_strips: is_wanted("lodstrips").then(|| LodStrips::build(refinable, strips)).transpose()?,
+            mts: is_wanted("mts").then(|| Mts::build(refinable, strips)).transpose()?,
+        })
+    }
+
+    fn in_file(&self) -> Vec<FileModel<'_>> {
+        let lod_strips = self.lod_strips.iter().map(FileModel::LodStrips);
+        lod_strips.chain(self.mts.iter().map(FileModel::Mts)).collect()
+    }
+
+    /// Each model's name and parts.
+    fn parts(&self) -> Vec<(&'static str, Vec<PartBytes>)> {
+        let lod_strips = self.lod_strips.iter().map(|model| ("lodstrips", model.bytes()));
+        lod_strips.chain(self.mts.iter().map(|model| ("mts", model.bytes()))).collect()
+    }
 }
 
 /// Builds the sequence, the strips and the models of a mesh.
@@ -79,8 +131,7 @@ pub(crate) struct Built {
 /// Where the mesh does not hang together or an option is out of range.
 pub(crate) fn build(
     mesh: &IndexedMesh,
-    options: &SequenceOptions,
-    plan: &StripPlan,
+    plan: &BuildPlan,
     phases: &mut Phases,
     bar: &mut Bar,
 ) -> Result<Built, Failure> {
@@ -88,19 +139,27 @@ pub(crate) fn build(
     bar.phase("weld");
     let welded = weld(mesh)?;
     phases.enter("simplify");
-    let sequence = build_welded_sequence(welded, options, &mut |progress| bar.show(progress))?;
+    let sequence = build_welded_sequence(welded, &plan.options, &mut |progress| bar.show(progress))?;
     let refinable = sequence.refinable;
     phases.enter("strip");
-    let stripped = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
-    let strip_report = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped)?;
-    let strip_report = strip_report.with_bound(&plan.chain, &refinable.mesh);
+    let stripped = plan.strips.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
+    let strip_report = StripReport::new(plan.strips.chain.to_string(), &refinable.mesh, &stripped)?;
+    let strip_report = strip_report.with_bound(&plan.strips.chain, &refinable.mesh);
     phases.enter("models");
     bar.phase("models");
-    let lod_strips = LodStrips::build(&refinable, &stripped.strips)?;
-    Ok(Built { refinable, lod_strips, stop_reason: sequence.stop_reason, strip_report })
+    let models = Models::build(&plan.models, &refinable, &stripped.strips)?;
+    Ok(Built { refinable, models, stop_reason: sequence.stop_reason, strip_report })
 }
 
 impl Built {
+    /// The LodStrips.
+    ///
+    /// # Panics
+    /// If they were not asked for.
+    pub(crate) fn lod_strips(&self) -> &LodStrips<'static> {
+        self.models.lod_strips.as_ref().expect("built with LodStrips")
+    }
+
     /// The .striata file, with the name of the mesh that it was made from.
     ///
     /// # Errors
@@ -109,7 +168,7 @@ impl Built {
         let options = WriteOptions::default()
             .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
             .with_metadata("source", source);
-        Ok(to_striata(&self.refinable, &[FileModel::LodStrips(&self.lod_strips)], &options)?)
+        Ok(to_striata(&self.refinable, &self.models.in_file(), &options)?)
     }
 }
 
@@ -133,11 +192,11 @@ impl Report {
         let sequence = &built.refinable.sequence;
         let vertex_count = built.refinable.mesh.vertex_count().max(1);
         let mut models = Map::new();
-        let bytes = built.lod_strips.bytes().iter().map(|part| part.bytes).sum::<usize>();
-        models.insert(
-            "lodstrips".to_owned(),
-            json!({ "bytes": bytes, "bytes_per_vertex": bytes as f64 / vertex_count as f64 }),
-        );
+        for (name, parts) in built.models.parts() {
+            let bytes = parts.iter().map(|part| part.bytes).sum::<usize>();
+            let per_vertex = bytes as f64 / vertex_count as f64;
+            models.insert(name.to_owned(), json!({ "bytes": bytes, "bytes_per_vertex": per_vertex }));
+        }
         let mut strips = json!(built.strip_report);
         strips["secs"] = json!(phases.secs_of("strip"));
         Self {
@@ -177,6 +236,11 @@ impl Report {
         let strips =
             format!("{} ({algorithm}), {indices_per_triangle:.3} indices a triangle", grouped(*strip_count));
         row("strips", strips);
+        for (name, model) in &self.models {
+            let bytes = model["bytes"].as_u64().unwrap_or(0) as usize;
+            let per_vertex = model["bytes_per_vertex"].as_f64().unwrap_or(0.0);
+            row(name, format!("{}, {per_vertex:.1} bytes a vertex", sized(bytes)));
+        }
         row("file", format!("{} ({})", output.display(), sized(self.output_bytes)));
         row("time", lasted(self.secs));
         table.to_text()

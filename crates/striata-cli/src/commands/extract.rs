@@ -3,9 +3,10 @@
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::codec::StriataFile;
-use striata::model::{LodModel, LodStrips, LodStripsState};
-use striata::strip::StripSet;
+use striata::codec::{DecodeError, StriataFile};
+use striata::mesh::IndexedMesh;
+use striata::model::{LodStrips, Mts, StripModel};
+use striata::strip::{RESTART, StripSet};
 
 use super::strip::check_strips_fit;
 use crate::args::{ExtractArgs, TriangleForm};
@@ -38,18 +39,17 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
     let sequence = file.sequence().map_err(|error| input.damaged(&error))?;
-    let model = lod_strips(&file, args.model.as_deref(), &input)?;
     let target = args.level.target(file.summary().bounds.map_or(0.0, |b| b.diagonal()))?;
     let (split_count, stop_reason) = target.resolve(&sequence);
-    let mut state = model.new_state();
-    let seek_started = Instant::now();
-    model.move_to(&mut state, split_count);
-    let seek_secs = seek_started.elapsed().as_secs_f64();
-    let mesh = file.level_of(&model, &state).map_err(|error| input.damaged(&error))?;
-    let strips = (args.form == TriangleForm::Strips).then(|| stitched(&strips_of_level(&model, &state)));
+    let extracted = match pick_model(&file, args.model.as_deref(), &input)? {
+        Model::LodStrips(model) => Extracted::of("lodstrips", &model, split_count, &file),
+        Model::Mts(model) => Extracted::of("mts", &model, split_count, &file),
+    };
+    let Extracted { model, mesh, strips, seek_secs } = extracted.map_err(|error| input.damaged(&error))?;
+    let strips = (args.form == TriangleForm::Strips).then(|| stitched(&strips));
     save(&mesh, strips, &args.output.output, &args.output.format)?;
     let report = Report {
-        model: "lodstrips",
+        model,
         split_count,
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
@@ -59,6 +59,63 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
         secs: started.elapsed().as_secs_f64(),
     };
     output.summary(&report, &report.to_text(sequence.step_count()))
+}
+
+/// A model of a file.
+enum Model<'a> {
+    LodStrips(LodStrips<'a>),
+    Mts(Mts<'a>),
+}
+
+/// The model that is named, or else the first that the file has.
+///
+/// # Errors
+/// Where the model is none that this version has, or none that the file has.
+fn pick_model<'a>(file: &StriataFile<'a>, name: Option<&str>, input: &Input) -> Result<Model<'a>, Failure> {
+    if let Some(name) = name.filter(|name| !MODELS.contains(name)) {
+        return Err(unknown_name("model", name, &MODELS));
+    }
+    let is_wanted = |which: &str| name.is_none_or(|name| name == which);
+    let lod_strips = is_wanted("lodstrips").then(|| file.lod_strips()).flatten();
+    let mts = || is_wanted("mts").then(|| file.mts()).flatten();
+    let model = match lod_strips {
+        Some(model) => Some(model.map(Model::LodStrips)),
+        None => mts().map(|model| model.map(Model::Mts)),
+    };
+    match model {
+        Some(model) => model.map_err(|error| input.damaged(&error)),
+        None => {
+            let what = name.map_or("no model".to_owned(), |name| format!("no model {name}"));
+            Err(Failure::user(format!("{}: {what} is in this file", input.name))
+                .with_hint(format!("build it again with --models {}", name.unwrap_or("lodstrips"))))
+        }
+    }
+}
+
+/// One level of a file.
+struct Extracted {
+    model: &'static str,
+    mesh: IndexedMesh,
+    strips: StripSet,
+    seek_secs: f64,
+}
+
+impl Extracted {
+    /// # Errors
+    /// Where a part of the file is unsound.
+    fn of<M: StripModel>(
+        name: &'static str,
+        model: &M,
+        split_count: usize,
+        file: &StriataFile<'_>,
+    ) -> Result<Self, DecodeError> {
+        let mut state = model.new_state();
+        let started = Instant::now();
+        model.move_to(&mut state, split_count);
+        let seek_secs = started.elapsed().as_secs_f64();
+        let mesh = file.level_of(model, &state)?;
+        Ok(Self { model: name, mesh, strips: strips_of_level(model, &state), seek_secs })
+    }
 }
 
 impl Report {
@@ -77,13 +134,12 @@ impl Report {
 }
 
 /// The strips that a level shows, group by group; dead ones are left out.
-pub(crate) fn strips_of_level(model: &LodStrips<'_>, state: &LodStripsState) -> StripSet {
+pub(crate) fn strips_of_level<M: StripModel>(model: &M, state: &M::State) -> StripSet {
     let mut strips = StripSet::new();
     for group in 0..model.group_count() {
-        for strip in model.group_strips(group).map(|strip| model.strip(state, strip)) {
-            if strip.len() >= 3 {
-                strips.push(strip);
-            }
+        for strip in model.group_strips(group) {
+            let pieces = model.strip(state, strip).split(|&index| index == RESTART);
+            pieces.filter(|piece| piece.len() >= 3).for_each(|piece| strips.push(piece));
         }
         strips.end_group();
     }
@@ -96,23 +152,6 @@ pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
     let of_group =
         |range: &std::ops::Range<u32>| joined.indices[range.start as usize..range.end as usize].to_vec();
     joined.group_ranges.iter().map(of_group).collect()
-}
-
-/// # Errors
-/// Where the model is none that this version has, or none that the file has.
-fn lod_strips<'a>(
-    file: &StriataFile<'a>,
-    name: Option<&str>,
-    input: &Input,
-) -> Result<LodStrips<'a>, Failure> {
-    if let Some(name) = name.filter(|name| !MODELS.contains(name)) {
-        return Err(unknown_name("model", name, &MODELS));
-    }
-    match file.lod_strips() {
-        Some(model) => model.map_err(|error| input.damaged(&error)),
-        None => Err(Failure::user(format!("{}: no model in this file can be read", input.name))
-            .with_hint("build it again with --models lodstrips")),
-    }
 }
 
 /// # Errors

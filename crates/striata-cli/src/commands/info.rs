@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::codec::FORMAT_VERSION;
 use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData, Statistics, validate};
-use striata::model::LodModel;
+use striata::model::StripModel;
 use striata_io::Format;
 
 use crate::args::InfoArgs;
@@ -71,18 +71,10 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
     report.format_version = Some(FORMAT_VERSION);
     report.add_sequence(&refinable.sequence);
     if let Some(model) = file.lod_strips() {
-        let model = model.map_err(|error| input.damaged(&error))?;
-        let parts = model.bytes();
-        let bytes: usize = parts.iter().map(|part| part.bytes).sum();
-        let by_part: Map<String, Value> = parts.iter().map(|p| (p.name.to_owned(), p.bytes.into())).collect();
-        let bytes_per_vertex = bytes as f64 / refinable.mesh.vertex_count().max(1) as f64;
-        let model = json!({
-            "bytes": bytes,
-            "bytes_per_vertex": bytes_per_vertex,
-            "strip_count": model.strip_count(),
-            "parts": by_part,
-        });
-        report.models.insert("lodstrips".to_owned(), model);
+        report.add_model("lodstrips", &model.map_err(|error| input.damaged(&error))?);
+    }
+    if let Some(model) = file.mts() {
+        report.add_model("mts", &model.map_err(|error| input.damaged(&error))?);
     }
     report.sections =
         file.sections().iter().map(|s| json!({ "kind": s.kind.to_string(), "bytes": s.bytes })).collect();
@@ -90,6 +82,20 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
 }
 
 impl Report {
+    fn add_model(&mut self, name: &str, model: &impl StripModel) {
+        let parts = model.bytes();
+        let bytes: usize = parts.iter().map(|part| part.bytes).sum();
+        let by_part: Map<String, Value> = parts.iter().map(|p| (p.name.to_owned(), p.bytes.into())).collect();
+        let bytes_per_vertex = bytes as f64 / self.vertex_count.max(1) as f64;
+        let model = json!({
+            "bytes": bytes,
+            "bytes_per_vertex": bytes_per_vertex,
+            "strip_count": model.strip_count(),
+            "parts": by_part,
+        });
+        self.models.insert(name.to_owned(), model);
+    }
+
     fn new(input: &Input, mesh: &IndexedMesh) -> Self {
         let statistics = Statistics::of(mesh).ok();
         let count = |pick: fn(&Statistics) -> usize| statistics.as_ref().map(pick);

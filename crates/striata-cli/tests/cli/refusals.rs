@@ -148,8 +148,8 @@ fn unknown_names_list_what_there_is() {
     let bench = Workbench::with_ball();
     assert!(
         bench
-            .refused("build sphere.obj -o x.striata --models lodstrips,mts")
-            .contains("hint: this version has: lodstrips")
+            .refused("build sphere.obj -o x.striata --models lodstrips,fans")
+            .contains("hint: this version has: lodstrips, mts")
     );
     assert!(
         bench
@@ -157,6 +157,9 @@ fn unknown_names_list_what_there_is() {
             .contains("hint: this version has: quadric")
     );
     assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --model fans").contains("lodstrips"));
+    let absent = bench.refused("extract ball.striata -o x.ply --detail 1 --model mts");
+    assert!(absent.contains("ball.striata: no model mts is in this file"), "{absent}");
+    assert!(absent.contains("hint: build it again with --models mts"), "{absent}");
 }
 
 #[test]

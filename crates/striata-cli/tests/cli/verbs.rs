@@ -66,6 +66,32 @@ fn build_stops_where_it_is_told() {
 }
 
 #[test]
+fn every_model_of_a_file_shows_the_same_levels() {
+    let bench = Workbench::with_ball();
+    let report = bench.json("build sphere.obj -o both.striata --models lodstrips,mts");
+    assert_keys(&report, &["models.lodstrips.bytes", "models.mts.bytes", "models.mts.bytes_per_vertex"]);
+    let info = bench.json("info both.striata");
+    assert_keys(&info, &["models.lodstrips.parts", "models.mts.parts.arcs", "models.mts.strip_count"]);
+    for detail in ["0", "0.3", "1"] {
+        for form in ["list", "strips"] {
+            let extract = |model: &str| {
+                let to = format!("{model}.glb");
+                let line =
+                    format!("extract both.striata -o {to} --detail {detail} --as {form} --model {model}");
+                assert_eq!(bench.json(&line)["model"], model);
+                bench.json(&format!("info {to}"))["area"].as_f64().expect("a number")
+            };
+            let [a, b] = [extract("lodstrips"), extract("mts")];
+            assert!((a - b).abs() <= 1e-9 * a, "{a} and {b} at {detail} as {form}");
+        }
+    }
+    // Either of them alone is enough.
+    bench.json("build sphere.obj -o mts.striata --models mts");
+    assert_eq!(bench.json("extract mts.striata -o x.ply --detail 0.5")["model"], "mts");
+    assert_eq!(bench.json("info mts.striata")["triangle_count"], 512);
+}
+
+#[test]
 fn info_looks_into_meshes_and_containers() {
     let bench = Workbench::with_ball();
     let keys = [

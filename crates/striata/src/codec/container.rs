@@ -44,16 +44,26 @@ impl SectionKind {
     pub const ERRORS: Self = Self(*b"SQER");
     /// Triangles that each collapse removes.
     pub const REMOVED: Self = Self(*b"SQRM");
-    /// LodStrips: indices of the strips.
+    /// Indices of the strips of the full mesh, from which models of strips start.
     pub const STRIP_INDICES: Self = Self(*b"LSIX");
-    /// LodStrips: first index of each strip.
+    /// First index of each strip.
     pub const STRIP_OFFSETS: Self = Self(*b"LSOF");
-    /// LodStrips: first strip of each group.
+    /// First strip of each group.
     pub const STRIP_GROUPS: Self = Self(*b"LSGR");
     /// LodStrips: bytes of each record.
     pub const RECORD_LENGTHS: Self = Self(*b"LSRL");
     /// LodStrips: the records.
     pub const RECORDS: Self = Self(*b"LSAR");
+    /// MTS: first arc of each strip.
+    pub const ARC_OFFSETS: Self = Self(*b"MTOF");
+    /// MTS: where the rows of each strip start among its arcs.
+    pub const ARC_ROWS: Self = Self(*b"MTRW");
+    /// MTS: the arcs.
+    pub const ARCS: Self = Self(*b"MTAR");
+    /// MTS: bytes of each record.
+    pub const CHANGE_LENGTHS: Self = Self(*b"MTRL");
+    /// MTS: the records, which name the strips that a step changes.
+    pub const CHANGES: Self = Self(*b"MTCH");
 
     fn is_known(self) -> bool {
         [
@@ -73,6 +83,11 @@ impl SectionKind {
             Self::STRIP_GROUPS,
             Self::RECORD_LENGTHS,
             Self::RECORDS,
+            Self::ARC_OFFSETS,
+            Self::ARC_ROWS,
+            Self::ARCS,
+            Self::CHANGE_LENGTHS,
+            Self::CHANGES,
         ]
         .contains(&self)
     }

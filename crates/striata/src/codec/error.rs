@@ -3,6 +3,7 @@
 use super::SectionKind;
 use crate::mesh::{MeshError, SequenceError};
 use crate::model::ModelError;
+use crate::strip::StripSetError;
 
 /// Why bytes are not a `.striata` file, or not a sound one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -112,9 +113,17 @@ pub enum DecodeError {
     /// The sequence is unsound.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
-    /// The LodStrips are unsound.
-    #[error("lodstrips: {0}")]
-    LodStrips(#[from] ModelError),
+    /// A model is unsound.
+    #[error("{model}: {reason}")]
+    Model {
+        /// The model.
+        model: &'static str,
+        /// What is wrong with it.
+        reason: ModelError,
+    },
+    /// The strips of the full mesh are unsound.
+    #[error(transparent)]
+    Strips(#[from] StripSetError),
 }
 
 /// Why a mesh and its models cannot be written.
@@ -138,6 +147,12 @@ pub enum EncodeError {
         found: usize,
         /// The mesh's number.
         expected: usize,
+    },
+    /// Two models start from different strips; a file holds the strips once.
+    #[error("the {model} model starts from other strips than the model before it")]
+    OtherStrips {
+        /// The later model.
+        model: &'static str,
     },
     /// The same model was given twice.
     #[error("the {model} model is given more than once")]

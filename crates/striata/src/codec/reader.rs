@@ -9,7 +9,9 @@ use crate::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
 };
 use crate::model::lod_strips::LodStripsParts;
-use crate::model::{LodModel, LodStrips, LodStripsState, StepVertices};
+use crate::model::mts::MtsParts;
+use crate::model::{LodStrips, Mts, StepVertices, StripModel};
+use crate::strip::{StripSet, strip_triangles};
 
 /// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
 #[derive(Clone, Debug)]
@@ -154,39 +156,88 @@ impl<'a> StriataFile<'a> {
         Ok(Some(firsts))
     }
 
+    /// Whether the file has sections of a kind.
+    fn has(&self, kind: SectionKind) -> bool {
+        self.container.sections.iter().any(|section| section.kind == kind)
+    }
+
+    /// The strips of the full mesh, if the file has them; in memory of their own.
+    ///
+    /// Vertices are not looked at: [`refinable_mesh`](Self::refinable_mesh) and the models do.
+    pub fn strips(&self) -> Option<Result<StripSet, DecodeError>> {
+        self.has(SectionKind::STRIP_INDICES).then(|| {
+            let strips = StripSet::from_parts(
+                self.container.numbers(SectionKind::STRIP_INDICES)?.into_owned(),
+                self.container.numbers(SectionKind::STRIP_OFFSETS)?.into_owned(),
+                self.container.numbers(SectionKind::STRIP_GROUPS)?.into_owned(),
+            )?;
+            let group_count = self.summary.group_count.max(1);
+            self.expect(SectionKind::STRIP_GROUPS, "groups", strips.group_count(), group_count)?;
+            Ok(strips)
+        })
+    }
+
     /// The LodStrips, if the file has them: borrowed from the file and checked once, so that no move can fail.
     pub fn lod_strips(&self) -> Option<Result<LodStrips<'a>, DecodeError>> {
-        let has_any = self.container.sections.iter().any(|s| s.kind == SectionKind::STRIP_INDICES);
-        has_any.then(|| self.read_lod_strips())
+        self.has(SectionKind::RECORDS).then(|| self.read_lod_strips())
     }
 
     fn read_lod_strips(&self) -> Result<LodStrips<'a>, DecodeError> {
-        let summary = &self.summary;
+        let parts = LodStripsParts {
+            indices: self.container.numbers(SectionKind::STRIP_INDICES)?,
+            offsets: self.container.numbers(SectionKind::STRIP_OFFSETS)?,
+            group_offsets: self.container.numbers(SectionKind::STRIP_GROUPS)?,
+            record_lengths: self.container.get(SectionKind::RECORD_LENGTHS)?.into(),
+            arena: self.container.get(SectionKind::RECORDS)?.into(),
+        };
+        let model = LodStrips::from_parts(self.step_vertices()?, parts);
+        let model = model.map_err(|reason| DecodeError::Model { model: "lodstrips", reason })?;
+        self.expect_model(&model, SectionKind::RECORD_LENGTHS)?;
+        Ok(model)
+    }
+
+    /// The MTS, if the file has it: borrowed from the file and checked once, so that no move can fail.
+    pub fn mts(&self) -> Option<Result<Mts<'a>, DecodeError>> {
+        self.has(SectionKind::ARCS).then(|| self.read_mts())
+    }
+
+    fn read_mts(&self) -> Result<Mts<'a>, DecodeError> {
+        let parts = MtsParts {
+            indices: self.container.numbers(SectionKind::STRIP_INDICES)?,
+            offsets: self.container.numbers(SectionKind::STRIP_OFFSETS)?,
+            group_offsets: self.container.numbers(SectionKind::STRIP_GROUPS)?,
+            arc_offsets: self.container.numbers(SectionKind::ARC_OFFSETS)?,
+            rows: self.container.numbers(SectionKind::ARC_ROWS)?,
+            arcs: self.container.numbers(SectionKind::ARCS)?,
+            record_lengths: self.container.get(SectionKind::CHANGE_LENGTHS)?.into(),
+            arena: self.container.get(SectionKind::CHANGES)?.into(),
+        };
+        let model = Mts::from_parts(self.step_vertices()?, parts);
+        let model = model.map_err(|reason| DecodeError::Model { model: "mts", reason })?;
+        self.expect_model(&model, SectionKind::CHANGE_LENGTHS)?;
+        Ok(model)
+    }
+
+    fn step_vertices(&self) -> Result<StepVertices<'a>, DecodeError> {
+        let base = self.summary.base_position_count;
         let firsts = match self.first_vertices()? {
             None => Cow::Borrowed(&[][..]),
-            Some(Cow::Borrowed(all)) => all.get(summary.base_position_count..).unwrap_or(&[]).into(),
-            Some(Cow::Owned(all)) => all.get(summary.base_position_count..).unwrap_or(&[]).to_vec().into(),
+            Some(Cow::Borrowed(all)) => all.get(base..).unwrap_or(&[]).into(),
+            Some(Cow::Owned(all)) => all.get(base..).unwrap_or(&[]).to_vec().into(),
         };
-        let vertices = StepVertices {
+        Ok(StepVertices {
             vertex_count: self.positions()?.len(),
-            base_vertex_count: summary.base_vertex_count as u32,
+            base_vertex_count: self.summary.base_vertex_count as u32,
             firsts,
             targets: self.container.numbers(SectionKind::TARGETS)?,
-        };
-        let model = LodStrips::from_parts(
-            vertices,
-            LodStripsParts {
-                indices: self.container.numbers(SectionKind::STRIP_INDICES)?,
-                offsets: self.container.numbers(SectionKind::STRIP_OFFSETS)?,
-                group_offsets: self.container.numbers(SectionKind::STRIP_GROUPS)?,
-                record_lengths: self.container.get(SectionKind::RECORD_LENGTHS)?.into(),
-                arena: self.container.get(SectionKind::RECORDS)?.into(),
-            },
-        )?;
-        self.expect(SectionKind::RECORD_LENGTHS, "steps", model.step_count(), summary.step_count)?;
-        let group_count = summary.group_count.max(1);
-        self.expect(SectionKind::STRIP_GROUPS, "groups", model.group_count(), group_count)?;
-        Ok(model)
+        })
+    }
+
+    /// Whether a model is of this file's size.
+    fn expect_model(&self, model: &impl StripModel, steps_in: SectionKind) -> Result<(), DecodeError> {
+        self.expect(steps_in, "steps", model.step_count(), self.summary.step_count)?;
+        let group_count = self.summary.group_count.max(1);
+        self.expect(SectionKind::STRIP_GROUPS, "groups", model.group_count(), group_count)
     }
 
     /// The whole mesh with its sequence, checked and in memory of its own.
@@ -203,10 +254,9 @@ impl<'a> StriataFile<'a> {
             groups: self.groups()?,
             appearance: self.appearance()?,
         };
-        let kind = match self.lod_strips() {
-            Some(model) => {
-                let model = model?;
-                self.append_groups(&model, &model.new_state(), &mut mesh, true)?;
+        let kind = match self.strips() {
+            Some(strips) => {
+                self.append_strips(&strips?, &mut mesh)?;
                 SectionKind::STRIP_INDICES
             }
             None => {
@@ -219,33 +269,35 @@ impl<'a> StriataFile<'a> {
         Ok(RefinableMesh { mesh, sequence: self.sequence()? })
     }
 
-    /// One level as a mesh of its own, by way of the LodStrips.
+    /// One level as a mesh of its own, by way of the first model that the file has.
     ///
     /// # Errors
-    /// [`DecodeError`] where the file has no LodStrips, no such level, or any part is unsound.
+    /// [`DecodeError`] where the file has no model, no such level, or any part is unsound.
     pub fn level(&self, split_count: usize) -> Result<IndexedMesh, DecodeError> {
         let step_count = self.summary.step_count;
         if split_count > step_count {
             return Err(DecodeError::SplitCount { split_count, step_count });
         }
+        if let Some(model) = self.lod_strips() {
+            return self.moved(&model?, split_count);
+        }
         let missing = DecodeError::SectionCount { kind: SectionKind::STRIP_INDICES, found: 0 };
-        let model = self.lod_strips().ok_or(missing)??;
-        let mut state = model.new_state();
-        model.move_to(&mut state, split_count);
-        self.level_of(&model, &state)
+        self.moved(&self.mts().ok_or(missing)??, split_count)
     }
 
-    /// The level that an instance of the file's LodStrips shows; for callers who keep model and state.
+    fn moved<M: StripModel>(&self, model: &M, split_count: usize) -> Result<IndexedMesh, DecodeError> {
+        let mut state = model.new_state();
+        model.move_to(&mut state, split_count);
+        self.level_of(model, &state)
+    }
+
+    /// The level that an instance of one of the file's models shows; for callers who keep model and state.
     ///
     /// # Errors
     /// [`DecodeError`] where any part is unsound, or the model is not the file's.
-    pub fn level_of(
-        &self,
-        model: &LodStrips<'_>,
-        state: &LodStripsState,
-    ) -> Result<IndexedMesh, DecodeError> {
+    pub fn level_of<M: StripModel>(&self, model: &M, state: &M::State) -> Result<IndexedMesh, DecodeError> {
         let positions = self.positions()?;
-        let vertex_count = model.vertex_count_at(state.split_count());
+        let vertex_count = model.vertex_count_at(model.split_count(state));
         let Some(shown) = positions.get(..vertex_count) else {
             let (kind, what) = (SectionKind::POSITIONS, "vertices");
             let (found, expected) = (positions.len() as u64, vertex_count as u64);
@@ -258,33 +310,32 @@ impl<'a> StriataFile<'a> {
             groups: self.groups()?,
             appearance: self.appearance()?,
         };
-        self.append_groups(model, state, &mut level, false)?;
+        let group_count = level.groups.len().max(1);
+        self.expect(SectionKind::STRIP_GROUPS, "groups", model.group_count(), group_count)?;
+        for group in 0..group_count {
+            let first = level.triangles.len();
+            model.group_triangles_into(state, group, &mut level.triangles);
+            if let Some(group) = level.groups.get_mut(group) {
+                (group.first, group.count) = (first as u32, (level.triangles.len() - first) as u32);
+            }
+        }
         level.check()?;
         Ok(level)
     }
 
-    /// Appends the triangles group by group and sets the groups to what was appended.
-    fn append_groups(
-        &self,
-        model: &LodStrips<'_>,
-        state: &LodStripsState,
-        mesh: &mut IndexedMesh,
-        is_full: bool,
-    ) -> Result<(), DecodeError> {
+    /// Appends the triangles of the full mesh's strips, which have to be as many as the groups say.
+    fn append_strips(&self, strips: &StripSet, mesh: &mut IndexedMesh) -> Result<(), DecodeError> {
         let kind = SectionKind::STRIP_GROUPS;
-        self.expect(kind, "groups", model.group_count(), mesh.groups.len().max(1))?;
-        if mesh.groups.is_empty() {
-            model.triangles_into(state, &mut mesh.triangles);
-            return Ok(());
-        }
-        for (g, group) in mesh.groups.iter_mut().enumerate() {
+        for group in 0..strips.group_count() {
             let first = mesh.triangles.len();
-            model.group_triangles_into(state, g, &mut mesh.triangles);
-            let count = mesh.triangles.len() - first;
-            if is_full {
-                self.expect(kind, "triangles of a group", count, group.count as usize)?;
+            for strip in strips.group_strips(group) {
+                mesh.triangles.extend(strip_triangles(strips.strip(strip)));
             }
-            (group.first, group.count) = (first as u32, count as u32);
+            let count = mesh.triangles.len() - first;
+            if let Some(group) = mesh.groups.get_mut(group) {
+                self.expect(kind, "triangles of a group", count, group.count as usize)?;
+                group.first = first as u32;
+            }
         }
         Ok(())
     }

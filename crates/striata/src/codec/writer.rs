@@ -7,14 +7,54 @@ use super::container::{ENTRY_BYTES, HEADER_BYTES, MAGIC, REQUIRED, VERSION, head
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
 use super::{EncodeError, SectionKind, Summary};
 use crate::mesh::RefinableMesh;
-use crate::model::{LodModel, LodStrips};
+use crate::model::{LodModel, LodStrips, Mts, StripModel};
 
 /// A model to be stored beside the mesh.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum FileModel<'m> {
-    /// Strips that follow the level.
+    /// Strips that are edited in place.
     LodStrips(&'m LodStrips<'m>),
+    /// Strips that are walked again where they change.
+    Mts(&'m Mts<'m>),
+}
+
+impl<'m> FileModel<'m> {
+    /// What the model is called in files and on the command line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::LodStrips(_) => "lodstrips",
+            Self::Mts(_) => "mts",
+        }
+    }
+
+    /// The strips that it starts from: groups, offsets, indices.
+    fn strips(&self) -> [&'m [u32]; 3] {
+        match *self {
+            Self::LodStrips(model) => [&model.group_offsets, &model.offsets, &model.indices],
+            Self::Mts(model) => [&model.parts.group_offsets, &model.parts.offsets, &model.parts.indices],
+        }
+    }
+
+    /// Its sections beside the strips.
+    fn sections(&self) -> Vec<(SectionKind, &'m [u8])> {
+        match *self {
+            Self::LodStrips(model) => vec![
+                (SectionKind::RECORD_LENGTHS, &model.record_lengths),
+                (SectionKind::RECORDS, &model.arena),
+            ],
+            Self::Mts(model) => {
+                let parts = &model.parts;
+                vec![
+                    (SectionKind::ARC_OFFSETS, bytemuck::must_cast_slice(&parts.arc_offsets)),
+                    (SectionKind::ARC_ROWS, bytemuck::must_cast_slice(&parts.rows)),
+                    (SectionKind::ARCS, bytemuck::must_cast_slice(&parts.arcs)),
+                    (SectionKind::CHANGE_LENGTHS, &parts.record_lengths),
+                    (SectionKind::CHANGES, &parts.arena),
+                ]
+            }
+        }
+    }
 }
 
 /// Options of [`write_striata`].
@@ -42,8 +82,8 @@ struct Section<'m> {
 
 /// Writes a mesh, its sequence and its models as one `.striata` file.
 ///
-/// The same input gives the same bytes on every machine. With LodStrips the triangles are stored as strips only,
-/// and come back in the strips' order.
+/// The same input gives the same bytes on every machine. With models of strips the triangles are stored as strips only,
+/// once for all models, and come back in the strips' order.
 ///
 /// # Errors
 /// [`EncodeError`] where the mesh is unsound, a model was built from another mesh, or the writer fails.
@@ -122,23 +162,19 @@ fn lay_out<'m>(
     for layer in &mesh.layers {
         add(SectionKind::LAYER, REQUIRED, layer_to_bytes(layer)?.into());
     }
-    let mut has_strips = false;
-    for model in models {
-        match model {
-            FileModel::LodStrips(model) => {
-                check_lod_strips(model, refinable)?;
-                if std::mem::replace(&mut has_strips, true) {
-                    return Err(EncodeError::RepeatedModel { model: "lodstrips" });
-                }
-                add(SectionKind::STRIP_GROUPS, 0, bytemuck::must_cast_slice(&model.group_offsets).into());
-                add(SectionKind::STRIP_OFFSETS, 0, bytemuck::must_cast_slice(&model.offsets).into());
-                add(SectionKind::STRIP_INDICES, 0, bytemuck::must_cast_slice(&model.indices).into());
-                add(SectionKind::RECORD_LENGTHS, 0, (&*model.record_lengths).into());
-                add(SectionKind::RECORDS, 0, (&*model.arena).into());
-            }
+    for (i, model) in models.iter().enumerate() {
+        check_model(model, &models[..i], refinable)?;
+        if i == 0 {
+            let [groups, offsets, indices] = model.strips();
+            add(SectionKind::STRIP_GROUPS, 0, bytemuck::must_cast_slice(groups).into());
+            add(SectionKind::STRIP_OFFSETS, 0, bytemuck::must_cast_slice(offsets).into());
+            add(SectionKind::STRIP_INDICES, 0, bytemuck::must_cast_slice(indices).into());
+        }
+        for (kind, bytes) in model.sections() {
+            add(kind, 0, bytes.into());
         }
     }
-    if !has_strips {
+    if models.is_empty() {
         add(SectionKind::TRIANGLES, 0, bytemuck::must_cast_slice(&mesh.triangles).into());
     }
     // Images are large and needed last.
@@ -148,16 +184,33 @@ fn lay_out<'m>(
     Ok(sections)
 }
 
-fn check_lod_strips(model: &LodStrips<'_>, refinable: &RefinableMesh) -> Result<(), EncodeError> {
+/// # Errors
+/// Where the model is of another mesh, is there already, or starts from other strips than those before it.
+fn check_model(
+    model: &FileModel<'_>,
+    before: &[FileModel<'_>],
+    refinable: &RefinableMesh,
+) -> Result<(), EncodeError> {
+    let name = model.name();
     let mesh = &refinable.mesh;
+    let (vertex_count, step_count, group_count) = match model {
+        FileModel::LodStrips(m) => (m.vertex_count(), m.step_count(), m.group_count()),
+        FileModel::Mts(m) => (m.vertex_count(), m.step_count(), m.group_count()),
+    };
     for (what, found, expected) in [
-        ("vertices", model.vertex_count(), mesh.vertex_count()),
-        ("steps", model.step_count(), refinable.sequence.step_count()),
-        ("groups", model.group_count(), mesh.groups.len().max(1)),
+        ("vertices", vertex_count, mesh.vertex_count()),
+        ("steps", step_count, refinable.sequence.step_count()),
+        ("groups", group_count, mesh.groups.len().max(1)),
     ] {
         if found != expected {
-            return Err(EncodeError::Model { model: "lodstrips", what, found, expected });
+            return Err(EncodeError::Model { model: name, what, found, expected });
         }
+    }
+    if before.iter().any(|other| other.name() == name) {
+        return Err(EncodeError::RepeatedModel { model: name });
+    }
+    if before.first().is_some_and(|first| first.strips() != model.strips()) {
+        return Err(EncodeError::OtherStrips { model: name });
     }
     Ok(())
 }

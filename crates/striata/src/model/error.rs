@@ -55,4 +55,14 @@ pub enum ModelError {
         /// What is wrong.
         reason: &'static str,
     },
+    /// The graph of a strip does not lead from its beginning to its end.
+    #[error("strip {strip} {reason} after {change} changes")]
+    Graph {
+        /// The strip.
+        strip: usize,
+        /// What is wrong.
+        reason: &'static str,
+        /// Changes of the strip since the full mesh.
+        change: usize,
+    },
 }

@@ -6,17 +6,22 @@
 
 pub mod baseline;
 pub mod lod_strips;
+pub mod mts;
 
 mod error;
 mod record_arena;
 mod step_vertices;
+mod strip_history;
 mod strip_input;
 mod strip_run;
 mod superfluous;
 
 pub use error::ModelError;
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
+pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
 pub(crate) use step_vertices::StepVertices;
+
+use std::ops::Range;
 
 use crate::strip::{RESTART, restart_triangles_into};
 
@@ -121,4 +126,54 @@ pub trait LodModel {
     /// Bytes of the static half as the papers count: their structures, 4 bytes a number, an index or a
     /// pointer; positions not counted.
     fn paper_bytes(&self) -> usize;
+}
+
+/// A model of strips that a file holds: strips never cross groups, dead ones keep their number.
+pub trait StripModel: LodModel {
+    /// Vertices of the full mesh.
+    fn vertex_count(&self) -> usize;
+
+    /// Vertices that a level shows: the first so many.
+    ///
+    /// # Panics
+    /// If `split_count` exceeds the step count.
+    fn vertex_count_at(&self, split_count: usize) -> usize;
+
+    /// First strip of each group, closed by the number of strips.
+    fn group_offsets(&self) -> &[u32];
+
+    /// What a strip shows now, [`RESTART`] between its pieces if there are several; empty once all its triangles are
+    /// gone.
+    ///
+    /// # Panics
+    /// If there is no such strip.
+    fn strip<'s>(&self, state: &'s Self::State, strip: usize) -> &'s [u32];
+
+    /// Strips, dead ones at coarse levels counted.
+    fn strip_count(&self) -> usize {
+        self.group_offsets().last().map_or(0, |&count| count as usize)
+    }
+
+    /// Groups of triangles.
+    fn group_count(&self) -> usize {
+        self.group_offsets().len().saturating_sub(1)
+    }
+
+    /// The strips of one group.
+    ///
+    /// # Panics
+    /// If there is no such group.
+    fn group_strips(&self, group: usize) -> Range<usize> {
+        self.group_offsets()[group] as usize..self.group_offsets()[group + 1] as usize
+    }
+
+    /// Appends the triangles that one group shows now.
+    ///
+    /// # Panics
+    /// If there is no such group.
+    fn group_triangles_into(&self, state: &Self::State, group: usize, out: &mut Vec<[u32; 3]>) {
+        for strip in self.group_strips(group) {
+            restart_triangles_into(self.strip(state, strip), out);
+        }
+    }
 }

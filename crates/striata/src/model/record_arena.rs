@@ -6,6 +6,20 @@
 /// A record of 255 bytes or more has its length in 4 bytes at both ends, so that it can be walked both ways.
 pub(super) const LONG_RECORD: u8 = u8::MAX;
 
+/// Bytes of the first strip number in a record, so many bits of flags included.
+pub(super) fn head_bytes(strip_count: usize, flag_bits: u32) -> usize {
+    let largest = ((strip_count.saturating_sub(1) as u64 + 1) << flag_bits) - 1;
+    (64 - largest.leading_zeros() as usize).div_ceil(8).min(4)
+}
+
+/// Takes a number of so many bytes off the front.
+#[inline]
+pub(super) fn read_fixed(bytes: &mut &[u8], count: usize) -> Option<u32> {
+    let (head, rest) = bytes.split_at_checked(count)?;
+    *bytes = rest;
+    Some(head.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte)))
+}
+
 /// Appends a number.
 pub(super) fn write_varint(mut value: u32, out: &mut Vec<u8>) {
     while value >= 0x80 {
@@ -70,6 +84,20 @@ fn long_length(bytes: &[u8]) -> Option<usize> {
     (length >= 8).then_some(length)
 }
 
+/// Appends the record of the next step.
+pub(super) fn push_record(body: &[u8], arena: &mut Vec<u8>, record_lengths: &mut Vec<u8>) {
+    if body.len() < usize::from(LONG_RECORD) {
+        record_lengths.push(body.len() as u8);
+        arena.extend_from_slice(body);
+    } else {
+        let ends = (body.len() as u32 + 8).to_le_bytes();
+        record_lengths.push(LONG_RECORD);
+        arena.extend(ends);
+        arena.extend_from_slice(body);
+        arena.extend(ends);
+    }
+}
+
 /// Turns records written from the full mesh down into the arena, which is read from the base up.
 pub(super) fn in_refinement_order(reversed: &[u8], lengths: &[usize]) -> (Vec<u8>, Vec<u8>) {
     let mut arena = Vec::with_capacity(reversed.len());
@@ -78,16 +106,7 @@ pub(super) fn in_refinement_order(reversed: &[u8], lengths: &[usize]) -> (Vec<u8
     for &length in lengths.iter().rev() {
         let body = &reversed[end - length..end];
         end -= length;
-        if length < usize::from(LONG_RECORD) {
-            record_lengths.push(length as u8);
-            arena.extend_from_slice(body);
-        } else {
-            let ends = (length as u32 + 8).to_le_bytes();
-            record_lengths.push(LONG_RECORD);
-            arena.extend(ends);
-            arena.extend_from_slice(body);
-            arena.extend(ends);
-        }
+        push_record(body, &mut arena, &mut record_lengths);
     }
     (arena, record_lengths)
 }

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
+use super::ModelError;
 use crate::mesh::CollapseSequence;
 
 /// What the model takes from the sequence: the vertices of each step and where they collapse to.
@@ -27,10 +28,55 @@ impl StepVertices<'_> {
         }
     }
 
+    /// Vertices that a level shows.
+    ///
+    /// # Panics
+    /// If the split count exceeds the step count.
+    #[inline]
+    pub(super) fn count_at(&self, split_count: usize) -> usize {
+        let step_count = self.firsts.len().checked_sub(1).unwrap_or(self.targets.len());
+        assert!(split_count <= step_count, "split count {split_count} of {step_count}");
+        if split_count == step_count { self.vertex_count } else { self.of_step(split_count).start as usize }
+    }
+
     /// Where a vertex above the base collapses to.
     #[inline]
     pub(super) fn target(&self, vertex: u32) -> u32 {
         self.targets[(vertex - self.base_vertex_count) as usize]
+    }
+
+    /// Checks that the arrays fit so many steps, and that every vertex collapses to an older one.
+    ///
+    /// # Errors
+    /// [`ModelError`] naming what does not fit.
+    pub(super) fn check(&self, step_count: usize) -> Result<(), ModelError> {
+        let vertex_count = self.vertex_count;
+        let length = |what, found, expected| {
+            if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
+        };
+        if self.firsts.is_empty() {
+            length("steps", (self.base_vertex_count as usize).saturating_add(step_count), vertex_count)?;
+        } else {
+            length("first vertices", self.firsts.len(), step_count + 1)?;
+            length("vertices of the base", self.firsts[0] as usize, self.base_vertex_count as usize)?;
+            length("vertices", self.firsts[step_count] as usize, vertex_count)?;
+            if let Some(i) = self.firsts.windows(2).position(|w| w[0] >= w[1]) {
+                let [found, expected] = [i + 1, i].map(|i| self.firsts[i] as usize);
+                return Err(ModelError::Length { what: "first vertices", found, expected });
+            }
+        }
+        length(
+            "targets",
+            (self.base_vertex_count as usize).saturating_add(self.targets.len()),
+            vertex_count,
+        )?;
+        for step in 0..step_count {
+            let range = self.of_step(step);
+            if range.clone().any(|v| self.target(v) >= range.start) {
+                return Err(ModelError::Record { step, reason: "collapses to a later vertex" });
+            }
+        }
+        Ok(())
     }
 }
 

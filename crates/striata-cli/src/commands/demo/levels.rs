@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::codec::StriataFile;
-use striata::model::{LodModel, LodStripsState};
+use striata::model::{LodModel, LodStripsState, StripModel};
 use striata::strip::strip_triangles;
 use striata_io::{Format, WriteOptions, to_bytes};
 
@@ -47,16 +47,16 @@ pub(super) fn measure(built: &Built) -> Vec<Level> {
 fn measure_one(built: &Built, share: f64, diagonal: f64) -> Level {
     let sequence = &built.refinable.sequence;
     let split_count = split_count_at(built, share);
-    let mut state = built.lod_strips.new_state();
+    let mut state = built.lod_strips().new_state();
     // The best of three: the first one also pays for memory that nobody has touched yet.
     let mut seek_secs = f64::INFINITY;
     for _ in 0..3 {
-        built.lod_strips.move_to(&mut state, sequence.step_count());
+        built.lod_strips().move_to(&mut state, sequence.step_count());
         let started = Instant::now();
-        built.lod_strips.move_to(&mut state, split_count);
+        built.lod_strips().move_to(&mut state, split_count);
         seek_secs = seek_secs.min(started.elapsed().as_secs_f64());
     }
-    let strips = strips_of_level(&built.lod_strips, &state);
+    let strips = strips_of_level(built.lod_strips(), &state);
     let index_count = strips.to_restart_indices().indices.len();
     let vertex_count = sequence.vertex_count_at(split_count);
     let error = sequence.error_at(split_count);
@@ -108,14 +108,14 @@ pub(super) fn write_meshes(
         (0.02, Format::Ply, false),
         (0.005, Format::Obj, false),
     ];
-    let mut state = built.lod_strips.new_state();
+    let mut state = built.lod_strips().new_state();
     for (share, format, as_strips) in wanted {
         let split_count = split_count_at(built, share);
-        built.lod_strips.move_to(&mut state, split_count);
-        let mesh = file.level_of(&built.lod_strips, &state)?;
+        built.lod_strips().move_to(&mut state, split_count);
+        let mesh = file.level_of(built.lod_strips(), &state)?;
         let mut options = WriteOptions::default();
         if as_strips {
-            options = options.with_strips(stitched(&strips_of_level(&built.lod_strips, &state)));
+            options = options.with_strips(stitched(&strips_of_level(built.lod_strips(), &state)));
         }
         let form = if as_strips { "-strips" } else { "" };
         let name = format!("nefertiti-{}-percent{form}.{}", 100.0 * share, format.extension());
@@ -131,8 +131,8 @@ pub(super) fn write_meshes(
 
 /// One level as the picture needs it.
 pub(super) fn shot(built: &Built, share: f64) -> Shot {
-    let mut state = built.lod_strips.new_state();
-    built.lod_strips.move_to(&mut state, split_count_at(built, share));
+    let mut state = built.lod_strips().new_state();
+    built.lod_strips().move_to(&mut state, split_count_at(built, share));
     let (triangles, strip_of) = triangles_by_strip(built, &state);
     Shot {
         title: percent(share),
@@ -144,8 +144,8 @@ pub(super) fn shot(built: &Built, share: f64) -> Shot {
 
 fn triangles_by_strip(built: &Built, state: &LodStripsState) -> (Vec<[u32; 3]>, Vec<u32>) {
     let (mut triangles, mut strip_of) = (Vec::new(), Vec::new());
-    for strip in 0..built.lod_strips.strip_count() {
-        triangles.extend(strip_triangles(built.lod_strips.strip(state, strip)));
+    for strip in 0..built.lod_strips().strip_count() {
+        triangles.extend(strip_triangles(built.lod_strips().strip(state, strip)));
         strip_of.resize(triangles.len(), strip as u32);
     }
     (triangles, strip_of)

@@ -10,12 +10,11 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::codec::StriataFile;
-use striata::simplify::SequenceOptions;
 use striata_io::{Source, read_bytes, write_atomically};
 
-use crate::args::{BuildArgs, DemoArgs};
+use crate::args::DemoArgs;
 use crate::clock::Phases;
-use crate::commands::build::{Built, PHASES, build};
+use crate::commands::build::{BuildPlan, Built, PHASES, build};
 use crate::failure::Failure;
 use crate::output::{Output, grouped, lasted, sized};
 use levels::{Level, SHOWN_SHARES};
@@ -41,8 +40,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     let mut phases = Phases::new(&PHASES);
     let mesh = read_bytes(NEFERTITI, &Source::new("nefertiti.ply.zst"))?;
-    let built =
-        build(&mesh, &SequenceOptions::default(), &BuildArgs::usual_strip_plan(), &mut phases, &mut bar)?;
+    let built = build(&mesh, &BuildPlan::usual(), &mut phases, &mut bar)?;
     bar.phase("files");
     let bytes = built.to_bytes("nefertiti.ply.zst")?;
     folder.write("nefertiti.striata", "every level in one file", &bytes)?;

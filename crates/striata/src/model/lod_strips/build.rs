@@ -1,10 +1,10 @@
 //! Building the records: one pass from the full mesh to the base, following where each vertex stands.
 
-use super::record::{Edit, head_bytes, write_record};
+use super::record::{Edit, FLAG_BITS, write_record};
 use super::{LodStrips, LodStripsParts, MAX_STRIP_INDICES};
 use crate::mesh::{CollapseSequence, RefinableMesh};
 use crate::model::ModelError;
-use crate::model::record_arena::in_refinement_order;
+use crate::model::record_arena::{head_bytes, in_refinement_order};
 use crate::model::step_vertices::StepVertices;
 use crate::model::strip_input::{check_strips, sorted_by_place};
 use crate::model::superfluous::drop_superfluous;
@@ -67,7 +67,7 @@ impl<'s> Builder<'s> {
         Self {
             sequence,
             strips,
-            head_bytes: head_bytes(strips.strip_count()),
+            head_bytes: head_bytes(strips.strip_count(), FLAG_BITS),
             slots: strips.indices().to_vec(),
             lengths: strips.strips().map(|s| s.len() as u32).collect(),
             strips_of,

@@ -26,16 +26,14 @@ mod strip_buffer;
 mod validate;
 
 use std::borrow::Cow;
-use std::ops::Range;
 
 use self::record::EditCounts;
 pub use state::LodStripsState;
 pub use strip_buffer::StripBuffer;
 
-use super::record_arena::record_at;
+use super::record_arena::{head_bytes, record_at};
 use super::step_vertices::StepVertices;
-use super::{DrawCounts, LodModel, ModelError, PartBytes, Topology, join_strips};
-use crate::strip::strip_triangles;
+use super::{DrawCounts, LodModel, ModelError, PartBytes, StripModel, Topology, join_strips};
 
 /// Longer strips are cut when the model is built, so that an edit moves few indices.
 pub const MAX_STRIP_INDICES: usize = 128;
@@ -76,7 +74,7 @@ impl<'a> LodStrips<'a> {
 
     fn unchecked(vertices: StepVertices<'a>, parts: LodStripsParts<'a>) -> Self {
         let LodStripsParts { indices, offsets, group_offsets, record_lengths, arena } = parts;
-        let head_bytes = record::head_bytes(offsets.len().saturating_sub(1));
+        let head_bytes = head_bytes(offsets.len().saturating_sub(1), record::FLAG_BITS);
         Self { vertices, indices, offsets, group_offsets, record_lengths, arena, head_bytes }
     }
 
@@ -98,49 +96,6 @@ impl<'a> LodStrips<'a> {
         }
     }
 
-    /// Strips, dead ones at coarse levels counted.
-    pub fn strip_count(&self) -> usize {
-        self.offsets.len() - 1
-    }
-
-    /// Groups of triangles; strips never cross them.
-    pub fn group_count(&self) -> usize {
-        self.group_offsets.len() - 1
-    }
-
-    /// Vertices of the full mesh.
-    pub fn vertex_count(&self) -> usize {
-        self.vertices.vertex_count
-    }
-
-    /// Vertices that a level shows: the first so many.
-    ///
-    /// # Panics
-    /// If `split_count` exceeds the step count.
-    pub fn vertex_count_at(&self, split_count: usize) -> usize {
-        if split_count == self.record_lengths.len() {
-            self.vertices.vertex_count
-        } else {
-            self.vertices.of_step(split_count).start as usize
-        }
-    }
-
-    /// The strips of one group.
-    ///
-    /// # Panics
-    /// If there is no such group.
-    pub fn group_strips(&self, group: usize) -> Range<usize> {
-        self.group_offsets[group] as usize..self.group_offsets[group + 1] as usize
-    }
-
-    /// What a strip shows now; empty once all its triangles are gone.
-    ///
-    /// # Panics
-    /// If there is no such strip.
-    pub fn strip<'s>(&self, state: &'s LodStripsState, strip: usize) -> &'s [u32] {
-        state.live(strip)
-    }
-
     /// What all records edit, in numbers.
     fn edit_counts(&self) -> EditCounts {
         let mut counts = EditCounts::default();
@@ -153,16 +108,6 @@ impl<'a> LodStrips<'a> {
             debug_assert!(counted.is_some(), "a checked record ended early");
         }
         counts
-    }
-
-    /// Appends the triangles that one group shows now.
-    ///
-    /// # Panics
-    /// If there is no such group.
-    pub fn group_triangles_into(&self, state: &LodStripsState, group: usize, out: &mut Vec<[u32; 3]>) {
-        for strip in self.group_strips(group) {
-            out.extend(strip_triangles(self.strip(state, strip)));
-        }
     }
 }
 
@@ -220,5 +165,23 @@ impl LodModel for LodStrips<'_> {
         let strips = self.strip_count() + self.indices.len();
         let changes = 2 * self.step_count() + 4 * edits.strips + edits.places + edits.drops;
         4 * (self.vertex_count() + strips + changes)
+    }
+}
+
+impl StripModel for LodStrips<'_> {
+    fn vertex_count(&self) -> usize {
+        self.vertices.vertex_count
+    }
+
+    fn vertex_count_at(&self, split_count: usize) -> usize {
+        self.vertices.count_at(split_count)
+    }
+
+    fn group_offsets(&self) -> &[u32] {
+        &self.group_offsets
+    }
+
+    fn strip<'s>(&self, state: &'s LodStripsState, strip: usize) -> &'s [u32] {
+        state.live(strip)
     }
 }

@@ -15,19 +15,15 @@
 //! of vertices of the step and `wedge` which of them stands at the place. A varint has 7 bits a byte, low ones
 //! first.
 
-use crate::model::record_arena::{read_varint, write_varint};
+use crate::model::record_arena::{read_fixed, read_varint, write_varint};
 use crate::model::strip_run::Run;
 
+/// Flags of each strip number in a record.
+pub(super) const FLAG_BITS: u32 = 2;
 pub(super) const HAS_SEVERAL_PLACES: u32 = 1;
 pub(super) const HAS_DROPS: u32 = 2;
 const DROP_FOLLOWS: u32 = 1;
 const COUNT_FOLLOWS: u32 = 2;
-
-/// Bytes of the first strip number in a record, flags included.
-pub(super) fn head_bytes(strip_count: usize) -> usize {
-    let largest = (strip_count.saturating_sub(1) as u64) << 2 | 3;
-    (64 - largest.leading_zeros() as usize).div_ceil(8).min(4)
-}
 
 /// What a step does to one strip.
 #[derive(Debug, Default)]
@@ -136,9 +132,7 @@ impl<'r> RecordReader<'r> {
     /// The first strip of a record and its flags.
     #[inline]
     pub(super) fn first_head(&mut self, head_bytes: usize) -> Option<(u32, u32)> {
-        let (head, rest) = self.bytes.split_at_checked(head_bytes)?;
-        self.bytes = rest;
-        let value = head.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte));
+        let value = read_fixed(&mut self.bytes, head_bytes)?;
         Some((value >> 2, value & 3))
     }
 
@@ -183,6 +177,7 @@ impl<'r> RecordReader<'r> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::record_arena::head_bytes;
 
     #[test]
     fn a_record_reads_back() {
@@ -195,7 +190,7 @@ mod tests {
             },
         ];
         let mut bytes = Vec::new();
-        write_record(&edits, 3, head_bytes(1000), &mut bytes);
+        write_record(&edits, 3, head_bytes(1000, FLAG_BITS), &mut bytes);
         let mut reader = RecordReader::new(&bytes);
         assert_eq!(reader.first_head(2), Some((700, HAS_SEVERAL_PLACES)));
         assert_eq!(reader.further_place_count(1), Some(2));

@@ -2,6 +2,7 @@
 
 use super::LodStrips;
 use super::record::{HAS_DROPS, RecordReader};
+use crate::model::StripModel;
 use crate::model::record_arena::{record_at, record_before};
 use crate::model::strip_run::{Run, drop_run, restore_run};
 

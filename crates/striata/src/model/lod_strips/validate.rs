@@ -7,6 +7,7 @@
 
 use super::record::{HAS_DROPS, RecordReader};
 use super::{LodStrips, ModelError};
+use crate::model::StripModel;
 use crate::model::record_arena::{record_at, record_before};
 use crate::model::strip_run::drop_run;
 use crate::strip::check_offsets;
@@ -25,35 +26,8 @@ pub(super) fn check(model: &LodStrips<'_>) -> Result<(), ModelError> {
 
 fn check_shape(model: &LodStrips<'_>) -> Result<(), ModelError> {
     check_offsets("strip", &model.offsets, model.indices.len())?;
-    check_offsets("group", &model.group_offsets, model.strip_count())?;
-    let vertices = &model.vertices;
-    let (step_count, vertex_count) = (model.record_lengths.len(), vertices.vertex_count);
-    let length = |what, found, expected| {
-        if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
-    };
-    if vertices.firsts.is_empty() {
-        length("steps", (vertices.base_vertex_count as usize).saturating_add(step_count), vertex_count)?;
-    } else {
-        length("first vertices", vertices.firsts.len(), step_count + 1)?;
-        length("vertices of the base", vertices.firsts[0] as usize, vertices.base_vertex_count as usize)?;
-        length("vertices", vertices.firsts[step_count] as usize, vertex_count)?;
-        if let Some(i) = vertices.firsts.windows(2).position(|w| w[0] >= w[1]) {
-            let [found, expected] = [i + 1, i].map(|i| vertices.firsts[i] as usize);
-            return Err(ModelError::Length { what: "first vertices", found, expected });
-        }
-    }
-    length(
-        "targets",
-        (vertices.base_vertex_count as usize).saturating_add(vertices.targets.len()),
-        vertex_count,
-    )?;
-    for step in 0..step_count {
-        let range = vertices.of_step(step);
-        if range.clone().any(|v| vertices.target(v) >= range.start) {
-            return Err(ModelError::Record { step, reason: "collapses to a later vertex" });
-        }
-    }
-    Ok(())
+    check_offsets("group", &model.group_offsets, model.offsets.len().saturating_sub(1))?;
+    model.vertices.check(model.record_lengths.len())
 }
 
 struct Sweep<'m, 'a> {

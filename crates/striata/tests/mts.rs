@@ -1,0 +1,127 @@
+//! MTS against the oracle, as published and in the form without duplicates, which show the same strips.
+
+mod support;
+
+use proptest::prelude::*;
+use striata::mesh::{IndexedMesh, RefinableMesh};
+use striata::model::{LodModel, ModelError, Mts, MtsGraph, StripModel};
+use striata::strip::{StripOptions, StripSet, Stripifier, stripify};
+use support::{
+    Random, Wildness, follows_the_oracle, grid, nasty, random_refinable, soup, with_seams_and_groups,
+};
+
+/// Greedy strips, or such as have joints where ends meet at a vertex.
+fn strips_of(refinable: &RefinableMesh, has_joints: bool) -> StripSet {
+    let stripifier = if has_joints { Stripifier::Cheapest } else { Stripifier::Greedy };
+    stripify(&refinable.mesh, &StripOptions::default().with_stripifier(stripifier)).unwrap()
+}
+
+/// Both forms show the oracle at every level, and nothing but the same indices, strip by strip.
+fn check_both(refinable: &RefinableMesh, has_joints: bool, stride: usize) {
+    let strips = strips_of(refinable, has_joints);
+    let mts = Mts::build(refinable, &strips).unwrap();
+    let graph = MtsGraph::build(refinable, &strips).unwrap();
+    follows_the_oracle(refinable, &mts, stride);
+    follows_the_oracle(refinable, &graph, stride);
+    let (mut state, mut graph_state) = (mts.new_state(), graph.new_state());
+    for split_count in (0..=refinable.sequence.step_count()).rev().step_by(stride) {
+        mts.move_to(&mut state, split_count);
+        graph.move_to(&mut graph_state, split_count);
+        let mut recovered = state.clone();
+        mts.recover(&mut recovered);
+        assert_eq!(recovered, state, "walking what changed is walking all, at {split_count}");
+        let shown = |indices: &[u32]| {
+            let mut strips: Vec<Vec<u32>> =
+                indices.split(|&i| i == striata::strip::RESTART).map(<[u32]>::to_vec).collect();
+            strips.sort_unstable();
+            strips
+        };
+        let mut indices = Vec::new();
+        mts.indices_into(&state, &mut indices);
+        // Strips stand in another order.
+        assert_eq!(shown(&indices), shown(graph_state.indices()), "strips at {split_count}");
+    }
+}
+
+#[test]
+fn nasty_meshes_follow_the_oracle_at_every_level() {
+    for (name, mesh) in nasty() {
+        for seed in 0..8 {
+            let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
+            let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+            eprintln!("{name}, seed {seed}");
+            check_both(&refinable, seed % 2 == 0, 1);
+        }
+    }
+}
+
+#[test]
+fn surfaces_follow_the_oracle() {
+    for (mesh, stride) in [(grid(12, false), 1), (grid(14, true), 1), (grid(60, true), 97)] {
+        for seed in 0..4 {
+            let wildness = Wildness { far_percent: seed as usize * 4, base_position_count: 4 };
+            check_both(&random_refinable(&mesh, wildness, &mut Random::new(seed)), seed % 2 == 0, stride);
+        }
+    }
+}
+
+#[test]
+fn seams_and_groups_follow_the_oracle() {
+    for seed in 0..4 {
+        let mesh = with_seams_and_groups(grid(9, seed % 2 == 0));
+        let wildness = Wildness { far_percent: 5, base_position_count: 3 };
+        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        check_both(&refinable, seed < 2, 1);
+        let model = Mts::build(&refinable, &strips_of(&refinable, true)).unwrap();
+        assert_eq!(model.group_count(), 3);
+        assert!(model.group_strips(1).is_empty());
+    }
+}
+
+#[test]
+fn a_vertex_that_stands_everywhere_makes_a_long_record() {
+    let n = 900;
+    let positions = (0..=n).map(|i| [i as f32, (i * i % 17) as f32, 0.0]).collect();
+    let triangles = (0..n as u32).step_by(3).map(|i| [n as u32, i, i + 1]).collect();
+    let mesh = IndexedMesh::new(positions, triangles);
+    for seed in 0..4 {
+        let wildness = Wildness { far_percent: 50, base_position_count: 500 };
+        check_both(&random_refinable(&mesh, wildness, &mut Random::new(seed)), false, 7);
+    }
+}
+
+#[test]
+fn strips_of_another_mesh_are_refused() {
+    let wildness = Wildness { far_percent: 0, base_position_count: 4 };
+    let refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
+    let mut strips = StripSet::new();
+    strips.push(&[0, 1, 2, 99]);
+    let expected = ModelError::GroupCount { found: 0, expected: 1 };
+    assert_eq!(Mts::build(&refinable, &strips).unwrap_err(), expected);
+    assert_eq!(MtsGraph::build(&refinable, &strips).unwrap_err(), expected);
+    strips.end_group();
+    let expected = ModelError::Vertex { strip: 0, vertex: 99, vertex_count: 25 };
+    assert_eq!(Mts::build(&refinable, &strips).unwrap_err(), expected);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_meshes_follow_the_oracle_at_every_level(
+        seed in any::<u64>(),
+        vertex_count in 3usize..30,
+        triangle_count in 0usize..60,
+        far_percent in 0usize..60,
+        has_seams in any::<bool>(),
+        has_joints in any::<bool>(),
+    ) {
+        let mut random = Random::new(seed);
+        let mut mesh = soup(vertex_count, triangle_count, &mut random);
+        if has_seams {
+            mesh = with_seams_and_groups(mesh);
+        }
+        let wildness = Wildness { far_percent, base_position_count: 1 };
+        check_both(&random_refinable(&mesh, wildness, &mut random), has_joints, 1);
+    }
+}
