@@ -4,6 +4,7 @@
 //! instances and may borrow its arrays from a mapped file. The state is what one instance on the
 //! screen owns: where it stands and what it shows.
 
+pub mod baseline;
 pub mod lod_strips;
 pub mod mts;
 

@@ -1,0 +1,10 @@
+//! The models that others are measured against, each as its paper has it and as fast as that allows.
+//!
+//! They show the same triangles as the other models over the same vertex buffer, so that what is
+//! compared is the data structure alone.
+
+pub mod discrete_levels;
+pub mod progressive_meshes;
+
+pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
+pub use progressive_meshes::{ProgressiveMeshes, ProgressiveMeshesState};
