@@ -258,7 +258,7 @@ fn bytes_are_those_of_the_arrays() {
     assert_eq!(state.indices(), [1, 2, 3, 0, 1, 3, 2, 0, 3]);
     model.move_to(&mut state, 0);
     assert_eq!(state.indices(), [1, 2, 0, 0, 1, 3, 2, 0, 3]);
-    assert_eq!(model.group_ranges(&state).collect::<Vec<_>>(), [0..3]);
+    assert_eq!(model.group_ranges(&state).next(), Some(0..3));
     let levels = DiscreteLevels::build(&refinable, 5, &StripOptions::default()).unwrap();
     assert_eq!(levels.split_counts().collect::<Vec<_>>(), [1, 0]);
     let [fine, coarse] = [1, 0].map(|split_count| {
