@@ -2,7 +2,8 @@
 
 use crate::workbench::{Workbench, assert_keys};
 
-const QUICK: &str = "--seeds 2 --max-tunnel 5 --budgets 0.01,0.02";
+/// Strips only, quickly.
+const QUICK: &str = "--parts strips --seeds 2 --max-tunnel 5 --budgets 0.01,0.02";
 
 #[test]
 fn lengths_and_stripifiers_are_all_there() {
@@ -56,7 +57,7 @@ fn lengths_and_stripifiers_are_all_there() {
 #[test]
 fn a_tunnel_length_counts_what_strip_makes_of_it() {
     let bench = Workbench::with_ball();
-    let report = bench.json("compare sphere.obj --seeds 1 --max-tunnel 3 --strips tunnel:3");
+    let report = bench.json("compare sphere.obj --parts strips --seeds 1 --max-tunnel 3 --strips tunnel:3");
     let alone = bench.json("strip sphere.obj --strips tunnel:3 --seed 0");
     let strips = &report["meshes"][0]["strips"];
     let mut lengths = strips["tunnel_lengths"].as_array().expect("a list").iter();
@@ -90,7 +91,7 @@ fn the_page_stands_alone() {
     assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
     assert!(
         page.contains(
-            "striata compare sphere.obj --seeds 2 --max-tunnel 5 --budgets 0.01,0.02 --html page.html"
+            "striata compare sphere.obj --parts strips --seeds 2 --max-tunnel 5 --budgets 0.01,0.02 --html page.html"
         ),
         "no command line"
     );
@@ -127,6 +128,11 @@ fn comparisons_that_cannot_be_made_are_refused_at_once() {
         ("compare sphere.obj --max-tunnel 0", "1..=999"),
         ("compare sphere.obj --seeds 0", "1..=1000"),
         ("compare sphere.obj --budgets 1,x", "0 or more"),
+        ("compare sphere.obj --parts strips,models,walks", "walks"),
+        ("compare sphere.obj --frames 0", "1..=10000"),
+        ("compare sphere.obj --model-strips zigzag", "zigzag"),
+        ("compare nowhere.ply --models lodstrips,vdpm", "hint: this version has: lodstrips, mts, "),
+        ("compare shape:ball", "hint: there are: sphere, torus, "),
         ("compare sphere.obj --html no/page.html", "hint: make the output's folder first"),
         ("compare sphere.obj --html - --json", "stdout"),
     ] {

@@ -70,11 +70,11 @@ impl BarChart {
         let bar_px = group_px * (1.0 - GAP) / self.kinds.len().max(1) as f64;
         let value_px = (FONT_PX as f64).min(bar_px);
         for (i, bars) in self.bars.iter().enumerate() {
-            let top = f64::from(KINDS_PX) + group_px * (i as f64 + GAP / 2.0);
-            let middle = top + group_px * (1.0 - GAP) / 2.0;
+            let middle = f64::from(KINDS_PX) + group_px * (i as f64 + 0.5);
             root.draw_text(&bars.name, &text(INK.0, HPos::Right), (NAMES_PX - 10, middle as i32))?;
+            let first = middle - bar_px * bars.values.len() as f64 / 2.0;
             for (k, (&value, (colour, _))) in bars.values.iter().zip(SERIES).enumerate() {
-                let from = top + bar_px * k as f64;
+                let from = first + bar_px * k as f64;
                 let to = from + bar_px - 1.0;
                 let bar = [(NAMES_PX, from as i32), (across(value), to as i32)];
                 root.draw(&Rectangle::new(bar, colour.filled()))?;

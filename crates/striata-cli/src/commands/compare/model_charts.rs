@@ -17,7 +17,8 @@ pub(super) fn sections(report: &ModelsReport) -> Result<Vec<Section>, Failure> {
     let space = Section {
         title: "Models".to_owned(),
         intro: format!(
-            "{}. All models are built from the same sequence and strips, and show the same triangles. Bytes a vertex \
+            "{}. All models are built from the same sequence, and those of strips from the same strips; at every level they show \
+             the same triangles, but those of few levels show a coarser one where they lack it. Bytes a vertex \
              are those of what is built once, without positions; the next two columns add {POSITION_BYTES} bytes a vertex \
              for positions. What the papers count: their structures, 4 bytes a number, an index or a pointer, positions \
              added. Plain is positions and strips without levels. An instance is what each object on the screen owns \
