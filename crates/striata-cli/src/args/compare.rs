@@ -19,7 +19,7 @@ const MODELS: &str = "Models";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata compare cow.obj bunny.ply shape:sphere --html compared.html\n  \
-    striata compare bunny.ply --parts strips --strips greedy,greedy+tunnel:9 --json")]
+    striata compare bunny.ply --parts strips --strips stripe,cheapest --json")]
 pub(crate) struct CompareArgs {
     /// Meshes, .striata files (their full level), or shapes such as shape:sphere
     #[arg(value_name = "INPUT", required = true)]

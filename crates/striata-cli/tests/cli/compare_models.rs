@@ -45,9 +45,11 @@ fn every_model_has_every_key() {
         let parts = row["parts"].as_object().expect("an object");
         let bytes: f64 = parts.values().filter_map(Value::as_f64).sum();
         assert_eq!(number(row, "bytes"), bytes);
-        assert_eq!(number(row, "bytes_per_vertex"), bytes / 258.0);
         assert_eq!(number(row, "total_bytes"), bytes + 12.0 * 258.0);
-        assert_eq!(number(row, "ratio_to_plain"), (bytes + 12.0 * 258.0) / plain);
+        // What reads JSON here may miss a number's last digit.
+        let is_near = |key: &str, wanted: f64| (number(row, key) - wanted).abs() < 1e-9 * wanted;
+        assert!(is_near("bytes_per_vertex", bytes / 258.0), "{row}");
+        assert!(is_near("ratio_to_plain", (bytes + 12.0 * 258.0) / plain), "{row}");
         assert!(number(row, "seek_secs") >= 0.0 && number(row, "build_secs") > 0.0, "{row}");
         let has_few_levels = row["name"].as_str().is_some_and(|name| name.starts_with("discrete"));
         assert_eq!(row["sweep_ns_per_step"].is_null(), has_few_levels, "{row}");
@@ -104,7 +106,7 @@ fn meshes_of_next_to_nothing_have_rows_too() {
     bench.write("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     bench.write("nowhere.off", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n");
     for mesh in ["empty.off", "points.off", "one.off", "nowhere.off"] {
-        let report = bench.json(&format!("compare {mesh} {QUICK} --frames 1 --html page.html"));
+        let report = bench.json(&format!("compare {mesh} --parts models --frames 1 --html page.html"));
         for row in rows(&report["meshes"][0]) {
             let sound = ["bytes", "ratio_to_plain", "seek_secs", "walks.linear.index_count"];
             assert!(sound.iter().all(|key| number(row, key) >= 0.0), "{mesh}: {row}");
@@ -136,7 +138,8 @@ fn the_sphere_of_the_papers_stands_beside_their_figures() {
     }
     let storage = row("PM, storage");
     assert_eq!((number(storage, "theirs"), &storage["source"]), (1.318, &"[BRR02] table 2".into()));
-    assert_eq!(number(storage, "ours"), number(&rows(&report["meshes"][0])[0], "paper_bytes") / 1e6);
+    let paper_bytes = number(&rows(&report["meshes"][0])[0], "paper_bytes");
+    assert!((1e6 * number(storage, "ours") - paper_bytes).abs() < 0.01, "{storage}");
     assert!(row("MTS, storage")["ours"].is_null(), "MTS was not measured");
     assert_eq!(report["meshes"][1]["papers"], serde_json::json!([]), "no paper measured a cube");
     let told = bench.run(&line).success();
