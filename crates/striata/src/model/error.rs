@@ -55,6 +55,16 @@ pub enum ModelError {
         /// What is wrong.
         reason: &'static str,
     },
+    /// The model would be too large to number its parts.
+    #[error("the model needs {found} {what}, and 32-bit numbers reach to {limit}")]
+    TooMany {
+        /// What there would be too many of.
+        what: &'static str,
+        /// How many.
+        found: u64,
+        /// The most there can be.
+        limit: u64,
+    },
     /// What is stored of a strip makes no sense.
     #[error("strip {strip} {reason}")]
     Strip {

@@ -17,6 +17,15 @@ pub(crate) struct StepVertices<'a> {
 }
 
 impl StepVertices<'_> {
+    /// Steps from the base mesh to the full mesh.
+    pub(super) fn step_count(&self) -> usize {
+        if self.firsts.is_empty() {
+            self.vertex_count.saturating_sub(self.base_vertex_count as usize)
+        } else {
+            self.firsts.len() - 1
+        }
+    }
+
     /// The vertices that a step restores.
     #[inline]
     pub(super) fn of_step(&self, step: usize) -> Range<u32> {
@@ -34,7 +43,7 @@ impl StepVertices<'_> {
     /// If the split count exceeds the step count.
     #[inline]
     pub(super) fn count_at(&self, split_count: usize) -> usize {
-        let step_count = self.firsts.len().checked_sub(1).unwrap_or(self.targets.len());
+        let step_count = self.step_count();
         assert!(split_count <= step_count, "split count {split_count} of {step_count}");
         if split_count == step_count { self.vertex_count } else { self.of_step(split_count).start as usize }
     }
