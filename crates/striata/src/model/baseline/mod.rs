@@ -3,10 +3,14 @@
 //! They show the same triangles as the other models over the same vertex buffer, so that what is
 //! compared is the data structure alone.
 
+pub mod discrete_levels;
 pub mod original_lod_strips;
+pub mod progressive_meshes;
 pub mod skip_strips;
 
 mod repetitions;
 
+pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
 pub use original_lod_strips::{OriginalLodStrips, OriginalLodStripsState};
+pub use progressive_meshes::{ProgressiveMeshes, ProgressiveMeshesState};
 pub use skip_strips::{SkipStrips, SkipStripsState};
