@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, shapes};
-use striata::model::LodStrips;
+use striata::model::{LodStrips, Mts};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 use striata_io::Format;
@@ -58,8 +58,9 @@ fn write_formats(i: usize, mesh: &IndexedMesh, folder: &Path) -> Result<(), Box<
 fn container(mesh: &IndexedMesh) -> Result<Vec<u8>, Box<dyn Error>> {
     let refinable = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
     let strips = stripify(&refinable.mesh, &StripOptions::default())?;
-    let model = LodStrips::build(&refinable, &strips)?;
-    Ok(to_striata(&refinable, &[FileModel::LodStrips(&model)], &WriteOptions::default())?)
+    let (lod_strips, mts) = (LodStrips::build(&refinable, &strips)?, Mts::build(&refinable, &strips)?);
+    let models = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts)];
+    Ok(to_striata(&refinable, &models, &WriteOptions::default())?)
 }
 
 /// Options, shape, vertices on whole numbers, cuts, triangles: what `Bytes::mesh` takes apart.

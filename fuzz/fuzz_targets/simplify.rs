@@ -1,11 +1,12 @@
-//! Small meshes of every shape and random options: sequence, model and file agree with the oracle.
+//! Small meshes of every shape and random options: sequence, models and file agree with the oracle.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{RefinableMesh, canonical_triangles, replay};
-use striata::model::{LodModel, LodStrips};
+use striata::model::baseline::{OriginalLodStrips, ProgressiveMeshes, SkipStrips};
+use striata::model::{LodModel, LodStrips, Mts, MtsGraph};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 use striata_fuzz::Bytes;
@@ -40,23 +41,41 @@ fn options(bytes: &mut Bytes<'_>) -> SequenceOptions {
 }
 
 fn check_levels(refinable: &RefinableMesh) {
-    let strips = stripify(&refinable.mesh, &StripOptions::default()).expect("full meshes are sound");
-    let model = LodStrips::build(refinable, &strips).expect("the strips are the mesh's");
-    let mut state = model.new_state();
+    let sequence = &refinable.sequence;
     let mut last_error = 0.0;
-    for split_count in (0..=model.step_count()).rev() {
-        let level = replay(refinable, split_count);
-        assert_eq!(level.triangle_count(), refinable.sequence.triangle_count_at(split_count));
-        let error = refinable.sequence.error_at(split_count);
+    for split_count in (0..=sequence.step_count()).rev() {
+        let error = sequence.error_at(split_count);
         assert!(error >= last_error, "error {error} after {last_error}");
         last_error = error;
+        assert_eq!(replay(refinable, split_count).triangle_count(), sequence.triangle_count_at(split_count));
+    }
+    let strips = stripify(&refinable.mesh, &StripOptions::default()).expect("full meshes are sound");
+    let what = "the strips are the mesh's";
+    let lod_strips = LodStrips::build(refinable, &strips).expect(what);
+    let mts = Mts::build(refinable, &strips).expect(what);
+    check_model(refinable, &lod_strips);
+    check_model(refinable, &mts);
+    check_model(refinable, &MtsGraph::build(refinable, &strips).expect(what));
+    check_model(refinable, &OriginalLodStrips::build(refinable, &strips).expect(what));
+    check_model(refinable, &SkipStrips::build(refinable, &strips).expect(what));
+    check_model(refinable, &ProgressiveMeshes::build(refinable));
+    let models = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts)];
+    let bytes = to_striata(refinable, &models, &WriteOptions::default()).expect("sound meshes are written");
+    let file = StriataFile::parse(&bytes).expect("written just now");
+    assert_eq!(file.refinable_mesh().expect("written just now").sequence, refinable.sequence);
+    assert_eq!(file.mts().map(|found| found.expect("written just now")), Some(mts));
+}
+
+/// Down and up, then from either end to the middle.
+fn check_model<M: LodModel>(refinable: &RefinableMesh, model: &M) {
+    let mut state = model.new_state();
+    let step_count = model.step_count();
+    let middle = step_count / 2;
+    for split_count in (0..=step_count).rev().chain(0..=step_count).chain([middle, 0, middle]) {
         model.move_to(&mut state, split_count);
         let mut shown = Vec::new();
         model.triangles_into(&state, &mut shown);
+        let level = replay(refinable, split_count);
         assert_eq!(canonical_triangles(&shown), canonical_triangles(&level.triangles), "at {split_count}");
     }
-    let models = [FileModel::LodStrips(&model)];
-    let bytes = to_striata(refinable, &models, &WriteOptions::default()).expect("sound meshes are written");
-    let found = StriataFile::parse(&bytes).and_then(|file| file.refinable_mesh()).expect("written just now");
-    assert_eq!(found.sequence, refinable.sequence);
 }

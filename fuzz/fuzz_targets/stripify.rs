@@ -7,14 +7,16 @@ use striata::strip::{RESTART, StripIndices, StripOptions, restart_triangles_into
 use striata_fuzz::Bytes;
 
 /// Every stripifier; the bytes choose.
-const SPECS: [&str; 7] = ["greedy", "stripe", "tunnel:1", "tunnel:9", "tunnel-static:9", "fewest", "cheapest"];
+const SPECS: [&str; 7] =
+    ["greedy", "stripe", "tunnel:1", "tunnel:9", "tunnel-static:9", "fewest", "cheapest"];
 
 fuzz_target!(|data: &[u8]| {
     let mut bytes = Bytes(data);
     let max_indices = usize::from(bytes.byte());
     let mesh = bytes.mesh();
     let spec = SPECS[usize::from(bytes.byte()) % SPECS.len()];
-    let options = StripOptions::default().with_stripifier(spec.parse().expect("a known name")).with_effort(0.1);
+    let options =
+        StripOptions::default().with_stripifier(spec.parse().expect("a known name")).with_effort(0.1);
     let options = options.with_cache_weight(f64::from(bytes.byte() % 4) / 2.0);
     let strips = stripify(&mesh, &options);
     assert_eq!(strips.is_ok(), mesh.check().is_ok());

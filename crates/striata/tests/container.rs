@@ -296,7 +296,7 @@ fn strips_are_stored_once_for_all_models() {
     let file = StriataFile::parse(&both).unwrap();
     let count = |kind| file.sections().iter().filter(|s| s.kind == kind).count();
     assert_eq!(
-        [count(SectionKind::STRIP_INDICES), count(SectionKind::ARCS), count(SectionKind::RECORDS)],
+        [count(SectionKind::STRIP_INDICES), count(SectionKind::LAST_CHANGES), count(SectionKind::RECORDS)],
         [1; 3]
     );
     assert_eq!(file.strips().unwrap().unwrap().indices(), file.mts().unwrap().unwrap().indices());

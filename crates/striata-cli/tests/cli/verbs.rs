@@ -71,7 +71,7 @@ fn every_model_of_a_file_shows_the_same_levels() {
     let report = bench.json("build sphere.obj -o both.striata --models lodstrips,mts");
     assert_keys(&report, &["models.lodstrips.bytes", "models.mts.bytes", "models.mts.bytes_per_vertex"]);
     let info = bench.json("info both.striata");
-    assert_keys(&info, &["models.lodstrips.parts", "models.mts.parts.arcs", "models.mts.strip_count"]);
+    assert_keys(&info, &["models.lodstrips.parts", "models.mts.parts.breaks", "models.mts.strip_count"]);
     for detail in ["0", "0.3", "1"] {
         for form in ["list", "strips"] {
             let extract = |model: &str| {

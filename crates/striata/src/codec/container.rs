@@ -54,12 +54,12 @@ impl SectionKind {
     pub const RECORD_LENGTHS: Self = Self(*b"LSRL");
     /// LodStrips: the records.
     pub const RECORDS: Self = Self(*b"LSAR");
-    /// MTS: first arc of each strip.
-    pub const ARC_OFFSETS: Self = Self(*b"MTOF");
-    /// MTS: where the rows of each strip start among its arcs.
-    pub const ARC_ROWS: Self = Self(*b"MTRW");
-    /// MTS: the arcs.
-    pub const ARCS: Self = Self(*b"MTAR");
+    /// MTS: the last change of its strip after which each place is there.
+    pub const LAST_CHANGES: Self = Self(*b"MTLC");
+    /// MTS: first break of each strip.
+    pub const BREAK_OFFSETS: Self = Self(*b"MTBO");
+    /// MTS: the breaks.
+    pub const BREAKS: Self = Self(*b"MTBR");
     /// MTS: bytes of each record.
     pub const CHANGE_LENGTHS: Self = Self(*b"MTRL");
     /// MTS: the records, which name the strips that a step changes.
@@ -83,9 +83,9 @@ impl SectionKind {
             Self::STRIP_GROUPS,
             Self::RECORD_LENGTHS,
             Self::RECORDS,
-            Self::ARC_OFFSETS,
-            Self::ARC_ROWS,
-            Self::ARCS,
+            Self::LAST_CHANGES,
+            Self::BREAK_OFFSETS,
+            Self::BREAKS,
             Self::CHANGE_LENGTHS,
             Self::CHANGES,
         ]

@@ -198,7 +198,7 @@ impl<'a> StriataFile<'a> {
 
     /// The MTS, if the file has it: borrowed from the file and checked once, so that no move can fail.
     pub fn mts(&self) -> Option<Result<Mts<'a>, DecodeError>> {
-        self.has(SectionKind::ARCS).then(|| self.read_mts())
+        self.has(SectionKind::LAST_CHANGES).then(|| self.read_mts())
     }
 
     fn read_mts(&self) -> Result<Mts<'a>, DecodeError> {
@@ -206,9 +206,9 @@ impl<'a> StriataFile<'a> {
             indices: self.container.numbers(SectionKind::STRIP_INDICES)?,
             offsets: self.container.numbers(SectionKind::STRIP_OFFSETS)?,
             group_offsets: self.container.numbers(SectionKind::STRIP_GROUPS)?,
-            arc_offsets: self.container.numbers(SectionKind::ARC_OFFSETS)?,
-            rows: self.container.numbers(SectionKind::ARC_ROWS)?,
-            arcs: self.container.numbers(SectionKind::ARCS)?,
+            lasts: self.container.get(SectionKind::LAST_CHANGES)?.into(),
+            break_offsets: self.container.numbers(SectionKind::BREAK_OFFSETS)?,
+            breaks: self.container.numbers(SectionKind::BREAKS)?,
             record_lengths: self.container.get(SectionKind::CHANGE_LENGTHS)?.into(),
             arena: self.container.get(SectionKind::CHANGES)?.into(),
         };

@@ -46,9 +46,9 @@ impl<'m> FileModel<'m> {
             Self::Mts(model) => {
                 let parts = &model.parts;
                 vec![
-                    (SectionKind::ARC_OFFSETS, bytemuck::must_cast_slice(&parts.arc_offsets)),
-                    (SectionKind::ARC_ROWS, bytemuck::must_cast_slice(&parts.rows)),
-                    (SectionKind::ARCS, bytemuck::must_cast_slice(&parts.arcs)),
+                    (SectionKind::LAST_CHANGES, &parts.lasts),
+                    (SectionKind::BREAK_OFFSETS, bytemuck::must_cast_slice(&parts.break_offsets)),
+                    (SectionKind::BREAKS, bytemuck::must_cast_slice(&parts.breaks)),
                     (SectionKind::CHANGE_LENGTHS, &parts.record_lengths),
                     (SectionKind::CHANGES, &parts.arena),
                 ]

@@ -65,14 +65,12 @@ pub enum ModelError {
         /// The most there can be.
         limit: u64,
     },
-    /// The graph of a strip does not lead from its beginning to its end.
-    #[error("strip {strip} {reason} after {change} changes")]
-    Graph {
+    /// What is stored of a strip makes no sense.
+    #[error("strip {strip} {reason}")]
+    Strip {
         /// The strip.
         strip: usize,
         /// What is wrong.
         reason: &'static str,
-        /// Changes of the strip since the full mesh.
-        change: usize,
     },
 }

@@ -39,7 +39,7 @@ pub struct PartBytes {
 pub enum Topology {
     /// Three indices a triangle.
     Triangles,
-    /// Strips with [`RESTART`](crate::strip::RESTART) between them.
+    /// Strips with [`RESTART`] between them.
     Strips,
 }
 

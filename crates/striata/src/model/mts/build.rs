@@ -1,6 +1,5 @@
-//! Building the graphs: each strip goes down its history on its own, then the steps learn which strips they change.
+//! Building: each strip goes down its history on its own, then the steps learn which strips they change.
 
-use super::arcs::{Arc, REST};
 use super::{MAX_STRIP_INDICES, Mts, MtsParts};
 use crate::mesh::{CollapseSequence, RefinableMesh};
 use crate::model::ModelError;
@@ -9,6 +8,12 @@ use crate::model::step_vertices::StepVertices;
 use crate::model::strip_history::{Piece, StripHistory, Touch};
 use crate::model::strip_input::{check_strips, sorted_by_place};
 use crate::strip::StripSet;
+
+/// The last change of a place that never goes.
+pub(super) const NEVER: u8 = u8::MAX;
+
+// Places, and with them changes, are numbered in bytes.
+const _: () = assert!(MAX_STRIP_INDICES < NEVER as usize);
 
 impl Mts<'static> {
     /// Builds the model from strips of the full mesh; strips longer than [`MAX_STRIP_INDICES`] are cut.
@@ -20,19 +25,19 @@ impl Mts<'static> {
         check_strips(&refinable.mesh, strips)?;
         let strips = sorted_by_place(&strips.cut(MAX_STRIP_INDICES), &refinable.mesh.positions);
         let sequence = &refinable.sequence;
-        let mut graphs = Graphs::default();
-        graphs.arc_offsets.push(0);
+        let mut lifetimes = Lifetimes::default();
+        lifetimes.break_offsets.push(0);
         for (number, strip) in strips.strips().enumerate() {
-            graphs.push(sequence, number as u32, strip);
+            lifetimes.push(sequence, number as u32, strip);
         }
-        let (arena, record_lengths) = graphs.records(sequence.step_count(), strips.strip_count());
+        let (arena, record_lengths) = lifetimes.records(sequence.step_count(), strips.strip_count());
         let parts = MtsParts {
             indices: strips.indices().to_vec().into(),
             offsets: strips.offsets().to_vec().into(),
             group_offsets: strips.group_offsets().to_vec().into(),
-            arc_offsets: graphs.arc_offsets.into(),
-            rows: graphs.rows.into(),
-            arcs: graphs.arcs.into(),
+            lasts: lifetimes.lasts.into(),
+            break_offsets: lifetimes.break_offsets.into(),
+            breaks: lifetimes.breaks.into(),
             record_lengths: record_lengths.into(),
             arena: arena.into(),
         };
@@ -40,72 +45,51 @@ impl Mts<'static> {
     }
 }
 
-/// The graphs of all strips so far.
+/// What is known of all strips so far.
 #[derive(Debug, Default)]
-struct Graphs {
-    arc_offsets: Vec<u32>,
-    rows: Vec<u16>,
-    arcs: Vec<u32>,
+struct Lifetimes {
+    lasts: Vec<u8>,
+    break_offsets: Vec<u32>,
+    breaks: Vec<[u8; 2]>,
     /// The strips that were touched, each with what touched it.
     touches: Vec<(u32, Touch)>,
-    /// Rows of one strip, the beginnings first; kept from strip to strip.
-    open: Vec<Vec<Arc>>,
 }
 
-impl Graphs {
+impl Lifetimes {
     fn push(&mut self, sequence: &CollapseSequence, number: u32, strip: &[u32]) {
         let mut history = StripHistory::new(sequence, strip);
-        self.open.iter_mut().for_each(Vec::clear);
-        self.open.resize(self.open.len().max(strip.len() + 1), Vec::new());
-        self.take(history.pieces(), 0);
+        let first = self.lasts.len();
+        // Until it is seen again a place is gone.
+        self.lasts.resize(first + strip.len(), 0);
         let mut change = 0;
+        let mut breaks = Vec::new();
+        self.take(history.pieces(), first, change, &mut breaks);
         while let Some(touch) = history.coarsen() {
             self.touches.push((number, touch));
             if touch.drops {
+                // Each change drops a place, and there are few enough places.
                 change += 1;
-                self.take(history.pieces(), change);
+                self.take(history.pieces(), first, change, &mut breaks);
             }
         }
-        self.close(strip.len());
+        for piece in history.pieces() {
+            piece.places.iter().for_each(|&place| self.lasts[first + place as usize] = NEVER);
+        }
+        breaks.sort_unstable();
+        self.breaks.extend(breaks);
+        self.break_offsets.push(self.breaks.len() as u32);
     }
 
-    /// Takes what the strip is from one of its changes on.
-    fn take(&mut self, pieces: &[Piece], change: u16) {
-        // The row before the first place holds the beginnings.
-        let mut at = 0;
+    /// Takes what the strip is after one of its changes.
+    fn take(&mut self, pieces: &[Piece], first: usize, change: u8, breaks: &mut Vec<[u8; 2]>) {
         for (i, piece) in pieces.iter().enumerate() {
-            for (j, &place) in piece.places.iter().enumerate() {
-                let row = place as usize + 1;
-                self.lead(at, Arc::new((row - at) as u32, i > 0 && j == 0), change);
-                at = row;
+            piece.places.iter().for_each(|&place| self.lasts[first + place as usize] = change);
+            // Where a piece begins one begins for good: pieces are cut but never joined.
+            let begin = piece.places[0] as u8;
+            if i > 0 && breaks.iter().all(|b| b[0] != begin) {
+                breaks.push([begin, change]);
             }
         }
-        self.lead(at, Arc::END, change);
-    }
-
-    /// From `change` on the row leads where the arc says.
-    fn lead(&mut self, row: usize, arc: Arc, change: u16) {
-        let row = &mut self.open[row];
-        match row.last_mut() {
-            Some(last) if last.until(0) == arc.until(0) => return,
-            // Arcs that no longer held before, while the place was gone from the strip, do no harm: nobody came by.
-            Some(last) => *last = last.until(change - 1),
-            None => {}
-        }
-        row.push(arc.until(REST));
-    }
-
-    /// Appends the rows of a strip with so many places.
-    fn close(&mut self, place_count: usize) {
-        let first = self.arcs.len();
-        for row in &self.open[..=place_count] {
-            self.rows.push((self.arcs.len() - first) as u16);
-            if !matches!(row[..], [arc] if arc.until(0) == Arc::NEXT.until(0)) {
-                self.arcs.extend(row.iter().map(|arc| arc.0));
-            }
-        }
-        self.rows.push((self.arcs.len() - first) as u16);
-        self.arc_offsets.push(self.arcs.len() as u32);
     }
 
     /// For each step which strips it changes, and their lengths: see [`super::state`].

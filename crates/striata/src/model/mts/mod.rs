@@ -1,28 +1,26 @@
 //! MTS, multiresolution triangle strips \[BRR02\], without what the paper stores twice, and with coherence.
 //!
-//! Each strip with all its levels is a graph: a column for each place of the strip at full detail, and for each
-//! column a row of arcs, which say what comes next and down to which level. Recovery enters at the first beginning
-//! that reaches the level and follows, from place to place, the first arc that reaches it. Strips are
-//! independent, so a change of level walks only those that it changes.
+//! Each strip is stored at full detail, and with each of its places how many changes of the strip the place outlives. At
+//! any level the strip is what is left of its places, in their order, each showing the first vertex in its chain of
+//! targets that the level has. Strips are independent, so a change of level walks only those that it changes.
 //!
 //! ```text
-//! places   0  1  2  3  4  5  6  7  8  9     an empty row: the next place, for as long as this one is there
-//! row of 2    -> 3 (res 4), -> 6 (rest)     down to the fourth change of the strip 3 follows, then 6
-//! row of 6    -> 7 (res 9), break -> 9      later the strip ends here, and another begins at 9
+//! places       0  1  2  3  4  5  6  7  8  9
+//! last change  2  9  9  0  0  9  2  9  9  9      after one change: 0 1 2 5 6 7 8 9; after three: 1 2 5 7 8 9
+//! break        before 7, from change 4 on        after four: 1 2 5 | 7 8 9
 //! ```
 //!
-//! Differs: [`MtsGraph`] is the model as published; its columns are vertices, so each collapse brings a new column and
-//! new arcs into every strip that it touches. A column here is a place. What vertex it shows is no matter of the
-//! strip: it is the first of the vertex's chain of targets that the level has, and those are stored once for
-//! all strips. What is left to store is where places are dropped. `res` counts the changes of the strip and not
-//! levels of the mesh, and fits 16 bits; which strips a step changes is a record of a few bytes. A place is
-//! passed once, so no row must remember how far it was read, and the special node -1 (the next strip begins with
-//! the same vertex) is a break to a place that shows it.
+//! Differs: [`MtsGraph`] is the model as published, a graph of the strip's vertices whose arcs say which comes next and
+//! down to which level (`res`); each collapse brings a new column and new arcs into every strip that it touches. Here
+//! a column is a place of the strip. What vertex it shows is no matter of the strip: chains of targets are stored
+//! once for all strips. Places keep their order, so where an arc leads and how far it reaches follows from how long
+//! the places between are there: of row and arcs one `res` for each column is left. It counts the changes of the strip
+//! and not levels of the mesh, and fits a byte; which strips a step changes is a record of a few bytes. The special
+//! nodes -1 and -2 are breaks, -3 is the end of the places.
 //!
 //! Cost: a step walks two or three strips, of [`MAX_STRIP_INDICES`] places at most; recovery of a whole level is
-//! linear in what it shows. Building is linear in the steps times [`MAX_STRIP_INDICES`].
+//! linear in the places. Building is linear in the steps times [`MAX_STRIP_INDICES`].
 
-mod arcs;
 mod build;
 pub mod graph;
 mod state;
@@ -55,13 +53,12 @@ pub(crate) struct MtsParts<'a> {
     /// First place of each strip, closed by their number.
     pub(crate) offsets: Cow<'a, [u32]>,
     pub(crate) group_offsets: Cow<'a, [u32]>,
-    /// First arc of each strip, closed by their number.
-    pub(crate) arc_offsets: Cow<'a, [u32]>,
-    /// For each strip where the rows of its beginnings and of its places start among its arcs: two more than it has
-    /// places.
-    pub(crate) rows: Cow<'a, [u16]>,
-    /// See [`arcs`].
-    pub(crate) arcs: Cow<'a, [u32]>,
+    /// For each place the last change of its strip after which it is still there; 255 if it never goes.
+    pub(crate) lasts: Cow<'a, [u8]>,
+    /// First break of each strip, closed by their number.
+    pub(crate) break_offsets: Cow<'a, [u32]>,
+    /// Breaks by rising place: the place of its strip before which one is, and the change from which on.
+    pub(crate) breaks: Cow<'a, [[u8; 2]]>,
     /// Bytes of each step's record, as in LodStrips.
     pub(crate) record_lengths: Cow<'a, [u8]>,
     /// For each step the strips that it changes.
@@ -69,7 +66,7 @@ pub(crate) struct MtsParts<'a> {
 }
 
 impl<'a> Mts<'a> {
-    /// Puts stored arrays together and walks every strip at each of its changes once, so that no later step can fail.
+    /// Puts stored arrays together and checks them once, so that no later step can fail.
     pub(crate) fn from_parts(vertices: StepVertices<'a>, parts: MtsParts<'a>) -> Result<Self, ModelError> {
         let model = Self::unchecked(vertices, parts);
         validate::check(&model)?;
@@ -103,9 +100,9 @@ impl<'a> Mts<'a> {
                 indices: parts.indices.into_owned().into(),
                 offsets: parts.offsets.into_owned().into(),
                 group_offsets: parts.group_offsets.into_owned().into(),
-                arc_offsets: parts.arc_offsets.into_owned().into(),
-                rows: parts.rows.into_owned().into(),
-                arcs: parts.arcs.into_owned().into(),
+                lasts: parts.lasts.into_owned().into(),
+                break_offsets: parts.break_offsets.into_owned().into(),
+                breaks: parts.breaks.into_owned().into(),
                 record_lengths: parts.record_lengths.into_owned().into(),
                 arena: parts.arena.into_owned().into(),
             },
@@ -153,14 +150,14 @@ impl LodModel for Mts<'_> {
 
     fn bytes(&self) -> Vec<PartBytes> {
         let part = |name, bytes| PartBytes { name, bytes };
-        let MtsParts { indices, offsets, group_offsets, arc_offsets, rows, arcs, record_lengths, arena } =
+        let MtsParts { indices, offsets, group_offsets, lasts, break_offsets, breaks, record_lengths, arena } =
             &self.parts;
         vec![
             part("strips", 4 * indices.len()),
-            part("strip offsets", 4 * (offsets.len() + group_offsets.len() + arc_offsets.len())),
+            part("strip offsets", 4 * (offsets.len() + group_offsets.len())),
             part("targets", 4 * (self.vertices.targets.len() + self.vertices.firsts.len())),
-            part("rows", 2 * rows.len()),
-            part("arcs", 4 * arcs.len()),
+            part("last changes", lasts.len()),
+            part("breaks", 4 * break_offsets.len() + 2 * breaks.len()),
             part("changed strips", record_lengths.len() + arena.len()),
         ]
     }
@@ -169,13 +166,13 @@ impl LodModel for Mts<'_> {
         state.bytes()
     }
 
-    /// Listing 1 of \[BRR02\] for these graphs: three words a column, two an arc (one where a row is empty) or a
-    /// beginning, two a strip; and a word for each target and each change of a strip, which coherence needs.
+    /// Words of 4 bytes for what \[BRR02\] would list: a vertex and a `res` for each column, two words for each break and
+    /// each strip; a word for each target and each change of a strip, which coherence needs.
     fn paper_bytes(&self) -> usize {
         let parts = &self.parts;
-        let arcs = parts.arcs.len() + parts.indices.len();
-        let changes = self.vertices.targets.len() + self.change_count();
-        12 * parts.indices.len() + 8 * arcs + 8 * self.strip_count() + 4 * changes
+        let columns = 2 * parts.indices.len();
+        let strips = 2 * (parts.breaks.len() + self.strip_count());
+        4 * (columns + strips + self.vertices.targets.len() + self.change_count())
     }
 }
 

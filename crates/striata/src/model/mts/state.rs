@@ -2,13 +2,17 @@
 //!
 //! The record of a step names the strips that it changes, by rising number: the first in as many bytes as the largest
 //! needs, the others as varints of the gap to the last less one; each shifted by one bit, which says whether the strip
-//! passes other places from there on, or only shows other vertices at them.
+//! loses places, or only shows other vertices at them.
+
+use std::ops::Range;
 
 use super::Mts;
-use super::arcs::Arc;
 use crate::model::StripModel;
 use crate::model::record_arena::{read_fixed, read_varint, record_at, record_before};
 use crate::strip::RESTART;
+
+/// Where more than one strip in so many is walked, all chains of targets are followed first.
+const MANY: usize = 8;
 
 /// An instance: its level and its current strips. Made by [`LodModel::new_state`](crate::model::LodModel).
 #[derive(Clone, Debug)]
@@ -21,6 +25,8 @@ pub struct MtsState {
     strips: Vec<LiveStrip>,
     /// Strips to walk again at the end of a move; kept so that no move allocates.
     touched: Vec<u32>,
+    /// What each vertex shows at the level; made when many strips are walked at once, empty before.
+    shown: Vec<u32>,
 }
 
 /// One strip of an instance.
@@ -31,7 +37,7 @@ struct LiveStrip {
     /// What it shows, restarts between its pieces counted.
     length: u32,
     /// How often it has changed since the full mesh.
-    change: u16,
+    change: u8,
     is_touched: bool,
 }
 
@@ -56,6 +62,7 @@ impl MtsState {
             slots: vec![0; model.parts.indices.len()],
             strips: model.parts.offsets.windows(2).map(strip).collect(),
             touched: Vec::with_capacity(model.strip_count()),
+            shown: Vec::new(),
         };
         state.recover(model);
         state
@@ -68,7 +75,8 @@ impl MtsState {
 
     /// Bytes that the instance owns.
     pub fn bytes(&self) -> usize {
-        4 * (self.slots.len() + self.touched.capacity()) + size_of_val(&self.strips[..])
+        4 * (self.slots.len() + self.touched.capacity() + self.shown.capacity())
+            + size_of_val(&self.strips[..])
     }
 
     pub(super) fn live(&self, strip: usize) -> &[u32] {
@@ -78,10 +86,9 @@ impl MtsState {
 
     pub(super) fn recover(&mut self, model: &Mts<'_>) {
         self.check_model(model);
-        let vertex_count = model.vertex_count_at(self.split_count) as u32;
-        for strip in 0..self.strips.len() {
-            self.walk(model, strip, vertex_count);
-        }
+        self.touched.clear();
+        self.touched.extend(0..self.strips.len() as u32);
+        self.walk_touched(model);
     }
 
     fn check_model(&self, model: &Mts<'_>) {
@@ -103,14 +110,33 @@ impl MtsState {
             let done = self.touch_finer(model);
             debug_assert!(done.is_some(), "a checked record ended early");
         }
-        let vertex_count = model.vertex_count_at(split_count) as u32;
+        self.walk_touched(model);
+    }
+
+    /// Walks the touched strips, after which none is.
+    fn walk_touched(&mut self, model: &Mts<'_>) {
+        let vertex_count = model.vertex_count_at(self.split_count) as u32;
         let mut touched = std::mem::take(&mut self.touched);
-        for &strip in &touched {
-            self.strips[strip as usize].is_touched = false;
-            self.walk(model, strip as usize, vertex_count);
+        let is_full = self.split_count == model.parts.record_lengths.len();
+        // Following chains of targets place by place costs more than following all of them once.
+        if !is_full && touched.len() > self.strips.len() / MANY {
+            self.show_all(model, vertex_count);
+            touched.iter().for_each(|&strip| self.walk_shown(model, strip as usize));
+        } else {
+            touched.iter().for_each(|&strip| self.walk(model, strip as usize, vertex_count));
         }
         touched.clear();
         self.touched = touched;
+    }
+
+    /// Finds what every vertex shows at the level. A target is older than its vertex, so it is known by then.
+    fn show_all(&mut self, model: &Mts<'_>, vertex_count: u32) {
+        self.shown.clear();
+        self.shown.extend(0..vertex_count);
+        for vertex in vertex_count..model.vertices.vertex_count as u32 {
+            let target = model.vertices.target(vertex);
+            self.shown.push(self.shown[target as usize]);
+        }
     }
 
     fn touch_coarser(&mut self, model: &Mts<'_>) -> Option<()> {
@@ -120,7 +146,7 @@ impl MtsState {
         self.cursor = start;
         for_each_strip(body, model.head_bytes, |strip, drops| {
             let live = &mut self.strips[strip as usize];
-            live.change += u16::from(drops);
+            live.change += u8::from(drops);
             if !std::mem::replace(&mut live.is_touched, true) {
                 self.touched.push(strip);
             }
@@ -134,7 +160,7 @@ impl MtsState {
         self.cursor = end;
         for_each_strip(body, model.head_bytes, |strip, drops| {
             let live = &mut self.strips[strip as usize];
-            live.change -= u16::from(drops);
+            live.change -= u8::from(drops);
             if !std::mem::replace(&mut live.is_touched, true) {
                 self.touched.push(strip);
             }
@@ -142,17 +168,25 @@ impl MtsState {
     }
 
     fn walk(&mut self, model: &Mts<'_>, strip: usize, vertex_count: u32) {
-        let LiveStrip { first, change, .. } = self.strips[strip];
-        let end = model.parts.offsets[strip + 1];
-        let slot = &mut self.slots[first as usize..end as usize];
-        let length = model.graph(strip).recover(change, slot, |mut vertex| {
-            while vertex >= vertex_count {
-                vertex = model.vertices.target(vertex);
+        let live = &mut self.strips[strip];
+        let slot = &mut self.slots[live.first as usize..model.parts.offsets[strip + 1] as usize];
+        let length = model.places(strip).recover(live.change, slot, |vertex| vertex);
+        for vertex in &mut slot[..length] {
+            while *vertex >= vertex_count && *vertex != RESTART {
+                *vertex = model.vertices.target(*vertex);
             }
-            vertex
-        });
-        debug_assert!(length.is_some(), "a checked strip has an arc too many");
-        self.strips[strip].length = length.unwrap_or(0) as u32;
+        }
+        live.length = length as u32;
+        live.is_touched = false;
+    }
+
+    /// The same where it is known what each vertex shows.
+    fn walk_shown(&mut self, model: &Mts<'_>, strip: usize) {
+        let live = &mut self.strips[strip];
+        let slot = &mut self.slots[live.first as usize..model.parts.offsets[strip + 1] as usize];
+        let shown = |vertex: u32| self.shown[vertex as usize];
+        live.length = model.places(strip).recover(live.change, slot, shown) as u32;
+        live.is_touched = false;
     }
 }
 
@@ -179,51 +213,53 @@ pub(super) fn for_each_strip(
 
 /// One strip's part of the arrays.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StripGraph<'m> {
+pub(super) struct Places<'m> {
     pub(super) indices: &'m [u32],
-    pub(super) rows: &'m [u16],
-    pub(super) arcs: &'m [u32],
+    pub(super) lasts: &'m [u8],
+    pub(super) breaks: &'m [[u8; 2]],
 }
 
-impl StripGraph<'_> {
-    /// What follows the place whose row this is, after so many changes of the strip.
+impl Places<'_> {
+    /// Writes what is left of the strip after so many changes; returns how many indices that is.
     #[inline]
-    fn next(&self, row: usize, change: u16) -> Option<Arc> {
-        let row = self.arcs.get(usize::from(self.rows[row])..usize::from(self.rows[row + 1]))?;
-        if row.is_empty() {
-            return Some(Arc::NEXT);
-        }
-        row.iter().map(|&arc| Arc(arc)).find(|arc| arc.res() >= change)
-    }
-
-    /// Writes what the strip shows; `None` where the arcs lead outside of the strip or do not end.
-    pub(super) fn recover(&self, change: u16, slot: &mut [u32], shown: impl Fn(u32) -> u32) -> Option<usize> {
+    pub(super) fn recover(&self, change: u8, slot: &mut [u32], shown: impl Fn(u32) -> u32) -> usize {
+        let take = |range: Range<usize>, slot: &mut [u32], mut length: usize| {
+            // Each index is written, and kept or not: which of them are left cannot be guessed.
+            for (&index, &last) in self.indices[range.clone()].iter().zip(&self.lasts[range]) {
+                slot[length] = shown(index);
+                length += usize::from(last >= change);
+            }
+            length
+        };
         let mut length = 0;
-        let mut at = 0;
-        loop {
-            let arc = self.next(at, change)?;
-            if arc.skip() == 0 {
-                return Some(length);
+        let mut from = 0;
+        for &[place, since] in self.breaks {
+            let place = usize::from(place);
+            if since <= change && self.lasts[place] >= change {
+                length = take(from..place, slot, length);
+                from = place;
+                // Nothing may be left of what came before.
+                if length > 0 && slot[length - 1] != RESTART {
+                    slot[length] = RESTART;
+                    length += 1;
+                }
             }
-            if arc.is_break() {
-                *slot.get_mut(length)? = RESTART;
-                length += 1;
-            }
-            at += arc.skip();
-            *slot.get_mut(length)? = shown(*self.indices.get(at - 1)?);
-            length += 1;
         }
+        take(from..self.indices.len(), slot, length)
     }
 }
 
 impl Mts<'_> {
     #[inline]
-    pub(super) fn graph(&self, strip: usize) -> StripGraph<'_> {
+    pub(super) fn places(&self, strip: usize) -> Places<'_> {
         let parts = &self.parts;
         let places = parts.offsets[strip] as usize..parts.offsets[strip + 1] as usize;
-        let rows = places.start + 2 * strip..places.end + 2 * (strip + 1);
-        let arcs = parts.arc_offsets[strip] as usize..parts.arc_offsets[strip + 1] as usize;
-        StripGraph { indices: &parts.indices[places], rows: &parts.rows[rows], arcs: &parts.arcs[arcs] }
+        let breaks = parts.break_offsets[strip] as usize..parts.break_offsets[strip + 1] as usize;
+        Places {
+            indices: &parts.indices[places.clone()],
+            lasts: &parts.lasts[places],
+            breaks: &parts.breaks[breaks],
+        }
     }
 
     /// How often strips change, over all steps.

@@ -1,13 +1,11 @@
 //! Checking stored arrays: whatever passes cannot make a later walk fail.
 //!
-//! Every strip is short enough, and is walked at each of its changes, so that arcs are known to lead on inside the strip and to fit its slot,
-//! and every record is read once, so that changes are known to be within what was walked.
+//! What is left of a strip has to fit its slot after any of its changes, and every record is read once both ways.
 
-use super::state::for_each_strip;
+use super::state::{Places, for_each_strip};
 use super::{MAX_STRIP_INDICES, Mts, MtsParts};
-use crate::model::ModelError;
-use crate::model::StripModel;
 use crate::model::record_arena::{record_at, record_before};
+use crate::model::{ModelError, StripModel};
 use crate::strip::check_offsets;
 
 pub(super) fn check(model: &Mts<'_>) -> Result<(), ModelError> {
@@ -20,46 +18,57 @@ pub(super) fn check(model: &Mts<'_>) -> Result<(), ModelError> {
             return Err(ModelError::Vertex { strip, vertex, vertex_count });
         }
     }
-    let changes = check_records(model)?;
-    let mut slot = Vec::new();
-    for (strip, &last) in changes.iter().enumerate() {
-        let graph = model.graph(strip);
-        // Each change drops a place or breaks behind one; more would only cost time.
-        if usize::from(last) > 2 * graph.indices.len() {
-            return Err(ModelError::Graph { strip, reason: "cannot change any more", change: last.into() });
+    check_records(model)?;
+    (0..model.strip_count()).try_for_each(|strip| {
+        model.places(strip).check().map_err(|reason| ModelError::Strip { strip, reason })
+    })
+}
+
+impl Places<'_> {
+    /// Whether what is left of the strip fits its slot after any change, breaks counted.
+    fn check(&self) -> Result<(), &'static str> {
+        if !self.breaks.is_sorted_by(|a, b| a[0] < b[0]) {
+            return Err("has breaks out of order");
         }
-        if let Some(row) = graph.rows.windows(2).position(|w| w[0] > w[1]) {
-            return Err(ModelError::Graph { strip, reason: "has rows out of order", change: row });
+        if self.breaks.last().is_some_and(|b| usize::from(b[0]) >= self.indices.len()) {
+            return Err("has a break behind its end");
         }
-        slot.resize(graph.indices.len(), 0);
-        for change in 0..=last {
-            if graph.recover(change, &mut slot, |vertex| vertex).is_none() {
-                return Err(ModelError::Graph { strip, reason: "does not end", change: change.into() });
+        // Places only go and breaks only come, so it is fullest where one comes.
+        for &[_, change] in self.breaks {
+            let (mut length, mut from) = (0, 0);
+            for &[place, since] in self.breaks {
+                let place = usize::from(place);
+                length += self.lasts[from..place].iter().filter(|&&last| last >= change).count();
+                from = place;
+                length += usize::from(since <= change && self.lasts[place] >= change);
+                if length > place {
+                    return Err("breaks where nothing was left out");
+                }
             }
         }
+        Ok(())
     }
-    Ok(())
 }
 
 fn check_shape(model: &Mts<'_>) -> Result<(), ModelError> {
-    let MtsParts { indices, offsets, group_offsets, arc_offsets, rows, arcs, .. } = &model.parts;
+    let MtsParts { indices, offsets, group_offsets, lasts, break_offsets, breaks, .. } = &model.parts;
     check_offsets("strip", offsets, indices.len())?;
     check_offsets("group", group_offsets, offsets.len().saturating_sub(1))?;
-    check_offsets("arc", arc_offsets, arcs.len())?;
+    check_offsets("break", break_offsets, breaks.len())?;
     let length = |what, found, expected| {
         if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
     };
-    length("strips of arcs", arc_offsets.len(), offsets.len())?;
     if let Some(found) = offsets.windows(2).map(|w| (w[1] - w[0]) as usize).find(|&n| n > MAX_STRIP_INDICES) {
         return Err(ModelError::Length { what: "places of a strip", found, expected: MAX_STRIP_INDICES });
     }
-    length("rows", rows.len(), indices.len() + 2 * model.strip_count())
+    length("strips with breaks", break_offsets.len(), offsets.len())?;
+    length("last changes", lasts.len(), indices.len())
 }
 
-/// Reads every record both ways; returns how often each strip changes.
-fn check_records(model: &Mts<'_>) -> Result<Vec<u16>, ModelError> {
+/// Reads every record both ways; the changes of each strip can be counted in a byte.
+fn check_records(model: &Mts<'_>) -> Result<(), ModelError> {
     let MtsParts { record_lengths, arena, .. } = &model.parts;
-    let mut changes = vec![0u16; model.strip_count()];
+    let mut changes = vec![0u8; model.strip_count()];
     let mut cursor = 0;
     for (step, &length) in record_lengths.iter().enumerate() {
         let error = |reason| ModelError::Record { step, reason };
@@ -71,7 +80,7 @@ fn check_records(model: &Mts<'_>) -> Result<Vec<u16>, ModelError> {
         let mut fits = true;
         for_each_strip(body, model.head_bytes, |strip, drops| {
             let change = changes.get_mut(strip as usize);
-            fits &= change.is_some_and(|n| n.checked_add(u16::from(drops)).map(|more| *n = more).is_some());
+            fits &= change.is_some_and(|n| n.checked_add(u8::from(drops)).map(|more| *n = more).is_some());
         })
         .ok_or(error("ends too early"))?;
         if !fits {
@@ -81,5 +90,5 @@ fn check_records(model: &Mts<'_>) -> Result<Vec<u16>, ModelError> {
     if cursor != arena.len() {
         return Err(ModelError::Length { what: "record bytes", found: cursor, expected: arena.len() });
     }
-    Ok(changes)
+    Ok(())
 }

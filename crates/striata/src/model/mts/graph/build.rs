@@ -1,5 +1,6 @@
 //! Building the graph of each strip from its sequences at all levels.
 
+use super::super::MAX_STRIP_INDICES;
 use super::{AFRESH, END, MtsGraph, RowNode, SAME_VERTEX, StripNode};
 use crate::mesh::RefinableMesh;
 use crate::model::ModelError;
@@ -7,11 +8,9 @@ use crate::model::strip_history::{Piece, StripHistory};
 use crate::model::strip_input::check_strips;
 use crate::strip::StripSet;
 
-use super::super::MAX_STRIP_INDICES;
-
 impl MtsGraph {
     /// Builds the model from strips of the full mesh; strips longer than
-    /// [`MAX_STRIP_INDICES`](super::super::MAX_STRIP_INDICES) are cut, as in [`Mts`](super::super::Mts).
+    /// [`MAX_STRIP_INDICES`] are cut, as in [`Mts`](super::super::Mts).
     ///
     /// # Errors
     /// [`ModelError`] where the strips are not those of the mesh.
