@@ -193,6 +193,24 @@ fn the_papers_accounting_of_a_model_drawn_by_hand() {
     assert_eq!(skip.paper_bytes(), 4 * ((1 + 4) + (4 * 4 + 1) + (3 * 4 + 1)));
 }
 
+#[test]
+fn a_strip_without_triangles_is_left_alone() {
+    // One triangle and a base of one position: the first step takes the triangle, the second has nothing to change.
+    let mesh = IndexedMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]]);
+    for seed in 0..8 {
+        let wildness = Wildness { far_percent: 0, base_position_count: 1 };
+        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        assert_eq!(refinable.sequence.step_count(), 2);
+        let strips = strips_of(&refinable, Stripifier::Greedy);
+        let original = OriginalLodStrips::build(&refinable, &strips).unwrap();
+        // Three Collapse, a strip of three, two Changes, one RecordChange with one place.
+        assert_eq!(original.paper_bytes(), 4 * (3 + (1 + 3) + 2 * 2 + (3 + 1)));
+        let skip = SkipStrips::build(&refinable, &strips).unwrap();
+        // A strip of three places, three nodes of which one is a child, three vertices, one of which affects a strip.
+        assert_eq!(skip.paper_bytes(), 4 * ((1 + 3) + (4 * 3 + 1) + (3 * 3 + 1)));
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -8,59 +8,25 @@ use std::hint::select_unpredictable;
 /// Stands where no index does; no vertex has this number.
 const NONE: u32 = u32::MAX;
 
-/// Looks at the indices of one strip in turn and remembers the last four that stay.
-struct RepetitionFilter {
-    kept: [u32; 4],
-    has_triangle: bool,
-}
-
-impl RepetitionFilter {
-    fn new() -> Self {
-        Self { kept: [NONE; 4], has_triangle: false }
-    }
-
-    /// Whether the next index completes a repetition: it goes then, and the one before it too.
-    ///
-    /// Coarse levels repeat without any pattern that a branch could learn, hence the selections.
-    #[inline]
-    fn completes_repetition(&mut self, index: u32) -> bool {
-        let [d, a, b, c] = self.kept;
-        let is_repetition = (a == c) & (b == index);
-        self.has_triangle |= (index != c) & (index != b) & (b != c) & (b != NONE) & !is_repetition;
-        // What stood before `d` is not needed: what is kept never ends in `abab`, so an index must stay first.
-        let (if_it_goes, if_it_stays) = ([NONE, d, a, b], [a, b, c, index]);
-        self.kept =
-            std::array::from_fn(|i| select_unpredictable(is_repetition, if_it_goes[i], if_it_stays[i]));
-        is_repetition
-    }
-
-    /// The length after an index for which [`completes_repetition`](Self::completes_repetition) said this.
-    #[inline]
-    fn grown(length: usize, is_repetition: bool) -> usize {
-        (length + 1).wrapping_sub(2 * usize::from(is_repetition))
-    }
-}
-
 /// Writes what is left of a strip into the front of `slot`, which has room for all of it; returns how many indices
 /// that are, none where no triangle is left.
+///
+/// Coarse levels repeat without any pattern that a branch could learn, hence the selections.
 pub(super) fn write_filtered(strip: impl Iterator<Item = u32>, slot: &mut [u32]) -> usize {
-    let mut filter = RepetitionFilter::new();
+    // The last four indices that stay.
+    let [mut a, mut b, mut c, mut d] = [NONE; 4];
     let mut length = 0;
     for index in strip {
+        let is_repetition = (b == d) & (c == index);
         slot[length] = index;
-        length = RepetitionFilter::grown(length, filter.completes_repetition(index));
+        length = (length + 1).wrapping_sub(2 * usize::from(is_repetition));
+        // What stood before `a` is not needed: what stays never ends in `abab`, so the next index stays too.
+        let next = [NONE, a, b, c];
+        let select = |i: usize, otherwise| select_unpredictable(is_repetition, next[i], otherwise);
+        [a, b, c, d] = [select(0, b), select(1, c), select(2, d), select(3, index)];
     }
-    if filter.has_triangle { length } else { 0 }
-}
-
-/// How many indices are left of a strip, none where no triangle is.
-pub(super) fn filtered_length(strip: impl Iterator<Item = u32>) -> usize {
-    let mut filter = RepetitionFilter::new();
-    let mut length = 0;
-    for index in strip {
-        length = RepetitionFilter::grown(length, filter.completes_repetition(index));
-    }
-    if filter.has_triangle { length } else { 0 }
+    let has_triangle = slot[..length].windows(3).any(|w| w[0] != w[1] && w[1] != w[2] && w[2] != w[0]);
+    if has_triangle { length } else { 0 }
 }
 
 #[cfg(test)]
@@ -72,7 +38,6 @@ mod tests {
     fn filtered(strip: &[u32]) -> Vec<u32> {
         let mut slot = vec![NONE; strip.len()];
         let length = write_filtered(strip.iter().copied(), &mut slot);
-        assert_eq!(filtered_length(strip.iter().copied()), length);
         slot.truncate(length);
         slot
     }

@@ -5,9 +5,10 @@
 //! targets that the level has. Strips are independent, so a change of level walks only those that it changes.
 //!
 //! ```text
-//! places       0  1  2  3  4  5  6  7  8  9
-//! last change  2  9  9  0  0  9  2  9  9  9      after one change: 0 1 2 5 6 7 8 9; after three: 1 2 5 7 8 9
-//! break        before 7, from change 4 on        after four: 1 2 5 | 7 8 9
+//! places       0   1   2   3   4   5   6   7   8   9   10  11  12
+//! last change  2   2   255 255 255 3   3   3   255 255 255 0   0
+//! break        before 8, from change 4 on
+//! shown        after one change 0 .. 10, after three 2 .. 10, after four 2 3 4 | 8 9 10
 //! ```
 //!
 //! Differs: [`MtsGraph`] is the model as published, a graph of the strip's vertices whose arcs say which comes next and

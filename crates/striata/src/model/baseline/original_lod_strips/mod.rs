@@ -19,7 +19,7 @@
 
 mod build;
 
-use super::repetitions::{filtered_length, write_filtered};
+use super::repetitions::write_filtered;
 use crate::model::step_vertices::StepVertices;
 use crate::model::{DrawCounts, LodModel, PartBytes, Topology};
 use crate::strip::{RESTART, StripSet};
@@ -159,9 +159,11 @@ impl LodModel for OriginalLodStrips {
     }
 
     fn draw_counts(&self, state: &OriginalLodStripsState) -> DrawCounts {
+        let mut slot = Vec::new();
         let mut counts = DrawCounts::default();
-        for strip in 0..self.strip_count() {
-            let length = filtered_length(self.strip(state, strip).iter().copied());
+        for strip in (0..self.strip_count()).map(|strip| self.strip(state, strip)) {
+            slot.resize(slot.len().max(strip.len()), 0);
+            let length = write_filtered(strip.iter().copied(), &mut slot);
             if length > 0 {
                 counts.strip_count += 1;
                 counts.index_count += length + 1;

@@ -143,9 +143,9 @@ impl LodModel for SkipStrips {
         state.bytes()
     }
 
-    /// As \[EAV99\] describes them: a pointer for each strip and a word for each place; a node of four words (vertex,
-    /// parent, number of children, pointer to them) and a word for each child; a vertex of the hierarchy with three
-    /// (parent, number of affected strips, pointer to them) and a word for each affected strip.
+    /// The structures of \[EAV99\] as others describe them: a pointer for each strip and a word for each place; a node
+    /// of four words (vertex, parent, number of children, pointer to them) and a word for each child; a vertex of the
+    /// hierarchy with three (parent, number of affected strips, pointer to them) and a word for each affected strip.
     fn paper_bytes(&self) -> usize {
         let children = self.node_parents.iter().filter(|&&parent| parent != NO_NODE).count();
         let strips = self.strip_count() + self.places.len();

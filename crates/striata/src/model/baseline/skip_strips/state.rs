@@ -110,14 +110,16 @@ impl SkipStripsState {
         let nodes = model.nodes(strip);
         let vertices = &model.node_vertices[nodes.clone()];
         let active_count = vertices.partition_point(|&vertex| vertex < vertex_count);
-        self.standing.clear();
-        self.standing.extend_from_slice(&vertices[..active_count]);
-        for &parent in &model.node_parents[nodes.start + active_count..nodes.end] {
-            self.standing.push(self.standing[parent as usize]);
+        let standing = &mut self.standing;
+        standing.clear();
+        standing.extend_from_slice(&vertices[..active_count]);
+        standing.resize(vertices.len(), 0);
+        for (node, &parent) in model.node_parents[nodes].iter().enumerate().skip(active_count) {
+            standing[node] = standing[parent as usize];
         }
         let places = model.places(strip);
         let slot = &mut self.display[places.clone()];
-        let standing = &self.standing[..];
+        let standing = &standing[..];
         let shown = model.places[places].iter().map(|&node| standing[node as usize]);
         display.length = write_filtered(shown, slot) as u32;
     }
