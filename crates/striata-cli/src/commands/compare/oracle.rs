@@ -70,3 +70,37 @@ fn check_level(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use striata::mesh::shapes;
+    use striata::simplify::{SequenceOptions, build_sequence};
+    use striata::strip::{StripOptions, stripify};
+
+    use super::super::contenders::{Given, compared_models, entries};
+    use super::*;
+
+    #[test]
+    fn a_model_that_shows_something_else_is_named_with_its_level() {
+        let built = build_sequence(&shapes::torus(12, 8, 1.0, 0.4), &SequenceOptions::default(), &mut |_| {
+            std::ops::ControlFlow::Continue(())
+        });
+        let right = built.unwrap().refinable;
+        let mut wrong = right.clone();
+        wrong.mesh.triangles[0].swap(0, 1);
+        let level_strips = StripOptions::default();
+        let strips = stripify(&right.mesh, &level_strips).unwrap();
+        let given = Given { refinable: &right, strips: &strips, level_strips: &level_strips };
+        for entry in entries(&compared_models().collect::<Vec<_>>()).unwrap() {
+            let mut contender = entry.build(given).unwrap();
+            let (name, has_few_levels) = (entry.name, entry.has_few_levels);
+            let mut check_with = |refinable| {
+                check(&mut [Checked { name, has_few_levels, contender: &mut *contender }], refinable)
+            };
+            assert!(check_with(&right).is_ok(), "{name}");
+            let said = format!("{:?}", check_with(&wrong).unwrap_err());
+            let place = format!("{name} at split count {}: ", right.sequence.step_count());
+            assert!(said.contains(&place), "{said}");
+        }
+    }
+}
