@@ -8,7 +8,7 @@ use striata::mesh::{
     canonical_triangles, replay, shapes,
 };
 use striata::model::baseline::{DiscreteLevels, DiscreteLevelsError, ProgressiveMeshes};
-use striata::model::{LodModel, PartBytes};
+use striata::model::{Accounting, LodModel, PartBytes};
 use striata::strip::{StripOptions, Stripifier, restart_triangles_into};
 use support::{
     Random, Wildness, follows_the_oracle, follows_the_oracle_at, grid, nasty, random_refinable, soup,
@@ -252,7 +252,7 @@ fn bytes_are_those_of_the_arrays() {
         part("counts", 1 + 1 + 8),
     ];
     assert_eq!(model.bytes(), expected);
-    assert_eq!(model.paper_bytes(), 4 * (9 + 1 + 1 + 1 + 1));
+    assert_eq!(model.paper_bytes(Accounting::Words), 4 * (9 + 1 + 1 + 1 + 1));
     let mut state = model.new_state();
     // The triangle that stays leads the list, the two that go keep the corners that they had.
     assert_eq!(state.indices(), [1, 2, 3, 0, 1, 3, 2, 0, 3]);
@@ -267,7 +267,7 @@ fn bytes_are_those_of_the_arrays() {
         levels.draw_counts(&state).index_count
     });
     assert_eq!(coarse, 3);
-    assert_eq!(levels.paper_bytes(), 4 * (fine + coarse) + 12 * 3);
+    assert_eq!(levels.paper_bytes(Accounting::Words), 4 * (fine + coarse) + 12 * 3);
     assert_eq!(levels.bytes()[0], part("strips", 4 * (fine + coarse)));
 }
 

@@ -5,7 +5,7 @@ mod support;
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
 use striata::model::baseline::{OriginalLodStrips, SkipStrips};
-use striata::model::{LodModel, ModelError};
+use striata::model::{Accounting, LodModel, ModelError};
 use striata::strip::{RESTART, StripOptions, StripSet, Stripifier, restart_triangles_into, stripify};
 use support::{
     Random, Wildness, follows_the_oracle, grid, nasty, random_refinable, soup, with_seams_and_groups,
@@ -187,10 +187,10 @@ fn the_papers_accounting_of_a_model_drawn_by_hand() {
     assert_eq!(place_count, 1);
     let original = OriginalLodStrips::build(&refinable, &strips).unwrap();
     // Four Collapse, a strip of four, a Change, a RecordChange, a place.
-    assert_eq!(original.paper_bytes(), 4 * (4 + (1 + 4) + 2 + 3 + 1));
+    assert_eq!(original.paper_bytes(Accounting::Words), 4 * (4 + (1 + 4) + 2 + 3 + 1));
     let skip = SkipStrips::build(&refinable, &strips).unwrap();
     // A strip of four places, four nodes of which one is a child, four vertices, one of which affects a strip.
-    assert_eq!(skip.paper_bytes(), 4 * ((1 + 4) + (4 * 4 + 1) + (3 * 4 + 1)));
+    assert_eq!(skip.paper_bytes(Accounting::Words), 4 * ((1 + 4) + (4 * 4 + 1) + (3 * 4 + 1)));
 }
 
 #[test]
@@ -204,10 +204,10 @@ fn a_strip_without_triangles_is_left_alone() {
         let strips = strips_of(&refinable, Stripifier::Greedy);
         let original = OriginalLodStrips::build(&refinable, &strips).unwrap();
         // Three Collapse, a strip of three, two Changes, one RecordChange with one place.
-        assert_eq!(original.paper_bytes(), 4 * (3 + (1 + 3) + 2 * 2 + (3 + 1)));
+        assert_eq!(original.paper_bytes(Accounting::Words), 4 * (3 + (1 + 3) + 2 * 2 + (3 + 1)));
         let skip = SkipStrips::build(&refinable, &strips).unwrap();
         // A strip of three places, three nodes of which one is a child, three vertices, one of which affects a strip.
-        assert_eq!(skip.paper_bytes(), 4 * ((1 + 3) + (4 * 3 + 1) + (3 * 3 + 1)));
+        assert_eq!(skip.paper_bytes(Accounting::Words), 4 * ((1 + 3) + (4 * 3 + 1) + (3 * 3 + 1)));
     }
 }
 

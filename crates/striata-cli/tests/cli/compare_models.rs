@@ -138,7 +138,7 @@ fn the_sphere_of_the_papers_stands_beside_their_figures() {
     }
     let storage = row("PM, storage");
     assert_eq!((number(storage, "theirs"), &storage["source"]), (1.318, &"[BRR02] table 2".into()));
-    let paper_bytes = number(&rows(&report["meshes"][0])[0], "paper_bytes");
+    let paper_bytes = number(&rows(&report["meshes"][0])[0], "short_paper_bytes");
     assert!((1e6 * number(storage, "ours") - paper_bytes).abs() < 0.01, "{storage}");
     assert!(row("MTS, storage")["ours"].is_null(), "MTS was not measured");
     assert_eq!(report["meshes"][1]["papers"], serde_json::json!([]), "no paper measured a cube");

@@ -34,6 +34,25 @@ pub struct PartBytes {
     pub bytes: usize,
 }
 
+/// What a paper takes its numbers to need.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accounting {
+    /// 4 bytes each \[RCRG06\].
+    Words,
+    /// 2 bytes an integer, 4 a long one or a pointer \[BRR02\].
+    ShortIntegers,
+}
+
+impl Accounting {
+    /// Bytes of so many integers, and of so many long ones or pointers.
+    pub(crate) fn bytes(self, integers: usize, longs: usize) -> usize {
+        match self {
+            Self::Words => 4 * (integers + longs),
+            Self::ShortIntegers => 2 * integers + 4 * longs,
+        }
+    }
+}
+
 /// How the indices of a model are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Topology {
@@ -123,9 +142,8 @@ pub trait LodModel {
     /// Bytes that an instance owns.
     fn state_bytes(&self, state: &Self::State) -> usize;
 
-    /// Bytes of the static half as the papers count: their structures, 4 bytes a number, an index or a
-    /// pointer; positions not counted.
-    fn paper_bytes(&self) -> usize;
+    /// Bytes of the static half as the papers count: their structures, and not ours; positions not counted.
+    fn paper_bytes(&self, accounting: Accounting) -> usize;
 }
 
 /// A model of strips that a file holds: strips never cross groups, dead ones keep their number.

@@ -8,7 +8,7 @@ use striata::mesh::RefinableMesh;
 use striata::model::baseline::{
     DiscreteLevels, DiscreteLevelsError, OriginalLodStrips, ProgressiveMeshes, SkipStrips,
 };
-use striata::model::{DrawCounts, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Topology};
+use striata::model::{Accounting, DrawCounts, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Topology};
 use striata::strip::{StripOptions, StripSet};
 
 use crate::commands::build::unknown_name;
@@ -117,7 +117,7 @@ pub(super) trait Contender {
     /// Bytes of the instance as it is now.
     fn state_bytes(&self) -> usize;
     /// Bytes of the static half as the papers count.
-    fn paper_bytes(&self) -> usize;
+    fn paper_bytes(&self, accounting: Accounting) -> usize;
 }
 
 struct Built<M: LodModel> {
@@ -207,7 +207,7 @@ impl<M: LodModel> Contender for Built<M> {
         self.model.state_bytes(&self.state)
     }
 
-    fn paper_bytes(&self) -> usize {
-        self.model.paper_bytes()
+    fn paper_bytes(&self, accounting: Accounting) -> usize {
+        self.model.paper_bytes(accounting)
     }
 }

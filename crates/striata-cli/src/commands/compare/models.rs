@@ -7,7 +7,7 @@ use std::time::Instant;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::model::Topology;
+use striata::model::{Accounting, Topology};
 use striata::simplify::{SequenceOptions, build_welded_sequence};
 
 use super::contenders::{Entry, Given, entries};
@@ -70,6 +70,8 @@ pub(super) struct ModelRow {
     pub(super) ratio_to_plain: f64,
     /// With positions, as the papers count.
     pub(super) paper_bytes: usize,
+    /// The same where an integer takes 2 bytes.
+    pub(super) short_paper_bytes: usize,
     paper_bytes_per_vertex: f64,
     /// Of `paper_bytes`.
     pub(super) paper_ratio_to_plain: f64,
@@ -178,7 +180,8 @@ impl ModelRow {
         let parts = contender.bytes();
         let bytes: usize = parts.iter().map(|part| part.bytes).sum();
         let positions = POSITION_BYTES * basis.vertex_count;
-        let (total_bytes, paper_bytes) = (bytes + positions, contender.paper_bytes() + positions);
+        let (total_bytes, paper_bytes) =
+            (bytes + positions, contender.paper_bytes(Accounting::Words) + positions);
         let ratio = |bytes: usize| bytes as f64 / basis.plain_bytes.max(1) as f64;
         let per_vertex = |bytes: usize| bytes as f64 / basis.vertex_count.max(1) as f64;
         let reports = contestant.walks().iter().map(|walk| {
@@ -193,6 +196,7 @@ impl ModelRow {
             total_bytes,
             ratio_to_plain: ratio(total_bytes),
             paper_bytes,
+            short_paper_bytes: contender.paper_bytes(Accounting::ShortIntegers) + positions,
             paper_bytes_per_vertex: per_vertex(paper_bytes),
             paper_ratio_to_plain: ratio(paper_bytes),
             state_bytes: contender.state_bytes(),

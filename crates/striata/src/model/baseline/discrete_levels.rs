@@ -11,7 +11,7 @@
 //! triangles as 2 (five levels) or 4 (ten) full meshes have.
 
 use crate::mesh::{CollapseSequence, IndexedMesh, MeshError, RefinableMesh, replay};
-use crate::model::{DrawCounts, LodModel, PartBytes, Topology, join_strips};
+use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology, join_strips};
 use crate::strip::{RESTART, StripIndices, StripOptions, StripSet, stripify};
 
 /// How many times the triangles of the coarsest level the finest has, where levels and base allow.
@@ -214,9 +214,10 @@ impl LodModel for DiscreteLevels {
     }
 
     /// The strips of all levels, and the positions of all but the finest, since each classic level has its own.
-    fn paper_bytes(&self) -> usize {
+    fn paper_bytes(&self, accounting: Accounting) -> usize {
         let own_vertices: usize = self.levels.iter().skip(1).map(|level| level.vertex_count).sum();
-        self.levels.iter().map(Level::index_bytes).sum::<usize>() + 12 * own_vertices
+        let index_count = self.levels.iter().map(|level| level.strips.indices.len()).sum();
+        accounting.bytes(0, index_count) + 12 * own_vertices
     }
 }
 

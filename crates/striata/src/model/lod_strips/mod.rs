@@ -33,7 +33,7 @@ pub use strip_buffer::StripBuffer;
 
 use super::record_arena::{head_bytes, record_at};
 use super::step_vertices::StepVertices;
-use super::{DrawCounts, LodModel, ModelError, PartBytes, StripModel, Topology, join_strips};
+use super::{Accounting, DrawCounts, LodModel, ModelError, PartBytes, StripModel, Topology, join_strips};
 
 /// Longer strips are cut when the model is built, so that an edit moves few indices.
 pub const MAX_STRIP_INDICES: usize = 128;
@@ -160,11 +160,11 @@ impl LodModel for LodStrips<'_> {
     /// The structures of \[RCRG06\], its figure 3: a `Collapse` for each vertex, a pointer for each strip, a
     /// `Change` of two words for each step, a `RecordChange` of four for each strip that it affects, and a word
     /// for each place that is collapsed or resized.
-    fn paper_bytes(&self) -> usize {
+    fn paper_bytes(&self, accounting: Accounting) -> usize {
         let edits = self.edit_counts();
-        let strips = self.strip_count() + self.indices.len();
-        let changes = 2 * self.step_count() + 4 * edits.strips + edits.places + edits.drops;
-        4 * (self.vertex_count() + strips + changes)
+        let records = 3 * edits.strips + edits.places + edits.drops;
+        let integers = self.vertex_count() + self.indices.len() + self.step_count() + records;
+        accounting.bytes(integers, self.strip_count() + self.step_count() + edits.strips)
     }
 }
 

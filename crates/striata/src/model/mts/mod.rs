@@ -34,7 +34,7 @@ pub use state::MtsState;
 
 pub use super::lod_strips::MAX_STRIP_INDICES;
 use super::step_vertices::StepVertices;
-use super::{DrawCounts, LodModel, ModelError, PartBytes, StripModel, Topology, join_strips};
+use super::{Accounting, DrawCounts, LodModel, ModelError, PartBytes, StripModel, Topology, join_strips};
 use crate::strip::RESTART;
 
 /// The static half of the model; see the [module](self).
@@ -167,13 +167,13 @@ impl LodModel for Mts<'_> {
         state.bytes()
     }
 
-    /// Words of 4 bytes for what \[BRR02\] would list: a vertex and a `res` for each column, two words for each break and
-    /// each strip; a word for each target and each change of a strip, which coherence needs.
-    fn paper_bytes(&self) -> usize {
+    /// What \[BRR02\] would list: a vertex and a `res` for each column, a column and a `res` for each break, two pointers for
+    /// each strip; a target for each vertex and a strip for each change of one, which coherence needs.
+    fn paper_bytes(&self, accounting: Accounting) -> usize {
         let parts = &self.parts;
-        let columns = 2 * parts.indices.len();
-        let strips = 2 * (parts.breaks.len() + self.strip_count());
-        4 * (columns + strips + self.vertices.targets.len() + self.change_count())
+        let integers = parts.breaks.len() + self.change_count();
+        let columns = 2 * parts.indices.len() + parts.breaks.len();
+        accounting.bytes(integers, columns + 2 * self.strip_count() + self.vertices.targets.len())
     }
 }
 

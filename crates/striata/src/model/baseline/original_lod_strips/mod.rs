@@ -21,7 +21,7 @@ mod build;
 
 use super::repetitions::write_filtered;
 use crate::model::step_vertices::StepVertices;
-use crate::model::{DrawCounts, LodModel, PartBytes, Topology};
+use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology};
 use crate::strip::{RESTART, StripSet};
 
 /// The static half of the model; see the [module](self).
@@ -195,11 +195,11 @@ impl LodModel for OriginalLodStrips {
     /// The structures of \[RCRG06\], its figure 3, without resizes: a `Collapse` for each vertex, a pointer for each
     /// strip, a `Change` of two words for each step, a `RecordChange` of three (strip, number of collapses, pointer)
     /// for each strip that it affects, and a word for each place.
-    fn paper_bytes(&self) -> usize {
+    fn paper_bytes(&self, accounting: Accounting) -> usize {
         let record_count = Records(&self.changes).count();
-        let strips = self.strip_count() + self.strips.indices().len();
         // A record's strip and number are among the words already.
-        let changes = 2 * self.step_count() + record_count + self.changes.len();
-        4 * (self.vertices.vertex_count + strips + changes)
+        let changes = self.step_count() + self.changes.len();
+        let integers = self.vertices.vertex_count + self.strips.indices().len() + changes;
+        accounting.bytes(integers, self.strip_count() + self.step_count() + record_count)
     }
 }

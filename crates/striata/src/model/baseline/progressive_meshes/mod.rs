@@ -26,7 +26,7 @@ use std::ops::Range;
 
 use self::counts::{Counts, GroupNumbers};
 pub use self::state::ProgressiveMeshesState;
-use crate::model::{DrawCounts, LodModel, PartBytes, StepVertices, Topology};
+use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, StepVertices, Topology};
 
 /// The static half of the model; see the [module](self).
 ///
@@ -116,11 +116,11 @@ impl LodModel for ProgressiveMeshes {
         state.bytes()
     }
 
-    /// The list of the full mesh, 3 words a triangle: that holds the triangles that splits bring, too. A split:
-    /// for each vertex its target, a pointer to its corners and a word for each; and the number of triangles
-    /// that come.
-    fn paper_bytes(&self) -> usize {
-        let splits = 2 * self.vertices.targets.len() + self.corners.len() + self.step_count;
-        4 * (self.indices.len() + splits)
+    /// The list of the full mesh, three long indices a triangle: that holds the triangles that splits bring, too. A
+    /// split: for each vertex its target, a pointer to its corners and a long index for each; and the number of
+    /// triangles that come.
+    fn paper_bytes(&self, accounting: Accounting) -> usize {
+        let splits = 2 * self.vertices.targets.len() + self.corners.len();
+        accounting.bytes(self.step_count, self.indices.len() + splits)
     }
 }

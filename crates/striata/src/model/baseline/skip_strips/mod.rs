@@ -29,7 +29,7 @@ use std::ops::Range;
 pub use state::SkipStripsState;
 
 use crate::model::step_vertices::StepVertices;
-use crate::model::{DrawCounts, LodModel, PartBytes, Topology, join_strips};
+use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology, join_strips};
 
 /// Stands where a node has no parent.
 const NO_NODE: u32 = u32::MAX;
@@ -146,11 +146,13 @@ impl LodModel for SkipStrips {
     /// The structures of \[EAV99\] as others describe them: a pointer for each strip and a word for each place; a node
     /// of four words (vertex, parent, number of children, pointer to them) and a word for each child; a vertex of the
     /// hierarchy with three (parent, number of affected strips, pointer to them) and a word for each affected strip.
-    fn paper_bytes(&self) -> usize {
+    fn paper_bytes(&self, accounting: Accounting) -> usize {
         let children = self.node_parents.iter().filter(|&&parent| parent != NO_NODE).count();
-        let strips = self.strip_count() + self.places.len();
-        let nodes = 4 * self.node_vertices.len() + children;
-        let hierarchy = 3 * self.vertices.vertex_count + self.affected_strips.len();
-        4 * (strips + nodes + hierarchy)
+        let nodes = self.node_vertices.len();
+        let vertex_count = self.vertices.vertex_count;
+        // Numbers of children and of affected strips are integers, all else names something.
+        let longs = self.strip_count() + self.places.len() + 3 * nodes + children;
+        let hierarchy = 2 * vertex_count + self.affected_strips.len();
+        accounting.bytes(nodes + vertex_count, longs + hierarchy)
     }
 }

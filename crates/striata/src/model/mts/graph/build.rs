@@ -184,7 +184,7 @@ fn put_first(row: &mut Vec<RowNode>, nexts: &[i32], res: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::LodModel;
+    use crate::model::{Accounting, LodModel};
     use crate::strip::RESTART;
 
     fn piece(vertices: &[u32]) -> Piece {
@@ -254,8 +254,8 @@ mod tests {
         }
         // 8 columns, 15 arcs, 2 beginnings, a strip.
         assert_eq!(graph.rows.len(), 15);
-        assert_eq!(graph.paper_bytes(), 12 * 8 + 8 * 17 + 8);
-        assert_eq!(graph.short_paper_bytes(), 10 * 8 + 6 * 17 + 8);
+        assert_eq!(graph.paper_bytes(Accounting::Words), 12 * 8 + 8 * 17 + 8);
+        assert_eq!(graph.paper_bytes(Accounting::ShortIntegers), 10 * 8 + 6 * 17 + 8);
     }
 
     #[test]

@@ -22,7 +22,7 @@
 
 mod build;
 
-use crate::model::{DrawCounts, LodModel, PartBytes, Topology};
+use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology};
 use crate::strip::RESTART;
 
 /// The strip ends; the next begins with the same vertex.
@@ -75,11 +75,6 @@ impl MtsGraph {
     /// Strips, dead ones at coarse levels counted.
     pub fn strip_count(&self) -> usize {
         self.strips.len().saturating_sub(1)
-    }
-
-    /// Bytes as \[BRR02\] counts them for its table 2: 2 an integer, 4 a pointer or a long.
-    pub fn short_paper_bytes(&self) -> usize {
-        10 * self.vertices.len() + 6 * (self.rows.len() + self.begins.len()) + 8 * self.strip_count()
     }
 
     /// Shows one strip at a level: listing 2 of the paper. `current` is that of all columns, zero for the strip's.
@@ -197,8 +192,10 @@ impl LodModel for MtsGraph {
         4 * (state.current.len() + state.indices.capacity())
     }
 
-    /// Listing 1 of the paper: three words a column, two an arc or a beginning, two a strip.
-    fn paper_bytes(&self) -> usize {
-        12 * self.vertices.len() + 8 * (self.rows.len() + self.begins.len()) + 8 * self.strip_count()
+    /// Listing 1 of the paper: a long vertex, an integer and a pointer a column; an integer and a long `res` an arc or a
+    /// beginning; two pointers a strip.
+    fn paper_bytes(&self, accounting: Accounting) -> usize {
+        let (columns, arcs) = (self.vertices.len(), self.rows.len() + self.begins.len());
+        accounting.bytes(columns + arcs, 2 * columns + arcs + 2 * self.strip_count())
     }
 }
