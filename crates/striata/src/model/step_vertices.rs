@@ -48,6 +48,16 @@ impl StepVertices<'_> {
         if split_count == step_count { self.vertex_count } else { self.of_step(split_count).start as usize }
     }
 
+    /// The step that restores a vertex above the base.
+    #[inline]
+    pub(super) fn step_of(&self, vertex: u32) -> usize {
+        if self.firsts.is_empty() {
+            (vertex - self.base_vertex_count) as usize
+        } else {
+            self.firsts.partition_point(|&first| first <= vertex) - 1
+        }
+    }
+
     /// Where a vertex above the base collapses to.
     #[inline]
     pub(super) fn target(&self, vertex: u32) -> u32 {

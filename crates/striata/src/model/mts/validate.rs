@@ -1,6 +1,8 @@
-//! Checking stored arrays: whatever passes cannot make a later walk fail.
+//! Checking stored arrays: whatever passes cannot make a later walk fail, nor leave a strip unwalked that has to be.
 //!
-//! What is left of a strip has to fit its slot after any of its changes, and every record is read once both ways.
+//! What is left of a strip has to fit its slot after any of its changes. Every record is read once both ways. And each
+//! place is followed through its chain of targets for as long as it is there: the step of each vertex that it shows
+//! has to name its strip.
 
 use super::state::{Places, for_each_strip};
 use super::{MAX_STRIP_INDICES, Mts, MtsParts};
@@ -18,10 +20,49 @@ pub(super) fn check(model: &Mts<'_>) -> Result<(), ModelError> {
             return Err(ModelError::Vertex { strip, vertex, vertex_count });
         }
     }
-    check_records(model)?;
+    let touches = Touches::of(model)?;
     (0..model.strip_count()).try_for_each(|strip| {
-        model.places(strip).check().map_err(|reason| ModelError::Strip { strip, reason })
+        let places = model.places(strip);
+        let fits = places.check().and_then(|()| places.check_touches(model, touches.of_strip(strip)));
+        fits.map_err(|reason| ModelError::Strip { strip, reason })
     })
+}
+
+/// For each strip the steps that change it, rising, each with the strip's change after it.
+struct Touches {
+    /// Where those of each strip begin, closed by their number.
+    firsts: Vec<usize>,
+    touches: Vec<(u32, u8)>,
+}
+
+impl Touches {
+    /// Reads every record both ways.
+    fn of(model: &Mts<'_>) -> Result<Self, ModelError> {
+        let mut firsts = vec![0; model.strip_count() + 1];
+        for_each_record(model, |_, strip, _| firsts[strip + 1] += 1)?;
+        for strip in 0..model.strip_count() {
+            firsts[strip + 1] += firsts[strip];
+        }
+        let mut touches = vec![(0, 0); firsts[model.strip_count()]];
+        let mut next = firsts.clone();
+        for_each_record(model, |step, strip, drops| {
+            touches[next[strip]] = (step, u8::from(drops));
+            next[strip] += 1;
+        })?;
+        for (strip, w) in firsts.windows(2).enumerate() {
+            let mut change = 0u8;
+            for touch in touches[w[0]..w[1]].iter_mut().rev() {
+                let reason = "changes too often";
+                change = change.checked_add(touch.1).ok_or(ModelError::Strip { strip, reason })?;
+                touch.1 = change;
+            }
+        }
+        Ok(Self { firsts, touches })
+    }
+
+    fn of_strip(&self, strip: usize) -> &[(u32, u8)] {
+        &self.touches[self.firsts[strip]..self.firsts[strip + 1]]
+    }
 }
 
 impl Places<'_> {
@@ -50,6 +91,29 @@ impl Places<'_> {
     }
 }
 
+impl Places<'_> {
+    /// Whether the strip is walked at every step that takes a vertex away which one of its places shows.
+    fn check_touches(&self, model: &Mts<'_>, touches: &[(u32, u8)]) -> Result<(), &'static str> {
+        let vertices = &model.vertices;
+        for (&index, &last) in self.indices.iter().zip(self.lasts) {
+            let mut vertex = index;
+            while vertex >= vertices.base_vertex_count {
+                let step = vertices.step_of(vertex) as u32;
+                let at = touches.partition_point(|touch| touch.0 < step);
+                let change = touches.get(at).map_or(0, |touch| touch.1);
+                if last < change {
+                    break;
+                }
+                if touches.get(at).is_none_or(|touch| touch.0 != step) {
+                    return Err("is left alone by a step that takes one of its vertices");
+                }
+                vertex = vertices.target(vertex);
+            }
+        }
+        Ok(())
+    }
+}
+
 fn check_shape(model: &Mts<'_>) -> Result<(), ModelError> {
     let MtsParts { indices, offsets, group_offsets, lasts, break_offsets, breaks, .. } = &model.parts;
     check_offsets("strip", offsets, indices.len())?;
@@ -65,10 +129,10 @@ fn check_shape(model: &Mts<'_>) -> Result<(), ModelError> {
     length("last changes", lasts.len(), indices.len())
 }
 
-/// Reads every record both ways; the changes of each strip can be counted in a byte.
-fn check_records(model: &Mts<'_>) -> Result<(), ModelError> {
+/// Visits step, strip and whether it loses places, for all records; both lengths of each have to agree.
+fn for_each_record(model: &Mts<'_>, mut visit: impl FnMut(u32, usize, bool)) -> Result<(), ModelError> {
     let MtsParts { record_lengths, arena, .. } = &model.parts;
-    let mut changes = vec![0u8; model.strip_count()];
+    let strip_count = model.strip_count();
     let mut cursor = 0;
     for (step, &length) in record_lengths.iter().enumerate() {
         let error = |reason| ModelError::Record { step, reason };
@@ -79,16 +143,80 @@ fn check_records(model: &Mts<'_>) -> Result<(), ModelError> {
         cursor = end;
         let mut fits = true;
         for_each_strip(body, model.head_bytes, |strip, drops| {
-            let change = changes.get_mut(strip as usize);
-            fits &= change.is_some_and(|n| n.checked_add(u8::from(drops)).map(|more| *n = more).is_some());
+            if (strip as usize) < strip_count {
+                visit(step as u32, strip as usize, drops);
+            } else {
+                fits = false;
+            }
         })
         .ok_or(error("ends too early"))?;
         if !fits {
-            return Err(error("changes a strip that is not there, or too often"));
+            return Err(error("changes a strip that is not there"));
         }
     }
     if cursor != arena.len() {
         return Err(ModelError::Length { what: "record bytes", found: cursor, expected: arena.len() });
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes;
+    use crate::simplify::{SequenceOptions, build_sequence};
+    use crate::strip::{StripOptions, stripify};
+
+    fn model() -> Mts<'static> {
+        let mesh = shapes::grid(8, 8);
+        let built = build_sequence(&mesh, &SequenceOptions::default(), &mut crate::ignore_progress).unwrap();
+        let strips = stripify(&built.refinable.mesh, &StripOptions::default()).unwrap();
+        Mts::build(&built.refinable, &strips).unwrap()
+    }
+
+    fn checked(model: Mts<'static>, damage: impl FnOnce(&mut MtsParts<'static>)) -> Result<(), ModelError> {
+        let Mts { vertices, mut parts, .. } = model;
+        damage(&mut parts);
+        Mts::from_parts(vertices, parts).map(drop)
+    }
+
+    #[test]
+    fn what_was_built_is_sound() {
+        assert_eq!(checked(model(), |_| ()), Ok(()));
+    }
+
+    #[test]
+    fn a_step_has_to_name_every_strip_that_shows_its_vertices() {
+        let step_count = model().parts.record_lengths.len();
+        for step in 0..step_count {
+            let found = checked(model(), |parts| {
+                let start: usize = parts.record_lengths[..step].iter().map(|&n| usize::from(n)).sum();
+                let length = usize::from(std::mem::take(&mut parts.record_lengths.to_mut()[step]));
+                assert!(length > 0, "on a grid each step changes a strip");
+                parts.arena.to_mut().drain(start..start + length);
+            });
+            // Which strip it is that a place is left in depends on the step.
+            assert!(
+                matches!(found, Err(ModelError::Strip { reason, .. }) if reason.contains("left alone")),
+                "step {step}: {found:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn breaks_lie_in_their_strip_where_places_are_gone() {
+        let with_break = |at: [u8; 2]| {
+            checked(model(), |parts| {
+                parts.breaks = vec![at].into();
+                let strip_count = parts.offsets.len() - 1;
+                parts.break_offsets = std::iter::once(0).chain(vec![1; strip_count]).collect();
+            })
+        };
+        let reason = |found| match found {
+            Err(ModelError::Strip { strip: 0, reason }) => reason,
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(reason(with_break([200, 0])), "has a break behind its end");
+        assert_eq!(reason(with_break([2, 0])), "breaks where nothing was left out");
+    }
 }
