@@ -1,11 +1,11 @@
-//! How fast LodStrips are built, loaded and moved.
+//! How fast LodStrips and MTS are built, loaded and moved, and what a step of MTS costs beside a full recovery.
 
 use std::hint::black_box;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::model::{LodModel, LodStrips, StripBuffer};
+use striata::model::{LodModel, LodStrips, Mts, StripBuffer};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 
@@ -79,5 +79,41 @@ fn lod_strips(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, lod_strips);
+fn mts(c: &mut Criterion) {
+    let mut group = c.benchmark_group("mts");
+    group.sample_size(20);
+    for (name, mesh) in [("sphere", sphere(132)), ("sphere_large", sphere(374))] {
+        let refinable = refinable(&mesh);
+        let strips = stripify(&refinable.mesh, &StripOptions::default()).expect("the mesh is sound");
+        group.bench_function(format!("build/{name}"), |b| b.iter(|| Mts::build(&refinable, &strips)));
+        let model = Mts::build(&refinable, &strips).expect("the strips are those of the mesh");
+        let mut state = model.new_state();
+        for percent in [100, 50, 10] {
+            let split_count = model.step_count() * percent / 100;
+            model.move_to(&mut state, split_count);
+            group.bench_function(format!("recover/{name}/{percent}"), |b| {
+                b.iter(|| model.recover(&mut state))
+            });
+            group.bench_function(format!("steps_200/{name}/{percent}"), |b| {
+                b.iter(|| {
+                    let steps = split_count.saturating_sub(100)..split_count;
+                    steps.clone().rev().for_each(|at| model.move_to(&mut state, at));
+                    steps.for_each(|at| model.move_to(&mut state, at + 1));
+                })
+            });
+        }
+        let models = [FileModel::Mts(&model)];
+        let bytes = to_striata(&refinable, &models, &WriteOptions::default()).expect("memory does not fail");
+        group.bench_function(format!("load/{name}"), |b| {
+            b.iter_batched(
+                || StriataFile::parse(&bytes).expect("written just now"),
+                |file| file.mts().map(|model| model.is_ok()),
+                BatchSize::SmallInput,
+            )
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, lod_strips, mts);
 criterion_main!(benches);
