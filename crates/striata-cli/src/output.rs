@@ -26,13 +26,13 @@ impl Output {
         Self { json: args.json, quiet: args.quiet, draws_bars }
     }
 
-    /// Refuses to mix a JSON report with a mesh on stdout.
+    /// Refuses to mix a JSON report with a mesh or page on stdout.
     ///
     /// # Errors
     /// Where both would go there.
-    pub(crate) fn check_stdout_is_free(&self, mesh_to_stdout: bool) -> Result<(), Failure> {
-        if self.json && mesh_to_stdout {
-            return Err(Failure::user("--json and the mesh cannot both go to stdout")
+    pub(crate) fn check_stdout_is_free(&self, output_to_stdout: bool) -> Result<(), Failure> {
+        if self.json && output_to_stdout {
+            return Err(Failure::user("--json and the output cannot both go to stdout")
                 .with_hint("give the output a file name"));
         }
         Ok(())

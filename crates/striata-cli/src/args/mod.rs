@@ -129,7 +129,7 @@ pub(crate) struct InfoArgs {
 pub(crate) struct ExtractArgs {
     /// A .striata file, or - for stdin
     pub(crate) input: PathBuf,
-    /// Which model of the file to use [default: the best for the target]
+    /// Which model of the file to use: lodstrips, mts [default: lodstrips if the file has it]
     #[arg(long, value_name = "NAME")]
     pub(crate) model: Option<String>,
     /// How triangles are written; strips need .glb or .gltf

@@ -35,7 +35,7 @@ pub(crate) const MODELS: [&str; 2] = ["lodstrips", "mts"];
 /// Where any of it fails; the output is then as it was.
 pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(&args.output))?;
-    check_models(&args.models)?;
+    let models = model_names(&args.models)?;
     check_output_name(&args.output)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
@@ -47,7 +47,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let mut options = args.sequence.options(diagonal)?;
     options.base_triangle_count = args.base.unwrap_or(0);
     options.max_error = args.max_error.map(|error| error.in_units(diagonal));
-    let plan = BuildPlan { options, strips: args.strip_plan(), models: args.models.clone() };
+    let plan = BuildPlan { options, strips: args.strip_plan(), models };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     phases.enter("write");
     bar.phase("write");
@@ -247,12 +247,15 @@ impl Report {
     }
 }
 
+/// The names as our list has them; there may be blanks behind commas.
+///
 /// # Errors
 /// Where a name is none of ours.
-fn check_models(names: &[String]) -> Result<(), Failure> {
+fn model_names(names: &[String]) -> Result<Vec<String>, Failure> {
+    let names: Vec<String> = names.iter().map(|name| name.trim().to_owned()).collect();
     match names.iter().find(|name| !MODELS.contains(&name.as_str())) {
         Some(unknown) => Err(unknown_name("model", unknown, &MODELS)),
-        None => Ok(()),
+        None => Ok(names),
     }
 }
 

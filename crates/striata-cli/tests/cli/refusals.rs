@@ -174,6 +174,15 @@ fn the_wrong_kind_of_file_is_explained() {
 }
 
 #[test]
+fn only_one_thing_goes_to_stdout() {
+    let bench = Workbench::with_ball();
+    for line in ["extract ball.striata -o - --detail 1 --json", "compare sphere.obj --html - --json"] {
+        let said = bench.refused(line);
+        assert!(said.starts_with("error: --json and the output cannot both go to stdout"), "{said}");
+    }
+}
+
+#[test]
 fn arguments_are_checked_with_suggestions() {
     let bench = Workbench::with_ball();
     assert!(bench.refused("extract ball.striata -o x.ply --triangels 10").contains("--triangles"));

@@ -89,6 +89,9 @@ fn every_model_of_a_file_shows_the_same_levels() {
     bench.json("build sphere.obj -o mts.striata --models mts");
     assert_eq!(bench.json("extract mts.striata -o x.ply --detail 0.5")["model"], "mts");
     assert_eq!(bench.json("info mts.striata")["triangle_count"], 512);
+    // Names may have blanks behind commas.
+    bench.command("build sphere.obj -o blank.striata --models").arg("lodstrips, mts").assert().success();
+    assert_eq!(bench.read("blank.striata"), bench.read("both.striata"));
 }
 
 #[test]
