@@ -238,8 +238,8 @@ impl Places<'_> {
             if since <= change && self.lasts[place] >= change {
                 length = take(from..place, slot, length);
                 from = place;
-                // Nothing may be left of what came before.
-                if length > 0 && slot[length - 1] != RESTART {
+                // Nothing may be left of what came before; behind a restart the place of its break is.
+                if length > 0 {
                     slot[length] = RESTART;
                     length += 1;
                 }

@@ -205,18 +205,21 @@ mod tests {
 
     #[test]
     fn breaks_lie_in_their_strip_where_places_are_gone() {
-        let with_break = |at: [u8; 2]| {
+        let with_breaks = |at: &[[u8; 2]]| {
             checked(model(), |parts| {
-                parts.breaks = vec![at].into();
+                parts.breaks = at.to_vec().into();
                 let strip_count = parts.offsets.len() - 1;
-                parts.break_offsets = std::iter::once(0).chain(vec![1; strip_count]).collect();
+                parts.break_offsets = std::iter::once(0).chain(vec![at.len() as u32; strip_count]).collect();
             })
         };
         let reason = |found| match found {
             Err(ModelError::Strip { strip: 0, reason }) => reason,
             other => panic!("{other:?}"),
         };
-        assert_eq!(reason(with_break([200, 0])), "has a break behind its end");
-        assert_eq!(reason(with_break([2, 0])), "breaks where nothing was left out");
+        assert_eq!(reason(with_breaks(&[[200, 0]])), "has a break behind its end");
+        assert_eq!(reason(with_breaks(&[[2, 0]])), "breaks where nothing was left out");
+        for breaks in [[[3, 9], [2, 9]], [[2, 9], [2, 9]]] {
+            assert_eq!(reason(with_breaks(&breaks)), "has breaks out of order");
+        }
     }
 }
