@@ -5,7 +5,7 @@ mod support;
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
 use striata::model::baseline::{OriginalLodStrips, SkipStrips};
-use striata::model::{Accounting, LodModel, ModelError};
+use striata::model::{Accounting, LodModel, LodStrips, ModelError, Mts};
 use striata::strip::{RESTART, StripOptions, StripSet, Stripifier, restart_triangles_into, stripify};
 use support::{
     Random, Wildness, follows_the_oracle, grid, nasty, random_refinable, soup, with_seams_and_groups,
@@ -191,6 +191,17 @@ fn the_papers_accounting_of_a_model_drawn_by_hand() {
     let skip = SkipStrips::build(&refinable, &strips).unwrap();
     // A strip of four places, four nodes of which one is a child, four vertices, one of which affects a strip.
     assert_eq!(skip.paper_bytes(Accounting::Words), 4 * ((1 + 4) + (4 * 4 + 1) + (3 * 4 + 1)));
+    let both =
+        |model: &dyn Fn(Accounting) -> usize| [Accounting::Words, Accounting::ShortIntegers].map(model);
+    let lod_strips = LodStrips::build(&refinable, &strips).unwrap();
+    // Four Collapse, four indices, a number of strips, three numbers and a place of a RecordChange; three pointers.
+    assert_eq!(strips.indices()[0], 3, "what is dropped first would turn the rest: there is no resize");
+    let integers = 4 + 4 + 1 + 3 + 1;
+    assert_eq!(both(&|a| lod_strips.paper_bytes(a)), [4 * (integers + 3), 2 * integers + 4 * 3]);
+    let mts = Mts::build(&refinable, &strips).unwrap();
+    // Four columns of two, a strip of two, a target; one change of a strip.
+    let longs = 4 * 2 + 2 + 1;
+    assert_eq!(both(&|a| mts.paper_bytes(a)), [4 * (longs + 1), 4 * longs + 2]);
 }
 
 #[test]

@@ -136,4 +136,20 @@ mod tests {
         assert_eq!(record_before(&arena, 310, LONG_RECORD), None);
         assert_eq!(record_at(&arena, 0, 3), Some((&[1, 2, 3][..], 3)));
     }
+
+    #[test]
+    fn records_of_any_length_are_found_from_both_ends() {
+        let bodies: Vec<Vec<u8>> =
+            [0, 1, 254, 255, 256, 70_000].map(|length| vec![length as u8; length]).into();
+        let (mut arena, mut lengths) = (Vec::new(), Vec::new());
+        bodies.iter().for_each(|body| push_record(body, &mut arena, &mut lengths));
+        let mut start = 0;
+        for (body, &length) in bodies.iter().zip(&lengths) {
+            let (found, end) = record_at(&arena, start, length).expect("written just now");
+            assert_eq!(found, body);
+            assert_eq!(record_before(&arena, end, length), Some((&body[..], start)));
+            start = end;
+        }
+        assert_eq!(start, arena.len());
+    }
 }

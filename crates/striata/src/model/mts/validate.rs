@@ -163,13 +163,16 @@ fn for_each_record(model: &Mts<'_>, mut visit: impl FnMut(u32, usize, bool)) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::shapes;
+    use crate::mesh::{IndexedMesh, shapes};
     use crate::simplify::{SequenceOptions, build_sequence};
     use crate::strip::{StripOptions, stripify};
 
     fn model() -> Mts<'static> {
-        let mesh = shapes::grid(8, 8);
-        let built = build_sequence(&mesh, &SequenceOptions::default(), &mut crate::ignore_progress).unwrap();
+        model_of(&shapes::grid(8, 8))
+    }
+
+    fn model_of(mesh: &IndexedMesh) -> Mts<'static> {
+        let built = build_sequence(mesh, &SequenceOptions::default(), &mut crate::ignore_progress).unwrap();
         let strips = stripify(&built.refinable.mesh, &StripOptions::default()).unwrap();
         Mts::build(&built.refinable, &strips).unwrap()
     }
@@ -221,5 +224,29 @@ mod tests {
         for breaks in [[[3, 9], [2, 9]], [[2, 9], [2, 9]]] {
             assert_eq!(reason(with_breaks(&breaks)), "has breaks out of order");
         }
+    }
+
+    #[test]
+    fn strips_are_short_and_change_seldom_enough_for_bytes() {
+        let too_long = checked(model(), |parts| {
+            let place_count = parts.indices.len() as u32;
+            assert!(place_count as usize > MAX_STRIP_INDICES);
+            parts.offsets = vec![0, place_count].into();
+            parts.group_offsets = vec![0, 1].into();
+            parts.break_offsets = vec![0, 0].into();
+            parts.breaks = Vec::new().into();
+        });
+        assert!(
+            matches!(too_long, Err(ModelError::Length { what: "places of a strip", .. })),
+            "{too_long:?}"
+        );
+        let found = checked(model_of(&shapes::grid(20, 20)), |parts| {
+            let step_count = parts.record_lengths.len();
+            assert!(step_count > usize::from(u8::MAX));
+            // Each step takes places from the first strip, and from no other.
+            parts.record_lengths.to_mut().fill(1);
+            parts.arena = vec![1; step_count].into();
+        });
+        assert_eq!(found, Err(ModelError::Strip { strip: 0, reason: "changes too often" }));
     }
 }
