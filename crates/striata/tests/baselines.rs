@@ -11,8 +11,8 @@ use striata::model::baseline::{DiscreteLevels, DiscreteLevelsError, ProgressiveM
 use striata::model::{Accounting, LodModel, PartBytes};
 use striata::strip::{StripOptions, Stripifier, restart_triangles_into};
 use support::{
-    Random, Wildness, follows_the_oracle, follows_the_oracle_at, grid, nasty, random_refinable, soup,
-    with_seams_and_groups,
+    Random, Wildness, follows_the_oracle, follows_the_oracle_at, grid, hub_cases, nasty_cases,
+    random_refinable, seam_cases, soups, surface_cases, with_seams_and_groups,
 };
 
 /// Holds progressive meshes and discrete levels to the oracle.
@@ -32,13 +32,7 @@ fn check_baselines(refinable: &RefinableMesh, stride: usize) {
 
 #[test]
 fn nasty_meshes_follow_the_oracle_at_every_level() {
-    for (name, mesh) in nasty() {
-        for seed in 0..8 {
-            let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
-            eprintln!("{name}, seed {seed}");
-            check_baselines(&random_refinable(&mesh, wildness, &mut Random::new(seed)), 1);
-        }
-    }
+    nasty_cases().for_each(|case| check_baselines(&case.refinable, case.stride));
 }
 
 #[test]
@@ -56,34 +50,18 @@ fn nasty_shapes_follow_the_oracle_at_every_level() {
 
 #[test]
 fn surfaces_follow_the_oracle() {
-    for (mesh, stride) in [(grid(12, false), 1), (grid(14, true), 1), (grid(60, true), 97)] {
-        for seed in 0..3 {
-            let wildness = Wildness { far_percent: seed as usize * 4, base_position_count: 4 };
-            check_baselines(&random_refinable(&mesh, wildness, &mut Random::new(seed)), stride);
-        }
-    }
+    surface_cases().for_each(|case| check_baselines(&case.refinable, case.stride));
 }
 
 #[test]
 fn seams_and_groups_follow_the_oracle() {
-    for seed in 0..4 {
-        let mesh = with_seams_and_groups(grid(9, seed % 2 == 0));
-        let wildness = Wildness { far_percent: 5, base_position_count: 3 };
-        check_baselines(&random_refinable(&mesh, wildness, &mut Random::new(seed)), 1);
-    }
+    seam_cases().for_each(|case| check_baselines(&case.refinable, case.stride));
 }
 
 #[test]
 fn a_vertex_that_stands_everywhere_makes_a_long_record() {
-    // The hub of a fan stands hundreds of times in the list, wherever it goes.
-    let n = 900;
-    let positions = (0..=n).map(|i| [i as f32, (i * i % 17) as f32, 0.0]).collect();
-    let triangles = (0..n as u32).step_by(3).map(|i| [n as u32, i, i + 1]).collect();
-    let mesh = IndexedMesh::new(positions, triangles);
-    for seed in 0..20 {
-        let wildness = Wildness { far_percent: 50, base_position_count: 500 };
-        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
-        follows_the_oracle(&refinable, &ProgressiveMeshes::build(&refinable), 7);
+    for case in hub_cases() {
+        follows_the_oracle(&case.refinable, &ProgressiveMeshes::build(&case.refinable), case.stride);
     }
 }
 
@@ -275,20 +253,8 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn random_meshes_follow_the_oracle_at_every_level(
-        seed in any::<u64>(),
-        vertex_count in 3usize..30,
-        triangle_count in 0usize..60,
-        far_percent in 0usize..60,
-        has_seams in any::<bool>(),
-    ) {
-        let mut random = Random::new(seed);
-        let mut mesh = soup(vertex_count, triangle_count, &mut random);
-        if has_seams {
-            mesh = with_seams_and_groups(mesh);
-        }
-        let wildness = Wildness { far_percent, base_position_count: 1 };
-        check_baselines(&random_refinable(&mesh, wildness, &mut random), 1);
+    fn random_meshes_follow_the_oracle_at_every_level(case in soups()) {
+        check_baselines(&case.refinable, case.stride);
     }
 
     #[test]

@@ -5,10 +5,12 @@ mod support;
 use std::ops::Range;
 
 use proptest::prelude::*;
-use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
+use striata::mesh::{RefinableMesh, canonical_triangles, replay};
 use striata::model::{LodModel, LodStrips, LodStripsState, ModelError, StripBuffer, StripModel};
 use striata::strip::{RESTART, StripOptions, StripSet, restart_triangles_into, stripify};
-use support::{Random, Wildness, grid, nasty, random_refinable, soup, with_seams_and_groups};
+use support::{
+    Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases,
+};
 
 fn build(refinable: &RefinableMesh) -> LodStrips<'static> {
     let strips = stripify(&refinable.mesh, &StripOptions::default()).unwrap();
@@ -99,46 +101,22 @@ fn check_all_levels(refinable: &RefinableMesh, stride: usize) {
 
 #[test]
 fn nasty_meshes_follow_the_oracle_at_every_level() {
-    for (name, mesh) in nasty() {
-        for seed in 0..8 {
-            let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
-            let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
-            eprintln!("{name}, seed {seed}");
-            check_all_levels(&refinable, 1);
-        }
-    }
+    nasty_cases().for_each(|case| check_all_levels(&case.refinable, case.stride));
 }
 
 #[test]
 fn surfaces_follow_the_oracle() {
-    for (mesh, stride) in [(grid(12, false), 1), (grid(14, true), 1), (grid(60, true), 97)] {
-        for seed in 0..3 {
-            let wildness = Wildness { far_percent: seed as usize * 4, base_position_count: 4 };
-            check_all_levels(&random_refinable(&mesh, wildness, &mut Random::new(seed)), stride);
-        }
-    }
+    surface_cases().for_each(|case| check_all_levels(&case.refinable, case.stride));
 }
 
 #[test]
 fn seams_and_groups_follow_the_oracle() {
-    for seed in 0..4 {
-        let mesh = with_seams_and_groups(grid(9, seed % 2 == 0));
-        let wildness = Wildness { far_percent: 5, base_position_count: 3 };
-        check_all_levels(&random_refinable(&mesh, wildness, &mut Random::new(seed)), 1);
-    }
+    seam_cases().for_each(|case| check_all_levels(&case.refinable, case.stride));
 }
 
 #[test]
 fn a_vertex_that_stands_everywhere_makes_a_long_record() {
-    // The hub of a fan goes first: it stands hundreds of times in its strips.
-    let n = 900;
-    let positions = (0..=n).map(|i| [i as f32, (i * i % 17) as f32, 0.0]).collect();
-    let triangles = (0..n as u32).step_by(3).map(|i| [n as u32, i, i + 1]).collect();
-    let mesh = IndexedMesh::new(positions, triangles);
-    for seed in 0..20 {
-        let wildness = Wildness { far_percent: 50, base_position_count: 500 };
-        check_all_levels(&random_refinable(&mesh, wildness, &mut Random::new(seed)), 7);
-    }
+    hub_cases().for_each(|case| check_all_levels(&case.refinable, case.stride));
 }
 
 #[test]
@@ -163,20 +141,8 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn random_meshes_follow_the_oracle_at_every_level(
-        seed in any::<u64>(),
-        vertex_count in 3usize..30,
-        triangle_count in 0usize..60,
-        far_percent in 0usize..60,
-        has_seams in any::<bool>(),
-    ) {
-        let mut random = Random::new(seed);
-        let mut mesh = soup(vertex_count, triangle_count, &mut random);
-        if has_seams {
-            mesh = with_seams_and_groups(mesh);
-        }
-        let wildness = Wildness { far_percent, base_position_count: 1 };
-        check_all_levels(&random_refinable(&mesh, wildness, &mut random), 1);
+    fn random_meshes_follow_the_oracle_at_every_level(case in soups()) {
+        check_all_levels(&case.refinable, case.stride);
     }
 
     #[test]

@@ -3,11 +3,12 @@
 mod support;
 
 use proptest::prelude::*;
-use striata::mesh::{IndexedMesh, RefinableMesh};
+use striata::mesh::RefinableMesh;
 use striata::model::{LodModel, ModelError, Mts, MtsGraph, StripModel};
 use striata::strip::{StripOptions, StripSet, Stripifier, stripify};
 use support::{
-    Random, Wildness, follows_the_oracle, grid, nasty, random_refinable, soup, with_seams_and_groups,
+    Random, Wildness, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
+    surface_cases,
 };
 
 /// Greedy strips, or such as have joints where ends meet at a vertex.
@@ -45,34 +46,19 @@ fn check_both(refinable: &RefinableMesh, has_joints: bool, stride: usize) {
 
 #[test]
 fn nasty_meshes_follow_the_oracle_at_every_level() {
-    for (name, mesh) in nasty() {
-        for seed in 0..8 {
-            let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
-            let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
-            eprintln!("{name}, seed {seed}");
-            check_both(&refinable, seed % 2 == 0, 1);
-        }
-    }
+    nasty_cases().for_each(|case| check_both(&case.refinable, case.seed % 2 == 0, case.stride));
 }
 
 #[test]
 fn surfaces_follow_the_oracle() {
-    for (mesh, stride) in [(grid(12, false), 1), (grid(14, true), 1), (grid(60, true), 97)] {
-        for seed in 0..4 {
-            let wildness = Wildness { far_percent: seed as usize * 4, base_position_count: 4 };
-            check_both(&random_refinable(&mesh, wildness, &mut Random::new(seed)), seed % 2 == 0, stride);
-        }
-    }
+    surface_cases().for_each(|case| check_both(&case.refinable, case.seed % 2 == 0, case.stride));
 }
 
 #[test]
 fn seams_and_groups_follow_the_oracle() {
-    for seed in 0..4 {
-        let mesh = with_seams_and_groups(grid(9, seed % 2 == 0));
-        let wildness = Wildness { far_percent: 5, base_position_count: 3 };
-        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
-        check_both(&refinable, seed < 2, 1);
-        let model = Mts::build(&refinable, &strips_of(&refinable, true)).unwrap();
+    for case in seam_cases() {
+        check_both(&case.refinable, case.seed < 2, case.stride);
+        let model = Mts::build(&case.refinable, &strips_of(&case.refinable, true)).unwrap();
         assert_eq!(model.group_count(), 3);
         assert!(model.group_strips(1).is_empty());
     }
@@ -80,14 +66,7 @@ fn seams_and_groups_follow_the_oracle() {
 
 #[test]
 fn a_vertex_that_stands_everywhere_makes_a_long_record() {
-    let n = 900;
-    let positions = (0..=n).map(|i| [i as f32, (i * i % 17) as f32, 0.0]).collect();
-    let triangles = (0..n as u32).step_by(3).map(|i| [n as u32, i, i + 1]).collect();
-    let mesh = IndexedMesh::new(positions, triangles);
-    for seed in 0..4 {
-        let wildness = Wildness { far_percent: 50, base_position_count: 500 };
-        check_both(&random_refinable(&mesh, wildness, &mut Random::new(seed)), false, 7);
-    }
+    hub_cases().for_each(|case| check_both(&case.refinable, false, case.stride));
 }
 
 #[test]
@@ -108,20 +87,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn random_meshes_follow_the_oracle_at_every_level(
-        seed in any::<u64>(),
-        vertex_count in 3usize..30,
-        triangle_count in 0usize..60,
-        far_percent in 0usize..60,
-        has_seams in any::<bool>(),
-        has_joints in any::<bool>(),
-    ) {
-        let mut random = Random::new(seed);
-        let mut mesh = soup(vertex_count, triangle_count, &mut random);
-        if has_seams {
-            mesh = with_seams_and_groups(mesh);
-        }
-        let wildness = Wildness { far_percent, base_position_count: 1 };
-        check_both(&random_refinable(&mesh, wildness, &mut random), has_joints, 1);
+    fn random_meshes_follow_the_oracle_at_every_level(case in soups(), has_joints in any::<bool>()) {
+        check_both(&case.refinable, has_joints, case.stride);
     }
 }

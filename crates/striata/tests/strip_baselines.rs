@@ -8,7 +8,8 @@ use striata::model::baseline::{OriginalLodStrips, SkipStrips};
 use striata::model::{Accounting, LodModel, LodStrips, ModelError, Mts};
 use striata::strip::{RESTART, StripOptions, StripSet, Stripifier, restart_triangles_into, stripify};
 use support::{
-    Random, Wildness, follows_the_oracle, grid, nasty, random_refinable, soup, with_seams_and_groups,
+    Random, Wildness, follows_the_oracle, grid, nasty_cases, random_refinable, seam_cases, soups,
+    surface_cases, with_seams_and_groups,
 };
 
 /// Greedy strips have single vertices twice, cheapest ones also whole joints, fewest ones are long.
@@ -45,32 +46,17 @@ fn nothing_repeats(model: &SkipStrips) {
 
 #[test]
 fn nasty_meshes_follow_the_oracle_at_every_level() {
-    for (name, mesh) in nasty() {
-        for seed in 0..6 {
-            eprintln!("{name}, seed {seed}");
-            let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
-            all_follow(&random_refinable(&mesh, wildness, &mut Random::new(seed)), 1);
-        }
-    }
+    nasty_cases().for_each(|case| all_follow(&case.refinable, case.stride));
 }
 
 #[test]
 fn surfaces_follow_the_oracle() {
-    for (mesh, stride) in [(grid(10, false), 1), (grid(12, true), 1), (grid(50, true), 211)] {
-        for seed in 0..2 {
-            let wildness = Wildness { far_percent: seed as usize * 4, base_position_count: 4 };
-            all_follow(&random_refinable(&mesh, wildness, &mut Random::new(seed)), stride);
-        }
-    }
+    surface_cases().for_each(|case| all_follow(&case.refinable, case.stride));
 }
 
 #[test]
 fn seams_and_groups_follow_the_oracle() {
-    for seed in 0..4 {
-        let mesh = with_seams_and_groups(grid(9, seed % 2 == 0));
-        let wildness = Wildness { far_percent: 5, base_position_count: 3 };
-        all_follow(&random_refinable(&mesh, wildness, &mut Random::new(seed)), 1);
-    }
+    seam_cases().for_each(|case| all_follow(&case.refinable, case.stride));
 }
 
 #[test]
@@ -226,19 +212,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn random_meshes_follow_the_oracle_at_every_level(
-        seed in any::<u64>(),
-        vertex_count in 3usize..30,
-        triangle_count in 0usize..60,
-        far_percent in 0usize..60,
-        has_seams in any::<bool>(),
-    ) {
-        let mut random = Random::new(seed);
-        let mut mesh = soup(vertex_count, triangle_count, &mut random);
-        if has_seams {
-            mesh = with_seams_and_groups(mesh);
-        }
-        let wildness = Wildness { far_percent, base_position_count: 1 };
-        all_follow(&random_refinable(&mesh, wildness, &mut random), 1);
+    fn random_meshes_follow_the_oracle_at_every_level(case in soups()) {
+        all_follow(&case.refinable, case.stride);
     }
 }

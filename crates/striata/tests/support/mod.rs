@@ -2,12 +2,14 @@
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test file uses its own part")]
 
 mod oracle;
+mod suite;
 
 pub use oracle::{follows_the_oracle, follows_the_oracle_at};
 use striata::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, Material, PositionIndex, RefinableMesh, Semantic,
     SequenceParts, TriangleGroup, weld,
 };
+pub use suite::{Case, hub_cases, nasty_cases, seam_cases, soups, surface_cases};
 
 /// A small generator of numbers (xorshift): the same on every machine.
 pub struct Random(u64);
