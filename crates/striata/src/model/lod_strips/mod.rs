@@ -81,12 +81,7 @@ impl<'a> LodStrips<'a> {
     /// The same model with arrays of its own.
     pub fn into_owned(self) -> LodStrips<'static> {
         LodStrips {
-            vertices: StepVertices {
-                vertex_count: self.vertices.vertex_count,
-                base_vertex_count: self.vertices.base_vertex_count,
-                firsts: self.vertices.firsts.into_owned().into(),
-                targets: self.vertices.targets.into_owned().into(),
-            },
+            vertices: self.vertices.into_owned(),
             indices: self.indices.into_owned().into(),
             offsets: self.offsets.into_owned().into(),
             group_offsets: self.group_offsets.into_owned().into(),

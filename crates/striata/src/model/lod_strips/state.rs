@@ -87,7 +87,7 @@ impl LodStripsState {
             let done = self.refine(model);
             debug_assert!(done.is_some(), "a checked record ended early");
         }
-        // Equal states compare equal, whatever way led there.
+        // States at a level are equal, whatever way led there, once buffers have followed.
         self.drops.clear();
     }
 

@@ -149,3 +149,32 @@ impl<'m, 'a> Sweep<'m, 'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes;
+    use crate::model::lod_strips::LodStripsParts;
+    use crate::simplify::{SequenceOptions, build_sequence};
+    use crate::strip::{StripOptions, stripify};
+
+    #[test]
+    fn a_step_has_to_put_its_vertices_out_of_every_strip() {
+        let mesh = shapes::grid(8, 8);
+        let built = build_sequence(&mesh, &SequenceOptions::default(), &mut crate::ignore_progress).unwrap();
+        let strips = stripify(&built.refinable.mesh, &StripOptions::default()).unwrap();
+        let model = LodStrips::build(&built.refinable, &strips).unwrap();
+        for step in 0..model.record_lengths.len() {
+            let LodStrips { vertices, indices, offsets, group_offsets, record_lengths, arena, .. } =
+                model.clone();
+            let mut parts = LodStripsParts { indices, offsets, group_offsets, record_lengths, arena };
+            let start: usize = parts.record_lengths[..step].iter().map(|&n| usize::from(n)).sum();
+            let length = usize::from(std::mem::take(&mut parts.record_lengths.to_mut()[step]));
+            assert!(length > 0, "on a grid each step changes a strip");
+            parts.arena.to_mut().drain(start..start + length);
+            let reason = "leaves a vertex of the step in a strip";
+            let found = LodStrips::from_parts(vertices, parts).map(drop);
+            assert_eq!(found, Err(ModelError::Record { step, reason }));
+        }
+    }
+}

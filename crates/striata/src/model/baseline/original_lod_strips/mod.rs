@@ -8,8 +8,8 @@
 //! change of a vertex   strip, place count, places ... | strip, place count, places ... | ...
 //! ```
 //!
-//! A strip whose last triangle is gone draws nothing, whatever stands in it: later changes leave it out. That keeps
-//! 45 % of the places of the bunny from being listed.
+//! A strip whose last triangle is gone draws nothing, whatever stands in it: later changes leave it out. That
+//! makes the changes of the bunny a third smaller.
 //!
 //! Differs: the publication has one vertex a position. Here a step has one change for each wedge of its position, so
 //! that no place needs to say which wedge stands there.

@@ -28,9 +28,19 @@ impl MtsGraph {
                 builder.push_level(history.pieces(), step_count as u32 - touch.step);
             }
             builder.write(step_count as u32, &mut graph);
+            graph.check_size()?;
         }
         graph.close();
         Ok(graph)
+    }
+
+    /// Columns and arcs are numbered in 32 bits; a strip adds far fewer than are left over between that and memory.
+    fn check_size(&self) -> Result<(), ModelError> {
+        let limit = u64::from(u32::MAX);
+        match self.rows.len().max(self.vertices.len()) as u64 {
+            found if found > limit => Err(ModelError::TooMany { what: "arcs or columns", found, limit }),
+            _ => Ok(()),
+        }
     }
 
     fn close(&mut self) {
