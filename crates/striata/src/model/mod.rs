@@ -5,6 +5,7 @@
 //! screen owns: where it stands and what it shows.
 
 pub mod baseline;
+pub mod fans;
 pub mod lod_strips;
 pub mod mts;
 
@@ -17,6 +18,7 @@ mod strip_run;
 mod superfluous;
 
 pub use error::ModelError;
+pub use fans::{FanInstance, Fans, FansLevel};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
 pub(crate) use step_vertices::StepVertices;

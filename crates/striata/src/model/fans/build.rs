@@ -1,0 +1,198 @@
+//! Building the table: one pass from the full mesh to the base, step by step around what each removes.
+
+use super::crowns::{RingArc, crowns};
+use super::{ALWAYS, Dependency, Fan, Fans, MAX_ARCS};
+use crate::mesh::{CollapseSequence, RefinableMesh, is_proper};
+
+/// Ends a chain of triangles.
+const END: u32 = u32::MAX;
+
+impl Fans {
+    /// Builds the table from a mesh and its sequence.
+    ///
+    /// # Panics
+    /// If the mesh is not the sequence's: it names vertices that the sequence does not have.
+    pub fn build(refinable: &RefinableMesh) -> Self {
+        let mut builder = Builder::new(refinable);
+        for step in (0..refinable.sequence.step_count()).rev() {
+            builder.remove(step);
+        }
+        builder.finish()
+    }
+}
+
+/// A triangle, the step that makes it, and its group.
+#[derive(Clone, Copy, Debug)]
+struct Triangle {
+    corners: [u32; 3],
+    creator: u32,
+    group: u32,
+}
+
+struct Builder<'r> {
+    sequence: &'r CollapseSequence,
+    /// All triangles that there ever are.
+    triangles: Vec<Triangle>,
+    is_gone: Vec<bool>,
+    /// The first of three links of each triangle's chains: one for each corner.
+    next: Vec<[u32; 3]>,
+    /// First triangle of each vertex, triangles that are gone among them.
+    chains: Vec<u32>,
+    /// The triangles of each vertex's entry.
+    entries: Vec<Vec<u32>>,
+    /// Steps that each position waits for beside those that make its triangles.
+    bare: Vec<(u32, u32)>,
+    star: Vec<u32>,
+    group_count: usize,
+}
+
+impl<'r> Builder<'r> {
+    fn new(refinable: &'r RefinableMesh) -> Self {
+        let vertex_count = refinable.sequence.positions().vertex_count();
+        let mut builder = Self {
+            sequence: &refinable.sequence,
+            triangles: Vec::with_capacity(3 * refinable.mesh.triangle_count()),
+            is_gone: Vec::new(),
+            next: Vec::new(),
+            chains: vec![END; vertex_count],
+            entries: vec![Vec::new(); vertex_count],
+            bare: Vec::new(),
+            star: Vec::new(),
+            group_count: refinable.mesh.groups.len().max(1),
+        };
+        for (group, range) in (0..).zip(refinable.mesh.groups_or_whole().iter().map(|group| group.range())) {
+            for &corners in refinable.mesh.triangles[range].iter().filter(|t| is_proper(t)) {
+                builder.add(Triangle { corners, creator: ALWAYS, group });
+            }
+        }
+        builder
+    }
+
+    fn add(&mut self, triangle: Triangle) {
+        let number = self.triangles.len() as u32;
+        self.triangles.push(triangle);
+        self.is_gone.push(false);
+        self.next.push(triangle.corners.map(|v| std::mem::replace(&mut self.chains[v as usize], number)));
+    }
+
+    /// Removes a position: its star becomes the entries of its vertices, its floor takes the star's place.
+    fn remove(&mut self, step: usize) {
+        let vertices = self.sequence.step_vertices(step);
+        self.star.clear();
+        for vertex in vertices.clone() {
+            let mut at = self.chains[vertex as usize];
+            while at != END {
+                let corners = self.triangles[at as usize].corners;
+                if !std::mem::replace(&mut self.is_gone[at as usize], true) {
+                    self.star.push(at);
+                    self.entries[vertex as usize].push(at);
+                }
+                let corner = corners.iter().position(|&v| v == vertex).unwrap_or(0);
+                at = self.next[at as usize][corner];
+            }
+        }
+        let star = std::mem::take(&mut self.star);
+        let mut covered = Vec::new();
+        for &triangle in &star {
+            let Triangle { corners, group, .. } = self.triangles[triangle as usize];
+            let floor = corners.map(|v| if vertices.contains(&v) { self.sequence.target(v) } else { v });
+            if is_proper(&floor) {
+                covered.extend(floor.map(|v| self.sequence.positions().position_of(v)));
+                self.add(Triangle { corners: floor, creator: step as u32, group });
+            }
+        }
+        covered.sort_unstable();
+        // Where nothing of the floor is left at a neighbour, no triangle tells it to wait for this step.
+        for &triangle in &star {
+            for vertex in self.triangles[triangle as usize].corners {
+                let position = self.sequence.positions().position_of(vertex);
+                if !vertices.contains(&vertex) && covered.binary_search(&position).is_err() {
+                    self.bare.push((position, step as u32));
+                }
+            }
+        }
+        self.star = star;
+    }
+
+    /// A triangle as its vertex sees it.
+    fn arc(&self, vertex: u32, triangle: u32) -> RingArc {
+        let Triangle { corners, creator, .. } = self.triangles[triangle as usize];
+        let turn = corners.iter().position(|&v| v == vertex).unwrap_or(0);
+        RingArc { from: corners[(turn + 1) % 3], to: corners[(turn + 2) % 3], creator }
+    }
+
+    fn finish(mut self) -> Fans {
+        // What is left is the base: its triangles stand with their last vertex, as all others do.
+        for triangle in 0..self.triangles.len() {
+            if !self.is_gone[triangle] {
+                let [a, b, c] = self.triangles[triangle].corners;
+                self.entries[a.max(b).max(c) as usize].push(triangle as u32);
+            }
+        }
+        self.bare.sort_unstable();
+        self.bare.dedup();
+        let mut fans = Fans::empty(self.sequence, self.group_count);
+        let mut arcs = Vec::new();
+        for (vertex, mut entry) in std::mem::take(&mut self.entries).into_iter().enumerate() {
+            entry.sort_by_key(|&triangle| self.triangles[triangle as usize].group);
+            let group_of = |&triangle: &u32| self.triangles[triangle as usize].group;
+            for of_group in entry.chunk_by(|a, b| group_of(a) == group_of(b)) {
+                arcs.clear();
+                arcs.extend(of_group.iter().map(|&t| self.arc(vertex as u32, t)));
+                fans.push_crowns(crowns(&mut arcs), group_of(&of_group[0]));
+            }
+            fans.entry_ends.push(fans.fans.len() as u32);
+        }
+        fans.push_waits(&self.bare, self.sequence);
+        fans
+    }
+}
+
+impl Fans {
+    /// Appends fans to the next vertex: crowns one after the other, long ones in pieces.
+    fn push_crowns(&mut self, crowns: Vec<Vec<RingArc>>, group: u32) {
+        for crown in &crowns {
+            for piece in crown.chunks(MAX_ARCS) {
+                self.push_fan(piece, crown.len() == piece.len());
+                if self.group_count > 1 {
+                    self.fan_groups.push(group);
+                }
+            }
+        }
+    }
+
+    /// Appends a fan; `is_whole` where the arcs are all of a crown, which may then be closed.
+    fn push_fan(&mut self, arcs: &[RingArc], is_whole: bool) {
+        let (Some(first), Some(last)) = (arcs.first(), arcs.last()) else { return };
+        self.ring.extend(arcs.iter().map(|arc| arc.from));
+        if !(is_whole && last.to == first.from) {
+            self.ring.push(last.to);
+        }
+        let mut creators: Vec<u32> = arcs.iter().map(|arc| arc.creator).collect();
+        creators.sort_unstable();
+        creators.dedup();
+        for creator in creators {
+            let bits = arcs.iter().enumerate().filter(|(_, arc)| arc.creator == creator);
+            let mask = bits.fold(0, |mask, (at, _)| mask | 1 << at);
+            self.dependencies.push(Dependency { creator, mask });
+        }
+        self.fans
+            .push(Fan { ring_end: self.ring.len() as u32, dependency_end: self.dependencies.len() as u32 });
+    }
+
+    /// Notes what positions wait for beside the creators of their triangles.
+    fn push_waits(&mut self, bare: &[(u32, u32)], sequence: &CollapseSequence) {
+        let base = sequence.base_position_count() as u32;
+        let mut at = 0;
+        for step in 0..sequence.step_count() as u32 {
+            while bare.get(at).is_some_and(|wait| wait.0 < base + step) {
+                at += 1;
+            }
+            while let Some(&(_, waits_for)) = bare.get(at).filter(|wait| wait.0 == base + step) {
+                self.waits.push(waits_for);
+                at += 1;
+            }
+            self.wait_ends.push(self.waits.len() as u32);
+        }
+    }
+}

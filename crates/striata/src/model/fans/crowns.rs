@@ -1,0 +1,146 @@
+//! Crowns: the triangles around a vertex as few connected runs \[Cor01\], section 3.6.1.
+//!
+//! Each triangle around a pivot is an arc between its two other corners. Arcs that follow each other are a crown; for a
+//! vertex of a manifold they are one ring or one open run, elsewhere there may be several, and nodes may be passed twice.
+//! An Euler tour finds the fewest: where more arcs leave a node than enter it, crowns begin, and where more enter, they end.
+
+/// A triangle around a pivot, without the pivot, and what it is labelled with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct RingArc {
+    /// The corner after the pivot.
+    pub(super) from: u32,
+    /// The corner after that.
+    pub(super) to: u32,
+    /// The step that makes the triangle, or what stands for none.
+    pub(super) creator: u32,
+}
+
+/// Cuts arcs into crowns, each a run of arcs that follow each other. Equal arcs give equal crowns.
+pub(super) fn crowns(arcs: &mut [RingArc]) -> Vec<Vec<RingArc>> {
+    arcs.sort_unstable();
+    let mut tour = Tour::new(arcs);
+    let mut out = Vec::new();
+    for node in 0..tour.nodes.len() {
+        // Crowns that are open have to begin where arcs are left over, or they would be cut in two.
+        while tour.surplus(node) > 0 {
+            out.push(tour.walk(node));
+        }
+    }
+    for node in 0..tour.nodes.len() {
+        while tour.next[node] < tour.end(node) {
+            let ring = tour.walk(node);
+            tour.splice(&mut out, ring);
+        }
+    }
+    out
+}
+
+/// Arcs by the node that they leave, some of them walked.
+struct Tour<'a> {
+    arcs: &'a [RingArc],
+    /// Each node once, rising, with its first arc.
+    nodes: Vec<(u32, usize)>,
+    /// The next arc to walk of each node.
+    next: Vec<usize>,
+    /// Arcs that enter each node and have not been walked.
+    entering: Vec<usize>,
+}
+
+impl<'a> Tour<'a> {
+    fn new(arcs: &'a [RingArc]) -> Self {
+        let mut names: Vec<u32> = arcs.iter().flat_map(|arc| [arc.from, arc.to]).collect();
+        names.sort_unstable();
+        names.dedup();
+        let first = |name: u32| arcs.partition_point(|arc| arc.from < name);
+        let nodes: Vec<(u32, usize)> = names.iter().map(|&name| (name, first(name))).collect();
+        let next = nodes.iter().map(|node| node.1).collect();
+        let mut tour = Self { arcs, entering: vec![0; nodes.len()], nodes, next };
+        for arc in arcs {
+            let node = tour.node_of(arc.to);
+            tour.entering[node] += 1;
+        }
+        tour
+    }
+
+    fn node_of(&self, name: u32) -> usize {
+        self.nodes.partition_point(|node| node.0 < name)
+    }
+
+    fn end(&self, node: usize) -> usize {
+        self.nodes.get(node + 1).map_or(self.arcs.len(), |node| node.1)
+    }
+
+    /// How many more unwalked arcs leave a node than enter it.
+    fn surplus(&self, node: usize) -> usize {
+        (self.end(node) - self.next[node]).saturating_sub(self.entering[node])
+    }
+
+    /// Walks on from a node until no arc leaves.
+    fn walk(&mut self, mut node: usize) -> Vec<RingArc> {
+        let mut out = Vec::new();
+        while self.next[node] < self.end(node) {
+            let arc = self.arcs[self.next[node]];
+            self.next[node] += 1;
+            node = self.node_of(arc.to);
+            self.entering[node] -= 1;
+            out.push(arc);
+        }
+        out
+    }
+
+    /// Puts a closed run into a crown that passes its node, or beside them where none does.
+    fn splice(&self, crowns: &mut Vec<Vec<RingArc>>, ring: Vec<RingArc>) {
+        for crown in crowns.iter_mut() {
+            // Any node will do, so the first place where the crown meets the ring is taken.
+            let met = crown
+                .iter()
+                .enumerate()
+                .find_map(|(at, arc)| ring.iter().position(|r| r.from == arc.from).map(|turn| (at, turn)));
+            if let Some((at, turn)) = met {
+                let turned = ring[turn..].iter().chain(&ring[..turn]).copied();
+                crown.splice(at..at, turned);
+                return;
+            }
+        }
+        crowns.push(ring);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cut(arcs: &[[u32; 2]]) -> Vec<Vec<u32>> {
+        let mut arcs: Vec<RingArc> =
+            arcs.iter().map(|&[from, to]| RingArc { from, to, creator: 0 }).collect();
+        let count = arcs.len();
+        let crowns = crowns(&mut arcs);
+        assert_eq!(crowns.iter().map(Vec::len).sum::<usize>(), count, "each arc once");
+        for crown in &crowns {
+            assert!(crown.windows(2).all(|w| w[0].to == w[1].from), "{crown:?}");
+        }
+        crowns.iter().map(|c| c.iter().map(|a| a.from).chain(c.last().map(|a| a.to)).collect()).collect()
+    }
+
+    #[test]
+    fn a_ring_and_an_open_run_are_one_crown() {
+        assert_eq!(cut(&[[3, 1], [1, 2], [2, 3]]), [[1, 2, 3, 1]]);
+        assert_eq!(cut(&[[7, 5], [5, 6], [9, 7]]), [[9, 7, 5, 6]]);
+        assert!(cut(&[]).is_empty());
+    }
+
+    #[test]
+    fn a_bow_tie_is_two_crowns() {
+        assert_eq!(cut(&[[1, 2], [2, 3], [5, 6]]), [vec![1, 2, 3], vec![5, 6]]);
+    }
+
+    #[test]
+    fn runs_that_meet_in_a_node_share_a_crown() {
+        // A ring that touches an open run, and three triangles on an edge.
+        assert_eq!(cut(&[[1, 2], [2, 3], [2, 8], [8, 9], [9, 2]]).len(), 1);
+        assert_eq!(cut(&[[1, 2], [2, 3], [2, 4]]).len(), 2);
+        // Two rings that touch, and the same triangle twice.
+        assert_eq!(cut(&[[1, 2], [2, 3], [3, 1], [1, 5], [5, 6], [6, 1]]).len(), 1);
+        assert_eq!(cut(&[[1, 2], [1, 2]]).len(), 2);
+    }
+}

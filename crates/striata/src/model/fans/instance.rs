@@ -1,0 +1,169 @@
+//! An instance of the table: a bit for each step, and the moves between sets of steps that are possible.
+
+use super::{ALWAYS, Fans};
+
+/// Which steps an instance has taken: one bit each. Any set that it comes to is one that the sequence, leaving steps out,
+/// can come to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FanInstance {
+    step_count: usize,
+    /// Bits of the steps that are taken, low ones first.
+    taken: Vec<u64>,
+}
+
+impl FanInstance {
+    /// An instance that shows the full mesh.
+    pub fn full(fans: &Fans) -> Self {
+        Self { step_count: fans.step_count, taken: vec![0; fans.step_count.div_ceil(64)] }
+    }
+
+    /// An instance at a uniform level.
+    ///
+    /// # Panics
+    /// If `split_count` exceeds the step count.
+    pub fn uniform(fans: &Fans, split_count: usize) -> Self {
+        assert!(split_count <= fans.step_count, "split count {split_count} of {}", fans.step_count);
+        let mut instance = Self::full(fans);
+        (split_count..fans.step_count).for_each(|step| instance.set(step as u32, true));
+        instance
+    }
+
+    /// Whether a step is collapsed: its position is then not there.
+    ///
+    /// # Panics
+    /// If there is no such step.
+    #[inline]
+    pub fn is_taken(&self, step: u32) -> bool {
+        self.taken[step as usize / 64] & 1 << (step % 64) != 0
+    }
+
+    /// Steps that are collapsed.
+    pub fn taken_count(&self) -> usize {
+        self.taken.iter().map(|word| word.count_ones() as usize).sum()
+    }
+
+    /// Bytes that the instance owns: a bit a step.
+    pub fn bytes(&self) -> usize {
+        8 * self.taken.len()
+    }
+
+    fn set(&mut self, step: u32, is_taken: bool) {
+        let bit = 1 << (step % 64);
+        let word = &mut self.taken[step as usize / 64];
+        *word = if is_taken { *word | bit } else { *word & !bit };
+    }
+
+    /// Collapses a step, and before it every step that it waits for; returns how many that were.
+    ///
+    /// # Panics
+    /// If there is no such step, or the instance is of another table.
+    pub fn collapse(&mut self, fans: &Fans, step: u32) -> usize {
+        self.check(fans, step);
+        let mut waiting = vec![step];
+        let mut count = 0;
+        while let Some(step) = waiting.pop() {
+            if self.is_taken(step) {
+                continue;
+            }
+            self.set(step, true);
+            count += 1;
+            fans.for_each_needed_by_collapse(step, |needed| {
+                if !self.is_taken(needed) {
+                    waiting.push(needed);
+                }
+            });
+        }
+        count
+    }
+
+    /// Undoes a step, and before it every step that has taken a position around it; returns how many that were.
+    ///
+    /// # Panics
+    /// If there is no such step, or the instance is of another table.
+    pub fn split(&mut self, fans: &Fans, step: u32) -> usize {
+        self.check(fans, step);
+        let mut waiting = vec![step];
+        let mut count = 0;
+        while let Some(step) = waiting.pop() {
+            if !self.is_taken(step) {
+                continue;
+            }
+            self.set(step, false);
+            count += 1;
+            fans.for_each_needed_by_split(step, |needed| {
+                if self.is_taken(needed) {
+                    waiting.push(needed);
+                }
+            });
+        }
+        count
+    }
+
+    /// Appends the triangles that the instance shows, three indices each.
+    ///
+    /// # Panics
+    /// If the instance is of another table.
+    pub fn indices_into(&self, fans: &Fans, out: &mut Vec<u32>) {
+        (0..fans.group_count).for_each(|group| self.group_indices_into(fans, group, out));
+    }
+
+    /// Appends the triangles of one group.
+    ///
+    /// # Panics
+    /// If the instance is of another table, or there is no such group.
+    pub fn group_indices_into(&self, fans: &Fans, group: usize, out: &mut Vec<u32>) {
+        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
+        assert!(group < fans.group_count, "group {group} of {}", fans.group_count);
+        let is_taken = |step| self.is_taken(step);
+        for vertex in 0..fans.vertices.base_vertex_count as usize {
+            fans.triangles_of(vertex, group, is_taken, out);
+        }
+        for (at, &word) in self.taken.iter().enumerate() {
+            let mut there = !word;
+            while there != 0 {
+                let step = 64 * at + there.trailing_zeros() as usize;
+                there &= there - 1;
+                if step < self.step_count {
+                    for vertex in fans.vertices.of_step(step) {
+                        fans.triangles_of(vertex as usize, group, is_taken, out);
+                    }
+                }
+            }
+        }
+    }
+
+    fn check(&self, fans: &Fans, step: u32) {
+        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
+        assert!((step as usize) < self.step_count, "step {step} of {}", self.step_count);
+    }
+}
+
+impl Fans {
+    /// Steps that have to be collapsed before this one.
+    fn for_each_needed_by_collapse(&self, step: u32, mut visit: impl FnMut(u32)) {
+        for vertex in self.vertices.of_step(step as usize) {
+            for fan in self.entry(vertex as usize) {
+                let creators = fan.dependencies.iter().map(|d| d.creator);
+                creators.filter(|&creator| creator != ALWAYS).for_each(&mut visit);
+            }
+        }
+        self.waits(step as usize).iter().copied().for_each(visit);
+    }
+
+    /// Steps that have to be undone before this one.
+    fn for_each_needed_by_split(&self, step: u32, mut visit: impl FnMut(u32)) {
+        let vertices = self.vertices.of_step(step as usize);
+        let mut visit_vertex = |vertex: u32| {
+            // Wedges of the position itself stand in its rings where wedges meet in a triangle.
+            if vertex >= self.vertices.base_vertex_count && !vertices.contains(&vertex) {
+                visit(self.vertices.step_of(vertex) as u32);
+            }
+        };
+        for vertex in vertices.clone() {
+            visit_vertex(self.vertices.target(vertex));
+            for fan in self.entry(vertex as usize) {
+                fan.ring.iter().copied().for_each(&mut visit_vertex);
+            }
+        }
+    }
+}
