@@ -6,7 +6,8 @@ use proptest::prelude::*;
 use striata::mesh::{RefinableMesh, canonical_triangles};
 use striata::model::{FanInstance, Fans, LodModel};
 use support::{
-    Random, Wildness, follows_the_oracle, grid, nasty, random_refinable, soup, with_seams_and_groups,
+    Case, Random, Wildness, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable, seam_cases,
+    soups, surface_cases,
 };
 
 /// The oracle of a selective level: every corner follows its targets to the first vertex that is there.
@@ -63,59 +64,34 @@ fn wander(refinable: &RefinableMesh, fans: &Fans, change_count: usize, random: &
     }
 }
 
-fn check(refinable: &RefinableMesh, stride: usize, random: &mut Random) {
+fn check(case: &Case) {
+    let (refinable, stride) = (&case.refinable, case.stride);
     let fans = Fans::build(refinable);
     follows_the_oracle(refinable, &fans, stride);
     for split_count in (0..=fans.step_count()).step_by(stride) {
         check_instance(refinable, &fans, &FanInstance::uniform(&fans, split_count));
     }
-    wander(refinable, &fans, 48, random);
+    wander(refinable, &fans, 48, &mut Random::new(case.seed));
 }
 
 #[test]
 fn nasty_meshes_follow_the_oracle() {
-    for (name, mesh) in nasty() {
-        for seed in 0..8 {
-            let mut random = Random::new(seed);
-            let wildness = Wildness { far_percent: (seed as usize % 3) * 30, base_position_count: 1 };
-            eprintln!("{name}, seed {seed}");
-            check(&random_refinable(&mesh, wildness, &mut random), 1, &mut random);
-        }
-    }
+    nasty_cases().for_each(|case| check(&case));
 }
 
 #[test]
 fn surfaces_follow_the_oracle() {
-    for (mesh, stride) in [(grid(12, false), 1), (grid(14, true), 1), (grid(60, true), 97)] {
-        for seed in 0..3 {
-            let mut random = Random::new(seed);
-            let wildness = Wildness { far_percent: seed as usize * 4, base_position_count: 4 };
-            check(&random_refinable(&mesh, wildness, &mut random), stride, &mut random);
-        }
-    }
+    surface_cases().for_each(|case| check(&case));
 }
 
 #[test]
 fn seams_and_groups_follow_the_oracle() {
-    for seed in 0..6 {
-        let mut random = Random::new(seed);
-        let mesh = with_seams_and_groups(grid(9, seed % 2 == 0));
-        let wildness = Wildness { far_percent: 5, base_position_count: 3 };
-        check(&random_refinable(&mesh, wildness, &mut random), 1, &mut random);
-    }
+    seam_cases().for_each(|case| check(&case));
 }
 
 #[test]
 fn a_vertex_with_many_triangles_has_several_fans() {
-    let n = 300u32;
-    let positions = (0..=n).map(|i| [i as f32, (i * i % 17) as f32, 0.0]).collect();
-    let triangles = (0..n).map(|i| [n, i, (i + 1) % n]).collect();
-    let mesh = striata::mesh::IndexedMesh::new(positions, triangles);
-    for seed in 0..4 {
-        let mut random = Random::new(seed);
-        let wildness = Wildness { far_percent: 50, base_position_count: 100 };
-        check(&random_refinable(&mesh, wildness, &mut random), 7, &mut random);
-    }
+    hub_cases().for_each(|case| check(&case));
 }
 
 #[test]
@@ -130,19 +106,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 192, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn random_meshes_follow_the_oracle(
-        seed in any::<u64>(),
-        vertex_count in 3usize..30,
-        triangle_count in 0usize..60,
-        far_percent in 0usize..60,
-        has_seams in any::<bool>(),
-    ) {
-        let mut random = Random::new(seed);
-        let mut mesh = soup(vertex_count, triangle_count, &mut random);
-        if has_seams {
-            mesh = with_seams_and_groups(mesh);
-        }
-        let wildness = Wildness { far_percent, base_position_count: 1 };
-        check(&random_refinable(&mesh, wildness, &mut random), 1, &mut random);
+    fn random_meshes_follow_the_oracle(case in soups()) {
+        check(&case);
     }
 }
