@@ -8,7 +8,7 @@ use striata::mesh::RefinableMesh;
 use striata::model::baseline::{
     DiscreteLevels, DiscreteLevelsError, OriginalLodStrips, ProgressiveMeshes, SkipStrips,
 };
-use striata::model::{Accounting, DrawCounts, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Topology};
+use striata::model::{Accounting, DrawCounts, Fans, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Topology};
 use striata::strip::{StripOptions, StripSet};
 
 use crate::commands::build::unknown_name;
@@ -36,9 +36,10 @@ pub(super) struct Entry {
 }
 
 /// All of them; the colours of charts follow this order.
-const ENTRIES: [Entry; 8] = [
+const ENTRIES: [Entry; 9] = [
     Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips))),
     Entry::new("mts", |given| built(|| Mts::build(given.refinable, given.strips))),
+    Entry::new("fans", |given| built(|| Ok::<_, Failure>(Fans::build(given.refinable)))),
     Entry::new("lodstrips-original", |given| {
         built(|| OriginalLodStrips::build(given.refinable, given.strips))
     }),

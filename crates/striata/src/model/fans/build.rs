@@ -1,11 +1,16 @@
 //! Building the table: one pass from the full mesh to the base, step by step around what each removes.
 
 use super::crowns::{RingArc, crowns};
-use super::{ALWAYS, Dependency, Fan, Fans, MAX_ARCS};
+use super::table::{Fan, TableWriter};
+use super::{Fans, MAX_ARCS};
 use crate::mesh::{CollapseSequence, RefinableMesh, is_proper};
+use crate::model::step_vertices::StepVertices;
 
 /// Ends a chain of triangles.
 const END: u32 = u32::MAX;
+
+/// Stands for the step that makes a triangle of the full mesh.
+const ALWAYS: u32 = u32::MAX;
 
 impl Fans {
     /// Builds the table from a mesh and its sequence.
@@ -79,7 +84,8 @@ impl<'r> Builder<'r> {
     fn remove(&mut self, step: usize) {
         let vertices = self.sequence.step_vertices(step);
         self.star.clear();
-        for vertex in vertices.clone() {
+        // A triangle stands with its last vertex, also where wedges of the position meet in it.
+        for vertex in vertices.clone().rev() {
             let mut at = self.chains[vertex as usize];
             while at != END {
                 let corners = self.triangles[at as usize].corners;
@@ -131,68 +137,57 @@ impl<'r> Builder<'r> {
         }
         self.bare.sort_unstable();
         self.bare.dedup();
-        let mut fans = Fans::empty(self.sequence, self.group_count);
-        let mut arcs = Vec::new();
+        let mut table = TableWriter::new(self.group_count > 1);
+        let base = self.sequence.base_position_count() as u32;
+        let (mut arcs, mut fans) = (Vec::new(), Vec::new());
         for (vertex, mut entry) in std::mem::take(&mut self.entries).into_iter().enumerate() {
             entry.sort_by_key(|&triangle| self.triangles[triangle as usize].group);
             let group_of = |&triangle: &u32| self.triangles[triangle as usize].group;
+            fans.clear();
             for of_group in entry.chunk_by(|a, b| group_of(a) == group_of(b)) {
                 arcs.clear();
                 arcs.extend(of_group.iter().map(|&t| self.arc(vertex as u32, t)));
-                fans.push_crowns(crowns(&mut arcs), group_of(&of_group[0]));
+                push_crowns(&crowns(&mut arcs), group_of(&of_group[0]), &mut fans);
             }
-            fans.entry_ends.push(fans.fans.len() as u32);
+            let position = self.sequence.positions().position_of(vertex as u32);
+            table.push((position + 1).saturating_sub(base), &fans);
         }
-        fans.push_waits(&self.bare, self.sequence);
-        fans
+        let waits = self.bare.iter().filter(|wait| wait.0 >= base);
+        Fans {
+            vertices: StepVertices::of_sequence(self.sequence).into_owned(),
+            step_count: self.sequence.step_count(),
+            group_count: self.group_count,
+            table: table.finish(),
+            waits: waits.map(|&(position, waits_for)| [position - base, waits_for]).collect(),
+        }
     }
 }
 
-impl Fans {
-    /// Appends fans to the next vertex: crowns one after the other, long ones in pieces.
-    fn push_crowns(&mut self, crowns: Vec<Vec<RingArc>>, group: u32) {
-        for crown in &crowns {
-            for piece in crown.chunks(MAX_ARCS) {
-                self.push_fan(piece, crown.len() == piece.len());
-                if self.group_count > 1 {
-                    self.fan_groups.push(group);
-                }
-            }
-        }
+/// Appends fans: crowns one after the other, long ones in pieces.
+fn push_crowns(crowns: &[Vec<RingArc>], group: u32, fans: &mut Vec<Fan>) {
+    for crown in crowns {
+        let pieces = crown.chunks(MAX_ARCS);
+        fans.extend(pieces.map(|piece| fan_of(piece, crown.len() == piece.len(), group)));
     }
+}
 
-    /// Appends a fan; `is_whole` where the arcs are all of a crown, which may then be closed.
-    fn push_fan(&mut self, arcs: &[RingArc], is_whole: bool) {
-        let (Some(first), Some(last)) = (arcs.first(), arcs.last()) else { return };
-        self.ring.extend(arcs.iter().map(|arc| arc.from));
-        if !(is_whole && last.to == first.from) {
-            self.ring.push(last.to);
-        }
-        let mut creators: Vec<u32> = arcs.iter().map(|arc| arc.creator).collect();
-        creators.sort_unstable();
-        creators.dedup();
-        for creator in creators {
-            let bits = arcs.iter().enumerate().filter(|(_, arc)| arc.creator == creator);
-            let mask = bits.fold(0, |mask, (at, _)| mask | 1 << at);
-            self.dependencies.push(Dependency { creator, mask });
-        }
-        self.fans
-            .push(Fan { ring_end: self.ring.len() as u32, dependency_end: self.dependencies.len() as u32 });
+/// The fan of some arcs; `is_whole` where they are all of a crown, which may then be closed.
+fn fan_of(arcs: &[RingArc], is_whole: bool, group: u32) -> Fan {
+    let mut fan = Fan { group, arc_count: arcs.len(), ..Fan::default() };
+    fan.nodes.extend(arcs.iter().map(|arc| arc.from));
+    let (first, last) = (arcs[0], arcs[arcs.len() - 1]);
+    if !(is_whole && last.to == first.from) {
+        fan.nodes.push(last.to);
     }
-
-    /// Notes what positions wait for beside the creators of their triangles.
-    fn push_waits(&mut self, bare: &[(u32, u32)], sequence: &CollapseSequence) {
-        let base = sequence.base_position_count() as u32;
-        let mut at = 0;
-        for step in 0..sequence.step_count() as u32 {
-            while bare.get(at).is_some_and(|wait| wait.0 < base + step) {
-                at += 1;
-            }
-            while let Some(&(_, waits_for)) = bare.get(at).filter(|wait| wait.0 == base + step) {
-                self.waits.push(waits_for);
-                at += 1;
-            }
-            self.wait_ends.push(self.waits.len() as u32);
+    for (at, arc) in arcs.iter().enumerate() {
+        let bit = 1 << at;
+        if arc.creator == ALWAYS {
+            fan.always |= bit;
+        } else if let Some((_, mask)) = fan.creators.iter_mut().find(|(creator, _)| *creator == arc.creator) {
+            *mask |= bit;
+        } else {
+            fan.creators.push((arc.creator, bit));
         }
     }
+    fan
 }

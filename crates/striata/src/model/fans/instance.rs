@@ -1,6 +1,7 @@
 //! An instance of the table: a bit for each step, and the moves between sets of steps that are possible.
 
-use super::{ALWAYS, Fans};
+use super::Fans;
+use super::table::FanView;
 
 /// Which steps an instance has taken: one bit each. Any set that it comes to is one that the sequence, leaving steps out,
 /// can come to.
@@ -115,18 +116,24 @@ impl FanInstance {
         assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
         assert!(group < fans.group_count, "group {group} of {}", fans.group_count);
         let is_taken = |step| self.is_taken(step);
-        for vertex in 0..fans.vertices.base_vertex_count as usize {
-            fans.triangles_of(vertex, group, is_taken, out);
+        let mut write = |fan: FanView<'_>| {
+            if fan.group as usize == group {
+                fan.triangles_into(fan.mask(is_taken), out);
+            }
+        };
+        for vertex in 0..fans.vertices.base_vertex_count {
+            fans.base_entry(vertex).for_each(&mut write);
         }
         for (at, &word) in self.taken.iter().enumerate() {
             let mut there = !word;
             while there != 0 {
-                let step = 64 * at + there.trailing_zeros() as usize;
+                let step = 64 * at as u32 + there.trailing_zeros();
                 there &= there - 1;
-                if step < self.step_count {
-                    for vertex in fans.vertices.of_step(step) {
-                        fans.triangles_of(vertex as usize, group, is_taken, out);
-                    }
+                if step as usize >= self.step_count {
+                    break;
+                }
+                for vertex in fans.vertices.of_step(step as usize) {
+                    fans.step_entry(vertex, step).for_each(&mut write);
                 }
             }
         }
@@ -142,12 +149,11 @@ impl Fans {
     /// Steps that have to be collapsed before this one.
     fn for_each_needed_by_collapse(&self, step: u32, mut visit: impl FnMut(u32)) {
         for vertex in self.vertices.of_step(step as usize) {
-            for fan in self.entry(vertex as usize) {
-                let creators = fan.dependencies.iter().map(|d| d.creator);
-                creators.filter(|&creator| creator != ALWAYS).for_each(&mut visit);
+            for fan in self.step_entry(vertex, step) {
+                fan.creators().for_each(|(creator, _)| visit(creator));
             }
         }
-        self.waits(step as usize).iter().copied().for_each(visit);
+        self.waits(step).for_each(visit);
     }
 
     /// Steps that have to be undone before this one.
@@ -161,8 +167,8 @@ impl Fans {
         };
         for vertex in vertices.clone() {
             visit_vertex(self.vertices.target(vertex));
-            for fan in self.entry(vertex as usize) {
-                fan.ring.iter().copied().for_each(&mut visit_vertex);
+            for fan in self.step_entry(vertex, step) {
+                fan.nodes().for_each(&mut visit_vertex);
             }
         }
     }

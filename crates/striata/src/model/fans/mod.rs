@@ -17,9 +17,9 @@
 //! listed beside (a step at a border, say). It can be undone once every position around it, and its target, is there.
 //! [`FanInstance::collapse`] and [`FanInstance::split`] take along whatever is needed for that.
 //!
-//! Differs: \[Cor01\] simplifies by recursion, here steps wait on a stack. A ring longer than [`MAX_ARCS`] is cut into several
-//! fans of one vertex; crowns are fans too, so that no arc has to be void. Positions with several wedges have an entry
-//! for each, and one bit.
+//! Differs: \[Cor01\] stores words, here an entry is a few bytes (see `table.rs`); it recurses, here steps wait on a stack. A
+//! ring longer than [`MAX_ARCS`] is cut into several fans of one vertex; crowns are fans too, so that no arc has to be
+//! void. Positions with several wedges have an entry for each, and one bit.
 //!
 //! Cost: a triangle a vertex is made by each step that touches it, three times as many as the full mesh has. Extraction
 //! is linear in the vertices that are there, a change in the entries that it touches.
@@ -27,78 +27,27 @@
 mod build;
 mod crowns;
 mod instance;
-
-use std::ops::Range;
+mod table;
 
 pub use instance::FanInstance;
+pub use table::MAX_ARCS;
 
+use self::table::{Entry, Table};
 use super::step_vertices::StepVertices;
 use super::{Accounting, DrawCounts, LodModel, PartBytes, Topology};
-use crate::mesh::CollapseSequence;
-
-/// Arcs of a fan: as many as its masks have bits.
-pub const MAX_ARCS: usize = 32;
-
-/// Stands for the step that makes a triangle of the full mesh.
-const ALWAYS: u32 = u32::MAX;
 
 /// The static half of the model; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fans {
     vertices: StepVertices<'static>,
     step_count: usize,
-    /// Where the fans of each vertex end.
-    entry_ends: Vec<u32>,
-    fans: Vec<Fan>,
     group_count: usize,
-    /// The group of each fan, rising for each vertex; empty where there is one group.
-    fan_groups: Vec<u32>,
-    /// Nodes of all rings.
-    ring: Vec<u32>,
-    dependencies: Vec<Dependency>,
-    /// Where the further steps that each step waits for end.
-    wait_ends: Vec<u32>,
-    waits: Vec<u32>,
-}
-
-/// A run of triangles around a vertex.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Fan {
-    ring_end: u32,
-    dependency_end: u32,
-}
-
-/// Triangles of a fan that one step makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Dependency {
-    creator: u32,
-    /// Bit `j` for the triangle of the pivot, node `j` and the next node.
-    mask: u32,
-}
-
-/// A fan as it is drawn: its nodes, and which of its arcs can be there.
-#[derive(Clone, Copy, Debug)]
-struct FanView<'f> {
-    ring: &'f [u32],
-    dependencies: &'f [Dependency],
+    table: Table,
+    /// Steps and further steps that they wait for, rising.
+    waits: Vec<[u32; 2]>,
 }
 
 impl Fans {
-    fn empty(sequence: &CollapseSequence, group_count: usize) -> Self {
-        Self {
-            vertices: StepVertices::of_sequence(sequence).into_owned(),
-            step_count: sequence.step_count(),
-            entry_ends: Vec::with_capacity(sequence.positions().vertex_count()),
-            fans: Vec::new(),
-            group_count,
-            fan_groups: Vec::new(),
-            ring: Vec::new(),
-            dependencies: Vec::new(),
-            wait_ends: Vec::with_capacity(sequence.step_count()),
-            waits: Vec::new(),
-        }
-    }
-
     /// Vertices of the full mesh.
     pub fn vertex_count(&self) -> usize {
         self.vertices.vertex_count
@@ -117,66 +66,33 @@ impl Fans {
         self.group_count
     }
 
-    /// The fans of a vertex.
-    fn entry(&self, vertex: usize) -> impl Iterator<Item = FanView<'_>> {
-        self.entry_range(vertex).map(|fan| self.fan(fan))
+    /// The fans of a vertex of the base.
+    #[inline]
+    fn base_entry(&self, vertex: u32) -> Entry<'_> {
+        self.table.entry(vertex, 0)
     }
 
-    fn entry_range(&self, vertex: usize) -> Range<usize> {
-        let first = vertex.checked_sub(1).map_or(0, |before| self.entry_ends[before] as usize);
-        first..self.entry_ends[vertex] as usize
-    }
-
-    /// The fans of a vertex that are of one group.
-    fn entry_of_group(&self, vertex: usize, group: usize) -> impl Iterator<Item = FanView<'_>> {
-        let range = self.entry_range(vertex);
-        let range = if self.group_count == 1 {
-            range
-        } else {
-            let groups = &self.fan_groups[range.clone()];
-            let at = |group: usize| range.start + groups.partition_point(|&g| (g as usize) < group);
-            at(group)..at(group + 1)
-        };
-        range.map(|fan| self.fan(fan))
-    }
-
-    fn fan(&self, fan: usize) -> FanView<'_> {
-        let start = fan.checked_sub(1).map_or(Fan { ring_end: 0, dependency_end: 0 }, |i| self.fans[i]);
-        let end = self.fans[fan];
-        FanView {
-            ring: &self.ring[start.ring_end as usize..end.ring_end as usize],
-            dependencies: &self.dependencies[start.dependency_end as usize..end.dependency_end as usize],
-        }
+    /// The fans of a vertex that a step takes away.
+    #[inline]
+    fn step_entry(&self, vertex: u32, step: u32) -> Entry<'_> {
+        self.table.entry(vertex, step + 1)
     }
 
     /// Further steps that a step waits for.
-    fn waits(&self, step: usize) -> &[u32] {
-        let first = step.checked_sub(1).map_or(0, |before| self.wait_ends[before] as usize);
-        &self.waits[first..self.wait_ends[step] as usize]
+    fn waits(&self, step: u32) -> impl Iterator<Item = u32> {
+        let first = self.waits.partition_point(|wait| wait[0] < step);
+        self.waits[first..].iter().take_while(move |wait| wait[0] == step).map(|wait| wait[1])
     }
 
-    /// Appends the triangles of one group that stand with a vertex; `is_taken` says which steps are collapsed.
-    #[inline]
-    fn triangles_of(&self, vertex: usize, group: usize, is_taken: impl Fn(u32) -> bool, out: &mut Vec<u32>) {
-        for fan in self.entry_of_group(vertex, group) {
-            fan.triangles_into(vertex as u32, fan.mask(&is_taken), out);
+    /// Visits the fans of all vertices that are there at a uniform level.
+    fn for_each_fan_at(&self, split_count: usize, mut visit: impl FnMut(table::FanView<'_>)) {
+        for vertex in 0..self.vertices.base_vertex_count {
+            self.base_entry(vertex).for_each(&mut visit);
         }
-    }
-}
-
-impl FanView<'_> {
-    /// Which arcs are there.
-    #[inline]
-    fn mask(&self, is_taken: impl Fn(u32) -> bool) -> u32 {
-        let there = |d: &Dependency| if d.creator == ALWAYS || is_taken(d.creator) { d.mask } else { 0 };
-        self.dependencies.iter().fold(0, |mask, d| mask | there(d))
-    }
-
-    fn triangles_into(&self, pivot: u32, mut mask: u32, out: &mut Vec<u32>) {
-        while mask != 0 {
-            let at = mask.trailing_zeros() as usize;
-            mask &= mask - 1;
-            out.extend([pivot, self.ring[at], self.ring[(at + 1) % self.ring.len()]]);
+        for step in 0..split_count {
+            for vertex in self.vertices.of_step(step) {
+                self.step_entry(vertex, step as u32).for_each(&mut visit);
+            }
         }
     }
 }
@@ -213,29 +129,32 @@ impl LodModel for Fans {
 
     fn draw_counts(&self, state: &FansLevel) -> DrawCounts {
         let mut triangle_count = 0;
-        for vertex in 0..self.vertex_count_at(state.split_count) {
-            let masks = self.entry(vertex).map(|fan| fan.mask(|step| step as usize >= state.split_count));
-            triangle_count += masks.map(|mask| mask.count_ones() as usize).sum::<usize>();
-        }
+        let is_taken = |step: u32| step as usize >= state.split_count;
+        self.for_each_fan_at(state.split_count, |fan| {
+            triangle_count += fan.mask(is_taken).count_ones() as usize
+        });
         DrawCounts { strip_count: 0, index_count: 3 * triangle_count }
     }
 
     fn indices_into(&self, state: &FansLevel, out: &mut Vec<u32>) {
-        for group in 0..self.group_count {
-            for vertex in 0..self.vertex_count_at(state.split_count) {
-                self.triangles_of(vertex, group, |step| step as usize >= state.split_count, out);
-            }
+        let is_taken = |step: u32| step as usize >= state.split_count;
+        for group in 0..self.group_count as u32 {
+            self.for_each_fan_at(state.split_count, |fan| {
+                if fan.group == group {
+                    fan.triangles_into(fan.mask(is_taken), out);
+                }
+            });
         }
     }
 
     fn bytes(&self) -> Vec<PartBytes> {
         let part = |name, bytes| PartBytes { name, bytes };
+        let [entries, starts] = self.table.sizes();
         vec![
             part("targets", 4 * (self.vertices.targets.len() + self.vertices.firsts.len())),
-            part("fans", 4 * (self.entry_ends.len() + self.fan_groups.len()) + size_of_val(&self.fans[..])),
-            part("rings", 4 * self.ring.len()),
-            part("dependencies", size_of_val(&self.dependencies[..])),
-            part("waits", 4 * (self.wait_ends.len() + self.waits.len())),
+            part("entries", entries),
+            part("starts", starts),
+            part("waits", size_of_val(&self.waits[..])),
         ]
     }
 
@@ -246,12 +165,14 @@ impl LodModel for Fans {
     /// Section 3.6.2 of \[Cor01\] without the data of criteria: a pointer and two counts a vertex, a word for each node of
     /// a ring, a word and as many bytes as its mask needs for each dependency.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
-        let mask_bytes: usize = (0..self.fans.len())
-            .map(|fan| self.fan(fan))
-            .map(|fan| fan.dependencies.len() * fan.ring.len().div_ceil(8))
-            .sum();
-        let integers = 2 * self.vertex_count();
-        let longs = self.vertex_count() + self.ring.len() + self.dependencies.len();
-        accounting.bytes(integers, longs) + mask_bytes
+        let (mut nodes, mut dependencies, mut mask_bytes) = (0, 0, 0);
+        self.for_each_fan_at(self.step_count, |fan| {
+            let count = fan.dependency_count();
+            nodes += fan.nodes().count();
+            dependencies += count;
+            mask_bytes += count * fan.nodes().count().div_ceil(8);
+        });
+        let longs = self.vertex_count() + nodes + dependencies;
+        accounting.bytes(2 * self.vertex_count(), longs) + mask_bytes
     }
 }

@@ -1,0 +1,316 @@
+//! The table in bytes: the fans of every vertex one after the other, numbers relative to the vertex.
+//!
+//! Nodes of a ring are older than the vertex that they are around and steps that make its triangles are later than
+//! its own, so all numbers are small differences: as many bytes as the largest needs, at least two. A fan is:
+//!
+//! ```text
+//! byte    bits 0..4 arcs - 1, bit 5 closed, bit 6 numbers of 3 bytes, bit 7 another fan of this vertex follows
+//! byte    bits 0..5 creators, bit 6 a byte more, bit 7 some arcs are there always
+//! group   varint, only where there are several
+//! nodes   vertex - node, for each arc and, unless closed, one more
+//! mask    of the arcs that are there always, if there are any; as many bytes as arcs need bits
+//! pairs   step - own step and mask of each creator, -1 being the own step of a vertex of the base
+//! ```
+//!
+//! Where the fans of a vertex begin is a number of two bytes from the start of its block of vertices.
+
+use crate::model::record_arena::{read_fixed, read_varint, write_varint};
+
+/// Arcs of a fan: as many as its masks have bits.
+pub const MAX_ARCS: usize = 32;
+
+/// Vertices whose entries share one start.
+const BLOCK: usize = 64;
+
+const CLOSED: u8 = 1 << 5;
+/// Numbers have a byte more than the two that they have at least; in either byte.
+const WIDE: u8 = 1 << 6;
+const FOLLOWED: u8 = 1 << 7;
+const SOME_ALWAYS: u8 = 1 << 7;
+
+/// A fan before it is written: nodes, arcs that are there always, and other arcs by the step that makes them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Fan {
+    pub(super) group: u32,
+    pub(super) arc_count: usize,
+    /// One for each arc and, unless the fan is closed, one more.
+    pub(super) nodes: Vec<u32>,
+    pub(super) always: u32,
+    pub(super) creators: Vec<(u32, u32)>,
+}
+
+/// All entries in bytes; see the [module](self).
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Table {
+    bytes: Vec<u8>,
+    /// Where each block of vertices begins.
+    blocks: Vec<u32>,
+    /// Where each vertex begins in its block, closed by one more.
+    starts: Vec<u16>,
+    /// The same from the start of all, where two bytes do not reach; then `starts` is empty.
+    wide_starts: Vec<u32>,
+    has_groups: bool,
+}
+
+/// Writes entries, vertex by vertex.
+#[derive(Debug)]
+pub(super) struct TableWriter {
+    bytes: Vec<u8>,
+    starts: Vec<u32>,
+    has_groups: bool,
+}
+
+impl TableWriter {
+    pub(super) fn new(has_groups: bool) -> Self {
+        Self { bytes: Vec::new(), starts: vec![0], has_groups }
+    }
+
+    /// Appends the entry of the next vertex, whose own step is `own_step - 1`.
+    pub(super) fn push(&mut self, own_step: u32, fans: &[Fan]) {
+        let vertex = self.starts.len() as u32 - 1;
+        for (i, fan) in fans.iter().enumerate() {
+            self.push_fan(vertex, own_step, fan, i + 1 < fans.len());
+        }
+        self.starts.push(self.bytes.len() as u32);
+    }
+
+    fn push_fan(&mut self, vertex: u32, own_step: u32, fan: &Fan, is_followed: bool) {
+        let nodes = || fan.nodes.iter().map(|&node| vertex - node);
+        let steps = || fan.creators.iter().map(|&(step, _)| step + 1 - own_step);
+        let largest = nodes().chain(steps()).max().unwrap_or(0);
+        let number_bytes = (4 - largest.leading_zeros() as usize / 8).max(2);
+        let flag = |is_set: bool, bit: u8| if is_set { bit } else { 0 };
+        let is_closed = fan.nodes.len() == fan.arc_count;
+        self.bytes.push(
+            (fan.arc_count - 1) as u8
+                | flag(is_closed, CLOSED)
+                | flag(number_bytes > 2, WIDE)
+                | flag(is_followed, FOLLOWED),
+        );
+        self.bytes.push(
+            fan.creators.len() as u8 | flag(number_bytes > 3, WIDE) | flag(fan.always != 0, SOME_ALWAYS),
+        );
+        if self.has_groups {
+            write_varint(fan.group, &mut self.bytes);
+        }
+        for number in nodes() {
+            self.bytes.extend_from_slice(&number.to_le_bytes()[..number_bytes]);
+        }
+        let mask_bytes = fan.arc_count.div_ceil(8);
+        if fan.always != 0 {
+            self.bytes.extend_from_slice(&fan.always.to_le_bytes()[..mask_bytes]);
+        }
+        for (number, (_, mask)) in steps().zip(&fan.creators) {
+            self.bytes.extend_from_slice(&number.to_le_bytes()[..number_bytes]);
+            self.bytes.extend_from_slice(&mask.to_le_bytes()[..mask_bytes]);
+        }
+    }
+
+    pub(super) fn finish(self) -> Table {
+        let Self { bytes, starts, has_groups } = self;
+        let blocks: Vec<u32> = starts.iter().copied().step_by(BLOCK).collect();
+        let within = starts.iter().enumerate().map(|(i, &start)| u16::try_from(start - blocks[i / BLOCK]));
+        match within.collect::<Result<Vec<u16>, _>>() {
+            Ok(within) => Table { bytes, blocks, starts: within, wide_starts: Vec::new(), has_groups },
+            Err(_) => {
+                Table { bytes, blocks: Vec::new(), starts: Vec::new(), wide_starts: starts, has_groups }
+            }
+        }
+    }
+}
+
+impl Table {
+    /// Bytes of the entries, and of where they begin.
+    pub(super) fn sizes(&self) -> [usize; 2] {
+        let starts = 4 * (self.blocks.len() + self.wide_starts.len()) + 2 * self.starts.len();
+        [self.bytes.len(), starts]
+    }
+
+    #[inline]
+    fn start(&self, vertex: usize) -> usize {
+        if self.starts.is_empty() {
+            self.wide_starts[vertex] as usize
+        } else {
+            self.blocks[vertex / BLOCK] as usize + usize::from(self.starts[vertex])
+        }
+    }
+
+    /// The fans of a vertex, whose own step is `own_step - 1`.
+    #[inline]
+    pub(super) fn entry(&self, vertex: u32, own_step: u32) -> Entry<'_> {
+        let start = self.start(vertex as usize);
+        let is_empty = start == self.start(vertex as usize + 1);
+        let bytes = if is_empty { &[][..] } else { &self.bytes[start..] };
+        Entry { bytes, vertex, own_step, has_groups: self.has_groups }
+    }
+}
+
+/// Reads the fans of a vertex.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry<'t> {
+    bytes: &'t [u8],
+    vertex: u32,
+    own_step: u32,
+    has_groups: bool,
+}
+
+/// A fan as it stands in the table.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FanView<'t> {
+    pub(super) group: u32,
+    vertex: u32,
+    own_step: u32,
+    number_bytes: usize,
+    mask_bytes: usize,
+    is_closed: bool,
+    nodes: &'t [u8],
+    always: u32,
+    creators: &'t [u8],
+}
+
+impl<'t> Iterator for Entry<'t> {
+    type Item = FanView<'t>;
+
+    #[inline]
+    fn next(&mut self) -> Option<FanView<'t>> {
+        let [flags, creator_flags, rest @ ..] = self.bytes else { return None };
+        let mut rest = rest;
+        let group = if self.has_groups { read_varint(&mut rest)? } else { 0 };
+        let number_bytes = 2 + usize::from(flags & WIDE != 0) + usize::from(creator_flags & WIDE != 0);
+        let arc_count = usize::from(flags & 0x1f) + 1;
+        let is_closed = flags & CLOSED != 0;
+        let mask_bytes = arc_count.div_ceil(8);
+        let node_count = arc_count + usize::from(!is_closed);
+        let (nodes, mut rest) = rest.split_at_checked(number_bytes * node_count)?;
+        let always = if creator_flags & SOME_ALWAYS == 0 { 0 } else { read_fixed(&mut rest, mask_bytes)? };
+        let creator_count = usize::from(creator_flags & 0x3f);
+        let (creators, rest) = rest.split_at_checked(creator_count * (number_bytes + mask_bytes))?;
+        self.bytes = if flags & FOLLOWED == 0 { &[] } else { rest };
+        let (vertex, own_step) = (self.vertex, self.own_step);
+        Some(FanView {
+            group,
+            vertex,
+            own_step,
+            number_bytes,
+            mask_bytes,
+            is_closed,
+            nodes,
+            always,
+            creators,
+        })
+    }
+}
+
+#[inline]
+fn number(bytes: &[u8]) -> u32 {
+    match *bytes {
+        [a] => u32::from(a),
+        [a, b] => u32::from(u16::from_le_bytes([a, b])),
+        [a, b, c] => u32::from_le_bytes([a, b, c, 0]),
+        [a, b, c, d] => u32::from_le_bytes([a, b, c, d]),
+        _ => 0,
+    }
+}
+
+impl<'t> FanView<'t> {
+    /// The vertices around, in their order.
+    #[inline]
+    pub(super) fn nodes(&self) -> impl Iterator<Item = u32> + use<'t> {
+        let (vertex, number_bytes) = (self.vertex, self.number_bytes);
+        self.nodes.chunks_exact(number_bytes).map(move |bytes| vertex - number(bytes))
+    }
+
+    /// What the paper calls dependencies: arcs that are there always count as one.
+    pub(super) fn dependency_count(&self) -> usize {
+        usize::from(self.always != 0) + self.creators().count()
+    }
+
+    /// Nodes of the ring.
+    #[cfg(test)]
+    pub(super) fn node_count(&self) -> usize {
+        self.nodes.len() / self.number_bytes
+    }
+
+    /// The steps that make some of the triangles, each with their arcs.
+    #[inline]
+    pub(super) fn creators(&self) -> impl Iterator<Item = (u32, u32)> + use<'t> {
+        let (own_step, number_bytes) = (self.own_step, self.number_bytes);
+        self.creators.chunks_exact(number_bytes + self.mask_bytes).map(move |bytes| {
+            let (step, mask) = bytes.split_at(number_bytes);
+            (number(step) + own_step - 1, number(mask))
+        })
+    }
+
+    /// Which arcs are there.
+    #[inline]
+    pub(super) fn mask(&self, is_taken: impl Fn(u32) -> bool) -> u32 {
+        self.creators().fold(self.always, |all, (step, mask)| all | if is_taken(step) { mask } else { 0 })
+    }
+
+    /// Appends the triangles of the arcs in a mask.
+    #[inline]
+    pub(super) fn triangles_into(&self, mut mask: u32, out: &mut Vec<u32>) {
+        if mask == 0 {
+            return;
+        }
+        let mut ring = [0; MAX_ARCS + 1];
+        let mut count = 0;
+        for (slot, node) in ring.iter_mut().zip(self.nodes()) {
+            *slot = node;
+            count += 1;
+        }
+        if self.is_closed {
+            // A fan of all arcs that its masks can hold is closed by its first node, too.
+            ring[count] = ring[0];
+        }
+        while mask != 0 {
+            let at = mask.trailing_zeros() as usize;
+            mask &= mask - 1;
+            out.extend_from_slice(&[self.vertex, ring[at], ring[at + 1]]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fan(nodes: &[u32], arc_count: usize, always: u32, creators: &[(u32, u32)]) -> Fan {
+        Fan { group: 0, arc_count, nodes: nodes.to_vec(), always, creators: creators.to_vec() }
+    }
+
+    #[test]
+    fn fans_come_back_near_and_far_closed_and_open() {
+        let wide: Vec<u32> = (0..33).map(|i| 5 * i).collect();
+        let small =
+            vec![fan(&[0, 1], 1, 1, &[]), fan(&[1, 0, 1], 3, 0b100, &[(70_000, 0b001), (20_000_000, 0b010)])];
+        let mut writer = TableWriter::new(false);
+        writer.push(0, &[]);
+        writer.push(0, &[]);
+        writer.push(1, &small);
+        for _ in 3..200 {
+            writer.push(1, &[]);
+        }
+        let big = vec![fan(&wide, 32, 1 << 31, &[(7, 0xff), (9, 0x7fff_ff00)])];
+        writer.push(5, &big);
+        let table = writer.finish();
+        let read = |vertex: u32, own_step: u32| -> Vec<Fan> {
+            let entry = table.entry(vertex, own_step);
+            entry
+                .map(|view| Fan {
+                    group: view.group,
+                    arc_count: view.node_count() - usize::from(!view.is_closed),
+                    nodes: view.nodes().collect(),
+                    always: view.always,
+                    creators: view.creators().collect(),
+                })
+                .collect()
+        };
+        assert!(read(0, 0).is_empty() && read(1, 0).is_empty() && read(199, 1).is_empty());
+        assert_eq!(read(2, 1), small);
+        assert_eq!(read(200, 5), big);
+        let mut out = Vec::new();
+        table.entry(2, 1).for_each(|view| view.triangles_into(view.mask(|step| step >= 70_000), &mut out));
+        assert_eq!(out, [2, 0, 1, 2, 1, 0, 2, 0, 1, 2, 1, 1]);
+    }
+}
