@@ -9,6 +9,7 @@ pub mod model;
 mod progress;
 pub mod simplify;
 pub mod strip;
+pub mod view;
 
 pub use progress::{Cancelled, Progress, ProgressFn, ignore_progress};
 

@@ -1,0 +1,206 @@
+//! Cones of normals: which way a part of a surface faces, as one direction and how far from it.
+
+use glam::DVec3;
+
+use super::Sphere;
+
+/// Cosines lose less than this to rounding when a cone is made or told as `f32`.
+const SLACK: f64 = 1e-6;
+
+/// All directions within some angle of an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NormalCone {
+    /// The axis, of length 1; anything where the cone holds every direction.
+    pub axis: [f32; 3],
+    /// Cosine of the angle between the axis and the farthest direction; -1 where it holds every direction.
+    pub cos: f32,
+}
+
+impl NormalCone {
+    /// Every direction.
+    pub const ALL: Self = Self { axis: [0.0, 0.0, 1.0], cos: -1.0 };
+
+    /// The normals of triangles, corners in counter-clockwise order seen from where they face. Triangles without area have
+    /// none and are passed over; of none at all the cone is [`ALL`](Self::ALL).
+    pub fn of_triangles(triangles: impl Iterator<Item = [[f32; 3]; 3]> + Clone) -> Self {
+        let normals = || triangles.clone().filter_map(|corners| normal(&corners));
+        let sum: DVec3 = normals().sum();
+        let Some(axis) = sum.try_normalize() else { return Self::ALL };
+        let cos = normals().map(|normal| normal.dot(axis)).fold(1.0, f64::min);
+        Self::rounded(axis, cos)
+    }
+
+    /// The cone of the same axis that also holds another.
+    #[must_use]
+    pub fn with_cone(self, other: &Self) -> Self {
+        if self.cos <= -1.0 || other.cos <= -1.0 {
+            return Self::ALL;
+        }
+        let between = turn_of(self.axis, other.axis);
+        match between.plus(Turn::of_cos(f64::from(other.cos))) {
+            Some(reach) if reach.cos >= f64::from(self.cos) => self,
+            Some(reach) => Self::rounded(direction(self.axis), reach.cos),
+            None => Self::ALL,
+        }
+    }
+
+    /// Whether a direction of any length lies in it.
+    pub fn holds(&self, towards: [f32; 3]) -> bool {
+        let Some(towards) = direction_of(towards) else { return false };
+        self.cos <= -1.0 || towards.dot(direction(self.axis)) >= f64::from(self.cos)
+    }
+
+    /// Whether no triangle in the sphere with a normal in the cone can be seen from its front by an eye.
+    pub fn is_turned_away(&self, sphere: &Sphere, eye: [f32; 3]) -> bool {
+        let sight = direction_f64(sphere.center) - direction_f64(eye);
+        let (distance, radius) = (sight.length(), f64::from(sphere.radius));
+        if self.cos <= 0.0 || distance <= radius {
+            return false;
+        }
+        // From where the eye sees it the part may lie beside its centre by this much, and its normals beside the axis.
+        let aside = Turn::of_sin(radius / distance);
+        let facing = turn_between(sight / distance, direction(self.axis));
+        let turned = facing.plus(Turn::of_cos(f64::from(self.cos))).and_then(|turn| turn.plus(aside));
+        turned.is_some_and(|turn| turn.cos > SLACK)
+    }
+
+    /// The cone as it is stored: never smaller than asked for.
+    fn rounded(axis: DVec3, cos: f64) -> Self {
+        let cos = (cos - SLACK).max(-1.0) as f32;
+        Self { axis: axis.as_vec3().into(), cos }
+    }
+}
+
+/// An angle from 0 to half a turn, by its cosine and sine.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    cos: f64,
+    sin: f64,
+}
+
+impl Turn {
+    fn of_cos(cos: f64) -> Self {
+        let cos = cos.clamp(-1.0, 1.0);
+        Self { cos, sin: (1.0 - cos * cos).sqrt() }
+    }
+
+    /// Of an angle up to a quarter turn.
+    fn of_sin(sin: f64) -> Self {
+        let sin = sin.clamp(0.0, 1.0);
+        Self { cos: (1.0 - sin * sin).sqrt(), sin }
+    }
+
+    /// Both angles together; `None` beyond half a turn.
+    fn plus(self, other: Self) -> Option<Self> {
+        let sin = self.sin * other.cos + self.cos * other.sin;
+        let cos = self.cos * other.cos - self.sin * other.sin;
+        // The sine of more than half a turn is negative.
+        (sin >= 0.0).then_some(Self { cos, sin })
+    }
+}
+
+fn turn_of(a: [f32; 3], b: [f32; 3]) -> Turn {
+    turn_between(direction(a), direction(b))
+}
+
+fn turn_between(a: DVec3, b: DVec3) -> Turn {
+    Turn::of_cos(a.dot(b))
+}
+
+/// A direction that has been one already, made exact again.
+fn direction(towards: [f32; 3]) -> DVec3 {
+    direction_of(towards).unwrap_or(DVec3::Z)
+}
+
+fn direction_of(towards: [f32; 3]) -> Option<DVec3> {
+    direction_f64(towards).try_normalize()
+}
+
+fn direction_f64([x, y, z]: [f32; 3]) -> DVec3 {
+    DVec3::new(x.into(), y.into(), z.into())
+}
+
+fn normal(corners: &[[f32; 3]; 3]) -> Option<DVec3> {
+    let [a, b, c] = corners.map(direction_f64);
+    (b - a).cross(c - a).try_normalize()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Random;
+
+    fn point(random: &mut Random, spread: f32) -> [f32; 3] {
+        [(); 3].map(|()| (random.unit() as f32 - 0.5) * spread)
+    }
+
+    fn triangles(random: &mut Random, bend: f32) -> Vec<[[f32; 3]; 3]> {
+        let corner = |random: &mut Random| {
+            let [x, y, z] = point(random, 2.0);
+            [x, y, z * bend]
+        };
+        (0..12)
+            .map(|_| [(); 3].map(|()| corner(random)))
+            .map(|[a, b, c]| {
+                let faces_up = (b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]);
+                if faces_up { [a, b, c] } else { [a, c, b] }
+            })
+            .collect()
+    }
+
+    fn normal_of(corners: &[[f32; 3]; 3]) -> [f32; 3] {
+        normal(corners).map_or([0.0; 3], |n| n.as_vec3().into())
+    }
+
+    #[test]
+    fn a_cone_holds_the_normals_of_its_triangles_and_of_other_cones() {
+        let mut random = Random::new(2);
+        for round in 0..200 {
+            let bend = [0.01, 0.2, 1.0][round % 3];
+            let [first, second] = [(); 2].map(|()| triangles(&mut random, bend));
+            let [a, b] = [&first, &second].map(|t| NormalCone::of_triangles(t.iter().copied()));
+            let both = a.with_cone(&b);
+            for triangle in &first {
+                assert!(a.holds(normal_of(triangle)) && both.holds(normal_of(triangle)));
+            }
+            assert!(
+                second.iter().all(|triangle| both.holds(normal_of(triangle))),
+                "{a:?} and {b:?}: {both:?}"
+            );
+        }
+        assert_eq!(NormalCone::of_triangles(std::iter::empty()), NormalCone::ALL);
+        let flat = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
+        assert_eq!(NormalCone::of_triangles([flat].into_iter()), NormalCone::ALL);
+    }
+
+    #[test]
+    fn what_is_turned_away_shows_no_triangle_its_front() {
+        let mut random = Random::new(3);
+        let mut away = 0;
+        for round in 0..3000 {
+            let surface = triangles(&mut random, [0.01, 0.1, 0.4][round % 3]);
+            let cone = NormalCone::of_triangles(surface.iter().copied());
+            let corners = surface.iter().flatten();
+            let sphere = corners.fold(Sphere::point([0.0; 3]), |sphere, &corner| sphere.with_point(corner));
+            let eye = point(&mut random, 20.0);
+            if !cone.is_turned_away(&sphere, eye) {
+                continue;
+            }
+            away += 1;
+            for triangle in &surface {
+                let [front, from] = [normal(triangle).unwrap_or(DVec3::ZERO), direction_f64(triangle[0])];
+                assert!(front.dot(direction_f64(eye) - from) <= 0.0, "seen from {eye:?}: {triangle:?}");
+            }
+        }
+        assert!(away > 300, "only {away} of 3,000 are turned away");
+    }
+
+    #[test]
+    fn more_than_half_a_turn_is_every_direction() {
+        let cone = |cos: f32| NormalCone { axis: [0.0, 0.0, 1.0], cos };
+        let down = NormalCone { axis: [0.0, 0.0, -1.0], cos: 0.5 };
+        assert_eq!(cone(0.9).with_cone(&down), NormalCone::ALL);
+        assert_eq!(cone(0.9).with_cone(&NormalCone::ALL), NormalCone::ALL);
+        assert_eq!(cone(0.5).with_cone(&cone(0.9)), cone(0.5));
+    }
+}

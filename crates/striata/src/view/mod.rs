@@ -1,0 +1,16 @@
+//! What a viewer sees: bounds of parts of a mesh, and a camera that says of them what matters on its screen.
+//!
+//! Everything here errs on one side. A bound holds all that it bounds, rounding included; a part is called invisible only if
+//! nothing of it can be seen, and its error on the screen is never told too small. No angle is ever computed: sines and
+//! cosines are put together with square roots, which are the same on every machine.
+
+mod camera;
+mod cone;
+mod sphere;
+
+pub use camera::{Camera, CameraError};
+pub use cone::NormalCone;
+pub use sphere::Sphere;
+
+/// More than rounding can take away from a sum of a few products of numbers around 1.
+const SLACK: f32 = 1e-5;
