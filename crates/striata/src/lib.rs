@@ -1,7 +1,7 @@
 //! Continuous level of detail for triangle meshes.
 //!
 //! The stages of the pipeline are folders, and arrows point one way (right uses left):
-//! `mesh <- simplify`; `mesh <- strip <- model <- codec`.
+//! `mesh <- simplify`; `mesh <- strip <- model <- codec`; `mesh <- view <- model`.
 
 pub mod codec;
 pub mod mesh;
