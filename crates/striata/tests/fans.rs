@@ -4,7 +4,8 @@ mod support;
 
 use proptest::prelude::*;
 use striata::mesh::{RefinableMesh, canonical_triangles};
-use striata::model::{FanInstance, Fans, LodModel};
+use striata::model::{FanBounds, FanInstance, Fans, LodModel};
+use striata::view::NormalCone;
 use support::{
     Case, Random, Wildness, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable, seam_cases,
     soups, surface_cases,
@@ -92,6 +93,64 @@ fn seams_and_groups_follow_the_oracle() {
 #[test]
 fn a_vertex_with_many_triangles_has_several_fans() {
     hub_cases().for_each(|case| check(&case));
+}
+
+/// Triangles of the full mesh that differ between two instances lie in the bounds of steps that differ.
+#[test]
+fn bounds_hold_whatever_a_step_and_all_below_it_change() {
+    for case in surface_cases().filter(|case| case.stride == 1).chain(seam_cases()) {
+        let refinable = &case.refinable;
+        let fans = Fans::build(refinable);
+        let bounds = FanBounds::build(&fans, refinable);
+        let triangles_of = |instance: &FanInstance| {
+            let mut indices = Vec::new();
+            instance.indices_into(&fans, &mut indices);
+            canonical_triangles(indices.as_chunks().0)
+        };
+        let full = triangles_of(&FanInstance::full(&fans));
+        for step in (0..fans.step_count() as u32).step_by(7) {
+            // Taking a step from the full mesh takes it and all that it waits for.
+            let mut instance = FanInstance::full(&fans);
+            instance.collapse(&fans, step);
+            let taken = triangles_of(&instance);
+            let sphere = bounds.sphere(step, refinable);
+            let gone = full.iter().filter(|t| taken.binary_search(t).is_err());
+            let new = taken.iter().filter(|t| full.binary_search(t).is_err());
+            for triangle in gone.chain(new) {
+                let corners = triangle.map(|v| refinable.mesh.positions[v as usize]);
+                assert!(
+                    corners.iter().all(|&p| sphere.holds(p)),
+                    "step {step}: {corners:?} is not in {sphere:?}"
+                );
+                let cone = NormalCone::of_triangles([corners].into_iter());
+                // A triangle without area has no normal.
+                let is_held = cone == NormalCone::ALL || bounds.cone(step).holds(cone.axis);
+                assert!(is_held, "step {step}: {cone:?} is not in {:?}", bounds.cone(step));
+            }
+        }
+    }
+}
+
+#[test]
+fn refining_undoes_what_is_wanted_and_no_more_than_that_needs() {
+    for case in nasty_cases().chain(seam_cases()) {
+        let fans = Fans::build(&case.refinable);
+        let mut random = Random::new(case.seed);
+        let wanted: Vec<bool> = (0..fans.step_count()).map(|_| random.below(100) < 7).collect();
+        let instance = FanInstance::refined(&fans, |step| wanted[step as usize]);
+        check_instance(&case.refinable, &fans, &instance);
+        for step in 0..fans.step_count() as u32 {
+            assert!(!(wanted[step as usize] && instance.is_taken(step)), "step {step} was wanted");
+            if instance.is_taken(step) {
+                continue;
+            }
+            // Taken again, an undone step takes along one that was wanted: none was undone for nothing.
+            let mut less = instance.clone();
+            less.collapse(&fans, step);
+            let lost = (0..fans.step_count()).any(|s| wanted[s] && less.is_taken(s as u32));
+            assert!(lost, "step {step} was undone for nothing");
+        }
+    }
 }
 
 #[test]

@@ -112,6 +112,12 @@ impl<'a> StepVertices<'a> {
         }
     }
 
+    /// The same with memory of its own, for models that never ask for a target.
+    pub(super) fn without_targets(mut self) -> StepVertices<'static> {
+        self.targets = Cow::Borrowed(&[]);
+        self.into_owned()
+    }
+
     pub(super) fn into_owned(self) -> StepVertices<'static> {
         StepVertices {
             vertex_count: self.vertex_count,

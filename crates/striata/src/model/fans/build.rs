@@ -47,6 +47,8 @@ struct Builder<'r> {
     entries: Vec<Vec<u32>>,
     /// Steps that each position waits for beside those that make its triangles.
     bare: Vec<(u32, u32)>,
+    /// Steps whose floor has a corner at a position that the star has none at: that of their target.
+    far: Vec<[u32; 2]>,
     star: Vec<u32>,
     group_count: usize,
 }
@@ -62,6 +64,7 @@ impl<'r> Builder<'r> {
             chains: vec![END; vertex_count],
             entries: vec![Vec::new(); vertex_count],
             bare: Vec::new(),
+            far: Vec::new(),
             star: Vec::new(),
             group_count: refinable.mesh.groups.len().max(1),
         };
@@ -108,6 +111,7 @@ impl<'r> Builder<'r> {
             }
         }
         covered.sort_unstable();
+        self.note_far_target(step as u32, &star, &covered);
         // Where nothing of the floor is left at a neighbour, no triangle tells it to wait for this step.
         for &triangle in &star {
             for vertex in self.triangles[triangle as usize].corners {
@@ -118,6 +122,19 @@ impl<'r> Builder<'r> {
             }
         }
         self.star = star;
+    }
+
+    fn note_far_target(&mut self, step: u32, star: &[u32], covered: &[u32]) {
+        let positions = self.sequence.positions();
+        let first = self.sequence.step_vertices(step as usize).start;
+        let target = positions.position_of(self.sequence.target(first));
+        let Some(target_step) = target.checked_sub(self.sequence.base_position_count() as u32) else {
+            return;
+        };
+        let corners = || star.iter().flat_map(|&triangle| self.triangles[triangle as usize].corners);
+        if covered.binary_search(&target).is_ok() && corners().all(|v| positions.position_of(v) != target) {
+            self.far.push([step, target_step]);
+        }
     }
 
     /// A triangle as its vertex sees it.
@@ -153,12 +170,15 @@ impl<'r> Builder<'r> {
             table.push((position + 1).saturating_sub(base), &fans);
         }
         let waits = self.bare.iter().filter(|wait| wait.0 >= base);
+        // They came from the last step down.
+        self.far.reverse();
         Fans {
-            vertices: StepVertices::of_sequence(self.sequence).into_owned(),
+            vertices: StepVertices::of_sequence(self.sequence).without_targets(),
             step_count: self.sequence.step_count(),
             group_count: self.group_count,
             table: table.finish(),
             waits: waits.map(|&(position, waits_for)| [position - base, waits_for]).collect(),
+            far: self.far,
         }
     }
 }

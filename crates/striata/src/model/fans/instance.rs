@@ -1,7 +1,7 @@
 //! An instance of the table: a bit for each step, and the moves between sets of steps that are possible.
 
-use super::Fans;
 use super::table::FanView;
+use super::{Fans, listed};
 
 /// Which steps an instance has taken: one bit each. Any set that it comes to is one that the sequence, leaving steps out,
 /// can come to.
@@ -100,6 +100,18 @@ impl FanInstance {
         count
     }
 
+    /// An instance that has undone every step that is wanted, and beside these only what they need: the coarsest one that
+    /// does. Every step is asked for once, coarsest first, unless it has been undone for another.
+    pub fn refined(fans: &Fans, mut is_wanted: impl FnMut(u32) -> bool) -> Self {
+        let mut instance = Self::uniform(fans, 0);
+        for step in 0..fans.step_count as u32 {
+            if instance.is_taken(step) && is_wanted(step) {
+                instance.split(fans, step);
+            }
+        }
+        instance
+    }
+
     /// Appends the triangles that the instance shows, three indices each.
     ///
     /// # Panics
@@ -147,13 +159,13 @@ impl FanInstance {
 
 impl Fans {
     /// Steps that have to be collapsed before this one.
-    fn for_each_needed_by_collapse(&self, step: u32, mut visit: impl FnMut(u32)) {
+    pub(super) fn for_each_needed_by_collapse(&self, step: u32, mut visit: impl FnMut(u32)) {
         for vertex in self.vertices.of_step(step as usize) {
             for fan in self.step_entry(vertex, step) {
                 fan.creators().for_each(|(creator, _)| visit(creator));
             }
         }
-        self.waits(step).for_each(visit);
+        listed(&self.waits, step).for_each(visit);
     }
 
     /// Steps that have to be undone before this one.
@@ -166,10 +178,10 @@ impl Fans {
             }
         };
         for vertex in vertices.clone() {
-            visit_vertex(self.vertices.target(vertex));
             for fan in self.step_entry(vertex, step) {
                 fan.nodes().for_each(&mut visit_vertex);
             }
         }
+        listed(&self.far, step).for_each(visit);
     }
 }

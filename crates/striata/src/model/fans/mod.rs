@@ -14,7 +14,8 @@
 //!
 //! **Which sets of steps are possible.** A step can be taken once all steps are that once took a triangle from one of its
 //! vertices: those that make the triangles of its entry, and some whose floor left nothing at the vertex, which are
-//! listed beside (a step at a border, say). It can be undone once every position around it, and its target, is there.
+//! listed beside (a step at a border, say). It can be undone once every position around it is there, and its target if
+//! its floor reaches to one that is not around.
 //! [`FanInstance::collapse`] and [`FanInstance::split`] take along whatever is needed for that.
 //!
 //! Differs: \[Cor01\] stores words, here an entry is a few bytes (see `table.rs`); it recurses, here steps wait on a stack. A
@@ -24,11 +25,13 @@
 //! Cost: a triangle a vertex is made by each step that touches it, three times as many as the full mesh has. Extraction
 //! is linear in the vertices that are there, a change in the entries that it touches.
 
+mod bounds;
 mod build;
 mod crowns;
 mod instance;
 mod table;
 
+pub use bounds::FanBounds;
 pub use instance::FanInstance;
 pub use table::MAX_ARCS;
 
@@ -45,6 +48,8 @@ pub struct Fans {
     table: Table,
     /// Steps and further steps that they wait for, rising.
     waits: Vec<[u32; 2]>,
+    /// Steps and those of their targets, where the target is not among the nodes around.
+    far: Vec<[u32; 2]>,
 }
 
 impl Fans {
@@ -78,12 +83,6 @@ impl Fans {
         self.table.entry(vertex, step + 1)
     }
 
-    /// Further steps that a step waits for.
-    fn waits(&self, step: u32) -> impl Iterator<Item = u32> {
-        let first = self.waits.partition_point(|wait| wait[0] < step);
-        self.waits[first..].iter().take_while(move |wait| wait[0] == step).map(|wait| wait[1])
-    }
-
     /// Visits the fans of all vertices that are there at a uniform level.
     fn for_each_fan_at(&self, split_count: usize, mut visit: impl FnMut(table::FanView<'_>)) {
         for vertex in 0..self.vertices.base_vertex_count {
@@ -95,6 +94,12 @@ impl Fans {
             }
         }
     }
+}
+
+/// What is listed for a step in rising pairs.
+fn listed(pairs: &[[u32; 2]], step: u32) -> impl Iterator<Item = u32> {
+    let first = pairs.partition_point(|pair| pair[0] < step);
+    pairs[first..].iter().take_while(move |pair| pair[0] == step).map(|pair| pair[1])
 }
 
 /// An instance at a uniform level: nothing but its number.
@@ -151,10 +156,10 @@ impl LodModel for Fans {
         let part = |name, bytes| PartBytes { name, bytes };
         let [entries, starts] = self.table.sizes();
         vec![
-            part("targets", 4 * (self.vertices.targets.len() + self.vertices.firsts.len())),
+            part("first vertices", 4 * self.vertices.firsts.len()),
             part("entries", entries),
             part("starts", starts),
-            part("waits", size_of_val(&self.waits[..])),
+            part("waits", size_of_val(&self.waits[..]) + size_of_val(&self.far[..])),
         ]
     }
 
