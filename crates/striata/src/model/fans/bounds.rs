@@ -12,7 +12,7 @@ use super::Fans;
 use crate::mesh::{CollapseSequence, RefinableMesh};
 use crate::view::{NormalCone, Sphere};
 
-/// Bounds of every step; see the [module](self).
+/// For each step a sphere and a cone of normals that hold whatever the step and all that it waits for change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FanBounds {
     radii: Vec<f32>,
