@@ -9,7 +9,7 @@ impl LevelArgs {
     /// The target in mesh units.
     ///
     /// # Errors
-    /// Where none is given, which the argument parser refuses before.
+    /// Where it is a view; and where none is given, which the argument parser refuses before.
     pub(crate) fn target(&self, diagonal: f64) -> Result<Target, Failure> {
         let targets = [
             self.triangles.map(Target::Triangles),
@@ -18,6 +18,10 @@ impl LevelArgs {
             self.error.map(|error| Target::Error(error.in_units(diagonal))),
             self.split_count.map(Target::SplitCount),
         ];
+        if self.eye.is_some() {
+            return Err(Failure::user("a view is refined from a file that holds all levels")
+                .with_hint("`striata build` makes one, `striata extract --eye` takes the view from it"));
+        }
         targets.into_iter().flatten().next().ok_or_else(|| Failure::internal("no level was given"))
     }
 }

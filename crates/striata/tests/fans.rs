@@ -3,7 +3,7 @@
 mod support;
 
 use proptest::prelude::*;
-use striata::mesh::{RefinableMesh, canonical_triangles};
+use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles};
 use striata::model::{FanBounds, FanInstance, Fans, LodModel};
 use striata::view::NormalCone;
 use support::{
@@ -41,6 +41,23 @@ fn check_instance(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance
             fans.step_count()
         );
     }
+}
+
+/// The mesh of an instance has its triangles at the same places, group by group, and no vertex that none of them names.
+fn check_level(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance) {
+    let level = instance.level(fans, refinable);
+    level.check().unwrap();
+    let mut is_used = vec![false; level.vertex_count()];
+    level.triangles.iter().flatten().for_each(|&v| is_used[v as usize] = true);
+    assert!(is_used.iter().all(|&used| used));
+    let mut indices = Vec::new();
+    instance.indices_into(fans, &mut indices);
+    let places = |mesh: &IndexedMesh, triangles: &[[u32; 3]]| -> Vec<[[f32; 3]; 3]> {
+        triangles.iter().map(|t| t.map(|v| mesh.positions[v as usize])).collect()
+    };
+    assert_eq!(places(&level, &level.triangles), places(&refinable.mesh, indices.as_chunks().0));
+    assert_eq!(level.groups.len(), refinable.mesh.groups.len());
+    assert_eq!(level.layers.len(), refinable.mesh.layers.len());
 }
 
 /// Random collapses and splits, by drifts towards coarse and towards fine; every set on the way shows its oracle.
@@ -139,6 +156,7 @@ fn refining_undoes_what_is_wanted_and_no_more_than_that_needs() {
         let wanted: Vec<bool> = (0..fans.step_count()).map(|_| random.below(100) < 7).collect();
         let instance = FanInstance::refined(&fans, |step| wanted[step as usize]);
         check_instance(&case.refinable, &fans, &instance);
+        check_level(&case.refinable, &fans, &instance);
         for step in 0..fans.step_count() as u32 {
             assert!(!(wanted[step as usize] && instance.is_taken(step)), "step {step} was wanted");
             if instance.is_taken(step) {

@@ -2,6 +2,7 @@
 
 mod compare;
 mod strips;
+mod view;
 
 use std::fmt;
 use std::path::PathBuf;
@@ -12,6 +13,7 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, StripifierArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
+pub(crate) use self::view::{Point, ViewArgs};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
@@ -123,8 +125,8 @@ pub(crate) struct InfoArgs {
 #[command(
     override_usage = "striata extract [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
     after_help = "Examples:\n  \
-    striata extract bunny.striata -o bunny-5k.glb --triangles 5000\n  \
-    striata extract bunny.striata -o bunny.glb --error 0.1% --as strips"
+    striata extract bunny.striata -o bunny-5k.glb --triangles 5000 --as strips\n  \
+    striata extract bunny.striata -o seen.glb --eye 0,0.1,0.3 --pixels 2"
 )]
 pub(crate) struct ExtractArgs {
     /// A .striata file, or - for stdin
@@ -138,6 +140,9 @@ pub(crate) struct ExtractArgs {
     /// Which level.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
+    /// What a view needs beside its eye.
+    #[command(flatten)]
+    pub(crate) view: ViewArgs,
     /// Where the mesh goes.
     #[command(flatten)]
     pub(crate) output: OutputArgs,
@@ -240,6 +245,9 @@ pub(crate) struct LevelArgs {
     /// Exactly so many vertex splits above the base mesh
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) split_count: Option<usize>,
+    /// As fine as the screen asks for, seen from here (`extract` only)
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    pub(crate) eye: Option<Point>,
 }
 
 /// How the simplification sequence is made.

@@ -6,10 +6,12 @@ use serde::Serialize;
 use striata::codec::{DecodeError, StriataFile};
 use striata::mesh::IndexedMesh;
 use striata::model::{LodStrips, Mts, StripModel};
-use striata::strip::{RESTART, StripSet};
+use striata::simplify::StopReason;
+use striata::strip::{RESTART, StripOptions, StripSet, stripify};
 
+use super::extract_view::{ViewLevel, level_of_view};
 use super::strip::check_strips_fit;
-use crate::args::{ExtractArgs, TriangleForm};
+use crate::args::{ExtractArgs, Point, TriangleForm};
 use crate::commands::build::{MODELS, unknown_name};
 use crate::failure::Failure;
 use crate::input::Input;
@@ -38,6 +40,13 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     check_form(args)?;
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
+    if let Some(eye) = args.level.eye {
+        return run_view(args, eye, &input, started, output);
+    }
+    if args.view.is_given() {
+        return Err(Failure::user("a view was described, but no level is asked for it")
+            .with_hint("say --eye instead of the other level, or leave the view out"));
+    }
     let sequence = file.sequence().map_err(|error| input.damaged(&error))?;
     let target = args.level.target(file.summary().bounds.map_or(0.0, |b| b.diagonal()))?;
     let (split_count, stop_reason) = target.resolve(&sequence);
@@ -116,6 +125,48 @@ impl Extracted {
         let mesh = file.level_of(model, &state)?;
         Ok(Self { model: name, mesh, strips: strips_of_level(model, &state), seek_secs })
     }
+}
+
+/// The same for a view.
+///
+/// # Errors
+/// Where the view makes no picture, or any of it fails.
+fn run_view(
+    args: &ExtractArgs,
+    eye: Point,
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    if let Some(name) = args.model.as_deref().filter(|&name| name != "fans") {
+        return Err(
+            Failure::user(format!("{name} knows whole levels only")).with_hint("a view takes --model fans")
+        );
+    }
+    let file = input.striata()?;
+    let center = file.summary().bounds.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
+    let camera = args.view.camera(eye, center).map_err(|error| {
+        Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
+    })?;
+    let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
+    let ViewLevel { mesh, split_count, error, seek_secs } =
+        level_of_view(&refinable, &camera, args.view.pixels());
+    let strips = match args.form {
+        TriangleForm::List => None,
+        TriangleForm::Strips => Some(stitched(&stripify(&mesh, &StripOptions::default())?)),
+    };
+    save(&mesh, strips, &args.output.output, &args.output.format)?;
+    let report = Report {
+        model: "fans",
+        split_count,
+        vertex_count: mesh.vertex_count(),
+        triangle_count: mesh.triangle_count(),
+        error,
+        stop_reason: StopReason::TargetReached.as_str(),
+        seek_secs,
+        secs: started.elapsed().as_secs_f64(),
+    };
+    output.summary(&report, &report.to_text(refinable.sequence.step_count()))
 }
 
 impl Report {

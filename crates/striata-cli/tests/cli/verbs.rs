@@ -95,6 +95,33 @@ fn every_model_of_a_file_shows_the_same_levels() {
 }
 
 #[test]
+fn a_view_is_fine_where_the_eye_looks() {
+    let bench = Workbench::with_ball();
+    let view = |flags: &str| bench.json(&format!("extract ball.striata -o view.glb {flags}"));
+    let report = view("--eye -0.4,0.3,-3 --pixels 2");
+    assert_eq!(report["model"], "fans");
+    let count = |report: &serde_json::Value| report["triangle_count"].as_u64().expect("a count");
+    let seen = count(&report);
+    assert!(seen > 20 && seen < 512, "half of a ball is turned away: {report}");
+    assert_eq!(bench.json("info view.glb")["triangle_count"], seen);
+    // Fewer pixels ask for more, distance and a look aside for less; everything is the most there is.
+    assert!(count(&view("--eye -0.4,0.3,-3 --pixels 0.5")) > seen);
+    assert!(count(&view("--eye -4,3,-30 --pixels 2")) < seen);
+    assert!(count(&view("--eye -0.4,0.3,-3 --look-at -0.4,0.3,-9 --pixels 2")) < seen);
+    assert!(count(&view("--eye -0.4,0.3,-3 --pixels 2 --viewport 64x48")) < seen);
+    // From within all of it is turned away, as strips as well as single triangles.
+    let within = count(&view("--eye 0,0,0.1 --look-at 0,0,1 --fov 170 --pixels 0"));
+    assert!(within < 512);
+    assert_eq!(count(&view("--eye 0,0,0.1 --look-at 0,0,1 --fov 170 --pixels 0 --as strips")), within);
+    assert_eq!(view("--eye 0,0,3 --model fans")["stop_reason"], "target_reached");
+    let refused = |flags: &str| bench.refused(&format!("extract ball.striata -o x.ply {flags}"));
+    assert!(refused("--eye 0,0,3 --model mts").contains("hint: a view takes --model fans"));
+    assert!(refused("--eye 0,0,3 --look-at 0,0,3").contains("give no direction"));
+    assert!(refused("--detail 1 --pixels 3").contains("hint: say --eye"));
+    assert!(bench.refused("simplify sphere.obj -o x.ply --eye 0,0,3").contains("striata extract --eye"));
+}
+
+#[test]
 fn info_looks_into_meshes_and_containers() {
     let bench = Workbench::with_ball();
     let keys = [

@@ -29,6 +29,7 @@ mod bounds;
 mod build;
 mod crowns;
 mod instance;
+mod level;
 mod table;
 
 pub use bounds::FanBounds;

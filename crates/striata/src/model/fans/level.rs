@@ -1,0 +1,38 @@
+//! What an instance shows as a mesh of its own.
+
+use super::{FanInstance, Fans};
+use crate::mesh::{IndexedMesh, RefinableMesh, TriangleGroup};
+
+impl FanInstance {
+    /// The mesh that the instance shows: its triangles group by group, and of the vertices those that they name, in their
+    /// order.
+    ///
+    /// # Panics
+    /// If the instance or the table are of another mesh.
+    pub fn level(&self, fans: &Fans, refinable: &RefinableMesh) -> IndexedMesh {
+        let full = &refinable.mesh;
+        let (mut indices, mut groups) = (Vec::new(), Vec::new());
+        for (group, whole) in full.groups_or_whole().into_iter().enumerate() {
+            let first = indices.len() as u32 / 3;
+            self.group_indices_into(fans, group, &mut indices);
+            groups.push(TriangleGroup { first, count: indices.len() as u32 / 3 - first, ..whole });
+        }
+        let mut order = indices.clone();
+        order.sort_unstable();
+        order.dedup();
+        let mut new_index = vec![0; full.vertex_count()];
+        (0..).zip(&order).for_each(|(new, &old)| new_index[old as usize] = new);
+        IndexedMesh {
+            positions: order.iter().map(|&v| full.positions[v as usize]).collect(),
+            triangles: indices
+                .as_chunks()
+                .0
+                .iter()
+                .map(|t: &[u32; 3]| t.map(|v| new_index[v as usize]))
+                .collect(),
+            layers: full.layers.iter().map(|layer| layer.gather(&order)).collect(),
+            groups: if full.groups.is_empty() { Vec::new() } else { groups },
+            appearance: full.appearance.clone(),
+        }
+    }
+}
