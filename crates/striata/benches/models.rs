@@ -1,11 +1,11 @@
-//! How fast LodStrips and MTS are built, loaded and moved, and what a step of MTS costs beside a full recovery.
+//! How fast LodStrips, MTS and fans are built, loaded and moved, and what a step of MTS costs beside a full recovery.
 
 use std::hint::black_box;
 
-use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::model::{LodModel, LodStrips, Mts, StripBuffer};
+use striata::model::{FanInstance, Fans, LodModel, LodStrips, Mts, StripBuffer};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 
@@ -115,5 +115,39 @@ fn mts(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, lod_strips, mts);
+fn fans(c: &mut Criterion) {
+    let mut group = c.benchmark_group("fans");
+    group.sample_size(20);
+    for (name, mesh) in [("sphere", sphere(132)), ("sphere_large", sphere(374))] {
+        let refinable = refinable(&mesh);
+        group.bench_function(format!("build/{name}"), |b| b.iter(|| Fans::build(&refinable)));
+        let table = Fans::build(&refinable);
+        let steps = 0..table.step_count() as u32;
+        let mut out = Vec::new();
+        for percent in [100, 50, 10] {
+            let instance = FanInstance::uniform(&table, table.step_count() * percent / 100);
+            instance.indices_into(&table, &mut out);
+            group.throughput(Throughput::Elements(out.len() as u64 / 3));
+            group.bench_function(format!("emit/{name}/{percent}"), |b| {
+                b.iter(|| {
+                    out.clear();
+                    instance.indices_into(&table, &mut out);
+                })
+            });
+            out.clear();
+        }
+        let mut instance = FanInstance::full(&table);
+        group.throughput(Throughput::Elements(2 * table.step_count() as u64));
+        group.bench_function(format!("change_all/{name}"), |b| {
+            b.iter(|| {
+                let collapsed: usize = steps.clone().map(|step| instance.collapse(&table, step)).sum();
+                let split: usize = steps.clone().rev().map(|step| instance.split(&table, step)).sum();
+                (collapsed, split)
+            })
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, lod_strips, mts, fans);
 criterion_main!(benches);

@@ -112,8 +112,9 @@ pub trait LodModel {
     /// The level that an instance shows.
     fn split_count(&self, state: &Self::State) -> usize;
 
-    /// Moves an instance to a level; what it draws is then up to date. A model of few levels goes to the
-    /// finest that does not exceed it, or to its coarsest.
+    /// Moves an instance to a level; what it keeps to draw is then up to date (fans keep nothing, and make their
+    /// triangles as they hand them over). A model of few levels goes to the finest that does not exceed it, or to its
+    /// coarsest.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count, or the state belongs to a model of another shape.

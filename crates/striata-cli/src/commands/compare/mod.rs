@@ -162,16 +162,18 @@ impl Report {
 
 impl MeshReport {
     fn summary(&self) -> String {
-        let components = if self.component_count == 1 { "component" } else { "components" };
+        let counted = |count: usize, one: &str, many: &str| {
+            format!("{} {}", grouped(count), if count == 1 { one } else { many })
+        };
         // Not a bound for `cheapest`, which also joins strips at vertices.
         let bound = self.strips.as_ref().map_or_else(String::new, |strips| {
-            format!("; at least {} strips along its edges", grouped(strips.strip_count_bound))
+            format!("; at least {} along its edges", counted(strips.strip_count_bound, "strip", "strips"))
         });
         format!(
-            "{} triangles, {} vertices, {} {components}{bound}",
-            grouped(self.triangle_count),
-            grouped(self.vertex_count),
-            grouped(self.component_count),
+            "{}, {}, {}{bound}",
+            counted(self.triangle_count, "triangle", "triangles"),
+            counted(self.vertex_count, "vertex", "vertices"),
+            counted(self.component_count, "component", "components"),
         )
     }
 
