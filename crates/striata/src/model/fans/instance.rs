@@ -7,9 +7,9 @@ use super::{Fans, listed};
 /// can come to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FanInstance {
-    step_count: usize,
+    pub(super) step_count: usize,
     /// Bits of the steps that are taken, low ones first.
-    taken: Vec<u64>,
+    pub(super) taken: Vec<u64>,
 }
 
 impl FanInstance {
@@ -110,14 +110,6 @@ impl FanInstance {
             }
         }
         instance
-    }
-
-    /// Appends the triangles that the instance shows, three indices each.
-    ///
-    /// # Panics
-    /// If the instance is of another table.
-    pub fn indices_into(&self, fans: &Fans, out: &mut Vec<u32>) {
-        (0..fans.group_count).for_each(|group| self.group_indices_into(fans, group, out));
     }
 
     /// Appends the triangles of one group.

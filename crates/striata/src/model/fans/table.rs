@@ -158,11 +158,11 @@ pub(super) struct Entry<'t> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FanView<'t> {
     pub(super) group: u32,
-    vertex: u32,
+    pub(super) vertex: u32,
     own_step: u32,
     number_bytes: usize,
     mask_bytes: usize,
-    is_closed: bool,
+    pub(super) is_closed: bool,
     nodes: &'t [u8],
     always: u32,
     creators: &'t [u8],
@@ -226,7 +226,7 @@ impl<'t> FanView<'t> {
     }
 
     /// Nodes of the ring.
-    #[cfg(test)]
+    #[inline]
     pub(super) fn node_count(&self) -> usize {
         self.nodes.len() / self.number_bytes
     }
