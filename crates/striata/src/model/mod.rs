@@ -6,6 +6,7 @@
 
 pub mod baseline;
 pub mod fans;
+pub mod geomorph;
 pub mod lod_strips;
 pub mod mts;
 
@@ -18,7 +19,10 @@ mod strip_run;
 mod superfluous;
 
 pub use error::ModelError;
-pub use fans::{FanBounds, FanForm, FanIndices, FanInstance, Fans, FansLevel, fan_triangles_into};
+pub use fans::{
+    FanBounds, FanForm, FanIndices, FanInstance, FanMorphs, Fans, FansLevel, MovingVertex, fan_triangles_into,
+};
+pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
 pub(crate) use step_vertices::StepVertices;

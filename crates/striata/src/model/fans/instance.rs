@@ -48,7 +48,7 @@ impl FanInstance {
         8 * self.taken.len()
     }
 
-    fn set(&mut self, step: u32, is_taken: bool) {
+    pub(super) fn set(&mut self, step: u32, is_taken: bool) {
         let bit = 1 << (step % 64);
         let word = &mut self.taken[step as usize / 64];
         *word = if is_taken { *word | bit } else { *word & !bit };

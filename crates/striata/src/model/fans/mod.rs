@@ -31,11 +31,14 @@ mod crowns;
 mod emit;
 mod instance;
 mod level;
+mod morphs;
+mod sets;
 mod table;
 
 pub use bounds::FanBounds;
 pub use emit::{FanForm, FanIndices, fan_triangles_into};
 pub use instance::FanInstance;
+pub use morphs::{FanMorphs, MovingVertex};
 pub use table::MAX_ARCS;
 
 use self::table::{Entry, Table};

@@ -42,12 +42,6 @@ impl Shown for FansLevel {
     }
 }
 
-impl FanInstance {
-    pub(super) fn check_table(&self, fans: &Fans) {
-        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
-    }
-}
-
 impl FansLevel {
     pub(super) fn check_table(self, fans: &Fans) {
         assert!(self.split_count <= fans.step_count, "the level is of another table");
