@@ -1,8 +1,8 @@
 //! An instance that follows what is wanted frame by frame, in motion instead of jumps.
 //!
 //! A step that is newly undone is drawn at once, but its vertices begin at their targets' places and move to their own over
-//! some frames; a step that is no longer wanted moves back, and is taken in the drawn instance once it has arrived and all that
-//! it waits for has been taken. A vertex is shown between where its *target is shown* and its own place; worked out from coarse
+//! some frames; a step that is no longer wanted moves back, and is taken in the drawn instance once it has arrived: by then all
+//! that it waits for has arrived, too. A vertex is shown between where its *target is shown* and its own place; worked out from coarse
 //! to fine, chains of vertices that all move stay together. So a place depends on nothing but how far each step has come, which
 //! changes by one frame's share at a time: nothing can jump, whatever is wanted next, also in the middle of a motion.
 //!
@@ -87,8 +87,8 @@ impl FanMorphs {
         let mut moving_steps = moving.iter().copied().peekable();
         let mut next = std::mem::take(&mut self.next);
         next.clear();
-        for word in 0..wanted.taken.len() {
-            let mut steps = self.drawn.taken[word] ^ wanted.taken[word];
+        for word in 0..wanted.words().len() {
+            let mut steps = self.drawn.words()[word] ^ wanted.words()[word];
             // All that moves goes on, whether or not it is drawn as wanted.
             let at_first = moving_steps.clone();
             let of_word = at_first.take_while(|moving| moving.step as usize / 64 == word);
@@ -102,7 +102,7 @@ impl FanMorphs {
         }
         self.next = moving;
         self.moving = next;
-        self.take_arrived(fans, wanted);
+        self.take_arrived(fans);
     }
 
     /// Is at rest with another instance at once, as after a cut.
@@ -112,7 +112,7 @@ impl FanMorphs {
     pub fn jump_to(&mut self, fans: &Fans, wanted: &FanInstance) {
         self.check(fans, wanted);
         self.settled.clear();
-        for (word, (&drawn, &wanted)) in (0..).zip(self.drawn.taken.iter().zip(&wanted.taken)) {
+        for (word, (&drawn, &wanted)) in (0..).zip(self.drawn.words().iter().zip(wanted.words())) {
             let mut undone = drawn & !wanted;
             while undone != 0 {
                 self.settled.push(64 * word + undone.trailing_zeros());
@@ -150,12 +150,7 @@ impl FanMorphs {
     ///
     /// # Panics
     /// If the positions or `out` are not those of all vertices, or the sequence is another mesh's.
-    pub fn positions_into(
-        &self,
-        sequence: &CollapseSequence,
-        positions: &[[f32; 3]],
-        out: &mut [[f32; 3]],
-    ) {
+    pub fn positions_into(&self, sequence: &CollapseSequence, positions: &[[f32; 3]], out: &mut [[f32; 3]]) {
         let own = |vertex: usize, i: usize| positions[vertex][i];
         self.write(sequence, (Mix::Linear, 3), own, out.as_flattened_mut());
     }
@@ -176,7 +171,7 @@ impl FanMorphs {
             let frame = known.unwrap_or(self.frame_count).saturating_sub(1);
             return Some(MovingStep { step, frame });
         }
-        self.drawn.set(step, false);
+        self.drawn.taken.remove(step);
         let frame = known.unwrap_or(0) + 1;
         if frame < self.frame_count {
             return Some(MovingStep { step, frame });
@@ -185,17 +180,22 @@ impl FanMorphs {
         None
     }
 
-    /// Takes the steps that are at their targets and wait for no other, finest first.
-    fn take_arrived(&mut self, fans: &Fans, wanted: &FanInstance) {
+    /// Takes the steps that are at their targets. What they wait for is there, too: it was never wanted for longer, and all
+    /// ways take the same time.
+    fn take_arrived(&mut self, fans: &Fans) {
         let Self { drawn, moving, .. } = self;
         for &MovingStep { step, frame } in moving.iter().rev() {
-            if frame == 0 && wanted.is_taken(step) {
-                let mut is_free = true;
-                fans.for_each_needed_by_collapse(step, |needed| is_free &= drawn.is_taken(needed));
-                drawn.set(step, is_free);
+            if frame > 0 {
+                continue;
             }
+            if cfg!(debug_assertions) {
+                fans.for_each_needed_by_collapse(step, |finer| {
+                    assert!(drawn.is_taken(finer), "step {step} is taken before {finer}");
+                });
+            }
+            drawn.taken.insert(step);
         }
-        moving.retain(|moving| !drawn.is_taken(moving.step));
+        moving.retain(|moving| moving.frame > 0);
     }
 
     /// Writes a layer of `count` numbers a vertex where something moved.
@@ -225,9 +225,9 @@ impl FanMorphs {
 
     fn is_moving(&self, sequence: &CollapseSequence, vertex: u32) -> bool {
         let position = sequence.positions().position_of(vertex);
-        position.checked_sub(sequence.base_position_count() as u32).is_some_and(|step| {
-            self.moving.binary_search_by_key(&step, |moving| moving.step).is_ok()
-        })
+        position
+            .checked_sub(sequence.base_position_count() as u32)
+            .is_some_and(|step| self.moving.binary_search_by_key(&step, |moving| moving.step).is_ok())
     }
 
     fn check(&self, fans: &Fans, wanted: &FanInstance) {

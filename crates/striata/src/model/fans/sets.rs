@@ -11,7 +11,7 @@ impl FanInstance {
 
     /// The bits, 64 steps a word, low ones first: set where a step is taken.
     pub fn words(&self) -> &[u64] {
-        &self.taken
+        self.taken.words()
     }
 
     /// The coarsest instance that shows every vertex that either of two shows.
@@ -21,8 +21,7 @@ impl FanInstance {
     pub fn union(&self, other: &Self) -> Self {
         assert_eq!(self.step_count, other.step_count, "the instances are of different tables");
         // What either needs undone is undone in it, and so in both together.
-        let taken = self.taken.iter().zip(&other.taken).map(|(a, b)| a & b).collect();
-        Self { step_count: self.step_count, taken }
+        Self { step_count: self.step_count, taken: self.taken.and(&other.taken) }
     }
 
     /// The vertex that is shown for one of the full mesh: itself if it is there, else the first of its targets that is.

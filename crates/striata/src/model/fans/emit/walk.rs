@@ -26,7 +26,7 @@ impl Shown for FanInstance {
 
     #[inline]
     fn there(&self, word: usize) -> u64 {
-        !self.taken[word] & first_bits(self.step_count - 64 * word)
+        !self.taken.words()[word] & first_bits(self.step_count - 64 * word)
     }
 }
 
