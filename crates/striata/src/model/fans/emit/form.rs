@@ -39,7 +39,7 @@ impl FanForm {
             counts.index_count += 3 * mask.count_ones() as usize;
             return;
         }
-        let arc_count = fan.node_count() - usize::from(!fan.is_closed);
+        let arc_count = fan.node_count - usize::from(!fan.is_closed);
         for (_, count) in Runs::of_ring(mask, arc_count, fan.is_closed) {
             counts.strip_count += 1;
             counts.index_count += match (self, count) {
