@@ -24,6 +24,10 @@ use crate::model::DrawCounts;
 #[cfg(doc)]
 use crate::strip::RESTART;
 
+/// Fewer vertices than this are written sooner by one thread.
+#[cfg(feature = "parallel")]
+const WORTH_THREADS: usize = 8192;
+
 /// Indices of an instance and the range that draws each group; kept from frame to frame, it needs no new memory.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FanIndices {
@@ -54,8 +58,7 @@ impl FanInstance {
     #[cfg(feature = "parallel")]
     pub fn emit_parallel_into(&self, fans: &Fans, form: FanForm, out: &mut FanIndices) {
         self.check_table(fans);
-        out.clear();
-        out.append_parallel(fans, self, form);
+        out.replace_parallel(fans, self, form);
     }
 
     /// Appends the triangles that the instance shows, three indices each, group after group.
@@ -113,8 +116,7 @@ impl Fans {
     #[cfg(feature = "parallel")]
     pub fn emit_level_parallel_into(&self, level: &FansLevel, form: FanForm, out: &mut FanIndices) {
         level.check_table(self);
-        out.clear();
-        out.append_parallel(self, level, form);
+        out.replace_parallel(self, level, form);
     }
 
     /// What drawing a uniform level in a form takes.
@@ -153,45 +155,50 @@ impl FanIndices {
             Span::whole(fans),
             &mut Sinks { first: &mut self.indices, others: &mut others },
         );
-        self.close_group(start, form);
+        self.close_group(start..self.indices.len(), form);
         for group in &others {
             let first = self.indices.len();
             self.indices.extend_from_slice(group);
-            self.close_group(first, form);
+            self.close_group(first..self.indices.len(), form);
         }
         self.others = others;
         self.finish(start, form);
     }
 
-    /// Appends what is shown: stretches of the walk on all threads, their pieces in order.
+    /// Writes what is shown: stretches of the walk on all threads, their pieces in order. What the indices were before only
+    /// spares making room for them.
     #[cfg(feature = "parallel")]
-    fn append_parallel(&mut self, fans: &Fans, shown: &(impl Shown + Sync), form: FanForm) {
+    fn replace_parallel(&mut self, fans: &Fans, shown: &(impl Shown + Sync), form: FanForm) {
         use rayon::prelude::*;
-        let pieces: Vec<Vec<Vec<u32>>> = Span::pieces(fans)
-            .into_par_iter()
-            .map(|span| {
-                let mut groups = vec![Vec::new(); fans.group_count];
-                if let [first, others @ ..] = &mut groups[..] {
-                    write(fans, shown, form, span, &mut Sinks { first, others });
-                }
-                groups
-            })
-            .collect();
-        let start = self.indices.len();
-        for group in 0..fans.group_count {
-            let first = self.indices.len();
-            self.indices.reserve(pieces.iter().map(|groups| groups[group].len()).sum());
-            pieces.iter().for_each(|groups| self.indices.extend_from_slice(&groups[group]));
-            self.close_group(first, form);
+        if shown.there_count(fans) < WORTH_THREADS {
+            self.clear();
+            return self.append(fans, shown, form);
         }
-        self.finish(start, form);
+        let spans = Span::pieces(fans).into_par_iter();
+        let pieces: Vec<Vec<Vec<u32>>> = spans.map(|span| groups_of(fans, shown, form, span)).collect();
+        let total = pieces.iter().flatten().map(Vec::len).sum();
+        self.group_ranges.clear();
+        self.indices.resize(total, 0);
+        let (mut copies, mut rest, mut at) = (Vec::new(), &mut self.indices[..], 0);
+        let mut firsts = Vec::with_capacity(fans.group_count);
+        for group in 0..fans.group_count {
+            firsts.push(at);
+            for piece in pieces.iter().map(|groups| &groups[group]) {
+                let (to, behind) = rest.split_at_mut(piece.len());
+                (rest, at) = (behind, at + piece.len());
+                copies.push((to, piece));
+            }
+        }
+        copies.into_par_iter().for_each(|(to, piece)| to.copy_from_slice(piece));
+        let ends = firsts.iter().skip(1).copied().chain([total]);
+        firsts.iter().zip(ends).for_each(|(&first, end)| self.close_group(first..end, form));
+        self.finish(0, form);
     }
 
-    /// Notes the range of a group that has been written from `first` on, without the restart behind it.
-    fn close_group(&mut self, first: usize, form: FanForm) {
-        let end = self.indices.len();
-        let has_restart = form != FanForm::Triangles && end > first;
-        self.group_ranges.push(first as u32..(end - usize::from(has_restart)) as u32);
+    /// Notes the range of a group that has been written, without the restart behind it.
+    fn close_group(&mut self, written: Range<usize>, form: FanForm) {
+        let has_restart = form != FanForm::Triangles && !written.is_empty();
+        self.group_ranges.push(written.start as u32..(written.end - usize::from(has_restart)) as u32);
     }
 
     /// Takes away the restart behind the last fan, unless nothing has been written from `start` on.
@@ -213,6 +220,18 @@ fn counts(fans: &Fans, shown: &impl Shown, form: FanForm) -> DrawCounts {
         counts.index_count = counts.index_count.saturating_sub(1);
     }
     counts
+}
+
+/// What a stretch of the walk shows, group by group.
+#[cfg(feature = "parallel")]
+fn groups_of(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span) -> Vec<Vec<u32>> {
+    let mut groups = vec![Vec::new(); fans.group_count];
+    if let [first, others @ ..] = &mut groups[..] {
+        // A vertex has two triangles, more or less.
+        first.reserve(7 * span.there_count(shown));
+        write(fans, shown, form, span, &mut Sinks { first, others });
+    }
+    groups
 }
 
 /// Where the triangles of each group go.

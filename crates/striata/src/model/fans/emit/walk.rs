@@ -16,6 +16,15 @@ pub(in super::super) trait Shown {
 
     /// Bits of 64 steps, low ones first: those that are there.
     fn there(&self, word: usize) -> u64;
+
+    /// Vertices of the base and steps that are there.
+    #[cfg(feature = "parallel")]
+    fn there_count(&self, fans: &Fans) -> usize
+    where
+        Self: Sized,
+    {
+        Span::whole(fans).there_count(self)
+    }
 }
 
 impl Shown for FanInstance {
@@ -64,6 +73,13 @@ pub(super) struct Span {
 impl Span {
     pub(super) fn whole(fans: &Fans) -> Self {
         Self { base: 0..fans.vertices.base_vertex_count, words: 0..fans.step_count.div_ceil(64) }
+    }
+
+    /// Vertices of the base and steps that are there.
+    #[cfg(feature = "parallel")]
+    pub(super) fn there_count(&self, shown: &impl Shown) -> usize {
+        let steps = self.words.clone().map(|word| shown.there(word).count_ones() as usize);
+        self.base.len() + steps.sum::<usize>()
     }
 
     /// The whole in stretches, in order.
