@@ -10,7 +10,7 @@ pub(super) const LANES: usize = 8;
 
 /// Motion of the eye in the model counts so many times less than motion of the model in the view: the eye is mostly
 /// farther from the model than that is large.
-pub(super) const EYE_SHARE: f32 = 0.4;
+pub(super) const EYE_SHARE: f32 = 0.55;
 
 /// The most that a place in the view, once it has moved by one, changes the distance that errors are divided by: that
 /// distance is `d cos^2 a`, `a` off the sight, and its slope `cos a sqrt(4 - 3 cos^2 a)`.
