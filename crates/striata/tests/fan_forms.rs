@@ -209,6 +209,15 @@ fn empty_groups_at_either_end_have_empty_ranges() {
     assert_ne!(out.indices.last(), Some(&RESTART));
 }
 
+#[test]
+#[should_panic(expected = "the instance is of another table")]
+fn an_instance_of_another_table_is_not_written() {
+    let wildness = Wildness { far_percent: 0, base_position_count: 3 };
+    let [small, large] =
+        [4, 9].map(|n| Fans::build(&random_refinable(&grid(n, false), wildness, &mut Random::new(1))));
+    FanInstance::full(&large).emit_into(&small, FanForm::Fans, &mut FanIndices::default());
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -40,7 +40,7 @@ struct MovingStep {
     frame: u16,
 }
 
-/// The motion of an instance from frame to frame; see the [module](self).
+/// The motion of an instance from frame to frame: it follows what is wanted, and nothing jumps \[Hop96\].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FanMorphs {
     drawn: FanInstance,
