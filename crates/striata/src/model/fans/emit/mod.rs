@@ -30,8 +30,8 @@ const WORTH_THREADS: usize = 8192;
 /// Indices of an instance and the range that draws each group; kept from frame to frame, it needs no new memory.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FanIndices {
-    /// All indices. Between the ranges of two groups of fans or strips stands a [`RESTART`](crate::strip::RESTART), so that all may be
-    /// drawn at once.
+    /// All indices. Between the ranges of two groups of fans or strips stands a
+    /// [`RESTART`](crate::strip::RESTART), so that all may be drawn at once.
     pub indices: Vec<u32>,
     /// For each group, what to draw of `indices`.
     pub group_ranges: Vec<Range<u32>>,
@@ -69,7 +69,8 @@ impl FanInstance {
         append_all(fans, self, FanForm::Triangles, out);
     }
 
-    /// Appends the fans that the instance shows, a [`RESTART`](crate::strip::RESTART) between two: a pivot and the nodes of its ring.
+    /// Appends the fans that the instance shows, a pivot and nodes of its ring each, with a
+    /// [`RESTART`](crate::strip::RESTART) between two.
     ///
     /// # Panics
     /// If the instance is of another table.
@@ -78,7 +79,7 @@ impl FanInstance {
         append_all(fans, self, FanForm::Fans, out);
     }
 
-    /// Appends the fans that the instance shows as strips, a [`RESTART`](crate::strip::RESTART) between two.
+    /// Appends the fans that the instance shows as strips, with a [`RESTART`](crate::strip::RESTART) between two.
     ///
     /// # Panics
     /// If the instance is of another table.
@@ -246,7 +247,7 @@ impl Sinks<'_> {
     }
 }
 
-/// Writes a stretch of the walk; behind each fan and strip stands a [`RESTART`](crate::strip::RESTART).
+/// Writes a stretch of the walk; behind each fan and strip stands a restart.
 fn write(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span, sinks: &mut Sinks<'_>) {
     // Each arm is a walk of its own, with what it does to a fan compiled into it.
     match form {
