@@ -8,6 +8,7 @@ pub mod ordered_meshes;
 pub mod original_lod_strips;
 pub mod progressive_meshes;
 pub mod skip_strips;
+pub mod view_dependent;
 
 mod repetitions;
 
@@ -16,3 +17,4 @@ pub use ordered_meshes::{OrderedMeshes, OrderedMeshesState};
 pub use original_lod_strips::{OriginalLodStrips, OriginalLodStripsState};
 pub use progressive_meshes::{ProgressiveMeshes, ProgressiveMeshesState};
 pub use skip_strips::{SkipStrips, SkipStripsState};
+pub use view_dependent::{Adapted, ViewDependentError, ViewDependentMeshes, ViewDependentState};
