@@ -328,9 +328,9 @@ fn bytes_are_those_of_the_arrays() {
     assert_eq!(model.paper_bytes(Accounting::Words), expected);
     let mut state = model.new_state();
     let maps = 4 * (base + steps) + 4 * (base_triangles + 2 * steps);
-    assert_eq!(model.state_bytes(&state), 8 * (base + steps) + 28 * 320 + maps);
+    assert_eq!(model.state_bytes(&state), 12 * (base + steps) + 28 * 320 + maps);
     model.move_to(&mut state, 0);
-    assert_eq!(model.state_bytes(&state), 8 * base + 28 * base_triangles + maps);
+    assert_eq!(model.state_bytes(&state), 12 * base + 28 * base_triangles + maps);
     assert_eq!(model.paper_state_bytes(&state), 112 * base);
 }
 

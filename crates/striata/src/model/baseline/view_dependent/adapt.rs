@@ -33,12 +33,13 @@ impl ViewDependentMeshes {
         let mut place = pass.state.active.len();
         while place > 0 {
             place = (place - 1).min(pass.state.active.len());
-            let Some(active) = pass.state.active.get(place) else { continue };
-            pass.visit(active.vertex, active.node);
-            while let Some(vertex) = pass.state.pending.pop() {
-                if let Some(node) = pass.state.node_of(vertex) {
-                    pass.visit(vertex, node);
-                }
+            let Some(&active) = pass.state.active.get(place) else { continue };
+            if active.node != LEAF && pass.is_wanted(active.node) {
+                pass.force_split(active.node);
+                pass.refine_arrived();
+            } else if active.has_both {
+                // Of two children the restored one speaks for both.
+                pass.coarsen(active.vertex - self.roots.len() as u32);
             }
         }
         pass.adapted
@@ -60,13 +61,15 @@ impl<C: Criterion> Pass<'_, C> {
         self.criterion.weigh(&self.model.parts[step as usize]).is_wanted()
     }
 
-    #[inline]
-    fn visit(&mut self, vertex: u32, node: u32) {
-        if node != LEAF && self.is_wanted(node) {
-            self.force_split(node);
-        } else if let Some(step) = (vertex as usize).checked_sub(self.model.roots.len()) {
-            // Of two children the restored one speaks for both.
-            self.coarsen(step as u32);
+    /// Splits the vertices that have come as long as that is wanted. What came for another's sake cannot go while that is there.
+    fn refine_arrived(&mut self) {
+        while let Some(vertex) = self.state.arrived.pop() {
+            if let Some(node) = self.state.node_of(vertex)
+                && node != LEAF
+                && self.is_wanted(node)
+            {
+                self.force_split(node);
+            }
         }
     }
 
@@ -94,25 +97,39 @@ impl<C: Criterion> Pass<'_, C> {
             if state.waiting.len() == count {
                 state.waiting.pop();
                 state.split(model, step);
-                state.pending.extend([split.target, model.restored(step)]);
+                state.arrived.extend([split.target, model.restored(step)]);
                 self.adapted.split_count += 1;
             }
         }
     }
 
-    /// Undoes a split that is not wanted if it can be undone, and notes what that may allow.
+    /// Undoes a split whose children are there, if it is not wanted and can be, and then what that allows.
+    #[inline]
     fn coarsen(&mut self, step: u32) {
-        let (model, state) = (self.model, &*self.state);
-        if !state.has_children(model, step) || self.is_wanted(step) || !state.can_collapse(model, step) {
-            return;
+        if !self.is_wanted(step) && self.state.can_collapse(self.model, step) {
+            self.collapse(step);
+            self.coarsen_loosened();
         }
+    }
+
+    fn collapse(&mut self, step: u32) {
+        let model = self.model;
         self.state.collapse(model, step);
         self.adapted.collapse_count += 1;
         let split = &model.splits[step as usize];
         // The vertex above has two children again, perhaps, and the triangles beside have the neighbours that they were made with.
         let beside = split.beside.into_iter().filter(|&number| number != NONE);
         let makers = beside.filter_map(|number| model.maker(number));
-        let parent = (split.parent != ROOT).then_some(split.parent);
-        self.state.pending.extend(makers.chain(parent).map(|step| model.restored(step)));
+        self.state.loosened.extend(makers.chain((split.parent != ROOT).then_some(split.parent)));
+    }
+
+    fn coarsen_loosened(&mut self) {
+        while let Some(step) = self.state.loosened.pop() {
+            let can_collapse =
+                self.state.has_children(self.model, step) && self.state.can_collapse(self.model, step);
+            if can_collapse && !self.is_wanted(step) {
+                self.collapse(step);
+            }
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! What one instance owns: the active vertices and triangles, and the two operations on them.
 
-use super::{NONE, Triangle, ViewDependentMeshes, turn_of};
+use super::{NONE, ROOT, Triangle, ViewDependentMeshes, turn_of};
 
 /// An instance: a front of the hierarchy and the triangles that it shows.
 ///
@@ -21,8 +21,10 @@ pub struct ViewDependentState {
     pub(super) lowest: usize,
     /// No step from here on is split.
     pub(super) highest: usize,
-    /// Vertices that have to be looked at again.
-    pub(super) pending: Vec<u32>,
+    /// Vertices that have come and may have to be split further.
+    pub(super) arrived: Vec<u32>,
+    /// Steps that may have become ones to undo.
+    pub(super) loosened: Vec<u32>,
     /// Steps that wait for others to be split.
     pub(super) waiting: Vec<u32>,
 }
@@ -33,6 +35,8 @@ pub(super) struct ActiveVertex {
     pub(super) vertex: u32,
     /// The step that splits it, or [`LEAF`](super::LEAF).
     pub(super) node: u32,
+    /// Whether both vertices that came of the step that restored this one are there as they came.
+    pub(super) has_both: bool,
 }
 
 impl ViewDependentState {
@@ -45,14 +49,15 @@ impl ViewDependentState {
         (0..).zip(&mut slot_of[..model.base_triangles.len()]).for_each(|(slot, of)| *of = slot);
         let roots = (0..).zip(&model.roots);
         Self {
-            active: roots.map(|(vertex, &node)| ActiveVertex { vertex, node }).collect(),
+            active: roots.map(|(vertex, &node)| ActiveVertex { vertex, node, has_both: false }).collect(),
             place_of,
             corners: model.base_corners.clone(),
             triangles: model.base_triangles.clone(),
             slot_of,
             lowest: 0,
             highest: 0,
-            pending: Vec::new(),
+            arrived: Vec::new(),
+            loosened: Vec::new(),
             waiting: Vec::new(),
         }
     }
@@ -121,9 +126,18 @@ impl ViewDependentState {
     /// Whether both children of a step's vertex are there.
     #[inline]
     pub(super) fn has_children(&self, model: &ViewDependentMeshes, step: u32) -> bool {
+        let place = self.place_of[model.restored(step) as usize];
+        place != NONE && self.active[place as usize].has_both
+    }
+
+    /// Notes whether both children of a step that is split are there.
+    #[inline]
+    fn note_children(&mut self, model: &ViewDependentMeshes, step: u32) {
         let split = &model.splits[step as usize];
-        self.node_of(model.restored(step)) == Some(split.children[1])
-            && self.node_of(split.target) == Some(split.children[0])
+        // Whatever comes of it further, a vertex that is restored stays there under its number.
+        let place = self.place_of[model.restored(step) as usize] as usize;
+        let kept = self.active[self.place_of[split.target as usize] as usize].node;
+        self.active[place].has_both = [kept, self.active[place].node] == split.children;
     }
 
     /// Whether a step whose children are there can be collapsed: the triangles that it made have the neighbours that they
@@ -143,7 +157,10 @@ impl ViewDependentState {
         let (kept, restored) = (split.target, model.restored(step));
         self.active[self.place_of[kept as usize] as usize].node = split.children[0];
         self.place_of[restored as usize] = self.active.len() as u32;
-        self.active.push(ActiveVertex { vertex: restored, node: split.children[1] });
+        self.active.push(ActiveVertex { vertex: restored, node: split.children[1], has_both: true });
+        if split.parent != ROOT {
+            self.note_children(model, split.parent);
+        }
         let [left, right] = split.present(model.made_by(step));
         let [left_kept, left_restored, right_kept, right_restored] = split.beside;
         // Both sides of a gap name the vertex at its end; one of them is there.
@@ -178,6 +195,9 @@ impl ViewDependentState {
         self.active.swap_remove(place);
         if let Some(moved) = self.active.get(place) {
             self.place_of[moved.vertex as usize] = place as u32;
+        }
+        if split.parent != ROOT {
+            self.note_children(model, split.parent);
         }
         self.lowest = self.lowest.min(step as usize);
     }
@@ -241,7 +261,7 @@ impl ViewDependentState {
 
 impl PartialEq for ViewDependentState {
     fn eq(&self, other: &Self) -> bool {
-        let shows = |&ActiveVertex { vertex, node }: &ActiveVertex| {
+        let shows = |&ActiveVertex { vertex, node, .. }: &ActiveVertex| {
             (vertex as usize) < other.place_of.len() && other.node_of(vertex) == Some(node)
         };
         let holds = |(at, triangle): (usize, &Triangle)| {
