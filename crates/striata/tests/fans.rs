@@ -4,35 +4,18 @@ mod support;
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles};
-use striata::model::{FanBounds, FanInstance, Fans, LodModel};
-use striata::view::NormalCone;
+use striata::model::{FanInstance, Fans, LodModel};
 use support::{
     Case, Random, Wildness, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable, seam_cases,
-    soups, surface_cases,
+    selective_triangles, soups, surface_cases,
 };
-
-/// The oracle of a selective level: every corner follows its targets to the first vertex that is there.
-fn selective(refinable: &RefinableMesh, instance: &FanInstance, triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let sequence = &refinable.sequence;
-    let base = sequence.base_position_count();
-    let shown = |mut v: u32| {
-        loop {
-            let position = sequence.positions().position_of(v) as usize;
-            match position.checked_sub(base) {
-                Some(step) if instance.is_taken(step as u32) => v = sequence.target(v),
-                _ => return v,
-            }
-        }
-    };
-    let proper = |t: &[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-    triangles.iter().map(|t| t.map(shown)).filter(proper).collect()
-}
 
 fn check_instance(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance) {
     for (g, group) in refinable.mesh.groups_or_whole().into_iter().enumerate() {
         let mut found = Vec::new();
         instance.group_indices_into(fans, g, &mut found);
-        let expected = selective(refinable, instance, &refinable.mesh.triangles[group.range()]);
+        let triangles = &refinable.mesh.triangles[group.range()];
+        let expected = selective_triangles(refinable, triangles, |step| instance.is_taken(step));
         assert_eq!(
             canonical_triangles(found.as_chunks().0),
             canonical_triangles(&expected),
@@ -110,42 +93,6 @@ fn seams_and_groups_follow_the_oracle() {
 #[test]
 fn a_vertex_with_many_triangles_has_several_fans() {
     hub_cases().for_each(|case| check(&case));
-}
-
-/// Triangles of the full mesh that differ between two instances lie in the bounds of steps that differ.
-#[test]
-fn bounds_hold_whatever_a_step_and_all_below_it_change() {
-    for case in surface_cases().filter(|case| case.stride == 1).chain(seam_cases()) {
-        let refinable = &case.refinable;
-        let fans = Fans::build(refinable);
-        let bounds = FanBounds::build(&fans, refinable);
-        let triangles_of = |instance: &FanInstance| {
-            let mut indices = Vec::new();
-            instance.indices_into(&fans, &mut indices);
-            canonical_triangles(indices.as_chunks().0)
-        };
-        let full = triangles_of(&FanInstance::full(&fans));
-        for step in (0..fans.step_count() as u32).step_by(7) {
-            // Taking a step from the full mesh takes it and all that it waits for.
-            let mut instance = FanInstance::full(&fans);
-            instance.collapse(&fans, step);
-            let taken = triangles_of(&instance);
-            let sphere = bounds.sphere(step, refinable);
-            let gone = full.iter().filter(|t| taken.binary_search(t).is_err());
-            let new = taken.iter().filter(|t| full.binary_search(t).is_err());
-            for triangle in gone.chain(new) {
-                let corners = triangle.map(|v| refinable.mesh.positions[v as usize]);
-                assert!(
-                    corners.iter().all(|&p| sphere.holds(p)),
-                    "step {step}: {corners:?} is not in {sphere:?}"
-                );
-                let cone = NormalCone::of_triangles([corners].into_iter());
-                // A triangle without area has no normal.
-                let is_held = cone == NormalCone::ALL || bounds.cone(step).holds(cone.axis);
-                assert!(is_held, "step {step}: {cone:?} is not in {:?}", bounds.cone(step));
-            }
-        }
-    }
 }
 
 #[test]

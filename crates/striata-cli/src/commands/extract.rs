@@ -150,7 +150,7 @@ fn run_view(
     })?;
     let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
     let ViewLevel { mesh, split_count, error, seek_secs } =
-        level_of_view(&refinable, &camera, args.view.pixels());
+        level_of_view(&refinable, camera, args.view.pixels());
     let strips = match args.form {
         TriangleForm::List => None,
         TriangleForm::Strips => Some(stitched(&stripify(&mesh, &StripOptions::default())?)),

@@ -6,8 +6,8 @@
 use std::time::Instant;
 
 use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::model::{FanBounds, FanInstance, Fans, LodModel};
-use striata::view::Camera;
+use striata::model::{FanBounds, FanInstance, FanScene, Fans, LodModel};
+use striata::view::{Camera, ScreenError};
 
 /// A level of a view.
 pub(crate) struct ViewLevel {
@@ -22,17 +22,13 @@ pub(crate) struct ViewLevel {
 }
 
 /// The coarsest level that shows no error of more pixels than allowed.
-pub(crate) fn level_of_view(refinable: &RefinableMesh, camera: &Camera, pixels: f64) -> ViewLevel {
+pub(crate) fn level_of_view(refinable: &RefinableMesh, camera: Camera, pixels: f64) -> ViewLevel {
     let fans = Fans::build(refinable);
     let bounds = FanBounds::build(&fans, refinable);
     let started = Instant::now();
-    let instance = FanInstance::refined(&fans, |step| {
-        let sphere = bounds.sphere(step, refinable);
-        let error = refinable.sequence.error_at(step as usize);
-        f64::from(camera.error_px(error, &sphere)) > pixels
-            && camera.may_see(&sphere)
-            && !bounds.cone(step).is_turned_away(&sphere, camera.eye())
-    });
+    let mut instance = FanInstance::full(&fans);
+    let criterion = ScreenError::new(camera, pixels as f32);
+    instance.refine(&FanScene::new(&fans, &bounds, refinable), &criterion);
     let seek_secs = started.elapsed().as_secs_f64();
     // Errors fall with the steps, so the first that is taken has the largest.
     let coarsest = (0..fans.step_count()).find(|&step| instance.is_taken(step as u32));

@@ -18,7 +18,7 @@ mod strip_run;
 mod superfluous;
 
 pub use error::ModelError;
-pub use fans::{FanBounds, FanInstance, Fans, FansLevel};
+pub use fans::{FanBounds, FanFront, FanInstance, FanScene, FanUpdate, Fans, FansLevel};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
 pub(crate) use step_vertices::StepVertices;

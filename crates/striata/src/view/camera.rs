@@ -30,14 +30,14 @@ pub enum CameraError {
 /// An eye with a screen: a perspective projection without a near or a far side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    eye: DVec3,
-    forward: DVec3,
-    right: DVec3,
-    up: DVec3,
+    pub(super) eye: DVec3,
+    pub(super) forward: DVec3,
+    pub(super) right: DVec3,
+    pub(super) up: DVec3,
     /// Half the screen's width and height, one unit away.
-    half: [f64; 2],
+    pub(super) half: [f64; 2],
     /// Pixels that a unit takes, one unit away.
-    pixels: f64,
+    pub(super) pixels: f64,
 }
 
 impl Camera {
@@ -104,9 +104,13 @@ impl Camera {
             return f32::INFINITY;
         }
         // No point of the sphere lies farther off the sight than this, and none on the screen beyond its corner.
-        let corner = 1.0 / (1.0 + self.half[0].powi(2) + self.half[1].powi(2)).sqrt();
-        let cos = ((to.dot(self.forward) - radius) / (distance + radius)).max(corner);
+        let cos = ((to.dot(self.forward) - radius) / (distance + radius)).max(self.corner_cos());
         (f64::from(error) * self.pixels / ((distance - radius) * cos * cos)) as f32
+    }
+
+    /// Cosine of the angle between the sight and a corner of the screen.
+    pub(super) fn corner_cos(&self) -> f64 {
+        1.0 / (1.0 + self.half[0].powi(2) + self.half[1].powi(2)).sqrt()
     }
 
     fn to(&self, sphere: &Sphere) -> DVec3 {

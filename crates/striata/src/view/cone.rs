@@ -10,7 +10,7 @@ const SLACK: f64 = 1e-6;
 /// All directions within some angle of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalCone {
-    /// The axis, of length 1; anything where the cone holds every direction.
+    /// The axis, not longer than 1; anything where the cone holds every direction.
     pub axis: [f32; 3],
     /// Cosine of the angle between the axis and the farthest direction; -1 where it holds every direction.
     pub cos: f32,
@@ -19,6 +19,11 @@ pub struct NormalCone {
 impl NormalCone {
     /// Every direction.
     pub const ALL: Self = Self { axis: [0.0, 0.0, 1.0], cos: -1.0 };
+
+    /// One direction; every direction where it is none.
+    pub(crate) fn around(direction: DVec3) -> Self {
+        direction.try_normalize().map_or(Self::ALL, |axis| Self::rounded(axis, 1.0))
+    }
 
     /// The normals of triangles, corners in counter-clockwise order seen from where they face. Triangles without area have
     /// none and are passed over; of none at all the cone is [`ALL`](Self::ALL).

@@ -1,10 +1,10 @@
 //! What decides where a mesh is refined: a question that is asked of parts of its surface.
 //!
-//! Models know parts: a step and all that cannot be there without it, as a sphere, the way it faces and an error. A criterion
+//! Models know parts: a step and all that cannot be there without it, as a sphere, a cone of normals and an error. A criterion
 //! knows the view. It weighs a part, and parts that weigh more than 1 are refined. Parts lie within each other,
 //! and what is true of the whole has to be true of the part, or a model would have to look below what it leaves coarse.
 
-use super::{Facing, Sphere};
+use super::{NormalCone, Sphere};
 
 /// A part of a surface that can be left out or put in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,7 +12,7 @@ pub struct Part {
     /// Holds whatever changes when the part is left out.
     pub sphere: Sphere,
     /// Holds the normals of all triangles that then go or come.
-    pub facing: Facing,
+    pub cone: NormalCone,
     /// How far the surface may be from where it should be while the part is left out, mesh units.
     pub error: f32,
 }
@@ -41,7 +41,7 @@ impl Verdict {
 
 /// Decides what is refined. Any function that weighs a part is a criterion.
 ///
-/// A part must not weigh less than one that lies within it: whose sphere and facing are held by its own, and whose error is no
+/// A part must not weigh less than one that lies within it: whose sphere and cone are held by its own, and whose error is no
 /// larger. Where that is broken nothing cracks: models then refine more than was asked for, or coarsen later.
 pub trait Criterion {
     /// Weighs a part.

@@ -7,13 +7,13 @@
 mod camera;
 mod cone;
 mod criterion;
-mod facing;
+mod screen_error;
 mod sphere;
 
 pub use camera::{Camera, CameraError};
 pub use cone::NormalCone;
 pub use criterion::{Criterion, Part, Verdict};
-pub use facing::Facing;
+pub use screen_error::{Fovea, ScreenError};
 pub use sphere::Sphere;
 
 /// More than rounding can take away from a sum of a few products of numbers around 1.

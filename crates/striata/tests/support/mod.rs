@@ -4,7 +4,7 @@
 mod oracle;
 mod suite;
 
-pub use oracle::{follows_the_oracle, follows_the_oracle_at};
+pub use oracle::{follows_the_oracle, follows_the_oracle_at, selective_triangles};
 use striata::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, Material, PositionIndex, RefinableMesh, Semantic,
     SequenceParts, TriangleGroup, weld,

@@ -11,6 +11,27 @@ use super::Random;
 /// Jumps between levels that are tried beside the walks down and up.
 const JUMP_COUNT: usize = 24;
 
+/// The oracle of a selective level: every corner follows its targets to the first vertex that is there.
+pub fn selective_triangles(
+    refinable: &RefinableMesh,
+    triangles: &[[u32; 3]],
+    is_taken: impl Fn(u32) -> bool,
+) -> Vec<[u32; 3]> {
+    let sequence = &refinable.sequence;
+    let base = sequence.base_position_count();
+    let shown = |mut v: u32| {
+        loop {
+            let position = sequence.positions().position_of(v) as usize;
+            match position.checked_sub(base) {
+                Some(step) if is_taken(step as u32) => v = sequence.target(v),
+                _ => return v,
+            }
+        }
+    };
+    let proper = |t: &[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+    triangles.iter().map(|t| t.map(shown)).filter(proper).collect()
+}
+
 /// Holds a model of all levels to the oracle: down and up by `stride`, then in random jumps, group by group; states
 /// on the way up equal those on the way down, and the full mesh is at last shown by the state that was there first.
 pub fn follows_the_oracle<M>(refinable: &RefinableMesh, model: &M, stride: usize)

@@ -1,22 +1,38 @@
-//! What a criterion needs of each step: a sphere, a cone of normals and an error that cover all that depends on the step.
+//! What a criterion needs of each step: a sphere, a cone of normals and an error, in eight bytes.
 //!
-//! Nothing that waits for a step, nor the step itself, can change the picture outside of its sphere; and whatever triangles
-//! it or they take away or leave have their normals in its cone. So where the sphere cannot be seen, or everything in it
-//! is turned away, or its error is small enough on the screen, the step and all that needs it undone can stay taken:
-//! a criterion never has to look below.
+//! A step changes what its star and its floor cover. Its bounds hold that, and the bounds of all steps that collapse to its
+//! position, those that collapse to theirs, and so on: the tree of \[Hop97\]. So a step whose bounds cannot be seen has nothing
+//! below it that can, and a walk down the tree finds every step that a view wants. What these need beside
+//! themselves is undone with them; bounds over all that a step waits for would spare that, and be so wide that a view shows a
+//! third more triangles.
 //!
-//! Bounds grow from the finest step to the coarsest, along what each step waits for. Centres are the positions of the
-//! steps, which are there anyway; so a bound is a radius and a cone.
+//! Spheres have the positions of the steps as centres, which are there anyway. All numbers are rounded to the safe side: a
+//! radius and an error are the upper 16 bits of what they are without a sign, an axis is three bytes, and a sine is one. What is
+//! rounded is what the parent's bounds hold, so that rounding never makes a part weigh more than the whole.
+
+use glam::{DVec3, Vec3};
 
 use super::Fans;
 use crate::mesh::{CollapseSequence, RefinableMesh};
-use crate::view::{NormalCone, Sphere};
+use crate::view::{NormalCone, Part, Sphere};
 
-/// For each step a sphere and a cone of normals that hold whatever the step and all that it waits for change.
+/// For each step a sphere and a cone of normals that hold whatever it and those that collapse into it change, and the error that
+/// is there while it is taken.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FanBounds {
-    radii: Vec<f32>,
-    cones: Vec<NormalCone>,
+    pub(super) records: Vec<Record>,
+}
+
+/// What is stored of a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub(super) struct Record {
+    radius: u16,
+    error: u16,
+    /// Of the cone, 127 being 1.
+    axis: [i8; 3],
+    /// Of the cone, 255 being 1.
+    sin: u8,
 }
 
 impl FanBounds {
@@ -27,56 +43,103 @@ impl FanBounds {
     pub fn build(fans: &Fans, refinable: &RefinableMesh) -> Self {
         let step_count = fans.step_count;
         assert_eq!(step_count, refinable.sequence.step_count(), "the table is another mesh's");
-        let mut bounds = Self { radii: vec![0.0; step_count], cones: vec![NormalCone::ALL; step_count] };
+        let mut records = vec![Record::default(); step_count];
+        let mut normals = vec![DVec3::ZERO; step_count];
         let mut changed = Vec::new();
-        // What a step waits for is finer, so its bounds are known by then.
+        let positions = &refinable.mesh.positions;
+        // What collapses into a step is finer, so its bounds are known by then.
         for step in (0..step_count as u32).rev() {
             changed.clear();
             fans.triangles_changed_by(step, &refinable.sequence, &mut changed);
-            let positions = &refinable.mesh.positions;
             let corners = changed.iter().map(|t| t.map(|v| positions[v as usize]));
-            let mut sphere = Sphere::point(bounds.center(step, refinable));
+            let mut sphere = Sphere::point(positions[fans.center_vertex(step)]);
             for corner in corners.clone().flatten() {
                 sphere = sphere.with_point(corner);
             }
-            let mut cone = NormalCone::of_triangles(corners);
-            fans.for_each_needed_by_collapse(step, |finer| {
-                sphere = sphere.with_sphere(&bounds.sphere(finer, refinable));
-                cone = cone.with_cone(&bounds.cones[finer as usize]);
+            let own = NormalCone::of_triangles(corners);
+            let mut normal = direction(own.axis);
+            fans.for_each_child(Some(step), |child| normal += normals[child as usize]);
+            normals[step as usize] = normal;
+            let mut cone = NormalCone::around(normal).with_cone(&own);
+            fans.for_each_child(Some(step), |child| {
+                let center = positions[fans.center_vertex(child)];
+                let below = records[child as usize].part(center);
+                sphere = sphere.with_sphere(&below.sphere);
+                cone = cone.with_cone(&below.cone);
             });
-            bounds.radii[step as usize] = sphere.radius;
-            bounds.cones[step as usize] = cone;
+            let error = refinable.sequence.error_at(step as usize);
+            records[step as usize] = Record::holding(sphere.radius, &cone, error);
         }
-        bounds
+        Self { records }
     }
 
-    /// The sphere outside of which nothing changes by the step and all that it waits for.
+    /// What a step is to a criterion, given the positions of the mesh's vertices.
     ///
     /// # Panics
-    /// If there is no such step.
-    pub fn sphere(&self, step: u32, refinable: &RefinableMesh) -> Sphere {
-        Sphere { center: self.center(step, refinable), radius: self.radii[step as usize] }
+    /// If there is no such step or position.
+    #[inline]
+    pub fn part(&self, fans: &Fans, positions: &[[f32; 3]], step: u32) -> Part {
+        self.records[step as usize].part(positions[fans.center_vertex(step)])
     }
 
-    /// The cone of the normals of all triangles that these take away or leave.
-    ///
-    /// # Panics
-    /// If there is no such step.
-    pub fn cone(&self, step: u32) -> NormalCone {
-        self.cones[step as usize]
-    }
-
-    /// Bytes of radii and cones.
+    /// Bytes of the records.
     pub fn bytes(&self) -> usize {
-        size_of_val(&self.radii[..]) + size_of_val(&self.cones[..])
-    }
-
-    fn center(&self, step: u32, refinable: &RefinableMesh) -> [f32; 3] {
-        refinable.mesh.positions[refinable.sequence.step_vertices(step as usize).start as usize]
+        size_of_val(&self.records[..])
     }
 }
 
+impl Record {
+    fn holding(radius: f32, cone: &NormalCone, error: f32) -> Self {
+        let mut record =
+            Self { radius: round_up(radius), error: round_up(error), axis: [0; 3], sin: u8::MAX };
+        if cone.cos > 0.0 {
+            // Towards zero, so that the axis is never longer than 1.
+            record.axis = cone.axis.map(|x| (x * 127.0) as i8);
+            let around = NormalCone::around(direction(record.axis.map(f32::from))).with_cone(cone);
+            if around.cos > 0.0 {
+                let cos = f64::from(around.cos);
+                record.sin = ((1.0 - cos * cos).max(0.0).sqrt() * 255.0 + 1e-3).ceil().min(255.0) as u8;
+            }
+        }
+        record
+    }
+
+    #[inline]
+    fn part(self, center: [f32; 3]) -> Part {
+        let sin = f32::from(self.sin) * (1.0 / 255.0);
+        // Shortened by what rounding may have added to it.
+        let axis = self.axis.map(|x| f32::from(x) * (1.0 / 127.001));
+        let cos = if self.sin == u8::MAX { -1.0 } else { (1.0 - sin * sin).sqrt() };
+        Part {
+            sphere: Sphere { center, radius: expand(self.radius) },
+            cone: NormalCone { axis, cos },
+            error: expand(self.error),
+        }
+    }
+}
+
+/// The upper 16 bits of a number that is not negative, without its sign; of the next larger number that has no lower ones.
+fn round_up(number: f32) -> u16 {
+    let bits = number.max(0.0).to_bits();
+    (bits.div_ceil(1 << 15)).min(f32::INFINITY.to_bits() >> 15) as u16
+}
+
+#[inline]
+fn expand(bits: u16) -> f32 {
+    f32::from_bits(u32::from(bits) << 15)
+}
+
+fn direction(axis: [f32; 3]) -> DVec3 {
+    Vec3::from(axis).as_dvec3().normalize_or_zero()
+}
+
 impl Fans {
+    /// The vertex at whose position a step's sphere has its centre.
+    #[inline]
+    pub(super) fn center_vertex(&self, step: u32) -> usize {
+        self.vertices.of_step(step as usize).start as usize
+    }
+
     /// Appends the star that a step takes away and the floor that it leaves.
     fn triangles_changed_by(&self, step: u32, sequence: &CollapseSequence, out: &mut Vec<[u32; 3]>) {
         let vertices = self.vertices.of_step(step as usize);
@@ -90,5 +153,40 @@ impl Fans {
             let floor = star.map(|v| if vertices.contains(&v) { sequence.target(v) } else { v });
             out.extend([star, floor]);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Random;
+
+    #[test]
+    fn numbers_are_rounded_up_by_little() {
+        for number in [0.0, 1e-40, 1e-20, 0.1, 1.0, 1.001, 12345.6, 3e38] {
+            let kept = expand(round_up(number));
+            assert!(kept >= number && kept <= number * 1.004 + 1e-40, "{number} became {kept}");
+        }
+        assert_eq!(expand(round_up(f32::INFINITY)), f32::INFINITY);
+        assert_eq!(expand(round_up(f32::MAX)), f32::INFINITY);
+    }
+
+    #[test]
+    fn a_stored_cone_holds_the_cone_that_it_was_made_of() {
+        let mut random = Random::new(9);
+        let mut direction = || DVec3::from([(); 3].map(|()| random.unit() - 0.5)).normalize();
+        let mut wider = 0.0f32;
+        for _ in 0..2000 {
+            let (axis, other) = (direction(), direction());
+            let cone =
+                NormalCone::around(axis).with_cone(&NormalCone::around((axis * 1.5 + other).normalize()));
+            let kept = Record::holding(1.0, &cone, 0.0).part([0.0; 3]).cone;
+            assert!(Vec3::from(kept.axis).length() <= 1.0);
+            let around = NormalCone::around(super::direction(kept.axis)).with_cone(&cone);
+            assert!(kept.cos <= around.cos, "{cone:?} became {kept:?}");
+            wider = wider.max(cone.cos - kept.cos);
+        }
+        assert!(wider < 0.02, "a cone lost {wider} of its cosine");
+        assert_eq!(Record::holding(1.0, &NormalCone::ALL, 0.0).part([0.0; 3]).cone.cos, -1.0);
     }
 }

@@ -1,7 +1,7 @@
 //! Building the table: one pass from the full mesh to the base, step by step around what each removes.
 
 use super::crowns::{RingArc, crowns};
-use super::table::{Fan, TableWriter};
+use super::table::{Creator, Fan, TableWriter};
 use super::{Fans, MAX_ARCS};
 use crate::mesh::{CollapseSequence, RefinableMesh, is_proper};
 use crate::model::step_vertices::StepVertices;
@@ -156,6 +156,7 @@ impl<'r> Builder<'r> {
         self.bare.dedup();
         let mut table = TableWriter::new(self.group_count > 1);
         let base = self.sequence.base_position_count() as u32;
+        let mut tree = Tree::new(self.sequence);
         let (mut arcs, mut fans) = (Vec::new(), Vec::new());
         for (vertex, mut entry) in std::mem::take(&mut self.entries).into_iter().enumerate() {
             entry.sort_by_key(|&triangle| self.triangles[triangle as usize].group);
@@ -167,6 +168,7 @@ impl<'r> Builder<'r> {
                 push_crowns(&crowns(&mut arcs), group_of(&of_group[0]), &mut fans);
             }
             let position = self.sequence.positions().position_of(vertex as u32);
+            tree.tell(position, &mut fans);
             table.push((position + 1).saturating_sub(base), &fans);
         }
         let waits = self.bare.iter().filter(|wait| wait.0 >= base);
@@ -179,7 +181,45 @@ impl<'r> Builder<'r> {
             table: table.finish(),
             waits: waits.map(|&(position, waits_for)| [position - base, waits_for]).collect(),
             far: self.far,
+            adopted: tree.untold(),
+            removed: self.sequence.removed_triangle_counts().into(),
         }
+    }
+}
+
+/// Which position each step collapses to, and which of these are told by an entry of the table.
+struct Tree {
+    parents: Vec<u32>,
+    is_told: Vec<bool>,
+    base: u32,
+}
+
+impl Tree {
+    fn new(sequence: &CollapseSequence) -> Self {
+        let target =
+            |step| sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
+        let parents: Vec<u32> = (0..sequence.step_count()).map(target).collect();
+        let base = sequence.base_position_count() as u32;
+        Self { is_told: vec![false; parents.len()], parents, base }
+    }
+
+    /// Marks in the fans of a vertex the steps that collapse to its position, each once.
+    fn tell(&mut self, position: u32, fans: &mut [Fan]) {
+        for creator in fans.iter_mut().flat_map(|fan| &mut fan.creators) {
+            let step = creator.step as usize;
+            if self.parents[step] == position {
+                creator.is_child = !std::mem::replace(&mut self.is_told[step], true);
+            }
+        }
+    }
+
+    /// The steps that no entry tells after their parents': those that collapse to the base have none, which is 0.
+    fn untold(self) -> Vec<[u32; 2]> {
+        let parent = |step: usize| (self.parents[step] + 1).saturating_sub(self.base);
+        let untold = (0..self.parents.len()).filter(|&step| !self.is_told[step]);
+        let mut pairs: Vec<[u32; 2]> = untold.map(|step| [parent(step), step as u32]).collect();
+        pairs.sort_unstable();
+        pairs
     }
 }
 
@@ -203,10 +243,10 @@ fn fan_of(arcs: &[RingArc], is_whole: bool, group: u32) -> Fan {
         let bit = 1 << at;
         if arc.creator == ALWAYS {
             fan.always |= bit;
-        } else if let Some((_, mask)) = fan.creators.iter_mut().find(|(creator, _)| *creator == arc.creator) {
-            *mask |= bit;
+        } else if let Some(creator) = fan.creators.iter_mut().find(|c| c.step == arc.creator) {
+            creator.mask |= bit;
         } else {
-            fan.creators.push((arc.creator, bit));
+            fan.creators.push(Creator { step: arc.creator, mask: bit, is_child: false });
         }
     }
     fan

@@ -1,21 +1,22 @@
 //! An instance of the table: a bit for each step, and the moves between sets of steps that are possible.
 
+use super::step_bits::StepBits;
 use super::table::FanView;
-use super::{Fans, listed};
+use super::{FanScene, Fans, listed};
+use crate::view::Criterion;
 
 /// Which steps an instance has taken: one bit each. Any set that it comes to is one that the sequence, leaving steps out,
 /// can come to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FanInstance {
-    step_count: usize,
-    /// Bits of the steps that are taken, low ones first.
-    taken: Vec<u64>,
+    pub(super) step_count: usize,
+    pub(super) taken: StepBits,
 }
 
 impl FanInstance {
     /// An instance that shows the full mesh.
     pub fn full(fans: &Fans) -> Self {
-        Self { step_count: fans.step_count, taken: vec![0; fans.step_count.div_ceil(64)] }
+        Self { step_count: fans.step_count, taken: StepBits::none(fans.step_count) }
     }
 
     /// An instance at a uniform level.
@@ -25,7 +26,7 @@ impl FanInstance {
     pub fn uniform(fans: &Fans, split_count: usize) -> Self {
         assert!(split_count <= fans.step_count, "split count {split_count} of {}", fans.step_count);
         let mut instance = Self::full(fans);
-        (split_count..fans.step_count).for_each(|step| instance.set(step as u32, true));
+        instance.taken.set_range(split_count..fans.step_count);
         instance
     }
 
@@ -35,23 +36,17 @@ impl FanInstance {
     /// If there is no such step.
     #[inline]
     pub fn is_taken(&self, step: u32) -> bool {
-        self.taken[step as usize / 64] & 1 << (step % 64) != 0
+        self.taken.has(step)
     }
 
     /// Steps that are collapsed.
     pub fn taken_count(&self) -> usize {
-        self.taken.iter().map(|word| word.count_ones() as usize).sum()
+        self.taken.count()
     }
 
     /// Bytes that the instance owns: a bit a step.
     pub fn bytes(&self) -> usize {
-        8 * self.taken.len()
-    }
-
-    fn set(&mut self, step: u32, is_taken: bool) {
-        let bit = 1 << (step % 64);
-        let word = &mut self.taken[step as usize / 64];
-        *word = if is_taken { *word | bit } else { *word & !bit };
+        self.taken.bytes()
     }
 
     /// Collapses a step, and before it every step that it waits for; returns how many that were.
@@ -66,7 +61,7 @@ impl FanInstance {
             if self.is_taken(step) {
                 continue;
             }
-            self.set(step, true);
+            self.taken.insert(step);
             count += 1;
             fans.for_each_needed_by_collapse(step, |needed| {
                 if !self.is_taken(needed) {
@@ -83,21 +78,11 @@ impl FanInstance {
     /// If there is no such step, or the instance is of another table.
     pub fn split(&mut self, fans: &Fans, step: u32) -> usize {
         self.check(fans, step);
-        let mut waiting = vec![step];
-        let mut count = 0;
-        while let Some(step) = waiting.pop() {
-            if !self.is_taken(step) {
-                continue;
-            }
-            self.set(step, false);
-            count += 1;
-            fans.for_each_needed_by_split(step, |needed| {
-                if self.is_taken(needed) {
-                    waiting.push(needed);
-                }
-            });
+        let mut undone = Vec::new();
+        if self.is_taken(step) {
+            self.split_into(fans, step, &mut undone);
         }
-        count
+        undone.len()
     }
 
     /// An instance that has undone every step that is wanted, and beside these only what they need: the coarsest one that
@@ -110,6 +95,48 @@ impl FanInstance {
             }
         }
         instance
+    }
+
+    /// Goes to what a criterion wants and to no more than that needs, from the base and without a memory of the last view:
+    /// the instance stays a bit a step. Asks only for steps that collapse to one that is undone. Returns how many were
+    /// undone.
+    ///
+    /// # Panics
+    /// If the instance is of another table.
+    pub fn refine(&mut self, scene: &FanScene<'_>, criterion: &impl Criterion) -> usize {
+        let fans = scene.fans;
+        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
+        self.taken.set_range(0..self.step_count);
+        let mut undone = Vec::new();
+        let mut asked = Vec::new();
+        fans.for_each_child(None, |child| asked.push(child));
+        let mut at = 0;
+        loop {
+            while let Some(step) = asked.pop() {
+                if self.taken.has(step) && criterion.weigh(&scene.part(step)).is_wanted() {
+                    self.split_into(fans, step, &mut undone);
+                }
+            }
+            let Some(&step) = undone.get(at) else { return undone.len() };
+            at += 1;
+            fans.for_each_child(Some(step), |child| asked.push(child));
+        }
+    }
+
+    /// Undoes a step and before it what it needs, and appends all that were.
+    pub(super) fn split_into(&mut self, fans: &Fans, step: u32, undone: &mut Vec<u32>) {
+        let mut at = undone.len();
+        self.taken.remove(step);
+        undone.push(step);
+        while let Some(&step) = undone.get(at) {
+            at += 1;
+            fans.for_each_needed_by_split(step, |needed| {
+                if self.taken.has(needed) {
+                    self.taken.remove(needed);
+                    undone.push(needed);
+                }
+            });
+        }
     }
 
     /// Appends the triangles that the instance shows, three indices each.
@@ -136,7 +163,7 @@ impl FanInstance {
         for vertex in 0..fans.vertices.base_vertex_count {
             fans.base_entry(vertex).for_each(&mut write);
         }
-        for (at, &word) in self.taken.iter().enumerate() {
+        for (at, &word) in self.taken.words().iter().enumerate() {
             let mut there = !word;
             while there != 0 {
                 let step = 64 * at as u32 + there.trailing_zeros();
@@ -162,14 +189,14 @@ impl Fans {
     pub(super) fn for_each_needed_by_collapse(&self, step: u32, mut visit: impl FnMut(u32)) {
         for vertex in self.vertices.of_step(step as usize) {
             for fan in self.step_entry(vertex, step) {
-                fan.creators().for_each(|(creator, _)| visit(creator));
+                fan.creators().for_each(|creator| visit(creator.step));
             }
         }
         listed(&self.waits, step).for_each(visit);
     }
 
     /// Steps that have to be undone before this one.
-    fn for_each_needed_by_split(&self, step: u32, mut visit: impl FnMut(u32)) {
+    pub(super) fn for_each_needed_by_split(&self, step: u32, mut visit: impl FnMut(u32)) {
         let vertices = self.vertices.of_step(step as usize);
         let mut visit_vertex = |vertex: u32| {
             // Wedges of the position itself stand in its rings where wedges meet in a triangle.
@@ -183,5 +210,18 @@ impl Fans {
             }
         }
         listed(&self.far, step).for_each(visit);
+    }
+
+    /// Steps that collapse to the position of a step, or to the base. Each step is one of exactly one of these.
+    pub(super) fn for_each_child(&self, parent: Option<u32>, mut visit: impl FnMut(u32)) {
+        let vertices = match parent {
+            Some(step) => self.vertices.of_step(step as usize),
+            None => 0..self.vertices.base_vertex_count,
+        };
+        let own_step = parent.map_or(0, |step| step + 1);
+        for fan in vertices.flat_map(|vertex| self.table.entry(vertex, own_step)) {
+            fan.creators().filter(|creator| creator.is_child).for_each(|creator| visit(creator.step));
+        }
+        listed(&self.adopted, own_step).for_each(visit);
     }
 }

@@ -28,12 +28,17 @@
 mod bounds;
 mod build;
 mod crowns;
+mod front;
 mod instance;
 mod level;
+mod scene;
+mod step_bits;
 mod table;
 
 pub use bounds::FanBounds;
+pub use front::{FanFront, FanUpdate};
 pub use instance::FanInstance;
+pub use scene::FanScene;
 pub use table::MAX_ARCS;
 
 use self::table::{Entry, Table};
@@ -51,6 +56,11 @@ pub struct Fans {
     waits: Vec<[u32; 2]>,
     /// Steps and those of their targets, where the target is not among the nodes around.
     far: Vec<[u32; 2]>,
+    /// Steps that collapse to another's position, after that other step's number and one; 0 for the base. Only where no
+    /// entry tells.
+    adopted: Vec<[u32; 2]>,
+    /// Triangles that each step takes away.
+    removed: Box<[u8]>,
 }
 
 impl Fans {
@@ -65,6 +75,11 @@ impl Fans {
     /// If `split_count` exceeds the step count.
     pub fn vertex_count_at(&self, split_count: usize) -> usize {
         self.vertices.count_at(split_count)
+    }
+
+    /// Triangles of the base mesh.
+    pub fn base_triangle_count(&self) -> usize {
+        self.draw_counts(&FansLevel { split_count: 0 }).index_count / 3
     }
 
     /// Groups of triangles.
@@ -161,6 +176,8 @@ impl LodModel for Fans {
             part("entries", entries),
             part("starts", starts),
             part("waits", size_of_val(&self.waits[..]) + size_of_val(&self.far[..])),
+            part("tree", size_of_val(&self.adopted[..])),
+            part("triangle counts", self.removed.len()),
         ]
     }
 

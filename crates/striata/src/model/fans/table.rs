@@ -9,7 +9,8 @@
 //! group   varint, only where there are several
 //! nodes   vertex - node, for each arc and, unless closed, one more
 //! mask    of the arcs that are there always, if there are any; as many bytes as arcs need bits
-//! pairs   step - own step and mask of each creator, -1 being the own step of a vertex of the base
+//! pairs   2 (step - own step), 1 more if the step collapses to this vertex, and mask of each creator; -1 being the own step
+//!         of a vertex of the base
 //! ```
 //!
 //! Where the fans of a vertex begin is a number of two bytes from the start of its block of vertices.
@@ -36,7 +37,16 @@ pub(super) struct Fan {
     /// One for each arc and, unless the fan is closed, one more.
     pub(super) nodes: Vec<u32>,
     pub(super) always: u32,
-    pub(super) creators: Vec<(u32, u32)>,
+    pub(super) creators: Vec<Creator>,
+}
+
+/// A step that makes some arcs of a fan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Creator {
+    pub(super) step: u32,
+    pub(super) mask: u32,
+    /// Whether the step is told here to be one that collapses to the fan's vertex; each is told once.
+    pub(super) is_child: bool,
 }
 
 /// All entries in bytes; see the [module](self).
@@ -76,7 +86,7 @@ impl TableWriter {
 
     fn push_fan(&mut self, vertex: u32, own_step: u32, fan: &Fan, is_followed: bool) {
         let nodes = || fan.nodes.iter().map(|&node| vertex - node);
-        let steps = || fan.creators.iter().map(|&(step, _)| step + 1 - own_step);
+        let steps = || fan.creators.iter().map(|c| (c.step + 1 - own_step) << 1 | u32::from(c.is_child));
         let largest = nodes().chain(steps()).max().unwrap_or(0);
         let number_bytes = (4 - largest.leading_zeros() as usize / 8).max(2);
         let flag = |is_set: bool, bit: u8| if is_set { bit } else { 0 };
@@ -100,7 +110,7 @@ impl TableWriter {
         if fan.always != 0 {
             self.bytes.extend_from_slice(&fan.always.to_le_bytes()[..mask_bytes]);
         }
-        for (number, (_, mask)) in steps().zip(&fan.creators) {
+        for (number, Creator { mask, .. }) in steps().zip(&fan.creators) {
             self.bytes.extend_from_slice(&number.to_le_bytes()[..number_bytes]);
             self.bytes.extend_from_slice(&mask.to_le_bytes()[..mask_bytes]);
         }
@@ -233,18 +243,19 @@ impl<'t> FanView<'t> {
 
     /// The steps that make some of the triangles, each with their arcs.
     #[inline]
-    pub(super) fn creators(&self) -> impl Iterator<Item = (u32, u32)> + use<'t> {
+    pub(super) fn creators(&self) -> impl Iterator<Item = Creator> + use<'t> {
         let (own_step, number_bytes) = (self.own_step, self.number_bytes);
         self.creators.chunks_exact(number_bytes + self.mask_bytes).map(move |bytes| {
             let (step, mask) = bytes.split_at(number_bytes);
-            (number(step) + own_step - 1, number(mask))
+            let told = number(step);
+            Creator { step: (told >> 1) + own_step - 1, mask: number(mask), is_child: told & 1 != 0 }
         })
     }
 
     /// Which arcs are there.
     #[inline]
     pub(super) fn mask(&self, is_taken: impl Fn(u32) -> bool) -> u32 {
-        self.creators().fold(self.always, |all, (step, mask)| all | if is_taken(step) { mask } else { 0 })
+        self.creators().fold(self.always, |all, c| all | if is_taken(c.step) { c.mask } else { 0 })
     }
 
     /// Appends the triangles of the arcs in a mask.
@@ -276,7 +287,8 @@ mod tests {
     use super::*;
 
     fn fan(nodes: &[u32], arc_count: usize, always: u32, creators: &[(u32, u32)]) -> Fan {
-        Fan { group: 0, arc_count, nodes: nodes.to_vec(), always, creators: creators.to_vec() }
+        let creators = creators.iter().map(|&(step, mask)| Creator { step, mask, is_child: step % 2 == 0 });
+        Fan { group: 0, arc_count, nodes: nodes.to_vec(), always, creators: creators.collect() }
     }
 
     #[test]

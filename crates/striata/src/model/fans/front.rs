@@ -1,0 +1,267 @@
+//! An instance that follows a view from frame to frame: only what may have changed its mind is asked again.
+//!
+//! What is asked are the steps that are undone and those that collapse to one of them: the front between what is there and what is
+//! not, and what lies above it. A verdict says how much motion it lasts for; the sum of all motion is compared with it, and
+//! most steps wait for many frames. Steps that are wanted are undone with all that they need. Those that are not are taken
+//! once nothing is there that needs them, and when the last such thing is taken, they are looked at again. So the
+//! instance shows what is wanted and what that needs, whatever the way it came \[Hop97\].
+//!
+//! Differs: \[Hop97\] keeps the active mesh with its neighbourhoods; here the table tells them, and a list of steps with a
+//! number each is all that a front adds to its instance.
+
+use super::step_bits::StepBits;
+use super::{FanInstance, FanScene, Fans};
+use crate::view::Criterion;
+
+/// Parent of steps that collapse to the base.
+const BASE: u32 = u32::MAX;
+
+/// Motion is summed up for so many views before it is taken off what verdicts last.
+const VIEWS_A_SUM: u32 = 256;
+
+/// Rounding while motion is summed and taken off does not amount to more than this part of what a verdict lasts.
+const SLACK: f32 = 1e-4;
+
+/// An instance with what it needs to follow a view at the cost of what changes; `C` is the criterion of the last view.
+#[derive(Clone, Debug)]
+pub struct FanFront<C> {
+    pub(super) instance: FanInstance,
+    pub(super) triangle_count: usize,
+    /// Steps that were wanted when they were last asked.
+    pub(super) wanted: StepBits,
+    /// Steps that are in the list.
+    known: StepBits,
+    /// The list: steps, what they collapse to, and how much motion since `elapsed` began their verdicts last for.
+    pub(super) steps: Vec<u32>,
+    parents: Vec<u32>,
+    due: Vec<f32>,
+    elapsed: f64,
+    view_count: u32,
+    last: Option<C>,
+    /// Steps that are wanted and taken.
+    late_splits: Vec<u32>,
+    /// Steps that may be undone, unwanted, and needed by nothing.
+    pub(super) unneeded: Vec<u32>,
+    undone: Vec<u32>,
+}
+
+/// What a view changed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct FanUpdate {
+    /// Steps whose weight was asked for.
+    pub asked_count: usize,
+    /// Steps that were undone.
+    pub split_count: usize,
+    /// Steps that were taken.
+    pub collapse_count: usize,
+    /// Whether nothing is left to do for this view.
+    pub is_settled: bool,
+    /// Parts that weigh more are refined: 1, or more where a budget of triangles asked for it.
+    pub threshold: f32,
+}
+
+impl<C: Criterion + Clone> FanFront<C> {
+    /// A front around the base of a model.
+    pub fn new(scene: &FanScene<'_>) -> Self {
+        let fans = scene.fans;
+        let step_count = fans.step_count;
+        let mut front = Self {
+            instance: FanInstance::uniform(fans, 0),
+            triangle_count: fans.base_triangle_count(),
+            wanted: StepBits::none(step_count),
+            known: StepBits::none(step_count),
+            steps: Vec::new(),
+            parents: Vec::new(),
+            due: Vec::new(),
+            elapsed: 0.0,
+            view_count: 0,
+            last: None,
+            late_splits: Vec::new(),
+            unneeded: Vec::new(),
+            undone: Vec::new(),
+        };
+        front.list_children(fans, BASE);
+        front
+    }
+
+    /// What is shown.
+    pub fn instance(&self) -> &FanInstance {
+        &self.instance
+    }
+
+    /// Triangles that are shown.
+    pub fn triangle_count(&self) -> usize {
+        self.triangle_count
+    }
+
+    /// Bytes that the front and its instance own.
+    pub fn bytes(&self) -> usize {
+        let bits = self.instance.bytes() + self.wanted.bytes() + self.known.bytes();
+        let words = [&self.steps, &self.parents, &self.late_splits, &self.unneeded, &self.undone];
+        bits + words.iter().map(|list| 4 * list.capacity()).sum::<usize>() + 4 * self.due.capacity()
+    }
+
+    /// Goes to what a criterion wants and what that needs. No more than `change_limit` steps change; what is left is done with
+    /// later views.
+    ///
+    /// # Panics
+    /// If the front is of another model.
+    pub fn update(&mut self, scene: &FanScene<'_>, criterion: &C, change_limit: usize) -> FanUpdate {
+        let motion = self.last.as_ref().map_or(f32::INFINITY, |last| criterion.motion_since(last));
+        self.last = Some(criterion.clone());
+        self.move_by(motion);
+        let mut update = self.begin(scene, 1.0);
+        let is_whole = self.split_late(scene.fans, change_limit, &mut update);
+        let elapsed = (self.elapsed * (1.0 + 1e-6)) as f32;
+        let mut at = 0;
+        while let Some(found) = self.due[at..].iter().position(|&due| due <= elapsed) {
+            at += found;
+            let step = self.steps[at];
+            if self.is_stale(at) {
+                self.forget(at);
+                continue;
+            }
+            let verdict = criterion.weigh(&scene.part(step));
+            update.asked_count += 1;
+            self.due[at] = elapsed + verdict.lasts * (1.0 - SLACK);
+            at += 1;
+            self.hear(step, verdict.is_wanted());
+            if verdict.is_wanted() && self.instance.is_taken(step) {
+                self.late_splits.push(step);
+                if is_whole {
+                    self.split_late(scene.fans, change_limit, &mut update);
+                }
+            }
+        }
+        if self.late_splits.is_empty() || update.changes() < change_limit {
+            self.take_unneeded(scene.fans, change_limit, &mut update);
+        }
+        update.is_settled = self.late_splits.is_empty() && self.unneeded.is_empty();
+        update
+    }
+
+    /// Adds motion to what has been; verdicts that may not last any more are due.
+    fn move_by(&mut self, motion: f32) {
+        if !motion.is_finite() {
+            self.due.fill(f32::NEG_INFINITY);
+            (self.elapsed, self.view_count) = (0.0, 0);
+            return;
+        }
+        self.elapsed += f64::from(motion);
+        self.view_count += u32::from(motion > 0.0);
+        if self.view_count > VIEWS_A_SUM {
+            // Far from now numbers are coarse; verdicts that last longer than a thousand sums may as well be asked before.
+            let elapsed = self.elapsed as f32;
+            self.due.iter_mut().for_each(|due| *due = (*due - elapsed).min(1000.0 * elapsed));
+            (self.elapsed, self.view_count) = (0.0, 0);
+        }
+    }
+}
+
+impl<C> FanFront<C> {
+    pub(super) fn begin(&self, scene: &FanScene<'_>, threshold: f32) -> FanUpdate {
+        assert_eq!(self.instance.step_count, scene.fans.step_count, "the front is of another model");
+        FanUpdate { threshold, ..FanUpdate::default() }
+    }
+
+    /// Whether what a place of the list collapses to is gone: then nobody asks for it.
+    pub(super) fn is_stale(&self, at: usize) -> bool {
+        let parent = self.parents[at];
+        parent != BASE && self.instance.is_taken(parent)
+    }
+
+    pub(super) fn forget(&mut self, at: usize) {
+        let step = self.steps.swap_remove(at);
+        self.parents.swap_remove(at);
+        self.due.swap_remove(at);
+        self.known.remove(step);
+        self.wanted.remove(step);
+    }
+
+    /// Notes whether a step is wanted.
+    pub(super) fn hear(&mut self, step: u32, is_wanted: bool) {
+        if is_wanted {
+            self.wanted.insert(step);
+        } else {
+            self.wanted.remove(step);
+            if !self.instance.is_taken(step) {
+                self.unneeded.push(step);
+            }
+        }
+    }
+
+    /// Undoes what is wanted and taken, as far as the limit goes; whether that was all.
+    fn split_late(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) -> bool {
+        while let Some(&step) = self.late_splits.last() {
+            if self.wanted.has(step) && self.instance.is_taken(step) {
+                let left = change_limit.saturating_sub(update.changes());
+                update.split_count += self.split(fans, step, left);
+                if self.instance.is_taken(step) {
+                    return false;
+                }
+            }
+            self.late_splits.pop();
+        }
+        true
+    }
+
+    /// Undoes a step, and before it what it needs; of these no more than so many, coarsest first. Returns how many.
+    pub(super) fn split(&mut self, fans: &Fans, step: u32, limit: usize) -> usize {
+        let mut undone = std::mem::take(&mut self.undone);
+        undone.clear();
+        self.instance.split_into(fans, step, &mut undone);
+        if undone.len() > limit {
+            // What a step needs is coarser.
+            undone.sort_unstable();
+            undone.drain(limit..).for_each(|step| self.instance.taken.insert(step));
+        }
+        for &step in &undone {
+            self.triangle_count += usize::from(fans.removed[step as usize]);
+            self.list_children(fans, step);
+        }
+        let count = undone.len();
+        self.undone = undone;
+        count
+    }
+
+    fn list_children(&mut self, fans: &Fans, parent: u32) {
+        fans.for_each_child((parent != BASE).then_some(parent), |step| {
+            if !self.known.has(step) {
+                self.known.insert(step);
+                self.steps.push(step);
+                self.parents.push(parent);
+                self.due.push(f32::NEG_INFINITY);
+            }
+        });
+    }
+
+    /// Takes what is unwanted and needed by nothing, and then what only that needed.
+    pub(super) fn take_unneeded(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) {
+        while update.changes() < change_limit {
+            let Some(step) = self.unneeded.pop() else { return };
+            if self.instance.is_taken(step) || self.wanted.has(step) {
+                continue;
+            }
+            let mut is_free = true;
+            fans.for_each_needed_by_collapse(step, |finer| is_free &= self.instance.is_taken(finer));
+            if is_free {
+                self.instance.taken.insert(step);
+                self.triangle_count -= usize::from(fans.removed[step as usize]);
+                update.collapse_count += 1;
+                fans.for_each_needed_by_split(step, |coarser| {
+                    if !self.wanted.has(coarser) && !self.instance.is_taken(coarser) {
+                        self.unneeded.push(coarser);
+                    }
+                });
+            }
+        }
+    }
+}
+
+impl FanUpdate {
+    /// Steps that were undone or taken.
+    pub fn changes(&self) -> usize {
+        self.split_count + self.collapse_count
+    }
+}

@@ -1,0 +1,52 @@
+//! A table with what it takes to ask a criterion of its steps.
+
+use super::{FanBounds, Fans};
+use crate::mesh::RefinableMesh;
+use crate::view::{Part, Sphere};
+
+/// What all instances of a model share: the table, bounds of its steps, and the positions of the mesh's vertices.
+#[derive(Clone, Copy, Debug)]
+pub struct FanScene<'a> {
+    /// The table.
+    pub fans: &'a Fans,
+    bounds: &'a FanBounds,
+    positions: &'a [[f32; 3]],
+}
+
+impl<'a> FanScene<'a> {
+    /// Puts a table, its bounds and the mesh's positions together.
+    ///
+    /// # Panics
+    /// If they are not of the same mesh, by their counts.
+    pub fn new(fans: &'a Fans, bounds: &'a FanBounds, refinable: &'a RefinableMesh) -> Self {
+        let positions = &refinable.mesh.positions[..];
+        assert_eq!(fans.vertex_count(), positions.len(), "the table is another mesh's");
+        assert_eq!(bounds.records.len(), fans.step_count, "the bounds are another table's");
+        Self { fans, bounds, positions }
+    }
+
+    /// What a step is to a criterion.
+    ///
+    /// # Panics
+    /// If there is no such step.
+    #[inline]
+    pub fn part(&self, step: u32) -> Part {
+        self.bounds.part(self.fans, self.positions, step)
+    }
+
+    /// A sphere around all positions.
+    pub fn sphere(&self) -> Sphere {
+        let mut corners = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
+        for position in self.positions {
+            for i in 0..3 {
+                corners[0][i] = corners[0][i].min(position[i]);
+                corners[1][i] = corners[1][i].max(position[i]);
+            }
+        }
+        let center = [0, 1, 2].map(|i| corners[0][i] / 2.0 + corners[1][i] / 2.0);
+        if self.positions.is_empty() {
+            return Sphere::point([0.0; 3]);
+        }
+        self.positions.iter().fold(Sphere::point(center), |sphere, &position| sphere.with_point(position))
+    }
+}

@@ -1,0 +1,48 @@
+//! A bit for each step.
+
+/// Which steps are in a set.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct StepBits {
+    words: Vec<u64>,
+}
+
+impl StepBits {
+    pub(super) fn none(step_count: usize) -> Self {
+        Self { words: vec![0; step_count.div_ceil(64)] }
+    }
+
+    #[inline]
+    pub(super) fn has(&self, step: u32) -> bool {
+        self.words[step as usize / 64] & 1 << (step % 64) != 0
+    }
+
+    #[inline]
+    pub(super) fn insert(&mut self, step: u32) {
+        self.words[step as usize / 64] |= 1 << (step % 64);
+    }
+
+    #[inline]
+    pub(super) fn remove(&mut self, step: u32) {
+        self.words[step as usize / 64] &= !(1 << (step % 64));
+    }
+
+    /// Puts the steps of a range in and takes all others out.
+    pub(super) fn set_range(&mut self, range: std::ops::Range<usize>) {
+        self.words.fill(0);
+        range.for_each(|step| self.insert(step as u32));
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.words.iter().map(|word| word.count_ones() as usize).sum()
+    }
+
+    /// 64 steps a word, low bits first; those after the last step are 0.
+    #[inline]
+    pub(super) fn words(&self) -> &[u64] {
+        &self.words
+    }
+
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&self.words[..])
+    }
+}

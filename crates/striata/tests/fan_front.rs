@@ -1,0 +1,172 @@
+//! A front that follows a view shows what the same criterion refines from the base, whatever way it came.
+
+mod support;
+
+use striata::mesh::{RefinableMesh, canonical_triangles};
+use striata::model::{FanBounds, FanFront, FanInstance, FanScene, Fans, LodModel};
+use striata::view::{Camera, Criterion, Fovea, Part, ScreenError, Sphere, Verdict};
+use support::{Random, nasty_cases, seam_cases, selective_triangles, surface_cases};
+
+struct Walk {
+    random: Random,
+    sphere: Sphere,
+    eye: [f32; 3],
+    to: [f32; 3],
+}
+
+impl Walk {
+    fn new(sphere: Sphere, seed: u64) -> Self {
+        let mut walk = Self { random: Random::new(seed), sphere, eye: [0.0; 3], to: [0.0; 3] };
+        walk.jump();
+        walk
+    }
+
+    fn around(&mut self, spread: f32) -> [f32; 3] {
+        let radius = self.sphere.radius.max(1e-3);
+        [0, 1, 2].map(|i| {
+            self.sphere.center[i] + (self.random.below(1000) as f32 / 1000.0 - 0.5) * spread * radius
+        })
+    }
+
+    fn jump(&mut self) {
+        self.eye = self.around(8.0);
+        self.to = self.around(1.0);
+    }
+
+    /// Mostly a small step, now and then a jump.
+    fn step(&mut self, pixels: f32) -> ScreenError {
+        if self.random.below(12) == 0 {
+            self.jump();
+        } else {
+            let (eye, to) = (self.around(0.3), self.around(0.1));
+            for i in 0..3 {
+                self.eye[i] += eye[i] - self.sphere.center[i];
+                self.to[i] += to[i] - self.sphere.center[i];
+            }
+        }
+        let camera = Camera::new(self.eye, self.to, [0.1, 1.0, 0.2], 0.5, [800, 600]).unwrap();
+        ScreenError::new(camera, pixels).of_model(self.sphere)
+    }
+}
+
+/// The criteria that a walk is seen with.
+fn variant(criterion: ScreenError, kind: usize, sphere: Sphere) -> ScreenError {
+    match kind {
+        0 => criterion,
+        1 => criterion.with_silhouettes(0.3),
+        2 => criterion.with_region(Sphere { radius: 0.3 * sphere.radius, ..sphere }, 0.1),
+        _ => criterion.with_fovea(Fovea { at: [0.2, -0.3], radius: 0.1, falloff: 5.0 }),
+    }
+}
+
+fn stage(refinable: &RefinableMesh) -> (Fans, FanBounds) {
+    let fans = Fans::build(refinable);
+    let bounds = FanBounds::build(&fans, refinable);
+    (fans, bounds)
+}
+
+fn follow(refinable: &RefinableMesh, kind: usize, seed: u64) -> [usize; 2] {
+    let (fans, bounds) = stage(refinable);
+    let scene = FanScene::new(&fans, &bounds, refinable);
+    let mut walk = Walk::new(scene.sphere(), seed);
+    let mut front = FanFront::new(&scene);
+    let mut fresh = FanInstance::full(&fans);
+    let (mut asked, mut listed) = (0, 0);
+    for _ in 0..40 {
+        let criterion = variant(walk.step(2.0), kind, scene.sphere());
+        let update = front.update(&scene, &criterion, usize::MAX);
+        assert!(update.is_settled);
+        fresh.refine(&scene, &criterion);
+        assert_eq!(front.instance(), &fresh, "criterion {kind}");
+        let mut indices = Vec::new();
+        fresh.indices_into(&fans, &mut indices);
+        assert_eq!(front.triangle_count(), indices.len() / 3);
+        asked += update.asked_count;
+        listed += fans.step_count() - fresh.taken_count();
+    }
+    [asked, listed]
+}
+
+#[test]
+fn a_front_shows_what_is_refined_from_the_base() {
+    for (i, case) in nasty_cases().chain(surface_cases()).chain(seam_cases()).enumerate() {
+        follow(&case.refinable, i % 4, case.seed);
+    }
+}
+
+#[test]
+fn most_of_what_is_there_is_not_asked_again() {
+    let mesh = striata::mesh::shapes::uv_sphere(60, 60, 1.0);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let refinable = built.unwrap().refinable;
+    let (fans, bounds) = stage(&refinable);
+    let scene = FanScene::new(&fans, &bounds, &refinable);
+    let mut front = FanFront::new(&scene);
+    let (mut asked, mut active) = (0, 0);
+    for frame in 0..200 {
+        let eye = [3.0 - frame as f32 * 0.004, 0.5, 1.0];
+        let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
+        let update =
+            front.update(&scene, &ScreenError::new(camera, 1.0).of_model(scene.sphere()), usize::MAX);
+        asked += if frame > 0 { update.asked_count } else { 0 };
+        active += fans.step_count() - front.instance().taken_count();
+    }
+    assert!(active > 40_000 && asked < active / 4, "{asked} asked where {active} were there");
+}
+
+#[test]
+fn no_more_changes_than_allowed_and_the_view_is_reached_in_the_end() {
+    for case in surface_cases().chain(seam_cases()) {
+        let (fans, bounds) = stage(&case.refinable);
+        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let mut walk = Walk::new(scene.sphere(), case.seed);
+        let mut front = FanFront::new(&scene);
+        for limit in [1, 2, 3, 7, 50] {
+            let criterion = walk.step(1.0);
+            let mut frame_count = 0;
+            loop {
+                let update = front.update(&scene, &criterion, limit);
+                assert!(update.changes() <= limit);
+                frame_count += 1;
+                assert!(frame_count <= 4 * fans.step_count() + 2, "the view is never reached");
+                if update.is_settled {
+                    break;
+                }
+            }
+            let mut fresh = FanInstance::full(&fans);
+            fresh.refine(&scene, &criterion);
+            assert_eq!(front.instance(), &fresh);
+        }
+    }
+}
+
+/// Weighs by a hash: nothing about it is as a criterion should be.
+#[derive(Clone)]
+struct Whim(u32);
+
+impl Criterion for Whim {
+    fn weigh(&self, part: &Part) -> Verdict {
+        let bits =
+            part.sphere.center.iter().fold(self.0, |all, x| all.wrapping_mul(0x9e37_79b1) ^ x.to_bits());
+        Verdict::now((bits.wrapping_mul(0x85eb_ca6b) >> 16) as f32 / 25_000.0)
+    }
+}
+
+#[test]
+fn a_criterion_without_sense_leads_to_levels_without_cracks() {
+    for case in nasty_cases().chain(surface_cases()).chain(seam_cases()) {
+        let (fans, bounds) = stage(&case.refinable);
+        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let mut front = FanFront::new(&scene);
+        for round in 0..20 {
+            front.update(&scene, &Whim(round * 7919), [usize::MAX, 5][round as usize % 2]);
+            let instance = front.instance();
+            let mut indices = Vec::new();
+            instance.indices_into(&fans, &mut indices);
+            let full = &case.refinable.mesh.triangles;
+            let expected = selective_triangles(&case.refinable, full, |step| instance.is_taken(step));
+            assert_eq!(canonical_triangles(indices.as_chunks().0), canonical_triangles(&expected));
+            assert_eq!(front.triangle_count(), indices.len() / 3);
+        }
+    }
+}
