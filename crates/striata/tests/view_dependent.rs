@@ -8,7 +8,7 @@ use striata::mesh::{
 use striata::model::baseline::{ViewDependentError, ViewDependentMeshes, ViewDependentState};
 use striata::model::{Accounting, LodModel};
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::view::Part;
+use striata::view::{NormalCone, Part};
 use support::{Random, follows_the_oracle, grid, nasty_cases, seam_cases, with_seams_and_groups};
 
 /// Collapses random edges as long as the surface stays manifold, looking at all triangles each time.
@@ -227,6 +227,7 @@ fn a_uniform_level_can_be_reached_from_any_front() {
 
 #[test]
 fn parts_hold_what_lies_below() {
+    let mut narrow_count = 0;
     for (_, refinable) in cases() {
         let model = ViewDependentMeshes::build(&refinable).unwrap();
         let sequence = &refinable.sequence;
@@ -246,13 +247,13 @@ fn parts_hold_what_lies_below() {
             for triangle in refinable.mesh.triangles.iter().filter(|t| t.iter().any(|v| is_below(&v))) {
                 let corners = triangle.map(|v| refinable.mesh.positions[v as usize]);
                 assert!(corners.iter().all(|&p| part.sphere.holds(p)), "step {step}");
-                let normal = striata::view::NormalCone::of_triangles([corners].into_iter()).axis;
-                let along: f32 = (0..3).map(|i| normal[i] * part.facing.axis[i]).sum();
-                let cos = (1.0 - part.facing.sin * part.facing.sin).max(0.0).sqrt();
-                assert!(part.facing.sin >= 1.0 || along >= cos - 1e-4, "step {step}: {along} under {cos}");
+                let normal = NormalCone::of_triangles([corners].into_iter());
+                assert!(normal == NormalCone::ALL || part.cone.holds(normal.axis), "step {step}");
+                narrow_count += usize::from(part.cone.cos > 0.5);
             }
         }
     }
+    assert!(narrow_count > 1000, "only {narrow_count} cones are narrow");
 }
 
 #[test]

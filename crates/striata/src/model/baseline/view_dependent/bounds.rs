@@ -7,7 +7,7 @@
 use glam::DVec3;
 
 use crate::mesh::{RefinableMesh, is_proper};
-use crate::view::{Facing, NormalCone, Part, Sphere};
+use crate::view::{NormalCone, Part, Sphere};
 
 /// The part of each step: what its split brings back.
 pub(super) fn parts(refinable: &RefinableMesh) -> Vec<Part> {
@@ -19,11 +19,7 @@ pub(super) fn parts(refinable: &RefinableMesh) -> Vec<Part> {
         let below = leaves[vertex as usize];
         let node = &mut leaves[sequence.target(vertex) as usize];
         node.hold(&below);
-        parts.push(Part {
-            sphere: node.sphere,
-            facing: Facing::of_cone(&node.cone),
-            error: sequence.error_at(step),
-        });
+        parts.push(Part { sphere: node.sphere, cone: node.cone, error: sequence.error_at(step) });
     }
     parts.reverse();
     parts
@@ -43,10 +39,7 @@ impl Below {
         self.sphere = self.sphere.with_sphere(&other.sphere);
         self.normals += other.normals;
         let kept = self.cone.with_cone(&other.cone);
-        let between = self.normals.try_normalize().map_or(NormalCone::ALL, |axis| {
-            let axis = NormalCone { axis: axis.as_vec3().into(), cos: 1.0 };
-            axis.with_cone(&self.cone).with_cone(&other.cone)
-        });
+        let between = NormalCone::around(self.normals).with_cone(&self.cone).with_cone(&other.cone);
         self.cone = if between.cos > kept.cos { between } else { kept };
     }
 }
@@ -68,18 +61,16 @@ fn leaves(refinable: &RefinableMesh) -> Vec<Below> {
             leaf.normals += normal;
         }
     }
-    for leaf in &mut leaves {
-        if let Some(axis) = leaf.normals.try_normalize() {
-            leaf.cone = NormalCone { axis: axis.as_vec3().into(), cos: 1.0 };
-        }
-    }
+    leaves.iter_mut().for_each(|leaf| leaf.cone = NormalCone::around(leaf.normals));
     for triangle in triangles() {
-        let Some(axis) = normal(&triangle.map(|v| mesh.positions[v as usize])).try_normalize() else {
-            continue;
-        };
-        let cone = NormalCone { axis: axis.as_vec3().into(), cos: 1.0 };
-        for &v in triangle {
-            leaves[v as usize].cone = leaves[v as usize].cone.with_cone(&cone);
+        let normal = normal(&triangle.map(|v| mesh.positions[v as usize]));
+        // A triangle without area has no normal.
+        if normal.length_squared() > 0.0 {
+            let cone = NormalCone::around(normal);
+            triangle
+                .iter()
+                .map(|&v| v as usize)
+                .for_each(|v| leaves[v].cone = leaves[v].cone.with_cone(&cone));
         }
     }
     leaves
