@@ -227,7 +227,8 @@ fn following_a_view_shows_what_the_view_alone_shows() {
             let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.577, [600, 600]).unwrap();
             let criterion = ScreenError::new(camera, 40.0).of_model(whole);
             if frame % 50 == 40 {
-                [&mut followed, &mut fresh].map(|state| model.move_to(state, model.step_count() / 3));
+                model.move_to(&mut followed, model.step_count() / 3);
+                model.move_to(&mut fresh, model.step_count() / 3);
             }
             let motion = last.as_ref().map_or(f32::INFINITY, |last| criterion.motion_since(last));
             model.adapt_after(&mut followed, &Counted(&criterion, &asked), motion);
