@@ -47,6 +47,11 @@ pub trait Criterion {
     /// Weighs a part.
     fn weigh(&self, part: &Part) -> Verdict;
 
+    /// Weighs several parts at once, and appends a verdict for each: the same that [`weigh`](Self::weigh) gives.
+    fn weigh_all(&self, parts: &[Part], verdicts: &mut Vec<Verdict>) {
+        verdicts.extend(parts.iter().map(|part| self.weigh(part)));
+    }
+
     /// How far the view has moved from an earlier one, in the unit of [`Verdict::lasts`]; infinite where verdicts of the earlier
     /// one say nothing of this one. Motions add up: a verdict lasts while their sum does not exceed it.
     fn motion_since(&self, _earlier: &Self) -> f32

@@ -8,6 +8,7 @@ mod camera;
 mod cone;
 mod criterion;
 mod screen_error;
+mod screen_lanes;
 mod sphere;
 
 pub use camera::{Camera, CameraError};

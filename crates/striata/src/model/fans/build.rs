@@ -144,6 +144,21 @@ impl<'r> Builder<'r> {
         RingArc { from: corners[(turn + 1) % 3], to: corners[(turn + 2) % 3], creator }
     }
 
+    /// The step that takes a vertex away and one, or 0 for a vertex of the base.
+    fn own_step(&self, vertex: usize) -> u32 {
+        let position = self.sequence.positions().position_of(vertex as u32);
+        (position + 1).saturating_sub(self.sequence.base_position_count() as u32)
+    }
+
+    fn tree(&self) -> Tree {
+        let mut tree = Tree::new(self.sequence.step_count());
+        for (vertex, entry) in self.entries.iter().enumerate() {
+            let own_step = self.own_step(vertex);
+            entry.iter().for_each(|&triangle| tree.note(self.triangles[triangle as usize].creator, own_step));
+        }
+        tree
+    }
+
     fn finish(mut self) -> Fans {
         // What is left is the base: its triangles stand with their last vertex, as all others do.
         for triangle in 0..self.triangles.len() {
@@ -156,7 +171,7 @@ impl<'r> Builder<'r> {
         self.bare.dedup();
         let mut table = TableWriter::new(self.group_count > 1);
         let base = self.sequence.base_position_count() as u32;
-        let mut tree = Tree::new(self.sequence);
+        let mut tree = self.tree();
         let (mut arcs, mut fans) = (Vec::new(), Vec::new());
         for (vertex, mut entry) in std::mem::take(&mut self.entries).into_iter().enumerate() {
             entry.sort_by_key(|&triangle| self.triangles[triangle as usize].group);
@@ -167,9 +182,9 @@ impl<'r> Builder<'r> {
                 arcs.extend(of_group.iter().map(|&t| self.arc(vertex as u32, t)));
                 push_crowns(&crowns(&mut arcs), group_of(&of_group[0]), &mut fans);
             }
-            let position = self.sequence.positions().position_of(vertex as u32);
-            tree.tell(position, &mut fans);
-            table.push((position + 1).saturating_sub(base), &fans);
+            let own_step = self.own_step(vertex);
+            tree.tell(own_step, &mut fans);
+            table.push(own_step, &fans);
         }
         let waits = self.bare.iter().filter(|wait| wait.0 >= base);
         // They came from the last step down.
@@ -181,45 +196,44 @@ impl<'r> Builder<'r> {
             table: table.finish(),
             waits: waits.map(|&(position, waits_for)| [position - base, waits_for]).collect(),
             far: self.far,
-            adopted: tree.untold(),
+            orphans: tree.orphans(),
             removed: self.sequence.removed_triangle_counts().into(),
         }
     }
 }
 
-/// Which position each step collapses to, and which of these are told by an entry of the table.
+/// The coarsest position that waits for each step, and which steps have been told by an entry of it.
 struct Tree {
+    /// Numbers of steps and one; 0 for the base, more than there are where no entry has the step.
     parents: Vec<u32>,
     is_told: Vec<bool>,
-    base: u32,
 }
 
 impl Tree {
-    fn new(sequence: &CollapseSequence) -> Self {
-        let target =
-            |step| sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
-        let parents: Vec<u32> = (0..sequence.step_count()).map(target).collect();
-        let base = sequence.base_position_count() as u32;
-        Self { is_told: vec![false; parents.len()], parents, base }
+    fn new(step_count: usize) -> Self {
+        Self { parents: vec![u32::MAX; step_count], is_told: vec![false; step_count] }
     }
 
-    /// Marks in the fans of a vertex the steps that collapse to its position, each once.
-    fn tell(&mut self, position: u32, fans: &mut [Fan]) {
+    /// Takes note of a step in the entry of a position, whose own step is `own_step - 1`.
+    fn note(&mut self, step: u32, own_step: u32) {
+        if let Some(parent) = self.parents.get_mut(step as usize) {
+            *parent = own_step.min(*parent);
+        }
+    }
+
+    /// Marks in the fans of a vertex the steps that are its position's, each once.
+    fn tell(&mut self, own_step: u32, fans: &mut [Fan]) {
         for creator in fans.iter_mut().flat_map(|fan| &mut fan.creators) {
             let step = creator.step as usize;
-            if self.parents[step] == position {
+            if self.parents[step] == own_step {
                 creator.is_child = !std::mem::replace(&mut self.is_told[step], true);
             }
         }
     }
 
-    /// The steps that no entry tells after their parents': those that collapse to the base have none, which is 0.
-    fn untold(self) -> Vec<[u32; 2]> {
-        let parent = |step: usize| (self.parents[step] + 1).saturating_sub(self.base);
-        let untold = (0..self.parents.len()).filter(|&step| !self.is_told[step]);
-        let mut pairs: Vec<[u32; 2]> = untold.map(|step| [parent(step), step as u32]).collect();
-        pairs.sort_unstable();
-        pairs
+    /// The steps that no entry has.
+    fn orphans(self) -> Vec<u32> {
+        (0..).zip(&self.is_told).filter(|(_, is_told)| !**is_told).map(|(step, _)| step).collect()
     }
 }
 

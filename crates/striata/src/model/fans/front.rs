@@ -11,13 +11,16 @@
 
 use super::step_bits::StepBits;
 use super::{FanInstance, FanScene, Fans};
-use crate::view::Criterion;
+use crate::view::{Criterion, Part, Verdict};
 
 /// Parent of steps that collapse to the base.
 const BASE: u32 = u32::MAX;
 
 /// Motion is summed up for so many views before it is taken off what verdicts last.
 const VIEWS_A_SUM: u32 = 256;
+
+/// As many as the parts of a few hundred cycles.
+const ASKED_TOGETHER: usize = 32;
 
 /// Rounding while motion is summed and taken off does not amount to more than this part of what a verdict lasts.
 const SLACK: f32 = 1e-4;
@@ -41,8 +44,9 @@ pub struct FanFront<C> {
     /// Steps that are wanted and taken.
     late_splits: Vec<u32>,
     /// Steps that may be undone, unwanted, and needed by nothing.
-    pub(super) unneeded: Vec<u32>,
+    pub(super) unneeded: StepBits,
     undone: Vec<u32>,
+    asked: Asked,
 }
 
 /// What a view changed.
@@ -78,8 +82,9 @@ impl<C: Criterion + Clone> FanFront<C> {
             view_count: 0,
             last: None,
             late_splits: Vec::new(),
-            unneeded: Vec::new(),
+            unneeded: StepBits::none(step_count),
             undone: Vec::new(),
+            asked: Asked::default(),
         };
         front.list_children(fans, BASE);
         front
@@ -95,10 +100,14 @@ impl<C: Criterion + Clone> FanFront<C> {
         self.triangle_count
     }
 
+    /// scratch
+    pub fn list_len(&self) -> usize {
+        self.steps.len()
+    }
     /// Bytes that the front and its instance own.
     pub fn bytes(&self) -> usize {
-        let bits = self.instance.bytes() + self.wanted.bytes() + self.known.bytes();
-        let words = [&self.steps, &self.parents, &self.late_splits, &self.unneeded, &self.undone];
+        let bits = self.instance.bytes() + self.wanted.bytes() + self.known.bytes() + self.unneeded.bytes();
+        let words = [&self.steps, &self.parents, &self.late_splits, &self.undone];
         bits + words.iter().map(|list| 4 * list.capacity()).sum::<usize>() + 4 * self.due.capacity()
     }
 
@@ -115,29 +124,29 @@ impl<C: Criterion + Clone> FanFront<C> {
         let is_whole = self.split_late(scene.fans, change_limit, &mut update);
         let elapsed = (self.elapsed * (1.0 + 1e-6)) as f32;
         let mut at = 0;
-        while let Some(found) = self.due[at..].iter().position(|&due| due <= elapsed) {
-            at += found;
-            let step = self.steps[at];
-            if self.is_stale(at) {
-                self.forget(at);
-                continue;
-            }
-            let verdict = criterion.weigh(&scene.part(step));
-            update.asked_count += 1;
-            self.due[at] = elapsed + verdict.lasts * (1.0 - SLACK);
-            at += 1;
-            self.hear(step, verdict.is_wanted());
-            if verdict.is_wanted() && self.instance.is_taken(step) {
-                self.late_splits.push(step);
-                if is_whole {
-                    self.split_late(scene.fans, change_limit, &mut update);
+        while self.gather_due(scene, elapsed, &mut at) {
+            update.asked_count += self.asked.parts.len();
+            let mut asked = std::mem::take(&mut self.asked);
+            asked.verdicts.clear();
+            criterion.weigh_all(&asked.parts, &mut asked.verdicts);
+            for (&at, verdict) in asked.places.iter().zip(&asked.verdicts) {
+                let step = self.steps[at as usize];
+                self.due[at as usize] = elapsed + verdict.lasts * (1.0 - SLACK);
+                self.hear(step, verdict.is_wanted());
+                if verdict.is_wanted() && self.instance.is_taken(step) {
+                    self.late_splits.push(step);
+                    if is_whole {
+                        self.split_late(scene.fans, change_limit, &mut update);
+                    }
                 }
             }
+            self.asked = asked;
         }
         if self.late_splits.is_empty() || update.changes() < change_limit {
             self.take_unneeded(scene.fans, change_limit, &mut update);
         }
-        update.is_settled = self.late_splits.is_empty() && self.unneeded.is_empty();
+        update.is_settled = self.late_splits.is_empty()
+            && self.unneeded.last_before(self.instance.step_count as u32).is_none();
         update
     }
 
@@ -159,7 +168,41 @@ impl<C: Criterion + Clone> FanFront<C> {
     }
 }
 
+/// Steps that are asked for together.
+#[derive(Clone, Debug, Default)]
+struct Asked {
+    /// Places in the list.
+    places: Vec<u32>,
+    parts: Vec<Part>,
+    verdicts: Vec<Verdict>,
+}
+
 impl<C> FanFront<C> {
+    /// Gathers the next steps of the list whose verdicts may not last any more; whether there are any.
+    fn gather_due(&mut self, scene: &FanScene<'_>, elapsed: f32, at: &mut usize) -> bool {
+        self.asked.places.clear();
+        self.asked.parts.clear();
+        while *at < self.due.len() && self.asked.parts.len() < ASKED_TOGETHER {
+            let ahead = &self.due[*at..];
+            if let Some((block, _)) = ahead.split_first_chunk::<16>()
+                && block.iter().fold(true, |all, &due| all & (due > elapsed))
+            {
+                *at += 16;
+                continue;
+            }
+            if ahead[0] > elapsed {
+                *at += 1;
+            } else if self.is_stale(*at) {
+                self.forget(*at);
+            } else {
+                self.asked.places.push(*at as u32);
+                self.asked.parts.push(scene.part(self.steps[*at]));
+                *at += 1;
+            }
+        }
+        !self.asked.parts.is_empty()
+    }
+
     pub(super) fn begin(&self, scene: &FanScene<'_>, threshold: f32) -> FanUpdate {
         assert_eq!(self.instance.step_count, scene.fans.step_count, "the front is of another model");
         FanUpdate { threshold, ..FanUpdate::default() }
@@ -183,11 +226,10 @@ impl<C> FanFront<C> {
     pub(super) fn hear(&mut self, step: u32, is_wanted: bool) {
         if is_wanted {
             self.wanted.insert(step);
-        } else {
+        } else if self.wanted.has(step) {
             self.wanted.remove(step);
-            if !self.instance.is_taken(step) {
-                self.unneeded.push(step);
-            }
+            // One that was unwanted before is there because something needs it, and looked at when that goes.
+            self.unneeded.insert(step);
         }
     }
 
@@ -215,6 +257,8 @@ impl<C> FanFront<C> {
             // What a step needs is coarser.
             undone.sort_unstable();
             undone.drain(limit..).for_each(|step| self.instance.taken.insert(step));
+            // What needs them is not there yet, and may never be.
+            undone.iter().for_each(|&step| self.unneeded.insert(step));
         }
         for &step in &undone {
             self.triangle_count += usize::from(fans.removed[step as usize]);
@@ -238,22 +282,22 @@ impl<C> FanFront<C> {
 
     /// Takes what is unwanted and needed by nothing, and then what only that needed.
     pub(super) fn take_unneeded(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) {
-        while update.changes() < change_limit {
-            let Some(step) = self.unneeded.pop() else { return };
+        // What only a step needed is coarser than the step, so one walk from the finest down meets all of them.
+        let mut end = self.instance.step_count as u32;
+        while let Some(step) = self.unneeded.last_before(end) {
+            if update.changes() >= change_limit {
+                return;
+            }
+            end = step;
+            self.unneeded.remove(step);
             if self.instance.is_taken(step) || self.wanted.has(step) {
                 continue;
             }
-            let mut is_free = true;
-            fans.for_each_needed_by_collapse(step, |finer| is_free &= self.instance.is_taken(finer));
-            if is_free {
+            if fans.is_free(step, &self.instance.taken) {
                 self.instance.taken.insert(step);
                 self.triangle_count -= usize::from(fans.removed[step as usize]);
                 update.collapse_count += 1;
-                fans.for_each_needed_by_split(step, |coarser| {
-                    if !self.wanted.has(coarser) && !self.instance.is_taken(coarser) {
-                        self.unneeded.push(coarser);
-                    }
-                });
+                fans.for_each_needed_by_split(step, |coarser| self.unneeded.insert(coarser));
             }
         }
     }

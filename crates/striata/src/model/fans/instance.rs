@@ -195,6 +195,15 @@ impl Fans {
         listed(&self.waits, step).for_each(visit);
     }
 
+    /// Whether all steps are taken that have to be before this one.
+    pub(super) fn is_free(&self, step: u32, taken: &StepBits) -> bool {
+        let vertices = self.vertices.of_step(step as usize);
+        vertices
+            .flat_map(|vertex| self.step_entry(vertex, step))
+            .all(|fan| fan.creators().all(|c| taken.has(c.step)))
+            && listed(&self.waits, step).all(|finer| taken.has(finer))
+    }
+
     /// Steps that have to be undone before this one.
     pub(super) fn for_each_needed_by_split(&self, step: u32, mut visit: impl FnMut(u32)) {
         let vertices = self.vertices.of_step(step as usize);
@@ -212,7 +221,8 @@ impl Fans {
         listed(&self.far, step).for_each(visit);
     }
 
-    /// Steps that collapse to the position of a step, or to the base. Each step is one of exactly one of these.
+    /// The steps below one in the tree, or below the base: those that wait for nothing coarser than it. Each step is below
+    /// one of the steps that it needs, and below one only.
     pub(super) fn for_each_child(&self, parent: Option<u32>, mut visit: impl FnMut(u32)) {
         let vertices = match parent {
             Some(step) => self.vertices.of_step(step as usize),
@@ -222,6 +232,8 @@ impl Fans {
         for fan in vertices.flat_map(|vertex| self.table.entry(vertex, own_step)) {
             fan.creators().filter(|creator| creator.is_child).for_each(|creator| visit(creator.step));
         }
-        listed(&self.adopted, own_step).for_each(visit);
+        if parent.is_none() {
+            self.orphans.iter().for_each(|&step| visit(step));
+        }
     }
 }

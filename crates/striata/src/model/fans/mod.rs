@@ -56,9 +56,8 @@ pub struct Fans {
     waits: Vec<[u32; 2]>,
     /// Steps and those of their targets, where the target is not among the nodes around.
     far: Vec<[u32; 2]>,
-    /// Steps that collapse to another's position, after that other step's number and one; 0 for the base. Only where no
-    /// entry tells.
-    adopted: Vec<[u32; 2]>,
+    /// Steps that no position waits for; in the tree they hang from the base.
+    orphans: Vec<u32>,
     /// Triangles that each step takes away.
     removed: Box<[u8]>,
 }
@@ -176,7 +175,7 @@ impl LodModel for Fans {
             part("entries", entries),
             part("starts", starts),
             part("waits", size_of_val(&self.waits[..]) + size_of_val(&self.far[..])),
-            part("tree", size_of_val(&self.adopted[..])),
+            part("orphans", size_of_val(&self.orphans[..])),
             part("triangle counts", self.removed.len()),
         ]
     }

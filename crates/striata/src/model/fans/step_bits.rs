@@ -26,6 +26,17 @@ impl StepBits {
         self.words[step as usize / 64] &= !(1 << (step % 64));
     }
 
+    /// The last step of the set before one.
+    pub(super) fn last_before(&self, end: u32) -> Option<u32> {
+        let (mut at, bit) = (end as usize / 64, end % 64);
+        let mut word = self.words.get(at).map_or(0, |word| word & ((1 << bit) - 1));
+        while word == 0 {
+            at = at.checked_sub(1)?;
+            word = self.words[at];
+        }
+        Some(64 * at as u32 + word.ilog2())
+    }
+
     /// Puts the steps of a range in and takes all others out.
     pub(super) fn set_range(&mut self, range: std::ops::Range<usize>) {
         self.words.fill(0);

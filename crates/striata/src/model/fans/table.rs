@@ -9,19 +9,22 @@
 //! group   varint, only where there are several
 //! nodes   vertex - node, for each arc and, unless closed, one more
 //! mask    of the arcs that are there always, if there are any; as many bytes as arcs need bits
-//! pairs   2 (step - own step), 1 more if the step collapses to this vertex, and mask of each creator; -1 being the own step
+//! pairs   2 (step - own step), 1 more if the step is below this one, and mask of each creator; -1 being the own step
 //!         of a vertex of the base
 //! ```
 //!
 //! Where the fans of a vertex begin is a number of two bytes from the start of its block of vertices.
 
-use crate::model::record_arena::{read_fixed, read_varint, write_varint};
+use crate::model::record_arena::{read_varint, write_varint};
 
 /// Arcs of a fan: as many as its masks have bits.
 pub const MAX_ARCS: usize = 32;
 
 /// Vertices whose entries share one start.
 const BLOCK: usize = 64;
+
+/// Bytes after the last entry, so that four can be read wherever a number begins.
+const PADDING: usize = 4;
 
 const CLOSED: u8 = 1 << 5;
 /// Numbers have a byte more than the two that they have at least; in either byte.
@@ -45,7 +48,7 @@ pub(super) struct Fan {
 pub(super) struct Creator {
     pub(super) step: u32,
     pub(super) mask: u32,
-    /// Whether the step is told here to be one that collapses to the fan's vertex; each is told once.
+    /// Whether the step is told here to be below the vertex in the tree; each is told once.
     pub(super) is_child: bool,
 }
 
@@ -117,7 +120,8 @@ impl TableWriter {
     }
 
     pub(super) fn finish(self) -> Table {
-        let Self { bytes, starts, has_groups } = self;
+        let Self { mut bytes, starts, has_groups } = self;
+        bytes.extend_from_slice(&[0; PADDING]);
         let blocks: Vec<u32> = starts.iter().copied().step_by(BLOCK).collect();
         let within = starts.iter().enumerate().map(|(i, &start)| u16::try_from(start - blocks[i / BLOCK]));
         match within.collect::<Result<Vec<u16>, _>>() {
@@ -170,12 +174,36 @@ pub(super) struct FanView<'t> {
     pub(super) group: u32,
     vertex: u32,
     own_step: u32,
-    number_bytes: usize,
-    mask_bytes: usize,
     is_closed: bool,
-    nodes: &'t [u8],
     always: u32,
-    creators: &'t [u8],
+    node_count: usize,
+    creator_count: usize,
+    numbers: Width,
+    masks: Width,
+    /// From the first node on, and where the creators begin.
+    bytes: &'t [u8],
+    creators_at: usize,
+}
+
+/// How many bytes a number has.
+#[derive(Clone, Copy, Debug)]
+struct Width {
+    bytes: usize,
+    mask: u32,
+}
+
+impl Width {
+    #[inline]
+    fn new(bytes: usize) -> Self {
+        Self { bytes, mask: u32::MAX >> (32 - 8 * bytes) }
+    }
+
+    /// The number that begins somewhere.
+    #[inline]
+    fn read(self, bytes: &[u8], at: usize) -> u32 {
+        let word = bytes.get(at..).and_then(|rest| rest.first_chunk());
+        u32::from_le_bytes(*word.unwrap_or(&[0; 4])) & self.mask
+    }
 }
 
 impl<'t> Iterator for Entry<'t> {
@@ -184,41 +212,34 @@ impl<'t> Iterator for Entry<'t> {
     #[inline]
     fn next(&mut self) -> Option<FanView<'t>> {
         let [flags, creator_flags, rest @ ..] = self.bytes else { return None };
-        let mut rest = rest;
-        let group = if self.has_groups { read_varint(&mut rest)? } else { 0 };
-        let number_bytes = 2 + usize::from(flags & WIDE != 0) + usize::from(creator_flags & WIDE != 0);
+        let mut bytes = rest;
+        let group = if self.has_groups { read_varint(&mut bytes)? } else { 0 };
+        let numbers = Width::new(2 + usize::from(flags & WIDE != 0) + usize::from(creator_flags & WIDE != 0));
         let arc_count = usize::from(flags & 0x1f) + 1;
+        let masks = Width::new(arc_count.div_ceil(8));
         let is_closed = flags & CLOSED != 0;
-        let mask_bytes = arc_count.div_ceil(8);
         let node_count = arc_count + usize::from(!is_closed);
-        let (nodes, mut rest) = rest.split_at_checked(number_bytes * node_count)?;
-        let always = if creator_flags & SOME_ALWAYS == 0 { 0 } else { read_fixed(&mut rest, mask_bytes)? };
+        let always_at = numbers.bytes * node_count;
+        let has_always = creator_flags & SOME_ALWAYS != 0;
+        let always = if has_always { masks.read(bytes, always_at) } else { 0 };
+        let creators_at = always_at + if has_always { masks.bytes } else { 0 };
         let creator_count = usize::from(creator_flags & 0x3f);
-        let (creators, rest) = rest.split_at_checked(creator_count * (number_bytes + mask_bytes))?;
-        self.bytes = if flags & FOLLOWED == 0 { &[] } else { rest };
+        let end = creators_at + creator_count * (numbers.bytes + masks.bytes);
+        self.bytes = if flags & FOLLOWED == 0 { &[] } else { bytes.get(end..)? };
         let (vertex, own_step) = (self.vertex, self.own_step);
         Some(FanView {
             group,
             vertex,
             own_step,
-            number_bytes,
-            mask_bytes,
             is_closed,
-            nodes,
             always,
-            creators,
+            node_count,
+            creator_count,
+            numbers,
+            masks,
+            bytes,
+            creators_at,
         })
-    }
-}
-
-#[inline]
-fn number(bytes: &[u8]) -> u32 {
-    match *bytes {
-        [a] => u32::from(a),
-        [a, b] => u32::from(u16::from_le_bytes([a, b])),
-        [a, b, c] => u32::from_le_bytes([a, b, c, 0]),
-        [a, b, c, d] => u32::from_le_bytes([a, b, c, d]),
-        _ => 0,
     }
 }
 
@@ -226,29 +247,24 @@ impl<'t> FanView<'t> {
     /// The vertices around, in their order.
     #[inline]
     pub(super) fn nodes(&self) -> impl Iterator<Item = u32> + use<'t> {
-        let (vertex, number_bytes) = (self.vertex, self.number_bytes);
-        self.nodes.chunks_exact(number_bytes).map(move |bytes| vertex - number(bytes))
+        let Self { vertex, numbers, bytes, .. } = *self;
+        (0..self.node_count).map(move |i| vertex - numbers.read(bytes, i * numbers.bytes))
     }
 
     /// What the paper calls dependencies: arcs that are there always count as one.
     pub(super) fn dependency_count(&self) -> usize {
-        usize::from(self.always != 0) + self.creators().count()
-    }
-
-    /// Nodes of the ring.
-    #[cfg(test)]
-    pub(super) fn node_count(&self) -> usize {
-        self.nodes.len() / self.number_bytes
+        usize::from(self.always != 0) + self.creator_count
     }
 
     /// The steps that make some of the triangles, each with their arcs.
     #[inline]
     pub(super) fn creators(&self) -> impl Iterator<Item = Creator> + use<'t> {
-        let (own_step, number_bytes) = (self.own_step, self.number_bytes);
-        self.creators.chunks_exact(number_bytes + self.mask_bytes).map(move |bytes| {
-            let (step, mask) = bytes.split_at(number_bytes);
-            let told = number(step);
-            Creator { step: (told >> 1) + own_step - 1, mask: number(mask), is_child: told & 1 != 0 }
+        let Self { own_step, numbers, masks, bytes, creators_at, .. } = *self;
+        (0..self.creator_count).map(move |i| {
+            let at = creators_at + i * (numbers.bytes + masks.bytes);
+            let told = numbers.read(bytes, at);
+            let mask = masks.read(bytes, at + numbers.bytes);
+            Creator { step: (told >> 1) + own_step - 1, mask, is_child: told & 1 != 0 }
         })
     }
 
@@ -311,7 +327,7 @@ mod tests {
             entry
                 .map(|view| Fan {
                     group: view.group,
-                    arc_count: view.node_count() - usize::from(!view.is_closed),
+                    arc_count: view.node_count - usize::from(!view.is_closed),
                     nodes: view.nodes().collect(),
                     always: view.always,
                     creators: view.creators().collect(),
