@@ -2,7 +2,10 @@
 
 use super::state::ASK;
 use super::{LEAF, NONE, ROOT, ViewDependentMeshes, ViewDependentState};
-use crate::view::Criterion;
+use crate::view::{Criterion, Part, Verdict};
+
+/// Questions that are asked at once: few enough to stay in a cache.
+const BLOCK_LEN: usize = 64;
 
 /// What a change of view took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,17 +54,19 @@ impl ViewDependentMeshes {
             state.active.iter_mut().for_each(|active| active.due = [ASK; 2]);
         }
         let elapsed = next_above(state.elapsed);
-        let mut pass = Pass { model: self, state, criterion, elapsed, adapted: Adapted::default() };
-        // Backwards: what takes the place of a vertex that goes has been looked at, and what comes is noted.
-        let mut place = pass.state.active.len();
-        while place > 0 {
-            place = (place - 1).min(pass.state.active.len());
-            if let Some(active) = pass.state.active.get(place)
-                && (active.due[0] <= elapsed || active.due[1] <= elapsed)
-            {
-                pass.visit(place);
-            }
-        }
+        let mut pass = Pass {
+            model: self,
+            state,
+            criterion,
+            elapsed,
+            adapted: Adapted::default(),
+            block: Block::default(),
+            wanted: Vec::new(),
+            unwanted: Vec::new(),
+        };
+        pass.ask_due();
+        pass.refine();
+        pass.coarsen();
         pass.adapted
     }
 }
@@ -78,6 +83,27 @@ struct Pass<'p, C> {
     criterion: &'p C,
     elapsed: f32,
     adapted: Adapted,
+    block: Block,
+    /// Steps that are to be split.
+    wanted: Vec<u32>,
+    /// Steps that are not, and have both children.
+    unwanted: Vec<u32>,
+}
+
+/// Questions that are put together.
+#[derive(Default)]
+struct Block {
+    parts: Vec<Part>,
+    asked: Vec<Question>,
+    verdicts: Vec<Verdict>,
+}
+
+/// Whether to split the vertex at a place (`kind` 0), or whether to undo the step that restored it (1).
+#[derive(Clone, Copy)]
+struct Question {
+    place: u32,
+    kind: usize,
+    step: u32,
 }
 
 impl<C: Criterion> Pass<'_, C> {
@@ -85,37 +111,73 @@ impl<C: Criterion> Pass<'_, C> {
     #[inline]
     fn ask(&self, step: u32) -> (bool, f32) {
         let verdict = self.criterion.weigh(&self.model.parts[step as usize]);
-        // What lasts for one view only is due at once.
-        (
-            verdict.is_wanted(),
-            if verdict.lasts > 0.0 { self.elapsed + verdict.lasts * (1.0 - 1e-4) } else { ASK },
-        )
+        (verdict.is_wanted(), self.due(verdict))
     }
 
-    #[inline]
-    fn visit(&mut self, place: usize) {
-        let active = self.state.active[place];
-        if active.node == LEAF {
-            self.state.active[place].due[0] = f32::INFINITY;
-        } else if active.due[0] <= self.elapsed {
-            let (is_wanted, due) = self.ask(active.node);
-            if is_wanted {
-                self.force_split(active.node);
-                self.refine_arrived();
-                return;
+    /// What lasts for one view only is due at once.
+    fn due(&self, verdict: Verdict) -> f32 {
+        if verdict.lasts > 0.0 { self.elapsed + verdict.lasts * (1.0 - 1e-4) } else { ASK }
+    }
+
+    /// Asks whatever is due of the active vertices: verdicts tell of a view, so that they hold whatever changes then.
+    fn ask_due(&mut self) {
+        let base_count = self.model.roots.len() as u32;
+        for place in 0..self.state.active.len() as u32 {
+            let active = &mut self.state.active[place as usize];
+            if active.due[0] > self.elapsed && active.due[1] > self.elapsed {
+                continue;
             }
-            self.state.active[place].due[0] = due;
-        }
-        if !active.has_both {
-            // A step is asked when its children come together again.
-            self.state.active[place].due[1] = f32::INFINITY;
-        } else if active.due[1] <= self.elapsed {
             // Of two children the restored one speaks for both.
-            let step = active.vertex - self.model.roots.len() as u32;
-            let (is_wanted, due) = self.ask(step);
-            self.state.active[place].due[1] = due;
-            // Where it cannot go it is asked again when it can.
-            if !is_wanted && self.state.can_collapse(self.model, step) {
+            let restored_by = || active.vertex - base_count;
+            let steps = [(active.node != LEAF).then_some(active.node), active.has_both.then(restored_by)];
+            for (kind, step) in steps.into_iter().enumerate() {
+                if active.due[kind] > self.elapsed {
+                    continue;
+                }
+                let Some(step) = step else {
+                    // There is nothing to ask; once there is, it will be.
+                    active.due[kind] = f32::INFINITY;
+                    continue;
+                };
+                self.block.parts.push(self.model.parts[step as usize]);
+                self.block.asked.push(Question { place, kind, step });
+            }
+            if self.block.parts.len() >= BLOCK_LEN {
+                self.hear();
+            }
+        }
+        self.hear();
+    }
+
+    /// Has the block's questions answered.
+    fn hear(&mut self) {
+        let mut block = std::mem::take(&mut self.block);
+        self.criterion.weigh_all(&block.parts, &mut block.verdicts);
+        for (&Question { place, kind, step }, &verdict) in block.asked.iter().zip(&block.verdicts) {
+            self.state.active[place as usize].due[kind] = self.due(verdict);
+            match (kind, verdict.is_wanted()) {
+                (0, true) => self.wanted.push(step),
+                (1, false) => self.unwanted.push(step),
+                _ => {}
+            }
+        }
+        block.parts.clear();
+        block.asked.clear();
+        block.verdicts.clear();
+        self.block = block;
+    }
+
+    fn refine(&mut self) {
+        for step in std::mem::take(&mut self.wanted) {
+            self.force_split(step);
+            self.refine_arrived();
+        }
+    }
+
+    fn coarsen(&mut self) {
+        for step in std::mem::take(&mut self.unwanted) {
+            // Where it cannot go yet it is asked again when it can.
+            if self.state.has_children(self.model, step) && self.state.can_collapse(self.model, step) {
                 self.collapse(step);
                 self.coarsen_loosened();
             }
