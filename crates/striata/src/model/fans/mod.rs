@@ -26,6 +26,7 @@
 //! is linear in the vertices that are there, a change in the entries that it touches.
 
 mod bounds;
+mod budget;
 mod build;
 mod crowns;
 mod front;
