@@ -22,9 +22,9 @@
 //! split, so only the corners on the other's side change. Active vertices and triangles are not linked in lists but stand side by
 //! side, so that looking at all of them is a walk through memory, and drawing needs no copy. A restored vertex
 //! is asked for both children whether they go, and what a collapse allows is tried at once, not in the next frame.
-//! All active vertices are asked
-//! before anything changes, many at once, and verdicts can be kept as long as they last. There are no wedges, no geomorphs and no spreading of work over frames. Numbers of triangles tell their step, so that it needs
-//! no pointer.
+//! All active vertices are asked before anything changes, many at once, and verdicts can be kept as long as they last.
+//! There are no wedges, no geomorphs and no spreading of work over frames. Numbers of triangles tell their step, so that
+//! it needs no pointer.
 //!
 //! The surface has to be manifold at every level, borders allowed, with one vertex a position:
 //! [`build`](ViewDependentMeshes::build) refuses others and says where.
