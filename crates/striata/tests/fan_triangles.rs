@@ -33,7 +33,8 @@ fn follow(case: &Case) {
             }
         }
         let before = live.shown().clone();
-        let changed = (0..fans.step_count() as u32).filter(|&s| before.is_taken(s) != instance.is_taken(s)).count();
+        let changed =
+            (0..fans.step_count() as u32).filter(|&s| before.is_taken(s) != instance.is_taken(s)).count();
         assert_eq!(live.follow(&fans, sequence, &instance), changed);
         check(&fans, &live, &instance);
     }
@@ -44,7 +45,11 @@ fn follow(case: &Case) {
 
 #[test]
 fn triangles_follow_an_instance() {
-    nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases()).for_each(|case| follow(&case));
+    nasty_cases()
+        .chain(surface_cases())
+        .chain(seam_cases())
+        .chain(hub_cases())
+        .for_each(|case| follow(&case));
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! The triangles of an instance kept from frame to frame: only what changes is written.
 //!
 //! A fan knows its triangles whenever it is asked, so an instance needs to keep none. Where a few steps change in each of many
-//! frames it pays to keep them all the same: a step that is taken or undone changes the triangles of the vertices around it and of
-//! its target, and of no others. Each vertex that is there knows where its arcs stand in the list, each place of the list which arc
+//! frames it pays to keep them all the same: a step that is taken or undone changes its own triangles and those that
+//! take their place, which stand with a few vertices around it. Each vertex that is there knows where its arcs stand in the list, each place of the list which arc
 //! stands there, so a triangle that goes is replaced by the last one and the list has no holes.
 //!
 //! Cost: 16 bytes a triangle, 4 a vertex of the mesh, and 4 for each arc of a vertex that is there, rounded up to a power of two;
@@ -110,12 +110,25 @@ impl FanTriangles {
         count
     }
 
-    /// Notes the vertices whose triangles a step can change.
+    /// Notes the vertices whose triangles a step changes: its own, and those that the triangles of its floor stand with.
     fn note_around(&mut self, fans: &Fans, sequence: &CollapseSequence, step: u32) {
-        for vertex in fans.vertices.of_step(step as usize) {
+        let vertices = fans.vertices.of_step(step as usize);
+        let on_floor = |v: u32| if vertices.contains(&v) { sequence.target(v) } else { v };
+        for vertex in vertices.clone() {
             self.note(vertex);
-            self.note(sequence.target(vertex));
-            fans.step_entry(vertex, step).flat_map(|fan| fan.nodes()).for_each(|node| self.note(node));
+            let target = sequence.target(vertex);
+            for fan in fans.step_entry(vertex, step) {
+                let mut nodes = fan.nodes().map(on_floor);
+                let Some(first) = nodes.next() else { continue };
+                let mut last = first;
+                let closing = fan.is_closed.then_some(first);
+                for node in nodes.chain(closing) {
+                    if last != target && node != target && node != last {
+                        self.note(target.max(last).max(node));
+                    }
+                    last = node;
+                }
+            }
         }
     }
 
