@@ -337,7 +337,11 @@ impl<C> FanFront<C> {
                 self.instance.taken.insert(step);
                 self.triangle_count -= usize::from(fans.removed[step as usize]);
                 update.collapse_count += 1;
-                fans.for_each_needed_by_split(step, |coarser| self.unneeded.insert(coarser));
+                fans.for_each_needed_by_split(step, |coarser| {
+                    if !self.wanted.has(coarser) {
+                        self.unneeded.insert(coarser);
+                    }
+                });
             }
         }
     }
