@@ -234,3 +234,87 @@ fn a_budget_and_a_tolerance_may_take_turns() {
         }
     }
 }
+
+fn sphere_stage() -> RefinableMesh {
+    let mesh = striata::mesh::shapes::uv_sphere(40, 40, 1.0);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    built.unwrap().refinable
+}
+
+#[test]
+fn what_waits_for_its_turn_waits_once() {
+    let refinable = sphere_stage();
+    let (fans, bounds) = stage(&refinable);
+    let scene = FanScene::new(&fans, &bounds, &refinable);
+    let mut front = FanFront::new(&scene);
+    let all = |_: &Part| 2.0;
+    front.update(&scene, &all, 3);
+    front.update(&scene, &all, 0);
+    let bytes = front.bytes();
+    for _ in 0..200 {
+        assert!(!front.update(&scene, &all, 0).is_settled);
+    }
+    assert_eq!(front.bytes(), bytes);
+    assert!(front.update(&scene, &all, usize::MAX).is_settled);
+    assert_eq!(front.instance(), &FanInstance::full(&fans));
+}
+
+/// Sums of motion are coarse after a journey; what is asked after it is as exact as before.
+#[test]
+fn a_far_journey_makes_no_verdict_last_longer() {
+    let refinable = sphere_stage();
+    let (fans, bounds) = stage(&refinable);
+    let scene = FanScene::new(&fans, &bounds, &refinable);
+    let mut front = FanFront::new(&scene);
+    let mut fresh = FanInstance::full(&fans);
+    let see = |eye: [f32; 3]| {
+        let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
+        ScreenError::new(camera, 1.0).of_model(scene.sphere())
+    };
+    for far in [10.0, 1e4, 1e6, 1e8] {
+        front.update(&scene, &see([far, 0.5, 1.0]), usize::MAX);
+        for frame in 0..100 {
+            let criterion = see([3.0 - frame as f32 * 0.01, 0.5, 1.0]);
+            front.update(&scene, &criterion, usize::MAX);
+            fresh.refine(&scene, &criterion);
+            assert_eq!(front.instance(), &fresh, "frame {frame} after {far}");
+        }
+    }
+}
+
+fn changes_at_once(refinable: &RefinableMesh, pixels: f32, scale: f32) -> usize {
+    let (fans, bounds) = stage(refinable);
+    let scene = FanScene::new(&fans, &bounds, refinable);
+    let eye = [0.0, 0.0, 3.0 * scale];
+    let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
+    let criterion = ScreenError::new(camera, pixels).of_model(scene.sphere());
+    FanFront::new(&scene).update(&scene, &criterion, usize::MAX).changes()
+}
+
+#[test]
+fn any_number_of_pixels_is_a_limit() {
+    let refinable = sphere_stage();
+    let none = changes_at_once(&refinable, 0.0, 1.0);
+    assert!(none > 100);
+    for pixels in [f32::NAN, -1.0, f32::NEG_INFINITY, 1e-40] {
+        assert_eq!(changes_at_once(&refinable, pixels, 1.0), none, "{pixels} pixels");
+    }
+    assert_eq!(changes_at_once(&refinable, f32::INFINITY, 1.0), 0);
+}
+
+#[test]
+fn a_view_of_a_model_is_the_same_at_any_scale() {
+    let sphere = striata::mesh::shapes::uv_sphere(20, 20, 1.0);
+    let changes_at = |scale: f32| {
+        let mut mesh = sphere.clone();
+        mesh.positions.iter_mut().flatten().for_each(|x| *x *= scale);
+        let built =
+            striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+        changes_at_once(&built.unwrap().refinable, 1.0, scale)
+    };
+    let changes = changes_at(1.0);
+    for scale in [1e-18, 1e-7, 1e7, 1e18] {
+        // The order of the steps is not quite the same.
+        assert!(changes_at(scale).abs_diff(changes) < changes / 20, "{} at {scale}", changes_at(scale));
+    }
+}

@@ -242,6 +242,31 @@ fn following_a_view_shows_what_the_view_alone_shows() {
     }
 }
 
+/// Sums of motion are coarse after a journey; what is asked after it is as exact as before.
+#[test]
+fn a_far_journey_makes_no_verdict_last_longer() {
+    let mesh = shapes::icosphere(4, 1.0);
+    let options = SequenceOptions::default();
+    let refinable = build_sequence(&mesh, &options, &mut striata::ignore_progress).unwrap().refinable;
+    let model = ViewDependentMeshes::build(&refinable).unwrap();
+    let see = |eye: [f32; 3]| {
+        let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
+        ScreenError::new(camera, 1.0).of_model(Sphere { center: [0.0; 3], radius: 1.1 })
+    };
+    let (mut followed, mut fresh) = (model.base_state(), model.base_state());
+    for far in [10.0, 1e4, 1e6, 1e8] {
+        let mut last = see([far, 0.5, 1.0]);
+        model.adapt(&mut followed, &last);
+        for frame in 0..100 {
+            let criterion = see([3.0 - frame as f32 * 0.01, 0.5, 1.0]);
+            model.adapt_after(&mut followed, &criterion, criterion.motion_since(&last));
+            model.adapt(&mut fresh, &criterion);
+            assert!(followed == fresh, "another front in frame {frame} after {far}");
+            last = criterion;
+        }
+    }
+}
+
 /// A criterion that counts how often it is asked.
 struct Counted<'a>(&'a ScreenError, &'a Cell<usize>);
 

@@ -47,7 +47,9 @@ pub struct ScreenError {
 }
 
 impl ScreenError {
-    /// Allows errors of so many pixels on a camera's screen.
+    /// Allows errors of so many pixels on a camera's screen; none at all where that is no number above 0.
+    ///
+    /// Squares of distances have to be numbers: coordinates and the sizes of models may be from 1e-18 to 1e18.
     pub fn new(camera: Camera, pixels: f32) -> Self {
         let half = camera.half.map(|half| half as f32);
         Self {

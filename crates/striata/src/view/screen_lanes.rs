@@ -139,19 +139,21 @@ impl ScreenError {
     /// Pixels allowed for parts that face the eye, or may not, and how long that lasts.
     #[inline]
     fn allowed(&self, lanes: &Lanes, faces: f32x8) -> (f32x8, f32x8) {
-        let (mut allowed, mut lasts) = (splat(self.pixels), splat(f32::MAX));
+        // What is no number allows nothing, on every machine.
+        let at_least = |pixels: f32| splat(pixels.max(f32::MIN_POSITIVE));
+        let (mut allowed, mut lasts) = (at_least(self.pixels), splat(f32::MAX));
         if let Some(pixels) = self.silhouette {
             let is_outline = faces.simd_le(splat(0.0));
-            allowed = is_outline.bitselect(allowed.fast_min(splat(pixels)), allowed);
+            allowed = is_outline.bitselect(allowed.fast_min(at_least(pixels)), allowed);
             lasts = faces.abs() * splat(EYE_SHARE);
         }
         if let Some((region, pixels)) = &self.region {
             let apart = minus(lanes.center, region.center.into());
             let reach = (lanes.radius + splat(region.radius)) * splat(1.0 + SLACK);
             let meets = dot(apart, apart).sqrt().simd_le(reach);
-            allowed = meets.bitselect(allowed.fast_min(splat(*pixels)), allowed);
+            allowed = meets.bitselect(allowed.fast_min(at_least(*pixels)), allowed);
         }
-        (allowed.fast_max(splat(f32::MIN_POSITIVE)), lasts)
+        (allowed, lasts)
     }
 
     /// How many times more is allowed aside of where the eye looks, the most by which motion changes what errors are

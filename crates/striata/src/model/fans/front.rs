@@ -27,7 +27,7 @@ const DUE_BLOCK: usize = 8;
 /// As many as the parts of a few hundred cycles.
 const ASKED_TOGETHER: usize = 32;
 
-/// Rounding while motion is summed and taken off does not amount to more than this part of what a verdict lasts.
+/// Verdicts are asked again by so large a part of what they last before they have to be.
 const SLACK: f32 = 1e-4;
 
 /// An instance with what it needs to follow a view at the cost of what changes; `C` is the criterion of the last view.
@@ -111,8 +111,9 @@ impl<C: Criterion + Clone> FanFront<C> {
     /// Bytes that the front and its instance own.
     pub fn bytes(&self) -> usize {
         let bits = self.instance.bytes() + self.wanted.bytes() + self.known.bytes() + self.unneeded.bytes();
-        let words = [&self.steps, &self.parents, &self.late_splits, &self.undone];
-        bits + words.iter().map(|list| 4 * list.capacity()).sum::<usize>() + 4 * self.due.capacity()
+        let words = [&self.steps, &self.parents, &self.late_splits, &self.undone, &self.stale];
+        let words = words.iter().map(|list| list.capacity()).sum::<usize>() + self.due.capacity();
+        bits + 4 * words + self.asked.bytes()
     }
 
     /// Goes to what a criterion wants and what that needs. No more than `change_limit` steps change; what is left is done with
@@ -125,8 +126,9 @@ impl<C: Criterion + Clone> FanFront<C> {
         self.last = Some(criterion.clone());
         self.move_by(motion);
         let mut update = self.begin(scene, 1.0);
+        self.late_splits.retain(|&step| self.wanted.has(step) && self.instance.is_taken(step));
         let is_whole = self.split_late(scene.fans, change_limit, &mut update);
-        let elapsed = (self.elapsed * (1.0 + 1e-6)) as f32;
+        let elapsed = (self.elapsed as f32).next_up();
         let mut at = 0;
         while self.gather_due(scene, elapsed, &mut at) {
             update.asked_count += self.asked.parts.len();
@@ -135,9 +137,11 @@ impl<C: Criterion + Clone> FanFront<C> {
             criterion.weigh_all(&asked.parts, &mut asked.verdicts);
             for (&at, verdict) in asked.places.iter().zip(&asked.verdicts) {
                 let step = self.steps[at as usize];
-                self.due[at as usize] = elapsed + verdict.lasts * (1.0 - SLACK);
+                self.due[at as usize] = self.due_after(verdict.lasts);
+                let was_wanted = self.wanted.has(step);
                 self.hear(scene.fans, step, verdict.is_wanted());
-                if verdict.is_wanted() && self.instance.is_taken(step) {
+                // One that was wanted before waits already.
+                if verdict.is_wanted() && !was_wanted && self.instance.is_taken(step) {
                     self.late_splits.push(step);
                     if is_whole {
                         self.split_late(scene.fans, change_limit, &mut update);
@@ -165,11 +169,25 @@ struct Asked {
     verdicts: Vec<Verdict>,
 }
 
+impl Asked {
+    fn bytes(&self) -> usize {
+        4 * self.places.capacity()
+            + size_of::<Part>() * self.parts.capacity()
+            + size_of::<Verdict>() * self.verdicts.capacity()
+    }
+}
+
 impl<C> FanFront<C> {
     /// Has everything asked again at the next view, and drops from the list what nobody asks for.
     pub(super) fn forget_views(&mut self) {
         self.last = None;
         self.move_by(f32::INFINITY);
+        // What waits for its turn is not there, and may not be wanted any more.
+        for step in std::mem::take(&mut self.late_splits) {
+            if self.instance.is_taken(step) {
+                self.wanted.remove(step);
+            }
+        }
         for at in 0..self.steps.len() {
             if self.is_stale(at) {
                 self.strike(at);
@@ -189,10 +207,16 @@ impl<C> FanFront<C> {
         self.view_count += u32::from(motion > 0.0);
         if self.view_count > VIEWS_A_SUM {
             // Far from now numbers are coarse; verdicts that last longer than a thousand sums may as well be asked before.
-            let elapsed = self.elapsed as f32;
-            self.due.iter_mut().for_each(|due| *due = (*due - elapsed).min(1000.0 * elapsed));
+            let elapsed = self.elapsed;
+            let since = |due: f32| below(f64::from(due) - elapsed);
+            self.due.iter_mut().for_each(|due| *due = since(*due).min(1000.0 * elapsed as f32));
             (self.elapsed, self.view_count) = (0.0, 0);
         }
+    }
+
+    /// How much motion there will have been when a verdict of now has lasted; where sums are coarse, rather less.
+    fn due_after(&self, lasts: f32) -> f32 {
+        below(self.elapsed + f64::from(lasts * (1.0 - SLACK)))
     }
 
     /// Gathers the next steps of the list whose verdicts may not last any more; whether there are any.
@@ -276,6 +300,9 @@ impl<C> FanFront<C> {
         while let Some(&step) = self.late_splits.last() {
             if self.wanted.has(step) && self.instance.is_taken(step) {
                 let left = change_limit.saturating_sub(update.changes());
+                if left == 0 {
+                    return false;
+                }
                 update.split_count += self.split(fans, step, left);
                 if self.instance.is_taken(step) {
                     return false;
@@ -345,6 +372,11 @@ impl<C> FanFront<C> {
             }
         }
     }
+}
+
+/// A number that is no larger, by as little as can be.
+fn below(number: f64) -> f32 {
+    (number as f32).next_down()
 }
 
 impl FanUpdate {

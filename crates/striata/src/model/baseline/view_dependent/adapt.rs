@@ -53,7 +53,7 @@ impl ViewDependentMeshes {
             state.elapsed = 0.0;
             state.active.iter_mut().for_each(|active| active.due = [ASK; 2]);
         }
-        let elapsed = next_above(state.elapsed);
+        let elapsed = (state.elapsed as f32).next_up();
         let mut pass = Pass {
             model: self,
             state,
@@ -69,11 +69,6 @@ impl ViewDependentMeshes {
         pass.coarsen();
         pass.adapted
     }
-}
-
-/// A number that is no smaller, and larger by what sums of it lose when they are rounded.
-fn next_above(elapsed: f64) -> f32 {
-    (elapsed * (1.0 + 4e-7)) as f32
 }
 
 /// One go over the active vertices.
@@ -116,7 +111,9 @@ impl<C: Criterion> Pass<'_, C> {
 
     /// What lasts for one view only is due at once.
     fn due(&self, verdict: Verdict) -> f32 {
-        if verdict.lasts > 0.0 { self.elapsed + verdict.lasts * (1.0 - 1e-4) } else { ASK }
+        // Where sums of motion are coarse it lasts rather less.
+        let due = (self.state.elapsed + f64::from(verdict.lasts * (1.0 - 1e-4))) as f32;
+        if verdict.lasts > 0.0 { due.next_down() } else { ASK }
     }
 
     /// Asks whatever is due of the active vertices: verdicts tell of a view, so that they hold whatever changes then.
