@@ -19,9 +19,20 @@ const BIN_COUNT: usize = 16;
 /// # Errors
 /// Where a chart cannot be drawn.
 pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, Failure> {
-    let mut sections = Vec::new();
+    let mut sections = vec![Section {
+        title: "Views".to_owned(),
+        intro: format!(
+            "What follows an eye along recorded paths, on a screen of {screen} x {screen} pixels, 60 degrees wide. Fans are \
+             asked again only where the view may have changed its mind; stateless fans begin at the base in every frame and \
+             own nothing but their bits; VDPM are view-dependent progressive meshes [Hop97]; uniform is a level that is the \
+             same everywhere, as fine as the nearest point in the picture asks for, which is found beforehand. {READING} Of \
+             each frame the quickest of several rounds counts, in which models take turns.",
+            screen = grouped(report.screen_px as usize),
+        ),
+        blocks: Vec::new(),
+    }];
     for path in &report.paths {
-        sections.push(path_section(report, path)?);
+        sections.push(path_section(path)?);
     }
     sections.push(activity_section(report)?);
     sections.push(refinement_section(report)?);
@@ -41,10 +52,11 @@ pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, F
     Ok(sections)
 }
 
-fn path_section(report: &ViewsReport, path: &PathReport) -> Result<Section, Failure> {
+fn path_section(path: &PathReport) -> Result<Section, Failure> {
     let frames = path.frame_count as f64;
     let chart = |y_title: &'static str, values: &dyn Fn(&Figures) -> Vec<f64>| {
         let lines = path.contenders.iter().map(|contender| {
+            // Without points a model still has its colour.
             let points = contender.figures.as_ref().map_or_else(Vec::new, |figures| {
                 let frames = figures.series.frame.iter().map(|&frame| frame as f64);
                 frames.zip(values(figures)).skip(1).collect()
@@ -56,19 +68,14 @@ fn path_section(report: &ViewsReport, path: &PathReport) -> Result<Section, Fail
         let x = Scale::at(&[0.0, 0.25, 0.5, 0.75, 1.0].map(|share| (share * frames).round()));
         Chart { x_title: "frame", y_title, x, y, series }
     };
-    let times = chart("criterion and update, ms", &|figures| figures.series.follow_ms.clone());
+    let times = chart("criterion and update, ms", &|figures| {
+        if figures.changes_per_sec.is_some() { figures.series.follow_ms.clone() } else { Vec::new() }
+    });
     let triangles =
         chart("triangles", &|figures| figures.series.triangles.iter().map(|&count| count as f64).collect());
     Ok(Section {
         title: format!("View: {}", path.title()),
-        intro: format!(
-            "{} frames {}; {screen} x {screen} pixels, 60 degrees. {READING} Of each frame the quickest of {} rounds in \
-             which models take turns.",
-            path.frame_count,
-            path.path.about(),
-            path.rounds,
-            screen = grouped(report.screen_px as usize),
-        ),
+        intro: format!("{} frames {}; {} rounds.", path.frame_count, path.path.about(), path.rounds),
         blocks: vec![
             Block::chart(&times, "Time of criterion and update by frame")?,
             Block::chart(&triangles, "Triangles by frame")?,
@@ -87,7 +94,8 @@ fn activity_section(report: &ViewsReport) -> Result<Section, Failure> {
         line(&path.title(), binned(points))
     });
     let orbits = || report.paths.iter().filter(|path| path.name == "orbit");
-    let by_active = NAMES.iter().enumerate().map(|(i, name)| {
+    // A level that is the same everywhere takes no time to be chosen.
+    let by_active = NAMES[..3].iter().enumerate().map(|(i, name)| {
         let runs = orbits().filter_map(|path| path.contenders.get(i)?.run.as_ref());
         let all = runs.flat_map(|run| points(run, |frame| (run.triangles[frame], run.follow_secs[frame])));
         line(name, binned(all.collect()))

@@ -85,18 +85,23 @@ pub(super) fn measure(models: &Models<'_>) -> Result<Vec<CostRow>, Failure> {
 
 /// Head and rows.
 pub(super) fn table(rows: &[CostRow]) -> Vec<Vec<String>> {
-    let mut table =
-        vec![["pixels", "model", "triangles", "refinement, ms", "emission, ms"].map(str::to_owned).to_vec()];
+    const TIMES: [usize; 3] = [0, 1, 2];
+    const SHOWN: [usize; 2] = [0, 2];
+    let mut head = vec!["pixels".to_owned()];
+    head.extend(SHOWN.map(|i| format!("triangles, {}", NAMES[i])));
+    head.extend(TIMES.map(|i| format!("{}, ms", NAMES[i])));
+    head.extend(SHOWN.map(|i| format!("emission, {}", NAMES[i])));
+    let mut table = vec![head];
     for row in rows {
-        for cost in &row.contenders {
-            table.push(vec![
-                row.pixels.to_string(),
-                cost.name.to_owned(),
-                grouped(cost.triangles),
-                format!("{:.3}", cost.follow_ms),
-                format!("{:.3}", cost.emission_ms),
-            ]);
-        }
+        let cell = |i: usize, text: fn(&Cost) -> String| {
+            let found = row.contenders.iter().find(|cost| cost.name == NAMES[i]);
+            found.map_or_else(|| "-".to_owned(), text)
+        };
+        let mut cells = vec![row.pixels.to_string()];
+        cells.extend(SHOWN.map(|i| cell(i, |cost| grouped(cost.triangles))));
+        cells.extend(TIMES.map(|i| cell(i, |cost| format!("{:.3}", cost.follow_ms))));
+        cells.extend(SHOWN.map(|i| cell(i, |cost| format!("{:.3}", cost.emission_ms))));
+        table.push(cells);
     }
     table
 }

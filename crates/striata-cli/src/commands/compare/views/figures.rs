@@ -25,11 +25,12 @@ pub(super) struct Figures {
     pub(super) frame_ratio_to_fans: f64,
     /// Shown, the mean.
     pub(super) triangles: f64,
-    asked_per_frame: f64,
+    /// Steps whose weight was asked for, the mean.
+    pub(super) asked_per_frame: f64,
     /// Splits and collapses, the mean after the first frame.
     pub(super) changes_per_frame: f64,
-    /// Of the time of questions and changes.
-    pub(super) changes_per_sec: f64,
+    /// Of the time of questions and changes; null where that is next to nothing.
+    pub(super) changes_per_sec: Option<f64>,
     /// The largest distance to where a point should be, in pixels; null where none is in the picture.
     pub(super) max_error_px: Option<f64>,
     /// What 99 of 100 points do not exceed.
@@ -60,6 +61,9 @@ pub(super) struct Series {
     /// Making the indices.
     pub(super) emission_ms: Vec<f64>,
 }
+
+/// What takes no longer may as well be looking at the clock.
+const LEAST_MS: f64 = 2e-4;
 
 /// Bytes of a position, and of a normal packed and plain.
 pub(super) const POSITION_BYTES: f64 = 12.0;
@@ -92,7 +96,7 @@ impl Figures {
             triangles: count(&run.triangles),
             asked_per_frame: count(&run.asked),
             changes_per_frame,
-            changes_per_sec: ratio(changes_per_frame, 1e-3 * follow_ms),
+            changes_per_sec: (follow_ms > LEAST_MS).then(|| 1e3 * changes_per_frame / follow_ms),
             max_error_px: run.errors.max(),
             p99_error_px: run.errors.p99(),
             bytes_per_vertex,

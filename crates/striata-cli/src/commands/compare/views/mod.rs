@@ -144,6 +144,7 @@ impl PathReport {
             "worst",
             "first",
             "triangles",
+            "asked",
             "changes",
             "M a second",
             "error, px",
@@ -175,8 +176,9 @@ impl FollowerReport {
             ms(figures.worst_ms),
             ms(figures.first_ms),
             grouped(figures.triangles.round() as usize),
+            grouped(figures.asked_per_frame.round() as usize),
             grouped(figures.changes_per_frame.round() as usize),
-            format!("{:.1}", figures.changes_per_sec / 1e6),
+            figures.changes_per_sec.map_or_else(|| "-".to_owned(), |count| format!("{:.1}", count / 1e6)),
             pixels(figures.max_error_px),
             pixels(figures.p99_error_px),
             format!("{:.1}", figures.bytes_per_instance as f64 / 1e3),
@@ -186,7 +188,7 @@ impl FollowerReport {
 
 /// How to read the tables of courses.
 const READING: &str = "Means of a frame in ms, the first left out, which begins at the base. The criterion is asked, the \
-    update changes the mesh, emission writes the indices. Changes are splits and collapses of a frame, and millions of \
+    update is what else it takes to change the mesh, emission writes the indices. Steps are asked for; changes are splits and collapses of a frame, and millions of \
     them in a second of criterion and update. Errors are distances on the screen between the full mesh and what is shown, \
     the largest and what 99 of 100 points do not exceed. An instance is the most that one owned.";
 
