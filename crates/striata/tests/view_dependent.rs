@@ -2,13 +2,15 @@
 
 mod support;
 
+use std::cell::Cell;
+
 use striata::mesh::{
     CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles, shapes,
 };
 use striata::model::baseline::{ViewDependentError, ViewDependentMeshes, ViewDependentState};
 use striata::model::{Accounting, LodModel};
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::view::{NormalCone, Part};
+use striata::view::{Camera, Criterion, NormalCone, Part, ScreenError, Sphere, Verdict};
 use support::{Random, follows_the_oracle, grid, nasty_cases, seam_cases, with_seams_and_groups};
 
 /// Collapses random edges as long as the surface stays manifold, looking at all triangles each time.
@@ -208,6 +210,48 @@ fn a_front_does_not_depend_on_the_way_to_it() {
     }
 }
 
+/// Verdicts that last are not asked for again, and nothing else changes by that.
+#[test]
+fn following_a_view_shows_what_the_view_alone_shows() {
+    for (_, refinable) in cases() {
+        let model = ViewDependentMeshes::build(&refinable).unwrap();
+        let mesh = &refinable.mesh;
+        let far = mesh.positions.iter().flatten().fold(0.0f32, |far, &x| far.max(x.abs()));
+        let whole = Sphere { center: [0.0; 3], radius: 4.0 * far };
+        let (mut followed, mut fresh) = (model.base_state(), model.base_state());
+        let mut last: Option<ScreenError> = None;
+        let (asked, asked_afresh) = (Cell::new(0), Cell::new(0));
+        for frame in 0..150 {
+            let (turn, near) = (frame as f32 * 0.02, 1.2 + (frame as f32 * 0.05).sin());
+            let eye = [turn.cos() * near * far, 0.4 * far, turn.sin() * near * far];
+            let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.577, [600, 600]).unwrap();
+            let criterion = ScreenError::new(camera, 40.0).of_model(whole);
+            if frame % 50 == 40 {
+                model.move_to(&mut followed, model.step_count() / 3);
+                model.move_to(&mut fresh, model.step_count() / 3);
+            }
+            let motion = last.as_ref().map_or(f32::INFINITY, |last| criterion.motion_since(last));
+            model.adapt_after(&mut followed, &Counted(&criterion, &asked), motion);
+            model.adapt(&mut fresh, &Counted(&criterion, &asked_afresh));
+            assert!(followed == fresh, "another front in frame {frame}");
+            shows_its_front(&refinable, &followed);
+            last = Some(criterion);
+        }
+        let (asked, asked_afresh) = (asked.get(), asked_afresh.get());
+        assert!(4 * asked < 3 * asked_afresh, "{asked} questions where {asked_afresh} answer all");
+    }
+}
+
+/// A criterion that counts how often it is asked.
+struct Counted<'a>(&'a ScreenError, &'a Cell<usize>);
+
+impl Criterion for Counted<'_> {
+    fn weigh(&self, part: &Part) -> Verdict {
+        self.1.set(self.1.get() + 1);
+        self.0.weigh(part)
+    }
+}
+
 #[test]
 fn a_uniform_level_can_be_reached_from_any_front() {
     for (seed, refinable) in cases() {
@@ -329,9 +373,9 @@ fn bytes_are_those_of_the_arrays() {
     assert_eq!(model.paper_bytes(Accounting::Words), expected);
     let mut state = model.new_state();
     let maps = 4 * (base + steps) + 4 * (base_triangles + 2 * steps);
-    assert_eq!(model.state_bytes(&state), 12 * (base + steps) + 28 * 320 + maps);
+    assert_eq!(model.state_bytes(&state), 20 * (base + steps) + 28 * 320 + maps);
     model.move_to(&mut state, 0);
-    assert_eq!(model.state_bytes(&state), 12 * base + 28 * base_triangles + maps);
+    assert_eq!(model.state_bytes(&state), 20 * base + 28 * base_triangles + maps);
     assert_eq!(model.paper_state_bytes(&state), 112 * base);
 }
 

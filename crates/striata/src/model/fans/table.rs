@@ -172,11 +172,11 @@ pub(super) struct Entry<'t> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FanView<'t> {
     pub(super) group: u32,
-    vertex: u32,
+    pub(super) vertex: u32,
     own_step: u32,
-    is_closed: bool,
+    pub(super) is_closed: bool,
     always: u32,
-    node_count: usize,
+    pub(super) node_count: usize,
     creator_count: usize,
     numbers: Width,
     masks: Width,
@@ -271,7 +271,8 @@ impl<'t> FanView<'t> {
     /// Which arcs are there.
     #[inline]
     pub(super) fn mask(&self, is_taken: impl Fn(u32) -> bool) -> u32 {
-        self.creators().fold(self.always, |all, c| all | if is_taken(c.step) { c.mask } else { 0 })
+        // As a product and not as a branch: half of what is taken cannot be foretold.
+        self.creators().fold(self.always, |all, c| all | (c.mask * u32::from(is_taken(c.step))))
     }
 
     /// Appends the triangles of the arcs in a mask.

@@ -22,13 +22,14 @@
 //! split, so only the corners on the other's side change. Active vertices and triangles are not linked in lists but stand side by
 //! side, so that looking at all of them is a walk through memory, and drawing needs no copy. A restored vertex
 //! is asked for both children whether they go, and what a collapse allows is tried at once, not in the next frame.
-//! There are no wedges, no geomorphs and no spreading of work over frames. Numbers of triangles tell their step, so that it needs
-//! no pointer.
+//! All active vertices are asked before anything changes, many at once, and verdicts can be kept as long as they last.
+//! There are no wedges, no geomorphs and no spreading of work over frames. Numbers of triangles tell their step, so that
+//! it needs no pointer.
 //!
 //! The surface has to be manifold at every level, borders allowed, with one vertex a position:
 //! [`build`](ViewDependentMeshes::build) refuses others and says where.
 //!
-//! Cost: a frame costs a question for each active vertex, and about ten triangles for each change. Building is linear in the stars that
+//! Cost: a frame costs a question for each active vertex that may have changed its mind, a look at the others, and about ten triangles for each change. Building is linear in the stars that
 //! change.
 
 mod adapt;
@@ -208,6 +209,8 @@ impl LodModel for ViewDependentMeshes {
             }
         }
         (state.lowest, state.highest) = (split_count, split_count);
+        // Nothing is known any more of what was asked.
+        state.elapsed = f64::INFINITY;
     }
 
     fn topology(&self) -> Topology {

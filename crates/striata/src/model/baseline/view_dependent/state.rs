@@ -17,6 +17,8 @@ pub struct ViewDependentState {
     triangles: Vec<Triangle>,
     /// Where each triangle stands among them, or [`NONE`].
     slot_of: Vec<u32>,
+    /// All motion since everything was last asked; infinite where it is to be asked again.
+    pub(super) elapsed: f64,
     /// Every step before is split.
     pub(super) lowest: usize,
     /// No step from here on is split.
@@ -30,14 +32,25 @@ pub struct ViewDependentState {
 }
 
 /// A vertex of the surface and the node of the hierarchy that it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct ActiveVertex {
     pub(super) vertex: u32,
     /// The step that splits it, or [`LEAF`](super::LEAF).
     pub(super) node: u32,
     /// Whether both vertices that came of the step that restored this one are there as they came.
     pub(super) has_both: bool,
+    /// Motion after which it is asked again whether to split it, and whether to undo the step that restored it.
+    pub(super) due: [f32; 2],
 }
+
+impl ActiveVertex {
+    fn new(vertex: u32, node: u32, has_both: bool) -> Self {
+        Self { vertex, node, has_both, due: [ASK; 2] }
+    }
+}
+
+/// Due at once.
+pub(super) const ASK: f32 = f32::NEG_INFINITY;
 
 impl ViewDependentState {
     /// An instance that shows the base.
@@ -49,11 +62,12 @@ impl ViewDependentState {
         (0..).zip(&mut slot_of[..model.base_triangles.len()]).for_each(|(slot, of)| *of = slot);
         let roots = (0..).zip(&model.roots);
         Self {
-            active: roots.map(|(vertex, &node)| ActiveVertex { vertex, node, has_both: false }).collect(),
+            active: roots.map(|(vertex, &node)| ActiveVertex::new(vertex, node, false)).collect(),
             place_of,
             corners: model.base_corners.clone(),
             triangles: model.base_triangles.clone(),
             slot_of,
+            elapsed: 0.0,
             lowest: 0,
             highest: 0,
             arrived: Vec::new(),
@@ -140,6 +154,12 @@ impl ViewDependentState {
         self.active[place].has_both = [kept, self.active[place].node] == split.children;
     }
 
+    fn set_node(&mut self, vertex: u32, node: u32) {
+        let active = &mut self.active[self.place_of[vertex as usize] as usize];
+        active.node = node;
+        active.due[0] = ASK;
+    }
+
     /// Whether a step whose children are there can be collapsed: the triangles that it made have the neighbours that they
     /// were made with.
     #[inline]
@@ -155,9 +175,9 @@ impl ViewDependentState {
     pub(super) fn split(&mut self, model: &ViewDependentMeshes, step: u32) {
         let split = &model.splits[step as usize];
         let (kept, restored) = (split.target, model.restored(step));
-        self.active[self.place_of[kept as usize] as usize].node = split.children[0];
+        self.set_node(kept, split.children[0]);
         self.place_of[restored as usize] = self.active.len() as u32;
-        self.active.push(ActiveVertex { vertex: restored, node: split.children[1], has_both: true });
+        self.active.push(ActiveVertex::new(restored, split.children[1], true));
         if split.parent != ROOT {
             self.note_children(model, split.parent);
         }
@@ -190,7 +210,7 @@ impl ViewDependentState {
         self.link(right_kept, kept, 1, right_restored);
         self.link(right_restored, kept, 2, right_kept);
         [left, right].into_iter().filter(|&number| number != NONE).for_each(|number| self.remove(number));
-        self.active[self.place_of[kept as usize] as usize].node = step;
+        self.set_node(kept, step);
         let place = std::mem::replace(&mut self.place_of[restored as usize], NONE) as usize;
         self.active.swap_remove(place);
         if let Some(moved) = self.active.get(place) {
