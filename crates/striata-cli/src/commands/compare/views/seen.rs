@@ -92,12 +92,13 @@ mod tests {
     #[test]
     fn errors_are_distances_in_pixels_of_what_faces_the_eye() {
         let mesh = shapes::icosphere(3, 1.0);
-        let frame = Path::Orbit.frames(&mesh)[0];
+        // Half a turn on, far enough away for all of the sphere to be in the picture.
+        let frame = Path::Orbit.frames(&mesh)[180];
         let watched = Watched::new(&mesh, &frame);
-        // Half of the sphere or less faces the eye, and near the eye not all of that is in the picture.
-        assert!((200..=1000).contains(&watched.points.len()), "{}", watched.points.len());
+        // From 3.8 radii away 37 of 100 parts of a sphere are seen, of 642 vertices and 1,280 triangles.
+        assert!((620..=800).contains(&watched.points.len()), "{}", watched.points.len());
         for (point, _) in &watched.points {
-            assert!(dot(*point, minus(frame.eye(), *point)) > -0.01, "{point:?} is behind");
+            assert!(dot(*point, frame.eye()) > 0.5, "{point:?} is behind");
         }
         let all: Vec<u32> = mesh.triangles.iter().flatten().copied().collect();
         let none = watched.errors(&mesh, &all).unwrap();
