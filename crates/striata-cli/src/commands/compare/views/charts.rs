@@ -26,7 +26,8 @@ pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, F
              asked again only where the view may have changed its mind; stateless fans begin at the base in every frame and \
              own nothing but their bits; VDPM are view-dependent progressive meshes [Hop97]; uniform is a level that is the \
              same everywhere, as fine as the nearest point in the picture asks for, which is found beforehand. {READING} Of \
-             each frame the quickest of several rounds counts, in which models take turns.",
+             each frame the quickest of several rounds counts, in which models take turns.{}",
+            report.missing(),
             screen = grouped(report.screen_px as usize),
         ),
         blocks: Vec::new(),

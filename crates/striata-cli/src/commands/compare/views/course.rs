@@ -16,10 +16,10 @@ use super::seen::{SeenErrors, Watched};
 use crate::failure::Failure;
 
 /// Rounds, where time allows.
-const ROUND_COUNT: usize = 3;
+const ROUND_COUNT: usize = 4;
 
 /// Seconds after which no further round of a path begins.
-const COURSE_SECS: f64 = 3.0;
+const COURSE_SECS: f64 = 4.5;
 
 /// Frames of a path in which errors are looked at.
 const WATCHED_FRAMES: usize = 8;

@@ -160,8 +160,7 @@ impl PathReport {
 impl FollowerReport {
     fn row(&self) -> Vec<String> {
         let Some(figures) = &self.figures else {
-            let why = self.cannot_be_built.as_deref().unwrap_or("no reason is known");
-            return vec![self.name.to_owned(), format!("cannot be built: {why}")];
+            return vec![self.name.to_owned(), "-".to_owned()];
         };
         let ms = |ms: f64| format!("{ms:.3}");
         let pixels = |px: Option<f64>| px.map_or_else(|| "-".to_owned(), |px| format!("{px:.2}"));
@@ -186,6 +185,18 @@ impl FollowerReport {
     }
 }
 
+impl ViewsReport {
+    /// Which followers cannot be built, and why; nothing where all can.
+    fn missing(&self) -> String {
+        let missing =
+            self.paths.first().into_iter().flat_map(|path| &path.contenders).filter_map(|contender| {
+                let why = contender.cannot_be_built.as_ref()?;
+                Some(format!(" {} cannot be built: {why}.", contender.name))
+            });
+        missing.collect()
+    }
+}
+
 /// How to read the tables of courses.
 const READING: &str = "Means of a frame in ms, the first left out, which begins at the base. The criterion is asked, the \
     update is what else it takes to change the mesh, emission writes the indices. Steps are asked for; changes are splits and collapses of a frame, and millions of \
@@ -194,7 +205,8 @@ const READING: &str = "Means of a frame in ms, the first left out, which begins 
 
 /// The tables for people, with what is to be known about them.
 pub(super) fn to_text(report: &ViewsReport, text_of: impl Fn(Vec<Vec<String>>) -> String) -> String {
-    let mut text = format!("Views of {} x {} pixels. {READING}\n", report.screen_px, report.screen_px);
+    let mut text =
+        format!("Views of {px} x {px} pixels. {READING}{}\n", report.missing(), px = report.screen_px);
     for path in &report.paths {
         text.push_str(&format!("\n{}: {} frames {}\n", path.title(), path.frame_count, path.path.about()));
         text.push_str(&text_of(path.table()));
