@@ -9,6 +9,8 @@
 //! Differs: \[Hop97\] keeps the active mesh with its neighbourhoods; here the table tells them, and a list of steps with a
 //! number each is all that a front adds to its instance.
 
+use wide::f32x8;
+
 use super::step_bits::StepBits;
 use super::{FanInstance, FanScene, Fans};
 use crate::view::{Criterion, Part, Verdict};
@@ -18,6 +20,9 @@ const BASE: u32 = u32::MAX;
 
 /// Motion is summed up for so many views before it is taken off what verdicts last.
 const VIEWS_A_SUM: u32 = 256;
+
+/// Places of the list that are looked at together.
+const DUE_BLOCK: usize = 8;
 
 /// As many as the parts of a few hundred cycles.
 const ASKED_TOGETHER: usize = 32;
@@ -46,6 +51,8 @@ pub struct FanFront<C> {
     /// Steps that may be undone, unwanted, and needed by nothing.
     pub(super) unneeded: StepBits,
     undone: Vec<u32>,
+    /// Places of the list that are struck out, rising.
+    stale: Vec<u32>,
     asked: Asked,
 }
 
@@ -84,6 +91,7 @@ impl<C: Criterion + Clone> FanFront<C> {
             late_splits: Vec::new(),
             unneeded: StepBits::none(step_count),
             undone: Vec::new(),
+            stale: Vec::new(),
             asked: Asked::default(),
         };
         front.list_children(fans, BASE);
@@ -138,6 +146,7 @@ impl<C: Criterion + Clone> FanFront<C> {
             }
             self.asked = asked;
         }
+        self.drop_stale();
         if self.late_splits.is_empty() || update.changes() < change_limit {
             self.take_unneeded(scene.fans, change_limit, &mut update);
         }
@@ -161,14 +170,12 @@ impl<C> FanFront<C> {
     pub(super) fn forget_views(&mut self) {
         self.last = None;
         self.move_by(f32::INFINITY);
-        let mut at = 0;
-        while at < self.steps.len() {
+        for at in 0..self.steps.len() {
             if self.is_stale(at) {
-                self.forget(at);
-            } else {
-                at += 1;
+                self.strike(at);
             }
         }
+        self.drop_stale();
     }
 
     /// Adds motion to what has been; verdicts that may not last any more are due.
@@ -193,21 +200,21 @@ impl<C> FanFront<C> {
         self.asked.places.clear();
         self.asked.parts.clear();
         while *at < self.due.len() && self.asked.parts.len() < ASKED_TOGETHER {
-            let ahead = &self.due[*at..];
-            if let Some((block, _)) = ahead.split_first_chunk::<16>()
-                && block.iter().fold(true, |all, &due| all & (due > elapsed))
-            {
-                *at += 16;
-                continue;
-            }
-            if ahead[0] > elapsed {
-                *at += 1;
-            } else if self.is_stale(*at) {
-                self.forget(*at);
-            } else {
-                self.asked.places.push(*at as u32);
-                self.asked.parts.push(scene.part(self.steps[*at]));
-                *at += 1;
+            let (first, ahead) = (*at, &self.due[*at..]);
+            *at += ahead.len().min(DUE_BLOCK);
+            let mut is_due = match ahead.first_chunk::<DUE_BLOCK>() {
+                Some(&block) => f32x8::from(block).simd_le(f32x8::splat(elapsed)).to_bitmask(),
+                None => (0..).zip(ahead).fold(0, |mask, (i, &due)| mask | u32::from(due <= elapsed) << i),
+            };
+            while is_due != 0 {
+                let place = first + is_due.trailing_zeros() as usize;
+                is_due &= is_due - 1;
+                if self.is_stale(place) {
+                    self.strike(place);
+                } else {
+                    self.asked.places.push(place as u32);
+                    self.asked.parts.push(scene.part(self.steps[place]));
+                }
             }
         }
         !self.asked.parts.is_empty()
@@ -224,12 +231,23 @@ impl<C> FanFront<C> {
         parent != BASE && self.instance.is_taken(parent)
     }
 
-    pub(super) fn forget(&mut self, at: usize) {
-        let step = self.steps.swap_remove(at);
-        self.parents.swap_remove(at);
-        self.due.swap_remove(at);
-        self.known.remove(step);
-        self.wanted.remove(step);
+    /// Marks a place as stale; its step may come to the list again.
+    fn strike(&mut self, at: usize) {
+        self.known.remove(self.steps[at]);
+        self.wanted.remove(self.steps[at]);
+        self.due[at] = f32::INFINITY;
+        self.stale.push(at as u32);
+    }
+
+    /// Takes stale places out of the list. Their steps are not in it any more, or are by another place.
+    fn drop_stale(&mut self) {
+        // From the end, where what fills a gap is not stale itself.
+        while let Some(at) = self.stale.pop() {
+            let at = at as usize;
+            self.steps.swap_remove(at);
+            self.parents.swap_remove(at);
+            self.due.swap_remove(at);
+        }
     }
 
     /// Notes whether a step is wanted.
