@@ -6,7 +6,7 @@ use super::super::plot::{Chart, Series};
 use super::super::scale::Scale;
 use super::course::Run;
 use super::figures::Figures;
-use super::followers::NAMES;
+use super::followers::{NAMES, UNIFORM};
 use super::{PathReport, READING, ViewsReport, costs, memory};
 use crate::failure::Failure;
 use crate::output::grouped;
@@ -23,7 +23,8 @@ pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, F
         title: "Views".to_owned(),
         intro: format!(
             "What follows an eye along recorded paths, on a screen of {screen} x {screen} pixels, 60 degrees wide. Fans are \
-             asked again only where the view may have changed its mind; stateless fans begin at the base in every frame and \
+             asked again only where the view may have changed its mind; kept fans keep their triangles from frame to frame \
+             besides, so that emission writes what changes and copies the rest; stateless fans begin at the base in every frame and \
              own nothing but their bits; VDPM are view-dependent progressive meshes [Hop97]; uniform is a level that is the \
              same everywhere, as fine as the nearest point in the picture asks for, which is found beforehand. {READING} Of \
              each frame the quickest of several rounds counts, in which models take turns.{}",
@@ -42,7 +43,7 @@ pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, F
         title: "Memory of views".to_owned(),
         intro: "Bytes a vertex of the full mesh. What is built once is shared by all instances; each instance owns the rest, \
                 here the most on the orbit at 1 pixel. Fans own a bit a step; one that follows a view at the cost of what \
-                changes owns a front besides. What papers count: their structures, 4 bytes a number; 83 bytes a vertex and \
+                changes owns a front besides, and its triangles where it keeps them. What papers count: their structures, 4 bytes a number; 83 bytes a vertex and \
                 112 an active vertex of VDPM are what [Cor01] says (figure 5 and section 4.1)."
             .to_owned(),
         blocks: vec![
@@ -96,7 +97,7 @@ fn activity_section(report: &ViewsReport) -> Result<Section, Failure> {
     });
     let orbits = || report.paths.iter().filter(|path| path.name == "orbit");
     // A level that is the same everywhere takes no time to be chosen.
-    let by_active = NAMES[..3].iter().enumerate().map(|(i, name)| {
+    let by_active = NAMES[..UNIFORM].iter().enumerate().map(|(i, name)| {
         let runs = orbits().filter_map(|path| path.contenders.get(i)?.run.as_ref());
         let all = runs.flat_map(|run| points(run, |frame| (run.triangles[frame], run.follow_secs[frame])));
         line(name, binned(all.collect()))

@@ -6,7 +6,7 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::view::ScreenError;
 
-use super::followers::{Models, NAMES, View};
+use super::followers::{FANS, KEPT, Models, NAMES, RIVAL, STATELESS, View};
 use super::paths::Path;
 use crate::failure::Failure;
 use crate::output::grouped;
@@ -65,7 +65,7 @@ pub(super) fn measure(models: &Models<'_>) -> Result<Vec<CostRow>, Failure> {
                 follower.follow(View { screen, split_count }, None);
                 let followed = started.elapsed().as_secs_f64();
                 buffer.clear();
-                follower.indices_into(&mut buffer);
+                follower.emit_into(&mut buffer);
                 black_box(&*buffer);
                 emission_secs = emission_secs.min(started.elapsed().as_secs_f64() - followed);
                 follow_secs = follow_secs.min(followed);
@@ -85,12 +85,13 @@ pub(super) fn measure(models: &Models<'_>) -> Result<Vec<CostRow>, Failure> {
 
 /// Head and rows.
 pub(super) fn table(rows: &[CostRow]) -> Vec<Vec<String>> {
-    const TIMES: [usize; 3] = [0, 1, 2];
-    const SHOWN: [usize; 2] = [0, 2];
+    const SHOWN: [usize; 2] = [FANS, RIVAL];
+    const REFINED: [usize; 3] = [FANS, STATELESS, RIVAL];
+    const EMITTED: [usize; 3] = [FANS, KEPT, RIVAL];
     let mut head = vec!["pixels".to_owned()];
     head.extend(SHOWN.map(|i| format!("triangles, {}", NAMES[i])));
-    head.extend(TIMES.map(|i| format!("{}, ms", NAMES[i])));
-    head.extend(SHOWN.map(|i| format!("emission, {}", NAMES[i])));
+    head.extend(REFINED.map(|i| format!("{}, ms", NAMES[i])));
+    head.extend(EMITTED.map(|i| format!("emission, {}", NAMES[i])));
     let mut table = vec![head];
     for row in rows {
         let cell = |i: usize, text: fn(&Cost) -> String| {
@@ -99,8 +100,8 @@ pub(super) fn table(rows: &[CostRow]) -> Vec<Vec<String>> {
         };
         let mut cells = vec![row.pixels.to_string()];
         cells.extend(SHOWN.map(|i| cell(i, |cost| grouped(cost.triangles))));
-        cells.extend(TIMES.map(|i| cell(i, |cost| format!("{:.3}", cost.follow_ms))));
-        cells.extend(SHOWN.map(|i| cell(i, |cost| format!("{:.3}", cost.emission_ms))));
+        cells.extend(REFINED.map(|i| cell(i, |cost| format!("{:.3}", cost.follow_ms))));
+        cells.extend(EMITTED.map(|i| cell(i, |cost| format!("{:.3}", cost.emission_ms))));
         table.push(cells);
     }
     table

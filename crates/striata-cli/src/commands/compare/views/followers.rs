@@ -2,7 +2,7 @@
 
 use striata::mesh::RefinableMesh;
 use striata::model::baseline::{ViewDependentMeshes, ViewDependentState};
-use striata::model::{FanBounds, FanFront, FanInstance, FanScene, Fans, FansLevel, LodModel};
+use striata::model::{FanBounds, FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
 use striata::view::ScreenError;
 
 use super::asker::{Asker, Log};
@@ -34,7 +34,7 @@ pub(super) trait Follower<'a> {
     fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes;
 
     /// Appends what it shows.
-    fn indices_into(&self, out: &mut Vec<u32>);
+    fn emit_into(&mut self, out: &mut Vec<u32>);
 
     /// Bytes that the instance owns now.
     fn instance_bytes(&self) -> usize;
@@ -54,7 +54,14 @@ pub(super) struct Models<'r> {
 }
 
 /// The names of followers; the colours of charts follow this order.
-pub(super) const NAMES: [&str; 4] = ["fans", "fans-stateless", "vdpm", "uniform"];
+pub(super) const NAMES: [&str; 5] = ["fans", "fans-kept", "fans-stateless", "vdpm", "uniform"];
+
+/// Their places among [`NAMES`].
+pub(super) const FANS: usize = 0;
+pub(super) const KEPT: usize = 1;
+pub(super) const STATELESS: usize = 2;
+pub(super) const RIVAL: usize = 3;
+pub(super) const UNIFORM: usize = 4;
 
 impl<'r> Models<'r> {
     /// Builds all that can be built.
@@ -76,6 +83,7 @@ impl<'r> Models<'r> {
         let rival = self.rival.as_ref().map_err(Clone::clone);
         vec![
             Ok(Box::new(Incremental { scene, front: FanFront::new(&scene) })),
+            Ok(Box::new(Kept::new(scene, self.refinable))),
             Ok(Box::new(Stateless { scene, instance: FanInstance::uniform(&self.fans, 0) })),
             rival.map(|model| {
                 let follower = Rival { model, state: model.base_state() };
@@ -102,12 +110,49 @@ impl<'a> Follower<'a> for Incremental<'a> {
         Changes { split_count: update.split_count, collapse_count: update.collapse_count }
     }
 
-    fn indices_into(&self, out: &mut Vec<u32>) {
+    fn emit_into(&mut self, out: &mut Vec<u32>) {
         self.front.instance().indices_into(self.scene.fans, out);
     }
 
     fn instance_bytes(&self) -> usize {
         self.front.bytes()
+    }
+}
+
+/// The same with all triangles kept from frame to frame, so that emission writes only those that change.
+struct Kept<'a> {
+    followed: Incremental<'a>,
+    triangles: FanTriangles,
+    refinable: &'a RefinableMesh,
+}
+
+impl<'a> Kept<'a> {
+    fn new(scene: FanScene<'a>, refinable: &'a RefinableMesh) -> Self {
+        let followed = Incremental { scene, front: FanFront::new(&scene) };
+        let triangles = FanTriangles::new(scene.fans, followed.front.instance());
+        Self { followed, triangles, refinable }
+    }
+}
+
+impl<'a> Follower<'a> for Kept<'a> {
+    fn restart(&mut self) {
+        *self = Self::new(self.followed.scene, self.refinable);
+    }
+
+    fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
+        self.followed.follow(view, log)
+    }
+
+    fn emit_into(&mut self, out: &mut Vec<u32>) {
+        let (fans, shown) = (self.followed.scene.fans, self.followed.front.instance());
+        self.triangles.follow(fans, &self.refinable.sequence, shown);
+        for group in 0..fans.group_count() {
+            out.extend_from_slice(self.triangles.triangles(group).as_flattened());
+        }
+    }
+
+    fn instance_bytes(&self) -> usize {
+        self.followed.instance_bytes() + self.triangles.bytes()
     }
 }
 
@@ -127,7 +172,7 @@ impl<'a> Follower<'a> for Stateless<'a> {
         Changes { split_count, collapse_count: 0 }
     }
 
-    fn indices_into(&self, out: &mut Vec<u32>) {
+    fn emit_into(&mut self, out: &mut Vec<u32>) {
         self.instance.indices_into(self.scene.fans, out);
     }
 
@@ -152,7 +197,7 @@ impl<'a> Follower<'a> for Rival<'a> {
         Changes { split_count: adapted.split_count, collapse_count: adapted.collapse_count }
     }
 
-    fn indices_into(&self, out: &mut Vec<u32>) {
+    fn emit_into(&mut self, out: &mut Vec<u32>) {
         self.model.indices_into(&self.state, out);
     }
 
@@ -181,7 +226,7 @@ impl<'a> Follower<'a> for Uniform<'a> {
         }
     }
 
-    fn indices_into(&self, out: &mut Vec<u32>) {
+    fn emit_into(&mut self, out: &mut Vec<u32>) {
         self.fans.indices_into(&self.level, out);
     }
 

@@ -8,7 +8,7 @@ use super::super::bars::{BarChart, Bars};
 use super::super::papers::{COR01_BYTES_PER_VERTEX, cor01_megabytes};
 use super::course::Run;
 use super::figures::{NORMAL_BYTES, PACKED_NORMAL_BYTES, POSITION_BYTES};
-use super::followers::Models;
+use super::followers::{FANS, KEPT, Models, NAMES, RIVAL, STATELESS, UNIFORM};
 
 /// A model's memory in bytes a vertex of the full mesh.
 #[derive(Clone, Debug, Serialize)]
@@ -31,10 +31,10 @@ pub(super) struct MemoryRow {
 }
 
 /// Static bytes of the models that followers stand on, in the order of their names.
-pub(super) fn static_bytes(models: &Models<'_>) -> [usize; 4] {
+pub(super) fn static_bytes(models: &Models<'_>) -> [usize; NAMES.len()] {
     let table = bytes_of(&models.fans);
     let fans = table + models.bounds.bytes();
-    [fans, fans, models.rival.as_ref().map_or(0, |rival| bytes_of(rival)), table]
+    [fans, fans, fans, models.rival.as_ref().map_or(0, |rival| bytes_of(rival)), table]
 }
 
 fn bytes_of(model: &impl LodModel) -> usize {
@@ -60,13 +60,13 @@ pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRo
         let run = runs[follower].as_ref()?;
         Some((run.instance_bytes, run.triangles.iter().copied().max().unwrap_or(0)))
     };
-    let most_uniform = most(3).map_or(0, |(_, triangles)| triangles);
+    let most_uniform = most(UNIFORM).map_or(0, |(_, triangles)| triangles);
     let progressive = ProgressiveMeshes::build(models.refinable);
     let mut state = progressive.new_state();
     progressive.move_to(&mut state, models.refinable.sequence.split_count_for_triangles(most_uniform));
     let ordered = OrderedMeshes::build(models.refinable);
     let [fans, ..] = static_bytes(models);
-    let bits = most(1).map_or(0, |(bytes, _)| bytes);
+    let bits = most(STATELESS).map_or(0, |(bytes, _)| bytes);
     let mut rows = vec![
         row("plain mesh", 12 * mesh.triangle_count(), None, 0),
         row(
@@ -86,9 +86,10 @@ pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRo
             paper_instance_bytes_per_vertex: Some(1.0 / 8.0),
             ..row("fans", fans, Some(COR01_BYTES_PER_VERTEX), bits)
         },
-        row("fans with a front", fans, None, most(0).map_or(0, |(bytes, _)| bytes)),
+        row("fans, a front", fans, None, most(FANS).map_or(0, |(bytes, _)| bytes)),
+        row("fans, all kept", fans, None, most(KEPT).map_or(0, |(bytes, _)| bytes)),
     ];
-    if let (Ok(rival), Some((bytes, triangles))) = (&models.rival, most(2)) {
+    if let (Ok(rival), Some((bytes, triangles))) = (&models.rival, most(RIVAL)) {
         rows.push(MemoryRow {
             // Of closed surfaces vertices are half as many as triangles.
             paper_instance_bytes_per_vertex: Some(per_vertex(112 * triangles / 2)),

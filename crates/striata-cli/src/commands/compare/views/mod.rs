@@ -20,7 +20,7 @@ pub(super) use self::charts::{by_size, sections};
 use self::costs::CostRow;
 use self::course::{Course, Run};
 use self::figures::Figures;
-use self::followers::{Models, NAMES};
+use self::followers::{FANS, Models, NAMES};
 use self::memory::MemoryRow;
 use self::paths::{Path, SCREEN_PX};
 use crate::failure::Failure;
@@ -110,7 +110,7 @@ impl PathReport {
     fn new(course: Course, models: &Models<'_>, runs: Vec<Option<Run>>, rounds: usize) -> Self {
         let vertex_count = models.refinable.mesh.vertex_count().max(1);
         let bytes = memory::static_bytes(models);
-        let fans = runs[0].clone().unwrap_or_default();
+        let fans = runs[FANS].clone().unwrap_or_default();
         let contenders = NAMES.into_iter().zip(runs).zip(bytes).map(|((name, run), bytes)| FollowerReport {
             name,
             cannot_be_built: run.is_none().then(|| models.rival.as_ref().err().cloned()).flatten(),

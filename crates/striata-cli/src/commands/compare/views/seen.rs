@@ -55,8 +55,8 @@ impl Watched {
     ///
     /// # Errors
     /// Where what is shown names vertices that are not there.
-    pub(super) fn errors(&self, mesh: &IndexedMesh, indices: &[u32]) -> Result<SeenErrors, MeshError> {
-        let shown = IndexedMesh::new(mesh.positions.clone(), indices.as_chunks().0.to_vec());
+    pub(super) fn errors(&self, mesh: &IndexedMesh, triangles: &[[u32; 3]]) -> Result<SeenErrors, MeshError> {
+        let shown = IndexedMesh::new(mesh.positions.clone(), triangles.to_vec());
         let tree = TriangleTree::new(&shown)?;
         let pixels = self.points.iter().map(|&(point, pixels)| pixels * tree.distance_to(point));
         Ok(SeenErrors { pixels: pixels.collect() })
@@ -100,15 +100,13 @@ mod tests {
         for (point, _) in &watched.points {
             assert!(dot(*point, frame.eye()) > 0.5, "{point:?} is behind");
         }
-        let all: Vec<u32> = mesh.triangles.iter().flatten().copied().collect();
-        let none = watched.errors(&mesh, &all).unwrap();
+        let none = watched.errors(&mesh, &mesh.triangles).unwrap();
         assert!(none.max().unwrap() < 1e-3, "{:?}", none.max());
         // One octant of the sphere alone: the rest is up to a diameter away.
-        let part: Vec<u32> = mesh
+        let part: Vec<[u32; 3]> = mesh
             .triangles
             .iter()
             .filter(|t| t.iter().all(|&v| mesh.positions[v as usize].iter().all(|&x| x >= 0.0)))
-            .flatten()
             .copied()
             .collect();
         let some = watched.errors(&mesh, &part).unwrap();
