@@ -1,7 +1,7 @@
 //! An instance that follows a view from frame to frame: only what may have changed its mind is asked again.
 //!
-//! What is asked are the steps that are undone and those that collapse to one of them: the front between what is there and what is
-//! not, and what lies above it. A verdict says how much motion it lasts for; the sum of all motion is compared with it, and
+//! What is asked are the steps that are wanted and those right below them in the tree: the front between what is wanted and what
+//! is not, and what lies above it. A verdict says how much motion it lasts for; the sum of all motion is compared with it, and
 //! most steps wait for many frames. Steps that are wanted are undone with all that they need. Those that are not are taken
 //! once nothing is there that needs them, and when the last such thing is taken, they are looked at again. So the
 //! instance shows what is wanted and what that needs, whatever the way it came \[Hop97\].
@@ -15,7 +15,7 @@ use super::step_bits::StepBits;
 use super::{FanInstance, FanScene, Fans};
 use crate::view::{Criterion, Part, Verdict};
 
-/// Parent of steps that collapse to the base.
+/// Parent of the steps below the base.
 const BASE: u32 = u32::MAX;
 
 /// Motion is summed up for so many views before it is taken off what verdicts last.
@@ -39,7 +39,7 @@ pub struct FanFront<C> {
     pub(super) wanted: StepBits,
     /// Steps that are in the list.
     known: StepBits,
-    /// The list: steps, what they collapse to, and how much motion since `elapsed` began their verdicts last for.
+    /// The list: steps, what they are below, and how much motion since `elapsed` began their verdicts last for.
     pub(super) steps: Vec<u32>,
     parents: Vec<u32>,
     due: Vec<f32>,
@@ -136,7 +136,7 @@ impl<C: Criterion + Clone> FanFront<C> {
             for (&at, verdict) in asked.places.iter().zip(&asked.verdicts) {
                 let step = self.steps[at as usize];
                 self.due[at as usize] = elapsed + verdict.lasts * (1.0 - SLACK);
-                self.hear(step, verdict.is_wanted());
+                self.hear(scene.fans, step, verdict.is_wanted());
                 if verdict.is_wanted() && self.instance.is_taken(step) {
                     self.late_splits.push(step);
                     if is_whole {
@@ -225,16 +225,17 @@ impl<C> FanFront<C> {
         FanUpdate { threshold, ..FanUpdate::default() }
     }
 
-    /// Whether what a place of the list collapses to is gone: then nobody asks for it.
-    pub(super) fn is_stale(&self, at: usize) -> bool {
+    /// Whether what a place of the list is below is not wanted: then neither is the step, and nobody asks for it.
+    fn is_stale(&self, at: usize) -> bool {
         let parent = self.parents[at];
-        parent != BASE && self.instance.is_taken(parent)
+        parent != BASE && !self.wanted.has(parent)
     }
 
     /// Marks a place as stale; its step may come to the list again.
     fn strike(&mut self, at: usize) {
-        self.known.remove(self.steps[at]);
-        self.wanted.remove(self.steps[at]);
+        let step = self.steps[at];
+        self.known.remove(step);
+        self.unwant(step);
         self.due[at] = f32::INFINITY;
         self.stale.push(at as u32);
     }
@@ -251,12 +252,21 @@ impl<C> FanFront<C> {
     }
 
     /// Notes whether a step is wanted.
-    pub(super) fn hear(&mut self, step: u32, is_wanted: bool) {
-        if is_wanted {
+    pub(super) fn hear(&mut self, fans: &Fans, step: u32, is_wanted: bool) {
+        if !is_wanted {
+            self.unwant(step);
+        } else if !self.wanted.has(step) {
             self.wanted.insert(step);
-        } else if self.wanted.has(step) {
+            if !self.instance.is_taken(step) {
+                self.list_children(fans, step);
+            }
+        }
+    }
+
+    fn unwant(&mut self, step: u32) {
+        // One that was unwanted before is there because something needs it, and looked at when that goes.
+        if self.wanted.has(step) {
             self.wanted.remove(step);
-            // One that was unwanted before is there because something needs it, and looked at when that goes.
             self.unneeded.insert(step);
         }
     }
@@ -290,7 +300,9 @@ impl<C> FanFront<C> {
         }
         for &step in &undone {
             self.triangle_count += usize::from(fans.removed[step as usize]);
-            self.list_children(fans, step);
+            if self.wanted.has(step) {
+                self.list_children(fans, step);
+            }
         }
         let count = undone.len();
         self.undone = undone;
@@ -325,7 +337,11 @@ impl<C> FanFront<C> {
                 self.instance.taken.insert(step);
                 self.triangle_count -= usize::from(fans.removed[step as usize]);
                 update.collapse_count += 1;
-                fans.for_each_needed_by_split(step, |coarser| self.unneeded.insert(coarser));
+                fans.for_each_needed_by_split(step, |coarser| {
+                    if !self.wanted.has(coarser) {
+                        self.unneeded.insert(coarser);
+                    }
+                });
             }
         }
     }
