@@ -34,7 +34,7 @@ pub(super) struct MemoryRow {
 pub(super) fn static_bytes(models: &Models<'_>) -> [usize; NAMES.len()] {
     let table = bytes_of(&models.fans);
     let fans = table + models.bounds.bytes();
-    [fans, fans, fans, models.rival.as_ref().map_or(0, |rival| bytes_of(rival)), table]
+    [fans, fans, fans, models.rival.as_ref().map_or(0, bytes_of), table]
 }
 
 fn bytes_of(model: &impl LodModel) -> usize {
