@@ -70,8 +70,9 @@ fn path_section(path: &PathReport) -> Result<Section, Failure> {
         let x = Scale::at(&[0.0, 0.25, 0.5, 0.75, 1.0].map(|share| (share * frames).round()));
         Chart { x_title: "frame", y_title, x, y, series }
     };
-    let times = chart("criterion and update, ms", &|figures| {
-        if figures.changes_per_sec.is_some() { figures.series.follow_ms.clone() } else { Vec::new() }
+    let times = chart("criterion, update and emission, ms", &|figures| {
+        let series = &figures.series;
+        series.follow_ms.iter().zip(&series.emission_ms).map(|(follow, emission)| follow + emission).collect()
     });
     let triangles =
         chart("triangles", &|figures| figures.series.triangles.iter().map(|&count| count as f64).collect());
@@ -79,7 +80,7 @@ fn path_section(path: &PathReport) -> Result<Section, Failure> {
         title: format!("View: {}", path.title()),
         intro: format!("{} frames {}; {} rounds.", path.frame_count, path.path.about(), path.rounds),
         blocks: vec![
-            Block::chart(&times, "Time of criterion and update by frame")?,
+            Block::chart(&times, "Time of each frame")?,
             Block::chart(&triangles, "Triangles by frame")?,
             Block::WideTable(path.table()),
         ],
