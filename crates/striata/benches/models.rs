@@ -5,7 +5,7 @@ use std::hint::black_box;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::model::{FanInstance, Fans, LodModel, LodStrips, Mts, StripBuffer};
+use striata::model::{FanBounds, FanInstance, Fans, LodModel, LodStrips, Mts, StripBuffer};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 
@@ -144,6 +144,20 @@ fn fans(c: &mut Criterion) {
                 let split: usize = steps.clone().rev().map(|step| instance.split(&table, step)).sum();
                 (collapsed, split)
             })
+        });
+        group.throughput(Throughput::Elements(table.vertex_count() as u64));
+        group.bench_function(format!("build_bounds/{name}"), |b| {
+            b.iter(|| FanBounds::build(&table, &refinable))
+        });
+        let bounds = FanBounds::build(&table, &refinable);
+        let models = [FileModel::Fans(&table, &bounds)];
+        let bytes = to_striata(&refinable, &models, &WriteOptions::default()).expect("memory does not fail");
+        group.bench_function(format!("load/{name}"), |b| {
+            b.iter_batched(
+                || StriataFile::parse(&bytes).expect("written just now"),
+                |file| file.fans().map(|model| model.is_ok()),
+                BatchSize::SmallInput,
+            )
         });
     }
     group.finish();
