@@ -2,10 +2,13 @@
 
 use std::hint::black_box;
 
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BatchSize, BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::model::{FanBounds, FanInstance, Fans, LodModel, LodStrips, Mts, StripBuffer};
+use striata::model::{
+    FanBounds, FanForm, FanIndices, FanInstance, FanMorphs, Fans, LodModel, LodStrips, Mts, StripBuffer,
+};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 
@@ -135,7 +138,22 @@ fn fans(c: &mut Criterion) {
                 })
             });
             out.clear();
+            emit_forms(&mut group, (name, percent), &table, &instance);
         }
+        let [coarse, fine] =
+            [10, 12].map(|percent| FanInstance::uniform(&table, table.step_count() * percent / 100));
+        group.throughput(Throughput::Elements(1));
+        let mut morphs = FanMorphs::new(&coarse, 60);
+        let mut places = refinable.mesh.positions.clone();
+        let mut frame = 0;
+        // Always on the way: turned round in every 30th frame.
+        group.bench_function(format!("morph_frame/{name}"), |b| {
+            b.iter(|| {
+                frame += 1;
+                morphs.advance(&table, if frame / 30 % 2 == 0 { &fine } else { &coarse });
+                morphs.positions_into(&refinable.sequence, &refinable.mesh.positions, &mut places);
+            })
+        });
         let mut instance = FanInstance::full(&table);
         group.throughput(Throughput::Elements(2 * table.step_count() as u64));
         group.bench_function(format!("change_all/{name}"), |b| {
@@ -161,6 +179,25 @@ fn fans(c: &mut Criterion) {
         });
     }
     group.finish();
+}
+
+/// The other forms, and triangles on all threads.
+fn emit_forms(
+    group: &mut BenchmarkGroup<'_, WallTime>,
+    (name, percent): (&str, usize),
+    table: &Fans,
+    instance: &FanInstance,
+) {
+    let mut out = FanIndices::default();
+    for (form, verb) in [(FanForm::Fans, "emit_fans"), (FanForm::Strips, "emit_strips")] {
+        group.bench_function(format!("{verb}/{name}/{percent}"), |b| {
+            b.iter(|| instance.emit_into(table, form, &mut out))
+        });
+    }
+    #[cfg(feature = "parallel")]
+    group.bench_function(format!("emit_parallel/{name}/{percent}"), |b| {
+        b.iter(|| instance.emit_parallel_into(table, FanForm::Triangles, &mut out))
+    });
 }
 
 criterion_group!(benches, lod_strips, mts, fans);

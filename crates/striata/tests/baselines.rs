@@ -1,4 +1,4 @@
-//! Progressive meshes and discrete levels against the oracle.
+//! Progressive meshes, ordered meshes and discrete levels against the oracle.
 
 mod support;
 
@@ -7,7 +7,7 @@ use striata::mesh::{
     CollapseSequence, IndexedMesh, MeshError, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
     canonical_triangles, replay, shapes,
 };
-use striata::model::baseline::{DiscreteLevels, DiscreteLevelsError, ProgressiveMeshes};
+use striata::model::baseline::{DiscreteLevels, DiscreteLevelsError, OrderedMeshes, ProgressiveMeshes};
 use striata::model::{Accounting, LodModel, PartBytes};
 use striata::strip::{StripOptions, Stripifier, restart_triangles_into};
 use support::{
@@ -15,9 +15,10 @@ use support::{
     random_refinable, seam_cases, soups, surface_cases, with_seams_and_groups,
 };
 
-/// Holds progressive meshes and discrete levels to the oracle.
+/// Holds progressive meshes, ordered meshes and discrete levels to the oracle.
 fn check_baselines(refinable: &RefinableMesh, stride: usize) {
     follows_the_oracle(refinable, &ProgressiveMeshes::build(refinable), stride);
+    follows_the_oracle(refinable, &OrderedMeshes::build(refinable), stride);
     for level_count in [1, 2, 5, 10] {
         let model = DiscreteLevels::build(refinable, level_count, &StripOptions::default()).unwrap();
         assert!((1..=level_count).contains(&model.level_count()));
@@ -62,6 +63,7 @@ fn seams_and_groups_follow_the_oracle() {
 fn a_vertex_that_stands_everywhere_makes_a_long_record() {
     for case in hub_cases() {
         follows_the_oracle(&case.refinable, &ProgressiveMeshes::build(&case.refinable), case.stride);
+        follows_the_oracle(&case.refinable, &OrderedMeshes::build(&case.refinable), case.stride);
     }
 }
 
@@ -89,6 +91,7 @@ fn a_step_may_remove_more_triangles_than_a_byte_counts() {
     for triangle_count in [254, 255, 256, 700] {
         let refinable = many_on_an_edge(triangle_count);
         follows_the_oracle(&refinable, &ProgressiveMeshes::build(&refinable), 1);
+        follows_the_oracle(&refinable, &OrderedMeshes::build(&refinable), 1);
     }
 }
 
@@ -122,6 +125,7 @@ fn triangles_without_area_are_in_no_list() {
     let model = ProgressiveMeshes::build(&refinable);
     follows_the_oracle(&refinable, &model, 1);
     assert_eq!(model.new_state().indices().len(), 3 * 18);
+    follows_the_oracle(&refinable, &OrderedMeshes::build(&refinable), 1);
 }
 
 /// What the ranges of each group draw, in place.
@@ -131,6 +135,7 @@ fn groups_are_drawn_from_the_list_itself() {
     let refinable =
         random_refinable(&mesh, Wildness { far_percent: 5, base_position_count: 3 }, &mut Random::new(3));
     let meshes = ProgressiveMeshes::build(&refinable);
+    let ordered = OrderedMeshes::build(&refinable);
     let levels = DiscreteLevels::build(&refinable, 5, &StripOptions::default()).unwrap();
     let (mut list, mut level) = (meshes.new_state(), levels.new_state());
     for split_count in (0..=meshes.step_count()).rev() {
@@ -141,6 +146,14 @@ fn groups_are_drawn_from_the_list_itself() {
         for (range, group) in meshes.group_ranges(&list).zip(&expected.groups) {
             let found = list.indices()[range.start as usize..range.end as usize].as_chunks().0;
             assert_eq!(canonical_triangles(found), canonical_triangles(&expected.triangles[group.range()]));
+        }
+        let mut instance = ordered.new_state();
+        ordered.move_to(&mut instance, split_count);
+        for (g, group) in expected.groups.iter().enumerate() {
+            let mut found = Vec::new();
+            ordered.group_indices_into(&instance, g, &mut found);
+            let expected = canonical_triangles(&expected.triangles[group.range()]);
+            assert_eq!(canonical_triangles(found.as_chunks().0), expected);
         }
         let expected = replay(&refinable, levels.split_count(&level));
         let strips = levels.strips(&level);
@@ -237,6 +250,12 @@ fn bytes_are_those_of_the_arrays() {
     model.move_to(&mut state, 0);
     assert_eq!(state.indices(), [1, 2, 0, 0, 1, 3, 2, 0, 3]);
     assert_eq!(model.group_ranges(&state).next(), Some(0..3));
+    let ordered = OrderedMeshes::build(&refinable);
+    // One of the base, which the split takes away, and the three that it makes.
+    assert_eq!(ordered.stored_triangle_count(), 4);
+    // The one step that makes triangles, and the ends of the one group in both lists.
+    assert_eq!(ordered.bytes(), [part("triangles", 48), part("taken by", 16), part("makers", 8 + 4 * 4)]);
+    assert_eq!(ordered.paper_bytes(Accounting::Words), 4 * (4 * 4 + 2));
     let levels = DiscreteLevels::build(&refinable, 5, &StripOptions::default()).unwrap();
     assert_eq!(levels.split_counts().collect::<Vec<_>>(), [1, 0]);
     let [fine, coarse] = [1, 0].map(|split_count| {

@@ -170,3 +170,67 @@ fn a_criterion_without_sense_leads_to_levels_without_cracks() {
         }
     }
 }
+
+/// What weighs more than a threshold, and what that needs.
+fn of_threshold(scene: &FanScene<'_>, criterion: &ScreenError, threshold: f32) -> FanInstance {
+    let mut instance = FanInstance::full(scene.fans);
+    instance.refine(scene, &|part: &Part| criterion.weigh(part).weight / threshold);
+    instance
+}
+
+fn triangle_count(fans: &Fans, instance: &FanInstance) -> usize {
+    let mut indices = Vec::new();
+    instance.indices_into(fans, &mut indices);
+    indices.len() / 3
+}
+
+#[test]
+fn a_budget_is_used_for_what_weighs_most() {
+    let mut bound = 0;
+    for case in surface_cases().chain(seam_cases()) {
+        let (fans, bounds) = stage(&case.refinable);
+        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let mut walk = Walk::new(scene.sphere(), case.seed);
+        let mut front = FanFront::new(&scene);
+        let full = triangle_count(&fans, &FanInstance::full(&fans));
+        for round in 0..30 {
+            let criterion = walk.step(1.0);
+            let limit = full * [10, 25, 60][round % 3] / 100;
+            let update = front.update_to_budget(&scene, &criterion, limit);
+            assert_eq!(front.triangle_count(), triangle_count(&fans, front.instance()));
+            // What weighs the same may be there in part.
+            let [least, more] =
+                [1.0, 1.0 - 1e-6].map(|x| of_threshold(&scene, &criterion, update.threshold * x));
+            for step in 0..fans.step_count() as u32 {
+                assert!(least.is_taken(step) || !front.instance().is_taken(step), "step {step} is missing");
+                assert!(front.instance().is_taken(step) || !more.is_taken(step), "step {step} is too much");
+            }
+            assert!(front.triangle_count() <= limit.max(fans.base_triangle_count()));
+            if update.threshold > 1.0 {
+                // A little less would not fit.
+                bound += 1;
+                assert!(triangle_count(&fans, &more) > limit, "{} of {limit}", front.triangle_count());
+            }
+        }
+    }
+    assert!(bound > 50, "only {bound} budgets were too small for the view");
+}
+
+#[test]
+fn a_budget_and_a_tolerance_may_take_turns() {
+    for case in surface_cases() {
+        let (fans, bounds) = stage(&case.refinable);
+        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let mut walk = Walk::new(scene.sphere(), case.seed);
+        let mut front = FanFront::new(&scene);
+        for round in 0..12 {
+            let criterion = walk.step(1.0);
+            if round % 2 == 0 {
+                front.update_to_budget(&scene, &criterion, 40);
+            } else {
+                front.update(&scene, &criterion, usize::MAX);
+                assert_eq!(front.instance(), &of_threshold(&scene, &criterion, 1.0));
+            }
+        }
+    }
+}

@@ -12,6 +12,7 @@ mod disjoint_sets;
 mod distance;
 mod dual_graph;
 mod indexed_mesh;
+pub mod octahedral;
 mod positions;
 mod random;
 mod replay;

@@ -6,6 +6,7 @@
 
 pub mod baseline;
 pub mod fans;
+pub mod geomorph;
 pub mod lod_strips;
 pub mod mts;
 
@@ -18,7 +19,11 @@ mod strip_run;
 mod superfluous;
 
 pub use error::ModelError;
-pub use fans::{FanBounds, FanFront, FanInstance, FanScene, FanUpdate, Fans, FansLevel};
+pub use fans::{
+    FanBounds, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanUpdate, Fans, FansLevel,
+    MovingVertex, fan_triangles_into,
+};
+pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
 pub(crate) use step_vertices::StepVertices;

@@ -36,6 +36,8 @@ pub struct ScreenError {
     pub(super) half: [f32; 2],
     pub(super) across: [f32; 2],
     pub(super) corner: f32,
+    /// What is nearer than this weighs no more.
+    pub(super) nearest: f32,
     /// Pixels of a unit one unit away, and pixels allowed.
     pub(super) scale: f32,
     pub(super) pixels: f32,
@@ -50,6 +52,7 @@ impl ScreenError {
         let half = camera.half.map(|half| half as f32);
         Self {
             model: None,
+            nearest: f32::MIN_POSITIVE,
             eye: camera.eye.as_vec3(),
             right: camera.right.as_vec3(),
             up: camera.up.as_vec3(),
@@ -70,7 +73,8 @@ impl ScreenError {
     /// move in the view, and every verdict lasts for one view only.
     #[must_use]
     pub fn of_model(self, model: Sphere) -> Self {
-        Self { model: Some(model), ..self }
+        let nearest = (model.radius * 1e-6).max(f32::MIN_POSITIVE);
+        Self { model: Some(model), nearest, ..self }
     }
 
     /// The same, with another number of pixels allowed where the surface can turn from the eye: outlines show errors as
@@ -138,5 +142,139 @@ impl Criterion for ScreenError {
         let moved = center.distance(center_before) + turned * f64::from(model.radius);
         let eye = self.camera.eye.distance(earlier.camera.eye) * f64::from(EYE_SHARE);
         (moved.max(eye) * (1.0 + 1e-5)) as f32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Random;
+    use crate::view::NormalCone;
+
+    struct Draw(Random);
+
+    impl Draw {
+        fn number(&mut self, spread: f32) -> f32 {
+            (self.0.unit() as f32 - 0.5) * spread
+        }
+
+        fn point(&mut self, spread: f32) -> [f32; 3] {
+            [(); 3].map(|()| self.number(spread))
+        }
+
+        fn part(&mut self) -> Part {
+            let axis = Vec3::from(self.point(2.0)).normalize();
+            let sphere = Sphere { center: self.point(4.0), radius: self.number(0.6).abs() };
+            let cos = 1.0 - self.number(2.2).abs();
+            Part { sphere, cone: NormalCone { axis: axis.into(), cos }, error: self.number(0.03).abs() }
+        }
+
+        fn criterion(&mut self, eye: [f32; 3], kind: usize) -> ScreenError {
+            let camera = Camera::new(eye, [0.1, 0.0, 0.2], [0.0, 1.0, 0.0], 0.6, [900, 700]).unwrap();
+            kinds(ScreenError::new(camera, 1.0).of_model(MODEL), kind)
+        }
+    }
+
+    const MODEL: Sphere = Sphere { center: [0.0; 3], radius: 4.0 };
+
+    fn kinds(criterion: ScreenError, kind: usize) -> ScreenError {
+        match kind {
+            0 => criterion,
+            1 => criterion.with_silhouettes(0.25),
+            2 => criterion.with_region(Sphere { center: [1.0, 0.0, 0.0], radius: 0.8 }, 0.2),
+            _ => criterion.with_fovea(Fovea { at: [0.3, 0.1], radius: 0.1, falloff: 20.0 }),
+        }
+    }
+
+    #[test]
+    fn a_verdict_lasts_as_long_as_it_says() {
+        let mut draw = Draw(Random::new(11));
+        let (mut lasted, mut changed) = (0, 0);
+        for round in 0..120_000 {
+            let kind = round % 4;
+            // From afar the eye moves much where the picture moves little.
+            let far = [1.0, 1.0, 8.0][round % 3];
+            let eye = draw.point(9.0 * far);
+            let before = draw.criterion(eye, kind);
+            let size = [0.02, 0.1, 0.5, 1.0, 2.0][round % 5] * far;
+            let aside = draw.point(size);
+            let after = draw.criterion([0, 1, 2].map(|i| eye[i] + aside[i]), kind);
+            let part = draw.part();
+            let part = Part { error: part.error * far, ..part };
+            let (first, second) = (before.weigh(&part), after.weigh(&part));
+            let motion = after.motion_since(&before);
+            let is_changed = first.is_wanted() != second.is_wanted();
+            assert!(
+                !(is_changed && motion < first.lasts),
+                "{kind}: {part:?}: {first:?}, {second:?} after {motion}"
+            );
+            lasted += usize::from(motion < first.lasts);
+            changed += usize::from(is_changed);
+        }
+        assert!(lasted > 20_000 && changed > 2000, "{lasted} verdicts lasted, {changed} changed");
+    }
+
+    #[test]
+    fn what_lies_within_never_weighs_more() {
+        let mut draw = Draw(Random::new(12));
+        let mut unlike = 0;
+        for round in 0..20_000 {
+            let (eye, part) = (draw.point(9.0), draw.part());
+            let criterion = draw.criterion(eye, round % 4);
+            let aside = Vec3::from(draw.point(0.5));
+            let sphere = Sphere { center: (Vec3::from(part.sphere.center) + aside).into(), ..part.sphere };
+            let whole = Part { sphere: sphere.with_sphere(&part.sphere), error: part.error * 1.1, ..part };
+            let [inner, outer] = [&part, &whole].map(|part| criterion.weigh(part).weight);
+            // Spheres that touch the same side of the picture differ by rounding.
+            assert!(
+                inner <= outer * 1.0001 || outer == 0.0 && criterion.weigh(&whole).lasts < 1e-4,
+                "{inner}, {outer}"
+            );
+            unlike += usize::from(inner < outer);
+        }
+        assert!(unlike > 3000);
+    }
+
+    #[test]
+    fn weights_are_errors_in_pixels_over_what_is_allowed() {
+        let mut draw = Draw(Random::new(13));
+        let mut compared = 0;
+        for _ in 0..20_000 {
+            let (eye, part) = (draw.point(9.0), draw.part());
+            let criterion = draw.criterion(eye, 0);
+            let weight = criterion.weigh(&part).weight;
+            let camera = criterion.camera();
+            let is_hidden =
+                !camera.may_see(&part.sphere) || part.cone.is_turned_away(&part.sphere, camera.eye());
+            // The camera looks at a sphere as a whole, the criterion at its centre and then at its radius.
+            let middle = camera.error_px(part.error, &Sphere::point(part.sphere.center));
+            if weight > 0.0 {
+                assert!(!is_hidden || criterion.weigh(&part).lasts < 1e-3);
+                let on_screen = camera.may_see(&Sphere::point(part.sphere.center));
+                assert!(!on_screen || weight >= middle * 0.999, "{weight} of {middle}");
+                compared += 1;
+            }
+        }
+        assert!(compared > 3000, "{compared}");
+    }
+
+    #[test]
+    fn silhouettes_regions_and_gaze_change_what_is_allowed() {
+        let criterion = |kind| Draw(Random::new(1)).criterion([0.0, 0.0, 5.0], kind);
+        let part = |center: [f32; 3], axis: [f32; 3]| Part {
+            sphere: Sphere { center, radius: 0.05 },
+            cone: NormalCone { axis, cos: 0.98 },
+            error: 0.004,
+        };
+        let weight = |kind, part: &Part| criterion(kind).weigh(part).weight;
+        let (front, edge) = (part([0.0; 3], [0.0, 0.0, 1.0]), part([0.0; 3], [1.0, 0.0, 0.0]));
+        assert_eq!(weight(1, &front), weight(0, &front));
+        assert!((weight(1, &edge) / weight(0, &edge) - 4.0).abs() < 1e-3);
+        assert_eq!(weight(0, &part([0.0; 3], [0.0, 0.0, -1.0])), 0.0);
+        let inside = part([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
+        assert!((weight(2, &inside) / weight(0, &inside) - 5.0).abs() < 1e-3);
+        assert_eq!(weight(2, &front), weight(0, &front));
+        let far_off = part([-1.5, -1.0, 0.0], [0.0, 0.0, 1.0]);
+        assert!(weight(3, &far_off) < 0.7 * weight(0, &far_off) && weight(3, &far_off) > 0.0);
     }
 }

@@ -89,14 +89,19 @@ impl ScreenError {
         // All that decides changes no faster than the view moves, and is no larger for what lies within.
         let cos = (places.view[2] / places.distance).fast_max(splat(self.corner));
         let near = (places.distance * cos * cos - splat(STRETCH) * places.radius) * times;
-        let near = near.fast_max(splat(f32::MIN_POSITIVE));
+        // Where the eye may touch a part nothing is small enough; but errors still tell what comes first.
+        let nearest = splat(self.nearest);
+        let touched = near.simd_le(nearest).bitselect(splat(2.0), splat(0.0));
         let needed = (lanes.error * splat(self.scale) / allowed).fast_min(splat(f32::MAX));
         let slope = splat(STRETCH) * times + times_slope;
-        let error_lasts = ((near - needed) / slope).abs().fast_min(allowed_lasts).fast_min(times_last);
+        let change = (near - needed).abs().fast_min((near - nearest).abs());
+        let error_lasts = (change / slope).fast_min(allowed_lasts).fast_min(times_last);
 
-        let is_large = near.simd_lt(needed);
+        let weight =
+            needed / near.fast_max(nearest) + needed.simd_gt(splat(0.0)).bitselect(touched, splat(0.0));
+        let is_large = weight.simd_gt(splat(1.0));
         let is_hidden = seen.simd_lt(splat(0.0)) | away.simd_gt(splat(0.0));
-        let weight = is_hidden.bitselect(splat(0.0), needed / near);
+        let weight = is_hidden.bitselect(splat(0.0), weight);
         let eye_share = splat(EYE_SHARE);
         let lasts_wanted = error_lasts.fast_min(seen).fast_min(-away * eye_share);
         let lasts_small = is_large.bitselect(splat(0.0), error_lasts);

@@ -4,13 +4,17 @@
 //! compared is the data structure alone.
 
 pub mod discrete_levels;
+pub mod ordered_meshes;
 pub mod original_lod_strips;
 pub mod progressive_meshes;
 pub mod skip_strips;
+pub mod view_dependent;
 
 mod repetitions;
 
 pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
+pub use ordered_meshes::{OrderedMeshes, OrderedMeshesState};
 pub use original_lod_strips::{OriginalLodStrips, OriginalLodStripsState};
 pub use progressive_meshes::{ProgressiveMeshes, ProgressiveMeshesState};
 pub use skip_strips::{SkipStrips, SkipStripsState};
+pub use view_dependent::{Adapted, ViewDependentError, ViewDependentMeshes, ViewDependentState};

@@ -213,6 +213,67 @@ mod tests {
         assert_eq!(expand(round_up(f32::MAX)), f32::INFINITY);
     }
 
+    fn terrain() -> RefinableMesh {
+        let mesh = crate::mesh::shapes::terrain(24, 5);
+        let options = crate::simplify::SequenceOptions::default();
+        crate::simplify::build_sequence(&mesh, &options, &mut crate::ignore_progress).unwrap().refinable
+    }
+
+    #[test]
+    fn bounds_hold_what_their_step_changes() {
+        let refinable = terrain();
+        let fans = Fans::build(&refinable);
+        let bounds = FanBounds::build(&fans, &refinable);
+        let positions = &refinable.mesh.positions;
+        let mut changed = Vec::new();
+        for step in 0..fans.step_count as u32 {
+            let part = bounds.part(&fans, positions, step);
+            assert!(part.error >= refinable.sequence.error_at(step as usize));
+            changed.clear();
+            fans.triangles_changed_by(step, &refinable.sequence, &mut changed);
+            assert!(!changed.is_empty());
+            for corners in changed.iter().map(|t| t.map(|v| positions[v as usize])) {
+                assert!(
+                    corners.iter().all(|&p| part.sphere.holds(p)),
+                    "step {step}: {corners:?} in {part:?}"
+                );
+                let cone = NormalCone::of_triangles([corners].into_iter());
+                // A triangle without area has no normal.
+                assert!(
+                    cone == NormalCone::ALL || part.cone.holds(cone.axis),
+                    "step {step}: {cone:?} in {part:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn every_step_is_below_one_that_it_needs_and_within_its_bounds() {
+        let refinable = terrain();
+        let fans = Fans::build(&refinable);
+        let bounds = FanBounds::build(&fans, &refinable);
+        let part = |step| bounds.part(&fans, &refinable.mesh.positions, step);
+        let mut parents = vec![0; fans.step_count];
+        fans.for_each_child(None, |child| parents[child as usize] += 1);
+        for step in 0..fans.step_count as u32 {
+            let whole = part(step);
+            fans.for_each_child(Some(step), |child| {
+                parents[child as usize] += 1;
+                let inner = part(child);
+                assert!(whole.sphere.with_sphere(&inner.sphere).radius <= whole.sphere.radius * 1.0001);
+                let axis = |cone: NormalCone| NormalCone::around(direction(cone.axis));
+                let around =
+                    axis(whole.cone).with_cone(&NormalCone { axis: axis(inner.cone).axis, ..inner.cone });
+                assert!(whole.cone.cos <= around.cos + 1e-4, "{whole:?} around {inner:?}");
+                assert!(whole.error >= inner.error);
+                let mut is_needed = false;
+                fans.for_each_needed_by_split(child, |needed| is_needed |= needed == step);
+                assert!(is_needed, "step {child} is below {step}");
+            });
+        }
+        assert!(parents.iter().all(|&count| count == 1));
+    }
+
     #[test]
     fn a_stored_cone_holds_the_cone_that_it_was_made_of() {
         let mut random = Random::new(9);

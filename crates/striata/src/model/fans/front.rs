@@ -100,10 +100,6 @@ impl<C: Criterion + Clone> FanFront<C> {
         self.triangle_count
     }
 
-    /// scratch
-    pub fn list_len(&self) -> usize {
-        self.steps.len()
-    }
     /// Bytes that the front and its instance own.
     pub fn bytes(&self) -> usize {
         let bits = self.instance.bytes() + self.wanted.bytes() + self.known.bytes() + self.unneeded.bytes();
@@ -149,6 +145,31 @@ impl<C: Criterion + Clone> FanFront<C> {
             && self.unneeded.last_before(self.instance.step_count as u32).is_none();
         update
     }
+}
+
+/// Steps that are asked for together.
+#[derive(Clone, Debug, Default)]
+struct Asked {
+    /// Places in the list.
+    places: Vec<u32>,
+    parts: Vec<Part>,
+    verdicts: Vec<Verdict>,
+}
+
+impl<C> FanFront<C> {
+    /// Has everything asked again at the next view, and drops from the list what nobody asks for.
+    pub(super) fn forget_views(&mut self) {
+        self.last = None;
+        self.move_by(f32::INFINITY);
+        let mut at = 0;
+        while at < self.steps.len() {
+            if self.is_stale(at) {
+                self.forget(at);
+            } else {
+                at += 1;
+            }
+        }
+    }
 
     /// Adds motion to what has been; verdicts that may not last any more are due.
     fn move_by(&mut self, motion: f32) {
@@ -166,18 +187,7 @@ impl<C: Criterion + Clone> FanFront<C> {
             (self.elapsed, self.view_count) = (0.0, 0);
         }
     }
-}
 
-/// Steps that are asked for together.
-#[derive(Clone, Debug, Default)]
-struct Asked {
-    /// Places in the list.
-    places: Vec<u32>,
-    parts: Vec<Part>,
-    verdicts: Vec<Verdict>,
-}
-
-impl<C> FanFront<C> {
     /// Gathers the next steps of the list whose verdicts may not last any more; whether there are any.
     fn gather_due(&mut self, scene: &FanScene<'_>, elapsed: f32, at: &mut usize) -> bool {
         self.asked.places.clear();

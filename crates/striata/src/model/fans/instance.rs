@@ -139,14 +139,6 @@ impl FanInstance {
         }
     }
 
-    /// Appends the triangles that the instance shows, three indices each.
-    ///
-    /// # Panics
-    /// If the instance is of another table.
-    pub fn indices_into(&self, fans: &Fans, out: &mut Vec<u32>) {
-        (0..fans.group_count).for_each(|group| self.group_indices_into(fans, group, out));
-    }
-
     /// Appends the triangles of one group.
     ///
     /// # Panics

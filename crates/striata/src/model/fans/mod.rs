@@ -26,20 +26,26 @@
 //! is linear in the vertices that are there, a change in the entries that it touches.
 
 mod bounds;
+mod budget;
 mod build;
 mod crowns;
+mod emit;
 mod front;
 mod instance;
 mod level;
+mod morphs;
 mod scene;
+mod sets;
 mod step_bits;
 mod stored;
 mod table;
 mod validate;
 
 pub use bounds::FanBounds;
+pub use emit::{FanForm, FanIndices, fan_triangles_into};
 pub use front::{FanFront, FanUpdate};
 pub use instance::FanInstance;
+pub use morphs::{FanMorphs, MovingVertex};
 pub use scene::FanScene;
 pub(crate) use stored::FansParts;
 pub use table::MAX_ARCS;
@@ -158,23 +164,11 @@ impl LodModel for Fans {
     }
 
     fn draw_counts(&self, state: &FansLevel) -> DrawCounts {
-        let mut triangle_count = 0;
-        let is_taken = |step: u32| step as usize >= state.split_count;
-        self.for_each_fan_at(state.split_count, |fan| {
-            triangle_count += fan.mask(is_taken).count_ones() as usize
-        });
-        DrawCounts { strip_count: 0, index_count: 3 * triangle_count }
+        self.level_draw_counts(state, FanForm::Triangles)
     }
 
     fn indices_into(&self, state: &FansLevel, out: &mut Vec<u32>) {
-        let is_taken = |step: u32| step as usize >= state.split_count;
-        for group in 0..self.group_count as u32 {
-            self.for_each_fan_at(state.split_count, |fan| {
-                if fan.group == group {
-                    fan.triangles_into(fan.mask(is_taken), out);
-                }
-            });
-        }
+        emit::append_all(self, state, FanForm::Triangles, out);
     }
 
     fn bytes(&self) -> Vec<PartBytes> {

@@ -43,6 +43,11 @@ impl StepBits {
         range.for_each(|step| self.insert(step as u32));
     }
 
+    /// The steps that are in both sets, which are of the same length.
+    pub(super) fn and(&self, other: &Self) -> Self {
+        Self { words: self.words.iter().zip(&other.words).map(|(a, b)| a & b).collect() }
+    }
+
     pub(super) fn count(&self) -> usize {
         self.words.iter().map(|word| word.count_ones() as usize).sum()
     }

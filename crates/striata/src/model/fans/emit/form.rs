@@ -1,0 +1,245 @@
+//! A run of arcs as triangles, as a fan or as a strip.
+//!
+//! A run of `n` arcs around `p` from node `a` takes 3 `n` indices as triangles, `n` + 2 as a fan. A strip has two triangles in a
+//! row at the price of one index each, as long as it turns from side to side; around one vertex that is so for three triangles,
+//! then `p` has to be given again:
+//!
+//! ```text
+//! 1 triangle      p a b              3
+//! 2 triangles     a b p c            4
+//! 3 triangles     a b p c d          5
+//! 4 triangles     a b p c p d e      7      p c p has no area
+//! n triangles     a b p c p d p .. z 2 n - 1
+//! ```
+//!
+//! No strips of these triangles alone are shorter (the tests try them all, with restarts). With the restart behind it that is
+//! 4, 5, 6, 8, 10 .. indices, two a triangle from three triangles on; a fan is shorter from four on.
+//! Joining runs that follow each other by degenerate triangles would take two or three indices for the restart's one: what
+//! follows in the walk is next to it in the order of refinement, not on the surface.
+
+use super::super::table::{FanView, MAX_ARCS};
+use crate::model::DrawCounts;
+use crate::strip::RESTART;
+
+/// How the triangles of a table are handed over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FanForm {
+    /// Three indices a triangle.
+    Triangles,
+    /// A pivot and its ring, then [`RESTART`]: each triangle is the pivot and two indices that follow each other.
+    Fans,
+    /// Strips with [`RESTART`] between them; every second triangle is turned, as GPUs do.
+    Strips,
+}
+
+impl FanForm {
+    /// Adds what a fan takes, a restart behind each run.
+    pub(super) fn count(self, fan: &FanView<'_>, mask: u32, counts: &mut DrawCounts) {
+        if self == Self::Triangles {
+            counts.index_count += 3 * mask.count_ones() as usize;
+            return;
+        }
+        let arc_count = fan.node_count - usize::from(!fan.is_closed);
+        for (_, count) in Runs::of_ring(mask, arc_count, fan.is_closed) {
+            counts.strip_count += 1;
+            counts.index_count += match (self, count) {
+                (Self::Strips, 3..) => 2 * count,
+                _ => count + 3,
+            };
+        }
+    }
+}
+
+/// Appends the triangles of fans with [`RESTART`] between them.
+pub fn fan_triangles_into(indices: &[u32], out: &mut Vec<[u32; 3]>) {
+    for fan in indices.split(|&index| index == RESTART) {
+        if let [pivot, ring @ ..] = fan {
+            out.extend(ring.windows(2).map(|edge| [*pivot, edge[0], edge[1]]));
+        }
+    }
+}
+
+/// Appends each run as a fan, a restart behind it.
+#[inline]
+pub(super) fn write_fans(fan: &FanView<'_>, mask: u32, out: &mut Vec<u32>) {
+    if mask == 0 {
+        return;
+    }
+    let ring = Ring::of(fan);
+    for (first, count) in ring.runs(mask) {
+        out.reserve(count + 3);
+        out.push(fan.vertex);
+        let end = first + count + 1;
+        out.extend_from_slice(&ring.nodes[first..end.min(ring.count)]);
+        // What passes the end goes on at the start.
+        out.extend_from_slice(&ring.nodes[..end.saturating_sub(ring.count)]);
+        out.push(RESTART);
+    }
+}
+
+/// Appends each run as a strip, a restart behind it.
+#[inline]
+pub(super) fn write_strips(fan: &FanView<'_>, mask: u32, out: &mut Vec<u32>) {
+    if mask == 0 {
+        return;
+    }
+    let (pivot, ring) = (fan.vertex, Ring::of(fan));
+    for (first, count) in ring.runs(mask) {
+        let node =
+            |i: usize| ring.nodes[if first + i < ring.count { first + i } else { first + i - ring.count }];
+        match count {
+            1 => out.extend_from_slice(&[pivot, node(0), node(1), RESTART]),
+            2 => out.extend_from_slice(&[node(0), node(1), pivot, node(2), RESTART]),
+            _ => {
+                out.extend_from_slice(&[node(0), node(1), pivot, node(2)]);
+                (3..count).for_each(|i| out.extend_from_slice(&[pivot, node(i)]));
+                out.extend_from_slice(&[node(count), RESTART]);
+            }
+        }
+    }
+}
+
+/// The nodes of a fan as numbers.
+struct Ring {
+    nodes: [u32; MAX_ARCS + 1],
+    count: usize,
+    is_closed: bool,
+}
+
+impl Ring {
+    #[inline]
+    fn of(fan: &FanView<'_>) -> Self {
+        let mut ring = Self { nodes: [0; MAX_ARCS + 1], count: 0, is_closed: fan.is_closed };
+        for (slot, node) in ring.nodes.iter_mut().zip(fan.nodes()) {
+            *slot = node;
+            ring.count += 1;
+        }
+        ring
+    }
+
+    #[inline]
+    fn runs(&self, mask: u32) -> Runs {
+        Runs::of_ring(mask, self.count - usize::from(!self.is_closed), self.is_closed)
+    }
+}
+
+/// Connected runs of the arcs in a mask: the first arc of each and how many. On a closed ring a run may pass the end.
+#[derive(Clone, Debug)]
+struct Runs {
+    /// The mask turned so that no run passes its end.
+    turned: u64,
+    /// The arc that is the first bit of it.
+    start: usize,
+    arc_count: usize,
+}
+
+impl Runs {
+    #[inline]
+    fn of_ring(mask: u32, arc_count: usize, is_closed: bool) -> Self {
+        let mask = u64::from(mask);
+        let all = (1 << arc_count) - 1;
+        let passes_end = is_closed && mask != all && mask & 1 != 0 && mask >> (arc_count - 1) != 0;
+        if !passes_end {
+            return Self { turned: mask, start: 0, arc_count };
+        }
+        // The run that passes the end begins behind the last arc that is not there.
+        let start = 64 - (!mask & all).leading_zeros() as usize;
+        Self { turned: (mask >> start | mask << (arc_count - start)) & all, start, arc_count }
+    }
+}
+
+impl Iterator for Runs {
+    type Item = (usize, usize);
+
+    #[inline]
+    fn next(&mut self) -> Option<(usize, usize)> {
+        if self.turned == 0 {
+            return None;
+        }
+        let at = self.turned.trailing_zeros() as usize;
+        let count = (self.turned >> at).trailing_ones() as usize;
+        self.turned &= !(((1 << count) - 1) << at);
+        let first = self.start + at;
+        Some((if first < self.arc_count { first } else { first - self.arc_count }, count))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::table::{Fan, TableWriter};
+    use super::*;
+    use crate::mesh::canonical_triangles;
+    use crate::strip::restart_triangles_into;
+
+    #[test]
+    fn runs_of_open_and_closed_rings() {
+        let runs = |mask: u32, count, is_closed| Runs::of_ring(mask, count, is_closed).collect::<Vec<_>>();
+        assert_eq!(runs(0, 5, true), []);
+        assert_eq!(runs(0b11011, 5, false), [(0, 2), (3, 2)]);
+        assert_eq!(runs(0b11011, 5, true), [(3, 4)]);
+        assert_eq!(runs(0b10101, 5, true), [(4, 2), (2, 1)]);
+        assert_eq!(runs(0b11111, 5, true), [(0, 5)]);
+        assert_eq!(runs(0b01110, 5, true), [(1, 3)]);
+        assert_eq!(runs(u32::MAX, 32, true), [(0, 32)]);
+        assert_eq!(runs(u32::MAX - 1, 32, true), [(1, 31)]);
+        assert_eq!(runs(u32::MAX - 16, 32, true), [(5, 31)]);
+        assert_eq!(runs(u32::MAX - 16, 32, false), [(0, 4), (5, 27)]);
+    }
+
+    /// Writes one run of a vertex behind its ring, as a fan or as a strip, without the restart behind.
+    fn written(count: usize, write: impl Fn(&FanView<'_>, u32, &mut Vec<u32>)) -> Vec<u32> {
+        let all = (1u64 << count) - 1;
+        let nodes = (0..=count as u32).collect();
+        let fan = Fan { group: 0, arc_count: count, nodes, always: all as u32, creators: Vec::new() };
+        let mut table = TableWriter::new(false);
+        (0..=count).for_each(|_| table.push(0, &[]));
+        table.push(0, &[fan]);
+        let table = table.finish();
+        let mut out = Vec::new();
+        table.entry(count as u32 + 1, 0).for_each(|fan| write(&fan, fan.mask(|_| false), &mut out));
+        assert_eq!(out.pop(), Some(RESTART));
+        out
+    }
+
+    #[test]
+    fn a_run_is_a_fan_and_a_strip_of_the_same_triangles() {
+        for count in 1..=32 {
+            let pivot = count as u32 + 1;
+            let expected: Vec<[u32; 3]> = (0..count as u32).map(|i| [pivot, i, i + 1]).collect();
+            let fan = written(count, write_fans);
+            assert_eq!(fan.len(), count + 2);
+            let mut found = Vec::new();
+            fan_triangles_into(&fan, &mut found);
+            assert_eq!(found, expected);
+            let strip = written(count, write_strips);
+            assert_eq!(strip.len(), if count < 3 { count + 2 } else { 2 * count - 1 });
+            let mut found = Vec::new();
+            restart_triangles_into(&strip, &mut found);
+            assert_eq!(canonical_triangles(&found), canonical_triangles(&expected));
+        }
+    }
+
+    /// Whether so many indices, restarts among them, can draw a run: tries them all.
+    fn can_draw(count: usize, index_count: usize) -> bool {
+        let pivot = count as u32 + 1;
+        let expected = canonical_triangles(&(0..count as u32).map(|i| [pivot, i, i + 1]).collect::<Vec<_>>());
+        let letters: Vec<u32> = (0..=pivot).chain([RESTART]).collect();
+        let mut found = Vec::new();
+        (0..letters.len().pow(index_count as u32)).any(|number| {
+            let word: Vec<u32> = (0..index_count as u32)
+                .map(|i| letters[number / letters.len().pow(i) % letters.len()])
+                .collect();
+            found.clear();
+            restart_triangles_into(&word, &mut found);
+            found.len() == count && canonical_triangles(&found) == expected
+        })
+    }
+
+    #[test]
+    fn no_shorter_strip_draws_a_run() {
+        for count in 1..=4 {
+            let length = written(count, write_strips).len();
+            assert!(can_draw(count, length) && !can_draw(count, length - 1), "{count} triangles");
+        }
+    }
+}

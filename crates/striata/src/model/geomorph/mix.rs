@@ -1,0 +1,77 @@
+//! Mixing the numbers of two vertices.
+
+use crate::mesh::Semantic;
+
+/// How the numbers of a layer are mixed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::model) enum Mix {
+    /// Each number by itself.
+    Linear,
+    /// The first three numbers keep the length 1; others are the nearer vertex's, like the hand of a tangent.
+    Unit,
+    /// All of the nearer vertex: numbers that name something have nothing between them.
+    Nearer,
+}
+
+impl Mix {
+    pub(in crate::model) fn of(semantic: &Semantic) -> Self {
+        match semantic {
+            Semantic::Normal | Semantic::Tangent => Self::Unit,
+            Semantic::Joints(_) | Semantic::Weights(_) => Self::Nearer,
+            _ => Self::Linear,
+        }
+    }
+
+    /// Writes what lies between two vertices: at factor 0 exactly `from`, at 1 exactly `to`.
+    pub(in crate::model) fn write(self, from: &[f32], to: &[f32], factor: f32, out: &mut [f32]) {
+        let nearer = if factor < 0.5 { from } else { to };
+        if self == Self::Nearer || factor <= 0.0 || factor >= 1.0 {
+            out.copy_from_slice(nearer);
+            return;
+        }
+        for ((out, from), to) in out.iter_mut().zip(from).zip(to) {
+            *out = from * (1.0 - factor) + to * factor;
+        }
+        if self == Self::Unit && out.len() >= 3 {
+            let length = out[..3].iter().map(|x| x * x).sum::<f32>().sqrt();
+            // Opposite normals meet in nothing.
+            if length > 1e-6 {
+                out[..3].iter_mut().for_each(|x| *x /= length);
+                out[3..].copy_from_slice(&nearer[3..]);
+            } else {
+                out.copy_from_slice(nearer);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mixed(mix: Mix, from: &[f32], to: &[f32], factor: f32) -> Vec<f32> {
+        let mut out = vec![0.0; from.len()];
+        mix.write(from, to, factor, &mut out);
+        out
+    }
+
+    #[test]
+    fn ends_are_exact_also_where_numbers_are_none() {
+        for mix in [Mix::Linear, Mix::Unit, Mix::Nearer] {
+            let (from, to) = ([0.1, f32::INFINITY, 3.0], [7.7, f32::MAX, -0.3]);
+            assert_eq!(mixed(mix, &from, &to, 0.0), from);
+            assert_eq!(mixed(mix, &from, &to, 1.0), to);
+        }
+    }
+
+    #[test]
+    fn normals_keep_their_length_and_tangents_their_hand() {
+        let half = std::f32::consts::FRAC_1_SQRT_2;
+        let found = mixed(Mix::Unit, &[1.0, 0.0, 0.0, -1.0], &[0.0, 1.0, 0.0, 1.0], 0.5);
+        assert!((found[0] - half).abs() < 1e-6 && (found[1] - half).abs() < 1e-6);
+        assert_eq!(found[2..], [0.0, 1.0]);
+        assert_eq!(mixed(Mix::Unit, &[1.0, 0.0, 0.0], &[-1.0, 0.0, 0.0], 0.5), [-1.0, 0.0, 0.0]);
+        assert_eq!(mixed(Mix::Linear, &[1.0, 0.0], &[0.0, 4.0], 0.25), [0.75, 1.0]);
+        assert_eq!(mixed(Mix::Nearer, &[1.0, 2.0], &[3.0, 4.0], 0.4), [1.0, 2.0]);
+    }
+}
