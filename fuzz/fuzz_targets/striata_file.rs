@@ -68,6 +68,8 @@ fn look_around(refinable: &RefinableMesh, fans: &Fans, bounds: &FanBounds) {
         let criterion = ScreenError::new(camera, 0.2).with_silhouettes(0.01).of_model(sphere);
         front.update(&scene, &criterion, limit);
         check_corners(refinable, fans, &front);
+        front.update_to_budget(&scene, &criterion, refinable.mesh.triangle_count() / 2);
+        check_corners(refinable, fans, &front);
     }
 }
 
