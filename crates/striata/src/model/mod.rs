@@ -20,8 +20,8 @@ mod superfluous;
 
 pub use error::ModelError;
 pub use fans::{
-    FanBounds, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanUpdate, Fans, FansLevel,
-    MovingVertex, fan_triangles_into,
+    FanBounds, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate,
+    Fans, FansLevel, MovingVertex, fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};

@@ -10,7 +10,7 @@ use std::collections::BinaryHeap;
 
 use super::front::{FanFront, FanUpdate};
 use super::{FanScene, Fans};
-use crate::view::Criterion;
+use crate::view::{Criterion, Part, Verdict};
 
 /// A weight, as a number that is ordered as weights are, and a place in the list.
 type Weighed = (u32, u32);
@@ -24,6 +24,8 @@ struct Search {
     /// Weights of the list.
     weights: Vec<f32>,
     threshold: f32,
+    parts: Vec<Part>,
+    verdicts: Vec<Verdict>,
 }
 
 impl<C: Criterion + Clone> FanFront<C> {
@@ -45,6 +47,8 @@ impl<C: Criterion + Clone> FanFront<C> {
             there: BinaryHeap::new(),
             weights: Vec::new(),
             threshold: 1.0,
+            parts: Vec::new(),
+            verdicts: Vec::new(),
         };
         self.weigh_new(scene, criterion, &mut search, &mut update);
         self.take_unneeded(scene.fans, usize::MAX, &mut update);
@@ -57,13 +61,13 @@ impl<C: Criterion + Clone> FanFront<C> {
                 break;
             }
             if !self.instance.is_taken(step) {
-                self.wanted.insert(step);
+                self.hear(scene.fans, step, true);
                 search.missing.pop();
+                self.weigh_new(scene, criterion, &mut search, &mut update);
                 continue;
             }
             if let Some(count) = self.split_within(scene.fans, step, triangle_limit) {
                 update.split_count += count;
-                self.wanted.insert(step);
                 search.missing.pop();
                 self.weigh_new(scene, criterion, &mut search, &mut update);
                 continue;
@@ -79,7 +83,7 @@ impl<C: Criterion + Clone> FanFront<C> {
         update
     }
 
-    /// Weighs what has come to the list.
+    /// Weighs what has come to the list, and what comes to it by that.
     fn weigh_new(
         &mut self,
         scene: &FanScene<'_>,
@@ -87,25 +91,34 @@ impl<C: Criterion + Clone> FanFront<C> {
         search: &mut Search,
         update: &mut FanUpdate,
     ) {
-        let first = search.weights.len();
-        let parts: Vec<_> = self.steps[first..].iter().map(|&step| scene.part(step)).collect();
-        let mut verdicts = Vec::with_capacity(parts.len());
-        criterion.weigh_all(&parts, &mut verdicts);
-        update.asked_count += parts.len();
-        for (at, verdict) in (first..).zip(&verdicts) {
-            let (step, weight) = (self.steps[at], verdict.weight.max(0.0));
-            search.weights.push(weight);
-            let weighed = (weight.to_bits(), at as u32);
-            if !self.instance.is_taken(step) {
-                self.hear(step, weight > search.threshold);
-                if weight > search.threshold {
-                    search.there.push(Reverse(weighed));
-                }
-            } else if weight > search.threshold {
-                search.missing.push(weighed);
-            } else {
-                self.wanted.remove(step);
+        while search.weights.len() < self.steps.len() {
+            let first = search.weights.len();
+            search.parts.clear();
+            search.parts.extend(self.steps[first..].iter().map(|&step| scene.part(step)));
+            search.verdicts.clear();
+            criterion.weigh_all(&search.parts, &mut search.verdicts);
+            update.asked_count += search.parts.len();
+            for at in first..self.steps.len().min(first + search.parts.len()) {
+                let weight = search.verdicts[at - first].weight.max(0.0);
+                search.weights.push(weight);
+                self.place_in(scene.fans, search, at as u32, weight);
             }
+        }
+    }
+
+    /// Puts a step of the list where its weight has it.
+    fn place_in(&mut self, fans: &Fans, search: &mut Search, at: u32, weight: f32) {
+        let step = self.steps[at as usize];
+        let is_heavy = weight > search.threshold;
+        if !self.instance.is_taken(step) {
+            self.hear(fans, step, is_heavy);
+        } else if !is_heavy {
+            self.wanted.remove(step);
+        }
+        match (is_heavy, self.instance.is_taken(step)) {
+            (true, true) => search.missing.push((weight.to_bits(), at)),
+            (true, false) => search.there.push(Reverse((weight.to_bits(), at))),
+            _ => {}
         }
     }
 
@@ -113,7 +126,7 @@ impl<C: Criterion + Clone> FanFront<C> {
     fn take_lightest(&mut self, fans: &Fans, search: &mut Search, update: &mut FanUpdate) -> bool {
         let Some(Reverse((weight, at))) = search.there.pop() else { return false };
         search.threshold = search.threshold.max(f32::from_bits(weight));
-        self.hear(self.steps[at as usize], false);
+        self.hear(fans, self.steps[at as usize], false);
         self.take_unneeded(fans, usize::MAX, update);
         true
     }
@@ -124,6 +137,9 @@ impl<C: Criterion + Clone> FanFront<C> {
         self.instance.split_into(fans, step, &mut undone);
         let added: usize = undone.iter().map(|&step| usize::from(fans.removed[step as usize])).sum();
         undone.iter().for_each(|&step| self.instance.taken.insert(step));
-        (self.triangle_count + added <= triangle_limit).then(|| self.split(fans, step, usize::MAX))
+        (self.triangle_count + added <= triangle_limit).then(|| {
+            self.wanted.insert(step);
+            self.split(fans, step, usize::MAX)
+        })
     }
 }

@@ -1,7 +1,7 @@
 //! An instance that follows a view from frame to frame: only what may have changed its mind is asked again.
 //!
-//! What is asked are the steps that are undone and those that collapse to one of them: the front between what is there and what is
-//! not, and what lies above it. A verdict says how much motion it lasts for; the sum of all motion is compared with it, and
+//! What is asked are the steps that are wanted and those right below them in the tree: the front between what is wanted and what
+//! is not, and what lies above it. A verdict says how much motion it lasts for; the sum of all motion is compared with it, and
 //! most steps wait for many frames. Steps that are wanted are undone with all that they need. Those that are not are taken
 //! once nothing is there that needs them, and when the last such thing is taken, they are looked at again. So the
 //! instance shows what is wanted and what that needs, whatever the way it came \[Hop97\].
@@ -9,15 +9,20 @@
 //! Differs: \[Hop97\] keeps the active mesh with its neighbourhoods; here the table tells them, and a list of steps with a
 //! number each is all that a front adds to its instance.
 
+use wide::f32x8;
+
 use super::step_bits::StepBits;
 use super::{FanInstance, FanScene, Fans};
 use crate::view::{Criterion, Part, Verdict};
 
-/// Parent of steps that collapse to the base.
+/// Parent of the steps below the base.
 const BASE: u32 = u32::MAX;
 
 /// Motion is summed up for so many views before it is taken off what verdicts last.
 const VIEWS_A_SUM: u32 = 256;
+
+/// Places of the list that are looked at together.
+const DUE_BLOCK: usize = 8;
 
 /// As many as the parts of a few hundred cycles.
 const ASKED_TOGETHER: usize = 32;
@@ -34,7 +39,7 @@ pub struct FanFront<C> {
     pub(super) wanted: StepBits,
     /// Steps that are in the list.
     known: StepBits,
-    /// The list: steps, what they collapse to, and how much motion since `elapsed` began their verdicts last for.
+    /// The list: steps, what they are below, and how much motion since `elapsed` began their verdicts last for.
     pub(super) steps: Vec<u32>,
     parents: Vec<u32>,
     due: Vec<f32>,
@@ -46,6 +51,8 @@ pub struct FanFront<C> {
     /// Steps that may be undone, unwanted, and needed by nothing.
     pub(super) unneeded: StepBits,
     undone: Vec<u32>,
+    /// Places of the list that are struck out, rising.
+    stale: Vec<u32>,
     asked: Asked,
 }
 
@@ -84,6 +91,7 @@ impl<C: Criterion + Clone> FanFront<C> {
             late_splits: Vec::new(),
             unneeded: StepBits::none(step_count),
             undone: Vec::new(),
+            stale: Vec::new(),
             asked: Asked::default(),
         };
         front.list_children(fans, BASE);
@@ -128,7 +136,7 @@ impl<C: Criterion + Clone> FanFront<C> {
             for (&at, verdict) in asked.places.iter().zip(&asked.verdicts) {
                 let step = self.steps[at as usize];
                 self.due[at as usize] = elapsed + verdict.lasts * (1.0 - SLACK);
-                self.hear(step, verdict.is_wanted());
+                self.hear(scene.fans, step, verdict.is_wanted());
                 if verdict.is_wanted() && self.instance.is_taken(step) {
                     self.late_splits.push(step);
                     if is_whole {
@@ -138,6 +146,7 @@ impl<C: Criterion + Clone> FanFront<C> {
             }
             self.asked = asked;
         }
+        self.drop_stale();
         if self.late_splits.is_empty() || update.changes() < change_limit {
             self.take_unneeded(scene.fans, change_limit, &mut update);
         }
@@ -161,14 +170,12 @@ impl<C> FanFront<C> {
     pub(super) fn forget_views(&mut self) {
         self.last = None;
         self.move_by(f32::INFINITY);
-        let mut at = 0;
-        while at < self.steps.len() {
+        for at in 0..self.steps.len() {
             if self.is_stale(at) {
-                self.forget(at);
-            } else {
-                at += 1;
+                self.strike(at);
             }
         }
+        self.drop_stale();
     }
 
     /// Adds motion to what has been; verdicts that may not last any more are due.
@@ -193,21 +200,21 @@ impl<C> FanFront<C> {
         self.asked.places.clear();
         self.asked.parts.clear();
         while *at < self.due.len() && self.asked.parts.len() < ASKED_TOGETHER {
-            let ahead = &self.due[*at..];
-            if let Some((block, _)) = ahead.split_first_chunk::<16>()
-                && block.iter().fold(true, |all, &due| all & (due > elapsed))
-            {
-                *at += 16;
-                continue;
-            }
-            if ahead[0] > elapsed {
-                *at += 1;
-            } else if self.is_stale(*at) {
-                self.forget(*at);
-            } else {
-                self.asked.places.push(*at as u32);
-                self.asked.parts.push(scene.part(self.steps[*at]));
-                *at += 1;
+            let (first, ahead) = (*at, &self.due[*at..]);
+            *at += ahead.len().min(DUE_BLOCK);
+            let mut is_due = match ahead.first_chunk::<DUE_BLOCK>() {
+                Some(&block) => f32x8::from(block).simd_le(f32x8::splat(elapsed)).to_bitmask(),
+                None => (0..).zip(ahead).fold(0, |mask, (i, &due)| mask | u32::from(due <= elapsed) << i),
+            };
+            while is_due != 0 {
+                let place = first + is_due.trailing_zeros() as usize;
+                is_due &= is_due - 1;
+                if self.is_stale(place) {
+                    self.strike(place);
+                } else {
+                    self.asked.places.push(place as u32);
+                    self.asked.parts.push(scene.part(self.steps[place]));
+                }
             }
         }
         !self.asked.parts.is_empty()
@@ -218,27 +225,48 @@ impl<C> FanFront<C> {
         FanUpdate { threshold, ..FanUpdate::default() }
     }
 
-    /// Whether what a place of the list collapses to is gone: then nobody asks for it.
-    pub(super) fn is_stale(&self, at: usize) -> bool {
+    /// Whether what a place of the list is below is not wanted: then neither is the step, and nobody asks for it.
+    fn is_stale(&self, at: usize) -> bool {
         let parent = self.parents[at];
-        parent != BASE && self.instance.is_taken(parent)
+        parent != BASE && !self.wanted.has(parent)
     }
 
-    pub(super) fn forget(&mut self, at: usize) {
-        let step = self.steps.swap_remove(at);
-        self.parents.swap_remove(at);
-        self.due.swap_remove(at);
+    /// Marks a place as stale; its step may come to the list again.
+    fn strike(&mut self, at: usize) {
+        let step = self.steps[at];
         self.known.remove(step);
-        self.wanted.remove(step);
+        self.unwant(step);
+        self.due[at] = f32::INFINITY;
+        self.stale.push(at as u32);
+    }
+
+    /// Takes stale places out of the list. Their steps are not in it any more, or are by another place.
+    fn drop_stale(&mut self) {
+        // From the end, where what fills a gap is not stale itself.
+        while let Some(at) = self.stale.pop() {
+            let at = at as usize;
+            self.steps.swap_remove(at);
+            self.parents.swap_remove(at);
+            self.due.swap_remove(at);
+        }
     }
 
     /// Notes whether a step is wanted.
-    pub(super) fn hear(&mut self, step: u32, is_wanted: bool) {
-        if is_wanted {
+    pub(super) fn hear(&mut self, fans: &Fans, step: u32, is_wanted: bool) {
+        if !is_wanted {
+            self.unwant(step);
+        } else if !self.wanted.has(step) {
             self.wanted.insert(step);
-        } else if self.wanted.has(step) {
+            if !self.instance.is_taken(step) {
+                self.list_children(fans, step);
+            }
+        }
+    }
+
+    fn unwant(&mut self, step: u32) {
+        // One that was unwanted before is there because something needs it, and looked at when that goes.
+        if self.wanted.has(step) {
             self.wanted.remove(step);
-            // One that was unwanted before is there because something needs it, and looked at when that goes.
             self.unneeded.insert(step);
         }
     }
@@ -272,7 +300,9 @@ impl<C> FanFront<C> {
         }
         for &step in &undone {
             self.triangle_count += usize::from(fans.removed[step as usize]);
-            self.list_children(fans, step);
+            if self.wanted.has(step) {
+                self.list_children(fans, step);
+            }
         }
         let count = undone.len();
         self.undone = undone;
@@ -307,7 +337,11 @@ impl<C> FanFront<C> {
                 self.instance.taken.insert(step);
                 self.triangle_count -= usize::from(fans.removed[step as usize]);
                 update.collapse_count += 1;
-                fans.for_each_needed_by_split(step, |coarser| self.unneeded.insert(coarser));
+                fans.for_each_needed_by_split(step, |coarser| {
+                    if !self.wanted.has(coarser) {
+                        self.unneeded.insert(coarser);
+                    }
+                });
             }
         }
     }

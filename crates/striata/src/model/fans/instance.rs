@@ -98,8 +98,8 @@ impl FanInstance {
     }
 
     /// Goes to what a criterion wants and to no more than that needs, from the base and without a memory of the last view:
-    /// the instance stays a bit a step. Asks only for steps that collapse to one that is undone. Returns how many were
-    /// undone.
+    /// the instance stays a bit a step. Asks only for steps that are right below a wanted one in the tree. Returns how many
+    /// were undone.
     ///
     /// # Panics
     /// If the instance is of another table.
@@ -107,20 +107,25 @@ impl FanInstance {
         let fans = scene.fans;
         assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
         self.taken.set_range(0..self.step_count);
-        let mut undone = Vec::new();
-        let mut asked = Vec::new();
-        fans.for_each_child(None, |child| asked.push(child));
-        let mut at = 0;
-        loop {
-            while let Some(step) = asked.pop() {
-                if self.taken.has(step) && criterion.weigh(&scene.part(step)).is_wanted() {
-                    self.split_into(fans, step, &mut undone);
+        let (mut undone, mut steps) = (Vec::new(), Vec::new());
+        let (mut parts, mut verdicts) = (Vec::new(), Vec::new());
+        fans.for_each_child(None, |child| steps.push(child));
+        // Generation by generation, so that many can be asked at once.
+        while !steps.is_empty() {
+            parts.clear();
+            parts.extend(steps.iter().map(|&step| scene.part(step)));
+            verdicts.clear();
+            criterion.weigh_all(&parts, &mut verdicts);
+            for (step, verdict) in std::mem::take(&mut steps).into_iter().zip(&verdicts) {
+                if verdict.is_wanted() {
+                    if self.taken.has(step) {
+                        self.split_into(fans, step, &mut undone);
+                    }
+                    fans.for_each_child(Some(step), |child| steps.push(child));
                 }
             }
-            let Some(&step) = undone.get(at) else { return undone.len() };
-            at += 1;
-            fans.for_each_child(Some(step), |child| asked.push(child));
         }
+        undone.len()
     }
 
     /// Undoes a step and before it what it needs, and appends all that were.

@@ -339,6 +339,24 @@ impl<'t> FanView<'t> {
         self.creators().fold(self.always, |all, c| all | (c.mask * u32::from(is_taken(c.step))))
     }
 
+    /// Arcs, each between a node and the next.
+    #[inline]
+    pub(super) fn arc_count(&self) -> usize {
+        self.node_count - usize::from(!self.is_closed)
+    }
+
+    /// The nodes, and the first once more where the fan is closed.
+    #[inline]
+    pub(super) fn ring_into(&self, ring: &mut [u32; MAX_ARCS + 1]) {
+        for (slot, node) in ring.iter_mut().zip(self.nodes()) {
+            *slot = node;
+        }
+        if self.is_closed {
+            // A fan of all arcs that its masks can hold is closed by its first node, too.
+            ring[self.node_count] = ring[0];
+        }
+    }
+
     /// Appends the triangles of the arcs in a mask.
     #[inline]
     pub(super) fn triangles_into(&self, mut mask: u32, out: &mut Vec<u32>) {
@@ -346,15 +364,7 @@ impl<'t> FanView<'t> {
             return;
         }
         let mut ring = [0; MAX_ARCS + 1];
-        let mut count = 0;
-        for (slot, node) in ring.iter_mut().zip(self.nodes()) {
-            *slot = node;
-            count += 1;
-        }
-        if self.is_closed {
-            // A fan of all arcs that its masks can hold is closed by its first node, too.
-            ring[count] = ring[0];
-        }
+        self.ring_into(&mut ring);
         while mask != 0 {
             let at = mask.trailing_zeros() as usize;
             mask &= mask - 1;
