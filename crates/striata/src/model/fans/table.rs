@@ -167,6 +167,9 @@ impl Table {
             length("starts", starts.len(), start_count)?;
             length("starts of blocks", blocks.len(), start_count.div_ceil(BLOCK))?;
         }
+        if let Some(place) = blocks.iter().position(|&start| start as usize > bytes.len()) {
+            return Err(ModelError::Listed { what: "start", place, reason: "lies behind the entries" });
+        }
         let (blocks, wide_starts) = if is_wide { (Vec::new(), blocks) } else { (blocks, Vec::new()) };
         let table = Self { bytes, blocks, starts, wide_starts, has_groups };
         let mut end = 0;
@@ -411,6 +414,8 @@ mod tests {
             let found = Table::from_arrays((bytes, blocks, starts), 200, false);
             assert!(matches!(found, Err(ModelError::Entry { reason: r, .. }) if r == reason), "{vertex}");
         }
+        let behind = rebuilt(|_, blocks, _| blocks[2] = u32::MAX);
+        assert!(matches!(behind, Err(ModelError::Listed { what: "start", place: 2, .. })));
         let too_few = [
             rebuilt(|bytes, _, _| bytes.truncate(900)),
             rebuilt(|_, blocks, _| blocks.truncate(2)),
