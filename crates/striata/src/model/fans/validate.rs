@@ -247,10 +247,6 @@ fn check_arcs(fan: &FanView<'_>) -> Result<(), &'static str> {
 }
 
 impl FanView<'_> {
-    fn arc_count(&self) -> usize {
-        self.node_count - usize::from(!self.is_closed)
-    }
-
     /// The nodes that the arcs of a mask have, a bit each.
     fn corners_of(&self, mask: u32) -> u64 {
         let touched = u64::from(mask) | u64::from(mask) << 1;
