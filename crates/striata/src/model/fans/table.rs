@@ -410,14 +410,14 @@ mod tests {
             let (bytes, blocks, starts) = table.arrays();
             let (bytes, mut blocks, mut starts) = (bytes.to_vec(), blocks.to_vec(), starts.to_vec());
             starts[vertex] += 700;
-            blocks[vertex / BLOCK] += 100;
+            blocks[vertex / BLOCK] += 40;
             let found = Table::from_arrays((bytes, blocks, starts), 200, false);
             assert!(matches!(found, Err(ModelError::Entry { reason: r, .. }) if r == reason), "{vertex}");
         }
         let behind = rebuilt(|_, blocks, _| blocks[2] = u32::MAX);
         assert!(matches!(behind, Err(ModelError::Listed { what: "start", place: 2, .. })));
         let too_few = [
-            rebuilt(|bytes, _, _| bytes.truncate(900)),
+            rebuilt(|bytes, _, _| bytes.truncate(1150)),
             rebuilt(|_, blocks, _| blocks.truncate(2)),
             rebuilt(|_, _, starts| starts.truncate(9)),
             rebuilt(|_, _, starts| starts.clear()),
