@@ -254,7 +254,8 @@ impl Width {
 impl<'t> Iterator for Entry<'t> {
     type Item = FanView<'t>;
 
-    #[inline]
+    // Always: what it returns is large, and callers use a few numbers of it.
+    #[inline(always)]
     fn next(&mut self) -> Option<FanView<'t>> {
         let [flags, creator_flags, rest @ ..] = self.bytes else { return None };
         let mut bytes = rest;
