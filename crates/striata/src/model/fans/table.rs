@@ -418,7 +418,7 @@ mod tests {
         let behind = rebuilt(|_, blocks, _| blocks[2] = u32::MAX);
         assert!(matches!(behind, Err(ModelError::Listed { what: "start", place: 2, .. })));
         let too_few = [
-            rebuilt(|bytes, _, _| bytes.truncate(1150)),
+            rebuilt(|bytes, _, _| bytes.truncate(bytes.len() - 9)),
             rebuilt(|_, blocks, _| blocks.truncate(2)),
             rebuilt(|_, _, starts| starts.truncate(9)),
             rebuilt(|_, _, starts| starts.clear()),
