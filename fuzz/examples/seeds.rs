@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, shapes};
-use striata::model::{LodStrips, Mts};
+use striata::model::{FanBounds, Fans, LodStrips, Mts};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 use striata_io::Format;
@@ -24,7 +24,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     for (i, (_, mesh)) in sound.iter().enumerate() {
         write_formats(i, mesh, &folder("read_bytes")?)?;
-        fs::write(folder("striata_file")?.join(format!("{i}.striata")), container(mesh)?)?;
+        let folder_of_files = folder("striata_file")?;
+        for (name, bytes) in containers(mesh)? {
+            fs::write(folder_of_files.join(format!("{i}-{name}.striata")), bytes)?;
+        }
         for target in ["simplify", "stripify"] {
             fs::write(folder(target)?.join(i.to_string()), as_fuzz_input(mesh))?;
         }
@@ -55,12 +58,16 @@ fn write_formats(i: usize, mesh: &IndexedMesh, folder: &Path) -> Result<(), Box<
     Ok(())
 }
 
-fn container(mesh: &IndexedMesh) -> Result<Vec<u8>, Box<dyn Error>> {
+/// Files with models of strips, and with fans alone.
+fn containers(mesh: &IndexedMesh) -> Result<[(&'static str, Vec<u8>); 2], Box<dyn Error>> {
     let refinable = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
     let strips = stripify(&refinable.mesh, &StripOptions::default())?;
     let (lod_strips, mts) = (LodStrips::build(&refinable, &strips)?, Mts::build(&refinable, &strips)?);
-    let models = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts)];
-    Ok(to_striata(&refinable, &models, &WriteOptions::default())?)
+    let fans = Fans::build(&refinable);
+    let bounds = FanBounds::build(&fans, &refinable);
+    let strips = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts)];
+    let written = |models: &[FileModel<'_>]| to_striata(&refinable, models, &WriteOptions::default());
+    Ok([("strips", written(&strips)?), ("fans", written(&[FileModel::Fans(&fans, &bounds)])?)])
 }
 
 /// Options, shape, vertices on whole numbers, cuts, triangles: what `Bytes::mesh` takes apart.

@@ -6,7 +6,7 @@ use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{RefinableMesh, canonical_triangles, replay};
 use striata::model::baseline::{OriginalLodStrips, ProgressiveMeshes, SkipStrips};
-use striata::model::{Fans, LodModel, LodStrips, Mts, MtsGraph};
+use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, MtsGraph};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 use striata_fuzz::Bytes;
@@ -59,12 +59,15 @@ fn check_levels(refinable: &RefinableMesh) {
     check_model(refinable, &OriginalLodStrips::build(refinable, &strips).expect(what));
     check_model(refinable, &SkipStrips::build(refinable, &strips).expect(what));
     check_model(refinable, &ProgressiveMeshes::build(refinable));
-    check_model(refinable, &Fans::build(refinable));
-    let models = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts)];
+    let fans = Fans::build(refinable);
+    let bounds = FanBounds::build(&fans, refinable);
+    check_model(refinable, &fans);
+    let models = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts), FileModel::Fans(&fans, &bounds)];
     let bytes = to_striata(refinable, &models, &WriteOptions::default()).expect("sound meshes are written");
     let file = StriataFile::parse(&bytes).expect("written just now");
     assert_eq!(file.refinable_mesh().expect("written just now").sequence, refinable.sequence);
     assert_eq!(file.mts().map(|found| found.expect("written just now")), Some(mts));
+    assert_eq!(file.fans().map(|found| found.expect("written just now")), Some((fans, bounds)));
 }
 
 /// Down and up, then from either end to the middle.

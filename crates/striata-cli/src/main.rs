@@ -6,6 +6,7 @@ mod args;
 mod clock;
 mod commands;
 mod failure;
+mod fan_cover;
 mod input;
 mod level;
 mod output;

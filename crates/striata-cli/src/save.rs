@@ -34,20 +34,28 @@ pub(crate) fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failur
     Ok(format)
 }
 
+/// How the triangles of a mesh are written, group by group.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Drawn {
+    /// Three indices each.
+    Triangles,
+    /// As one strip a group, joined by degenerate triangles.
+    Strips(Vec<Vec<u32>>),
+    /// As fans.
+    Fans(Vec<Vec<Vec<u32>>>),
+}
+
 /// Writes the mesh.
 ///
 /// # Errors
 /// Where the format cannot hold it or the system refuses; a file that was there is then as it was.
-pub(crate) fn save(
-    mesh: &IndexedMesh,
-    strips: Option<Vec<Vec<u32>>>,
-    path: &Path,
-    args: &FormatArgs,
-) -> Result<(), Failure> {
+pub(crate) fn save(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatArgs) -> Result<(), Failure> {
     let format = format_of(path, args)?;
     let mut options = WriteOptions::default().with_ascii(args.ascii);
-    if let Some(strips) = strips {
-        options = options.with_strips(strips);
+    match drawn {
+        Drawn::Triangles => {}
+        Drawn::Strips(strips) => options = options.with_strips(strips),
+        Drawn::Fans(fans) => options = options.with_fans(fans),
     }
     if is_stdout(path) {
         return to_stdout(&to_bytes(format, mesh, &options)?);

@@ -18,6 +18,9 @@ pub struct WriteOptions {
     /// (joined by degenerate triangles, without restart indices), written instead of the triangles.
     /// Default: none, so that triangles are written as lists.
     pub strips: Option<Vec<Vec<u32>>>,
+    /// glTF only: for each triangle group its fans, each a list of indices, written instead of the triangles. glTF
+    /// knows no restart index, so each fan becomes a primitive, which takes some 200 bytes of JSON. Default: none.
+    pub fans: Option<Vec<Vec<Vec<u32>>>>,
 }
 
 impl WriteOptions {
@@ -31,6 +34,12 @@ impl WriteOptions {
     #[must_use]
     pub fn with_strips(self, strips: Vec<Vec<u32>>) -> Self {
         Self { strips: Some(strips), ..self }
+    }
+
+    /// Sets [`fans`](Self::fans), and no strips.
+    #[must_use]
+    pub fn with_fans(self, fans: Vec<Vec<Vec<u32>>>) -> Self {
+        Self { strips: None, fans: Some(fans), ..self }
     }
 }
 

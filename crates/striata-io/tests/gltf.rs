@@ -113,6 +113,32 @@ fn an_independent_reader_agrees() {
 }
 
 #[test]
+fn fans_are_a_primitive_each_and_one_group() {
+    let mut mesh = square();
+    mesh.triangles = vec![[0, 1, 2], [0, 2, 3], [3, 2, 1]];
+    mesh.groups = vec![group("a", None, 0, 2), group("b", None, 2, 1)];
+    let fans = vec![vec![vec![0, 1, 2], vec![0, 2, 3]], vec![vec![3, 2, 1]]];
+    for format in [Format::Glb, Format::Gltf] {
+        let bytes = to_bytes(format, &mesh, &WriteOptions::default().with_fans(fans.clone())).unwrap();
+        let found = read_bytes(&bytes, &Source::new("x.glb")).unwrap();
+        assert_eq!(found.triangles, mesh.triangles);
+        assert_eq!(found.groups, mesh.groups);
+    }
+    let text = to_bytes(Format::Gltf, &mesh, &WriteOptions::default().with_fans(fans)).unwrap();
+    let root: Value = serde_json::from_slice(&text).unwrap();
+    let primitives: Vec<&Value> =
+        root["meshes"].as_array().unwrap().iter().flat_map(|m| m["primitives"].as_array().unwrap()).collect();
+    assert_eq!(primitives.len(), 3);
+    assert!(primitives.iter().all(|primitive| primitive["mode"] == 6));
+    let long = vec![vec![vec![0, 1, 2, 3]], vec![vec![3, 2, 1]]];
+    let bytes = to_bytes(Format::Glb, &mesh, &WriteOptions::default().with_fans(long)).unwrap();
+    assert_eq!(read_bytes(&bytes, &Source::new("x.glb")).unwrap().triangles, mesh.triangles);
+    for wrong in [vec![], vec![vec![vec![0, 1]], vec![]], vec![vec![vec![0, 1, 4]], vec![]]] {
+        assert!(to_bytes(Format::Glb, &mesh, &WriteOptions::default().with_fans(wrong)).is_err());
+    }
+}
+
+#[test]
 fn strips_are_written_and_read_as_strips() {
     let mesh = square();
     // The second triangle of a strip turns the other way: 2 0 3 is read as 0 2 3.

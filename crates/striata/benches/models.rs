@@ -7,7 +7,7 @@ use criterion::{BatchSize, BenchmarkGroup, Criterion, Throughput, criterion_grou
 use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::model::{
-    FanForm, FanIndices, FanInstance, FanMorphs, Fans, LodModel, LodStrips, Mts, StripBuffer,
+    FanBounds, FanForm, FanIndices, FanInstance, FanMorphs, Fans, LodModel, LodStrips, Mts, StripBuffer,
 };
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
@@ -162,6 +162,20 @@ fn fans(c: &mut Criterion) {
                 let split: usize = steps.clone().rev().map(|step| instance.split(&table, step)).sum();
                 (collapsed, split)
             })
+        });
+        group.throughput(Throughput::Elements(table.vertex_count() as u64));
+        group.bench_function(format!("build_bounds/{name}"), |b| {
+            b.iter(|| FanBounds::build(&table, &refinable))
+        });
+        let bounds = FanBounds::build(&table, &refinable);
+        let models = [FileModel::Fans(&table, &bounds)];
+        let bytes = to_striata(&refinable, &models, &WriteOptions::default()).expect("memory does not fail");
+        group.bench_function(format!("load/{name}"), |b| {
+            b.iter_batched(
+                || StriataFile::parse(&bytes).expect("written just now"),
+                |file| file.fans().map(|model| model.is_ok()),
+                BatchSize::SmallInput,
+            )
         });
     }
     group.finish();

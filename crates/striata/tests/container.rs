@@ -9,9 +9,13 @@ use striata::codec::{
 use striata::mesh::{
     AttributeLayer, Image, IndexedMesh, LayerData, RefinableMesh, Semantic, canonical_triangles, replay,
 };
-use striata::model::{LodStrips, Mts, StripModel};
+use striata::model::{FanBounds, FanFront, FanScene, Fans, LodModel, LodStrips, Mts, StripModel};
 use striata::strip::{StripOptions, StripSet, stripify};
-use support::{Random, Wildness, grid, nasty, random_refinable, with_seams_and_groups};
+use striata::view::{Criterion, Part, Verdict};
+use support::{
+    Random, Wildness, grid, hub_cases, nasty, nasty_cases, random_refinable, seam_cases, surface_cases,
+    with_seams_and_groups,
+};
 
 /// A mesh with everything that a file can hold.
 fn rich() -> RefinableMesh {
@@ -61,10 +65,17 @@ fn mts_of(refinable: &RefinableMesh) -> Mts<'static> {
     Mts::build(refinable, &strips).unwrap()
 }
 
+fn fans_of(refinable: &RefinableMesh) -> (Fans, FanBounds) {
+    let fans = Fans::build(refinable);
+    let bounds = FanBounds::build(&fans, refinable);
+    (fans, bounds)
+}
+
 fn bytes_of(refinable: &RefinableMesh) -> Vec<u8> {
-    let (model, mts) = (model_of(refinable), mts_of(refinable));
+    let (model, mts, (fans, bounds)) = (model_of(refinable), mts_of(refinable), fans_of(refinable));
+    let models = [FileModel::LodStrips(&model), FileModel::Mts(&mts), FileModel::Fans(&fans, &bounds)];
     let options = WriteOptions::default().with_metadata("creator", "test");
-    to_striata(refinable, &[FileModel::LodStrips(&model), FileModel::Mts(&mts)], &options).unwrap()
+    to_striata(refinable, &models, &options).unwrap()
 }
 
 /// Equal but for the order of triangles within their groups.
@@ -93,7 +104,48 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
         walk_through(&file, &model?)?;
     }
     file.level(file.summary().step_count / 2)?.check()?;
+    if let Some(model) = file.fans() {
+        let (fans, bounds) = model?;
+        for split_count in (0..=fans.step_count()).step_by(5) {
+            let mut level = fans.new_state();
+            fans.move_to(&mut level, split_count);
+            file.level_of(&fans, &level)?.check()?;
+        }
+        look_around(&refinable, &fans, &bounds);
+    }
     Ok(())
+}
+
+/// Weighs by a hash: nothing about it is as a criterion should be.
+#[derive(Clone)]
+struct Whim(u32);
+
+impl Criterion for Whim {
+    fn weigh(&self, part: &Part) -> Verdict {
+        let bits =
+            part.sphere.center.iter().fold(self.0, |all, x| all.wrapping_mul(0x9e37_79b1) ^ x.to_bits());
+        Verdict::now((bits.wrapping_mul(0x85eb_ca6b) >> 16) as f32 / 25_000.0)
+    }
+}
+
+/// A front over some views: no triangle has a corner that is not there, and the front knows how many there are.
+fn look_around(refinable: &RefinableMesh, fans: &Fans, bounds: &FanBounds) {
+    let scene = FanScene::new(fans, bounds, refinable);
+    let mut front = FanFront::new(&scene);
+    for round in 0..6 {
+        front.update(&scene, &Whim(round * 7919), [usize::MAX, 4][round as usize % 2]);
+        let mut indices = Vec::new();
+        front.instance().indices_into(fans, &mut indices);
+        assert_eq!(front.triangle_count(), indices.len() / 3);
+        let positions = refinable.sequence.positions();
+        let base = refinable.sequence.base_position_count() as u32;
+        for &vertex in &indices {
+            let step = positions.position_of(vertex).checked_sub(base);
+            assert!(step.is_none_or(|step| !front.instance().is_taken(step)), "vertex {vertex} is not there");
+        }
+        let level = front.instance().level(fans, refinable);
+        assert_eq!(level.check(), Ok(()));
+    }
 }
 
 fn walk_through<M: StripModel>(file: &StriataFile<'_>, model: &M) -> Result<(), DecodeError> {
@@ -120,6 +172,7 @@ fn all_parts_come_back() {
     assert_eq!(found.sequence, refinable.sequence);
     assert_eq!(file.lod_strips().unwrap().unwrap(), model_of(&refinable));
     assert_eq!(file.mts().unwrap().unwrap(), mts_of(&refinable));
+    assert_eq!(file.fans().unwrap().unwrap(), fans_of(&refinable));
     assert_eq!(file.metadata().unwrap(), [("creator".to_owned(), "test".to_owned())]);
     let summary = file.summary();
     assert_eq!(summary.triangle_count, refinable.mesh.triangle_count());
@@ -141,6 +194,55 @@ fn every_level_of_a_file_is_the_oracle() {
     let step_count = refinable.sequence.step_count();
     let error = file.level(step_count + 1).unwrap_err();
     assert_eq!(error, DecodeError::SplitCount { split_count: step_count + 1, step_count });
+}
+
+#[test]
+fn fans_of_every_kind_of_mesh_come_back() {
+    for case in nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases()) {
+        let refinable = &case.refinable;
+        let (fans, bounds) = fans_of(refinable);
+        let models = [FileModel::Fans(&fans, &bounds)];
+        let bytes = to_striata(refinable, &models, &WriteOptions::default()).unwrap();
+        let file = StriataFile::parse(&bytes).unwrap();
+        let (found, found_bounds) = file.fans().unwrap().unwrap();
+        assert_eq!((&found, &found_bounds), (&fans, &bounds));
+        look_around(refinable, &found, &found_bounds);
+    }
+}
+
+#[test]
+fn fans_alone_hold_the_triangles() {
+    let refinable = rich();
+    let (fans, bounds) = fans_of(&refinable);
+    let bytes = to_striata(&refinable, &[FileModel::Fans(&fans, &bounds)], &WriteOptions::default()).unwrap();
+    let file = StriataFile::parse(&bytes).unwrap();
+    assert!(file.sections().iter().all(|section| section.kind != SectionKind::TRIANGLES));
+    assert!(file.strips().is_none() && file.lod_strips().is_none() && file.mts().is_none());
+    assert_same_mesh(&file.refinable_mesh().unwrap().mesh, &refinable.mesh);
+    for split_count in 0..=refinable.sequence.step_count() {
+        let expected = replay(&refinable, split_count);
+        assert_same_mesh(&file.level(split_count).unwrap(), &expected);
+    }
+}
+
+/// Old readers and old files: nothing else of a file depends on its fans.
+#[test]
+fn a_file_is_the_same_without_its_fans() {
+    let refinable = rich();
+    let (model, (fans, bounds)) = (model_of(&refinable), fans_of(&refinable));
+    let old = [FileModel::LodStrips(&model)];
+    let old = to_striata(&refinable, &old, &WriteOptions::default()).unwrap();
+    assert!(StriataFile::parse(&old).unwrap().fans().is_none());
+    for models in [
+        [FileModel::LodStrips(&model), FileModel::Fans(&fans, &bounds)],
+        [FileModel::Fans(&fans, &bounds), FileModel::LodStrips(&model)],
+    ] {
+        let new = to_striata(&refinable, &models, &WriteOptions::default()).unwrap();
+        let files = [&old, &new].map(|bytes| StriataFile::parse(bytes).unwrap());
+        assert_eq!(files[0].refinable_mesh(), files[1].refinable_mesh());
+        assert_eq!(files[0].lod_strips().unwrap(), files[1].lod_strips().unwrap());
+        assert!(files[1].sections().iter().all(|s| !s.is_required || !s.kind.0.starts_with(b"FN")));
+    }
 }
 
 #[test]
@@ -275,6 +377,12 @@ fn models_of_other_meshes_are_not_written() {
         triangles[group.range()].iter().for_each(|t| single.push(t));
         single.end_group();
     }
+    let (fans, bounds) = fans_of(&random_refinable(&grid(3, false), wildness, &mut Random::new(5)));
+    let error = to_striata(&refinable, &[FileModel::Fans(&fans, &bounds)], &WriteOptions::default());
+    assert!(matches!(error, Err(EncodeError::Model { model: "fans", what: "vertices", .. })));
+    let (fans, _) = fans_of(&refinable);
+    let error = to_striata(&refinable, &[FileModel::Fans(&fans, &bounds)], &WriteOptions::default());
+    assert!(matches!(error, Err(EncodeError::Model { model: "fans", what: "bounds", .. })));
     let mts = Mts::build(&refinable, &single).unwrap();
     let models = [FileModel::LodStrips(&model), FileModel::Mts(&mts)];
     let error = to_striata(&refinable, &models, &WriteOptions::default());
@@ -320,6 +428,30 @@ proptest! {
         }
         with_sound_checksums(&mut bytes);
         let _ = read_everything(&bytes);
+    }
+
+    #[test]
+    fn damaged_fans_are_an_error_or_fans_without_cracks(
+        places in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..3),
+        seed in 0u64..6,
+    ) {
+        let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(3, true)) } else { grid(5, false) };
+        let wildness = Wildness { far_percent: 10, base_position_count: 4 };
+        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        let (fans, bounds) = fans_of(&refinable);
+        let models = [FileModel::Fans(&fans, &bounds)];
+        let mut bytes = to_striata(&refinable, &models, &WriteOptions::default()).unwrap();
+        let is_of_fans = |kind: SectionKind| kind.0.starts_with(b"FN") || kind == SectionKind::REMOVED;
+        let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
+        let spans = sections.iter().filter(|s| is_of_fans(s.kind)).map(|s| s.offset..s.offset + s.bytes);
+        let candidates: Vec<u64> = spans.flatten().collect();
+        for (place, byte) in places {
+            bytes[candidates[place.index(candidates.len())] as usize] ^= byte;
+        }
+        with_sound_checksums(&mut bytes);
+        if let Some(Ok((fans, bounds))) = StriataFile::parse(&bytes).unwrap().fans() {
+            look_around(&refinable, &fans, &bounds);
+        }
     }
 
     #[test]

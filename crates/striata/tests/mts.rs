@@ -4,7 +4,7 @@ mod support;
 
 use proptest::prelude::*;
 use striata::mesh::RefinableMesh;
-use striata::model::{LodModel, ModelError, Mts, MtsGraph, StripModel};
+use striata::model::{LodModel, ModelError, Mts, MtsGraph, StoredModel, StripModel};
 use striata::strip::{StripOptions, StripSet, Stripifier, stripify};
 use support::{
     Random, Wildness, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use striata::codec::{FileModel, StriataFile, Verify, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes};
-use striata::model::{LodModel, LodStrips, LodStripsState, StripBuffer, StripModel};
+use striata::model::{LodModel, LodStrips, LodStripsState, StoredModel, StripBuffer, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, StripSet, restart_triangles_into, stripify};
 

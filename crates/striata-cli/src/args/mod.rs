@@ -13,7 +13,7 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, StripifierArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-pub(crate) use self::view::{Point, ViewArgs};
+pub(crate) use self::view::{Point, ViewArgs, tan};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
@@ -92,7 +92,8 @@ pub(crate) struct BuildArgs {
     /// The file to write
     #[arg(short, long, value_name = "OUT.striata")]
     pub(crate) output: PathBuf,
-    /// Models to store, separated by commas: lodstrips (small, steps fast), mts (walks strips anew)
+    /// Models to store, separated by commas: lodstrips (small, steps fast), mts (walks strips anew), fans (finer
+    /// where a view asks for it; without them `extract --eye` builds them each time)
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "lodstrips")]
     pub(crate) models: Vec<String>,
     /// Stop when no more than this many triangles are left [default: as far as it goes]
@@ -131,10 +132,12 @@ pub(crate) struct InfoArgs {
 pub(crate) struct ExtractArgs {
     /// A .striata file, or - for stdin
     pub(crate) input: PathBuf,
-    /// Which model of the file to use: lodstrips, mts [default: lodstrips if the file has it]
+    /// Which model of the file to use: lodstrips, mts, fans [default: fans for a view, else the first of these that
+    /// the file has]
     #[arg(long, value_name = "NAME")]
     pub(crate) model: Option<String>,
-    /// How triangles are written; strips need .glb or .gltf
+    /// How triangles are written; strips and fans need .glb or .gltf, where each fan is a primitive of its own: a
+    /// few thousand make a large file that is slow to draw
     #[arg(long = "as", value_name = "FORM", default_value = "list")]
     pub(crate) form: TriangleForm,
     /// Which level.
@@ -225,25 +228,25 @@ pub(crate) struct CompletionsArgs {
     pub(crate) shell: clap_complete::Shell,
 }
 
-/// The target of a level; exactly one must be given.
+/// The target of a level; exactly one must be given, but that a view may have a number of triangles, too.
 #[derive(Clone, Copy, Debug, Args)]
-#[group(required = true, multiple = false)]
+#[group(required = true, multiple = true)]
 #[command(next_help_heading = "Level (exactly one)")]
 pub(crate) struct LevelArgs {
-    /// At most so many triangles
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    /// At most so many triangles; with --eye, those that the screen shows best
+    #[arg(long, value_name = "N", allow_negative_numbers = true, conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
     pub(crate) triangles: Option<usize>,
     /// At most so many vertices
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, conflicts_with_all = ["detail", "error", "split_count", "eye"])]
     pub(crate) vertices: Option<usize>,
     /// Share of the way from the base mesh (0) to the full mesh (1)
-    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail)]
+    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, conflicts_with_all = ["error", "split_count", "eye"])]
     pub(crate) detail: Option<f64>,
     /// At most this error, as the file estimates it: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    #[arg(long, value_name = "E", allow_negative_numbers = true, conflicts_with_all = ["split_count", "eye"])]
     pub(crate) error: Option<Length>,
     /// Exactly so many vertex splits above the base mesh
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, conflicts_with = "eye")]
     pub(crate) split_count: Option<usize>,
     /// As fine as the screen asks for, seen from here (`extract` only)
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
@@ -316,6 +319,8 @@ pub(crate) enum TriangleForm {
     List,
     /// Triangle strips joined by degenerate triangles
     Strips,
+    /// Triangle fans
+    Fans,
 }
 
 /// Where vertices may lie.

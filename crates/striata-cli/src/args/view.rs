@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use clap::Args;
-use striata::view::{Camera, CameraError};
+use striata::view::{Camera, CameraError, ScreenError};
 
 /// The heading of these flags.
 const VIEW: &str = "View, with --eye";
@@ -27,18 +27,31 @@ pub(crate) struct ViewArgs {
     /// Pixels that an error may take on the screen [default: 1]
     #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero)]
     pixels: Option<f64>,
+    /// Pixels that an error may take where the surface turns from the eye [default: as elsewhere]
+    #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero)]
+    silhouette_pixels: Option<f64>,
 }
 
 impl ViewArgs {
     /// Whether anything was said of a view.
     pub(crate) fn is_given(&self) -> bool {
-        let Self { look_at, up, fov, viewport, pixels } = self;
-        look_at.is_some() || up.is_some() || fov.is_some() || viewport.is_some() || pixels.is_some()
+        let Self { look_at, up, fov, viewport, pixels, silhouette_pixels } = self;
+        let has_screen = fov.is_some() || viewport.is_some();
+        has_screen || look_at.is_some() || up.is_some() || pixels.is_some() || silhouette_pixels.is_some()
     }
 
     /// Pixels that an error may take.
     pub(crate) fn pixels(&self) -> f64 {
         self.pixels.unwrap_or(1.0)
+    }
+
+    /// What a camera asks for, with at least so many pixels allowed.
+    pub(crate) fn criterion(&self, camera: Camera, least_pixels: f64) -> ScreenError {
+        let criterion = ScreenError::new(camera, self.pixels().max(least_pixels) as f32);
+        match self.silhouette_pixels {
+            Some(pixels) => criterion.with_silhouettes(pixels.max(least_pixels) as f32),
+            None => criterion,
+        }
     }
 
     /// The camera at an eye; where nothing is said it looks at `center`.
@@ -93,7 +106,7 @@ fn parse_angle(text: &str) -> Result<f64, String> {
 }
 
 /// The tangent of an angle up to a quarter turn, by its continued fraction: the same on every machine.
-fn tan(angle: f64) -> f64 {
+pub(crate) fn tan(angle: f64) -> f64 {
     let square = angle * angle;
     let rest = (1..=20).rev().map(|i| f64::from(2 * i + 1)).fold(43.0, |below, odd| odd - square / below);
     angle / (1.0 - square / rest)

@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::model::{LodModel, LodStrips, Mts, PartBytes};
+use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, StopReason, build_welded_sequence};
 use striata::strip::StripSet;
 use striata_io::write_atomically;
@@ -27,7 +27,7 @@ pub(crate) const PHASES: [&str; 6] = ["read", "weld", "simplify", "strip", "mode
 const ORDERS: [&str; 1] = ["quadric"];
 
 /// Models that this version has.
-pub(crate) const MODELS: [&str; 2] = ["lodstrips", "mts"];
+pub(crate) const MODELS: [&str; 3] = ["lodstrips", "mts", "fans"];
 
 /// Reads, builds, writes, reports.
 ///
@@ -92,7 +92,8 @@ pub(crate) struct Built {
     pub(crate) refinable: RefinableMesh,
     models: Models,
     stop_reason: StopReason,
-    strip_report: StripReport,
+    /// Where a model needs strips.
+    strip_report: Option<StripReport>,
 }
 
 /// The models that were asked for.
@@ -100,29 +101,53 @@ pub(crate) struct Built {
 struct Models {
     lod_strips: Option<LodStrips<'static>>,
     mts: Option<Mts<'static>>,
+    fans: Option<(Fans, FanBounds)>,
 }
 
 impl Models {
+    /// Models of strips are built where there are strips.
+    ///
     /// # Errors
     /// Where the strips are not those of the mesh.
-    fn build(names: &[String], refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, Failure> {
+    fn build(
+        names: &[String],
+        refinable: &RefinableMesh,
+        strips: Option<&StripSet>,
+    ) -> Result<Self, Failure> {
         let is_wanted = |name: &str| names.iter().any(|n| n == name);
+        let strips_for = |name: &str| strips.filter(|_| is_wanted(name));
+        let fans = is_wanted("fans").then(|| {
+            let fans = Fans::build(refinable);
+            let bounds = FanBounds::build(&fans, refinable);
+            (fans, bounds)
+        });
         Ok(Self {
-            lod_strips: is_wanted("lodstrips").then(|| LodStrips::build(refinable, strips)).transpose()?,
-            mts: is_wanted("mts").then(|| Mts::build(refinable, strips)).transpose()?,
+            lod_strips: strips_for("lodstrips").map(|s| LodStrips::build(refinable, s)).transpose()?,
+            mts: strips_for("mts").map(|s| Mts::build(refinable, s)).transpose()?,
+            fans,
         })
     }
 
     fn in_file(&self) -> Vec<FileModel<'_>> {
         let lod_strips = self.lod_strips.iter().map(FileModel::LodStrips);
-        lod_strips.chain(self.mts.iter().map(FileModel::Mts)).collect()
+        let fans = self.fans.iter().map(|(fans, bounds)| FileModel::Fans(fans, bounds));
+        lod_strips.chain(self.mts.iter().map(FileModel::Mts)).chain(fans).collect()
     }
 
     /// Each model's name and parts.
     fn parts(&self) -> Vec<(&'static str, Vec<PartBytes>)> {
         let lod_strips = self.lod_strips.iter().map(|model| ("lodstrips", model.bytes()));
-        lod_strips.chain(self.mts.iter().map(|model| ("mts", model.bytes()))).collect()
+        let mts = self.mts.iter().map(|model| ("mts", model.bytes()));
+        let fans = self.fans.iter().map(|(fans, bounds)| ("fans", parts_of_fans(fans, bounds)));
+        lod_strips.chain(mts).chain(fans).collect()
     }
+}
+
+/// The parts of fans, what a view needs of them among these.
+pub(crate) fn parts_of_fans(fans: &Fans, bounds: &FanBounds) -> Vec<PartBytes> {
+    let mut parts = fans.bytes();
+    parts.push(PartBytes { name: "bounds", bytes: bounds.bytes() });
+    parts
 }
 
 /// Builds the sequence, the strips and the models of a mesh.
@@ -142,12 +167,18 @@ pub(crate) fn build(
     let sequence = build_welded_sequence(welded, &plan.options, &mut |progress| bar.show(progress))?;
     let refinable = sequence.refinable;
     phases.enter("strip");
-    let stripped = plan.strips.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
-    let strip_report = StripReport::new(plan.strips.chain.to_string(), &refinable.mesh, &stripped)?;
-    let strip_report = strip_report.with_bound(&plan.strips.chain, &refinable.mesh);
+    let has_strips = plan.models.iter().any(|name| name != "fans");
+    let mut strip = || plan.strips.run(&refinable.mesh, &mut |share| bar.share("strip", share));
+    let stripped = if has_strips { Some(strip()?) } else { None };
+    let report = |stripped| -> Result<StripReport, Failure> {
+        let report = StripReport::new(plan.strips.chain.to_string(), &refinable.mesh, stripped)?;
+        Ok(report.with_bound(&plan.strips.chain, &refinable.mesh))
+    };
+    let strip_report = stripped.as_ref().map(report).transpose()?;
     phases.enter("models");
     bar.phase("models");
-    let models = Models::build(&plan.models, &refinable, &stripped.strips)?;
+    let strips = stripped.as_ref().map(|stripped| &stripped.strips);
+    let models = Models::build(&plan.models, &refinable, strips)?;
     Ok(Built { refinable, models, stop_reason: sequence.stop_reason, strip_report })
 }
 
@@ -198,7 +229,9 @@ impl Report {
             models.insert(name.to_owned(), json!({ "bytes": bytes, "bytes_per_vertex": per_vertex }));
         }
         let mut strips = json!(built.strip_report);
-        strips["secs"] = json!(phases.secs_of("strip"));
+        if !strips.is_null() {
+            strips["secs"] = json!(phases.secs_of("strip"));
+        }
         Self {
             input: json!({
                 "vertex_count": mesh.vertex_count(),
@@ -232,10 +265,10 @@ impl Report {
         row("triangles", format!("{} down to {}", triangles(last), triangles(0)));
         row("levels", grouped(last + 1));
         row("error of the base", format!("{} ({share:.3} % of the diagonal)", measured(error)));
-        let StripReport { algorithm, strip_count, indices_per_triangle, .. } = &built.strip_report;
-        let strips =
-            format!("{} ({algorithm}), {indices_per_triangle:.3} indices a triangle", grouped(*strip_count));
-        row("strips", strips);
+        if let Some(StripReport { algorithm, strip_count, indices_per_triangle, .. }) = &built.strip_report {
+            let strips = format!("{} ({algorithm})", grouped(*strip_count));
+            row("strips", format!("{strips}, {indices_per_triangle:.3} indices a triangle"));
+        }
         for (name, model) in &self.models {
             let bytes = model["bytes"].as_u64().unwrap_or(0) as usize;
             let per_vertex = model["bytes_per_vertex"].as_f64().unwrap_or(0.0);

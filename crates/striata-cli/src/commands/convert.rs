@@ -6,7 +6,7 @@ use crate::args::ConvertArgs;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, grouped};
-use crate::save::{format_of, is_stdout, save};
+use crate::save::{Drawn, format_of, is_stdout, save};
 
 #[derive(Serialize)]
 struct Report {
@@ -24,7 +24,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     let format = format_of(&args.output, &args.format)?;
     let input = Input::open(&args.input)?;
     let mesh = input.mesh()?;
-    save(&mesh, None, &args.output, &args.format)?;
+    save(&mesh, Drawn::Triangles, &args.output, &args.format)?;
     let report = Report {
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),

@@ -5,22 +5,28 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::codec::{DecodeError, StriataFile};
 use striata::mesh::IndexedMesh;
-use striata::model::{LodStrips, Mts, StripModel};
-use striata::simplify::StopReason;
+use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, StoredModel, StripModel};
 use striata::strip::{RESTART, StripOptions, StripSet, stripify};
 
 use super::extract_view::{ViewLevel, level_of_view};
-use super::strip::check_strips_fit;
+use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, Point, TriangleForm};
 use crate::commands::build::{MODELS, unknown_name};
 use crate::failure::Failure;
+use crate::fan_cover::fans_of;
 use crate::input::Input;
 use crate::output::{Output, grouped, lasted, measured};
-use crate::save::{format_of, is_stdout, save};
+use crate::save::{Drawn, format_of, is_stdout, save};
 
 #[derive(Serialize)]
 struct Report {
     model: &'static str,
+    /// Of a view: whether its fans were `stored` in the file or `built` from the sequence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fans: Option<&'static str>,
+    /// Of a view: pixels that an error may take where nothing else is allowed, once the triangles are no more than wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pixels: Option<f64>,
     split_count: usize,
     vertex_count: usize,
     triangle_count: usize,
@@ -51,14 +57,16 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let target = args.level.target(file.summary().bounds.map_or(0.0, |b| b.diagonal()))?;
     let (split_count, stop_reason) = target.resolve(&sequence);
     let extracted = match pick_model(&file, args.model.as_deref(), &input)? {
-        Model::LodStrips(model) => Extracted::of("lodstrips", &model, split_count, &file),
-        Model::Mts(model) => Extracted::of("mts", &model, split_count, &file),
+        Model::LodStrips(model) => Extracted::of_strips("lodstrips", &model, split_count, &file),
+        Model::Mts(model) => Extracted::of_strips("mts", &model, split_count, &file),
+        Model::Fans(model) => Extracted::of("fans", &model, split_count, &file, |_| None),
     };
     let Extracted { model, mesh, strips, seek_secs } = extracted.map_err(|error| input.damaged(&error))?;
-    let strips = (args.form == TriangleForm::Strips).then(|| stitched(&strips));
-    save(&mesh, strips, &args.output.output, &args.output.format)?;
+    save(&mesh, drawn(args.form, &mesh, strips)?, &args.output.output, &args.output.format)?;
     let report = Report {
         model,
+        fans: None,
+        pixels: None,
         split_count,
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
@@ -74,6 +82,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
 enum Model<'a> {
     LodStrips(LodStrips<'a>),
     Mts(Mts<'a>),
+    Fans(Fans),
 }
 
 /// The model that is named, or else the first that the file has.
@@ -86,12 +95,11 @@ fn pick_model<'a>(file: &StriataFile<'a>, name: Option<&str>, input: &Input) -> 
     }
     let is_wanted = |which: &str| name.is_none_or(|name| name == which);
     let lod_strips = is_wanted("lodstrips").then(|| file.lod_strips()).flatten();
-    let mts = || is_wanted("mts").then(|| file.mts()).flatten();
-    let model = match lod_strips {
-        Some(model) => Some(model.map(Model::LodStrips)),
-        None => mts().map(|model| model.map(Model::Mts)),
-    };
-    match model {
+    let lod_strips = lod_strips.map(|model| model.map(Model::LodStrips));
+    let mts = || is_wanted("mts").then(|| file.mts()).flatten().map(|model| model.map(Model::Mts));
+    let fans =
+        || is_wanted("fans").then(|| file.fans()).flatten().map(|model| model.map(|m| Model::Fans(m.0)));
+    match lod_strips.or_else(mts).or_else(fans) {
         Some(model) => model.map_err(|error| input.damaged(&error)),
         None => {
             let what = name.map_or("no model".to_owned(), |name| format!("no model {name}"));
@@ -105,26 +113,52 @@ fn pick_model<'a>(file: &StriataFile<'a>, name: Option<&str>, input: &Input) -> 
 struct Extracted {
     model: &'static str,
     mesh: IndexedMesh,
-    strips: StripSet,
+    /// Where the model has them.
+    strips: Option<StripSet>,
     seek_secs: f64,
 }
 
 impl Extracted {
     /// # Errors
     /// Where a part of the file is unsound.
-    fn of<M: StripModel>(
+    fn of<M: StoredModel>(
         name: &'static str,
         model: &M,
         split_count: usize,
         file: &StriataFile<'_>,
+        strips: impl Fn(&M::State) -> Option<StripSet>,
     ) -> Result<Self, DecodeError> {
         let mut state = model.new_state();
         let started = Instant::now();
         model.move_to(&mut state, split_count);
         let seek_secs = started.elapsed().as_secs_f64();
         let mesh = file.level_of(model, &state)?;
-        Ok(Self { model: name, mesh, strips: strips_of_level(model, &state), seek_secs })
+        Ok(Self { model: name, mesh, strips: strips(&state), seek_secs })
     }
+
+    /// # Errors
+    /// Where a part of the file is unsound.
+    fn of_strips<M: StripModel>(
+        name: &'static str,
+        model: &M,
+        split_count: usize,
+        file: &StriataFile<'_>,
+    ) -> Result<Self, DecodeError> {
+        Self::of(name, model, split_count, file, |state| Some(strips_of_level(model, state)))
+    }
+}
+
+/// What is written of a level: strips are those of its model, or made where it has none.
+///
+/// # Errors
+/// Where the mesh's parts do not fit together.
+fn drawn(form: TriangleForm, mesh: &IndexedMesh, strips: Option<StripSet>) -> Result<Drawn, Failure> {
+    Ok(match (form, strips) {
+        (TriangleForm::List, _) => Drawn::Triangles,
+        (TriangleForm::Strips, Some(strips)) => Drawn::Strips(stitched(&strips)),
+        (TriangleForm::Strips, None) => Drawn::Strips(stitched(&stripify(mesh, &StripOptions::default())?)),
+        (TriangleForm::Fans, _) => Drawn::Fans(fans_of(mesh)),
+    })
 }
 
 /// The same for a view.
@@ -149,20 +183,26 @@ fn run_view(
         Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
     })?;
     let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
-    let ViewLevel { mesh, split_count, error, seek_secs } =
-        level_of_view(&refinable, camera, args.view.pixels());
-    let strips = match args.form {
-        TriangleForm::List => None,
-        TriangleForm::Strips => Some(stitched(&stripify(&mesh, &StripOptions::default())?)),
-    };
-    save(&mesh, strips, &args.output.output, &args.output.format)?;
+    let stored = file.fans().transpose().map_err(|error| input.damaged(&error))?;
+    let fans = if stored.is_some() { "stored" } else { "built" };
+    let (table, bounds) = stored.unwrap_or_else(|| {
+        let table = Fans::build(&refinable);
+        let bounds = FanBounds::build(&table, &refinable);
+        (table, bounds)
+    });
+    let scene = FanScene::new(&table, &bounds, &refinable);
+    let ViewLevel { mesh, split_count, error, pixels, stop_reason, seek_secs } =
+        level_of_view(&scene, &refinable, &args.view, camera, args.level.triangles);
+    save(&mesh, drawn(args.form, &mesh, None)?, &args.output.output, &args.output.format)?;
     let report = Report {
         model: "fans",
+        fans: Some(fans),
+        pixels: Some(pixels),
         split_count,
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
         error,
-        stop_reason: StopReason::TargetReached.as_str(),
+        stop_reason: stop_reason.as_str(),
         seek_secs,
         secs: started.elapsed().as_secs_f64(),
     };
@@ -171,8 +211,9 @@ fn run_view(
 
 impl Report {
     fn to_text(&self, step_count: usize) -> String {
+        let fans = self.fans.map_or_else(String::new, |origin| format!(", fans {origin}"));
         format!(
-            "{} triangles, {} vertices, split {} of {}, error {}, {}; sought in {}",
+            "{} triangles, {} vertices, split {} of {}, error {}, {}; sought in {}{fans}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.split_count),
@@ -206,11 +247,13 @@ pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
 }
 
 /// # Errors
-/// Where strips are asked for in a format that has none.
+/// Where strips or fans are asked for in a format that has none.
 fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
-    let format = format_of(&args.output.output, &args.output.format)?;
-    if args.form == TriangleForm::Strips {
-        return check_strips_fit(&args.output.output, format, "say --as list");
+    let path = &args.output.output;
+    let format = format_of(path, &args.output.format)?;
+    match args.form {
+        TriangleForm::List => Ok(()),
+        TriangleForm::Strips => check_form_fits("strips", path, format, "say --as list"),
+        TriangleForm::Fans => check_form_fits("fans", path, format, "say --as list"),
     }
-    Ok(())
 }

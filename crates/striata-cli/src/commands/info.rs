@@ -4,9 +4,10 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::codec::FORMAT_VERSION;
 use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData, Statistics, validate};
-use striata::model::StripModel;
+use striata::model::{LodModel, PartBytes, StripModel};
 
 use crate::args::InfoArgs;
+use crate::commands::build::parts_of_fans;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, Table, grouped, measured, sized};
@@ -67,10 +68,16 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
     report.format_version = Some(FORMAT_VERSION);
     report.add_sequence(&refinable.sequence);
     if let Some(model) = file.lod_strips() {
-        report.add_model("lodstrips", &model.map_err(|error| input.damaged(&error))?);
+        let model = model.map_err(|error| input.damaged(&error))?;
+        report.add_model("lodstrips", &model.bytes(), Some(model.strip_count()));
     }
     if let Some(model) = file.mts() {
-        report.add_model("mts", &model.map_err(|error| input.damaged(&error))?);
+        let model = model.map_err(|error| input.damaged(&error))?;
+        report.add_model("mts", &model.bytes(), Some(model.strip_count()));
+    }
+    if let Some(model) = file.fans() {
+        let (fans, bounds) = model.map_err(|error| input.damaged(&error))?;
+        report.add_model("fans", &parts_of_fans(&fans, &bounds), None);
     }
     report.sections =
         file.sections().iter().map(|s| json!({ "kind": s.kind.to_string(), "bytes": s.bytes })).collect();
@@ -78,17 +85,14 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
 }
 
 impl Report {
-    fn add_model(&mut self, name: &str, model: &impl StripModel) {
-        let parts = model.bytes();
+    fn add_model(&mut self, name: &str, parts: &[PartBytes], strip_count: Option<usize>) {
         let bytes: usize = parts.iter().map(|part| part.bytes).sum();
         let by_part: Map<String, Value> = parts.iter().map(|p| (p.name.to_owned(), p.bytes.into())).collect();
         let bytes_per_vertex = bytes as f64 / self.vertex_count.max(1) as f64;
-        let model = json!({
-            "bytes": bytes,
-            "bytes_per_vertex": bytes_per_vertex,
-            "strip_count": model.strip_count(),
-            "parts": by_part,
-        });
+        let mut model = json!({ "bytes": bytes, "bytes_per_vertex": bytes_per_vertex, "parts": by_part });
+        if let Some(strip_count) = strip_count {
+            model["strip_count"] = json!(strip_count);
+        }
         self.models.insert(name.to_owned(), model);
     }
 

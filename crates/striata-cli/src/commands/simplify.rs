@@ -9,7 +9,7 @@ use crate::args::{PlacementArg, SimplifyArgs};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, grouped, lasted, measured};
-use crate::save::{format_of, is_stdout, save};
+use crate::save::{Drawn, format_of, is_stdout, save};
 
 #[derive(Serialize)]
 struct Report {
@@ -43,7 +43,7 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
         .map_err(|error| Failure::from(error).in_file(&input.name))?;
     let simplify_secs = simplify_started.elapsed().as_secs_f64();
     bar.phase("write");
-    save(&simplified.mesh, None, &args.output.output, &args.output.format)?;
+    save(&simplified.mesh, Drawn::Triangles, &args.output.output, &args.output.format)?;
     drop(bar);
     let report = Report {
         vertex_count: simplified.mesh.vertex_count(),

@@ -13,7 +13,7 @@ use crate::args::{FormatArgs, StripArgs};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, grouped};
-use crate::save::{format_of, is_stdout, save};
+use crate::save::{Drawn, format_of, is_stdout, save};
 use crate::strip_report::StripReport;
 
 #[derive(Serialize)]
@@ -61,7 +61,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
         bar.phase("write");
         let lists = stitched(&stripped.strips);
         report.stitched_index_count = Some(lists.iter().map(Vec::len).sum());
-        save(&mesh, Some(lists), path, &format)?;
+        save(&mesh, Drawn::Strips(lists), path, &format)?;
     }
     drop(bar);
     report.secs = started.elapsed().as_secs_f64();
@@ -96,16 +96,16 @@ impl Report {
 fn check_output(args: &StripArgs, format: &FormatArgs, output: &Output) -> Result<(), Failure> {
     let Some(path) = &args.output else { return Ok(()) };
     output.check_stdout_is_free(is_stdout(path))?;
-    check_strips_fit(path, format_of(path, format)?, "drop -o to only see what the strips cost")
+    check_form_fits("strips", path, format_of(path, format)?, "drop -o to only see what the strips cost")
 }
 
 /// # Errors
-/// Where a format has no strips; `instead` is what the user can do besides choosing another.
-pub(super) fn check_strips_fit(path: &Path, format: Format, instead: &str) -> Result<(), Failure> {
+/// Where a format has no strips or fans; `instead` is what the user can do besides choosing another.
+pub(super) fn check_form_fits(what: &str, path: &Path, format: Format, instead: &str) -> Result<(), Failure> {
     if matches!(format, Format::Glb | Format::Gltf) {
         return Ok(());
     }
     let name = if is_stdout(path) { "stdout".into() } else { path.to_string_lossy() };
-    Err(Failure::user(format!("{name}: {format} has no strips"))
+    Err(Failure::user(format!("{name}: {format} has no {what}"))
         .with_hint(format!("write .glb or .gltf (`--to glb` for stdout), or {instead}")))
 }

@@ -148,18 +148,20 @@ fn unknown_names_list_what_there_is() {
     let bench = Workbench::with_ball();
     assert!(
         bench
-            .refused("build sphere.obj -o x.striata --models lodstrips,fans")
-            .contains("hint: this version has: lodstrips, mts")
+            .refused("build sphere.obj -o x.striata --models lodstrips,patterns")
+            .contains("hint: this version has: lodstrips, mts, fans")
     );
     assert!(
         bench
             .refused("build sphere.obj -o x.striata --order hausdorff")
             .contains("hint: this version has: quadric")
     );
-    assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --model fans").contains("lodstrips"));
-    let absent = bench.refused("extract ball.striata -o x.ply --detail 1 --model mts");
-    assert!(absent.contains("ball.striata: no model mts is in this file"), "{absent}");
-    assert!(absent.contains("hint: build it again with --models mts"), "{absent}");
+    assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --model pm").contains("lodstrips"));
+    for model in ["mts", "fans"] {
+        let absent = bench.refused(&format!("extract ball.striata -o x.ply --detail 1 --model {model}"));
+        assert!(absent.contains(&format!("ball.striata: no model {model} is in this file")), "{absent}");
+        assert!(absent.contains(&format!("hint: build it again with --models {model}")), "{absent}");
+    }
 }
 
 #[test]
@@ -170,6 +172,7 @@ fn the_wrong_kind_of_file_is_explained() {
     assert!(bench.refused("convert sphere.obj x.striata").contains("striata build"));
     assert!(bench.refused("convert sphere.obj x.docx").contains("--to"));
     assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --as strips").contains("strips"));
+    assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --as fans").contains("PLY has no fans"));
     assert_eq!(bench.names(), ["ball.striata", "sphere.obj"]);
 }
 
@@ -189,7 +192,16 @@ fn arguments_are_checked_with_suggestions() {
     assert!(bench.refused("simplfy sphere.obj").contains("simplify"));
     let none = bench.refused("extract ball.striata -o x.ply");
     assert!(none.contains("--triangles") && none.contains("--detail"), "{none}");
-    bench.refused("extract ball.striata -o x.ply --triangles 10 --detail 0.5");
+    let targets = ["--triangles 10", "--vertices 10", "--detail 0.5", "--error 1", "--split-count 10"];
+    for (i, first) in targets.iter().enumerate() {
+        let with = |other: &str| bench.refused(&format!("extract ball.striata -o x.ply {first} {other}"));
+        for other in &targets[i + 1..] {
+            assert!(with(other).contains("cannot be used with"), "{first} {other}");
+        }
+        if i > 0 {
+            assert!(with("--eye 0,0,3").contains("cannot be used with"), "{first}");
+        }
+    }
     assert!(bench.refused("extract ball.striata -o x.ply --detail 1.5").contains("between 0"));
     assert!(bench.refused("simplify sphere.obj -o x.ply --error 1m").contains("no length"));
 }

@@ -122,6 +122,97 @@ fn a_view_is_fine_where_the_eye_looks() {
 }
 
 #[test]
+fn fans_of_a_file_show_what_fans_built_anew_show() {
+    let bench = Workbench::with_ball();
+    let report = bench.json("build sphere.obj -o fans.striata --models fans");
+    assert_keys(&report, &["models.fans.bytes", "models.fans.bytes_per_vertex"]);
+    assert!(report["strips"].is_null() && report["models"].get("lodstrips").is_none(), "{report}");
+    assert_keys(&bench.json("info fans.striata"), &["models.fans.parts.bounds", "models.fans.parts.entries"]);
+    let view = "--eye -0.4,0.3,-3 --pixels 2";
+    let seen = bench.json(&format!("extract fans.striata -o stored.glb {view}"));
+    assert_eq!(
+        (&seen["model"], &seen["fans"], &seen["pixels"]),
+        (&"fans".into(), &"stored".into(), &2.0.into())
+    );
+    let built = bench.json(&format!("extract ball.striata -o built.glb {view}"));
+    assert_eq!((&built["fans"], &built["triangle_count"]), (&"built".into(), &seen["triangle_count"]));
+    // The order of triangles is that of the fans, whatever they came from.
+    assert_eq!(bench.read("stored.glb"), bench.read("built.glb"));
+    // Whole levels are those of the other models, with any of them in the file or none.
+    bench.run("build sphere.obj -o all.striata --models fans,mts,lodstrips --quiet").success();
+    assert_eq!(bench.json("extract all.striata -o x.ply --detail 0.5")["model"], "lodstrips");
+    for (file, detail) in [("fans", 0.0), ("all", 0.4), ("fans", 0.4), ("all", 1.0)] {
+        let level = |model: &str, file: &str| {
+            let line = format!("extract {file}.striata -o {model}.ply --detail {detail} --model {model}");
+            assert_eq!(bench.json(&line)["model"], model);
+            let info = bench.json(&format!("info {model}.ply"));
+            (info["triangle_count"].clone(), info["area"].as_f64().expect("a number"))
+        };
+        let (found, expected) = (level("fans", file), level("mts", "all"));
+        assert_eq!(found.0, expected.0, "{file} at {detail}");
+        assert!((found.1 - expected.1).abs() <= 1e-9 * expected.1, "{file} at {detail}");
+    }
+    let whole = bench.json("extract fans.striata -o x.ply --triangles 300");
+    assert_eq!(whole["model"], "fans");
+    assert!(whole.get("fans").is_none() && whole.get("pixels").is_none(), "only views have these: {whole}");
+}
+
+#[test]
+fn a_view_keeps_to_a_number_of_triangles() {
+    let bench = Workbench::with_ball();
+    let view =
+        |flags: &str| bench.json(&format!("extract ball.striata -o view.ply --eye -0.4,0.3,-3 {flags}"));
+    let pixels = |report: &serde_json::Value| report["pixels"].as_f64().expect("a number");
+    let count = |report: &serde_json::Value| report["triangle_count"].as_u64().expect("a count");
+    let free = view("--pixels 0.5");
+    let enough = view("--pixels 0.5 --triangles 512");
+    assert_eq!((count(&enough), pixels(&enough)), (count(&free), 0.5));
+    let few = view("--pixels 0.5 --triangles 100");
+    assert!((90..=100).contains(&count(&few)) && pixels(&few) > 0.5, "{few}");
+    let fewer = view("--pixels 0 --triangles 60");
+    assert!((50..=60).contains(&count(&fewer)) && pixels(&fewer) > pixels(&few), "{fewer}");
+    // What was reached may be asked for.
+    let again = view(&format!("--pixels {}", pixels(&few) * 1.0001));
+    assert!(count(&again).abs_diff(count(&few)) <= 2, "{again}");
+    let least = view("--triangles 0");
+    assert_eq!((&least["stop_reason"], &least["split_count"]), (&"base_reached".into(), &0.into()));
+    // Outlines may be finer than the rest.
+    let outlined = view("--pixels 8 --silhouette-pixels 1");
+    assert!(count(&outlined) > count(&view("--pixels 8")), "{outlined}");
+    assert!(count(&outlined) <= count(&view("--pixels 1")), "{outlined}");
+}
+
+#[test]
+fn every_level_may_be_fans() {
+    let bench = Workbench::with_ball();
+    bench.run("build sphere.obj -o fans.striata --models fans --quiet").success();
+    let info = |level: &str| {
+        bench.json(&format!("extract {level}"));
+        let info = bench.json("info x.glb");
+        (
+            info["triangle_count"].clone(),
+            info["boundary_edge_count"].clone(),
+            info["area"].as_f64().expect("an area"),
+        )
+    };
+    for file in ["ball", "fans"] {
+        for level in ["--triangles 300", "--eye -0.4,0.3,-3 --pixels 0.5"] {
+            let list = info(&format!("{file}.striata -o x.glb {level}"));
+            for form in ["fans", "strips"] {
+                let drawn = info(&format!("{file}.striata -o x.glb {level} --as {form}"));
+                assert_eq!((&drawn.0, &drawn.1), (&list.0, &list.1), "{file} {level} as {form}");
+                assert!((drawn.2 - list.2).abs() < 1e-5 * list.2, "{file} {level} as {form}");
+            }
+        }
+    }
+    bench.run("extract fans.striata -o x.gltf --triangles 300 --as fans --quiet").success();
+    let root: serde_json::Value = serde_json::from_slice(&bench.read("x.gltf")).expect("JSON");
+    let primitives = root["meshes"][0]["primitives"].as_array().expect("a list");
+    assert!(primitives.iter().all(|primitive| primitive["mode"] == 6), "{root}");
+    assert!((40..120).contains(&primitives.len()), "{} fans", primitives.len());
+}
+
+#[test]
 fn info_looks_into_meshes_and_containers() {
     let bench = Workbench::with_ball();
     let keys = [

@@ -71,8 +71,8 @@ pub(super) fn mesh_of(document: &Document<'_>) -> Result<IndexedMesh, Fault> {
     let mut mesh = IndexedMesh { appearance: looks::appearance(document)?, ..IndexedMesh::default() };
     mesh.positions = plan.positions(document)?;
     mesh.layers = plan.layers(document)?;
-    plan.triangles_into(document, &mut mesh)?;
-    plan.compute_normals(&mut mesh);
+    let block_of_group = plan.triangles_into(document, &mut mesh)?;
+    plan.compute_normals(&block_of_group, &mut mesh);
     Ok(mesh)
 }
 
@@ -179,8 +179,11 @@ impl<'a> Plan<'a> {
         Ok(layers)
     }
 
-    fn triangles_into(&self, document: &Document<'_>, mesh: &mut IndexedMesh) -> Result<(), Fault> {
+    /// Appends triangles and their groups; returns the block of each group.
+    fn triangles_into(&self, document: &Document<'_>, mesh: &mut IndexedMesh) -> Result<Vec<usize>, Fault> {
         mesh.triangles.reserve(self.triangle_limit as usize);
+        let mut block_of_group = Vec::with_capacity(self.pieces.len());
+        let mut fans_before = None;
         for piece in &self.pieces {
             let block = &self.blocks[piece.block];
             let primitive = piece.primitive.as_ref().unwrap_or(&block.primitive);
@@ -190,27 +193,33 @@ impl<'a> Plan<'a> {
             if block.transform.as_ref().is_some_and(|t| t.is_mirrored) {
                 mesh.triangles[first..].iter_mut().for_each(|t| t.swap(1, 2));
             }
-            mesh.groups.push(TriangleGroup {
-                name: piece.name.clone(),
-                material: primitive.material,
-                first: first as u32,
-                count: (mesh.triangles.len() - first) as u32,
-            });
+            let count = (mesh.triangles.len() - first) as u32;
+            // Fans of one thing are as many primitives, and one group.
+            let fans = primitive.is_fan().then_some((piece.block, &piece.name, primitive.material));
+            match mesh.groups.last_mut() {
+                Some(group) if fans.is_some() && fans == fans_before => group.count += count,
+                _ => {
+                    block_of_group.push(piece.block);
+                    let (name, material, first) = (piece.name.clone(), primitive.material, first as u32);
+                    mesh.groups.push(TriangleGroup { name, material, first, count });
+                }
+            }
+            fans_before = fans;
         }
-        Ok(())
+        Ok(block_of_group)
     }
 
     /// Gives normals to the blocks that have none while others have.
-    fn compute_normals(&self, mesh: &mut IndexedMesh) {
+    fn compute_normals(&self, block_of_group: &[usize], mesh: &mut IndexedMesh) {
         let Some(layer) = mesh.layers.iter_mut().find(|layer| layer.semantic == Semantic::Normal) else {
             return;
         };
         let LayerData::F32(data) = &mut layer.data else { return };
         let lacks = |b: &Block<'_>| b.primitive.attributes.iter().all(|(s, _)| *s != Semantic::Normal);
         let mut triangles_of: BTreeMap<usize, Vec<[u32; 3]>> = BTreeMap::new();
-        for (piece, group) in self.pieces.iter().zip(&mesh.groups) {
-            if lacks(&self.blocks[piece.block]) {
-                let own = triangles_of.entry(piece.block).or_default();
+        for (&block, group) in block_of_group.iter().zip(&mesh.groups) {
+            if lacks(&self.blocks[block]) {
+                let own = triangles_of.entry(block).or_default();
                 own.extend_from_slice(&mesh.triangles[group.range()]);
             }
         }

@@ -1,7 +1,7 @@
 //! glTF 2.0, as JSON and as GLB.
 //!
 //! The reader bakes the default scene into one mesh: one group for each triangle primitive of each node that shows
-//! it, transforms applied, attribute sets united, materials kept as the JSON they are. A reader of our own over `serde_json` values:
+//! it (fans of one mesh and material are one group), transforms applied, attribute sets united, materials kept as the JSON they are. A reader of our own over `serde_json` values:
 //! the `gltf` crate refuses scenes without nodes, knows no place for its errors, keeps materials only as far
 //! as it understands them, and does not check buffers. It serves as the oracle in the tests instead.
 //! Cost: one pass over each accessor of each block of vertices.

@@ -71,6 +71,11 @@ impl<'a> Primitive<'a> {
         Ok(Some(Self { at, position, attributes, material, indices, topology }))
     }
 
+    /// Whether it is one fan, of which glTF needs a primitive for each.
+    pub(super) fn is_fan(&self) -> bool {
+        self.topology == Topology::Fan
+    }
+
     /// Most triangles that the primitive can draw.
     pub(super) fn triangle_limit(&self, document: &Document<'_>, vertex_count: usize) -> Result<u64, Fault> {
         let count = match self.indices {

@@ -1,4 +1,4 @@
-//! The glTF writer: one vertex buffer for all groups, one primitive a group, looks as they came.
+//! The glTF writer: one vertex buffer for all groups, one primitive a group or a fan, looks as they came.
 //!
 //! Groups that follow each other under one name become one mesh and one node of that name. Vertices without
 //! triangles are not written where there is no triangle at all, since glTF knows no empty primitive.
@@ -18,6 +18,7 @@ const ARRAY_BUFFER: u32 = 34962;
 pub(super) const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const TRIANGLES: u32 = 4;
 pub(super) const TRIANGLE_STRIP: u32 = 5;
+const TRIANGLE_FAN: u32 = 6;
 
 pub(crate) fn to_glb_bytes(mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
     let (root, binary) = document(mesh, options, |_| Value::Null)?;
@@ -110,16 +111,15 @@ impl Builder {
         options: &WriteOptions,
     ) -> Result<(Vec<Value>, Vec<Value>), Refusal> {
         let groups = mesh.groups_or_whole();
-        let lists = index_lists(mesh, &groups, options)?;
+        let (mode, lists, group_of) = index_lists(mesh, &groups, options)?;
         if lists.iter().all(|list| list.is_empty()) {
             return Ok((Vec::new(), Vec::new()));
         }
         let attributes = attributes(self, mesh)?;
         let indices = self.push_indices(&lists, mesh.positions.len());
-        let mode = if options.strips.is_some() { TRIANGLE_STRIP } else { TRIANGLES };
         let (mut meshes, mut nodes): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
         let mut open_name: Option<&str> = None;
-        for (group, accessor) in groups.iter().zip(indices) {
+        for (group, accessor) in group_of.into_iter().map(|group| &groups[group]).zip(indices) {
             let Some(accessor) = accessor else { continue };
             let primitive = primitive(&attributes, accessor, mode, group.material);
             if open_name == Some(group.name.as_str())
@@ -247,29 +247,50 @@ fn primitive(attributes: &Attributes, indices: usize, mode: u32, material: Optio
     primitive
 }
 
-/// The indices of each group: its triangles, or the strips that the caller gives.
+/// How indices are drawn, and lists of them with the group of each: one list a group of its triangles or of the strips that the
+/// caller gives, or one of each fan.
+type Lists = (u32, Vec<Vec<u32>>, Vec<usize>);
+
 fn index_lists(
     mesh: &IndexedMesh,
     groups: &[TriangleGroup],
     options: &WriteOptions,
-) -> Result<Vec<Vec<u32>>, Refusal> {
-    let Some(strips) = &options.strips else {
-        return Ok(groups.iter().map(|g| mesh.triangles[g.range()].as_flattened().to_vec()).collect());
-    };
-    if strips.len() != groups.len() {
-        let reason = format!("{} strips for {} triangle groups", strips.len(), groups.len());
-        return Err(Refusal::BadMesh(reason));
+) -> Result<Lists, Refusal> {
+    let each_group = (0..groups.len()).collect();
+    if let Some(strips) = &options.strips {
+        check_lists("strip", strips, mesh)?;
+        check_groups("strips", strips.len(), groups)?;
+        return Ok((TRIANGLE_STRIP, strips.clone(), each_group));
     }
+    if let Some(fans) = &options.fans {
+        check_groups("groups of fans", fans.len(), groups)?;
+        let group_of = fans.iter().enumerate().flat_map(|(group, fans)| fans.iter().map(move |_| group));
+        let lists: Vec<Vec<u32>> = fans.iter().flatten().cloned().collect();
+        check_lists("fan", &lists, mesh)?;
+        return Ok((TRIANGLE_FAN, lists, group_of.collect()));
+    }
+    let triangles = groups.iter().map(|g| mesh.triangles[g.range()].as_flattened().to_vec());
+    Ok((TRIANGLES, triangles.collect(), each_group))
+}
+
+fn check_groups(what: &str, found: usize, groups: &[TriangleGroup]) -> Result<(), Refusal> {
+    if found == groups.len() {
+        return Ok(());
+    }
+    Err(Refusal::BadMesh(format!("{found} {what} for {} triangle groups", groups.len())))
+}
+
+fn check_lists(what: &str, lists: &[Vec<u32>], mesh: &IndexedMesh) -> Result<(), Refusal> {
     let vertex_count = mesh.positions.len();
-    for (group, strip) in strips.iter().enumerate() {
-        if let Some(place) = strip.iter().position(|&v| v as usize >= vertex_count) {
-            let vertex = strip[place];
-            let reason = format!("strip {group}, index {place}: vertex {vertex} of {vertex_count}");
+    for (number, list) in lists.iter().enumerate() {
+        if let Some(place) = list.iter().position(|&v| v as usize >= vertex_count) {
+            let vertex = list[place];
+            let reason = format!("{what} {number}, index {place}: vertex {vertex} of {vertex_count}");
             return Err(Refusal::BadMesh(reason));
         }
-        if matches!(strip.len(), 1 | 2) {
-            return Err(Refusal::BadMesh(format!("strip {group} has only {} indices", strip.len())));
+        if matches!(list.len(), 1 | 2) {
+            return Err(Refusal::BadMesh(format!("{what} {number} has only {} indices", list.len())));
         }
     }
-    Ok(strips.clone())
+    Ok(())
 }

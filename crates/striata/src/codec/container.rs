@@ -64,6 +64,20 @@ impl SectionKind {
     pub const CHANGE_LENGTHS: Self = Self(*b"MTRL");
     /// MTS: the records, which name the strips that a step changes.
     pub const CHANGES: Self = Self(*b"MTCH");
+    /// Fans: the entries of all vertices.
+    pub const FAN_ENTRIES: Self = Self(*b"FNEN");
+    /// Fans: where each block of vertices begins, or each vertex.
+    pub const FAN_BLOCKS: Self = Self(*b"FNBL");
+    /// Fans: where each vertex begins in its block.
+    pub const FAN_STARTS: Self = Self(*b"FNST");
+    /// Fans: steps that wait for others beside those that make their triangles.
+    pub const FAN_WAITS: Self = Self(*b"FNWT");
+    /// Fans: steps whose target is not around them.
+    pub const FAN_FAR_TARGETS: Self = Self(*b"FNFT");
+    /// Fans: steps that no entry has.
+    pub const FAN_ORPHANS: Self = Self(*b"FNOR");
+    /// Fans: what a criterion needs of each step.
+    pub const FAN_BOUNDS: Self = Self(*b"FNBD");
 
     fn is_known(self) -> bool {
         [
@@ -88,6 +102,13 @@ impl SectionKind {
             Self::BREAKS,
             Self::CHANGE_LENGTHS,
             Self::CHANGES,
+            Self::FAN_ENTRIES,
+            Self::FAN_BLOCKS,
+            Self::FAN_STARTS,
+            Self::FAN_WAITS,
+            Self::FAN_FAR_TARGETS,
+            Self::FAN_ORPHANS,
+            Self::FAN_BOUNDS,
         ]
         .contains(&self)
     }

@@ -8,9 +8,10 @@ use super::{DecodeError, SectionInfo, SectionKind, Summary, Verify};
 use crate::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
 };
+use crate::model::fans::FansParts;
 use crate::model::lod_strips::LodStripsParts;
 use crate::model::mts::MtsParts;
-use crate::model::{LodStrips, Mts, StepVertices, StripModel};
+use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, StepVertices, StoredModel, StripModel};
 use crate::strip::{StripSet, strip_triangles};
 
 /// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
@@ -218,6 +219,34 @@ impl<'a> StriataFile<'a> {
         Ok(model)
     }
 
+    /// The fans and the bounds of their steps, if the file has them: in memory of their own and checked once, so that no move
+    /// can fail.
+    pub fn fans(&self) -> Option<Result<(Fans, FanBounds), DecodeError>> {
+        self.has(SectionKind::FAN_ENTRIES).then(|| self.read_fans())
+    }
+
+    fn read_fans(&self) -> Result<(Fans, FanBounds), DecodeError> {
+        let parts = FansParts {
+            entries: self.container.get(SectionKind::FAN_ENTRIES)?,
+            blocks: &self.container.numbers(SectionKind::FAN_BLOCKS)?,
+            starts: &self.container.numbers(SectionKind::FAN_STARTS)?,
+            waits: &self.container.numbers(SectionKind::FAN_WAITS)?,
+            far: &self.container.numbers(SectionKind::FAN_FAR_TARGETS)?,
+            orphans: &self.container.numbers(SectionKind::FAN_ORPHANS)?,
+        };
+        let unsound = |reason| DecodeError::Model { model: "fans", reason };
+        let removed = self.container.get(SectionKind::REMOVED)?;
+        let group_count = self.summary.group_count.max(1);
+        let fans = Fans::from_parts(self.step_vertices()?, removed, group_count, parts).map_err(unsound)?;
+        self.expect(SectionKind::REMOVED, "steps", fans.step_count(), self.summary.step_count)?;
+        let base_triangle_count = self.summary.base_triangle_count;
+        let kind = SectionKind::FAN_ENTRIES;
+        self.expect(kind, "triangles of the base", fans.base_triangle_count(), base_triangle_count)?;
+        let records = self.container.get(SectionKind::FAN_BOUNDS)?;
+        let bounds = FanBounds::from_bytes(records, &self.errors()?).map_err(unsound)?;
+        Ok((fans, bounds))
+    }
+
     fn step_vertices(&self) -> Result<StepVertices<'a>, DecodeError> {
         let base = self.summary.base_position_count;
         let firsts = match self.first_vertices()? {
@@ -242,7 +271,7 @@ impl<'a> StriataFile<'a> {
 
     /// The whole mesh with its sequence, checked and in memory of its own.
     ///
-    /// In files with strips the triangles come in the order of the strips.
+    /// In files with strips the triangles come in the order of the strips, in files with fans alone in that of the fans.
     ///
     /// # Errors
     /// [`DecodeError`] where any part is unsound or parts do not fit together.
@@ -258,6 +287,10 @@ impl<'a> StriataFile<'a> {
             Some(strips) => {
                 self.append_strips(&strips?, &mut mesh)?;
                 SectionKind::STRIP_INDICES
+            }
+            None if !self.has(SectionKind::TRIANGLES) && self.has(SectionKind::FAN_ENTRIES) => {
+                self.append_fans(&self.read_fans()?.0, &mut mesh)?;
+                SectionKind::FAN_ENTRIES
             }
             None => {
                 mesh.triangles = self.container.numbers(SectionKind::TRIANGLES)?.into_owned();
@@ -281,11 +314,14 @@ impl<'a> StriataFile<'a> {
         if let Some(model) = self.lod_strips() {
             return self.moved(&model?, split_count);
         }
+        if let Some(model) = self.mts() {
+            return self.moved(&model?, split_count);
+        }
         let missing = DecodeError::SectionCount { kind: SectionKind::STRIP_INDICES, found: 0 };
-        self.moved(&self.mts().ok_or(missing)??, split_count)
+        self.moved(&self.fans().ok_or(missing)??.0, split_count)
     }
 
-    fn moved<M: StripModel>(&self, model: &M, split_count: usize) -> Result<IndexedMesh, DecodeError> {
+    fn moved<M: StoredModel>(&self, model: &M, split_count: usize) -> Result<IndexedMesh, DecodeError> {
         let mut state = model.new_state();
         model.move_to(&mut state, split_count);
         self.level_of(model, &state)
@@ -295,7 +331,7 @@ impl<'a> StriataFile<'a> {
     ///
     /// # Errors
     /// [`DecodeError`] where any part is unsound, or the model is not the file's.
-    pub fn level_of<M: StripModel>(&self, model: &M, state: &M::State) -> Result<IndexedMesh, DecodeError> {
+    pub fn level_of<M: StoredModel>(&self, model: &M, state: &M::State) -> Result<IndexedMesh, DecodeError> {
         let positions = self.positions()?;
         let vertex_count = model.vertex_count_at(model.split_count(state));
         let Some(shown) = positions.get(..vertex_count) else {
@@ -311,7 +347,7 @@ impl<'a> StriataFile<'a> {
             appearance: self.appearance()?,
         };
         let group_count = level.groups.len().max(1);
-        self.expect(SectionKind::STRIP_GROUPS, "groups", model.group_count(), group_count)?;
+        self.expect(SectionKind::GROUPS, "groups", group_count, model.group_count())?;
         for group in 0..group_count {
             let first = level.triangles.len();
             model.group_triangles_into(state, group, &mut level.triangles);
@@ -325,17 +361,39 @@ impl<'a> StriataFile<'a> {
 
     /// Appends the triangles of the full mesh's strips, which have to be as many as the groups say.
     fn append_strips(&self, strips: &StripSet, mesh: &mut IndexedMesh) -> Result<(), DecodeError> {
-        let kind = SectionKind::STRIP_GROUPS;
         for group in 0..strips.group_count() {
             let first = mesh.triangles.len();
             for strip in strips.group_strips(group) {
                 mesh.triangles.extend(strip_triangles(strips.strip(strip)));
             }
-            let count = mesh.triangles.len() - first;
-            if let Some(group) = mesh.groups.get_mut(group) {
-                self.expect(kind, "triangles of a group", count, group.count as usize)?;
-                group.first = first as u32;
-            }
+            self.end_group(SectionKind::STRIP_GROUPS, group, first, mesh)?;
+        }
+        Ok(())
+    }
+
+    /// The same of the full level of fans.
+    fn append_fans(&self, fans: &Fans, mesh: &mut IndexedMesh) -> Result<(), DecodeError> {
+        let full = fans.new_state();
+        for group in 0..fans.group_count() {
+            let first = mesh.triangles.len();
+            fans.group_triangles_into(&full, group, &mut mesh.triangles);
+            self.end_group(SectionKind::FAN_ENTRIES, group, first, mesh)?;
+        }
+        Ok(())
+    }
+
+    /// Ends a group with the last triangle of a mesh.
+    fn end_group(
+        &self,
+        kind: SectionKind,
+        group: usize,
+        first: usize,
+        mesh: &mut IndexedMesh,
+    ) -> Result<(), DecodeError> {
+        let count = mesh.triangles.len() - first;
+        if let Some(group) = mesh.groups.get_mut(group) {
+            self.expect(kind, "triangles of a group", count, group.count as usize)?;
+            group.first = first as u32;
         }
         Ok(())
     }

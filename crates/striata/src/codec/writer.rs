@@ -7,7 +7,7 @@ use super::container::{ENTRY_BYTES, HEADER_BYTES, MAGIC, REQUIRED, VERSION, head
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
 use super::{EncodeError, SectionKind, Summary};
 use crate::mesh::RefinableMesh;
-use crate::model::{LodModel, LodStrips, Mts, StripModel};
+use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, StoredModel};
 
 /// A model to be stored beside the mesh.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +17,8 @@ pub enum FileModel<'m> {
     LodStrips(&'m LodStrips<'m>),
     /// Strips that are walked again where they change.
     Mts(&'m Mts<'m>),
+    /// Fans of each vertex, for levels that differ from place to place, and the bounds of their steps.
+    Fans(&'m Fans, &'m FanBounds),
 }
 
 impl<'m> FileModel<'m> {
@@ -25,36 +27,56 @@ impl<'m> FileModel<'m> {
         match self {
             Self::LodStrips(_) => "lodstrips",
             Self::Mts(_) => "mts",
+            Self::Fans(..) => "fans",
         }
     }
 
-    /// The strips that it starts from: groups, offsets, indices.
-    fn strips(&self) -> [&'m [u32]; 3] {
+    /// The strips that it starts from, if it does: groups, offsets, indices.
+    fn strips(&self) -> Option<[&'m [u32]; 3]> {
         match *self {
-            Self::LodStrips(model) => [&model.group_offsets, &model.offsets, &model.indices],
-            Self::Mts(model) => [&model.parts.group_offsets, &model.parts.offsets, &model.parts.indices],
+            Self::LodStrips(model) => Some([&model.group_offsets, &model.offsets, &model.indices]),
+            Self::Mts(model) => {
+                Some([&model.parts.group_offsets, &model.parts.offsets, &model.parts.indices])
+            }
+            Self::Fans(..) => None,
         }
     }
 
     /// Its sections beside the strips.
-    fn sections(&self) -> Vec<(SectionKind, &'m [u8])> {
+    fn sections(&self) -> Vec<(SectionKind, Cow<'m, [u8]>)> {
         match *self {
             Self::LodStrips(model) => vec![
-                (SectionKind::RECORD_LENGTHS, &model.record_lengths),
-                (SectionKind::RECORDS, &model.arena),
+                (SectionKind::RECORD_LENGTHS, model.record_lengths[..].into()),
+                (SectionKind::RECORDS, model.arena[..].into()),
             ],
             Self::Mts(model) => {
                 let parts = &model.parts;
                 vec![
-                    (SectionKind::LAST_CHANGES, &parts.lasts),
-                    (SectionKind::BREAK_OFFSETS, bytemuck::must_cast_slice(&parts.break_offsets)),
-                    (SectionKind::BREAKS, bytemuck::must_cast_slice(&parts.breaks)),
-                    (SectionKind::CHANGE_LENGTHS, &parts.record_lengths),
-                    (SectionKind::CHANGES, &parts.arena),
+                    (SectionKind::LAST_CHANGES, parts.lasts[..].into()),
+                    (SectionKind::BREAK_OFFSETS, bytes_of(&parts.break_offsets)),
+                    (SectionKind::BREAKS, bytes_of(&parts.breaks)),
+                    (SectionKind::CHANGE_LENGTHS, parts.record_lengths[..].into()),
+                    (SectionKind::CHANGES, parts.arena[..].into()),
+                ]
+            }
+            Self::Fans(fans, bounds) => {
+                let parts = fans.parts();
+                vec![
+                    (SectionKind::FAN_ENTRIES, parts.entries.into()),
+                    (SectionKind::FAN_BLOCKS, bytes_of(parts.blocks)),
+                    (SectionKind::FAN_STARTS, bytes_of(parts.starts)),
+                    (SectionKind::FAN_WAITS, bytes_of(parts.waits)),
+                    (SectionKind::FAN_FAR_TARGETS, bytes_of(parts.far)),
+                    (SectionKind::FAN_ORPHANS, bytes_of(parts.orphans)),
+                    (SectionKind::FAN_BOUNDS, bounds.as_bytes().into()),
                 ]
             }
         }
     }
+}
+
+fn bytes_of<T: bytemuck::NoUninit>(numbers: &[T]) -> Cow<'_, [u8]> {
+    bytemuck::must_cast_slice(numbers).into()
 }
 
 /// Options of [`write_striata`].
@@ -83,7 +105,7 @@ struct Section<'m> {
 /// Writes a mesh, its sequence and its models as one `.striata` file.
 ///
 /// The same input gives the same bytes on every machine. With models of strips the triangles are stored as strips only,
-/// once for all models, and come back in the strips' order.
+/// once for all models, and come back in the strips' order; with fans alone they come back from these.
 ///
 /// # Errors
 /// [`EncodeError`] where the mesh is unsound, a model was built from another mesh, or the writer fails.
@@ -162,17 +184,14 @@ fn lay_out<'m>(
     for layer in &mesh.layers {
         add(SectionKind::LAYER, REQUIRED, layer_to_bytes(layer)?.into());
     }
+    if let Some([groups, offsets, indices]) = models.iter().find_map(FileModel::strips) {
+        add(SectionKind::STRIP_GROUPS, 0, bytes_of(groups));
+        add(SectionKind::STRIP_OFFSETS, 0, bytes_of(offsets));
+        add(SectionKind::STRIP_INDICES, 0, bytes_of(indices));
+    }
     for (i, model) in models.iter().enumerate() {
         check_model(model, &models[..i], refinable)?;
-        if i == 0 {
-            let [groups, offsets, indices] = model.strips();
-            add(SectionKind::STRIP_GROUPS, 0, bytemuck::must_cast_slice(groups).into());
-            add(SectionKind::STRIP_OFFSETS, 0, bytemuck::must_cast_slice(offsets).into());
-            add(SectionKind::STRIP_INDICES, 0, bytemuck::must_cast_slice(indices).into());
-        }
-        for (kind, bytes) in model.sections() {
-            add(kind, 0, bytes.into());
-        }
+        model.sections().into_iter().for_each(|(kind, bytes)| add(kind, 0, bytes));
     }
     if models.is_empty() {
         add(SectionKind::TRIANGLES, 0, bytemuck::must_cast_slice(&mesh.triangles).into());
@@ -192,25 +211,39 @@ fn check_model(
     refinable: &RefinableMesh,
 ) -> Result<(), EncodeError> {
     let name = model.name();
-    let mesh = &refinable.mesh;
-    let (vertex_count, step_count, group_count) = match model {
-        FileModel::LodStrips(m) => (m.vertex_count(), m.step_count(), m.group_count()),
-        FileModel::Mts(m) => (m.vertex_count(), m.step_count(), m.group_count()),
-    };
-    for (what, found, expected) in [
-        ("vertices", vertex_count, mesh.vertex_count()),
-        ("steps", step_count, refinable.sequence.step_count()),
-        ("groups", group_count, mesh.groups.len().max(1)),
-    ] {
-        if found != expected {
-            return Err(EncodeError::Model { model: name, what, found, expected });
+    match model {
+        FileModel::LodStrips(model) => check_counts(name, *model, refinable)?,
+        FileModel::Mts(model) => check_counts(name, *model, refinable)?,
+        FileModel::Fans(fans, bounds) => {
+            check_counts(name, *fans, refinable)?;
+            let triangle_count = |split_count| fans.draw_counts(&fans.level_at(split_count)).index_count / 3;
+            let step_count = fans.step_count();
+            expect(name, "bounds", bounds.step_count(), step_count)?;
+            expect(name, "triangles", triangle_count(step_count), refinable.mesh.triangle_count())?;
+            let base_triangle_count = refinable.sequence.triangle_count_at(0);
+            expect(name, "triangles of the base", triangle_count(0), base_triangle_count)?;
         }
     }
     if before.iter().any(|other| other.name() == name) {
         return Err(EncodeError::RepeatedModel { model: name });
     }
-    if before.first().is_some_and(|first| first.strips() != model.strips()) {
+    let first = before.iter().find_map(FileModel::strips);
+    if first.is_some() && model.strips().is_some_and(|strips| first != Some(strips)) {
         return Err(EncodeError::OtherStrips { model: name });
     }
     Ok(())
+}
+
+fn check_counts(
+    name: &'static str,
+    model: &impl StoredModel,
+    refinable: &RefinableMesh,
+) -> Result<(), EncodeError> {
+    expect(name, "vertices", model.vertex_count(), refinable.mesh.vertex_count())?;
+    expect(name, "steps", model.step_count(), refinable.sequence.step_count())?;
+    expect(name, "groups", model.group_count(), refinable.mesh.groups.len().max(1))
+}
+
+fn expect(model: &'static str, what: &'static str, found: usize, expected: usize) -> Result<(), EncodeError> {
+    if found == expected { Ok(()) } else { Err(EncodeError::Model { model, what, found, expected }) }
 }

@@ -65,6 +65,32 @@ pub enum ModelError {
         /// The most there can be.
         limit: u64,
     },
+    /// The fans of a vertex make no sense.
+    #[error("the entry of vertex {vertex} {reason}")]
+    Entry {
+        /// The vertex.
+        vertex: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// What is stored of a step does not fit what others say of it.
+    #[error("step {step} {reason}")]
+    Step {
+        /// The step.
+        step: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// A list is out of order, or names what is not there.
+    #[error("{what} {place} {reason}")]
+    Listed {
+        /// What is listed.
+        what: &'static str,
+        /// Its place in the list.
+        place: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
     /// What is stored of a strip makes no sense.
     #[error("strip {strip} {reason}")]
     Strip {

@@ -154,8 +154,8 @@ pub trait LodModel {
     fn paper_bytes(&self, accounting: Accounting) -> usize;
 }
 
-/// A model of strips that a file holds: strips never cross groups, dead ones keep their number.
-pub trait StripModel: LodModel {
+/// A model that a file holds: it knows how many vertices a level has, and tells groups of triangles apart.
+pub trait StoredModel: LodModel {
     /// Vertices of the full mesh.
     fn vertex_count(&self) -> usize;
 
@@ -165,6 +165,18 @@ pub trait StripModel: LodModel {
     /// If `split_count` exceeds the step count.
     fn vertex_count_at(&self, split_count: usize) -> usize;
 
+    /// Groups of triangles.
+    fn group_count(&self) -> usize;
+
+    /// Appends the triangles that one group shows now.
+    ///
+    /// # Panics
+    /// If there is no such group.
+    fn group_triangles_into(&self, state: &Self::State, group: usize, out: &mut Vec<[u32; 3]>);
+}
+
+/// A model of strips that a file holds: strips never cross groups, dead ones keep their number.
+pub trait StripModel: StoredModel {
     /// First strip of each group, closed by the number of strips.
     fn group_offsets(&self) -> &[u32];
 
@@ -180,11 +192,6 @@ pub trait StripModel: LodModel {
         self.group_offsets().last().map_or(0, |&count| count as usize)
     }
 
-    /// Groups of triangles.
-    fn group_count(&self) -> usize {
-        self.group_offsets().len().saturating_sub(1)
-    }
-
     /// The strips of one group.
     ///
     /// # Panics
@@ -192,14 +199,11 @@ pub trait StripModel: LodModel {
     fn group_strips(&self, group: usize) -> Range<usize> {
         self.group_offsets()[group] as usize..self.group_offsets()[group + 1] as usize
     }
+}
 
-    /// Appends the triangles that one group shows now.
-    ///
-    /// # Panics
-    /// If there is no such group.
-    fn group_triangles_into(&self, state: &Self::State, group: usize, out: &mut Vec<[u32; 3]>) {
-        for strip in self.group_strips(group) {
-            restart_triangles_into(self.strip(state, strip), out);
-        }
+/// Appends the triangles that the strips of one group show now.
+fn strips_of_group_into<M: StripModel>(model: &M, state: &M::State, group: usize, out: &mut Vec<[u32; 3]>) {
+    for strip in model.group_strips(group) {
+        restart_triangles_into(model.strip(state, strip), out);
     }
 }

@@ -14,6 +14,7 @@ use glam::{DVec3, Vec3};
 
 use super::Fans;
 use crate::mesh::{CollapseSequence, RefinableMesh};
+use crate::model::ModelError;
 use crate::view::{NormalCone, Part, Sphere};
 
 /// For each step a sphere and a cone of normals that hold whatever it and those that collapse into it change, and the error that
@@ -82,6 +83,33 @@ impl FanBounds {
         self.records[step as usize].part(positions[fans.center_vertex(step)])
     }
 
+    /// Steps that there are bounds of.
+    pub(crate) fn step_count(&self) -> usize {
+        self.records.len()
+    }
+
+    /// The records as files hold them.
+    pub(crate) fn as_bytes(&self) -> &[u8] {
+        bytemuck::must_cast_slice(&self.records)
+    }
+
+    /// The bounds of steps that leave such errors, from the bytes of their records.
+    ///
+    /// # Errors
+    /// Where there are more or fewer records, or one holds what no bounds are.
+    pub(crate) fn from_bytes(bytes: &[u8], errors: &[f32]) -> Result<Self, ModelError> {
+        let expected = size_of::<Record>() * errors.len();
+        if bytes.len() != expected {
+            return Err(ModelError::Length { what: "bytes of bounds", found: bytes.len(), expected });
+        }
+        let mut records = vec![Record::default(); errors.len()];
+        bytemuck::must_cast_slice_mut(&mut records).copy_from_slice(bytes);
+        for (step, (record, &error)) in records.iter().zip(errors).enumerate() {
+            record.check(error).map_err(|reason| ModelError::Step { step, reason })?;
+        }
+        Ok(Self { records })
+    }
+
     /// Bytes of the records.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.records[..])
@@ -102,6 +130,20 @@ impl Record {
             }
         }
         record
+    }
+
+    fn check(self, error: f32) -> Result<(), &'static str> {
+        let axis = self.axis.map(i32::from);
+        if self.radius > round_up(f32::INFINITY) {
+            return Err("has a radius that is no number");
+        }
+        if self.error != round_up(error) {
+            return Err("has another error in its bounds than in the sequence");
+        }
+        if axis.iter().map(|x| x * x).sum::<i32>() > 127 * 127 {
+            return Err("has an axis that is longer than 1");
+        }
+        Ok(())
     }
 
     #[inline]

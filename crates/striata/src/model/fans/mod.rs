@@ -38,7 +38,9 @@ mod morphs;
 mod scene;
 mod sets;
 mod step_bits;
+mod stored;
 mod table;
+mod validate;
 
 pub use bounds::FanBounds;
 pub use emit::{FanForm, FanIndices, fan_triangles_into};
@@ -47,11 +49,12 @@ pub use instance::FanInstance;
 pub use live::FanTriangles;
 pub use morphs::{FanMorphs, MovingVertex};
 pub use scene::FanScene;
+pub(crate) use stored::FansParts;
 pub use table::MAX_ARCS;
 
 use self::table::{Entry, Table};
 use super::step_vertices::StepVertices;
-use super::{Accounting, DrawCounts, LodModel, PartBytes, Topology};
+use super::{Accounting, DrawCounts, LodModel, PartBytes, StoredModel, Topology};
 
 /// The static half of the model; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -86,12 +89,19 @@ impl Fans {
 
     /// Triangles of the base mesh.
     pub fn base_triangle_count(&self) -> usize {
-        self.draw_counts(&FansLevel { split_count: 0 }).index_count / 3
+        self.draw_counts(&self.level_at(0)).index_count / 3
     }
 
     /// Groups of triangles.
     pub fn group_count(&self) -> usize {
         self.group_count
+    }
+
+    /// The state of a uniform level.
+    pub(crate) fn level_at(&self, split_count: usize) -> FansLevel {
+        let mut level = self.new_state();
+        self.move_to(&mut level, split_count);
+        level
     }
 
     /// The fans of a vertex of the base.
@@ -192,5 +202,31 @@ impl LodModel for Fans {
         });
         let longs = self.vertex_count() + nodes + dependencies;
         accounting.bytes(2 * self.vertex_count(), longs) + mask_bytes
+    }
+}
+
+impl StoredModel for Fans {
+    fn vertex_count(&self) -> usize {
+        self.vertices.vertex_count
+    }
+
+    fn vertex_count_at(&self, split_count: usize) -> usize {
+        self.vertices.count_at(split_count)
+    }
+
+    fn group_count(&self) -> usize {
+        self.group_count
+    }
+
+    fn group_triangles_into(&self, state: &FansLevel, group: usize, out: &mut Vec<[u32; 3]>) {
+        assert!(group < self.group_count, "group {group} of {}", self.group_count);
+        let is_taken = |step: u32| step as usize >= state.split_count;
+        let mut indices = Vec::new();
+        self.for_each_fan_at(state.split_count, |fan| {
+            if fan.group as usize == group {
+                fan.triangles_into(fan.mask(is_taken), &mut indices);
+            }
+        });
+        out.extend_from_slice(indices.as_chunks().0);
     }
 }

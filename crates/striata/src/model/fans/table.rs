@@ -15,6 +15,7 @@
 //!
 //! Where the fans of a vertex begin is a number of two bytes from the start of its block of vertices.
 
+use crate::model::ModelError;
 use crate::model::record_arena::{read_varint, write_varint};
 
 /// Arcs of a fan: as many as its masks have bits.
@@ -140,8 +141,52 @@ impl Table {
         [self.bytes.len(), starts]
     }
 
+    /// The entries; then where blocks begin and where vertices begin in them, or where vertices begin and nothing.
+    pub(super) fn arrays(&self) -> (&[u8], &[u32], &[u16]) {
+        let blocks = if self.starts.is_empty() { &self.wide_starts } else { &self.blocks };
+        (&self.bytes, blocks, &self.starts)
+    }
+
+    /// A table of the arrays that another one had.
+    ///
+    /// # Errors
+    /// Where they do not say for each of so many vertices where it begins, rising to the end of the entries.
+    pub(super) fn from_arrays(
+        (bytes, blocks, starts): (Vec<u8>, Vec<u32>, Vec<u16>),
+        vertex_count: usize,
+        has_groups: bool,
+    ) -> Result<Self, ModelError> {
+        let length = |what, found, expected| {
+            if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
+        };
+        let is_wide = starts.is_empty();
+        let start_count = vertex_count + 1;
+        if is_wide {
+            length("wide starts", blocks.len(), start_count)?;
+        } else {
+            length("starts", starts.len(), start_count)?;
+            length("starts of blocks", blocks.len(), start_count.div_ceil(BLOCK))?;
+        }
+        if let Some(place) = blocks.iter().position(|&start| start as usize > bytes.len()) {
+            return Err(ModelError::Listed { what: "start", place, reason: "lies behind the entries" });
+        }
+        let (blocks, wide_starts) = if is_wide { (Vec::new(), blocks) } else { (blocks, Vec::new()) };
+        let table = Self { bytes, blocks, starts, wide_starts, has_groups };
+        let mut end = 0;
+        for vertex in 0..start_count {
+            let start = table.start(vertex);
+            if start < end || (vertex == 0 && start > 0) {
+                let reason = "does not begin where the one before ends";
+                return Err(ModelError::Entry { vertex, reason });
+            }
+            end = start;
+        }
+        length("bytes of entries", table.bytes.len(), end + PADDING)?;
+        Ok(table)
+    }
+
     #[inline]
-    fn start(&self, vertex: usize) -> usize {
+    pub(super) fn start(&self, vertex: usize) -> usize {
         if self.starts.is_empty() {
             self.wide_starts[vertex] as usize
         } else {
@@ -175,7 +220,7 @@ pub(super) struct FanView<'t> {
     pub(super) vertex: u32,
     own_step: u32,
     pub(super) is_closed: bool,
-    always: u32,
+    pub(super) always: u32,
     pub(super) node_count: usize,
     creator_count: usize,
     numbers: Width,
@@ -209,7 +254,8 @@ impl Width {
 impl<'t> Iterator for Entry<'t> {
     type Item = FanView<'t>;
 
-    #[inline]
+    // Always: what it returns is large, and callers use a few numbers of it.
+    #[inline(always)]
     fn next(&mut self) -> Option<FanView<'t>> {
         let [flags, creator_flags, rest @ ..] = self.bytes else { return None };
         let mut bytes = rest;
@@ -247,8 +293,15 @@ impl<'t> FanView<'t> {
     /// The vertices around, in their order.
     #[inline]
     pub(super) fn nodes(&self) -> impl Iterator<Item = u32> + use<'t> {
-        let Self { vertex, numbers, bytes, .. } = *self;
-        (0..self.node_count).map(move |i| vertex - numbers.read(bytes, i * numbers.bytes))
+        let vertex = self.vertex;
+        self.distances().map(move |distance| vertex - distance)
+    }
+
+    /// How far before the vertex its nodes are, as stored.
+    #[inline]
+    pub(super) fn distances(&self) -> impl Iterator<Item = u32> + use<'t> {
+        let Self { numbers, bytes, .. } = *self;
+        (0..self.node_count).map(move |i| numbers.read(bytes, i * numbers.bytes))
     }
 
     /// What the paper calls dependencies: arcs that are there always count as one.
@@ -259,13 +312,28 @@ impl<'t> FanView<'t> {
     /// The steps that make some of the triangles, each with their arcs.
     #[inline]
     pub(super) fn creators(&self) -> impl Iterator<Item = Creator> + use<'t> {
-        let Self { own_step, numbers, masks, bytes, creators_at, .. } = *self;
+        let own_step = self.own_step;
+        self.pairs().map(move |[told, mask]| Creator {
+            step: (told >> 1) + own_step - 1,
+            mask,
+            is_child: told & 1 != 0,
+        })
+    }
+
+    /// What is told of each creator, and its mask, as stored.
+    #[inline]
+    pub(super) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> + use<'t> {
+        let Self { numbers, masks, bytes, creators_at, .. } = *self;
         (0..self.creator_count).map(move |i| {
             let at = creators_at + i * (numbers.bytes + masks.bytes);
-            let told = numbers.read(bytes, at);
-            let mask = masks.read(bytes, at + numbers.bytes);
-            Creator { step: (told >> 1) + own_step - 1, mask, is_child: told & 1 != 0 }
+            [numbers.read(bytes, at), masks.read(bytes, at + numbers.bytes)]
         })
+    }
+
+    /// Bytes of the table behind the fan; `None` where it would end after them.
+    pub(super) fn bytes_after(&self) -> Option<usize> {
+        let end = self.creators_at + self.creator_count * (self.numbers.bytes + self.masks.bytes);
+        self.bytes.len().checked_sub(end)
     }
 
     /// Which arcs are there.
@@ -316,6 +384,50 @@ mod tests {
     fn fan(nodes: &[u32], arc_count: usize, always: u32, creators: &[(u32, u32)]) -> Fan {
         let creators = creators.iter().map(|&(step, mask)| Creator { step, mask, is_child: step % 2 == 0 });
         Fan { group: 0, arc_count, nodes: nodes.to_vec(), always, creators: creators.collect() }
+    }
+
+    #[test]
+    fn arrays_make_the_same_table_or_none() {
+        let mut writer = TableWriter::new(false);
+        for vertex in 0..200 {
+            let fans = [fan(&[0, vertex / 2], 1, 1, &[])];
+            writer.push(0, if vertex > 2 { &fans } else { &[] });
+        }
+        let table = writer.finish();
+        let rebuilt = |damage: fn(&mut Vec<u8>, &mut Vec<u32>, &mut Vec<u16>)| {
+            let (bytes, blocks, starts) = table.arrays();
+            let (mut bytes, mut blocks, mut starts) = (bytes.to_vec(), blocks.to_vec(), starts.to_vec());
+            damage(&mut bytes, &mut blocks, &mut starts);
+            Table::from_arrays((bytes, blocks, starts), 200, false)
+        };
+        assert_eq!(rebuilt(|_, _, _| ()), Ok(table.clone()));
+        let wide = rebuilt(|_, blocks, starts| {
+            let all = starts.iter().enumerate().map(|(i, &start)| blocks[i / BLOCK] + u32::from(start));
+            (*blocks, *starts) = (all.collect(), Vec::new());
+        });
+        assert_eq!(wide.unwrap().entry(150, 0).count(), 1);
+        for vertex in [0, 3, 64, 199] {
+            let reason = "does not begin where the one before ends";
+            let (bytes, blocks, starts) = table.arrays();
+            let (bytes, mut blocks, mut starts) = (bytes.to_vec(), blocks.to_vec(), starts.to_vec());
+            starts[vertex] += 700;
+            blocks[vertex / BLOCK] += 40;
+            let found = Table::from_arrays((bytes, blocks, starts), 200, false);
+            assert!(matches!(found, Err(ModelError::Entry { reason: r, .. }) if r == reason), "{vertex}");
+        }
+        let behind = rebuilt(|_, blocks, _| blocks[2] = u32::MAX);
+        assert!(matches!(behind, Err(ModelError::Listed { what: "start", place: 2, .. })));
+        let too_few = [
+            rebuilt(|bytes, _, _| bytes.truncate(bytes.len() - 9)),
+            rebuilt(|_, blocks, _| blocks.truncate(2)),
+            rebuilt(|_, _, starts| starts.truncate(9)),
+            rebuilt(|_, _, starts| starts.clear()),
+        ];
+        for (found, what) in
+            too_few.into_iter().zip(["bytes of entries", "starts of blocks", "starts", "wide starts"])
+        {
+            assert!(matches!(found, Err(ModelError::Length { what: w, .. }) if w == what), "{what}");
+        }
     }
 
     #[test]

@@ -33,7 +33,10 @@ pub use strip_buffer::StripBuffer;
 
 use super::record_arena::{head_bytes, record_at};
 use super::step_vertices::StepVertices;
-use super::{Accounting, DrawCounts, LodModel, ModelError, PartBytes, StripModel, Topology, join_strips};
+use super::{
+    Accounting, DrawCounts, LodModel, ModelError, PartBytes, StoredModel, StripModel, Topology, join_strips,
+    strips_of_group_into,
+};
 
 /// Longer strips are cut when the model is built, so that an edit moves few indices.
 pub const MAX_STRIP_INDICES: usize = 128;
@@ -163,7 +166,7 @@ impl LodModel for LodStrips<'_> {
     }
 }
 
-impl StripModel for LodStrips<'_> {
+impl StoredModel for LodStrips<'_> {
     fn vertex_count(&self) -> usize {
         self.vertices.vertex_count
     }
@@ -172,6 +175,16 @@ impl StripModel for LodStrips<'_> {
         self.vertices.count_at(split_count)
     }
 
+    fn group_count(&self) -> usize {
+        self.group_offsets().len().saturating_sub(1)
+    }
+
+    fn group_triangles_into(&self, state: &LodStripsState, group: usize, out: &mut Vec<[u32; 3]>) {
+        strips_of_group_into(self, state, group, out);
+    }
+}
+
+impl StripModel for LodStrips<'_> {
     fn group_offsets(&self) -> &[u32] {
         &self.group_offsets
     }

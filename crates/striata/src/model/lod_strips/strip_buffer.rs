@@ -5,7 +5,7 @@
 //! than what it shows, or full, the region is packed afresh. So a move costs what it changes, amortised, and
 //! each group draws one contiguous range. A GPU buffer of the same size never has to grow.
 
-use crate::model::StripModel;
+use crate::model::{StoredModel, StripModel};
 use std::ops::Range;
 
 use super::{LodStrips, LodStripsState};

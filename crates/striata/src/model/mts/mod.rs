@@ -34,7 +34,10 @@ pub use state::MtsState;
 
 pub use super::lod_strips::MAX_STRIP_INDICES;
 use super::step_vertices::StepVertices;
-use super::{Accounting, DrawCounts, LodModel, ModelError, PartBytes, StripModel, Topology, join_strips};
+use super::{
+    Accounting, DrawCounts, LodModel, ModelError, PartBytes, StoredModel, StripModel, Topology, join_strips,
+    strips_of_group_into,
+};
 use crate::strip::RESTART;
 
 /// The static half of the model; see the [module](self).
@@ -177,7 +180,7 @@ impl LodModel for Mts<'_> {
     }
 }
 
-impl StripModel for Mts<'_> {
+impl StoredModel for Mts<'_> {
     fn vertex_count(&self) -> usize {
         self.vertices.vertex_count
     }
@@ -186,6 +189,16 @@ impl StripModel for Mts<'_> {
         self.vertices.count_at(split_count)
     }
 
+    fn group_count(&self) -> usize {
+        self.group_offsets().len().saturating_sub(1)
+    }
+
+    fn group_triangles_into(&self, state: &MtsState, group: usize, out: &mut Vec<[u32; 3]>) {
+        strips_of_group_into(self, state, group, out);
+    }
+}
+
+impl StripModel for Mts<'_> {
     fn group_offsets(&self) -> &[u32] {
         &self.parts.group_offsets
     }

@@ -7,8 +7,8 @@
 use std::ops::Range;
 
 use super::Mts;
-use crate::model::StripModel;
 use crate::model::record_arena::{read_fixed, read_varint, record_at, record_before};
+use crate::model::{StoredModel, StripModel};
 use crate::strip::RESTART;
 
 /// Where more than one strip in so many is walked, all chains of targets are followed first.

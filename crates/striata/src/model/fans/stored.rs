@@ -1,0 +1,58 @@
+//! What a file holds of a table, and the table that comes out of it.
+
+use super::table::Table;
+use super::{Fans, validate};
+use crate::model::ModelError;
+use crate::model::step_vertices::StepVertices;
+
+/// The stored arrays of a table, without what the sequence knows already.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FansParts<'a> {
+    /// Bytes of all entries.
+    pub(crate) entries: &'a [u8],
+    /// Where each block of vertices begins, or each vertex where `starts` is empty.
+    pub(crate) blocks: &'a [u32],
+    /// Where each vertex begins in its block.
+    pub(crate) starts: &'a [u16],
+    /// Steps and further steps that they wait for.
+    pub(crate) waits: &'a [[u32; 2]],
+    /// Steps and those of targets that are not around them.
+    pub(crate) far: &'a [[u32; 2]],
+    /// Steps that hang from the base.
+    pub(crate) orphans: &'a [u32],
+}
+
+impl Fans {
+    /// The arrays that a file is to hold.
+    pub(crate) fn parts(&self) -> FansParts<'_> {
+        let (entries, blocks, starts) = self.table.arrays();
+        FansParts { entries, blocks, starts, waits: &self.waits, far: &self.far, orphans: &self.orphans }
+    }
+
+    /// Puts stored arrays together, in memory of their own, and checks them once, so that nothing can fail later. `removed` are
+    /// the triangles that each step of the sequence takes away.
+    pub(crate) fn from_parts(
+        vertices: StepVertices<'_>,
+        removed: &[u8],
+        group_count: usize,
+        parts: FansParts<'_>,
+    ) -> Result<Self, ModelError> {
+        let FansParts { entries, blocks, starts, waits, far, orphans } = parts;
+        let step_count = removed.len();
+        vertices.check(step_count)?;
+        let arrays = (entries.to_vec(), blocks.to_vec(), starts.to_vec());
+        let table = Table::from_arrays(arrays, vertices.vertex_count, group_count > 1)?;
+        let fans = Self {
+            vertices: vertices.without_targets(),
+            step_count,
+            group_count,
+            table,
+            waits: waits.to_vec(),
+            far: far.to_vec(),
+            orphans: orphans.to_vec(),
+            removed: removed.into(),
+        };
+        validate::check(&fans)?;
+        Ok(fans)
+    }
+}
