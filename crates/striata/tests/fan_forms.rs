@@ -80,7 +80,7 @@ fn check_instance(fans: &Fans, instance: &FanInstance, out: &mut FanIndices) {
         {
             let mut parallel = FanIndices::default();
             instance.emit_parallel_into(fans, form, &mut parallel);
-            assert_eq!((&parallel.indices, &parallel.group_ranges), (&out.indices, &out.group_ranges));
+            assert_eq!(&parallel, out);
         }
     }
 }
@@ -100,10 +100,7 @@ fn check_level(fans: &Fans, split_count: usize) {
         {
             let mut parallel = FanIndices::default();
             fans.emit_level_parallel_into(&level, form, &mut parallel);
-            assert_eq!(
-                (&parallel.indices, &parallel.group_ranges),
-                (&of_level.indices, &of_level.group_ranges)
-            );
+            assert_eq!(parallel, of_level);
         }
     }
 }

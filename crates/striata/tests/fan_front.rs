@@ -140,6 +140,27 @@ fn no_more_changes_than_allowed_and_the_view_is_reached_in_the_end() {
     }
 }
 
+/// What was begun for a view that is gone goes away with it.
+#[test]
+fn views_that_were_never_reached_leave_nothing_behind() {
+    for case in surface_cases().chain(seam_cases()) {
+        let (fans, bounds) = stage(&case.refinable);
+        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let mut walk = Walk::new(scene.sphere(), case.seed);
+        let mut front = FanFront::new(&scene);
+        let mut fresh = FanInstance::full(&fans);
+        for round in 0..60 {
+            for _ in 0..6 {
+                front.update(&scene, &walk.step(1.0), 1 + round % 3);
+            }
+            let criterion = walk.step(1.0);
+            assert!(front.update(&scene, &criterion, usize::MAX).is_settled);
+            fresh.refine(&scene, &criterion);
+            assert_eq!(front.instance(), &fresh);
+        }
+    }
+}
+
 /// Weighs by a hash: nothing about it is as a criterion should be.
 #[derive(Clone)]
 struct Whim(u32);

@@ -19,6 +19,9 @@ const STRETCH: f32 = 1.16;
 /// More than rounding can do to a length here, in parts of it.
 const SLACK: f32 = 4e-6;
 
+/// More than rounding can do to the square of a length here and to that of its part along an axis, in parts of them.
+const ALONG_SLACK: f32 = 1e-6;
+
 /// Parts with each of their numbers in lanes.
 struct Lanes {
     center: [f32x8; 3],
@@ -180,11 +183,66 @@ impl ScreenError {
 #[inline]
 fn facing(lanes: &Lanes, places: &Places) -> [f32x8; 2] {
     let along = dot(places.sight, lanes.axis);
-    let beside = (places.square - along * along).fast_max(splat(0.0)).sqrt();
+    // Where the sight is along the axis, rounding may leave less of it than there is.
+    let beside = (places.square * splat(1.0 + ALONG_SLACK) - along * along).fast_max(splat(0.0)).sqrt();
     let sin = (splat(1.0) - lanes.cos * lanes.cos).fast_max(splat(0.0)).sqrt();
     let lean = beside * sin + places.radius;
     let along = along * lanes.cos;
     let is_narrow = lanes.cos.simd_gt(splat(0.0));
     let wide = -(places.distance + places.radius);
     [along, -along].map(|along| is_narrow.bitselect(along - lean, wide))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Random;
+    use crate::view::{Camera, Criterion, NormalCone, Sphere};
+
+    fn direction(random: &mut Random) -> Vec3 {
+        Vec3::from([(); 3].map(|()| random.unit() as f32 - 0.5)).normalize()
+    }
+
+    #[test]
+    fn no_point_of_a_sphere_has_a_larger_error() {
+        let mut random = Random::new(21);
+        let (mut compared, mut tight) = (0, 0.0f32);
+        for _ in 0..40_000 {
+            let eye = direction(&mut random) * 5.0;
+            let camera = Camera::new(eye.into(), [0.0; 3], [0.1, 1.0, 0.2], 1.2, [900, 700]).unwrap();
+            let center = direction(&mut random) * 4.0 * random.unit() as f32;
+            let sphere = Sphere { center: center.into(), radius: random.unit() as f32 };
+            let part = Part { sphere, cone: NormalCone::ALL, error: 0.01 };
+            let weight = ScreenError::new(camera, 1.0).weigh(&part).weight;
+            let point = Sphere::point((center + direction(&mut random) * sphere.radius * 0.999).into());
+            if weight < 1e6 && camera.may_see(&point) {
+                let pixels = camera.error_px(part.error, &point);
+                assert!(weight >= pixels * 0.9999, "{weight}, but {pixels} at {point:?} of {part:?}");
+                tight = tight.max(pixels / weight);
+                compared += 1;
+            }
+        }
+        assert!(compared > 10_000 && tight > 0.98, "{compared} compared, {tight} of what is told");
+    }
+
+    #[test]
+    fn an_eye_along_the_axis_hides_nothing_that_faces_it() {
+        let mut random = Random::new(22);
+        for _ in 0..20_000 {
+            let axis = direction(&mut random);
+            let aside = axis.cross(direction(&mut random)).normalize() * (random.unit() as f32 * 6e-4);
+            let center = (axis + aside) * (1.0 + 4.0 * random.unit() as f32);
+            let cos = 0.02 + 0.3 * random.unit() as f32;
+            // In f64, of the numbers as they are: how far the part would be turned away if it were a point.
+            let [sight, axis_f64] = [center, axis].map(|v| v.as_dvec3());
+            let (along, cos_f64) = (sight.dot(axis_f64), f64::from(cos));
+            let beside = (sight - axis_f64 * along / axis_f64.length_squared()).length();
+            let away = along * cos_f64 - beside * (1.0 - cos_f64 * cos_f64).sqrt();
+            let sphere = Sphere { center: center.into(), radius: (away * (1.0 + 2e-6)) as f32 };
+            let part = Part { sphere, cone: NormalCone { axis: axis.into(), cos }, error: 1.0 };
+            let camera = Camera::new([0.0; 3], axis.into(), [0.3, 0.5, 0.7], 1.0, [100, 100]).unwrap();
+            let weight = ScreenError::new(camera, 1.0).weigh(&part).weight;
+            assert!(weight > 0.0, "{part:?} is hidden, {beside} beside");
+        }
+    }
 }

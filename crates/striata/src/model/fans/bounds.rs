@@ -40,7 +40,7 @@ impl FanBounds {
     /// The bounds of a table's steps.
     ///
     /// # Panics
-    /// If the table is another mesh's.
+    /// If the table is another mesh's, by its count of steps.
     pub fn build(fans: &Fans, refinable: &RefinableMesh) -> Self {
         let step_count = fans.step_count;
         assert_eq!(step_count, refinable.sequence.step_count(), "the table is another mesh's");

@@ -6,8 +6,8 @@
 //! once nothing is there that needs them, and when the last such thing is taken, they are looked at again. So the
 //! instance shows what is wanted and what that needs, whatever the way it came \[Hop97\].
 //!
-//! Differs: \[Hop97\] keeps the active mesh with its neighbourhoods; here the table tells them, and a list of steps with a
-//! number each is all that a front adds to its instance.
+//! Differs: \[Hop97\] keeps the active mesh with its neighbourhoods; here the table tells them: a front adds to its
+//! instance three bits a step, and twelve bytes for each step that it may ask for.
 
 use wide::f32x8;
 
@@ -117,7 +117,7 @@ impl<C: Criterion + Clone> FanFront<C> {
     }
 
     /// Goes to what a criterion wants and what that needs. No more than `change_limit` steps change; what is left is done with
-    /// later views.
+    /// later views, even of the same criterion. `usize::MAX` is no limit.
     ///
     /// # Panics
     /// If the front is of another model.

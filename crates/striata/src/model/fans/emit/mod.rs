@@ -28,7 +28,7 @@ use crate::model::DrawCounts;
 const WORTH_THREADS: usize = 8192;
 
 /// Indices of an instance and the range that draws each group; kept from frame to frame, it needs no new memory.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default)]
 pub struct FanIndices {
     /// All indices. Between the ranges of two groups of fans or strips stands a
     /// [`RESTART`](crate::strip::RESTART), so that all may be drawn at once.
@@ -135,6 +135,15 @@ pub(super) fn append_all(fans: &Fans, shown: &impl Shown, form: FanForm, out: &m
     all.append(fans, shown, form);
     *out = all.indices;
 }
+
+/// What has been written is the same, however it was.
+impl PartialEq for FanIndices {
+    fn eq(&self, other: &Self) -> bool {
+        self.indices == other.indices && self.group_ranges == other.group_ranges
+    }
+}
+
+impl Eq for FanIndices {}
 
 impl FanIndices {
     fn clear(&mut self) {
