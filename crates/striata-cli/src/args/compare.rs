@@ -27,12 +27,12 @@ pub(crate) struct CompareArgs {
     /// Write a page with charts too; it opens without a network
     #[arg(long, value_name = "OUT")]
     pub(crate) html: Option<PathBuf>,
-    /// What to measure, separated by commas: strips, models
+    /// What to measure, separated by commas: strips, models, views
     #[arg(
         long,
         value_name = "PARTS",
         value_delimiter = ',',
-        default_value = "strips,models",
+        default_value = "strips,models,views",
         hide_possible_values = true
     )]
     pub(crate) parts: Vec<Part>,
@@ -49,8 +49,10 @@ pub(crate) struct CompareArgs {
 pub(crate) enum Part {
     /// Stripifiers, on the mesh as it is.
     Strips,
-    /// Multiresolution models.
+    /// Multiresolution models, every level the same everywhere.
     Models,
+    /// Models that follow an eye.
+    Views,
 }
 
 /// How models are compared.

@@ -13,7 +13,7 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, StripifierArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-pub(crate) use self::view::{Point, ViewArgs};
+pub(crate) use self::view::{Point, ViewArgs, tan};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.

@@ -106,7 +106,7 @@ fn parse_angle(text: &str) -> Result<f64, String> {
 }
 
 /// The tangent of an angle up to a quarter turn, by its continued fraction: the same on every machine.
-fn tan(angle: f64) -> f64 {
+pub(crate) fn tan(angle: f64) -> f64 {
     let square = angle * angle;
     let rest = (1..=20).rev().map(|i| f64::from(2 * i + 1)).fold(43.0, |below, odd| odd - square / below);
     angle / (1.0 - square / rest)

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::workbench::{Workbench, assert_keys};
 
-const MODELS: [&str; 9] = [
+const MODELS: [&str; 10] = [
     "lodstrips",
     "mts",
     "fans",
@@ -12,6 +12,7 @@ const MODELS: [&str; 9] = [
     "mts-graph",
     "skip-strips",
     "progressive-meshes",
+    "ordered-meshes",
     "discrete-5",
     "discrete-10",
 ];
@@ -76,7 +77,8 @@ fn walks_go_from_the_full_mesh_to_the_base() {
             }
             let at = |name: &str, i: usize| series[name][i].as_f64().expect("a number");
             assert_eq!((at("split_count", 0), at("triangle_count", 0)), (step_count, 512.0), "{walk}");
-            let is_triangles = row["name"] == "progressive-meshes" || row["name"] == "fans";
+            let draws_triangles = ["progressive-meshes", "ordered-meshes", "fans"];
+            let is_triangles = draws_triangles.iter().any(|name| row["name"] == *name);
             assert_eq!(at("index_count", 0) == 3.0 * 512.0, is_triangles, "{walk}");
             assert_eq!(at("strip_count", 0) == 0.0, is_triangles, "{walk}");
             let has_few_levels = row["sweep_ns_per_step"].is_null();
@@ -159,7 +161,7 @@ fn the_page_of_all_parts_stands_alone() {
         assert!(told.contains(text), "no {text:?} in {told}");
     }
     let page = String::from_utf8(bench.read("page.html")).expect("text");
-    assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (11, 5));
+    assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (11 + 17, 5 + 8));
     for model in MODELS {
         assert!(told.contains(model) && page.matches(model).count() >= 8, "{model}");
     }

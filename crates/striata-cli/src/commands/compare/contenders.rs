@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use striata::mesh::RefinableMesh;
 use striata::model::baseline::{
-    DiscreteLevels, DiscreteLevelsError, OriginalLodStrips, ProgressiveMeshes, SkipStrips,
+    DiscreteLevels, DiscreteLevelsError, OrderedMeshes, OriginalLodStrips, ProgressiveMeshes, SkipStrips,
 };
 use striata::model::{Accounting, DrawCounts, Fans, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Topology};
 use striata::strip::{StripOptions, StripSet};
@@ -36,7 +36,7 @@ pub(super) struct Entry {
 }
 
 /// All of them; the colours of charts follow this order.
-const ENTRIES: [Entry; 9] = [
+const ENTRIES: [Entry; 10] = [
     Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips))),
     Entry::new("mts", |given| built(|| Mts::build(given.refinable, given.strips))),
     Entry::new("fans", |given| built(|| Ok::<_, Failure>(Fans::build(given.refinable)))),
@@ -48,6 +48,7 @@ const ENTRIES: [Entry; 9] = [
     Entry::new("progressive-meshes", |given| {
         built(|| Ok::<_, Failure>(ProgressiveMeshes::build(given.refinable)))
     }),
+    Entry::new("ordered-meshes", |given| built(|| Ok::<_, Failure>(OrderedMeshes::build(given.refinable)))),
     Entry::of_few_levels("discrete-5", |given| built(|| discrete(given, 5))),
     Entry::of_few_levels("discrete-10", |given| built(|| discrete(given, 10))),
 ];

@@ -19,6 +19,7 @@ mod scale;
 mod stripifiers;
 mod sweep;
 mod tunnels;
+mod views;
 mod walks;
 
 use std::path::Path;
@@ -30,11 +31,12 @@ use striata::strip::strip_count_bound;
 use striata_io::write_atomically;
 
 pub(crate) use self::contenders::compared_models;
-use self::models::ModelsReport;
+use self::models::{ModelsReport, Sequenced};
 use self::page::MeshPart;
 use self::papers::PaperRow;
 use self::stripifiers::StripifierRow;
 use self::tunnels::TunnelRow;
+use self::views::ViewsReport;
 use crate::args::{CompareArgs, Part, StripifierArgs};
 use crate::failure::Failure;
 use crate::input::Input;
@@ -59,6 +61,8 @@ struct MeshReport {
     strips: Option<StripsReport>,
     #[serde(flatten)]
     models: Option<ModelsReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    views: Option<ViewsReport>,
     /// Empty where no paper measured this mesh.
     papers: Vec<PaperRow>,
 }
@@ -116,8 +120,13 @@ fn measure_mesh(
     let mesh = if args.strips.weld { weld(&mesh)?.mesh } else { mesh };
     let component_count = mesh.component_count()?;
     let strips = args.has(Part::Strips).then(|| measure_strips(&mesh, &args.strips, bar, say)).transpose()?;
-    let models =
-        args.has(Part::Models).then(|| models::measure(&mesh, &args.models, bar, say)).transpose()?;
+    let needs_sequence = args.has(Part::Models) || args.has(Part::Views);
+    let sequenced = needs_sequence.then(|| Sequenced::build(&mesh, bar, say)).transpose()?;
+    let sequenced_for = |part| sequenced.as_ref().filter(|_| args.has(part));
+    let models = sequenced_for(Part::Models);
+    let models = models.map(|sequenced| models::measure(sequenced, &args.models, bar, say)).transpose()?;
+    let views = sequenced_for(Part::Views);
+    let views = views.map(|sequenced| views::measure(&sequenced.refinable, bar, say)).transpose()?;
     Ok(MeshReport {
         name,
         vertex_count: mesh.vertex_count(),
@@ -126,6 +135,7 @@ fn measure_mesh(
         strips,
         papers: models.as_ref().map_or_else(Vec::new, papers::beside),
         models,
+        views,
     })
 }
 
@@ -155,8 +165,11 @@ impl Report {
     }
 
     fn to_page(&self) -> Result<String, Failure> {
-        let meshes: Result<Vec<MeshPart>, Failure> = self.meshes.iter().map(MeshReport::to_part).collect();
-        Ok(page::render(&self.command, &self.machine, &meshes?))
+        let mut parts: Vec<MeshPart> =
+            self.meshes.iter().map(MeshReport::to_part).collect::<Result<_, Failure>>()?;
+        let views: Vec<&ViewsReport> = self.meshes.iter().filter_map(|mesh| mesh.views.as_ref()).collect();
+        parts.extend(views::by_size(&views)?);
+        Ok(page::render(&self.command, &self.machine, &parts))
     }
 }
 
@@ -187,6 +200,10 @@ impl MeshReport {
             text.push_str(&text_of(papers::table(&self.papers)));
             text.push('\n');
         }
+        if let Some(views) = &self.views {
+            text.push_str(&views::to_text(views, text_of));
+            text.push('\n');
+        }
         if let Some(strips) = &self.strips {
             text.push_str(
                 "Strips by the longest tunnel: mean, lowest to highest, standard deviation of the sample\n",
@@ -205,6 +222,9 @@ impl MeshReport {
         }
         if !self.papers.is_empty() {
             sections.push(papers::section(&self.papers));
+        }
+        if let Some(views) = &self.views {
+            sections.extend(views::sections(views)?);
         }
         if let Some(strips) = &self.strips {
             sections.push(tunnels::section(&strips.tunnel_lengths)?);

@@ -39,7 +39,7 @@ pub(super) fn sections(report: &ModelsReport) -> Result<Vec<Section>, Failure> {
             intro: format!(
                 "{} There are {frames} frames from near to far and as many back; tables show means over all, charts each \
                  frame, both ways averaged. Extraction is moving to the level; sending copies all indices to a buffer, which \
-                 is what immediate mode asks of the processor; fans make their triangles only then. Of each frame, the \
+                 is what immediate mode asks of the processor; fans and ordered meshes make their triangles only then. Of each frame, the \
                  quickest of {rounds} rounds; what takes less than 0.1 µs takes no longer than looking at the clock.",
                 match pace {
                     Pace::Linear => "The level falls evenly with time.",

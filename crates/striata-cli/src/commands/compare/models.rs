@@ -90,28 +90,46 @@ pub(super) struct ModelRow {
     walks: BTreeMap<&'static str, WalkReport>,
 }
 
-/// Welds, builds the sequence, the strips and the models, checks and times them.
+/// A mesh with its sequence, which all models are built from.
+#[derive(Debug)]
+pub(super) struct Sequenced {
+    /// The welded mesh with its sequence.
+    pub(super) refinable: RefinableMesh,
+    secs: f64,
+}
+
+impl Sequenced {
+    /// Welds and builds the sequence.
+    ///
+    /// # Errors
+    /// Where the mesh does not hang together.
+    pub(super) fn build(mesh: &IndexedMesh, bar: &mut Bar, say: &dyn Fn(&str)) -> Result<Self, Failure> {
+        say("the sequence");
+        let started = Instant::now();
+        let options = SequenceOptions::default();
+        let built = build_welded_sequence(weld(mesh)?, &options, &mut |progress| bar.show(progress))?;
+        Ok(Self { refinable: built.refinable, secs: started.elapsed().as_secs_f64() })
+    }
+}
+
+/// Builds the strips and the models, checks and times them.
 ///
 /// # Errors
-/// Where a name is no model, the mesh does not hang together, or a model shows something else than the sequence.
+/// Where a name is no model, or a model shows something else than the sequence.
 pub(super) fn measure(
-    mesh: &IndexedMesh,
+    sequenced: &Sequenced,
     args: &ModelArgs,
     bar: &mut Bar,
     say: &dyn Fn(&str),
 ) -> Result<ModelsReport, Failure> {
     let entries = entries(&args.names())?;
-    say("the sequence");
-    let started = Instant::now();
-    let sequence =
-        build_welded_sequence(weld(mesh)?, &SequenceOptions::default(), &mut |progress| bar.show(progress))?;
-    let (refinable, sequence_secs) = (sequence.refinable, started.elapsed().as_secs_f64());
+    let Sequenced { refinable, secs: sequence_secs } = sequenced;
     let plan = args.strip_plan();
     say(&format!("strips for models, {}", plan.chain));
     let stripped = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
     let (frames, step_count) = (args.frames as usize, refinable.sequence.step_count());
     let level_strips = plan.search.options(plan.chain.last());
-    let given = Given { refinable: &refinable, strips: &stripped.strips, level_strips: &level_strips };
+    let given = Given { refinable, strips: &stripped.strips, level_strips: &level_strips };
     let mut contestants = Vec::new();
     for entry in entries {
         say(entry.name);
@@ -120,12 +138,12 @@ pub(super) fn measure(
     }
     bar.phase("check");
     let mut checked: Vec<Checked<'_>> = contestants.iter_mut().map(Contestant::checked).collect();
-    check(&mut checked, &refinable)?;
+    check(&mut checked, refinable)?;
     say("all models in turn");
     let rounds = hold(&mut contestants, step_count, &mut |share| bar.share("timing", share));
     let strips = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped)?;
-    let basis = Basis::new(&refinable, (&stripped, strips), sequence_secs, (frames, rounds));
-    let rows = contestants.iter_mut().map(|contestant| ModelRow::new(contestant, &refinable, &basis));
+    let basis = Basis::new(refinable, (&stripped, strips), *sequence_secs, (frames, rounds));
+    let rows = contestants.iter_mut().map(|contestant| ModelRow::new(contestant, refinable, &basis));
     Ok(ModelsReport { rows: rows.collect(), basis })
 }
 

@@ -24,6 +24,8 @@ pub(super) const FONT_PX: u32 = 22;
 /// Around a chart, and at its right where names are listed there.
 const MARGIN_PX: u32 = 16;
 const NAMES_PX: u32 = 236;
+/// At the right elsewhere: half a number at the last tick.
+const TICK_PX: u32 = 44;
 
 /// Names and titles, as all that is no series: colour, and the page's variable for it.
 pub(super) const INK: (RGBColor, &str) = (RGBColor(0x23, 0x20, 0x1c), "ink");
@@ -99,7 +101,7 @@ impl Chart {
         let text = (FONT, FONT_PX).into_font();
         let mut chart = ChartBuilder::on(root)
             .margin(MARGIN_PX)
-            .margin_right(if self.lists_names() { NAMES_PX } else { MARGIN_PX })
+            .margin_right(if self.lists_names() { NAMES_PX } else { TICK_PX })
             .x_label_area_size(68)
             .y_label_area_size(112)
             .build_cartesian_2d(self.x.clone(), self.y.clone())?;

@@ -188,7 +188,7 @@ pub(super) fn mean(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// At most [`MAX_POINTS`] of `count` indices, evenly spread, the first and the last among them.
-fn thinned(count: usize) -> Vec<usize> {
+pub(super) fn thinned(count: usize) -> Vec<usize> {
     if count <= MAX_POINTS {
         return (0..count).collect();
     }

@@ -1,0 +1,149 @@
+//! What models of a view take, as figure 5 of \[Cor01\] has it: what is built once, and what each instance owns.
+
+use serde::Serialize;
+use striata::model::baseline::{OrderedMeshes, ProgressiveMeshes};
+use striata::model::{Accounting, LodModel};
+
+use super::super::bars::{BarChart, Bars};
+use super::super::papers::{COR01_BYTES_PER_VERTEX, cor01_megabytes};
+use super::course::Run;
+use super::figures::{NORMAL_BYTES, PACKED_NORMAL_BYTES, POSITION_BYTES};
+use super::followers::{FANS, KEPT, Models, NAMES, RIVAL, STATELESS, UNIFORM};
+
+/// A model's memory in bytes a vertex of the full mesh.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct MemoryRow {
+    name: &'static str,
+    /// Of what is built once, without positions and normals.
+    bytes_per_vertex: f64,
+    /// With positions, and normals of 4 bytes.
+    bytes_per_vertex_packed: f64,
+    /// With positions, and normals of 12 bytes.
+    bytes_per_vertex_plain: f64,
+    /// The same as the model's paper counts; null where it has none.
+    paper_bytes_per_vertex: Option<f64>,
+    /// The most that an instance owned on the orbit at the fewest pixels.
+    instance_bytes_per_vertex: f64,
+    /// The same as papers count; null where they do not say.
+    paper_instance_bytes_per_vertex: Option<f64>,
+    /// Published for this mesh, 10^6 bytes; null where it is not.
+    published_megabytes: Option<f64>,
+}
+
+/// Static bytes of the models that followers stand on, in the order of their names.
+pub(super) fn static_bytes(models: &Models<'_>) -> [usize; NAMES.len()] {
+    let table = bytes_of(&models.fans);
+    let fans = table + models.bounds.bytes();
+    [fans, fans, fans, models.rival.as_ref().map_or(0, bytes_of), table]
+}
+
+fn bytes_of(model: &impl LodModel) -> usize {
+    model.bytes().iter().map(|part| part.bytes).sum()
+}
+
+/// Rows of all models; `runs` are those of the orbit, one for each follower.
+pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRow> {
+    let mesh = &models.refinable.mesh;
+    let per_vertex = |bytes: usize| bytes as f64 / mesh.vertex_count().max(1) as f64;
+    let row = |name, model: usize, paper: Option<f64>, instance: usize| MemoryRow {
+        name,
+        bytes_per_vertex: per_vertex(model),
+        bytes_per_vertex_packed: per_vertex(model) + POSITION_BYTES + PACKED_NORMAL_BYTES,
+        bytes_per_vertex_plain: per_vertex(model) + POSITION_BYTES + NORMAL_BYTES,
+        paper_bytes_per_vertex: paper,
+        instance_bytes_per_vertex: per_vertex(instance),
+        paper_instance_bytes_per_vertex: None,
+        published_megabytes: None,
+    };
+    let paper = |bytes: usize| Some(per_vertex(bytes) + POSITION_BYTES + NORMAL_BYTES);
+    let most = |follower: usize| {
+        let run = runs[follower].as_ref()?;
+        Some((run.instance_bytes, run.triangles.iter().copied().max().unwrap_or(0)))
+    };
+    let most_uniform = most(UNIFORM).map_or(0, |(_, triangles)| triangles);
+    let progressive = ProgressiveMeshes::build(models.refinable);
+    let mut state = progressive.new_state();
+    progressive.move_to(&mut state, models.refinable.sequence.split_count_for_triangles(most_uniform));
+    let ordered = OrderedMeshes::build(models.refinable);
+    let [fans, ..] = static_bytes(models);
+    let bits = most(STATELESS).map_or(0, |(bytes, _)| bytes);
+    let mut rows = vec![
+        row("plain mesh", 12 * mesh.triangle_count(), None, 0),
+        row(
+            "progressive-meshes",
+            bytes_of(&progressive),
+            paper(progressive.paper_bytes(Accounting::Words)),
+            progressive.state_bytes(&state),
+        ),
+        row(
+            "ordered-meshes",
+            bytes_of(&ordered),
+            paper(ordered.paper_bytes(Accounting::Words)),
+            ordered.state_bytes(&ordered.new_state()),
+        ),
+        MemoryRow {
+            published_megabytes: cor01_megabytes(mesh.triangle_count()),
+            paper_instance_bytes_per_vertex: Some(1.0 / 8.0),
+            ..row("fans", fans, Some(COR01_BYTES_PER_VERTEX), bits)
+        },
+        row("fans, a front", fans, None, most(FANS).map_or(0, |(bytes, _)| bytes)),
+        row("fans, all kept", fans, None, most(KEPT).map_or(0, |(bytes, _)| bytes)),
+    ];
+    if let (Ok(rival), Some((bytes, triangles))) = (&models.rival, most(RIVAL)) {
+        rows.push(MemoryRow {
+            // Of closed surfaces vertices are half as many as triangles.
+            paper_instance_bytes_per_vertex: Some(per_vertex(112 * triangles / 2)),
+            ..row("vdpm", bytes_of(rival), paper(rival.paper_bytes(Accounting::Words)), bytes)
+        });
+    }
+    rows
+}
+
+/// Head and rows.
+pub(super) fn table(rows: &[MemoryRow]) -> Vec<Vec<String>> {
+    let head = [
+        "model",
+        "bytes a vertex",
+        "with positions, normals of 4",
+        "normals of 12",
+        "as its paper counts",
+        "published, MB",
+        "an instance",
+        "as papers count",
+    ];
+    let mut table = vec![head.map(str::to_owned).to_vec()];
+    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.2}"));
+    for row in rows {
+        table.push(vec![
+            row.name.to_owned(),
+            format!("{:.1}", row.bytes_per_vertex),
+            format!("{:.1}", row.bytes_per_vertex_packed),
+            format!("{:.1}", row.bytes_per_vertex_plain),
+            or_dash(row.paper_bytes_per_vertex),
+            or_dash(row.published_megabytes),
+            format!("{:.2}", row.instance_bytes_per_vertex),
+            or_dash(row.paper_instance_bytes_per_vertex),
+        ]);
+    }
+    table
+}
+
+/// The same as bars.
+pub(super) fn chart(rows: &[MemoryRow]) -> BarChart {
+    let bars = |row: &MemoryRow| Bars {
+        name: row.name.to_owned(),
+        values: [
+            Some(row.bytes_per_vertex_plain),
+            Some(row.instance_bytes_per_vertex),
+            row.paper_bytes_per_vertex,
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
+    };
+    BarChart {
+        title: "bytes a vertex, positions and normals of 12 bytes included",
+        kinds: vec!["built once", "an instance", "built once, paper"],
+        bars: rows.iter().map(bars).collect(),
+    }
+}
