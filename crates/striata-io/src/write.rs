@@ -19,7 +19,7 @@ pub struct WriteOptions {
     /// Default: none, so that triangles are written as lists.
     pub strips: Option<Vec<Vec<u32>>>,
     /// glTF only: for each triangle group its fans, each a list of indices, written instead of the triangles. glTF
-    /// knows no restart index, so each fan becomes a primitive, which takes some 200 bytes of JSON. Default: none.
+    /// knows no restart index, so each fan becomes a primitive, which takes some 140 bytes of JSON. Default: none.
     pub fans: Option<Vec<Vec<Vec<u32>>>>,
 }
 
