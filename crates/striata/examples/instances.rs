@@ -147,7 +147,7 @@ impl Follower for Bits {
 
     fn drop_detail(&mut self, scene: &FanScene<'_>) {
         if !self.is_base {
-            *self = Self::new(scene.fans);
+            *self = Self::new(scene.fans());
         }
     }
 
@@ -222,7 +222,7 @@ fn run<F: Follower>(
         }
         let started = Instant::now();
         for &i in &seen {
-            followers[i].instance().emit_into(scene.fans, FanForm::Triangles, &mut out);
+            followers[i].instance().emit_into(scene.fans(), FanForm::Triangles, &mut out);
             totals.triangles += out.indices.len() / 3;
         }
         totals.emission += started.elapsed();
@@ -273,7 +273,7 @@ fn print_static(refinable: &RefinableMesh, fans: &Fans, bounds: &FanBounds) {
 fn print_memory<F: Follower>(scene: &FanScene<'_>, followers: &[F]) {
     let bytes: usize = followers.iter().map(Follower::bytes).sum();
     let largest = followers.iter().map(Follower::bytes).max().unwrap_or(0);
-    let active = |follower: &F| scene.fans.vertex_count() - follower.instance().taken_count();
+    let active = |follower: &F| scene.fans().vertex_count() - follower.instance().taken_count();
     let active_count: usize = followers.iter().map(active).sum();
     println!(
         "  memory            {} in all, {} each, largest {}",

@@ -194,7 +194,7 @@ fn a_criterion_without_sense_leads_to_levels_without_cracks() {
 
 /// What weighs more than a threshold, and what that needs.
 fn of_threshold(scene: &FanScene<'_>, criterion: &ScreenError, threshold: f32) -> FanInstance {
-    let mut instance = FanInstance::full(scene.fans);
+    let mut instance = FanInstance::full(scene.fans());
     instance.refine(scene, &|part: &Part| criterion.weigh(part).weight / threshold);
     instance
 }

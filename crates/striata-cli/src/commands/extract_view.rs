@@ -40,7 +40,7 @@ pub(crate) fn level_of_view(
     triangle_limit: Option<usize>,
 ) -> ViewLevel {
     let started = Instant::now();
-    let (fans, mut pixels, mut stop_reason) = (scene.fans, view.pixels(), StopReason::TargetReached);
+    let (fans, mut pixels, mut stop_reason) = (scene.fans(), view.pixels(), StopReason::TargetReached);
     let instance = match triangle_limit {
         None => {
             let mut instance = FanInstance::full(fans);

@@ -42,7 +42,8 @@ impl Verdict {
 /// Decides what is refined. Any function that weighs a part is a criterion.
 ///
 /// A part must not weigh less than one that lies within it: whose sphere and cone are held by its own, and whose error is no
-/// larger. Where that is broken nothing cracks: models then refine more than was asked for, or coarsen later.
+/// larger. Models take a part that is not wanted to hold none that is, and do not ask. Where that is not so nothing cracks; but what is
+/// shown may then lack such a part, or keep one for as long as its last verdict lasts.
 pub trait Criterion {
     /// Weighs a part.
     fn weigh(&self, part: &Part) -> Verdict;

@@ -67,7 +67,7 @@ impl<C: Criterion + Clone> FanFront<C> {
                 continue;
             }
             if let Some(count) = self.split_within(scene.fans, step, triangle_limit) {
-                update.split_count += count;
+                update.undone_count += count;
                 search.missing.pop();
                 self.weigh_new(scene, criterion, &mut search, &mut update);
                 continue;

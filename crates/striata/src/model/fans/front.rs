@@ -21,6 +21,9 @@ const BASE: u32 = u32::MAX;
 /// Motion is summed up for so many views before it is taken off what verdicts last.
 const VIEWS_A_SUM: u32 = 256;
 
+/// And no longer than until the sum is so many times the last motion: after a jump, what lasts for little is lost in it.
+const FAR: f64 = 1e4;
+
 /// Places of the list that are looked at together.
 const DUE_BLOCK: usize = 8;
 
@@ -63,9 +66,9 @@ pub struct FanUpdate {
     /// Steps whose weight was asked for.
     pub asked_count: usize,
     /// Steps that were undone.
-    pub split_count: usize,
+    pub undone_count: usize,
     /// Steps that were taken.
-    pub collapse_count: usize,
+    pub taken_count: usize,
     /// Whether nothing is left to do for this view.
     pub is_settled: bool,
     /// Parts that weigh more are refined: 1, or more where a budget of triangles asked for it.
@@ -205,7 +208,8 @@ impl<C> FanFront<C> {
         }
         self.elapsed += f64::from(motion);
         self.view_count += u32::from(motion > 0.0);
-        if self.view_count > VIEWS_A_SUM {
+        let is_far = motion > 0.0 && self.elapsed > FAR * f64::from(motion);
+        if is_far || self.view_count > VIEWS_A_SUM {
             // Far from now numbers are coarse; verdicts that last longer than a thousand sums may as well be asked before.
             let elapsed = self.elapsed;
             let since = |due: f32| below(f64::from(due) - elapsed);
@@ -303,7 +307,7 @@ impl<C> FanFront<C> {
                 if left == 0 {
                     return false;
                 }
-                update.split_count += self.split(fans, step, left);
+                update.undone_count += self.split(fans, step, left);
                 if self.instance.is_taken(step) {
                     return false;
                 }
@@ -363,7 +367,7 @@ impl<C> FanFront<C> {
             if fans.is_free(step, &self.instance.taken) {
                 self.instance.taken.insert(step);
                 self.triangle_count -= usize::from(fans.removed[step as usize]);
-                update.collapse_count += 1;
+                update.taken_count += 1;
                 fans.for_each_needed_by_split(step, |coarser| {
                     if !self.wanted.has(coarser) {
                         self.unneeded.insert(coarser);
@@ -382,6 +386,6 @@ fn below(number: f64) -> f32 {
 impl FanUpdate {
     /// Steps that were undone or taken.
     pub fn changes(&self) -> usize {
-        self.split_count + self.collapse_count
+        self.undone_count + self.taken_count
     }
 }

@@ -1,7 +1,6 @@
 //! An instance of the table: a bit for each step, and the moves between sets of steps that are possible.
 
 use super::step_bits::StepBits;
-use super::table::FanView;
 use super::{FanScene, Fans, listed};
 use crate::view::Criterion;
 
@@ -141,37 +140,6 @@ impl FanInstance {
                     undone.push(needed);
                 }
             });
-        }
-    }
-
-    /// Appends the triangles of one group.
-    ///
-    /// # Panics
-    /// If the instance is of another table, or there is no such group.
-    pub fn group_indices_into(&self, fans: &Fans, group: usize, out: &mut Vec<u32>) {
-        assert_eq!(self.step_count, fans.step_count, "the instance is of another table");
-        assert!(group < fans.group_count, "group {group} of {}", fans.group_count);
-        let is_taken = |step| self.is_taken(step);
-        let mut write = |fan: FanView<'_>| {
-            if fan.group as usize == group {
-                fan.triangles_into(fan.mask(is_taken), out);
-            }
-        };
-        for vertex in 0..fans.vertices.base_vertex_count {
-            fans.base_entry(vertex).for_each(&mut write);
-        }
-        for (at, &word) in self.taken.words().iter().enumerate() {
-            let mut there = !word;
-            while there != 0 {
-                let step = 64 * at as u32 + there.trailing_zeros();
-                there &= there - 1;
-                if step as usize >= self.step_count {
-                    break;
-                }
-                for vertex in fans.vertices.of_step(step as usize) {
-                    fans.step_entry(vertex, step).for_each(&mut write);
-                }
-            }
         }
     }
 

@@ -4,11 +4,11 @@ use super::{FanBounds, Fans};
 use crate::mesh::RefinableMesh;
 use crate::view::{Part, Sphere};
 
-/// What all instances of a model share: the table, bounds of its steps, and the positions of the mesh's vertices.
+/// What all instances of a model share: the table, bounds of its steps, and the positions of the mesh's vertices. It only borrows,
+/// and costs nothing to make: make one wherever it is needed, from owners that are kept elsewhere.
 #[derive(Clone, Copy, Debug)]
 pub struct FanScene<'a> {
-    /// The table.
-    pub fans: &'a Fans,
+    pub(super) fans: &'a Fans,
     bounds: &'a FanBounds,
     positions: &'a [[f32; 3]],
 }
@@ -25,6 +25,11 @@ impl<'a> FanScene<'a> {
         Self { fans, bounds, positions }
     }
 
+    /// The table.
+    pub fn fans(&self) -> &'a Fans {
+        self.fans
+    }
+
     /// What a step is to a criterion.
     ///
     /// # Panics
@@ -34,7 +39,8 @@ impl<'a> FanScene<'a> {
         self.bounds.part(self.fans, self.positions, step)
     }
 
-    /// A sphere around all positions.
+    /// A sphere around all positions, for [`ScreenError::of_model`](crate::view::ScreenError::of_model). Walks all of them:
+    /// keep it.
     pub fn sphere(&self) -> Sphere {
         let mut corners = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
         for position in self.positions {

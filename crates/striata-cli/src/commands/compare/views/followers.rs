@@ -20,9 +20,9 @@ pub(super) struct View<'s> {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Changes {
     /// Splits.
-    pub(super) split_count: usize,
+    pub(super) undone_count: usize,
     /// Collapses.
-    pub(super) collapse_count: usize,
+    pub(super) taken_count: usize,
 }
 
 /// A model with one instance that follows an eye.
@@ -107,11 +107,11 @@ impl<'a> Follower<'a> for Incremental<'a> {
 
     fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
         let update = self.front.update(&self.scene, &Asker { screen: view.screen, log }, usize::MAX);
-        Changes { split_count: update.split_count, collapse_count: update.collapse_count }
+        Changes { undone_count: update.undone_count, taken_count: update.taken_count }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
-        self.front.instance().indices_into(self.scene.fans, out);
+        self.front.instance().indices_into(self.scene.fans(), out);
     }
 
     fn instance_bytes(&self) -> usize {
@@ -129,7 +129,7 @@ struct Kept<'a> {
 impl<'a> Kept<'a> {
     fn new(scene: FanScene<'a>, refinable: &'a RefinableMesh) -> Self {
         let followed = Incremental { scene, front: FanFront::new(&scene) };
-        let triangles = FanTriangles::new(scene.fans, followed.front.instance());
+        let triangles = FanTriangles::new(scene.fans(), followed.front.instance());
         Self { followed, triangles, refinable }
     }
 }
@@ -144,7 +144,7 @@ impl<'a> Follower<'a> for Kept<'a> {
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
-        let (fans, shown) = (self.followed.scene.fans, self.followed.front.instance());
+        let (fans, shown) = (self.followed.scene.fans(), self.followed.front.instance());
         self.triangles.follow(fans, &self.refinable.sequence, shown);
         for group in 0..fans.group_count() {
             out.extend_from_slice(self.triangles.triangles(group).as_flattened());
@@ -164,16 +164,16 @@ struct Stateless<'a> {
 
 impl<'a> Follower<'a> for Stateless<'a> {
     fn restart(&mut self) {
-        self.instance = FanInstance::uniform(self.scene.fans, 0);
+        self.instance = FanInstance::uniform(self.scene.fans(), 0);
     }
 
     fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
-        let split_count = self.instance.refine(&self.scene, &Asker { screen: view.screen, log });
-        Changes { split_count, collapse_count: 0 }
+        let undone_count = self.instance.refine(&self.scene, &Asker { screen: view.screen, log });
+        Changes { undone_count, taken_count: 0 }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
-        self.instance.indices_into(self.scene.fans, out);
+        self.instance.indices_into(self.scene.fans(), out);
     }
 
     fn instance_bytes(&self) -> usize {
@@ -194,7 +194,7 @@ impl<'a> Follower<'a> for Rival<'a> {
 
     fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
         let adapted = self.model.adapt(&mut self.state, &Asker { screen: view.screen, log });
-        Changes { split_count: adapted.split_count, collapse_count: adapted.collapse_count }
+        Changes { undone_count: adapted.undone_count, taken_count: adapted.taken_count }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -221,8 +221,8 @@ impl<'a> Follower<'a> for Uniform<'a> {
         let before = self.fans.split_count(&self.level);
         self.fans.move_to(&mut self.level, view.split_count);
         Changes {
-            split_count: view.split_count.saturating_sub(before),
-            collapse_count: before.saturating_sub(view.split_count),
+            undone_count: view.split_count.saturating_sub(before),
+            taken_count: before.saturating_sub(view.split_count),
         }
     }
 

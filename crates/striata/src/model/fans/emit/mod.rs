@@ -40,6 +40,20 @@ pub struct FanIndices {
 }
 
 impl FanInstance {
+    /// Appends the triangles of one group.
+    ///
+    /// # Panics
+    /// If the instance is of another table, or there is no such group.
+    pub fn group_indices_into(&self, fans: &Fans, group: usize, out: &mut Vec<u32>) {
+        self.check_table(fans);
+        assert!(group < fans.group_count, "group {group} of {}", fans.group_count);
+        for_each_fan(fans, self, Span::whole(fans), |fan, mask| {
+            if fan.group as usize == group {
+                fan.triangles_into(mask, out);
+            }
+        });
+    }
+
     /// Writes what the instance shows in the given form, group by group; replaces what `out` held.
     ///
     /// # Panics
