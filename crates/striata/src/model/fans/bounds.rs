@@ -1,10 +1,10 @@
 //! What a criterion needs of each step: a sphere, a cone of normals and an error, in eight bytes.
 //!
-//! A step changes what its star and its floor cover. Its bounds hold that, and the bounds of all steps that collapse to its
-//! position, those that collapse to theirs, and so on: the tree of \[Hop97\]. So a step whose bounds cannot be seen has nothing
-//! below it that can, and a walk down the tree finds every step that a view wants. What these need beside
-//! themselves is undone with them; bounds over all that a step waits for would spare that, and be so wide that a view shows a
-//! third more triangles.
+//! A step changes what its star and its floor cover. Its bounds hold that, and the bounds of all steps below it in the tree,
+//! each of which needs the one above it \[Hop97\]. So a step whose bounds cannot be seen has nothing below it that can, and
+//! a walk down the tree finds every step that a view wants. What these need beside themselves is undone with them; bounds over
+//! all that a step waits for would spare that, and be so wide that a view shows a third more triangles. Cones that also hold
+//! the normals of the full mesh under the star were tried: 2 % more triangles, and no error on the screen was smaller.
 //!
 //! Spheres have the positions of the steps as centres, which are there anyway. All numbers are rounded to the safe side: a
 //! radius and an error are the upper 16 bits of what they are without a sign, an axis is three bytes, and a sine is one. What is
@@ -17,8 +17,8 @@ use crate::mesh::{CollapseSequence, RefinableMesh};
 use crate::model::ModelError;
 use crate::view::{NormalCone, Part, Sphere};
 
-/// For each step a sphere and a cone of normals that hold whatever it and those that collapse into it change, and the error that
-/// is there while it is taken.
+/// For each step a sphere and a cone of normals that hold whatever it and those below it in the tree change, and the error that is
+/// there while it is taken.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FanBounds {
     pub(super) records: Vec<Record>,
@@ -48,7 +48,7 @@ impl FanBounds {
         let mut normals = vec![DVec3::ZERO; step_count];
         let mut changed = Vec::new();
         let positions = &refinable.mesh.positions;
-        // What collapses into a step is finer, so its bounds are known by then.
+        // What is below a step is finer, so its bounds are known by then.
         for step in (0..step_count as u32).rev() {
             changed.clear();
             fans.triangles_changed_by(step, &refinable.sequence, &mut changed);
