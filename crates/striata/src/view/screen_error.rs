@@ -23,7 +23,10 @@ pub struct Fovea {
     pub falloff: f32,
 }
 
-/// Refines what takes too many pixels; see the [module](self).
+/// Refines what can be seen, does not turn its back, and is off by more pixels than allowed; with
+/// [`of_model`](Self::of_model) each verdict says for how much motion of the camera it lasts \[Hop97\].
+///
+/// Errors are distances in any direction, as a flat screen shows them. Coordinates may lie between 1e-18 and 1e18.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScreenError {
     camera: Camera,
