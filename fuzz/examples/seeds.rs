@@ -58,8 +58,11 @@ fn write_formats(i: usize, mesh: &IndexedMesh, folder: &Path) -> Result<(), Box<
     Ok(())
 }
 
+/// A file by the name of what is in it.
+type Container = (&'static str, Vec<u8>);
+
 /// Files with models of strips, and with fans alone.
-fn containers(mesh: &IndexedMesh) -> Result<[(&'static str, Vec<u8>); 2], Box<dyn Error>> {
+fn containers(mesh: &IndexedMesh) -> Result<[Container; 2], Box<dyn Error>> {
     let refinable = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
     let strips = stripify(&refinable.mesh, &StripOptions::default())?;
     let (lod_strips, mts) = (LodStrips::build(&refinable, &strips)?, Mts::build(&refinable, &strips)?);
