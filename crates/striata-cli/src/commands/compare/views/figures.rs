@@ -82,7 +82,7 @@ impl Figures {
         let fans_follow_ms = 1e3 * mean(fans.later_frames().map(|frame| fans.follow_secs[frame]));
         let fans_frame_ms = 1e3 * mean(fans.later_frames().map(|frame| fans.whole(frame)));
         let count = |counts: &[usize]| mean(frames.clone().map(|frame| counts[frame] as f64));
-        let changes_per_frame = count(&run.changes);
+        let (asked_per_frame, changes_per_frame) = (count(&run.asked), count(&run.changes));
         let ratio = |a: f64, b: f64| if b > 0.0 { a / b } else { 0.0 };
         Self {
             criterion_ms,
@@ -94,9 +94,11 @@ impl Figures {
             ratio_to_fans: ratio(follow_ms, fans_follow_ms),
             frame_ratio_to_fans: ratio(frame_ms, fans_frame_ms),
             triangles: count(&run.triangles),
-            asked_per_frame: count(&run.asked),
+            asked_per_frame,
             changes_per_frame,
-            changes_per_sec: (follow_ms > LEAST_MS).then(|| 1e3 * changes_per_frame / follow_ms),
+            // Who asks nothing sets a level at once, and changes nothing step by step.
+            changes_per_sec: (asked_per_frame > 0.0 && follow_ms > LEAST_MS)
+                .then(|| 1e3 * changes_per_frame / follow_ms),
             max_error_px: run.errors.max(),
             p99_error_px: run.errors.p99(),
             bytes_per_vertex,
