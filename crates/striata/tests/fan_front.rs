@@ -339,3 +339,29 @@ fn a_view_of_a_model_is_the_same_at_any_scale() {
         assert!(changes_at(scale).abs_diff(changes) < changes / 20, "{} at {scale}", changes_at(scale));
     }
 }
+
+/// Weighs all the same, and says of its verdicts that they last for no number.
+#[derive(Clone)]
+struct Numberless(f32);
+
+impl Criterion for Numberless {
+    fn weigh(&self, _: &Part) -> Verdict {
+        Verdict { weight: self.0, lasts: f32::NAN }
+    }
+
+    fn motion_since(&self, _: &Self) -> f32 {
+        0.0
+    }
+}
+
+#[test]
+fn a_verdict_that_lasts_for_no_number_is_asked_again() {
+    let case = surface_cases().next().unwrap();
+    let (fans, bounds) = stage(&case.refinable);
+    let scene = FanScene::new(&fans, &bounds, &case.refinable);
+    let mut front = FanFront::new(&scene);
+    front.update(&scene, &Numberless(0.0), usize::MAX);
+    assert_eq!(front.instance(), &FanInstance::uniform(&fans, 0));
+    front.update(&scene, &Numberless(2.0), usize::MAX);
+    assert_eq!(front.instance(), &FanInstance::full(&fans));
+}

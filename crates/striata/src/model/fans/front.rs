@@ -140,7 +140,8 @@ impl<C: Criterion + Clone> FanFront<C> {
             criterion.weigh_all(&asked.parts, &mut asked.verdicts);
             for (&at, verdict) in asked.places.iter().zip(&asked.verdicts) {
                 let step = self.steps[at as usize];
-                self.due[at as usize] = self.due_after(verdict.lasts);
+                // What lasts for no number is asked again at once.
+                self.due[at as usize] = self.due_after(verdict.lasts.max(0.0));
                 let was_wanted = self.wanted.has(step);
                 self.hear(scene.fans, step, verdict.is_wanted());
                 // One that was wanted before waits already.
