@@ -11,9 +11,8 @@ use striata::mesh::{
 };
 use striata::model::{FanBounds, FanFront, FanScene, Fans, LodModel, LodStrips, Mts, StripModel};
 use striata::strip::{StripOptions, StripSet, stripify};
-use striata::view::{Criterion, Part, Verdict};
 use support::{
-    Random, Wildness, grid, hub_cases, nasty, nasty_cases, random_refinable, seam_cases, surface_cases,
+    Random, Whim, Wildness, grid, hub_cases, nasty, nasty_cases, random_refinable, seam_cases, surface_cases,
     with_seams_and_groups,
 };
 
@@ -114,18 +113,6 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
         look_around(&refinable, &fans, &bounds);
     }
     Ok(())
-}
-
-/// Weighs by a hash: nothing about it is as a criterion should be.
-#[derive(Clone)]
-struct Whim(u32);
-
-impl Criterion for Whim {
-    fn weigh(&self, part: &Part) -> Verdict {
-        let bits =
-            part.sphere.center.iter().fold(self.0, |all, x| all.wrapping_mul(0x9e37_79b1) ^ x.to_bits());
-        Verdict::now((bits.wrapping_mul(0x85eb_ca6b) >> 16) as f32 / 25_000.0)
-    }
 }
 
 /// A front over some views: no triangle has a corner that is not there, and the front knows how many there are.

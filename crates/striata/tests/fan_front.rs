@@ -5,7 +5,7 @@ mod support;
 use striata::mesh::{RefinableMesh, canonical_triangles};
 use striata::model::{FanBounds, FanFront, FanInstance, FanScene, Fans, LodModel};
 use striata::view::{Camera, Criterion, Fovea, Part, ScreenError, Sphere, Verdict};
-use support::{Random, nasty_cases, seam_cases, selective_triangles, surface_cases};
+use support::{Random, Whim, nasty_cases, seam_cases, selective_triangles, surface_cases};
 
 struct Walk {
     random: Random,
@@ -158,18 +158,6 @@ fn views_that_were_never_reached_leave_nothing_behind() {
             fresh.refine(&scene, &criterion);
             assert_eq!(front.instance(), &fresh);
         }
-    }
-}
-
-/// Weighs by a hash: nothing about it is as a criterion should be.
-#[derive(Clone)]
-struct Whim(u32);
-
-impl Criterion for Whim {
-    fn weigh(&self, part: &Part) -> Verdict {
-        let bits =
-            part.sphere.center.iter().fold(self.0, |all, x| all.wrapping_mul(0x9e37_79b1) ^ x.to_bits());
-        Verdict::now((bits.wrapping_mul(0x85eb_ca6b) >> 16) as f32 / 25_000.0)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use clap::Args;
-use striata::view::{Camera, CameraError, ScreenError};
+use striata::view::{Camera, CameraError, Fovea, ScreenError, Sphere};
 
 /// The heading of these flags.
 const VIEW: &str = "View, with --eye";
@@ -30,14 +30,31 @@ pub(crate) struct ViewArgs {
     /// Pixels that an error may take where the surface turns from the eye [default: as elsewhere]
     #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero)]
     silhouette_pixels: Option<f64>,
+    /// A region of interest: the middle and the radius of a sphere
+    #[arg(long, value_name = "X,Y,Z,R", allow_hyphen_values = true)]
+    region: Option<Region>,
+    /// Pixels that an error may take in the region [default: a tenth of elsewhere]
+    #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero, requires = "region")]
+    region_pixels: Option<f64>,
+    /// Place of the screen that is looked at, -1 to 1 to the right and upwards; beyond 5 degrees from it errors may grow
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    gaze: Option<Gaze>,
+    /// How much they grow, times --pixels for each radian [default: 10]
+    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero, requires = "gaze")]
+    gaze_falloff: Option<f64>,
 }
+
+/// Half the angle that an eye sees sharp, radians: 5 degrees.
+const SHARP: f32 = 0.087_266_46;
 
 impl ViewArgs {
     /// Whether anything was said of a view.
     pub(crate) fn is_given(&self) -> bool {
-        let Self { look_at, up, fov, viewport, pixels, silhouette_pixels } = self;
-        let has_screen = fov.is_some() || viewport.is_some();
-        has_screen || look_at.is_some() || up.is_some() || pixels.is_some() || silhouette_pixels.is_some()
+        // The other two need a region and a gaze.
+        let Self { look_at, up, fov, viewport, pixels, silhouette_pixels, region, gaze, .. } = self;
+        let has_camera = fov.is_some() || viewport.is_some() || look_at.is_some() || up.is_some();
+        let has_place = region.is_some() || gaze.is_some();
+        has_camera || has_place || pixels.is_some() || silhouette_pixels.is_some()
     }
 
     /// Pixels that an error may take.
@@ -47,11 +64,20 @@ impl ViewArgs {
 
     /// What a camera asks for, with at least so many pixels allowed.
     pub(crate) fn criterion(&self, camera: Camera, least_pixels: f64) -> ScreenError {
-        let criterion = ScreenError::new(camera, self.pixels().max(least_pixels) as f32);
-        match self.silhouette_pixels {
-            Some(pixels) => criterion.with_silhouettes(pixels.max(least_pixels) as f32),
-            None => criterion,
+        let at_least = |pixels: f64| pixels.max(least_pixels) as f32;
+        let mut criterion = ScreenError::new(camera, at_least(self.pixels()));
+        if let Some(pixels) = self.silhouette_pixels {
+            criterion = criterion.with_silhouettes(at_least(pixels));
         }
+        if let Some(Region([x, y, z, radius])) = self.region {
+            let pixels = self.region_pixels.unwrap_or(self.pixels() / 10.0);
+            criterion = criterion.with_region(Sphere { center: [x, y, z], radius }, at_least(pixels));
+        }
+        if let Some(Gaze(at)) = self.gaze {
+            let falloff = self.gaze_falloff.unwrap_or(10.0) as f32;
+            criterion = criterion.with_fovea(Fovea { at, radius: SHARP, falloff });
+        }
+        criterion
     }
 
     /// The camera at an eye; where nothing is said it looks at `center`.
@@ -74,12 +100,48 @@ impl FromStr for Point {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let numbers: Result<Vec<f32>, _> = text.split(',').map(|part| part.trim().parse::<f32>()).collect();
-        match numbers.as_deref() {
-            Ok(&[x, y, z]) if x.is_finite() && y.is_finite() && z.is_finite() => Ok(Self([x, y, z])),
-            _ => Err(format!("{text:?} is no point; write three numbers: 0,1.5,-2")),
+        match numbers(text) {
+            Some(point) => Ok(Self(point)),
+            None => Err(format!("{text:?} is no point; write three numbers: 0,1.5,-2")),
         }
     }
+}
+
+/// A sphere as the user writes it: its middle and its radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Region([f32; 4]);
+
+impl FromStr for Region {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match numbers(text) {
+            Some(region) if region[3] >= 0.0 => Ok(Self(region)),
+            _ => Err(format!("{text:?} is no sphere; write its middle and its radius: 0,1.5,-2,0.1")),
+        }
+    }
+}
+
+/// A place of the screen as the user writes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Gaze([f32; 2]);
+
+impl FromStr for Gaze {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match numbers(text) {
+            Some(place) if place.iter().all(|x: &f32| x.abs() <= 1.0) => Ok(Self(place)),
+            _ => Err(format!("{text:?} is no place of the screen; write two numbers from -1 to 1: 0.2,-0.5")),
+        }
+    }
+}
+
+/// So many finite numbers between commas.
+fn numbers<const COUNT: usize>(text: &str) -> Option<[f32; COUNT]> {
+    let numbers: Result<Vec<f32>, _> = text.split(',').map(|part| part.trim().parse::<f32>()).collect();
+    let numbers: [f32; COUNT] = numbers.ok()?.try_into().ok()?;
+    numbers.iter().all(|x| x.is_finite()).then_some(numbers)
 }
 
 /// Width and height of a screen as the user writes them.
@@ -135,6 +197,14 @@ mod tests {
         assert_eq!("16x9".parse(), Ok(Viewport([16, 9])));
         for wrong in ["", "1,2", "1,2,3,4", "a,b,c", "1,2,nan"] {
             assert!(wrong.parse::<Point>().is_err(), "{wrong:?} was taken");
+        }
+        assert_eq!("0,-1.5,2,0.5".parse(), Ok(Region([0.0, -1.5, 2.0, 0.5])));
+        assert_eq!("1,-0.5".parse(), Ok(Gaze([1.0, -0.5])));
+        for wrong in ["", "1,2,3", "1,2,3,-1", "1,2,3,inf"] {
+            assert!(wrong.parse::<Region>().is_err(), "{wrong:?} was taken");
+        }
+        for wrong in ["", "0", "0,1.5", "0,0,0"] {
+            assert!(wrong.parse::<Gaze>().is_err(), "{wrong:?} was taken");
         }
         for wrong in ["", "16", "0x9", "16x", "16x9x2", "-1x5"] {
             assert!(wrong.parse::<Viewport>().is_err(), "{wrong:?} was taken");

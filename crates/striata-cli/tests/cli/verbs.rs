@@ -183,6 +183,27 @@ fn a_view_keeps_to_a_number_of_triangles() {
 }
 
 #[test]
+fn a_view_is_finer_in_a_region_and_coarser_aside_of_a_gaze() {
+    let bench = Workbench::with_ball();
+    let count = |flags: &str| {
+        let report = bench.json(&format!("extract ball.striata -o view.ply --eye -0.4,0.3,-3 {flags}"));
+        report["triangle_count"].as_u64().expect("a count")
+    };
+    let [coarse, fine] = ["--pixels 30", "--pixels 0.3"].map(count);
+    let here = count("--pixels 30 --region 0,0,-1,0.5 --region-pixels 0.3");
+    assert!(coarse < here && here < fine, "{coarse}, {here} in the region, {fine}");
+    assert_eq!(count("--pixels 30 --region 0,0,-1,0.5 --region-pixels 30"), coarse);
+    assert!(count("--pixels 30 --region 0,0,-1,0.5") <= here, "a tenth is more than a hundredth");
+    assert_eq!(count("--pixels 30 --region 50,0,0,0.5"), coarse);
+    let gazed = count("--pixels 0.3 --gaze 0.9,0.9 --gaze-falloff 400");
+    assert!(gazed < fine, "{gazed} beside the gaze, {fine}");
+    assert_eq!(count("--pixels 0.3 --gaze 0.9,0.9 --gaze-falloff 0"), fine);
+    for wrong in ["--region 1,2,3", "--gaze 0,2", "--region-pixels 1", "--gaze-falloff 1"] {
+        bench.run(&format!("extract ball.striata -o x.ply --eye 0,0,3 {wrong}")).code(1);
+    }
+}
+
+#[test]
 fn every_level_may_be_fans() {
     let bench = Workbench::with_ball();
     bench.run("build sphere.obj -o fans.striata --models fans --quiet").success();

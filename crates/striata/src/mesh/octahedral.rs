@@ -6,9 +6,6 @@
 
 use glam::{DVec2, DVec3};
 
-/// Bits of each number of a normal in four bytes.
-pub const PACKED_BITS: u32 = 16;
-
 /// The point of the grid nearest to a direction, by angle, of those around its place. Anything without a direction is taken for
 /// the z axis.
 ///

@@ -3,6 +3,7 @@
 
 mod oracle;
 mod suite;
+mod whim;
 
 pub use oracle::{follows_the_oracle, follows_the_oracle_at, selective_triangles};
 use striata::mesh::{
@@ -10,6 +11,7 @@ use striata::mesh::{
     SequenceParts, TriangleGroup, weld,
 };
 pub use suite::{Case, hub_cases, nasty_cases, seam_cases, soups, surface_cases};
+pub use whim::Whim;
 
 /// A small generator of numbers (xorshift): the same on every machine.
 pub struct Random(u64);

@@ -67,7 +67,7 @@ const LEAST_MS: f64 = 2e-4;
 
 /// Bytes of a position, and of a normal packed and plain.
 pub(super) const POSITION_BYTES: f64 = 12.0;
-pub(super) const PACKED_NORMAL_BYTES: f64 = 4.0;
+pub(super) const PACKED_NORMAL_BYTES: f64 = size_of::<[i16; 2]>() as f64;
 pub(super) const NORMAL_BYTES: f64 = 12.0;
 
 impl Figures {

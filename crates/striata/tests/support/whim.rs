@@ -1,0 +1,15 @@
+//! A criterion without sense.
+
+use striata::view::{Criterion, Part, Verdict};
+
+/// Weighs by a hash: nothing about it is as a criterion should be.
+#[derive(Clone)]
+pub struct Whim(pub u32);
+
+impl Criterion for Whim {
+    fn weigh(&self, part: &Part) -> Verdict {
+        let bits =
+            part.sphere.center.iter().fold(self.0, |all, x| all.wrapping_mul(0x9e37_79b1) ^ x.to_bits());
+        Verdict::now((bits.wrapping_mul(0x85eb_ca6b) >> 16) as f32 / 25_000.0)
+    }
+}
