@@ -11,7 +11,9 @@ mod disjoint_sets;
 #[cfg(feature = "distance")]
 mod distance;
 mod dual_graph;
+mod fragments;
 mod indexed_mesh;
+mod levels;
 pub mod octahedral;
 mod positions;
 mod random;
@@ -34,7 +36,11 @@ pub(crate) use disjoint_sets::DisjointSets;
 pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};
 pub use dual_graph::DualGraph;
 pub(crate) use dual_graph::NONE as NO_TWIN;
+pub use fragments::{
+    Face, Fragment, FragmentError, FragmentSequence, FragmentedMesh, fragment_faces, replay_fragments,
+};
 pub use indexed_mesh::{Bounds, IndexedMesh, MeshError, TriangleGroup};
+pub use levels::Levels;
 pub use positions::PositionIndex;
 pub use random::Random;
 pub(crate) use replay::canonical_triangle;

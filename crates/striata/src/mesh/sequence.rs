@@ -11,7 +11,8 @@
 //! split_count 0 shows the base; split_count n shows positions 0 .. base+n
 //! ```
 
-use super::{IndexedMesh, PositionIndex};
+use super::levels::check_length;
+use super::{IndexedMesh, Levels, PositionIndex};
 
 /// What makes the arrays of a sequence inconsistent.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -95,13 +96,9 @@ pub struct SequenceParts {
 /// Where every position collapses to, in refinement order, with errors and triangle counts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CollapseSequence {
-    positions: PositionIndex,
-    base_position_count: usize,
+    levels: Levels,
     targets: Vec<u32>,
-    errors: Vec<f32>,
     removed_triangle_counts: Vec<u8>,
-    /// Triangles at split count `s`, `step_count + 1` of them.
-    triangle_counts: Vec<u32>,
 }
 
 impl CollapseSequence {
@@ -118,51 +115,42 @@ impl CollapseSequence {
             removed_triangle_counts,
             triangle_count,
         } = parts;
-        let position_count = positions.position_count();
-        let length = |what, found, expected| {
-            if found == expected { Ok(()) } else { Err(SequenceError::Length { what, found, expected }) }
-        };
-        if base_position_count > position_count {
-            return Err(SequenceError::Length {
-                what: "base positions",
-                found: base_position_count,
-                expected: position_count,
-            });
-        }
-        let step_count = position_count - base_position_count;
-        let base_vertex_count = positions.first_vertices()[base_position_count] as usize;
-        length("targets", targets.len(), positions.vertex_count() - base_vertex_count)?;
-        length("errors", errors.len(), step_count)?;
-        length("triangle counts", removed_triangle_counts.len(), step_count)?;
-        check_targets(&positions, base_position_count, &targets)?;
-        check_errors(&errors)?;
         let removed: u64 = removed_triangle_counts.iter().map(|&n| u64::from(n)).sum();
         let Some(base_triangles) = (triangle_count as u64).checked_sub(removed) else {
             return Err(SequenceError::TriangleCount { removed, triangle_count });
         };
-        let mut triangle_counts = Vec::with_capacity(step_count + 1);
+        let mut triangle_counts = Vec::with_capacity(removed_triangle_counts.len() + 1);
         let mut count = base_triangles as u32;
         triangle_counts.push(count);
         for &n in &removed_triangle_counts {
             count += u32::from(n);
             triangle_counts.push(count);
         }
-        Ok(Self { positions, base_position_count, targets, errors, removed_triangle_counts, triangle_counts })
+        let levels = Levels::new(positions, base_position_count, triangle_counts, errors)?;
+        let expected = levels.positions().vertex_count() - levels.base_vertex_count();
+        check_length("targets", targets.len(), expected)?;
+        check_targets(levels.positions(), base_position_count, &targets)?;
+        Ok(Self { levels, targets, removed_triangle_counts })
+    }
+
+    /// How large each level is, and how far off.
+    pub fn levels(&self) -> &Levels {
+        &self.levels
     }
 
     /// Positions and their wedges.
     pub fn positions(&self) -> &PositionIndex {
-        &self.positions
+        self.levels.positions()
     }
 
     /// Steps from the base mesh to the full mesh.
     pub fn step_count(&self) -> usize {
-        self.errors.len()
+        self.levels.step_count()
     }
 
     /// Positions of the base mesh.
     pub fn base_position_count(&self) -> usize {
-        self.base_position_count
+        self.levels.base_position_count()
     }
 
     /// Vertices of the base mesh.
@@ -175,7 +163,7 @@ impl CollapseSequence {
     /// # Panics
     /// If `split_count` exceeds the step count.
     pub fn vertex_count_at(&self, split_count: usize) -> usize {
-        self.positions.first_vertices()[self.base_position_count + split_count] as usize
+        self.levels.vertex_count_at(split_count)
     }
 
     /// Triangles that a level shows.
@@ -183,7 +171,7 @@ impl CollapseSequence {
     /// # Panics
     /// If `split_count` exceeds the step count.
     pub fn triangle_count_at(&self, split_count: usize) -> usize {
-        self.triangle_counts[split_count] as usize
+        self.levels.triangle_count_at(split_count)
     }
 
     /// Object-space error of a level, mesh units; 0 for the full mesh.
@@ -191,19 +179,19 @@ impl CollapseSequence {
     /// # Panics
     /// If `split_count` exceeds the step count.
     pub fn error_at(&self, split_count: usize) -> f32 {
-        if split_count == self.errors.len() { 0.0 } else { self.errors[split_count] }
+        self.levels.error_at(split_count)
     }
 
     /// The vertices (wedges) that step `step` restores.
     #[inline]
     pub fn step_vertices(&self, step: usize) -> std::ops::Range<u32> {
-        self.positions.wedges((self.base_position_count + step) as u32)
+        self.levels.step_vertices(step)
     }
 
     /// The vertex that `vertex` becomes when its position is collapsed; itself for a vertex of the base.
     #[inline]
     pub fn target(&self, vertex: u32) -> u32 {
-        let base = self.positions.first_vertices()[self.base_position_count];
+        let base = self.levels.base_vertex_count() as u32;
         if vertex < base { vertex } else { self.targets[(vertex - base) as usize] }
     }
 
@@ -214,7 +202,7 @@ impl CollapseSequence {
 
     /// Error of the level at each split count below the step count; never rising.
     pub fn errors(&self) -> &[f32] {
-        &self.errors
+        self.levels.errors()
     }
 
     /// Triangles that each step's collapse removes.
@@ -224,25 +212,22 @@ impl CollapseSequence {
 
     /// The most detailed level with at most `triangle_count` triangles; the base if none has so few.
     pub fn split_count_for_triangles(&self, triangle_count: usize) -> usize {
-        self.triangle_counts.partition_point(|&n| n as usize <= triangle_count).saturating_sub(1)
+        self.levels.split_count_for_triangles(triangle_count)
     }
 
     /// The most detailed level with at most `vertex_count` vertices; the base if none has so few.
     pub fn split_count_for_vertices(&self, vertex_count: usize) -> usize {
-        let first = &self.positions.first_vertices()[self.base_position_count..];
-        first.partition_point(|&n| n as usize <= vertex_count).saturating_sub(1)
+        self.levels.split_count_for_vertices(vertex_count)
     }
 
     /// The coarsest level whose error is at most `error` mesh units.
     pub fn split_count_for_error(&self, error: f64) -> usize {
-        self.errors.partition_point(|&e| f64::from(e) > error)
+        self.levels.split_count_for_error(error)
     }
 
     /// The level nearest to a detail of 0 (base) to 1 (full) that does not exceed it.
     pub fn split_count_for_detail(&self, detail: f64) -> usize {
-        // The small term keeps `k / step_count` from rounding down to k - 1.
-        let exact = detail.clamp(0.0, 1.0) * self.step_count() as f64;
-        ((exact + 1e-9 * exact.max(1.0)) as usize).min(self.step_count())
+        self.levels.split_count_for_detail(detail)
     }
 }
 
@@ -263,17 +248,6 @@ fn check_targets(positions: &PositionIndex, base: usize, targets: &[u32]) -> Res
                 return Err(SequenceError::SplitTarget { vertex: vertex as usize, found, expected });
             }
         }
-    }
-    Ok(())
-}
-
-fn check_errors(errors: &[f32]) -> Result<(), SequenceError> {
-    let mut previous = f32::INFINITY;
-    for (step, &error) in errors.iter().enumerate() {
-        if !(error >= 0.0 && error <= previous && error.is_finite()) {
-            return Err(SequenceError::Error { step, error, previous });
-        }
-        previous = error;
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! Which level a target means.
 
-use crate::mesh::CollapseSequence;
+use crate::mesh::{CollapseSequence, Levels};
 
 use super::options::{StopReason, Target};
 
@@ -10,6 +10,11 @@ impl Target {
     /// The most detailed level that does not exceed the target; where even the base exceeds it, the base, and where the
     /// full mesh falls short of it, the full mesh. For [`Target::Error`] it is the coarsest level within the error.
     pub fn resolve(&self, sequence: &CollapseSequence) -> (usize, StopReason) {
+        self.resolve_in(sequence.levels())
+    }
+
+    /// The same for the levels of any sequence.
+    pub fn resolve_in(&self, sequence: &Levels) -> (usize, StopReason) {
         let step_count = sequence.step_count();
         let (split_count, is_above_full, is_below_base) = match *self {
             Self::Triangles(n) => (

@@ -1,0 +1,87 @@
+//! Fragments made of collapses show what the collapses show, at every level.
+
+mod support;
+
+use proptest::prelude::*;
+use striata::mesh::{
+    Face, Fragment, FragmentError, FragmentSequence, FragmentedMesh, PositionIndex, canonical_triangles,
+    fragment_faces, replay, replay_fragments,
+};
+use support::{Case, hub_cases, nasty_cases, seam_cases, soups, surface_cases};
+
+fn shows_the_levels_of_collapses(case: &Case) {
+    let refinable = &case.refinable;
+    let fragmented = FragmentedMesh::from_collapses(refinable);
+    let fragments = &fragmented.fragments;
+    for split_count in (0..=refinable.sequence.step_count()).step_by(case.stride) {
+        let (found, expected) = (replay_fragments(&fragmented, split_count), replay(refinable, split_count));
+        assert_eq!(found.positions, expected.positions);
+        assert_eq!(found.triangle_count(), fragments.levels().triangle_count_at(split_count));
+        assert_eq!(fragments.levels().error_at(split_count), refinable.sequence.error_at(split_count));
+        for (found_group, group) in found.groups_or_whole().into_iter().zip(expected.groups_or_whole()) {
+            let found = canonical_triangles(&found.triangles[found_group.range()]);
+            let expected = canonical_triangles(&expected.triangles[group.range()]);
+            assert_eq!(found, expected, "level {split_count}");
+        }
+    }
+}
+
+#[test]
+fn all_kinds_of_meshes_keep_their_levels() {
+    let cases = nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases());
+    cases.for_each(|case| shows_the_levels_of_collapses(&case));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn soups_keep_their_levels(case in soups()) {
+        shows_the_levels_of_collapses(&case);
+    }
+}
+
+#[test]
+fn faces_know_who_makes_and_who_replaces_them() {
+    for case in surface_cases().take(3) {
+        let fragments = FragmentedMesh::from_collapses(&case.refinable).fragments;
+        let replaced_by = fragments.replaced_by();
+        for step in 0..fragments.step_count() as u32 {
+            assert!(fragments.ceiling(step).all(|face| fragments.maker(face) == Some(step)));
+            assert!(fragments.floor(step).iter().all(|&face| replaced_by[face as usize] == step));
+        }
+        let full = fragment_faces(&fragments, |_| true);
+        let kept = (0..fragments.faces().len() as u32)
+            .filter(|&face| replaced_by[face as usize] == FragmentSequence::NO_STEP);
+        assert_eq!(full, kept.collect::<Vec<_>>());
+    }
+}
+
+fn face(corners: [u32; 3]) -> Face {
+    Face { corners, group: 0 }
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let split = |error| Fragment {
+        ceiling: vec![face([0, 1, 3]), face([1, 2, 3]), face([2, 0, 3])],
+        floor: vec![face([1, 2, 0])],
+        error,
+    };
+    let build = |base: Vec<Face>, fragment| {
+        FragmentSequence::from_fragments(PositionIndex::identity(4), base, [fragment].into_iter())
+    };
+    let good = build(vec![face([0, 1, 2])], split(0.5)).unwrap();
+    assert_eq!((good.levels().triangle_count_at(0), good.levels().triangle_count_at(1)), (1, 3));
+    assert_eq!(good.levels().error_at(0), 0.5);
+    let missing = FragmentError::Floor { step: 0, corners: [1, 2, 0] };
+    assert_eq!(build(vec![face([0, 2, 1])], split(0.5)), Err(missing), "turned the other way");
+    let early = FragmentError::Ceiling { step: None, corners: [0, 1, 3] };
+    assert_eq!(build(vec![face([0, 1, 3])], split(0.5)), Err(early));
+    assert!(matches!(build(vec![face([0, 1, 2])], split(f32::NAN)), Err(FragmentError::Sequence(_))));
+    let old = Fragment { ceiling: vec![face([0, 1, 2])], ..split(0.0) };
+    let not_its_own = FragmentError::Ceiling { step: Some(0), corners: [0, 1, 2] };
+    assert_eq!(build(vec![face([0, 1, 2])], old), Err(not_its_own));
+    let twice = Fragment { floor: vec![face([0, 1, 2]), face([0, 1, 2])], ..split(0.0) };
+    assert!(build(vec![face([0, 1, 2])], twice).is_err());
+}
