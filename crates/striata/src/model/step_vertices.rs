@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use super::ModelError;
-use crate::mesh::CollapseSequence;
+use crate::mesh::{CollapseSequence, Levels};
 
 /// What the model takes from the sequence: the vertices of each step and where they collapse to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,6 +109,18 @@ impl<'a> StepVertices<'a> {
             base_vertex_count: sequence.base_vertex_count() as u32,
             firsts: if positions.is_identity() { [].as_slice().into() } else { firsts.into() },
             targets: sequence.targets().into(),
+        }
+    }
+
+    /// The vertices of the steps of any sequence, which need no targets.
+    pub(crate) fn of_levels(levels: &Levels) -> StepVertices<'static> {
+        let positions = levels.positions();
+        let firsts = &positions.first_vertices()[levels.base_position_count()..];
+        StepVertices {
+            vertex_count: positions.vertex_count(),
+            base_vertex_count: levels.base_vertex_count() as u32,
+            firsts: if positions.is_identity() { Cow::Borrowed(&[]) } else { firsts.to_vec().into() },
+            targets: Cow::Borrowed(&[]),
         }
     }
 

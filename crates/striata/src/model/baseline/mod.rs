@@ -4,6 +4,7 @@
 //! compared is the data structure alone.
 
 pub mod discrete_levels;
+pub mod multi_triangulation;
 pub mod ordered_meshes;
 pub mod original_lod_strips;
 pub mod progressive_meshes;
@@ -11,8 +12,10 @@ pub mod skip_strips;
 pub mod view_dependent;
 
 mod repetitions;
+mod step_set;
 
 pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
+pub use multi_triangulation::{MtQuestion, MtTriangle, MultiTriangulation, MultiTriangulationState};
 pub use ordered_meshes::{OrderedMeshes, OrderedMeshesState};
 pub use original_lod_strips::{OriginalLodStrips, OriginalLodStripsState};
 pub use progressive_meshes::{ProgressiveMeshes, ProgressiveMeshesState};
