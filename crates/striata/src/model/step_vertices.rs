@@ -99,6 +99,20 @@ impl StepVertices<'_> {
     }
 }
 
+impl StepVertices<'static> {
+    /// The vertices of the steps between levels, for models that never ask for a target.
+    pub(super) fn of_levels(levels: &Levels) -> Self {
+        let positions = levels.positions();
+        let firsts = &positions.first_vertices()[levels.base_position_count()..];
+        Self {
+            vertex_count: positions.vertex_count(),
+            base_vertex_count: levels.base_vertex_count() as u32,
+            firsts: if positions.is_identity() { [].as_slice().into() } else { firsts.to_vec().into() },
+            targets: Cow::Borrowed(&[]),
+        }
+    }
+}
+
 impl<'a> StepVertices<'a> {
     /// The vertices of the steps as the sequence has them.
     pub(crate) fn of_sequence(sequence: &'a CollapseSequence) -> Self {
