@@ -126,18 +126,6 @@ impl<'a> StepVertices<'a> {
         }
     }
 
-    /// The vertices of the steps of any sequence, which need no targets.
-    pub(crate) fn of_levels(levels: &Levels) -> StepVertices<'static> {
-        let positions = levels.positions();
-        let firsts = &positions.first_vertices()[levels.base_position_count()..];
-        StepVertices {
-            vertex_count: positions.vertex_count(),
-            base_vertex_count: levels.base_vertex_count() as u32,
-            firsts: if positions.is_identity() { Cow::Borrowed(&[]) } else { firsts.to_vec().into() },
-            targets: Cow::Borrowed(&[]),
-        }
-    }
-
     /// The same with memory of its own, for models that never ask for a target.
     pub(super) fn without_targets(mut self) -> StepVertices<'static> {
         self.targets = Cow::Borrowed(&[]);

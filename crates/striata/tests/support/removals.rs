@@ -9,13 +9,16 @@ use super::Random;
 /// Tries in a row that may fail before there is taken to be nothing left to remove.
 const MISSES: usize = 300;
 
+/// A vertex with its ceiling and its floor.
+type Removed = (u32, Vec<[u32; 3]>, Vec<[u32; 3]>);
+
 /// Removes vertices in random order, at most so many, as long as the surface stays a simple one, borders allowed; a vertex whose
 /// hole has a triangulation that would double an edge stays. Looks at all triangles each time.
 pub fn random_removals(mesh: &IndexedMesh, most: usize, random: &mut Random) -> FragmentedMesh {
     let vertex_count = mesh.vertex_count();
     let mut triangles = mesh.triangles.clone();
     let mut left: Vec<u32> = (0..vertex_count as u32).collect();
-    let mut removed: Vec<(u32, Vec<[u32; 3]>, Vec<[u32; 3]>)> = Vec::new();
+    let mut removed: Vec<Removed> = Vec::new();
     let mut misses = 0;
     while misses < MISSES && removed.len() < most && !left.is_empty() {
         let place = random.below(left.len());

@@ -2,7 +2,7 @@
 
 use super::{MultiTriangulation, MultiTriangulationState};
 use crate::mesh::FragmentSequence;
-use crate::model::baseline::Adapted;
+use crate::model::PatternChange;
 
 const NO_STEP: u32 = FragmentSequence::NO_STEP;
 
@@ -27,7 +27,7 @@ impl MultiTriangulation {
         &self,
         state: &mut MultiTriangulationState,
         is_coarse: impl Fn(MtQuestion) -> bool,
-    ) -> Adapted {
+    ) -> PatternChange {
         state.check(self);
         let coarse_into = |triangles: &mut dyn Iterator<Item = u32>, out: &mut Vec<u32>| {
             for triangle in triangles {
@@ -46,7 +46,7 @@ impl MultiTriangulation {
             coarse_into(&mut self.ceiling(step).iter().copied(), waiting);
         });
         state.apply(self, &change);
-        Adapted { undone_count: change.inserted.len(), taken_count: change.removed.len() }
+        PatternChange { inserted: change.inserted.len(), removed: change.removed.len() }
     }
 
     /// Removes fragments from the top as long as no triangle of their floors is too coarse; how many went.
