@@ -4,6 +4,7 @@
 //! compared is the data structure alone.
 
 pub mod discrete_levels;
+pub mod loop_patterns;
 pub mod multi_triangulation;
 pub mod ordered_meshes;
 pub mod original_lod_strips;
@@ -15,6 +16,7 @@ mod repetitions;
 mod step_set;
 
 pub use discrete_levels::{DiscreteLevels, DiscreteLevelsError, DiscreteLevelsState};
+pub use loop_patterns::{LoopPatterns, LoopPatternsState};
 pub use multi_triangulation::{MtQuestion, MtTriangle, MultiTriangulation, MultiTriangulationState};
 pub use ordered_meshes::{OrderedMeshes, OrderedMeshesState};
 pub use original_lod_strips::{OriginalLodStrips, OriginalLodStripsState};

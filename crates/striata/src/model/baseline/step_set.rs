@@ -47,6 +47,10 @@ impl StepSet {
         self.steps.len()
     }
 
+    pub(super) fn steps(&self) -> &[u32] {
+        &self.steps
+    }
+
     #[inline]
     pub(super) fn has(&self, step: u32) -> bool {
         self.place_of[step as usize] != NONE
