@@ -2,7 +2,8 @@
 
 use super::overlaps::{MAX_RUN, OverlapBook, Share};
 use super::records::{Draft, Records, Widths};
-use super::rule::{Matched, Rule, RuleTable, Rulebook, first_corner};
+use super::rule::{Matched, Rule, Rulebook, first_corner};
+use super::rule_table::RuleTable;
 use super::{BaseFace, Patterns};
 use crate::mesh::{Face, FragmentSequence, FragmentedMesh};
 use crate::model::{ModelError, StepVertices};
@@ -41,7 +42,7 @@ impl Patterns {
         }
         let ways = ways.into_table();
         let base = (0..fragments.base_face_count() as u32).map(|face| places.base_face(face)).collect();
-        let half_edge_count = rules.rules().iter().map(|rule| 3 * rule.floor.len()).max().unwrap_or(0) as u32;
+        let half_edge_count = rules.iter().map(|rule| 3 * rule.floor_count()).max().unwrap_or(0) as u32;
         let widths =
             Widths { rule_count: rules.len(), way_count: ways.len(), half_edge_count, offset_width: 0 };
         Ok(Self {
@@ -73,10 +74,10 @@ impl Extras {
     fn of(rules: &RuleTable, rules_of: &[u32], locals: Vec<Vec<u32>>) -> Self {
         let mut extras = Self { firsts: vec![0], ..Self::default() };
         for (step, (locals, &rule)) in locals.iter().zip(rules_of).enumerate() {
-            let named = &rules.rule(rule).extras;
-            if !named.is_empty() {
+            let known = extras.vertices.len();
+            extras.vertices.extend(rules.rule(rule).extras().map(|local| locals[local as usize]));
+            if extras.vertices.len() > known {
                 extras.steps.push(step as u32);
-                extras.vertices.extend(named.iter().map(|&local| locals[local as usize]));
                 extras.firsts.push(extras.vertices.len() as u32);
             }
         }
@@ -144,7 +145,7 @@ impl<'a> Places<'a> {
             let is_same = above(s) == above(before) && above(s) != FragmentSequence::NO_STEP;
             is_same && {
                 let rule = rules.rule(rules_of[above(s) as usize]);
-                rule.next_around[half_edge(before) as usize] == half_edge(s)
+                rule.next_around(half_edge(before)) == Some(half_edge(s))
             }
         };
         let count = faces.len();

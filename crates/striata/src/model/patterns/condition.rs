@@ -45,21 +45,43 @@ impl PatternInstance {
     /// If the instance is of another model.
     pub fn adapt(&mut self, patterns: &Patterns, condition: &impl Condition) -> PatternChange {
         self.check(patterns);
-        let (wanted, found) = patterns.smallest_set(condition);
         let mut change = PatternChange::default();
-        let mut end = patterns.fragment_count() as u32;
+        let mut wanted = StepBits::none(patterns.fragment_count());
+        let mut waiting = Vec::new();
+        for above in patterns.above_base() {
+            if !wanted.has(above) && condition.is_too_coarse(Overlap { lower: None, upper: above }) {
+                wanted.insert(above);
+                waiting.push(above);
+            }
+            // Depth first: what is near in space is then near in memory.
+            while let Some(step) = waiting.pop() {
+                if !self.is_inserted(step) {
+                    self.lay_foundation(patterns, step, |_| change.inserted += 1);
+                }
+                let head = patterns.records.head(step);
+                for below in patterns.down(&head) {
+                    if !wanted.has(below) {
+                        wanted.insert(below);
+                        waiting.push(below);
+                    }
+                }
+                for link in 0..patterns.ways.link_count(head.way) {
+                    let (upper, _) = patterns.records.up(&head, link);
+                    if !wanted.has(upper) && condition.is_too_coarse(Overlap { lower: Some(step), upper }) {
+                        wanted.insert(upper);
+                        waiting.push(upper);
+                    }
+                }
+            }
+        }
         // Whatever stands on a fragment is younger, so it has gone before.
+        let mut end = patterns.fragment_count() as u32;
         while let Some(step) = self.last_inserted_before(end) {
             if !wanted.has(step) {
                 self.remove_top(patterns, step);
                 change.removed += 1;
             }
             end = step;
-        }
-        for step in found {
-            if !self.is_inserted(step) {
-                change.inserted += self.insert(patterns, step);
-            }
         }
         change
     }
@@ -130,37 +152,5 @@ impl Patterns {
     fn above_base(&self) -> impl Iterator<Item = u32> + use<'_> {
         let of_base = self.base.iter().map(|face| face.above).filter(|&above| above != super::rule::NONE);
         of_base.chain(self.unfounded.iter().copied())
-    }
-
-    /// The smallest set that stands and satisfies a condition, and its fragments in the order in which they were found: near each
-    /// other where their triangles are.
-    fn smallest_set(&self, condition: &impl Condition) -> (StepBits, Vec<u32>) {
-        let mut wanted = StepBits::none(self.fragment_count());
-        let mut found = Vec::new();
-        let mut waiting = Vec::new();
-        for above in self.above_base() {
-            if !wanted.has(above) && condition.is_too_coarse(Overlap { lower: None, upper: above }) {
-                wanted.insert(above);
-                waiting.push(above);
-            }
-            while let Some(step) = waiting.pop() {
-                found.push(step);
-                let head = self.records.head(step);
-                for below in self.down(&head) {
-                    if !wanted.has(below) {
-                        wanted.insert(below);
-                        waiting.push(below);
-                    }
-                }
-                for link in 0..self.ways.link_count(head.way) {
-                    let (upper, _) = self.records.up(&head, link);
-                    if !wanted.has(upper) && condition.is_too_coarse(Overlap { lower: Some(step), upper }) {
-                        wanted.insert(upper);
-                        waiting.push(upper);
-                    }
-                }
-            }
-        }
-        (wanted, found)
     }
 }

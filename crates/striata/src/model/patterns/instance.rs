@@ -7,7 +7,8 @@
 
 use super::overlaps::Share;
 use super::records::Head;
-use super::rule::{NONE, Rule, first_corner};
+use super::rule::{NONE, first_corner};
+use super::rule_table::RuleRef;
 use super::{Patterns, place_of, place_tag};
 use crate::model::step_bits::StepBits;
 
@@ -217,26 +218,21 @@ impl PatternInstance {
         let head = patterns.records.head(step);
         let rule = patterns.rules.rule(head.rule);
         let mut scratch = std::mem::take(&mut self.scratch);
-        scratch.start(patterns, step, rule);
+        scratch.start(patterns, step, &rule);
         let mut slot = std::mem::replace(&mut self.heads[step as usize], NONE);
         while slot != NONE {
             let Slot { corners, next, place, .. } = self.slots[slot as usize];
             let (half_edge, along) = place_of(place);
-            let half_edge = rule.around(half_edge, along);
-            let triangle = rule.floor[half_edge as usize / 3];
-            let turned = turned(triangle, half_edge % 3);
-            for (local, corner) in turned.into_iter().zip(corners) {
-                scratch.locals[local as usize] = corner;
-            }
+            let half_edge = rule.around(half_edge, along).expect("a run goes on around its vertex");
+            scratch.set(turned(rule.floor(half_edge as usize / 3), half_edge % 3), corners);
             self.release(slot);
             slot = next;
         }
         scratch.load_links(patterns, &head);
-        let shares = patterns.ways.shares(head.way);
-        for (s, (triangle, share)) in rule.ceiling.iter().zip(shares).enumerate() {
-            let corners = triangle.map(|local| scratch.locals[local as usize]);
-            let group = rule.ceiling_groups.get(s).map_or(0, |&group| group);
-            let slot = self.place(patterns, corners, group);
+        for s in 0..rule.ceiling_count() {
+            let corners = rule.ceiling(s).map(|local| scratch.locals[local as usize]);
+            let slot = self.place(patterns, corners, rule.group(s));
+            let share = patterns.ways.share(head.way, s);
             if share.link == Share::FULL {
                 self.list(step, slot, s as u32);
             } else {
@@ -255,11 +251,11 @@ impl PatternInstance {
         let rule = patterns.rules.rule(head.rule);
         let mut scratch = std::mem::take(&mut self.scratch);
         self.read_ceiling(patterns, (step, &head), &mut scratch, true);
-        for (j, triangle) in rule.floor.iter().enumerate() {
-            let corners = triangle.map(|local| scratch.locals[local as usize]);
+        for j in 0..rule.floor_count() {
+            let corners = rule.floor(j).map(|local| scratch.locals[local as usize]);
             let youngest = corners[0].max(corners[1]).max(corners[2]);
             let corner = corners.iter().position(|&v| v == youngest).unwrap_or(0);
-            let group = rule.floor_groups.get(j).map_or(0, |&group| group);
+            let group = rule.group(rule.ceiling_count() + j);
             let slot = self.place(patterns, first_corner(corners, youngest), group);
             self.list(step, slot, place_tag((3 * j + corner) as u32, 0));
         }
@@ -275,12 +271,12 @@ impl PatternInstance {
         let mut scratch = std::mem::take(&mut self.scratch);
         self.read_ceiling(patterns, (step, &head), &mut scratch, false);
         out.clear();
-        let floor = &patterns.rules.rule(head.rule).floor;
-        if floor.is_empty() {
+        let rule = patterns.rules.rule(head.rule);
+        if rule.floor_count() == 0 {
             out.push(None);
         }
-        for triangle in floor {
-            let [a, b, c] = triangle.map(|local| scratch.locals[local as usize]);
+        for j in 0..rule.floor_count() {
+            let [a, b, c] = rule.floor(j).map(|local| scratch.locals[local as usize]);
             let youngest = a.max(b).max(c);
             let is_base = youngest < patterns.vertices.base_vertex_count;
             out.push((!is_base).then(|| patterns.vertices.step_of(youngest) as u32));
@@ -297,12 +293,12 @@ impl PatternInstance {
         is_taken_away: bool,
     ) {
         let rule = patterns.rules.rule(head.rule);
-        scratch.start(patterns, step, rule);
+        scratch.start(patterns, step, &rule);
         scratch.load_links(patterns, head);
         let mut slot = self.heads[step as usize];
         while slot != NONE {
             let Slot { corners, next, place, .. } = self.slots[slot as usize];
-            scratch.set(rule.ceiling[place as usize], corners);
+            scratch.set(rule.ceiling(place as usize), corners);
             if is_taken_away {
                 self.release(slot);
             }
@@ -311,21 +307,19 @@ impl PatternInstance {
         if is_taken_away {
             self.heads[step as usize] = NONE;
         }
-        let shares = patterns.ways.shares(head.way);
         for link in 0..scratch.links.len() {
             let (above, half_edge) = scratch.links[link];
             let floor = patterns.rules.rule(patterns.records.head(above).rule);
-            let place_in_run = |s: &Share| s.link as usize == link;
+            let is_of_run = |share: Share| share.link as usize == link;
             let (mut slot, mut before) = (self.heads[above as usize], NONE);
             while slot != NONE {
                 let Slot { corners, next, place, .. } = self.slots[slot as usize];
                 let (from, along) = place_of(place);
                 let at = floor.around(from, along);
-                let own = shares
-                    .iter()
-                    .position(|share| place_in_run(share) && floor.around(half_edge, share.place) == at);
+                let mut shares = patterns.ways.shares(head.way);
+                let own = shares.position(|s| is_of_run(s) && floor.around(half_edge, s.place) == at);
                 if let Some(s) = own {
-                    scratch.set(rule.ceiling[s], corners);
+                    scratch.set(rule.ceiling(s), corners);
                 }
                 if own.is_some() && is_taken_away {
                     match before {
@@ -380,12 +374,13 @@ impl PatternInstance {
 
 impl Scratch {
     /// Sets the vertices that a step restores and those that it names.
-    fn start(&mut self, patterns: &Patterns, step: u32, rule: &Rule) {
+    fn start(&mut self, patterns: &Patterns, step: u32, rule: &RuleRef<'_>) {
         self.locals.clear();
         self.locals.extend(patterns.vertices.of_step(step as usize));
-        self.locals.resize(rule.local_count as usize, 0);
-        if !rule.extras.is_empty() {
-            for (&local, &vertex) in rule.extras.iter().zip(patterns.extras.of_step(step)) {
+        self.locals.resize(rule.local_count(), 0);
+        let mut extras = rule.extras().peekable();
+        if extras.peek().is_some() {
+            for (local, &vertex) in extras.zip(patterns.extras.of_step(step)) {
                 self.locals[local as usize] = vertex;
             }
         }

@@ -73,12 +73,11 @@ impl LodModel for Patterns {
     }
 
     fn bytes(&self) -> Vec<PartBytes> {
-        let [heads, links, blocks] = self.records.bytes();
+        let [records, blocks] = self.records.bytes();
         let part = |name, bytes| PartBytes { name, bytes };
         vec![
-            part("rules and ways", heads),
-            part("links", links),
-            part("blocks of links", blocks),
+            part("records", records),
+            part("blocks of records", blocks),
             part("table of rules", self.rules.bytes()),
             part("table of ways", self.ways.bytes()),
             part("base", size_of_val(&self.base[..]) + size_of_val(&self.unfounded[..])),

@@ -35,6 +35,7 @@ mod level;
 mod overlaps;
 mod records;
 mod rule;
+mod rule_table;
 
 pub use condition::{Condition, Overlap, PatternChange};
 pub use instance::PatternInstance;
@@ -43,7 +44,7 @@ pub use level::PatternsState;
 use self::build::Extras;
 use self::overlaps::OverlapTable;
 use self::records::{Head, Records};
-use self::rule::RuleTable;
+use self::rule_table::RuleTable;
 use super::StepVertices;
 
 /// The static half of the model; see the [module](self).

@@ -26,45 +26,108 @@ impl Share {
 /// All ways to share a ceiling that a model has.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::model) struct OverlapTable {
-    shares: Vec<Share>,
-    /// First share of each way, closed by their number.
-    firsts: Vec<u32>,
-    /// Links of each way.
-    link_counts: Vec<u32>,
+    entries: Vec<Entry>,
+    /// Shares of ways with few links: the link times 16, and the place.
+    narrow: Vec<u8>,
+    wide: Vec<u32>,
 }
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Entry {
+    first: u32,
+    /// Triangles that are shared.
+    count: u16,
+    /// Links; [`WIDE`] where the shares are words, the first of which tells both numbers.
+    link_count: u16,
+}
+
+const WIDE: u16 = u16::MAX;
+/// Links that a narrow way may have.
+const MAX_NARROW: u32 = 15;
+/// A narrow share of the full mesh.
+const NARROW_FULL: u8 = u8::MAX;
 
 impl OverlapTable {
     /// From the shares of each way.
-    pub(super) fn from_ways(ways: impl Iterator<Item = Vec<Share>>) -> Self {
-        let mut table = Self { firsts: vec![0], ..Self::default() };
+    pub(super) fn pack(ways: impl IntoIterator<Item = Vec<Share>>) -> Self {
+        let mut table = Self::default();
         for way in ways {
-            let links = way.iter().filter(|share| share.link != Share::FULL).map(|share| share.link + 1);
-            table.link_counts.push(links.max().unwrap_or(0));
-            table.shares.extend(way);
-            table.firsts.push(table.shares.len() as u32);
+            table.push(&way);
         }
         table
     }
 
+    fn push(&mut self, way: &[Share]) {
+        let links = way.iter().filter(|share| share.link != Share::FULL).map(|share| share.link + 1);
+        let link_count = links.max().unwrap_or(0);
+        let is_narrow = link_count <= MAX_NARROW && way.len() < usize::from(WIDE);
+        if is_narrow {
+            let first = self.narrow.len() as u32;
+            self.entries.push(Entry { first, count: way.len() as u16, link_count: link_count as u16 });
+            self.narrow.extend(way.iter().map(|share| match share.link {
+                Share::FULL => NARROW_FULL,
+                link => (link * MAX_RUN + share.place) as u8,
+            }));
+        } else {
+            self.entries.push(Entry { first: self.wide.len() as u32, count: 0, link_count: WIDE });
+            self.wide.extend([way.len() as u32, link_count]);
+            self.wide.extend(way.iter().map(|share| match share.link {
+                Share::FULL => Share::FULL,
+                link => link * MAX_RUN + share.place,
+            }));
+        }
+    }
+
     /// Ways in all.
     pub(super) fn len(&self) -> usize {
-        self.link_counts.len()
+        self.entries.len()
+    }
+
+    /// Triangles of the ceilings that a way shares.
+    pub(super) fn count(&self, way: u32) -> usize {
+        let entry = self.entries[way as usize];
+        if entry.link_count == WIDE {
+            self.wide[entry.first as usize] as usize
+        } else {
+            usize::from(entry.count)
+        }
+    }
+
+    /// Where a triangle of a ceiling goes.
+    #[inline]
+    pub(super) fn share(&self, way: u32, triangle: usize) -> Share {
+        let entry = self.entries[way as usize];
+        let packed = if entry.link_count == WIDE {
+            self.wide[entry.first as usize + 2 + triangle]
+        } else {
+            match self.narrow[entry.first as usize + triangle] {
+                NARROW_FULL => Share::FULL,
+                packed => u32::from(packed),
+            }
+        };
+        match packed {
+            Share::FULL => Share { link: Share::FULL, place: 0 },
+            packed => Share { link: packed / MAX_RUN, place: packed % MAX_RUN },
+        }
     }
 
     /// Where each triangle of a ceiling goes.
-    #[inline]
-    pub(super) fn shares(&self, way: u32) -> &[Share] {
-        &self.shares[self.firsts[way as usize] as usize..self.firsts[way as usize + 1] as usize]
+    pub(super) fn shares(&self, way: u32) -> impl Iterator<Item = Share> + '_ {
+        (0..self.count(way)).map(move |triangle| self.share(way, triangle))
     }
 
     /// Links that a step with this way has.
     #[inline]
     pub(super) fn link_count(&self, way: u32) -> usize {
-        self.link_counts[way as usize] as usize
+        let entry = self.entries[way as usize];
+        match entry.link_count {
+            WIDE => self.wide[entry.first as usize + 1] as usize,
+            count => usize::from(count),
+        }
     }
 
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(&self.shares[..]) + size_of_val(&self.firsts[..]) + size_of_val(&self.link_counts[..])
+        size_of_val(&self.entries[..]) + size_of_val(&self.narrow[..]) + size_of_val(&self.wide[..])
     }
 }
 
@@ -85,6 +148,6 @@ impl OverlapBook {
     }
 
     pub(super) fn into_table(self) -> OverlapTable {
-        OverlapTable::from_ways(self.ways.into_iter())
+        OverlapTable::pack(self.ways)
     }
 }

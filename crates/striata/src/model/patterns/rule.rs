@@ -10,18 +10,13 @@
 
 use std::collections::HashMap;
 
+use super::rule_table::RuleTable;
 use crate::mesh::{Face, FragmentSequence};
 
 /// Stands for no half-edge.
 pub(super) const NONE: u32 = u32::MAX;
 /// Rings longer than this are not turned: comparing all places to begin takes the square of their length.
 const MAX_TURNED: usize = 64;
-
-/// All rules of a model, one after the other.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in crate::model) struct RuleTable {
-    rules: Vec<Rule>,
-}
 
 /// The triangles of a fragment in local numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
@@ -44,7 +39,7 @@ pub(in crate::model) struct Rule {
 
 impl Rule {
     /// Completes a rule that has its triangles.
-    fn completed(mut self) -> Self {
+    pub(super) fn completed(mut self) -> Self {
         let mut shown = vec![0u8; self.local_count as usize];
         for (bit, triangles) in [(1, &self.ceiling), (2, &self.floor)] {
             for &local in triangles.iter().flatten() {
@@ -55,22 +50,6 @@ impl Rule {
         self.extras = (0..self.local_count).filter(is_extra).collect();
         self.next_around = next_around(&self.floor);
         self
-    }
-
-    /// The same vertex's corner some triangles further around it.
-    #[inline]
-    pub(super) fn around(&self, mut half_edge: u32, count: u32) -> u32 {
-        for _ in 0..count {
-            half_edge = self.next_around[half_edge as usize];
-        }
-        half_edge
-    }
-
-    fn bytes(&self) -> usize {
-        let triangles = size_of_val(&self.ceiling[..]) + size_of_val(&self.floor[..]);
-        let numbers = [&self.ceiling_groups, &self.floor_groups, &self.extras, &self.next_around]
-            .map(|list| list.len());
-        size_of::<Self>() + triangles + size_of::<u32>() * numbers.iter().sum::<usize>()
     }
 }
 
@@ -91,31 +70,6 @@ fn next_around(floor: &[[u32; 3]]) -> Vec<u32> {
         }
     };
     (0..3 * floor.len()).map(next).collect()
-}
-
-impl RuleTable {
-    /// Rules in all.
-    pub(super) fn len(&self) -> usize {
-        self.rules.len()
-    }
-
-    #[inline]
-    pub(super) fn rule(&self, number: u32) -> &Rule {
-        &self.rules[number as usize]
-    }
-
-    pub(super) fn rules(&self) -> &[Rule] {
-        &self.rules
-    }
-
-    /// Completes rules that have their triangles and local numbers.
-    pub(super) fn from_rules(rules: impl Iterator<Item = Rule>) -> Self {
-        Self { rules: rules.map(Rule::completed).collect() }
-    }
-
-    pub(super) fn bytes(&self) -> usize {
-        self.rules.iter().map(Rule::bytes).sum()
-    }
 }
 
 /// Finds the rules of fragments.
@@ -150,7 +104,7 @@ impl<'a> Rulebook<'a> {
 
     /// The table of all rules so far; numbered as they came.
     pub(super) fn into_table(self) -> RuleTable {
-        RuleTable::from_rules(self.rules.into_iter())
+        RuleTable::pack(self.rules)
     }
 
     /// The rule of a step's fragment, a new one if it is the first of its kind.
