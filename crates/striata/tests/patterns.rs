@@ -26,6 +26,10 @@ fn follows_any_way(case: &Case) {
     let patterns = Patterns::build(&fragmented).unwrap();
     follows_the_oracle(&case.refinable, &patterns, case.stride);
     let step_count = patterns.fragment_count();
+    let errors = (0..step_count as u32).map(|step| fragmented.fragments.floor_error(step)).collect();
+    let unpacked = patterns.unpack(errors).unwrap();
+    let again = FragmentedMesh { mesh: fragmented.mesh.clone(), fragments: unpacked };
+    assert_eq!(Patterns::build(&again).unwrap(), patterns, "unpacked and built again");
     if step_count == 0 {
         return;
     }

@@ -1,10 +1,12 @@
 //! Meshes and random collapse sequences for tests, and what every model is held to.
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test file uses its own part")]
 
+mod checksums;
 mod oracle;
 mod suite;
 mod whim;
 
+pub use checksums::with_sound_checksums;
 pub use oracle::{follows_the_oracle, follows_the_oracle_at, selective_triangles};
 use striata::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, Material, PositionIndex, RefinableMesh, Semantic,

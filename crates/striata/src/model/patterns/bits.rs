@@ -7,7 +7,7 @@ pub(super) const MAX_WIDTH: u32 = 57;
 
 /// Bits in bytes, the lowest first.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::model) struct Bits {
+pub(super) struct Bits {
     bytes: Vec<u8>,
     len: usize,
 }
@@ -20,7 +20,7 @@ impl Default for Bits {
 
 impl Bits {
     /// From bytes that hold `len` bits and no others; none where there are too few or too many, or bits behind the last.
-    pub(in crate::model) fn from_bytes(bytes: &[u8], len: usize) -> Option<Self> {
+    pub(super) fn from_bytes(bytes: &[u8], len: usize) -> Option<Self> {
         if bytes.len() != len.div_ceil(8) {
             return None;
         }
@@ -35,12 +35,12 @@ impl Bits {
     }
 
     /// The bytes that hold the bits.
-    pub(in crate::model) fn as_bytes(&self) -> &[u8] {
+    pub(super) fn as_bytes(&self) -> &[u8] {
         &self.bytes[..self.bytes.len() - PADDING]
     }
 
     /// Bits in all.
-    pub(in crate::model) fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.len
     }
 
@@ -90,7 +90,7 @@ mod tests {
         let mut random = Random::new(3);
         let numbers: Vec<(u64, u32)> = (0..500)
             .map(|_| {
-                let width = random.below(MAX_WIDTH as usize + 1) as u32;
+                let width = random.below(MAX_WIDTH + 1);
                 ((random.unit() * (1u64 << width) as f64) as u64, width)
             })
             .collect();
