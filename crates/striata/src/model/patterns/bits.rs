@@ -45,7 +45,7 @@ impl Bits {
     }
 
     /// Appends the lower `width` bits of a number that has no others.
-    pub(super) fn push(&mut self, number: u64, width: u32) {
+    pub(in crate::model) fn push(&mut self, number: u64, width: u32) {
         debug_assert!(
             width <= MAX_WIDTH && (width == 64 || number >> width == 0),
             "{number} in {width} bits"
@@ -60,7 +60,7 @@ impl Bits {
 
     /// The number of `width` bits that begins at a bit.
     #[inline]
-    pub(super) fn get(&self, at: usize, width: u32) -> u64 {
+    pub(in crate::model) fn get(&self, at: usize, width: u32) -> u64 {
         self.word(at / 8) >> (at % 8) & ((1 << width) - 1)
     }
 
@@ -70,7 +70,7 @@ impl Bits {
     }
 
     /// Bytes in memory.
-    pub(super) fn bytes(&self) -> usize {
+    pub(in crate::model) fn bytes(&self) -> usize {
         self.bytes.len()
     }
 }
