@@ -27,7 +27,6 @@
 //! Cost: building is linear but for the search of rules; inserting and removing a fragment touches its own triangles and a few list
 //! heads, so extraction is linear in what it shows.
 
-pub(in crate::model) mod bits;
 mod bounds;
 mod build;
 mod condition;

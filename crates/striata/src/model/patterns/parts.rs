@@ -4,13 +4,13 @@
 //! that it stands for and built again: if that gives the same, it is what a build makes, and nothing it says can be
 //! wrong for any set of fragments.
 
-use super::bits::Bits;
 use super::build::Extras;
 use super::overlaps::{MAX_RUN, OverlapTable, Share};
 use super::records::{Records, Widths};
 use super::rule::{NONE, Rule};
 use super::rule_table::RuleTable;
 use super::{BaseFace, Patterns};
+use crate::model::bits::Bits;
 use crate::model::{ModelError, StepVertices};
 
 /// Everything that a file holds of patterns.

@@ -4,9 +4,9 @@
 //! block its links begin), then the links, as wide as the steps that they can name need: links up name later steps, links
 //! down earlier ones. Where the next step's links begin says how many links down there are.
 
-use super::bits::{Bits, MAX_WIDTH, width_of};
 use super::overlaps::OverlapTable;
 use crate::model::ModelError;
+use crate::model::bits::{Bits, MAX_WIDTH, width_of};
 
 /// Steps whose links stand together.
 const BLOCK: usize = 16;

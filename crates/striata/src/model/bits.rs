@@ -3,11 +3,11 @@
 /// Spare bytes at the end, so that any number can be read as part of a whole word.
 const PADDING: usize = 8;
 /// The widest number that a word holds wherever in a byte it begins.
-pub(super) const MAX_WIDTH: u32 = 57;
+pub(in crate::model) const MAX_WIDTH: u32 = 57;
 
 /// Bits in bytes, the lowest first.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Bits {
+pub(in crate::model) struct Bits {
     bytes: Vec<u8>,
     len: usize,
 }
@@ -20,7 +20,7 @@ impl Default for Bits {
 
 impl Bits {
     /// From bytes that hold `len` bits and no others; none where there are too few or too many, or bits behind the last.
-    pub(super) fn from_bytes(bytes: &[u8], len: usize) -> Option<Self> {
+    pub(in crate::model) fn from_bytes(bytes: &[u8], len: usize) -> Option<Self> {
         if bytes.len() != len.div_ceil(8) {
             return None;
         }
@@ -35,12 +35,12 @@ impl Bits {
     }
 
     /// The bytes that hold the bits.
-    pub(super) fn as_bytes(&self) -> &[u8] {
+    pub(in crate::model) fn as_bytes(&self) -> &[u8] {
         &self.bytes[..self.bytes.len() - PADDING]
     }
 
     /// Bits in all.
-    pub(super) fn len(&self) -> usize {
+    pub(in crate::model) fn len(&self) -> usize {
         self.len
     }
 
@@ -76,7 +76,7 @@ impl Bits {
 }
 
 /// Bits that numbers below `count` take.
-pub(super) fn width_of(count: u64) -> u32 {
+pub(in crate::model) fn width_of(count: u64) -> u32 {
     u64::BITS - count.saturating_sub(1).leading_zeros()
 }
 
