@@ -6,7 +6,7 @@ use super::{
 };
 use crate::mesh::{Face, Fragment, FragmentSequence, PositionIndex};
 use crate::model::baseline::loop_patterns::{Found, Rule, RuleTable, Surface};
-use crate::model::patterns::bits::Bits;
+use crate::model::bits::Bits;
 
 /// Reads fragments one after the other and keeps the level that they lead to.
 #[derive(Debug)]

@@ -9,7 +9,7 @@ use super::{
 use crate::mesh::{FragmentSequence, FragmentedMesh};
 use crate::model::ModelError;
 use crate::model::baseline::loop_patterns::{Found, Rule, Shape, Side, Surface, check_form};
-use crate::model::patterns::bits::Bits;
+use crate::model::bits::Bits;
 
 impl SequentialPatterns {
     /// Writes all levels of a mesh.
