@@ -19,8 +19,6 @@ pub(super) struct Engine<'a> {
     options: &'a RemovalOptions,
     judge: Judge<'a>,
     heap: IndexedHeap,
-    /// True where the key is the cost, not less.
-    is_judged: Vec<bool>,
     triangle_count: usize,
     record: RemovalRecord,
     floor: Vec<([u32; 3], u32)>,
@@ -31,14 +29,12 @@ pub(super) struct Engine<'a> {
 impl<'a> Engine<'a> {
     pub(super) fn new(welded: &'a Welded, options: &'a RemovalOptions) -> Self {
         let judge = Judge::new(welded, options);
-        let position_count = judge.positions.len();
         let is_collapsing = options.retriangulation == Retriangulation::Collapse;
         let targets = is_collapsing.then(|| vec![0; welded.mesh.vertex_count()]);
         Self {
             options,
             judge,
             heap: IndexedHeap::new(&[]),
-            is_judged: vec![false; position_count],
             triangle_count: welded.mesh.triangle_count(),
             record: RemovalRecord { targets, ..RemovalRecord::default() },
             floor: Vec::new(),
@@ -52,8 +48,8 @@ impl<'a> Engine<'a> {
         mut self,
         progress: &mut ProgressFn<'_>,
     ) -> Result<(RemovalRecord, Faces, StopReason), SimplifyError> {
-        let total = self.is_judged.len() as u64;
-        let mut keys = Vec::with_capacity(self.is_judged.len());
+        let total = self.judge.positions.len() as u64;
+        let mut keys = Vec::with_capacity(self.judge.positions.len());
         for v in 0..total as u32 {
             keys.push(self.key(v));
         }

@@ -29,11 +29,23 @@ const FLIP_COSINE: f32 = 0.2;
 const SLIVER_QUALITY: f32 = 0.01;
 /// Below this the normal of a triangle is noise.
 const NEEDLE_QUALITY: f32 = 0.02;
+/// Squared gaps under this share of the squared edge are what single precision leaves of flat places.
+const GAP_NOISE: f32 = 1e-11;
 /// Makes `TWICE_ROOT_3 * |normal| / (sum of squared edges)` 1 for equilateral triangles.
 const TWICE_ROOT_3: f32 = 3.464_101_6;
 
 /// Three indices into the ring, counterclockwise.
 pub(super) type RingTriangle = [u8; 3];
+
+/// Sharp edges at a vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Features {
+    None,
+    /// One passes through, to these two members of the ring.
+    Course(usize, usize),
+    /// They meet or end here.
+    Corner,
+}
 
 /// One hole, prepared for the search; scratch.
 #[derive(Debug, Default)]
@@ -134,6 +146,22 @@ impl Hole {
         }
     }
 
+    /// Which spokes are sharp: the normals on both sides have less than this cosine between them.
+    pub(super) fn sharp_spokes(&self, cosine: f32) -> Features {
+        let first = usize::from(!self.is_closed);
+        let is_sharp = |i: &usize| {
+            let before = if *i == 0 { self.n - 1 } else { i - 1 };
+            let (a, b) = (self.normals[before], self.normals[*i]);
+            a.dot(b) < cosine * a.length() * b.length()
+        };
+        let mut sharp = (first..self.triangle_count()).filter(is_sharp);
+        match (sharp.next(), sharp.next(), sharp.next()) {
+            (None, ..) => Features::None,
+            (Some(a), Some(b), None) if self.is_closed => Features::Course(a, b),
+            _ => Features::Corner,
+        }
+    }
+
     /// True where an edge of the ring, old or new, closes it from the last to the first.
     fn is_side(&self, i: usize, j: usize) -> bool {
         j == i + 1 || (i == 0 && j + 1 == self.n)
@@ -177,7 +205,9 @@ impl Hole {
             if own * its < 0.0 {
                 let crossing = self.ring[k] * (own / (own - its));
                 let gap = along.cross(crossing - from).length_squared() / length_squared;
-                worst = worst.max(gap);
+                if gap > GAP_NOISE * length_squared {
+                    worst = worst.max(gap);
+                }
             }
         };
         if own > 0.0 {

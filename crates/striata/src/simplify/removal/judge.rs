@@ -16,7 +16,7 @@ use crate::simplify::wedges::Wedges;
 
 use glam::Vec3;
 
-use super::hole::{Hole, RingTriangle};
+use super::hole::{Features, Hole, RingTriangle};
 use super::options::{RemovalOptions, Retriangulation};
 use super::points::{Points, nearest};
 
@@ -57,8 +57,12 @@ pub(super) struct Judge<'a> {
     hole: Hole,
     legality: Legality,
     is_locked: Vec<bool>,
+    /// Of the angle between normals from which on an edge is a feature.
+    feature_cosine: Option<f32>,
     has_wedges: bool,
-    /// The vertex that each neighbour shows in a plain star.
+    /// True where the star loaded last shows one vertex at each position and lies in one group.
+    is_plain: bool,
+    /// Those vertices.
     shown: Vec<u32>,
     /// What fills the hole, in indices into the star.
     pub(super) floor: Vec<RingTriangle>,
@@ -101,7 +105,9 @@ impl<'a> Judge<'a> {
             hole: Hole::default(),
             legality: Legality::default(),
             is_locked: locked_positions(welded, &options.locked_vertices),
+            feature_cosine: options.feature_angle.map(|angle| cosine(angle) as f32),
             has_wedges,
+            is_plain: false,
             shown: Vec::new(),
             floor: Vec::new(),
             floor_corners: Vec::new(),
@@ -122,7 +128,8 @@ impl<'a> Judge<'a> {
         self.points.load(&self.star.triangles, &self.positions, v);
         let kind = self.links.kind(v);
         let is_ring = matches!(kind, LinkKind::Closed | LinkKind::Open);
-        if is_ring && degree > 1 && self.is_plain() { self.judge_ring(v) } else { self.judge_collapses(v) }
+        self.is_plain = is_ring && degree > 1 && self.find_shown();
+        if self.is_plain { self.judge_ring(v) } else { self.judge_collapses(v) }
     }
 
     fn is_boundary(&self, v: u32) -> bool {
@@ -136,8 +143,8 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// True where the star, a ring, shows one vertex at each of its positions and lies in one group; those are then in `shown`.
-    fn is_plain(&mut self) -> bool {
+    /// True where the star, a ring, shows one vertex at each of its positions and lies in one group.
+    fn find_shown(&mut self) -> bool {
         self.shown.clear();
         let group = self.groups[self.star.triangles[0] as usize];
         if self.star.triangles.iter().any(|&t| self.groups[t as usize] != group) {
@@ -243,7 +250,7 @@ impl<'a> Judge<'a> {
         let (increase, worst) = self.increase();
         let worst = worst.max(gap_squared);
         let rms = t[5] * increase.max(0.0) + still;
-        let cost = rms.powf(1.0 - t[6]) * (area * worst).powf(t[6]) + t[7] * area * worst;
+        let cost = self.mix(rms, area, worst);
         Some(Verdict { cost, filling, gap_squared })
     }
 
@@ -259,22 +266,24 @@ impl<'a> Judge<'a> {
         (sum, worst)
     }
 
+    fn mix(&self, rms: f32, area: f32, worst: f32) -> f32 {
+        let t = &self.options.tuning;
+        let before = self.points.loaded.iter().map(|p| p.before).fold(0.0, f32::max);
+        let rise = (worst * worst - before * before).max(0.0);
+        rms + t[7] * area * worst + t[8] * worst * worst + t[9] * rise
+    }
+
     /// Keeps the sharp edges of the star; false where that leaves nothing to do.
     fn keep_features(&mut self) -> bool {
-        let Some(angle) = self.options.feature_angle else { return true };
-        let features = self.star_features(angle);
-        match features[..] {
-            [] => true,
-            [a, b] => {
+        let Some(cosine) = self.feature_cosine else { return true };
+        match self.hole.sharp_spokes(cosine) {
+            Features::None => true,
+            Features::Course(a, b) => {
                 self.hole.keep_edge(a, b);
                 true
             }
-            _ => false,
+            Features::Corner => false,
         }
-    }
-
-    fn star_features(&self, _angle: f64) -> Vec<usize> {
-        Vec::new()
     }
 
     /// The best half-edge collapse: where attributes, groups or the surface itself leave no other choice.
@@ -288,6 +297,17 @@ impl<'a> Judge<'a> {
             if wedges.is_split(v) { Some(&is_seam) } else { None };
         self.star.apply_borders(kind, seam);
         self.star.triangles = triangles;
+        if let (Some(cosine), LinkKind::Closed | LinkKind::Open) = (self.feature_cosine, kind) {
+            self.hole.load((0..self.star.ids.len()).map(|i| self.star.offset(i)), kind == LinkKind::Closed);
+            match self.hole.sharp_spokes(cosine) {
+                Features::None => {}
+                Features::Course(a, b) => {
+                    let others = (0..self.star.ids.len()).filter(|&i| i != a && i != b);
+                    others.for_each(|i| self.star.costs[i] = f32::INFINITY);
+                }
+                Features::Corner => return None,
+            }
+        }
         let mut best: Option<Verdict> = None;
         for k in 0..self.star.ids.len() {
             if self.star.costs[k] < best.map_or(f32::INFINITY, |verdict| verdict.cost)
@@ -334,7 +354,7 @@ impl<'a> Judge<'a> {
         let t = &self.options.tuning;
         let area = self.star.area();
         let rms = t[5] * increase.max(0.0) + 0.2 * still;
-        let cost = rms.powf(1.0 - t[6]) * (area * worst).powf(t[6]) + t[7] * area * worst;
+        let cost = self.mix(rms, area, worst);
         Some(Verdict { cost, filling: Filling::Collapse(k), gap_squared })
     }
 
@@ -342,8 +362,7 @@ impl<'a> Judge<'a> {
     pub(super) fn floor_faces(&mut self, v: u32, filling: Filling, out: &mut Vec<([u32; 3], u32)>) {
         out.clear();
         let Self { star, wedges, groups, floor, shown, .. } = self;
-        let is_plain = !shown.is_empty();
-        if is_plain {
+        if self.is_plain {
             let group = groups[star.triangles[0] as usize];
             out.extend(floor.iter().map(|t| (t.map(|i| shown[i as usize]), group)));
             return;
@@ -360,6 +379,27 @@ impl<'a> Judge<'a> {
             let corners = wedges.corners(triangle).map(|c| if c == own { to } else { c });
             out.push((corners, groups[triangle as usize]));
         }
-    }
+    }}
 
+/// The cosine of an angle of at most half a turn: the same bits on every machine, which platform cosines are not.
+fn cosine(angle: f64) -> f64 {
+    let angle = angle.min(std::f64::consts::PI);
+    // Twice halved, the series needs few terms.
+    let quarter = 0.25 * angle;
+    let series = |x: f64| (1..10).rev().fold(1.0, |sum, k| 1.0 - sum * x * x / f64::from(2 * k * (2 * k - 1)));
+    let doubled = |c: f64| 2.0 * c * c - 1.0;
+    doubled(doubled(series(quarter)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cosines_are_right() {
+        for i in 0..=32 {
+            let angle = f64::from(i) / 32.0 * std::f64::consts::PI;
+            assert!((cosine(angle) - angle.cos()).abs() < 1e-13, "{angle}");
+        }
+    }
 }
