@@ -1,6 +1,7 @@
 //! From a mesh to its simplification sequence: half-edge collapses ordered by cost.
 
 mod attributes;
+mod cover;
 mod engine;
 mod fan;
 mod finish;
@@ -19,6 +20,7 @@ mod tracked;
 mod wedges;
 mod witness;
 
+pub use cover::{certify, certify_collapses};
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SequenceOptions, Simplified,
     SimplifyError, SimplifyOptions, StopReason, Target,
