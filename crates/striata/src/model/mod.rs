@@ -9,9 +9,11 @@ pub mod fans;
 pub mod geomorph;
 pub mod lod_strips;
 pub mod mts;
+pub mod patterns;
 
 mod error;
 mod record_arena;
+mod step_bits;
 mod step_vertices;
 mod strip_history;
 mod strip_input;
@@ -26,6 +28,7 @@ pub use fans::{
 pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
+pub use patterns::{Condition, Overlap, PatternChange, PatternInstance, Patterns, PatternsState};
 pub(crate) use step_vertices::StepVertices;
 
 use std::ops::Range;

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use super::ModelError;
-use crate::mesh::CollapseSequence;
+use crate::mesh::{CollapseSequence, Levels};
 
 /// What the model takes from the sequence: the vertices of each step and where they collapse to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -96,6 +96,20 @@ impl StepVertices<'_> {
             }
         }
         Ok(())
+    }
+}
+
+impl StepVertices<'static> {
+    /// The vertices of the steps between levels, for models that never ask for a target.
+    pub(super) fn of_levels(levels: &Levels) -> Self {
+        let positions = levels.positions();
+        let firsts = &positions.first_vertices()[levels.base_position_count()..];
+        Self {
+            vertex_count: positions.vertex_count(),
+            base_vertex_count: levels.base_vertex_count() as u32,
+            firsts: if positions.is_identity() { [].as_slice().into() } else { firsts.to_vec().into() },
+            targets: Cow::Borrowed(&[]),
+        }
     }
 }
 

@@ -11,8 +11,8 @@
 
 use wide::f32x8;
 
-use super::step_bits::StepBits;
 use super::{FanInstance, FanScene, Fans};
+use crate::model::step_bits::StepBits;
 use crate::view::{Criterion, Part, Verdict};
 
 /// Parent of the steps below the base.

@@ -1,7 +1,7 @@
 //! An instance of the table: a bit for each step, and the moves between sets of steps that are possible.
 
-use super::step_bits::StepBits;
 use super::{FanScene, Fans, listed};
+use crate::model::step_bits::StepBits;
 use crate::view::Criterion;
 
 /// Which steps an instance has taken: one bit each. Any set that it comes to is one that the sequence, leaving steps out,

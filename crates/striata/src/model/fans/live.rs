@@ -8,10 +8,10 @@
 //! Cost: 16 bytes a triangle, 4 a vertex of the mesh, and 4 for each arc of a vertex that is there, rounded up to a power of two;
 //! a change takes time in proportion to the triangles around it, and finding it a look at each 64 steps.
 
-use super::step_bits::StepBits;
 use super::table::FanView;
 use super::{FanInstance, Fans, MAX_ARCS};
 use crate::mesh::CollapseSequence;
+use crate::model::step_bits::StepBits;
 
 /// An arc that is not shown, a vertex that is not there.
 const NONE: u32 = u32::MAX;

@@ -37,7 +37,6 @@ mod live;
 mod morphs;
 mod scene;
 mod sets;
-mod step_bits;
 mod stored;
 mod table;
 mod validate;

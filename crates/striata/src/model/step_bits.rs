@@ -2,32 +2,32 @@
 
 /// Which steps are in a set.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct StepBits {
+pub(in crate::model) struct StepBits {
     words: Vec<u64>,
 }
 
 impl StepBits {
-    pub(super) fn none(step_count: usize) -> Self {
+    pub(in crate::model) fn none(step_count: usize) -> Self {
         Self { words: vec![0; step_count.div_ceil(64)] }
     }
 
     #[inline]
-    pub(super) fn has(&self, step: u32) -> bool {
+    pub(in crate::model) fn has(&self, step: u32) -> bool {
         self.words[step as usize / 64] & 1 << (step % 64) != 0
     }
 
     #[inline]
-    pub(super) fn insert(&mut self, step: u32) {
+    pub(in crate::model) fn insert(&mut self, step: u32) {
         self.words[step as usize / 64] |= 1 << (step % 64);
     }
 
     #[inline]
-    pub(super) fn remove(&mut self, step: u32) {
+    pub(in crate::model) fn remove(&mut self, step: u32) {
         self.words[step as usize / 64] &= !(1 << (step % 64));
     }
 
     /// The last step of the set before one.
-    pub(super) fn last_before(&self, end: u32) -> Option<u32> {
+    pub(in crate::model) fn last_before(&self, end: u32) -> Option<u32> {
         let (mut at, bit) = (end as usize / 64, end % 64);
         let mut word = self.words.get(at).map_or(0, |word| word & ((1 << bit) - 1));
         while word == 0 {
@@ -38,27 +38,27 @@ impl StepBits {
     }
 
     /// Puts the steps of a range in and takes all others out.
-    pub(super) fn set_range(&mut self, range: std::ops::Range<usize>) {
+    pub(in crate::model) fn set_range(&mut self, range: std::ops::Range<usize>) {
         self.words.fill(0);
         range.for_each(|step| self.insert(step as u32));
     }
 
     /// The steps that are in both sets, which are of the same length.
-    pub(super) fn and(&self, other: &Self) -> Self {
+    pub(in crate::model) fn and(&self, other: &Self) -> Self {
         Self { words: self.words.iter().zip(&other.words).map(|(a, b)| a & b).collect() }
     }
 
-    pub(super) fn count(&self) -> usize {
+    pub(in crate::model) fn count(&self) -> usize {
         self.words.iter().map(|word| word.count_ones() as usize).sum()
     }
 
     /// 64 steps a word, low bits first; those after the last step are 0.
     #[inline]
-    pub(super) fn words(&self) -> &[u64] {
+    pub(in crate::model) fn words(&self) -> &[u64] {
         &self.words
     }
 
-    pub(super) fn bytes(&self) -> usize {
+    pub(in crate::model) fn bytes(&self) -> usize {
         size_of_val(&self.words[..])
     }
 }

@@ -1,0 +1,123 @@
+//! Numbers of any width up to 57 bits, one after the other.
+
+/// Spare bytes at the end, so that any number can be read as part of a whole word.
+const PADDING: usize = 8;
+/// The widest number that a word holds wherever in a byte it begins.
+pub(super) const MAX_WIDTH: u32 = 57;
+
+/// Bits in bytes, the lowest first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::model) struct Bits {
+    bytes: Vec<u8>,
+    len: usize,
+}
+
+impl Default for Bits {
+    fn default() -> Self {
+        Self { bytes: vec![0; PADDING], len: 0 }
+    }
+}
+
+impl Bits {
+    /// From bytes that hold `len` bits and no others; none where there are too few or too many, or bits behind the last.
+    pub(in crate::model) fn from_bytes(bytes: &[u8], len: usize) -> Option<Self> {
+        if bytes.len() != len.div_ceil(8) {
+            return None;
+        }
+        let used = len % 8;
+        if used > 0 && bytes[bytes.len() - 1] >> used != 0 {
+            return None;
+        }
+        let mut padded = Vec::with_capacity(bytes.len() + PADDING);
+        padded.extend_from_slice(bytes);
+        padded.resize(bytes.len() + PADDING, 0);
+        Some(Self { bytes: padded, len })
+    }
+
+    /// The bytes that hold the bits.
+    pub(in crate::model) fn as_bytes(&self) -> &[u8] {
+        &self.bytes[..self.bytes.len() - PADDING]
+    }
+
+    /// Bits in all.
+    pub(in crate::model) fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Appends the lower `width` bits of a number that has no others.
+    pub(super) fn push(&mut self, number: u64, width: u32) {
+        debug_assert!(
+            width <= MAX_WIDTH && (width == 64 || number >> width == 0),
+            "{number} in {width} bits"
+        );
+        let (byte, shift) = (self.len / 8, self.len % 8);
+        self.len += width as usize;
+        self.bytes.resize(self.len.div_ceil(8) + PADDING, 0);
+        let mut word = self.word(byte);
+        word |= number << shift;
+        self.bytes[byte..byte + 8].copy_from_slice(&word.to_le_bytes());
+    }
+
+    /// The number of `width` bits that begins at a bit.
+    #[inline]
+    pub(super) fn get(&self, at: usize, width: u32) -> u64 {
+        self.word(at / 8) >> (at % 8) & ((1 << width) - 1)
+    }
+
+    #[inline]
+    fn word(&self, byte: usize) -> u64 {
+        u64::from_le_bytes(*self.bytes[byte..].first_chunk().expect("bits are padded"))
+    }
+
+    /// Bytes in memory.
+    pub(super) fn bytes(&self) -> usize {
+        self.bytes.len()
+    }
+}
+
+/// Bits that numbers below `count` take.
+pub(super) fn width_of(count: u64) -> u32 {
+    u64::BITS - count.saturating_sub(1).leading_zeros()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Random;
+
+    #[test]
+    fn numbers_are_read_as_they_were_written() {
+        let mut random = Random::new(3);
+        let numbers: Vec<(u64, u32)> = (0..500)
+            .map(|_| {
+                let width = random.below(MAX_WIDTH as usize + 1) as u32;
+                ((random.unit() * (1u64 << width) as f64) as u64, width)
+            })
+            .collect();
+        let mut bits = Bits::default();
+        for &(number, width) in &numbers {
+            bits.push(number, width);
+        }
+        let again = Bits::from_bytes(bits.as_bytes(), bits.len()).unwrap();
+        assert_eq!(again, bits);
+        let mut at = 0;
+        for (number, width) in numbers {
+            assert_eq!(again.get(at, width), number);
+            at += width as usize;
+        }
+        assert_eq!(at, bits.len());
+    }
+
+    #[test]
+    fn widths_hold_their_numbers() {
+        assert_eq!([0, 1, 2, 3, 4, 5, 256, 257].map(width_of), [0, 0, 1, 2, 2, 3, 8, 9]);
+    }
+
+    #[test]
+    fn bits_behind_the_last_are_refused() {
+        assert!(Bits::from_bytes(&[0b111], 3).is_some());
+        assert!(Bits::from_bytes(&[0b1111], 3).is_none());
+        assert!(Bits::from_bytes(&[0], 9).is_none());
+        assert!(Bits::from_bytes(&[0, 0], 8).is_none());
+    }
+}

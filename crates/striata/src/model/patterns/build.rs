@@ -1,0 +1,240 @@
+//! From fragments to patterns.
+
+use super::overlaps::{MAX_RUN, OverlapBook, Share};
+use super::records::{Draft, Records, Widths};
+use super::rule::{Matched, Rule, Rulebook, first_corner};
+use super::rule_table::RuleTable;
+use super::{BaseFace, Patterns};
+use crate::mesh::{Face, FragmentSequence, FragmentedMesh};
+use crate::model::{ModelError, StepVertices};
+
+/// Steps that are looked at to find out whether one is needed by another; what is not found is listed though it need not be.
+const MAX_SEARCH: usize = 96;
+
+impl Patterns {
+    /// The patterns of a mesh with fragments, whatever made them.
+    ///
+    /// # Errors
+    /// [`ModelError::TooMany`] where the links would take more than 512 MB.
+    pub fn build(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
+        let fragments = &mesh.fragments;
+        let group_count = mesh.mesh.groups.len().max(1);
+        let mut rulebook = Rulebook::new(fragments, group_count);
+        let mut places = Places::new(fragments);
+        let mut extras = Vec::new();
+        let mut rules_of = Vec::with_capacity(fragments.step_count());
+        for step in 0..fragments.step_count() as u32 {
+            let matched = rulebook.find(step);
+            places.note(&matched, rulebook.rule(matched.rule));
+            rules_of.push(matched.rule);
+            extras.push(matched.locals);
+        }
+        let rules = rulebook.into_table();
+        let extras = Extras::of(&rules, &rules_of, extras);
+        let mut ways = OverlapBook::default();
+        let mut drafts: Vec<Draft> = Vec::with_capacity(fragments.step_count());
+        let mut ancestry = Ancestry::new(fragments.step_count());
+        for step in 0..fragments.step_count() as u32 {
+            let (way, up) = places.share(step, &rules, &rules_of);
+            let below = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face)).collect();
+            let down = ancestry.add(below);
+            drafts.push(Draft { rule: rules_of[step as usize], way: ways.find(way), up, down });
+        }
+        let ways = ways.into_table();
+        let base = (0..fragments.base_face_count() as u32).map(|face| places.base_face(face)).collect();
+        let half_edge_count = rules.iter().map(|rule| 3 * rule.floor_count()).max().unwrap_or(0) as u32;
+        let widths =
+            Widths { rule_count: rules.len(), way_count: ways.len(), half_edge_count, offset_width: 0 };
+        Ok(Self {
+            vertices: StepVertices::of_levels(fragments.levels()),
+            group_count,
+            base,
+            unfounded: (0..fragments.step_count() as u32)
+                .filter(|&s| fragments.floor(s).is_empty())
+                .collect(),
+            records: Records::pack(&drafts, widths)?,
+            rules,
+            ways,
+            extras,
+        })
+    }
+}
+
+/// Vertices that a fragment has to name, since its triangles do not show them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(in crate::model) struct Extras {
+    /// Steps that name some, rising.
+    pub(super) steps: Vec<u32>,
+    /// First vertex of each, closed by their number.
+    pub(super) firsts: Vec<u32>,
+    pub(super) vertices: Vec<u32>,
+}
+
+impl Extras {
+    fn of(rules: &RuleTable, rules_of: &[u32], locals: Vec<Vec<u32>>) -> Self {
+        let mut extras = Self { firsts: vec![0], ..Self::default() };
+        for (step, (locals, &rule)) in locals.iter().zip(rules_of).enumerate() {
+            let known = extras.vertices.len();
+            extras.vertices.extend(rules.rule(rule).extras().map(|local| locals[local as usize]));
+            if extras.vertices.len() > known {
+                extras.steps.push(step as u32);
+                extras.firsts.push(extras.vertices.len() as u32);
+            }
+        }
+        extras
+    }
+
+    /// The vertices that a step names.
+    pub(super) fn of_step(&self, step: u32) -> &[u32] {
+        match self.steps.binary_search(&step) {
+            Ok(i) => &self.vertices[self.firsts[i] as usize..self.firsts[i + 1] as usize],
+            Err(_) => &[],
+        }
+    }
+
+    pub(super) fn bytes(&self) -> usize {
+        size_of::<u32>() * (self.steps.len() + self.firsts.len() + self.vertices.len())
+    }
+}
+
+/// Where each face stands: in the ceiling of its maker and in the floor of what replaces it.
+struct Places<'a> {
+    fragments: &'a FragmentSequence,
+    replaced_by: Vec<u32>,
+    /// Faces of all ceilings in the order of their rules.
+    ceilings: Vec<u32>,
+    /// For each face the corner of its youngest vertex in the floor that it is in, as a half-edge of the rule.
+    half_edges: Vec<u32>,
+}
+
+impl<'a> Places<'a> {
+    fn new(fragments: &'a FragmentSequence) -> Self {
+        Self {
+            fragments,
+            replaced_by: fragments.replaced_by(),
+            ceilings: Vec::with_capacity(fragments.faces().len() - fragments.base_face_count()),
+            half_edges: vec![0; fragments.faces().len()],
+        }
+    }
+
+    /// Takes down where the faces of the next step stand.
+    fn note(&mut self, matched: &Matched, rule: &Rule) {
+        self.ceilings.extend_from_slice(&matched.ceiling);
+        for (j, (&face, triangle)) in matched.floor.iter().zip(&rule.floor).enumerate() {
+            let corners = triangle.map(|local| matched.locals[local as usize]);
+            let youngest = (0..3).max_by_key(|&c| corners[c]).expect("a triangle has corners");
+            self.half_edges[face as usize] = (3 * j + youngest) as u32;
+        }
+    }
+
+    fn base_face(&self, face: u32) -> BaseFace {
+        let Face { corners: [a, b, c], group } = self.fragments.faces()[face as usize];
+        let above = self.replaced_by[face as usize];
+        let half_edge = if above == FragmentSequence::NO_STEP { 0 } else { self.half_edges[face as usize] };
+        BaseFace { corners: first_corner([a, b, c], a.max(b).max(c)), group, above, half_edge }
+    }
+
+    /// How a step's ceiling is shared, and the links of the shares.
+    fn share(&self, step: u32, rules: &RuleTable, rules_of: &[u32]) -> (Vec<Share>, Vec<(u32, u32)>) {
+        let base = self.fragments.base_face_count();
+        let range = self.fragments.ceiling(step);
+        let faces = &self.ceilings[range.start as usize - base..range.end as usize - base];
+        let above = |s: usize| self.replaced_by[faces[s] as usize];
+        let half_edge = |s: usize| self.half_edges[faces[s] as usize];
+        let follows = |s: usize, before: usize| {
+            let is_same = above(s) == above(before) && above(s) != FragmentSequence::NO_STEP;
+            is_same && {
+                let rule = rules.rule(rules_of[above(s) as usize]);
+                rule.next_around(half_edge(before)) == Some(half_edge(s))
+            }
+        };
+        let count = faces.len();
+        let mut way = vec![Share { link: Share::FULL, place: 0 }; count];
+        let mut up = Vec::new();
+        // Begins where a run does, so that none is cut where the ring was; links are numbered as their runs come.
+        let start = (0..count).find(|&s| !follows(s, (s + count - 1) % count)).unwrap_or(0);
+        let mut place = 0;
+        for i in 0..count {
+            let s = (start + i) % count;
+            if above(s) == FragmentSequence::NO_STEP {
+                continue;
+            }
+            place += 1;
+            if i == 0 || place == MAX_RUN || !follows(s, (s + count - 1) % count) {
+                place = 0;
+                up.push((above(s), half_edge(s)));
+            }
+            way[s] = Share { link: up.len() as u32 - 1, place };
+        }
+        renumber(&mut way, &mut up);
+        (way, up)
+    }
+}
+
+/// Numbers links in the order in which the ceiling names them, so that equal ways are equal.
+fn renumber(way: &mut [Share], up: &mut Vec<(u32, u32)>) {
+    let mut fresh = vec![u32::MAX; up.len()];
+    let mut order = Vec::with_capacity(up.len());
+    for share in way.iter_mut().filter(|share| share.link != Share::FULL) {
+        let number = &mut fresh[share.link as usize];
+        if *number == u32::MAX {
+            *number = order.len() as u32;
+            order.push(up[share.link as usize]);
+        }
+        share.link = *number;
+    }
+    *up = order;
+}
+
+/// Who needs whom: finds the steps that are needed by others of a list anyway.
+struct Ancestry {
+    below: Vec<Vec<u32>>,
+    /// The step for which each was seen last.
+    seen: Vec<u32>,
+    waiting: Vec<u32>,
+}
+
+impl Ancestry {
+    fn new(step_count: usize) -> Self {
+        Self { below: Vec::with_capacity(step_count), seen: vec![u32::MAX; step_count], waiting: Vec::new() }
+    }
+
+    /// Adds a step that stands on others; returns those of them that none of the rest needs, youngest first.
+    fn add(&mut self, mut below: Vec<u32>) -> Vec<u32> {
+        below.sort_unstable_by(|a, b| b.cmp(a));
+        below.dedup();
+        let step = self.below.len() as u32;
+        let Some(&oldest) = below.last() else {
+            self.below.push(Vec::new());
+            return Vec::new();
+        };
+        let mut kept: Vec<u32> = Vec::new();
+        self.waiting.clear();
+        let mut looked_at = 0;
+        for &candidate in &below {
+            // What is older than the candidate cannot need it, so the walk goes down no further than to it.
+            let mut later = Vec::new();
+            while let Some(at) = self.waiting.pop() {
+                if at <= candidate || looked_at == MAX_SEARCH {
+                    later.push(at);
+                    continue;
+                }
+                looked_at += 1;
+                for &next in &self.below[at as usize] {
+                    if next >= oldest && self.seen[next as usize] != step {
+                        self.seen[next as usize] = step;
+                        self.waiting.push(next);
+                    }
+                }
+            }
+            self.waiting = later;
+            if self.seen[candidate as usize] != step {
+                self.seen[candidate as usize] = step;
+                kept.push(candidate);
+                self.waiting.push(candidate);
+            }
+        }
+        self.below.push(kept.clone());
+        kept
+    }
+}

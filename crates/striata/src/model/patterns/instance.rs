@@ -1,0 +1,410 @@
+//! An instance: which fragments are inserted, and the triangles that are there.
+//!
+//! Every triangle waits in a list: of the step that would replace it, or, if the full mesh shows it, of the step that made it. So
+//! the floor of a step that can be inserted is its list, whatever the rest of the surface looks like, and no neighbours have
+//! to be kept. What stands in the list says where in the rule's floor a triangle is; corners begin with the youngest, so its
+//! vertices are known too.
+
+use super::overlaps::Share;
+use super::records::Head;
+use super::rule::{NONE, first_corner};
+use super::rule_table::RuleRef;
+use super::{Patterns, place_of, place_tag};
+use crate::model::step_bits::StepBits;
+
+/// A triangle that is there, or a free place.
+#[derive(Clone, Copy, Debug)]
+struct Slot {
+    /// The youngest first; [`NONE`] in a free place.
+    corners: [u32; 3],
+    /// The next triangle of the same list, or the next free place.
+    next: u32,
+    /// Where in the floor above the triangle is, see [`place_tag`]; for one of the full mesh its place in its ceiling.
+    place: u32,
+}
+
+/// An instance of patterns: a set of inserted fragments that stands, and its triangles.
+///
+/// Two are equal if they have the same fragments inserted.
+#[derive(Clone, Debug)]
+pub struct PatternInstance {
+    inserted: StepBits,
+    inserted_count: usize,
+    /// First triangle of each step's list.
+    heads: Vec<u32>,
+    slots: Vec<Slot>,
+    /// Group of each slot's triangle; empty in a model of one group.
+    groups: Vec<u32>,
+    free: u32,
+    triangle_count: usize,
+    scratch: Scratch,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    locals: Vec<u32>,
+    links: Vec<(u32, u32)>,
+    waiting: Vec<u32>,
+}
+
+impl PartialEq for PatternInstance {
+    fn eq(&self, other: &Self) -> bool {
+        self.inserted == other.inserted
+    }
+}
+
+impl Eq for PatternInstance {}
+
+impl PatternInstance {
+    /// An instance that shows the base.
+    pub fn base(patterns: &Patterns) -> Self {
+        let step_count = patterns.records.step_count;
+        let mut instance = Self {
+            inserted: StepBits::none(step_count),
+            inserted_count: 0,
+            heads: vec![NONE; step_count],
+            slots: Vec::with_capacity(patterns.base.len()),
+            groups: Vec::new(),
+            free: NONE,
+            triangle_count: 0,
+            scratch: Scratch::default(),
+        };
+        for face in &patterns.base {
+            let slot = instance.place(patterns, face.corners, face.group);
+            if face.above != NONE {
+                instance.list(face.above, slot, place_tag(face.half_edge, 0));
+            }
+        }
+        instance
+    }
+
+    /// An instance that shows the full mesh.
+    pub fn full(patterns: &Patterns) -> Self {
+        let mut instance = Self::base(patterns);
+        for step in 0..patterns.records.step_count as u32 {
+            instance.insert_founded(patterns, step);
+        }
+        instance
+    }
+
+    /// Whether a fragment is inserted: the position that its step restores is then there.
+    ///
+    /// # Panics
+    /// If there is no such step.
+    #[inline]
+    pub fn is_inserted(&self, step: u32) -> bool {
+        self.inserted.has(step)
+    }
+
+    /// Fragments that are inserted.
+    pub fn inserted_count(&self) -> usize {
+        self.inserted_count
+    }
+
+    /// Triangles that are there.
+    pub fn triangle_count(&self) -> usize {
+        self.triangle_count
+    }
+
+    /// Bytes that the instance owns.
+    pub fn bytes(&self) -> usize {
+        self.inserted.bytes()
+            + size_of_val(&self.heads[..])
+            + size_of_val(&self.slots[..])
+            + size_of_val(&self.groups[..])
+    }
+
+    /// Inserts a fragment, and before it all that it stands on; returns how many that were. `lay_foundation` of \[KG98\]
+    /// without recursion.
+    ///
+    /// # Panics
+    /// If there is no such step, or the instance is of another model.
+    pub fn insert(&mut self, patterns: &Patterns, step: u32) -> usize {
+        self.check(patterns);
+        let before = self.inserted_count;
+        self.lay_foundation(patterns, step, |_| ());
+        self.inserted_count - before
+    }
+
+    /// Removes a fragment, and before it all that stands on it; returns how many that were.
+    ///
+    /// # Panics
+    /// If there is no such step, or the instance is of another model.
+    pub fn remove(&mut self, patterns: &Patterns, step: u32) -> usize {
+        self.check(patterns);
+        let before = self.inserted_count;
+        let mut waiting = vec![step];
+        while let Some(&step) = waiting.last() {
+            if !self.inserted.has(step) {
+                waiting.pop();
+                continue;
+            }
+            let known = waiting.len();
+            patterns.for_each_above(step, |above| {
+                if self.inserted.has(above) {
+                    waiting.push(above);
+                }
+            });
+            if waiting.len() == known {
+                waiting.pop();
+                self.remove_top(patterns, step);
+            }
+        }
+        before - self.inserted_count
+    }
+
+    /// Appends the triangles that are there; in no order that means anything.
+    pub fn triangles_into(&self, out: &mut Vec<[u32; 3]>) {
+        out.reserve(self.triangle_count);
+        out.extend(self.slots.iter().map(|slot| slot.corners).filter(|corners| corners[0] != NONE));
+    }
+
+    /// Appends the triangles of one group.
+    pub fn group_triangles_into(&self, group: u32, out: &mut Vec<[u32; 3]>) {
+        if self.groups.is_empty() {
+            if group == 0 {
+                self.triangles_into(out);
+            }
+            return;
+        }
+        let of_group = self
+            .slots
+            .iter()
+            .zip(&self.groups)
+            .filter(|(slot, own)| slot.corners[0] != NONE && **own == group);
+        out.extend(of_group.map(|(slot, _)| slot.corners));
+    }
+
+    pub(super) fn check(&self, patterns: &Patterns) {
+        assert_eq!(self.heads.len(), patterns.records.step_count, "the instance is of another model");
+    }
+
+    /// The last inserted step before one.
+    pub(super) fn last_inserted_before(&self, end: u32) -> Option<u32> {
+        self.inserted.last_before(end)
+    }
+
+    /// Whether something that stands on a step is inserted.
+    pub(super) fn is_covered(&self, patterns: &Patterns, step: u32) -> bool {
+        let head = patterns.records.head(step);
+        (0..patterns.ways.link_count(head.way))
+            .any(|link| self.inserted.has(patterns.records.up(&head, link).0))
+    }
+
+    /// Inserts a step and whatever it stands on; tells each as it goes in.
+    pub(super) fn lay_foundation(&mut self, patterns: &Patterns, step: u32, mut inserted: impl FnMut(u32)) {
+        let mut waiting = std::mem::take(&mut self.scratch.waiting);
+        waiting.push(step);
+        while let Some(&step) = waiting.last() {
+            if self.inserted.has(step) {
+                waiting.pop();
+                continue;
+            }
+            let known = waiting.len();
+            let head = patterns.records.head(step);
+            let missing = patterns.down(&head).filter(|&below| !self.inserted.has(below));
+            waiting.extend(missing);
+            if waiting.len() == known {
+                waiting.pop();
+                self.insert_founded(patterns, step);
+                inserted(step);
+            }
+        }
+        self.scratch.waiting = waiting;
+    }
+
+    /// Inserts a step that has its whole floor: the floor's triangles become the ceiling's.
+    pub(super) fn insert_founded(&mut self, patterns: &Patterns, step: u32) {
+        let head = patterns.records.head(step);
+        let rule = patterns.rules.rule(head.rule);
+        let mut scratch = std::mem::take(&mut self.scratch);
+        scratch.start(patterns, step, &rule);
+        let mut slot = std::mem::replace(&mut self.heads[step as usize], NONE);
+        while slot != NONE {
+            let Slot { corners, next, place, .. } = self.slots[slot as usize];
+            let (half_edge, along) = place_of(place);
+            let half_edge = rule.around(half_edge, along).expect("a run goes on around its vertex");
+            scratch.set(turned(rule.floor(half_edge as usize / 3), half_edge % 3), corners);
+            self.release(slot);
+            slot = next;
+        }
+        scratch.load_links(patterns, &head);
+        for s in 0..rule.ceiling_count() {
+            let corners = rule.ceiling(s).map(|local| scratch.locals[local as usize]);
+            let slot = self.place(patterns, corners, rule.group(s));
+            let share = patterns.ways.share(head.way, s);
+            if share.link == Share::FULL {
+                self.list(step, slot, s as u32);
+            } else {
+                let (above, half_edge) = scratch.links[share.link as usize];
+                self.list(above, slot, place_tag(half_edge, share.place));
+            }
+        }
+        self.scratch = scratch;
+        self.inserted.insert(step);
+        self.inserted_count += 1;
+    }
+
+    /// Removes a step on which nothing stands: the ceiling's triangles become the floor's.
+    pub(super) fn remove_top(&mut self, patterns: &Patterns, step: u32) {
+        let head = patterns.records.head(step);
+        let rule = patterns.rules.rule(head.rule);
+        let mut scratch = std::mem::take(&mut self.scratch);
+        self.read_ceiling(patterns, (step, &head), &mut scratch, true);
+        for j in 0..rule.floor_count() {
+            let corners = rule.floor(j).map(|local| scratch.locals[local as usize]);
+            let youngest = corners[0].max(corners[1]).max(corners[2]);
+            let corner = corners.iter().position(|&v| v == youngest).unwrap_or(0);
+            let group = rule.group(rule.ceiling_count() + j);
+            let slot = self.place(patterns, first_corner(corners, youngest), group);
+            self.list(step, slot, place_tag((3 * j + corner) as u32, 0));
+        }
+        self.scratch = scratch;
+        self.inserted.remove(step);
+        self.inserted_count -= 1;
+    }
+
+    /// The steps that make the floor of an inserted step on which nothing stands, none for the base and for no floor; some several
+    /// times.
+    pub(super) fn floor_makers_into(&mut self, patterns: &Patterns, step: u32, out: &mut Vec<Option<u32>>) {
+        let head = patterns.records.head(step);
+        let mut scratch = std::mem::take(&mut self.scratch);
+        self.read_ceiling(patterns, (step, &head), &mut scratch, false);
+        out.clear();
+        let rule = patterns.rules.rule(head.rule);
+        if rule.floor_count() == 0 {
+            out.push(None);
+        }
+        for j in 0..rule.floor_count() {
+            let [a, b, c] = rule.floor(j).map(|local| scratch.locals[local as usize]);
+            let youngest = a.max(b).max(c);
+            let is_base = youngest < patterns.vertices.base_vertex_count;
+            out.push((!is_base).then(|| patterns.vertices.step_of(youngest) as u32));
+        }
+        self.scratch = scratch;
+    }
+
+    /// Reads the vertices of a ceiling, all of which is there, off its triangles; and takes these away if asked to.
+    fn read_ceiling(
+        &mut self,
+        patterns: &Patterns,
+        (step, head): (u32, &Head),
+        scratch: &mut Scratch,
+        is_taken_away: bool,
+    ) {
+        let rule = patterns.rules.rule(head.rule);
+        scratch.start(patterns, step, &rule);
+        scratch.load_links(patterns, head);
+        let mut slot = self.heads[step as usize];
+        while slot != NONE {
+            let Slot { corners, next, place, .. } = self.slots[slot as usize];
+            scratch.set(rule.ceiling(place as usize), corners);
+            if is_taken_away {
+                self.release(slot);
+            }
+            slot = next;
+        }
+        if is_taken_away {
+            self.heads[step as usize] = NONE;
+        }
+        for link in 0..scratch.links.len() {
+            let (above, half_edge) = scratch.links[link];
+            let floor = patterns.rules.rule(patterns.records.head(above).rule);
+            let is_of_run = |share: Share| share.link as usize == link;
+            let (mut slot, mut before) = (self.heads[above as usize], NONE);
+            while slot != NONE {
+                let Slot { corners, next, place, .. } = self.slots[slot as usize];
+                let (from, along) = place_of(place);
+                let at = floor.around(from, along);
+                let mut shares = patterns.ways.shares(head.way);
+                let own = shares.position(|s| is_of_run(s) && floor.around(half_edge, s.place) == at);
+                if let Some(s) = own {
+                    scratch.set(rule.ceiling(s), corners);
+                }
+                if own.is_some() && is_taken_away {
+                    match before {
+                        NONE => self.heads[above as usize] = next,
+                        before => self.slots[before as usize].next = next,
+                    }
+                    self.release(slot);
+                } else {
+                    before = slot;
+                }
+                slot = next;
+            }
+        }
+    }
+
+    /// Puts a triangle into a free place.
+    fn place(&mut self, patterns: &Patterns, corners: [u32; 3], group: u32) -> u32 {
+        self.triangle_count += 1;
+        let slot = Slot { corners, next: NONE, place: 0 };
+        let at = if self.free == NONE {
+            self.slots.push(slot);
+            if patterns.group_count > 1 {
+                self.groups.push(group);
+            }
+            return self.slots.len() as u32 - 1;
+        } else {
+            self.free
+        };
+        self.free = self.slots[at as usize].next;
+        self.slots[at as usize] = slot;
+        if patterns.group_count > 1 {
+            self.groups[at as usize] = group;
+        }
+        at
+    }
+
+    fn release(&mut self, slot: u32) {
+        self.triangle_count -= 1;
+        self.slots[slot as usize] = Slot { corners: [NONE; 3], next: self.free, place: 0 };
+        self.free = slot;
+    }
+
+    /// Puts a triangle into the list of a step.
+    #[inline]
+    fn list(&mut self, step: u32, slot: u32, place: u32) {
+        let head = &mut self.heads[step as usize];
+        let entry = &mut self.slots[slot as usize];
+        entry.next = std::mem::replace(head, slot);
+        entry.place = place;
+    }
+}
+
+impl Scratch {
+    /// Sets the vertices that a step restores and those that it names.
+    fn start(&mut self, patterns: &Patterns, step: u32, rule: &RuleRef<'_>) {
+        self.locals.clear();
+        self.locals.extend(patterns.vertices.of_step(step as usize));
+        self.locals.resize(rule.local_count(), 0);
+        let mut extras = rule.extras().peekable();
+        if extras.peek().is_some() {
+            for (local, &vertex) in extras.zip(patterns.extras.of_step(step)) {
+                self.locals[local as usize] = vertex;
+            }
+        }
+    }
+
+    fn load_links(&mut self, patterns: &Patterns, head: &Head) {
+        self.links.clear();
+        self.links
+            .extend((0..patterns.ways.link_count(head.way)).map(|link| patterns.records.up(head, link)));
+    }
+
+    fn set(&mut self, triangle: [u32; 3], corners: [u32; 3]) {
+        for (local, corner) in triangle.into_iter().zip(corners) {
+            self.locals[local as usize] = corner;
+        }
+    }
+}
+
+/// A triangle begun at one of its corners.
+#[inline]
+fn turned([a, b, c]: [u32; 3], corner: u32) -> [u32; 3] {
+    match corner {
+        0 => [a, b, c],
+        1 => [b, c, a],
+        _ => [c, a, b],
+    }
+}

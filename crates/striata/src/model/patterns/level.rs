@@ -1,0 +1,115 @@
+//! Patterns as a model of uniform levels.
+
+use super::{PatternInstance, Patterns};
+use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, StoredModel, Topology};
+
+/// An instance at a uniform level.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PatternsState {
+    instance: PatternInstance,
+}
+
+impl PatternsState {
+    /// The instance.
+    pub fn instance(&self) -> &PatternInstance {
+        &self.instance
+    }
+}
+
+/// Bits that the paper takes a link to need: a fragment and one of its loops.
+const PAPER_LINK_BITS: usize = 36;
+/// Bits of the two anchors, the rule with the number of loops, and the link down.
+const PAPER_FRAGMENT_BITS: usize = 64 + 16 + 36;
+
+impl LodModel for Patterns {
+    type State = PatternsState;
+
+    fn step_count(&self) -> usize {
+        self.fragment_count()
+    }
+
+    fn new_state(&self) -> PatternsState {
+        PatternsState { instance: PatternInstance::full(self) }
+    }
+
+    fn split_count(&self, state: &PatternsState) -> usize {
+        state.instance.inserted_count()
+    }
+
+    fn move_to(&self, state: &mut PatternsState, split_count: usize) {
+        assert!(
+            split_count <= self.fragment_count(),
+            "split count {split_count} of {}",
+            self.fragment_count()
+        );
+        state.instance.check(self);
+        let now = state.instance.inserted_count();
+        for step in (split_count..now).rev() {
+            state.instance.remove_top(self, step as u32);
+        }
+        for step in now..split_count {
+            state.instance.insert_founded(self, step as u32);
+        }
+    }
+
+    fn topology(&self) -> Topology {
+        Topology::Triangles
+    }
+
+    fn draw_counts(&self, state: &PatternsState) -> DrawCounts {
+        DrawCounts { strip_count: 0, index_count: 3 * state.instance.triangle_count() }
+    }
+
+    fn indices_into(&self, state: &PatternsState, out: &mut Vec<u32>) {
+        let mut triangles = Vec::new();
+        self.triangles_into(state, &mut triangles);
+        out.extend_from_slice(triangles.as_flattened());
+    }
+
+    fn triangles_into(&self, state: &PatternsState, out: &mut Vec<[u32; 3]>) {
+        for group in 0..self.group_count {
+            self.group_triangles_into(state, group, out);
+        }
+    }
+
+    fn bytes(&self) -> Vec<PartBytes> {
+        let [records, blocks] = self.records.bytes();
+        let part = |name, bytes| PartBytes { name, bytes };
+        vec![
+            part("records", records),
+            part("blocks of records", blocks),
+            part("table of rules", self.rules.bytes()),
+            part("table of ways", self.ways.bytes()),
+            part("base", size_of_val(&self.base[..]) + size_of_val(&self.unfounded[..])),
+            part("named vertices", self.extras.bytes()),
+            part("first vertices", size_of_val(&self.vertices.firsts[..])),
+        ]
+    }
+
+    fn state_bytes(&self, state: &PatternsState) -> usize {
+        state.instance.bytes()
+    }
+
+    fn paper_bytes(&self, _accounting: Accounting) -> usize {
+        (self.fragment_count() * PAPER_FRAGMENT_BITS + self.overlap_count() * PAPER_LINK_BITS).div_ceil(8)
+    }
+}
+
+impl StoredModel for Patterns {
+    fn vertex_count(&self) -> usize {
+        self.vertices.vertex_count
+    }
+
+    fn vertex_count_at(&self, split_count: usize) -> usize {
+        self.vertices.count_at(split_count)
+    }
+
+    fn group_count(&self) -> usize {
+        self.group_count
+    }
+
+    fn group_triangles_into(&self, state: &PatternsState, group: usize, out: &mut Vec<[u32; 3]>) {
+        assert!(group < self.group_count, "group {group} of {}", self.group_count);
+        state.instance.group_triangles_into(group as u32, out);
+    }
+}

@@ -1,0 +1,205 @@
+//! What is stored of each step, packed: rule, sharing of the ceiling, links up and down.
+//!
+//! Steps come in blocks of 16, each a run of bits: first a head of fixed width for each step (rule, way of sharing, where in the
+//! block its links begin), then the links, as wide as the steps that they can name need: links up name later steps, links
+//! down earlier ones. Where the next step's links begin says how many links down there are.
+
+use super::bits::{Bits, MAX_WIDTH, width_of};
+use super::overlaps::OverlapTable;
+use crate::model::ModelError;
+
+/// Steps whose links stand together.
+const BLOCK: usize = 16;
+
+/// What a step has before it is packed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Draft {
+    pub(super) rule: u32,
+    pub(super) way: u32,
+    /// For each link the step above, and the half-edge of its floor where the run begins.
+    pub(super) up: Vec<(u32, u32)>,
+    /// Steps that must be there before, without those that they need themselves.
+    pub(super) down: Vec<u32>,
+}
+
+/// All steps, packed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::model) struct Records {
+    pub(super) step_count: usize,
+    /// Half-edges of the largest floor, at least 1.
+    half_edge_count: u32,
+    rule_width: u32,
+    way_width: u32,
+    offset_width: u32,
+    /// Where each block begins, closed by the end of all.
+    blocks: Vec<u32>,
+    bits: Bits,
+}
+
+/// The head of a step and where its links are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Head {
+    pub(super) rule: u32,
+    pub(super) way: u32,
+    /// First bit of the links up.
+    at: usize,
+    step: u32,
+}
+
+/// The numbers that tell how records are packed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::model) struct Widths {
+    pub(super) rule_count: usize,
+    pub(super) way_count: usize,
+    pub(super) half_edge_count: u32,
+    pub(super) offset_width: u32,
+}
+
+impl Records {
+    /// Packs the records of all steps.
+    ///
+    /// # Errors
+    /// [`ModelError::TooMany`] if they need more bits than 32-bit numbers reach.
+    pub(super) fn pack(drafts: &[Draft], mut widths: Widths) -> Result<Self, ModelError> {
+        let mut records = Self::empty(drafts.len(), widths);
+        let most =
+            (0..drafts.len()).step_by(BLOCK).map(|first| records.link_bits(drafts, first).sum::<usize>());
+        widths.offset_width = width_of(most.max().unwrap_or(0) as u64 + 1);
+        records.offset_width = widths.offset_width;
+        for first in (0..drafts.len()).step_by(BLOCK) {
+            records.blocks.push(records.position()?);
+            let block = &drafts[first..drafts.len().min(first + BLOCK)];
+            let lengths: Vec<usize> = records.link_bits(drafts, first).collect();
+            let mut offset = 0;
+            for (draft, length) in block.iter().zip(lengths) {
+                records.bits.push(u64::from(draft.rule), records.rule_width);
+                records.bits.push(u64::from(draft.way), records.way_width);
+                records.bits.push(offset as u64, records.offset_width);
+                offset += length;
+            }
+            let (up_width, down_width) = records.link_widths(first as u32);
+            for draft in block {
+                for &(above, half_edge) in &draft.up {
+                    let above = u64::from(above) - first as u64;
+                    let number = above * u64::from(records.half_edge_count) + u64::from(half_edge);
+                    records.bits.push(number, up_width);
+                }
+                for &below in &draft.down {
+                    records.bits.push(u64::from(below), down_width);
+                }
+            }
+        }
+        records.blocks.push(records.position()?);
+        Ok(records)
+    }
+
+    /// Bits of the links of each step of a block.
+    fn link_bits<'d>(&self, drafts: &'d [Draft], first: usize) -> impl Iterator<Item = usize> + use<'d> {
+        let (up, down) = self.link_widths(first as u32);
+        let block = &drafts[first..drafts.len().min(first + BLOCK)];
+        block.iter().map(move |draft| draft.up.len() * up as usize + draft.down.len() * down as usize)
+    }
+
+    fn empty(step_count: usize, widths: Widths) -> Self {
+        Self {
+            step_count,
+            half_edge_count: widths.half_edge_count.max(1),
+            rule_width: width_of(widths.rule_count as u64),
+            way_width: width_of(widths.way_count as u64),
+            offset_width: widths.offset_width,
+            blocks: Vec::new(),
+            bits: Bits::default(),
+        }
+    }
+
+    fn position(&self) -> Result<u32, ModelError> {
+        let (found, limit) = (self.bits.len() as u64, u64::from(u32::MAX));
+        u32::try_from(found).map_err(|_| ModelError::TooMany { what: "bits of records", found, limit })
+    }
+
+    /// Bits of a link up and of a link down in a step's block.
+    #[inline]
+    fn link_widths(&self, step: u32) -> (u32, u32) {
+        let block = step as usize / BLOCK * BLOCK;
+        let above = (self.step_count - block) as u64 * u64::from(self.half_edge_count);
+        (width_of(above), width_of((block + BLOCK) as u64))
+    }
+
+    #[inline]
+    fn head_width(&self) -> usize {
+        (self.rule_width + self.way_width + self.offset_width) as usize
+    }
+
+    /// Steps of the block that a step is in.
+    #[inline]
+    fn block_len(&self, step: u32) -> usize {
+        (self.step_count - step as usize / BLOCK * BLOCK).min(BLOCK)
+    }
+
+    /// Where the head of a step begins, and the links of its block.
+    #[inline]
+    fn places(&self, step: u32) -> (usize, usize) {
+        let block = self.blocks[step as usize / BLOCK] as usize;
+        (block + step as usize % BLOCK * self.head_width(), block + self.block_len(step) * self.head_width())
+    }
+
+    #[inline]
+    pub(super) fn head(&self, step: u32) -> Head {
+        let (at, links) = self.places(step);
+        let rule = self.bits.get(at, self.rule_width) as u32;
+        let at = at + self.rule_width as usize;
+        let way = self.bits.get(at, self.way_width) as u32;
+        let offset = self.bits.get(at + self.way_width as usize, self.offset_width) as usize;
+        Head { rule, way, at: links + offset, step }
+    }
+
+    /// Where the links of a step end.
+    #[inline]
+    fn links_end(&self, step: u32) -> usize {
+        let next = step as usize + 1;
+        if next.is_multiple_of(BLOCK) || next == self.step_count {
+            return self.blocks[step as usize / BLOCK + 1] as usize;
+        }
+        let (at, links) = self.places(next as u32);
+        links + self.bits.get(at + (self.rule_width + self.way_width) as usize, self.offset_width) as usize
+    }
+
+    /// The step above that a link leads to, and the half-edge of its floor where the run begins.
+    #[inline]
+    pub(super) fn up(&self, head: &Head, link: usize) -> (u32, u32) {
+        let (width, _) = self.link_widths(head.step);
+        let number = self.bits.get(head.at + link * width as usize, width);
+        let above = number / u64::from(self.half_edge_count);
+        let half_edge = number - above * u64::from(self.half_edge_count);
+        (above as u32 + (head.step as usize / BLOCK * BLOCK) as u32, half_edge as u32)
+    }
+
+    /// The steps that a step stands on, without those that these need themselves.
+    #[inline]
+    pub(super) fn down(&self, head: &Head, link_count: usize) -> impl Iterator<Item = u32> + use<'_> {
+        let (up_width, width) = self.link_widths(head.step);
+        let begin = head.at + link_count * up_width as usize;
+        // A block has more than one step before its end, so the width is never 0.
+        let count = (self.links_end(head.step) - begin) / width as usize;
+        (0..count).map(move |i| self.bits.get(begin + i * width as usize, width) as u32)
+    }
+
+    /// Bytes of heads and links, and of where blocks begin.
+    pub(super) fn bytes(&self) -> [usize; 2] {
+        [self.bits.bytes(), size_of_val(&self.blocks[..])]
+    }
+
+    /// The parts as a file holds them.
+    pub(super) fn parts(&self) -> (&[u32], &Bits) {
+        (&self.blocks, &self.bits)
+    }
+
+    pub(super) fn widths(&self, rule_count: usize, way_count: usize) -> Widths {
+        Widths {
+            rule_count,
+            way_count,
+            half_edge_count: self.half_edge_count,
+            offset_width: self.offset_width,
+        }
+    }
+}

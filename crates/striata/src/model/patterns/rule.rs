@@ -1,0 +1,298 @@
+//! Rules: what a fragment looks like, whatever vertices it joins \[KG98\].
+//!
+//! Vertices of a fragment have local numbers: those that the step restores first, then the others. A rule lists the triangles of
+//! the ceiling and those of the floor by local numbers. Fragments that differ only by a rotation share a rule; mirror
+//! images do not, since triangles are oriented.
+//!
+//! Where the ceiling is one ring or one open run of triangles around one vertex, the others are numbered along it, and of
+//! all places to begin the one with the smallest floor is taken. Everywhere else (seams, edges of many triangles) they are numbered as they
+//! come: such fragments are right, and seldom share a rule.
+
+use std::collections::HashMap;
+
+use super::rule_table::RuleTable;
+use crate::mesh::{Face, FragmentSequence};
+
+/// Stands for no half-edge.
+pub(super) const NONE: u32 = u32::MAX;
+/// Rings longer than this are not turned: comparing all places to begin takes the square of their length.
+const MAX_TURNED: usize = 64;
+
+/// The triangles of a fragment in local numbers.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub(in crate::model) struct Rule {
+    /// Vertices that the step restores: the first local numbers.
+    pub(super) own_count: u32,
+    /// All local numbers.
+    pub(super) local_count: u32,
+    /// Each with its youngest corner first.
+    pub(super) ceiling: Vec<[u32; 3]>,
+    pub(super) floor: Vec<[u32; 3]>,
+    /// Groups of the ceiling's triangles; empty in a model of one group.
+    pub(super) ceiling_groups: Vec<u32>,
+    pub(super) floor_groups: Vec<u32>,
+    /// Local numbers that the ceiling and the floor do not both show: they are listed for each fragment.
+    pub(super) extras: Vec<u32>,
+    /// For corner `c` of floor triangle `j`, at `3 j + c`: the same vertex's corner in the next triangle around it.
+    pub(super) next_around: Vec<u32>,
+}
+
+impl Rule {
+    /// Completes a rule that has its triangles.
+    pub(super) fn completed(mut self) -> Self {
+        let mut shown = vec![0u8; self.local_count as usize];
+        for (bit, triangles) in [(1, &self.ceiling), (2, &self.floor)] {
+            for &local in triangles.iter().flatten() {
+                shown[local as usize] |= bit;
+            }
+        }
+        let is_extra = |&local: &u32| local >= self.own_count && shown[local as usize] != 3;
+        self.extras = (0..self.local_count).filter(is_extra).collect();
+        self.next_around = next_around(&self.floor);
+        self
+    }
+}
+
+/// For each corner of a floor the corner of the same vertex in the next triangle around it, if there is exactly one.
+fn next_around(floor: &[[u32; 3]]) -> Vec<u32> {
+    let corner = |h: usize| floor[h / 3][h % 3];
+    let after = |h: usize| floor[h / 3][(h + 1 - h / 3 * 3) % 3];
+    let before = |h: usize| floor[h / 3][(h + 2 - h / 3 * 3) % 3];
+    let mut starts: Vec<(u32, u32, usize)> = (0..3 * floor.len()).map(|h| (corner(h), after(h), h)).collect();
+    starts.sort_unstable();
+    let next = |h: usize| {
+        let wanted = (corner(h), before(h));
+        let at = starts.partition_point(|s| (s.0, s.1) < wanted);
+        let mut equal = starts[at..].iter().take_while(|s| (s.0, s.1) == wanted);
+        match (equal.next(), equal.next()) {
+            (Some(one), None) => one.2 as u32,
+            _ => NONE,
+        }
+    };
+    (0..3 * floor.len()).map(next).collect()
+}
+
+/// Finds the rules of fragments.
+pub(super) struct Rulebook<'a> {
+    fragments: &'a FragmentSequence,
+    is_grouped: bool,
+    rules: Vec<Rule>,
+    numbers: HashMap<Rule, u32>,
+}
+
+/// A fragment in the order of its rule.
+#[derive(Debug, Default)]
+pub(super) struct Matched {
+    pub(super) rule: u32,
+    /// Vertices by local number.
+    pub(super) locals: Vec<u32>,
+    /// Faces in the order of the rule's ceiling.
+    pub(super) ceiling: Vec<u32>,
+    /// Faces in the order of the rule's floor.
+    pub(super) floor: Vec<u32>,
+}
+
+impl<'a> Rulebook<'a> {
+    pub(super) fn new(fragments: &'a FragmentSequence, group_count: usize) -> Self {
+        Self { fragments, is_grouped: group_count > 1, rules: Vec::new(), numbers: HashMap::new() }
+    }
+
+    /// A rule that was found; without what completes it.
+    pub(super) fn rule(&self, number: u32) -> &Rule {
+        &self.rules[number as usize]
+    }
+
+    /// The table of all rules so far; numbered as they came.
+    pub(super) fn into_table(self) -> RuleTable {
+        RuleTable::pack(self.rules)
+    }
+
+    /// The rule of a step's fragment, a new one if it is the first of its kind.
+    pub(super) fn find(&mut self, step: u32) -> Matched {
+        let own: Vec<u32> = self.fragments.levels().step_vertices(step as usize).collect();
+        let ceiling: Vec<u32> = self.fragments.ceiling(step).collect();
+        let ring = if ceiling.len() <= MAX_TURNED { self.ring_of(&own, &ceiling) } else { None };
+        let (rule, mut matched) = match ring {
+            Some(ring) => self.turned(step, own[0], &ring),
+            None => self.as_it_comes(step, own, ceiling),
+        };
+        let fresh = self.rules.len() as u32;
+        matched.rule = *self.numbers.entry(rule).or_insert_with_key(|rule| {
+            self.rules.push(rule.clone());
+            fresh
+        });
+        matched
+    }
+
+    fn face(&self, face: u32) -> Face {
+        self.fragments.faces()[face as usize]
+    }
+
+    fn groups(&self, faces: &[u32]) -> Vec<u32> {
+        if self.is_grouped { faces.iter().map(|&face| self.face(face).group).collect() } else { Vec::new() }
+    }
+
+    /// The triangles around the only restored vertex as one ring or one open run, if they are that.
+    fn ring_of(&self, own: &[u32], ceiling: &[u32]) -> Option<Ring> {
+        let &[center] = own else { return None };
+        let mut arcs = Vec::with_capacity(ceiling.len());
+        for &face in ceiling {
+            let [_, from, to] = first_corner(self.face(face).corners, center);
+            arcs.push((from, to, face));
+        }
+        Ring::of(arcs)
+    }
+
+    /// The fragment with its ring begun at each place in turn: the one with the smallest floor.
+    fn turned(&self, step: u32, center: u32, ring: &Ring) -> (Rule, Matched) {
+        let floor_faces = self.fragments.floor(step);
+        let turns = if ring.is_closed { ring.vertices.len() } else { 1 };
+        let mut best: Option<(Vec<Placed>, Vec<u32>, usize)> = None;
+        for turn in 0..turns {
+            let Some(floor) = self.floor_from(floor_faces, ring, turn) else {
+                // A vertex of the floor is not on the ring: the target lies elsewhere.
+                return self.as_it_comes(step, vec![center], self.fragments.ceiling(step).collect());
+            };
+            let mut faces = ring.faces.clone();
+            faces.rotate_left(turn);
+            let groups = self.groups(&faces);
+            let is_less = best.as_ref().is_none_or(|(old, old_groups, _)| {
+                let order = floor.iter().map(Placed::shape).cmp(old.iter().map(Placed::shape));
+                order.then_with(|| groups.cmp(old_groups)).is_lt()
+            });
+            if is_less {
+                best = Some((floor, groups, turn));
+            }
+        }
+        let (floor, ceiling_groups, turn) = best.expect("a ring has a first place");
+        let count = ring.vertices.len();
+        let local = |place: usize| 1 + (place % count) as u32;
+        let mut faces = ring.faces.clone();
+        faces.rotate_left(turn);
+        let locals = std::iter::once(center).chain((0..count).map(|i| ring.vertices[(i + turn) % count]));
+        let floor_faces = floor.iter().map(|placed| placed.face).collect::<Vec<_>>();
+        let rule = Rule {
+            own_count: 1,
+            local_count: 1 + count as u32,
+            ceiling: (0..faces.len()).map(|s| [0, local(s), local(s + 1)]).collect(),
+            floor: floor.iter().map(|placed| placed.locals).collect(),
+            ceiling_groups,
+            floor_groups: self.groups(&floor_faces),
+            ..Rule::default()
+        };
+        (rule, Matched { rule: 0, locals: locals.collect(), ceiling: faces, floor: floor_faces })
+    }
+
+    /// The floor's triangles, groups and faces, sorted, with the ring begun at a place; none if one leaves the ring.
+    fn floor_from(&self, faces: &[u32], ring: &Ring, turn: usize) -> Option<Vec<Placed>> {
+        let count = ring.vertices.len();
+        let mut out = Vec::with_capacity(faces.len());
+        for &number in faces {
+            let face = self.face(number);
+            let mut locals = [0; 3];
+            for (local, corner) in locals.iter_mut().zip(face.corners) {
+                let place = ring.vertices.iter().position(|&v| v == corner)?;
+                *local = 1 + ((place + count - turn) % count) as u32;
+            }
+            let least = *locals.iter().min()?;
+            let group = if self.is_grouped { face.group } else { 0 };
+            out.push(Placed { locals: first_corner(locals, least), group, face: number });
+        }
+        out.sort_unstable();
+        Some(out)
+    }
+
+    /// The fragment with its vertices numbered in the order in which its triangles name them.
+    fn as_it_comes(&self, step: u32, own: Vec<u32>, ceiling: Vec<u32>) -> (Rule, Matched) {
+        let own_count = own.len() as u32;
+        let mut numbers: HashMap<u32, u32> = own.iter().copied().zip(0..).collect();
+        let mut locals = own;
+        let floor = self.fragments.floor(step).to_vec();
+        let mut localize = |face: u32| {
+            let corners = self.fragments.faces()[face as usize].corners;
+            corners.map(|v| {
+                *numbers.entry(v).or_insert_with(|| {
+                    locals.push(v);
+                    locals.len() as u32 - 1
+                })
+            })
+        };
+        let youngest_first = |triangle: [u32; 3]| {
+            let youngest = triangle.into_iter().filter(|&local| local < own_count).max();
+            first_corner(triangle, youngest.expect("a ceiling's triangle has a restored corner"))
+        };
+        let ceiling_locals = ceiling.iter().map(|&face| youngest_first(localize(face))).collect();
+        let floor_locals = floor.iter().map(|&face| localize(face)).collect();
+        let rule = Rule {
+            own_count,
+            local_count: locals.len() as u32,
+            ceiling: ceiling_locals,
+            floor: floor_locals,
+            ceiling_groups: self.groups(&ceiling),
+            floor_groups: self.groups(&floor),
+            ..Rule::default()
+        };
+        (rule, Matched { rule: 0, locals, ceiling, floor })
+    }
+}
+
+/// A triangle of a floor in local numbers.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Placed {
+    locals: [u32; 3],
+    group: u32,
+    face: u32,
+}
+
+impl Placed {
+    fn shape(&self) -> ([u32; 3], u32) {
+        (self.locals, self.group)
+    }
+}
+
+/// A triangle turned so that a corner comes first.
+pub(super) fn first_corner([a, b, c]: [u32; 3], first: u32) -> [u32; 3] {
+    if a == first {
+        [a, b, c]
+    } else if b == first {
+        [b, c, a]
+    } else {
+        [c, a, b]
+    }
+}
+
+/// Triangles around a vertex that follow each other.
+struct Ring {
+    is_closed: bool,
+    vertices: Vec<u32>,
+    faces: Vec<u32>,
+}
+
+impl Ring {
+    /// From (corner after the centre, corner after that, face); none where they are not one run that passes no vertex
+    /// twice.
+    fn of(mut arcs: Vec<(u32, u32, u32)>) -> Option<Self> {
+        let is_end = |v: u32| arcs.iter().any(|arc| arc.1 == v);
+        let starts = arcs.iter().filter(|arc| !is_end(arc.0)).count();
+        let first = match starts {
+            0 => arcs.iter().map(|arc| arc.0).min()?,
+            1 => arcs.iter().find(|arc| !is_end(arc.0))?.0,
+            _ => return None,
+        };
+        let mut ring = Self { is_closed: starts == 0, vertices: vec![first], faces: Vec::new() };
+        let mut at = first;
+        while let Some(found) = arcs.iter().position(|arc| arc.0 == at) {
+            let (_, to, face) = arcs.swap_remove(found);
+            ring.faces.push(face);
+            at = to;
+            if at == first {
+                break;
+            }
+            if ring.vertices.contains(&at) {
+                return None;
+            }
+            ring.vertices.push(at);
+        }
+        (arcs.is_empty() && ring.is_closed == (at == first)).then_some(ring)
+    }
+}

@@ -1,0 +1,187 @@
+//! All rules of a model, one after the other, in bytes where their numbers are small.
+
+use super::rule::Rule;
+
+/// All rules of a model.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(in crate::model) struct RuleTable {
+    entries: Vec<Entry>,
+    narrow: Vec<u8>,
+    wide: Vec<u32>,
+    /// Whether each triangle has a group.
+    is_grouped: bool,
+}
+
+/// Sizes of a rule, and where its numbers begin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Entry {
+    first: u32,
+    own_count: u32,
+    local_count: u32,
+    ceiling_count: u32,
+    floor_count: u32,
+    extra_count: u32,
+    is_wide: bool,
+}
+
+/// A rule in the table: triangles of the ceiling, of the floor, what follows around each corner of the floor, numbers that
+/// are named, groups of the ceiling and of the floor.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RuleRef<'a> {
+    entry: Entry,
+    numbers: Numbers<'a>,
+    is_grouped: bool,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Numbers<'a> {
+    Narrow(&'a [u8]),
+    Wide(&'a [u32]),
+}
+
+/// Stands for no corner in a narrow rule.
+const NARROW_NONE: u8 = u8::MAX;
+
+impl RuleTable {
+    /// Packs rules that have their triangles and local numbers.
+    pub(super) fn pack(rules: impl IntoIterator<Item = Rule>) -> Self {
+        let mut table = Self::default();
+        for rule in rules.into_iter().map(Rule::completed) {
+            table.push(&rule);
+        }
+        table
+    }
+
+    fn push(&mut self, rule: &Rule) {
+        let numbers = || {
+            let triangles = rule.ceiling.iter().chain(&rule.floor).flatten();
+            let groups = rule.ceiling_groups.iter().chain(&rule.floor_groups);
+            triangles.chain(&rule.next_around).chain(&rule.extras).chain(groups).copied()
+        };
+        self.is_grouped |= !rule.ceiling_groups.is_empty() || !rule.floor_groups.is_empty();
+        let is_wide = numbers().any(|n| n != super::rule::NONE && n >= u32::from(NARROW_NONE));
+        let first = if is_wide { self.wide.len() } else { self.narrow.len() };
+        self.entries.push(Entry {
+            first: first as u32,
+            own_count: rule.own_count,
+            local_count: rule.local_count,
+            ceiling_count: rule.ceiling.len() as u32,
+            floor_count: rule.floor.len() as u32,
+            extra_count: rule.extras.len() as u32,
+            is_wide,
+        });
+        if is_wide {
+            self.wide.extend(numbers());
+        } else {
+            self.narrow.extend(numbers().map(|n| u8::try_from(n).unwrap_or(NARROW_NONE)));
+        }
+    }
+
+    /// Rules in all.
+    pub(super) fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    #[inline]
+    pub(super) fn rule(&self, number: u32) -> RuleRef<'_> {
+        let entry = self.entries[number as usize];
+        let first = entry.first as usize;
+        let numbers = match entry.is_wide {
+            false => Numbers::Narrow(&self.narrow[first..]),
+            true => Numbers::Wide(&self.wide[first..]),
+        };
+        RuleRef { entry, numbers, is_grouped: self.is_grouped }
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = RuleRef<'_>> {
+        (0..self.len() as u32).map(|number| self.rule(number))
+    }
+
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&self.entries[..]) + size_of_val(&self.narrow[..]) + size_of_val(&self.wide[..])
+    }
+}
+
+impl RuleRef<'_> {
+    #[inline]
+    fn number(&self, at: usize) -> u32 {
+        match self.numbers {
+            Numbers::Narrow(numbers) => u32::from(numbers[at]),
+            Numbers::Wide(numbers) => numbers[at],
+        }
+    }
+
+    #[inline]
+    fn triangle(&self, at: usize) -> [u32; 3] {
+        match self.numbers {
+            Numbers::Narrow(numbers) => {
+                let [a, b, c] = *numbers[at..].first_chunk().expect("a triangle has three corners");
+                [u32::from(a), u32::from(b), u32::from(c)]
+            }
+            Numbers::Wide(numbers) => *numbers[at..].first_chunk().expect("a triangle has three corners"),
+        }
+    }
+
+    /// Vertices that the step restores: the first local numbers.
+    pub(super) fn own_count(&self) -> usize {
+        self.entry.own_count as usize
+    }
+
+    /// All local numbers.
+    #[inline]
+    pub(super) fn local_count(&self) -> usize {
+        self.entry.local_count as usize
+    }
+
+    #[inline]
+    pub(super) fn ceiling_count(&self) -> usize {
+        self.entry.ceiling_count as usize
+    }
+
+    #[inline]
+    pub(super) fn floor_count(&self) -> usize {
+        self.entry.floor_count as usize
+    }
+
+    /// A triangle of the ceiling, its youngest corner first.
+    #[inline]
+    pub(super) fn ceiling(&self, s: usize) -> [u32; 3] {
+        self.triangle(3 * s)
+    }
+
+    /// A triangle of the floor.
+    #[inline]
+    pub(super) fn floor(&self, j: usize) -> [u32; 3] {
+        self.triangle(3 * (self.ceiling_count() + j))
+    }
+
+    /// The corner of the same vertex in the next triangle of the floor around it; none if there is not exactly one.
+    #[inline]
+    pub(super) fn next_around(&self, half_edge: u32) -> Option<u32> {
+        let next = self.number(3 * (self.ceiling_count() + self.floor_count()) + half_edge as usize);
+        (next < 3 * self.entry.floor_count).then_some(next)
+    }
+
+    /// The same vertex's corner some triangles further around it; none where the floor has not so many.
+    #[inline]
+    pub(super) fn around(&self, half_edge: u32, count: u32) -> Option<u32> {
+        (0..count).try_fold(half_edge, |at, _| self.next_around(at))
+    }
+
+    /// Local numbers that the ceiling and the floor do not both show.
+    #[inline]
+    pub(super) fn extras(&self) -> impl Iterator<Item = u32> + '_ {
+        let first = 3 * (self.ceiling_count() + 2 * self.floor_count());
+        (first..first + self.entry.extra_count as usize).map(|at| self.number(at))
+    }
+
+    /// Group of a triangle of the ceiling, or of one of the floor behind them.
+    #[inline]
+    pub(super) fn group(&self, triangle: usize) -> u32 {
+        if !self.is_grouped {
+            return 0;
+        }
+        let first = 3 * (self.ceiling_count() + 2 * self.floor_count()) + self.entry.extra_count as usize;
+        self.number(first + triangle)
+    }
+}

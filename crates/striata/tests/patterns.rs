@@ -1,0 +1,165 @@
+//! Patterns against the oracle: uniform levels, any set that stands, and the smallest set that satisfies a condition.
+
+mod support;
+
+use proptest::prelude::*;
+use striata::mesh::{FragmentSequence, FragmentedMesh, Random, canonical_triangles, fragment_faces};
+use striata::model::{Overlap, PatternInstance, Patterns};
+use support::{Case, follows_the_oracle, hub_cases, nasty_cases, seam_cases, soups, surface_cases};
+
+/// Compares what an instance shows with the oracle, group by group.
+fn shows_its_set(fragments: &FragmentSequence, instance: &PatternInstance, group_count: u32) {
+    let there = fragment_faces(fragments, |step| instance.is_inserted(step));
+    assert_eq!(instance.triangle_count(), there.len());
+    for group in 0..group_count {
+        let faces = there.iter().map(|&face| fragments.faces()[face as usize]);
+        let expected: Vec<_> = faces.filter(|face| face.group == group).map(|face| face.corners).collect();
+        let mut found = Vec::new();
+        instance.group_triangles_into(group, &mut found);
+        assert_eq!(canonical_triangles(&found), canonical_triangles(&expected), "group {group}");
+    }
+}
+
+fn follows_any_way(case: &Case) {
+    let fragmented = FragmentedMesh::from_collapses(&case.refinable);
+    let patterns = Patterns::build(&fragmented).unwrap();
+    follows_the_oracle(&case.refinable, &patterns, case.stride);
+    let step_count = patterns.fragment_count();
+    if step_count == 0 {
+        return;
+    }
+    let group_count = fragmented.mesh.groups.len().max(1) as u32;
+    let mut random = Random::new(case.seed);
+    let mut instance = PatternInstance::base(&patterns);
+    for _ in 0..24 {
+        let step = random.below(step_count as u32);
+        let count = instance.inserted_count();
+        if random.below(2) == 0 {
+            let inserted = instance.insert(&patterns, step);
+            assert!(instance.is_inserted(step));
+            assert_eq!(instance.inserted_count(), count + inserted);
+        } else {
+            let removed = instance.remove(&patterns, step);
+            assert!(!instance.is_inserted(step));
+            assert_eq!(instance.inserted_count() + removed, count);
+        }
+        shows_its_set(&fragmented.fragments, &instance, group_count);
+    }
+    for _ in 0..6 {
+        let (seed, percent) = (u64::from(random.below(1 << 20)), random.below(100));
+        let whim = |overlap: Overlap| is_whim(overlap, seed, percent);
+        let mut other = PatternInstance::base(&patterns);
+        instance.adapt(&patterns, &whim);
+        other.refine(&patterns, &whim);
+        shows_its_set(&fragmented.fragments, &instance, group_count);
+        assert_eq!(instance, other, "from the base, and from what was there before");
+        let change = instance.adapt(&patterns, &whim);
+        assert_eq!(change, Default::default(), "nothing is left to be done");
+        assert_eq!(other.coarsen(&patterns, &whim), 0);
+    }
+}
+
+/// A condition without any sense, but always the same.
+fn is_whim(overlap: Overlap, seed: u64, percent: u32) -> bool {
+    let name = u64::from(overlap.upper) << 32 | u64::from(overlap.lower.map_or(u32::MAX, |step| step));
+    Random::new(name ^ seed << 7).below(100) < percent
+}
+
+#[test]
+fn all_kinds_of_meshes_follow_the_oracle() {
+    let cases = nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases().take(4));
+    cases.for_each(|case| follows_any_way(&case));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(160))]
+
+    #[test]
+    fn soups_follow_the_oracle(case in soups()) {
+        follows_any_way(&case);
+    }
+}
+
+/// Small pieces of terrain, simplified as far as they go.
+fn small_terrains() -> impl Iterator<Item = Case> {
+    (0..12).map(|seed| {
+        let mesh = striata::mesh::shapes::terrain(4, seed);
+        let built =
+            striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+        Case { stride: 1, seed, refinable: built.unwrap().refinable }
+    })
+}
+
+/// All sets that stand, as bits.
+fn standing_sets(fragments: &FragmentSequence) -> Vec<u32> {
+    let count = fragments.step_count();
+    let below: Vec<u32> = (0..count as u32)
+        .map(|step| {
+            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face));
+            makers.fold(0, |set, maker| set | 1 << maker)
+        })
+        .collect();
+    let stands = |set: &u32| (0..count).all(|step| set >> step & 1 == 0 || below[step] & !set == 0);
+    (0..1u32 << count).filter(stands).collect()
+}
+
+/// Whether no triangle of a set is too coarse.
+fn satisfies(fragments: &FragmentSequence, set: u32, condition: impl Fn(Overlap) -> bool) -> bool {
+    let replaced_by = fragments.replaced_by();
+    let is_missing = |&step: &u32| fragments.floor(step).is_empty() && set >> step & 1 == 0;
+    let mut unfounded = (0..fragments.step_count() as u32).filter(is_missing);
+    if unfounded.any(|upper| condition(Overlap { lower: None, upper })) {
+        return false;
+    }
+    fragment_faces(fragments, |step| set >> step & 1 == 1).into_iter().all(|face| {
+        let upper = replaced_by[face as usize];
+        upper == FragmentSequence::NO_STEP || !condition(Overlap { lower: fragments.maker(face), upper })
+    })
+}
+
+#[test]
+fn what_a_condition_leads_to_is_the_smallest_set_that_satisfies_it() {
+    let mut sets_seen = 0;
+    for case in nasty_cases().chain(small_terrains()) {
+        let fragmented = FragmentedMesh::from_collapses(&case.refinable);
+        let fragments = &fragmented.fragments;
+        if fragments.step_count() == 0 || fragments.step_count() > 12 {
+            continue;
+        }
+        let patterns = Patterns::build(&fragmented).unwrap();
+        let standing = standing_sets(fragments);
+        let mut instance = PatternInstance::base(&patterns);
+        for seed in 0..20 {
+            let condition = |overlap: Overlap| is_whim(overlap, seed, (seed as u32 * 17) % 100);
+            let fine: Vec<u32> =
+                standing.iter().copied().filter(|&set| satisfies(fragments, set, condition)).collect();
+            let smallest = *fine.iter().min_by_key(|set| set.count_ones()).unwrap();
+            assert!(fine.iter().all(|set| set & smallest == smallest), "one set is contained in all others");
+            instance.adapt(&patterns, &condition);
+            let found = (0..fragments.step_count() as u32).filter(|&step| instance.is_inserted(step));
+            assert_eq!(found.fold(0, |set, step| set | 1 << step), smallest);
+            sets_seen += usize::from(smallest != 0);
+        }
+    }
+    assert!(sets_seen > 100, "only {sets_seen} conditions wanted anything");
+}
+
+#[test]
+fn with_errors_as_condition_both_algorithms_agree() {
+    for case in surface_cases().skip(4).take(5) {
+        let fragmented = FragmentedMesh::from_collapses(&case.refinable);
+        let patterns = Patterns::build(&fragmented).unwrap();
+        let mut random = Random::new(case.seed);
+        let (mut one, mut other) = (PatternInstance::full(&patterns), PatternInstance::base(&patterns));
+        for _ in 0..20 {
+            let limit = random.below(patterns.fragment_count() as u32);
+            // What is younger than the limit is fine, so whatever satisfied it before does so above.
+            let condition = |overlap: Overlap| overlap.upper < limit;
+            let coarsened = one.coarsen(&patterns, &condition);
+            let refined = one.refine(&patterns, &condition);
+            let change = other.adapt(&patterns, &condition);
+            assert_eq!(one, other, "{coarsened} removed and {refined} inserted, or {change:?}");
+            assert_eq!(one.inserted_count(), limit as usize);
+        }
+    }
+}
