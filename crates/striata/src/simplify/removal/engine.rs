@@ -3,11 +3,12 @@
 use std::ops::ControlFlow;
 
 use crate::mesh::Welded;
+use crate::simplify::cover::Cover;
 use crate::simplify::heap::IndexedHeap;
 use crate::simplify::options::{SimplifyError, StopReason};
 use crate::{Cancelled, Progress, ProgressFn};
 
-use super::judge::{Filling, Judge, Verdict};
+use super::judge::{Filling, Judge};
 use super::options::{RemovalOptions, Retriangulation};
 use super::record::{Faces, RemovalRecord};
 
@@ -17,11 +18,14 @@ const REPORT_INTERVAL: u64 = 4096;
 /// All state of one simplification.
 pub(super) struct Engine<'a> {
     options: &'a RemovalOptions,
+    welded: &'a Welded,
     judge: Judge<'a>,
+    cover: Cover,
     heap: IndexedHeap,
     triangle_count: usize,
     record: RemovalRecord,
     floor: Vec<([u32; 3], u32)>,
+    placed: Vec<(u32, [[f64; 3]; 3])>,
     filled: Vec<(u32, [u32; 3])>,
     ring: Vec<u32>,
 }
@@ -33,11 +37,14 @@ impl<'a> Engine<'a> {
         let targets = is_collapsing.then(|| vec![0; welded.mesh.vertex_count()]);
         Self {
             options,
+            welded,
             judge,
+            cover: Cover::new(&welded.mesh.positions, &welded.mesh.triangles),
             heap: IndexedHeap::new(&[]),
             triangle_count: welded.mesh.triangle_count(),
             record: RemovalRecord { targets, ..RemovalRecord::default() },
             floor: Vec::new(),
+            placed: Vec::new(),
             filled: Vec::new(),
             ring: Vec::new(),
         }
@@ -72,7 +79,15 @@ impl<'a> Engine<'a> {
                     continue;
                 }
             }
-            let error = self.settle_error(&verdict);
+            let error = self.propose(v, verdict.filling);
+            let bound = self.judge.scaled_squared(error);
+            let full = verdict.cost + self.options.tuning[8] * (bound * bound - verdict.worst * verdict.worst).max(0.0);
+            if full > self.options.tuning[10] * key.max(verdict.cost) {
+                self.heap.set(v, full);
+                if self.heap.first().is_none_or(|(_, first)| first != v) {
+                    continue;
+                }
+            }
             if f64::from(error) > limit {
                 is_limited = true;
                 self.heap.remove(v);
@@ -103,17 +118,23 @@ impl<'a> Engine<'a> {
         self.judge.judge(v).map_or(f32::INFINITY, |verdict| verdict.cost)
     }
 
-    /// The error of the floor that was judged last, mesh units.
-    fn settle_error(&self, verdict: &Verdict) -> f32 {
-        let judge = &self.judge;
-        let nearest = |at| super::points::nearest(&judge.floor_corners, at).map_or(0.0, |(squared, _)| squared);
-        let worst = judge.points.loaded.iter().map(|point| nearest(point.at)).fold(verdict.gap_squared, f32::max);
-        (f64::from(worst).sqrt() * judge.scale).min(f64::from(f32::MAX)) as f32
+    /// How far the surface that the floor judged last stands for may be from it, mesh units, rounded up.
+    fn propose(&mut self, v: u32, filling: Filling) -> f32 {
+        let judge = &mut self.judge;
+        judge.floor_faces(v, filling, &mut self.floor);
+        let first = judge.groups.len() as u32;
+        let positions = &self.welded.mesh.positions;
+        let place = |corner: u32| positions[corner as usize].map(f64::from);
+        self.placed.clear();
+        self.placed.extend((first..).zip(&self.floor).map(|(number, face)| (number, face.0.map(place))));
+        let bound = self.cover.propose(&judge.star.triangles, &self.placed);
+        let rounded = (bound as f32).min(f32::MAX);
+        if f64::from(rounded) < bound { rounded.next_up() } else { rounded }
     }
 
     fn remove(&mut self, v: u32, filling: Filling, error: f32) {
+        self.cover.commit();
         let judge = &mut self.judge;
-        judge.floor_faces(v, filling, &mut self.floor);
         if let (Some(targets), Filling::Collapse(k)) = (&mut self.record.targets, filling) {
             judge.wedges.pair(&judge.star, v, k);
             judge.wedges.write_targets(v, judge.star.ids[k], targets);

@@ -37,8 +37,8 @@ pub(super) enum Filling {
 pub(super) struct Verdict {
     pub(super) cost: f32,
     pub(super) filling: Filling,
-    /// Largest squared gap between the old and the new surface, as far as seen from the old one.
-    pub(super) gap_squared: f32,
+    /// Largest squared distance that the cost knows of.
+    pub(super) worst: f32,
 }
 
 /// The mesh as it is, and all that judges it.
@@ -130,6 +130,12 @@ impl<'a> Judge<'a> {
         let is_ring = matches!(kind, LinkKind::Closed | LinkKind::Open);
         self.is_plain = is_ring && degree > 1 && self.find_shown();
         if self.is_plain { self.judge_ring(v) } else { self.judge_collapses(v) }
+    }
+
+    /// The square of a distance in mesh units, in scaled units.
+    pub(super) fn scaled_squared(&self, distance: f32) -> f32 {
+        let scaled = (f64::from(distance) / self.scale) as f32;
+        scaled * scaled
     }
 
     fn is_boundary(&self, v: u32) -> bool {
@@ -251,7 +257,7 @@ impl<'a> Judge<'a> {
         let worst = worst.max(gap_squared);
         let rms = t[5] * increase.max(0.0) + still;
         let cost = self.mix(rms, area, worst);
-        Some(Verdict { cost, filling, gap_squared })
+        Some(Verdict { cost, filling, worst })
     }
 
     /// What the floor at hand adds to the loaded points' weighted squared distances, and the largest of those.
@@ -355,7 +361,7 @@ impl<'a> Judge<'a> {
         let area = self.star.area();
         let rms = t[5] * increase.max(0.0) + 0.2 * still;
         let cost = self.mix(rms, area, worst);
-        Some(Verdict { cost, filling: Filling::Collapse(k), gap_squared })
+        Some(Verdict { cost, filling: Filling::Collapse(k), worst })
     }
 
     /// The vertices of the floor's faces and their groups, for a verdict given last.
