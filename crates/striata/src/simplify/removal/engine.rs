@@ -8,7 +8,7 @@ use crate::simplify::heap::IndexedHeap;
 use crate::simplify::options::{SimplifyError, StopReason};
 use crate::{Cancelled, Progress, ProgressFn};
 
-use super::judge::{Filling, Judge};
+use super::judge::{Depth, Filling, Judge};
 use super::options::{RemovalOptions, Retriangulation};
 use super::record::{Faces, RemovalRecord};
 
@@ -68,12 +68,12 @@ impl<'a> Engine<'a> {
             if self.triangle_count <= self.options.base_triangle_count {
                 return Ok(self.end(StopReason::TargetReached));
             }
-            let Some(verdict) = self.judge.judge(v) else {
+            let Some(verdict) = self.judge.judge(v, Depth::Exact) else {
                 self.heap.remove(v);
                 continue;
             };
             // What lies around may have changed what is allowed.
-            if verdict.cost > key {
+            if verdict.cost > self.options.tuning[11] * key {
                 self.heap.set(v, verdict.cost);
                 if self.heap.first().is_none_or(|(_, first)| first != v) {
                     continue;
@@ -115,7 +115,7 @@ impl<'a> Engine<'a> {
     }
 
     fn key(&mut self, v: u32) -> f32 {
-        self.judge.judge(v).map_or(f32::INFINITY, |verdict| verdict.cost)
+        self.judge.judge(v, Depth::Estimate).map_or(f32::INFINITY, |verdict| verdict.cost)
     }
 
     /// How far the surface that the floor judged last stands for may be from it, mesh units, rounded up.

@@ -18,6 +18,8 @@
 
 use glam::Vec3;
 
+use crate::simplify::fan::distance_squared;
+
 use super::options::{HoleCriterion, MAX_DEGREE};
 use super::points::Point;
 
@@ -200,9 +202,11 @@ impl Hole {
         // The removed vertex is the origin; spokes on the other side of the line cross it.
         let own = -across.dot(from);
         let mut worst = 0.0f32;
+        let mut is_crossed = false;
         let mut look = |k: usize| {
             let its = across.dot(self.ring[k] - from);
             if own * its < 0.0 {
+                is_crossed = true;
                 let crossing = self.ring[k] * (own / (own - its));
                 let gap = along.cross(crossing - from).length_squared() / length_squared;
                 if gap > GAP_NOISE * length_squared {
@@ -215,7 +219,64 @@ impl Hole {
         } else {
             (j + 1..self.n).chain(0..i).for_each(&mut look);
         }
+        // A star that is no hat over its ring: the line has left it.
+        if is_crossed { worst } else { self.distance_squared_from_star(from + 0.5 * along) }
+    }
+
+    /// Squared distance of a point from the old triangles.
+    fn distance_squared_from_star(&self, at: Vec3) -> f32 {
+        let triangle = |t: usize| distance_squared(-at, self.ring[t] - at, self.ring[self.after(t)] - at);
+        (0..self.triangle_count()).map(triangle).fold(f32::INFINITY, f32::min)
+    }
+
+    /// Largest squared distance of the middles of new edges from the old triangles, unless that may be rounding.
+    pub(super) fn protrusion_squared(&self, floor: &[RingTriangle]) -> f32 {
+        let mut worst = 0.0f32;
+        for &[a, b, c] in floor {
+            for (i, j) in [(a, b), (b, c), (a, c)].map(|(i, j)| (i as usize, j as usize)) {
+                // Each new edge once: from the triangle that lies over it.
+                if !self.is_side(i, j) && j != b as usize && i != b as usize {
+                    let (from, along) = (self.ring[i], self.ring[j] - self.ring[i]);
+                    let squared = self.distance_squared_from_star(from + 0.5 * along);
+                    if squared > GAP_NOISE * along.length_squared() {
+                        worst = worst.max(squared);
+                    }
+                }
+            }
+        }
         worst
+    }
+
+    /// Sum of the weighted squared heights of the points over the triangles of a floor, and the largest squared height.
+    pub(super) fn heights(&self, floor: &[RingTriangle], points: &[Point]) -> (f32, f32) {
+        let (mut sum, mut worst) = (0.0, 0.0f32);
+        for &triangle in floor {
+            let corners = triangle.map(|i| i as usize);
+            let [a, b, c] = corners.map(|i| self.ring[i]);
+            let normal = (b - a).cross(c - a);
+            let inverse = 1.0 / normal.length_squared().max(f32::MIN_POSITIVE);
+            self.for_each_over(corners, points, |point| {
+                let h = normal.dot(point.at - a);
+                sum += point.weight * h * h * inverse;
+                worst = worst.max(h * h * inverse);
+            });
+        }
+        (sum, worst)
+    }
+
+    /// Calls `f` with the points that lie over a triangle of the ring.
+    #[inline]
+    fn for_each_over(&self, [i, j, k]: [usize; 3], points: &[Point], mut f: impl FnMut(&Point)) {
+        for word in 0..self.words {
+            let mut bits = self.left_of(i, j, word) & self.left_of(j, k, word) & !self.left_of(i, k, word);
+            if word + 1 == self.words && !points.len().is_multiple_of(64) {
+                bits &= (1 << (points.len() % 64)) - 1;
+            }
+            while bits != 0 {
+                f(&points[64 * word + bits.trailing_zeros() as usize]);
+                bits &= bits - 1;
+            }
+        }
     }
 
     /// Largest squared gap under the new edges of a triangulation.
@@ -292,19 +353,10 @@ impl Hole {
                 let inverse = 1.0 / normal.length_squared();
                 let height = normal.dot(self.ring[i]);
                 let mut sum = 0.0;
-                for word in 0..self.words {
-                    let mut bits =
-                        self.left_of(i, j, word) & self.left_of(j, k, word) & !self.left_of(i, k, word);
-                    if word + 1 == self.words && !points.len().is_multiple_of(64) {
-                        bits &= (1 << (points.len() % 64)) - 1;
-                    }
-                    while bits != 0 {
-                        let point = &points[64 * word + bits.trailing_zeros() as usize];
-                        bits &= bits - 1;
-                        let h = normal.dot(point.at) - height;
-                        sum += point.weight * h * h;
-                    }
-                }
+                self.for_each_over(corners, points, |point| {
+                    let h = normal.dot(point.at) - height;
+                    sum += point.weight * h * h;
+                });
                 sum * inverse
             }
             HoleCriterion::Flatness => {
@@ -330,9 +382,7 @@ impl Hole {
     ) -> bool {
         floor.clear();
         self.gap_weight = if criterion == HoleCriterion::Distance { gap_weight } else { 0.0 };
-        if criterion == HoleCriterion::Distance {
-            self.compute_sides(points);
-        }
+        self.compute_sides(points);
         let n = self.n;
         for i in 0..n - 1 {
             self.best[i][i + 1] = 0.0;

@@ -23,6 +23,14 @@ use super::points::{Points, nearest};
 /// More neighbours than this no position gets by a new edge: hubs cost quadratic time.
 const MAX_VALENCE: usize = 40;
 
+/// How closely to look.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Depth {
+    /// For the order of what is far from its turn.
+    Estimate,
+    Exact,
+}
+
 /// How the hole is filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Filling {
@@ -116,7 +124,7 @@ impl<'a> Judge<'a> {
     }
 
     /// The best filling of the hole that `v` would leave; its triangles are then in `floor`.
-    pub(super) fn judge(&mut self, v: u32) -> Option<Verdict> {
+    pub(super) fn judge(&mut self, v: u32, depth: Depth) -> Option<Verdict> {
         let degree = self.links.triangle_count(v);
         if self.is_locked[v as usize] || degree == 0 || degree > self.options.degree_limit {
             return None;
@@ -129,7 +137,7 @@ impl<'a> Judge<'a> {
         let kind = self.links.kind(v);
         let is_ring = matches!(kind, LinkKind::Closed | LinkKind::Open);
         self.is_plain = is_ring && degree > 1 && self.find_shown();
-        if self.is_plain { self.judge_ring(v) } else { self.judge_collapses(v) }
+        if self.is_plain { self.judge_ring(v, depth) } else { self.judge_collapses(v) }
     }
 
     /// The square of a distance in mesh units, in scaled units.
@@ -216,7 +224,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    fn judge_ring(&mut self, v: u32) -> Option<Verdict> {
+    fn judge_ring(&mut self, v: u32, depth: Depth) -> Option<Verdict> {
         if !self.load_hole(v) || !self.keep_features() {
             return None;
         }
@@ -247,13 +255,17 @@ impl<'a> Judge<'a> {
         let gap_sum = self.hole.gap_squared_sum(&self.floor);
         let t = &self.options.tuning;
         let volume: f32 = self.floor_corners.iter().map(|[a, b, c]| a.dot(b.cross(*c)) / 6.0).sum();
-        let own = nearest(&self.floor_corners, Vec3::ZERO)?.0;
+        let ((increase, worst), gap_squared) = match depth {
+            Depth::Estimate => (self.increase_by_height(), gap_squared),
+            Depth::Exact => (self.increase(), gap_squared.max(self.hole.protrusion_squared(&self.floor))),
+        };
+        let own = match depth { Depth::Estimate => 0.0, Depth::Exact => nearest(&self.floor_corners, Vec3::ZERO)?.0 };
+        let gap_sum = gap_sum.max(gap_squared);
         let mut still = area * (t[1] * own + t[2] * gap_sum) + t[3] * volume * volume / area.max(f32::MIN_POSITIVE);
         if !is_closed {
             let swept = self.hole.at(0).cross(self.hole.at(n - 1)).length_squared();
             still += t[4] * swept;
         }
-        let (increase, worst) = self.increase();
         let worst = worst.max(gap_squared);
         let rms = t[5] * increase.max(0.0) + still;
         let cost = self.mix(rms, area, worst);
@@ -270,6 +282,14 @@ impl<'a> Judge<'a> {
             worst = worst.max(squared);
         }
         (sum, worst)
+    }
+
+    /// The same by heights over the triangles that the points lie over, which is quick and seldom more.
+    fn increase_by_height(&self) -> (f32, f32) {
+        let points = &self.points.loaded;
+        let before: f32 = points.iter().map(|point| point.weight * point.before).sum();
+        let (sum, worst) = self.hole.heights(&self.floor, points);
+        (sum - before, worst)
     }
 
     fn mix(&self, rms: f32, area: f32, worst: f32) -> f32 {

@@ -66,7 +66,7 @@ impl Default for RemovalOptions {
             boundary: BoundaryRule::default(),
             feature_angle: None,
             locked_vertices: Vec::new(),
-            tuning: [0.2, 0.2, 0.2, 0.2, 0.8, 1.0, 0.0, 0.0, 100.0, 0.0, 1.2, 0.0],
+            tuning: [0.2, 0.2, 0.2, 0.2, 0.8, 1.0, 0.0, 0.0, 100.0, 0.0, 1.2, 1.2],
         }
     }
 }
