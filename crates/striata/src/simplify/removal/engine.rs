@@ -15,6 +15,9 @@ use super::record::{Faces, RemovalRecord};
 /// Removals between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
 
+/// A cost this much over its key is still taken: looking twice at every vertex would buy next to nothing.
+const TOLERANCE: f32 = 1.2;
+
 /// All state of one simplification.
 pub(super) struct Engine<'a> {
     options: &'a RemovalOptions,
@@ -69,28 +72,23 @@ impl<'a> Engine<'a> {
                 return Ok(self.end(StopReason::TargetReached));
             }
             let Some(verdict) = self.judge.judge(v, Depth::Exact) else {
+                // What lies around has changed what is allowed.
                 self.heap.remove(v);
                 continue;
             };
-            // What lies around may have changed what is allowed.
-            if verdict.cost > self.options.tuning[11] * key {
-                self.heap.set(v, verdict.cost);
-                if self.heap.first().is_none_or(|(_, first)| first != v) {
-                    continue;
-                }
+            if self.has_to_wait(v, key, verdict.cost) {
+                continue;
             }
             let error = self.propose(v, verdict.filling);
-            let bound = self.judge.scaled_squared(error);
-            let full = verdict.cost + self.options.tuning[8] * (bound * bound - verdict.worst * verdict.worst).max(0.0);
-            if full > self.options.tuning[10] * key.max(verdict.cost) {
-                self.heap.set(v, full);
-                if self.heap.first().is_none_or(|(_, first)| first != v) {
-                    continue;
-                }
-            }
             if f64::from(error) > limit {
                 is_limited = true;
                 self.heap.remove(v);
+                continue;
+            }
+            // The bound takes the place of what points have seen.
+            let bound = self.judge.scaled_squared(error).max(verdict.worst);
+            let rise = Judge::spike_cost(bound) - Judge::spike_cost(verdict.worst);
+            if self.has_to_wait(v, key.max(verdict.cost), verdict.cost + rise) {
                 continue;
             }
             self.remove(v, verdict.filling, error);
@@ -107,6 +105,15 @@ impl<'a> Engine<'a> {
             (false, false) => StopReason::BaseReached,
         };
         Ok(self.end(reason))
+    }
+
+    /// Puts `v` back where its true cost is well over the key that it came up with; true if others come first then.
+    fn has_to_wait(&mut self, v: u32, key: f32, cost: f32) -> bool {
+        if cost <= TOLERANCE * key {
+            return false;
+        }
+        self.heap.set(v, cost);
+        self.heap.first().is_some_and(|(_, first)| first != v)
     }
 
     fn end(self, reason: StopReason) -> (RemovalRecord, Faces, StopReason) {

@@ -51,8 +51,6 @@ pub struct RemovalOptions {
     pub feature_angle: Option<f64>,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
-    #[doc(hidden)]
-    pub tuning: [f32; 12],
 }
 
 impl Default for RemovalOptions {
@@ -66,7 +64,6 @@ impl Default for RemovalOptions {
             boundary: BoundaryRule::default(),
             feature_angle: None,
             locked_vertices: Vec::new(),
-            tuning: [0.2, 0.2, 0.2, 0.2, 0.8, 1.0, 0.0, 0.0, 100.0, 0.0, 1.2, 1.2],
         }
     }
 }
