@@ -135,8 +135,9 @@ impl<'a> Engine<'a> {
         self.placed.clear();
         self.placed.extend((first..).zip(&self.floor).map(|(number, face)| (number, face.0.map(place))));
         let bound = self.cover.propose(&judge.star.triangles, &self.placed);
-        let rounded = (bound as f32).min(f32::MAX);
-        if f64::from(rounded) < bound { rounded.next_up() } else { rounded }
+        let nearest = bound as f32;
+        let up = if f64::from(nearest) < bound { nearest.next_up() } else { nearest };
+        up.min(f32::MAX)
     }
 
     fn remove(&mut self, v: u32, filling: Filling, error: f32) {

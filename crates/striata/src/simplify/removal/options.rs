@@ -38,7 +38,8 @@ pub struct RemovalOptions {
     pub retriangulation: Retriangulation,
     /// Which filling is the best; default by distance. Half-edge collapses always go by distance.
     pub criterion: HoleCriterion,
-    /// Most triangles around a vertex that may be removed, 3 to 16; default 10.
+    /// Most triangles around a vertex that may be removed, 3 to 16; default 8: more make many more patterns and next to no better
+    /// levels.
     pub degree_limit: usize,
     /// Stop once no more triangles than this are left; default 0: as far as it goes.
     pub base_triangle_count: usize,
@@ -58,7 +59,7 @@ impl Default for RemovalOptions {
         Self {
             retriangulation: Retriangulation::default(),
             criterion: HoleCriterion::default(),
-            degree_limit: 10,
+            degree_limit: 8,
             base_triangle_count: 0,
             max_error: None,
             boundary: BoundaryRule::default(),
