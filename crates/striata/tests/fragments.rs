@@ -7,7 +7,9 @@ use striata::mesh::{
     Face, Fragment, FragmentError, FragmentSequence, FragmentedMesh, PositionIndex, canonical_triangles,
     fragment_faces, replay, replay_fragments,
 };
-use support::{Case, hub_cases, nasty_cases, seam_cases, soups, surface_cases};
+use support::{
+    Case, Random, fragment_cases, hub_cases, nasty_cases, random_closed_set, seam_cases, soups, surface_cases,
+};
 
 fn shows_the_levels_of_collapses(case: &Case) {
     let refinable = &case.refinable;
@@ -84,4 +86,21 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(build(vec![face([0, 1, 2])], old), Err(not_its_own));
     let twice = Fragment { floor: vec![face([0, 1, 2]), face([0, 1, 2])], ..split(0.0) };
     assert!(build(vec![face([0, 1, 2])], twice).is_err());
+}
+
+#[test]
+fn sets_of_steps_are_closed_under_what_they_need() {
+    let mut random = Random::new(3);
+    for (seed, mesh) in fragment_cases() {
+        let fragments = &mesh.fragments;
+        assert!(fragments.step_count() > 20, "seed {seed}: only {} steps", fragments.step_count());
+        let full = fragment_faces(fragments, |_| true);
+        let full: Vec<_> = full.iter().map(|&face| fragments.faces()[face as usize].corners).collect();
+        assert_eq!(canonical_triangles(&full), canonical_triangles(&mesh.mesh.triangles));
+        for percent in [1, 10, 60] {
+            let set = random_closed_set(fragments, percent, &mut random);
+            // Fails where a face of a floor is missing.
+            assert!(!fragment_faces(fragments, |step| set[step as usize]).is_empty());
+        }
+    }
 }

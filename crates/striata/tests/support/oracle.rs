@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use striata::mesh::{RefinableMesh, canonical_triangles, replay};
+use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
 use striata::model::{LodModel, Topology};
 use striata::strip::RESTART;
 
@@ -53,16 +53,31 @@ pub fn follows_the_oracle_at<M>(
     M: LodModel,
     M::State: Clone + Debug + PartialEq,
 {
-    let step_count = refinable.sequence.step_count();
+    follows_levels(model, refinable.sequence.step_count(), stride, shown, |split_count| {
+        replay(refinable, split_count)
+    });
+}
+
+/// Does as [`follows_the_oracle_at`] with whatever oracle there is: `level_of` makes its levels.
+pub(super) fn follows_levels<M>(
+    model: &M,
+    step_count: usize,
+    stride: usize,
+    shown: impl Fn(usize) -> usize,
+    level_of: impl Fn(usize) -> IndexedMesh,
+) where
+    M: LodModel,
+    M::State: Clone + Debug + PartialEq,
+{
     assert_eq!(model.step_count(), step_count);
     let full = model.new_state();
     let mut state = full.clone();
     let go_to = |state: &mut M::State, split_count: usize| {
         model.move_to(state, split_count);
         assert_eq!(model.split_count(state), shown(split_count), "asked for level {split_count}");
-        shows_its_level(refinable, model, state);
+        shows_its_level(&level_of(model.split_count(state)), model, state);
     };
-    shows_its_level(refinable, model, &state);
+    shows_its_level(&level_of(model.split_count(&state)), model, &state);
     assert_eq!(model.split_count(&state), step_count, "a new instance shows the full mesh");
     let mut levels: Vec<usize> = (0..=step_count).rev().step_by(stride).collect();
     if levels.last() != Some(&0) {
@@ -89,9 +104,8 @@ pub fn follows_the_oracle_at<M>(
 }
 
 /// Compares what is drawn with the oracle, group by group, and with the counts that the model tells.
-fn shows_its_level<M: LodModel>(refinable: &RefinableMesh, model: &M, state: &M::State) {
+fn shows_its_level<M: LodModel>(level: &IndexedMesh, model: &M, state: &M::State) {
     let split_count = model.split_count(state);
-    let level = replay(refinable, split_count);
     // What was in the buffer stays: models append.
     let mut indices = vec![7];
     model.indices_into(state, &mut indices);
