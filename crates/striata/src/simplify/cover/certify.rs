@@ -65,6 +65,10 @@ pub fn certify_collapses(
     Ok(RefinableMesh { mesh: refinable.mesh.clone(), sequence })
 }
 
+/// Where a step raises the error of the levels by more than this, a way round is looked for: a triangle that folds over its
+/// neighbour leaves what it stood for to that neighbour, which is not of the step's floor.
+const WORTH_A_LOOK: f64 = 1.02;
+
 /// For which states errors are to hold.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Scope {
@@ -159,8 +163,31 @@ impl<'a> Walk<'a> {
             });
         }
         self.set_floor(fragments.floor(step));
-        let bound = self.cover.replace(&self.ceiling, &self.floor);
+        let bound = match self.scope {
+            Scope::All => self.cover.replace(&self.ceiling, &self.floor),
+            Scope::Levels => self.replace_or_look_around(step),
+        };
         self.largest = self.largest.max(bound);
+        bound
+    }
+
+    /// Gives the pieces of the ceiling to the floor or, where that would raise the error and it is better, to triangles around as well.
+    fn replace_or_look_around(&mut self, step: u32) -> f64 {
+        let mut bound = self.cover.propose(&self.ceiling, &self.floor);
+        if bound > self.largest * WORTH_A_LOOK {
+            let fragments = self.fragments;
+            let adopters = self.adopters.get_or_insert_with(|| Adopters::new(fragments));
+            let mut faces = adopters.find((fragments, self.positions), step);
+            faces.extend_from_slice(fragments.floor(step));
+            self.set_floor(&faces);
+            let together = self.cover.propose(&self.ceiling, &self.floor);
+            if together >= bound {
+                self.set_floor(fragments.floor(step));
+                self.cover.propose(&self.ceiling, &self.floor);
+            }
+            bound = bound.min(together);
+        }
+        self.cover.commit();
         bound
     }
 
