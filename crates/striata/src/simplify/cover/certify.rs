@@ -37,7 +37,9 @@ pub fn certify(mesh: &FragmentedMesh, progress: &mut ProgressFn<'_>) -> Result<F
     Ok(FragmentedMesh { mesh: mesh.mesh.clone(), fragments })
 }
 
-/// The same collapses with errors that hold: the original surface is nowhere farther from a level than the level's error. See [`certify`].
+/// The same collapses with errors that hold: the original surface is nowhere farther from a level than the level's error.
+///
+/// Levels only, not what selective refinement makes of the steps: so the errors may be lower than those of [`certify`].
 ///
 /// # Errors
 /// [`Cancelled`] where the callback asks for it.
