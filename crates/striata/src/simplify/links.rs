@@ -196,6 +196,33 @@ impl Links {
         slab.len = 0;
     }
 
+    /// Takes out `v` with the triangles around it and puts in `floor` instead: numbers and corners of triangles that
+    /// have neighbours of `v` at their corners.
+    pub(super) fn fill(&mut self, v: u32, floor: &[(u32, [u32; 3])]) {
+        let mut edges = std::mem::take(&mut self.edges);
+        let mut ring = std::mem::take(&mut self.ring);
+        ring.clear();
+        ring.extend_from_slice(self.entries(v));
+        ring.sort_unstable();
+        ring.dedup();
+        for &w in &ring {
+            self.edges_into(w, &mut edges);
+            edges.retain(|e| e.a != v && e.b != v);
+            for &(triangle, [a, b, c]) in floor {
+                for [corner, a, b] in [[a, b, c], [b, c, a], [c, a, b]] {
+                    if corner == w {
+                        edges.push(LinkEdge { a, b, triangle });
+                    }
+                }
+            }
+            self.set(w, &edges);
+        }
+        let slab = &mut self.slabs[v as usize];
+        slab.kind = LinkKind::Empty;
+        slab.len = 0;
+        (self.edges, self.ring) = (edges, ring);
+    }
+
     /// The link of `u` after the collapse, where both links are rings; false where they are not, or
     /// where the result is no ring. Leaves the neighbours of `v` in `self.ring`.
     fn splice(&mut self, v: u32, u: u32) -> bool {

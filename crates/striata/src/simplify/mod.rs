@@ -1,6 +1,7 @@
 //! From a mesh to its simplification sequence: half-edge collapses ordered by cost.
 
 mod attributes;
+mod cover;
 mod engine;
 mod fan;
 mod finish;
@@ -13,14 +14,19 @@ mod optimal;
 mod options;
 mod pairs;
 mod quadric;
+mod removal;
 mod star;
 mod tracked;
 mod wedges;
 mod witness;
 
+pub use cover::{certify, certify_collapses};
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SequenceOptions, Simplified,
     SimplifyError, SimplifyOptions, StopReason, Target,
+};
+pub use removal::{
+    BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, build_fragments, build_welded_fragments,
 };
 
 use crate::ProgressFn;

@@ -1,0 +1,156 @@
+//! Errors that hold, for a sequence that exists.
+
+use crate::mesh::{CollapseSequence, Face, FragmentSequence, FragmentedMesh, RefinableMesh, SequenceParts};
+use crate::{Cancelled, Progress, ProgressFn};
+
+use super::Cover;
+
+/// Steps between two calls of the progress callback.
+const STEPS_PER_REPORT: usize = 1 << 10;
+
+/// The same fragments with errors that hold: the original surface is nowhere farther from what a state shows than the largest
+/// error of the floors whose faces it shows, and than the error of the level if it is one.
+///
+/// All points of the original surface count, not its vertices alone; of the simplified surface nothing is said. A step whose floor is
+/// empty gets the diagonal of the mesh's bounds.
+///
+/// # Errors
+/// [`Cancelled`] where the callback asks for it.
+///
+/// # Example
+/// ```
+/// use striata::mesh::{FragmentedMesh, shapes};
+/// use striata::simplify::{SequenceOptions, build_sequence, certify};
+///
+/// let built = build_sequence(&shapes::torus(32, 16, 1.0, 0.4), &SequenceOptions::default(), &mut striata::ignore_progress)?;
+/// let fragmented = FragmentedMesh::from_collapses(&built.refinable);
+/// let certain = certify(&fragmented, &mut striata::ignore_progress)?;
+/// let levels = certain.fragments.levels();
+/// let level = levels.split_count_for_triangles(200);
+/// println!("no point of the torus is more than {} away", levels.error_at(level));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn certify(mesh: &FragmentedMesh, progress: &mut ProgressFn<'_>) -> Result<FragmentedMesh, Cancelled> {
+    let errors = floor_errors(mesh, progress)?;
+    let fragments = mesh.fragments.with_floor_errors(errors).expect("a finite error for each step");
+    Ok(FragmentedMesh { mesh: mesh.mesh.clone(), fragments })
+}
+
+/// The same collapses with errors that hold: the original surface is nowhere farther from a level than the level's error. See [`certify`].
+///
+/// # Errors
+/// [`Cancelled`] where the callback asks for it.
+pub fn certify_collapses(
+    refinable: &RefinableMesh,
+    progress: &mut ProgressFn<'_>,
+) -> Result<RefinableMesh, Cancelled> {
+    let fragmented = FragmentedMesh::from_collapses(refinable);
+    let floor_errors = floor_errors(&fragmented, progress)?;
+    drop(fragmented);
+    let sequence = &refinable.sequence;
+    let mut errors = floor_errors;
+    for step in (1..errors.len()).rev() {
+        errors[step - 1] = errors[step - 1].max(errors[step]);
+    }
+    let sequence = CollapseSequence::from_parts(SequenceParts {
+        positions: sequence.positions().clone(),
+        base_position_count: sequence.base_position_count(),
+        targets: sequence.targets().to_vec(),
+        errors,
+        removed_triangle_counts: sequence.removed_triangle_counts().to_vec(),
+        triangle_count: refinable.mesh.triangle_count(),
+    });
+    let sequence = sequence.expect("errors that are finite and never rise");
+    Ok(RefinableMesh { mesh: refinable.mesh.clone(), sequence })
+}
+
+/// The bound of each step's floor, rounded up.
+fn floor_errors(mesh: &FragmentedMesh, progress: &mut ProgressFn<'_>) -> Result<Vec<f32>, Cancelled> {
+    let fragments = &mesh.fragments;
+    let mut walk = Walk::new(mesh);
+    let step_count = fragments.step_count();
+    let mut errors = vec![0.0; step_count];
+    for (done, step) in (0..step_count).rev().enumerate() {
+        if done % STEPS_PER_REPORT == 0 {
+            let now = Progress { phase: "certify", done: done as u64, total: step_count as u64 };
+            if progress(now).is_break() {
+                return Err(Cancelled);
+            }
+        }
+        errors[step] = rounded_up(walk.undo(step as u32));
+    }
+    Ok(errors)
+}
+
+/// The least f32 that is not below.
+fn rounded_up(x: f64) -> f32 {
+    let nearest = x as f32;
+    let up = if f64::from(nearest) < x { nearest.next_up() } else { nearest };
+    up.min(f32::MAX)
+}
+
+/// From the full mesh to the base, with the cover of each state.
+struct Walk<'a> {
+    positions: &'a [[f32; 3]],
+    fragments: &'a FragmentSequence,
+    cover: Cover,
+    /// For each face its number in the cover, where those of faces that are gone are used again.
+    slots: Vec<u32>,
+    slot_count: u32,
+    ceiling: Vec<u32>,
+    floor: Vec<(u32, [[f64; 3]; 3])>,
+}
+
+impl<'a> Walk<'a> {
+    fn new(mesh: &'a FragmentedMesh) -> Self {
+        let FragmentedMesh { mesh, fragments } = mesh;
+        let mut slots = vec![0; fragments.faces().len()];
+        let mut triangles = Vec::with_capacity(mesh.triangle_count());
+        for (face, step) in fragments.replaced_by().into_iter().enumerate() {
+            if step == FragmentSequence::NO_STEP {
+                slots[face] = triangles.len() as u32;
+                triangles.push(fragments.faces()[face].corners);
+            }
+        }
+        Self {
+            positions: &mesh.positions,
+            fragments,
+            cover: Cover::new(&mesh.positions, &triangles),
+            slots,
+            slot_count: triangles.len() as u32,
+            ceiling: Vec::new(),
+            floor: Vec::new(),
+        }
+    }
+
+    fn undo(&mut self, step: u32) -> f64 {
+        let Self { positions, fragments, cover, slots, slot_count, ceiling, floor } = self;
+        ceiling.clear();
+        ceiling.extend(fragments.ceiling(step).map(|face| slots[face as usize]));
+        floor.clear();
+        for (i, &face) in fragments.floor(step).iter().enumerate() {
+            let slot = ceiling.get(i).copied().unwrap_or_else(|| {
+                *slot_count += 1;
+                *slot_count - 1
+            });
+            slots[face as usize] = slot;
+            let Face { corners, .. } = fragments.faces()[face as usize];
+            floor.push((slot, corners.map(|v| positions[v as usize].map(f64::from))));
+        }
+        cover.replace(ceiling, floor)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_never_rounded_down() {
+        for x in [0.0, 0.1, 1.0, 1e-50, 0.3, 1e38] {
+            let up = rounded_up(x);
+            assert!(f64::from(up) >= x);
+            assert!(x == 0.0 || f64::from(up.next_down()) < x);
+        }
+    }
+}

@@ -1,0 +1,269 @@
+//! A bound on how far the original surface is from the simplified one that holds at every point, not at samples.
+//!
+//! **Idea.** The original surface is covered by *pieces*: convex polygons, each in one original triangle, each given to one
+//! current triangle. The distance to a triangle is a convex function, so no point of a piece is farther from its triangle than
+//! the farthest of the piece's corners: a few distances bound infinitely many. A step takes the pieces of its ceiling
+//! and gives them to its floor; a piece that no triangle of the floor serves well is cut where the nearest one changes,
+//! and parts of one original triangle that meet again are joined.
+//!
+//! **Theorem.** Let the pieces of each face be those that it was given when it was made, whatever became of them later. In every state
+//! of selective refinement (every set of steps that holds with each step all that its floor stands on) the pieces of the
+//! faces that are there cover the original surface. *Proof*: by the steps that are not taken, finest first. With all taken each
+//! original triangle is its own piece. Undoing a step takes away its ceiling and brings its floor, and what the pieces of
+//! the ceiling cover those of the floor cover too, since they are made of nothing else. So the original surface is nowhere farther from
+//! the state than the largest bound of the floors whose faces it shows: not in the levels alone that the steps
+//! lead through in order. Nothing is asked of the surface: no manifold, no orientation, no area.
+//!
+//! The one-sided Hausdorff distance that orders the steps of \[KLS96\] and \[KG98\] is this distance taken at samples or
+//! under assumptions on the surface. Differs: the bound is certain. A floor without triangles can serve nothing: what its
+//! ceiling stood for is then given up, at a bound of the diagonal of the mesh's bounds, which no two vertices exceed.
+//!
+//! Cost: a step looks at each piece around it, so all steps together O(n log n) pieces for n triangles; at most about 300 bytes a
+//! triangle.
+
+mod certify;
+mod floor;
+mod pieces;
+mod polygon;
+mod settle;
+
+pub use certify::{certify, certify_collapses};
+
+use glam::DVec3;
+
+use pieces::{NONE, Pieces};
+use polygon::{Polygon, WHOLE};
+use settle::{Plane, Settler, Shape};
+
+/// Share of the diagonal that every bound is raised by, for all that f64 rounds.
+const ROUNDING: f64 = 1e-11;
+
+/// Share of the diagonal below which a distance is not worth a cut.
+const NEGLIGIBLE: f64 = 1e-11;
+
+/// Pieces of the original surface on the faces of the current one.
+pub(crate) struct Cover {
+    positions: Vec<[f32; 3]>,
+    triangles: Vec<[u32; 3]>,
+    /// Distances are measured relative to this corner of the bounds.
+    origin: DVec3,
+    diagonal: f64,
+    pieces: Pieces,
+    settler: Settler,
+    /// For each original vertex its point in the step under way, or none.
+    point_of_vertex: Vec<u32>,
+    /// For each original triangle its piece in the step under way, or none.
+    piece_of_triangle: Vec<u32>,
+    proposal: Proposal,
+}
+
+/// What a step takes and gives, until it is done.
+#[derive(Default)]
+struct Proposal {
+    ceiling: Vec<u32>,
+    floor: Vec<u32>,
+    gathered: Vec<Gathered>,
+    polygons: Vec<Polygon>,
+    /// Points of the corners of all pieces.
+    corner_points: Vec<u32>,
+    touched_vertices: Vec<u32>,
+    /// Original triangle and the index of its face in the floor.
+    wholes: Vec<(u32, u32)>,
+    parts: Vec<(u32, u32, Polygon)>,
+}
+
+/// A piece of the ceiling, parts of one triangle joined as far as they can be.
+#[derive(Clone, Copy)]
+struct Gathered {
+    triangle: u32,
+    /// Its polygon, or none for the whole triangle.
+    polygon: u32,
+    /// Its first entry among the points of all corners.
+    first_corner: u32,
+}
+
+impl Cover {
+    /// Each triangle of the original mesh on itself: the face with its number.
+    pub(crate) fn new(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Self {
+        let at = |&v: &u32| DVec3::from_array(positions[v as usize].map(f64::from));
+        let points = || triangles.iter().flatten().map(at);
+        let (low, high) = (points().reduce(DVec3::min), points().reduce(DVec3::max));
+        let origin = low.unwrap_or_default();
+        let diagonal = (high.unwrap_or_default() - origin).length();
+        let negligible = (NEGLIGIBLE * diagonal) * (NEGLIGIBLE * diagonal);
+        Self {
+            origin,
+            diagonal,
+            pieces: Pieces::new(triangles.len()),
+            settler: Settler::new(negligible),
+            point_of_vertex: vec![NONE; positions.len()],
+            piece_of_triangle: vec![NONE; triangles.len()],
+            proposal: Proposal::default(),
+            positions: positions.to_vec(),
+            triangles: triangles.to_vec(),
+        }
+    }
+
+    /// Gives the pieces of the faces `ceiling` to the faces `floor` (number and corners); returns how far any of them may be from
+    /// its face, mesh units. Numbers may be used again.
+    pub(crate) fn replace(&mut self, ceiling: &[u32], floor: &[(u32, [[f64; 3]; 3])]) -> f64 {
+        let bound = self.propose(ceiling, floor);
+        self.commit();
+        bound
+    }
+
+    /// What [`replace`](Self::replace) would return; [`commit`](Self::commit) does it.
+    pub(crate) fn propose(&mut self, ceiling: &[u32], floor: &[(u32, [[f64; 3]; 3])]) -> f64 {
+        self.gather(ceiling);
+        let proposal = &mut self.proposal;
+        proposal.floor.clear();
+        proposal.floor.extend(floor.iter().map(|face| face.0));
+        proposal.wholes.clear();
+        proposal.parts.clear();
+        if proposal.gathered.is_empty() {
+            return 0.0;
+        }
+        if floor.is_empty() {
+            return self.diagonal;
+        }
+        let origin = self.origin;
+        let corners = |face: &(u32, [[f64; 3]; 3])| face.1.map(|p| DVec3::from_array(p) - origin);
+        self.settler.floor.set(floor.iter().map(corners));
+        self.settle_all().sqrt() + ROUNDING * self.diagonal
+    }
+
+    /// Does what was proposed last.
+    pub(crate) fn commit(&mut self) {
+        let Proposal { ceiling, floor, wholes, parts, .. } = &mut self.proposal;
+        for face in ceiling.drain(..) {
+            self.pieces.clear(face);
+        }
+        for (triangle, index) in wholes.drain(..) {
+            self.pieces.push_whole(floor[index as usize], triangle);
+        }
+        for (triangle, index, polygon) in parts.drain(..) {
+            self.pieces.push_part(floor[index as usize], triangle, polygon);
+        }
+    }
+
+    /// Calls `f` with the corners of the pieces of a face, some more than once.
+    #[expect(dead_code, reason = "for those who order candidates")]
+    pub(crate) fn for_each_point(&self, face: u32, mut f: impl FnMut([f64; 3])) {
+        let mut all = |triangle: u32, corners: &[[f64; 2]]| {
+            let plane = plane(&self.positions, self.origin, self.triangles[triangle as usize]);
+            corners.iter().for_each(|&corner| f((plane.at(corner) + self.origin).to_array()));
+        };
+        self.pieces.for_each_whole(face, |triangle| all(triangle, &WHOLE));
+        self.pieces.for_each_part(face, |triangle, polygon| all(triangle, polygon.corners()));
+    }
+
+    /// Collects the pieces of some faces.
+    fn gather(&mut self, ceiling: &[u32]) {
+        let Self { proposal, pieces, piece_of_triangle, .. } = self;
+        proposal.ceiling.clear();
+        proposal.ceiling.extend_from_slice(ceiling);
+        let Proposal { gathered, polygons, .. } = proposal;
+        gathered.clear();
+        polygons.clear();
+        for &face in ceiling {
+            pieces.for_each_whole(face, |triangle| {
+                let known = &mut piece_of_triangle[triangle as usize];
+                if *known == NONE {
+                    *known = gathered.len() as u32;
+                    gathered.push(Gathered { triangle, polygon: NONE, first_corner: 0 });
+                } else {
+                    gathered[*known as usize].polygon = NONE;
+                }
+            });
+            pieces.for_each_part(face, |triangle, part| {
+                let known = &mut piece_of_triangle[triangle as usize];
+                if *known == NONE {
+                    *known = gathered.len() as u32;
+                } else {
+                    let Gathered { polygon, .. } = &mut gathered[*known as usize];
+                    if *polygon == NONE {
+                        return;
+                    }
+                    if let Some(hull) = polygons[*polygon as usize].hull(part) {
+                        polygons[*polygon as usize] = hull;
+                        if hull.is_whole() {
+                            *polygon = NONE;
+                        }
+                        return;
+                    }
+                }
+                gathered.push(Gathered { triangle, polygon: polygons.len() as u32, first_corner: 0 });
+                polygons.push(*part);
+            });
+        }
+        gathered.iter().for_each(|piece| piece_of_triangle[piece.triangle as usize] = NONE);
+    }
+
+    /// Measures all pieces that were gathered and settles them; returns the largest squared bound.
+    fn settle_all(&mut self) -> f64 {
+        self.measure();
+        let mut largest: f64 = 0.0;
+        let Proposal { gathered, polygons, corner_points, wholes, parts, .. } = &mut self.proposal;
+        for piece in gathered {
+            let corners = match polygons.get(piece.polygon as usize) {
+                Some(polygon) => polygon.corners(),
+                None => &WHOLE,
+            };
+            let points = &corner_points[piece.first_corner as usize..][..corners.len()];
+            if let Some((face, squared)) = self.settler.one_for_all(points) {
+                largest = largest.max(squared);
+                match polygons.get(piece.polygon as usize) {
+                    Some(&polygon) => parts.push((piece.triangle, face as u32, polygon)),
+                    None => wholes.push((piece.triangle, face as u32)),
+                }
+                continue;
+            }
+            let mut shape = Shape::new();
+            corners.iter().zip(points).for_each(|(&corner, &point)| shape.push(corner, point));
+            let plane = plane(&self.positions, self.origin, self.triangles[piece.triangle as usize]);
+            let put = |face: usize, shape: &Shape| match shape.polygon() {
+                polygon if polygon.is_whole() => wholes.push((piece.triangle, face as u32)),
+                polygon => parts.push((piece.triangle, face as u32, polygon)),
+            };
+            largest = largest.max(self.settler.settle(shape, &plane, put));
+        }
+        largest
+    }
+
+    /// Measures the corners of all pieces, those at original vertices once.
+    fn measure(&mut self) {
+        let Self { proposal, settler: Settler { floor, points, .. }, point_of_vertex, .. } = self;
+        let Proposal { gathered, polygons, corner_points, touched_vertices, .. } = proposal;
+        points.clear();
+        corner_points.clear();
+        for piece in gathered {
+            piece.first_corner = corner_points.len() as u32;
+            let triangle = self.triangles[piece.triangle as usize];
+            let plane = plane(&self.positions, self.origin, triangle);
+            let mut put = |corner: [f64; 2]| {
+                let Some(i) = WHOLE.iter().position(|&whole| whole == corner) else {
+                    return corner_points.push(points.push(floor, plane.at(corner)));
+                };
+                let known = &mut point_of_vertex[triangle[i] as usize];
+                if *known == NONE {
+                    *known = points.push(floor, plane.at(corner));
+                    touched_vertices.push(triangle[i]);
+                }
+                corner_points.push(*known);
+            };
+            match polygons.get(piece.polygon as usize) {
+                None => WHOLE.into_iter().for_each(&mut put),
+                Some(polygon) => polygon.corners().iter().copied().for_each(&mut put),
+            }
+        }
+        for v in touched_vertices.drain(..) {
+            point_of_vertex[v as usize] = NONE;
+        }
+    }
+}
+
+#[inline]
+fn plane(positions: &[[f32; 3]], origin: DVec3, triangle: [u32; 3]) -> Plane {
+    let [a, b, c] = triangle.map(|v| DVec3::from_array(positions[v as usize].map(f64::from)));
+    Plane { first: a - origin, to_second: b - a, to_third: c - a }
+}

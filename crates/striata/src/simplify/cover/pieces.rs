@@ -1,0 +1,119 @@
+//! Which pieces of the original surface each current triangle answers for.
+
+use super::polygon::Polygon;
+
+pub(super) const NONE: u32 = u32::MAX;
+
+/// A list's first whole triangle and first part.
+#[derive(Clone, Copy)]
+struct Head {
+    whole: u32,
+    part: u32,
+}
+
+const EMPTY: Head = Head { whole: NONE, part: NONE };
+
+/// A record of a list.
+struct Node<T> {
+    triangle: u32,
+    next: u32,
+    piece: T,
+}
+
+/// Records of all lists, and those to be used again.
+struct Pool<T> {
+    nodes: Vec<Node<T>>,
+    free: u32,
+}
+
+impl<T> Pool<T> {
+    fn take(&mut self, node: Node<T>) -> u32 {
+        if self.free == NONE {
+            self.nodes.push(node);
+            self.nodes.len() as u32 - 1
+        } else {
+            let at = self.free;
+            self.free = std::mem::replace(&mut self.nodes[at as usize], node).next;
+            at
+        }
+    }
+
+    fn drop_list(&mut self, head: u32) {
+        let mut last = head;
+        if last == NONE {
+            return;
+        }
+        while self.nodes[last as usize].next != NONE {
+            last = self.nodes[last as usize].next;
+        }
+        self.nodes[last as usize].next = std::mem::replace(&mut self.free, head);
+    }
+
+    fn for_each(&self, mut at: u32, mut f: impl FnMut(u32, &T)) {
+        while at != NONE {
+            let node = &self.nodes[at as usize];
+            f(node.triangle, &node.piece);
+            at = node.next;
+        }
+    }
+}
+
+/// Pieces by face: whole original triangles and parts of some.
+pub(super) struct Pieces {
+    heads: Vec<Head>,
+    wholes: Pool<()>,
+    parts: Pool<Polygon>,
+}
+
+impl Pieces {
+    /// Each original triangle on the face with its number.
+    pub(super) fn new(triangle_count: usize) -> Self {
+        let node = |triangle| Node { triangle, next: NONE, piece: () };
+        Self {
+            heads: (0..triangle_count as u32).map(|t| Head { whole: t, ..EMPTY }).collect(),
+            wholes: Pool { nodes: (0..triangle_count as u32).map(node).collect(), free: NONE },
+            parts: Pool { nodes: Vec::new(), free: NONE },
+        }
+    }
+
+    pub(super) fn for_each_whole(&self, face: u32, mut f: impl FnMut(u32)) {
+        let head = self.heads.get(face as usize).unwrap_or(&EMPTY);
+        self.wholes.for_each(head.whole, |triangle, ()| f(triangle));
+    }
+
+    pub(super) fn for_each_part(&self, face: u32, f: impl FnMut(u32, &Polygon)) {
+        let head = self.heads.get(face as usize).unwrap_or(&EMPTY);
+        self.parts.for_each(head.part, f);
+    }
+
+    pub(super) fn clear(&mut self, face: u32) {
+        if let Some(head) = self.heads.get_mut(face as usize) {
+            let head = std::mem::replace(head, EMPTY);
+            self.wholes.drop_list(head.whole);
+            self.parts.drop_list(head.part);
+        }
+    }
+
+    pub(super) fn push_whole(&mut self, face: u32, triangle: u32) {
+        let next = self.head(face).whole;
+        self.head(face).whole = self.wholes.take(Node { triangle, next, piece: () });
+    }
+
+    pub(super) fn push_part(&mut self, face: u32, triangle: u32, piece: Polygon) {
+        let next = self.head(face).part;
+        self.head(face).part = self.parts.take(Node { triangle, next, piece });
+    }
+
+    fn head(&mut self, face: u32) -> &mut Head {
+        if self.heads.len() <= face as usize {
+            self.heads.resize(face as usize + 1, EMPTY);
+        }
+        &mut self.heads[face as usize]
+    }
+
+    /// Records in use at some time: whole triangles and parts.
+    #[cfg(test)]
+    pub(super) fn peak(&self) -> [usize; 2] {
+        [self.wholes.nodes.len(), self.parts.nodes.len()]
+    }
+}

@@ -1,0 +1,133 @@
+//! Convex parts of one triangle, in its own coordinates.
+//!
+//! `u` runs towards the triangle's second corner, `v` towards its third. Cuts and hulls lose at most what f64 rounds.
+
+/// Corners that a part has at most.
+pub(super) const MAX_CORNERS: usize = 8;
+
+/// The three corners of the whole triangle.
+pub(super) const WHOLE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+
+/// Corners nearer than this to the line between their neighbours are none, in units of the triangle's sides.
+const FLAT: f64 = 1e-14;
+
+/// A convex polygon, counterclockwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Polygon {
+    count: u8,
+    corners: [[f64; 2]; MAX_CORNERS],
+}
+
+impl Polygon {
+    /// From its corners; the caller sees to it that they are at most [`MAX_CORNERS`].
+    pub(super) fn new(corners: &[[f64; 2]]) -> Self {
+        let mut all = [[0.0; 2]; MAX_CORNERS];
+        all[..corners.len()].copy_from_slice(corners);
+        Self { count: corners.len() as u8, corners: all }
+    }
+
+    #[inline]
+    pub(super) fn corners(&self) -> &[[f64; 2]] {
+        &self.corners[..usize::from(self.count)]
+    }
+
+    /// True where nothing of the triangle is missing.
+    pub(super) fn is_whole(&self) -> bool {
+        self.count == 3 && WHOLE.iter().all(|corner| self.corners().contains(corner))
+    }
+
+    /// The smallest convex polygon around both; none where it has too many corners.
+    pub(super) fn hull(&self, other: &Self) -> Option<Self> {
+        let mut points = [[0.0; 2]; 2 * MAX_CORNERS];
+        let (first, second) = (self.corners(), other.corners());
+        let count = first.len() + second.len();
+        points[..first.len()].copy_from_slice(first);
+        points[first.len()..count].copy_from_slice(second);
+        let points = &mut points[..count];
+        points.sort_unstable_by(|p, q| p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])));
+        // Below from left to right, then above from right to left, as Andrew's monotone chain does.
+        let mut chain = [[0.0; 2]; 2 * MAX_CORNERS + 1];
+        let mut length = 0;
+        for &p in &*points {
+            length = push_convex(&mut chain, length, 1, p);
+        }
+        let below = length;
+        for &p in points[..count - 1].iter().rev() {
+            length = push_convex(&mut chain, length, below, p);
+        }
+        let corners = &chain[..length.saturating_sub(1).max(1)];
+        (corners.len() <= MAX_CORNERS).then(|| Self::new(corners))
+    }
+}
+
+/// Puts a point at the end of a chain that turns left, of which the first `fixed` stay.
+#[inline]
+fn push_convex(chain: &mut [[f64; 2]], mut length: usize, fixed: usize, p: [f64; 2]) -> usize {
+    while length > fixed && !turns_left(chain[length - 2], chain[length - 1], p) {
+        length -= 1;
+    }
+    if length > 0 && chain[length - 1] == p {
+        return length;
+    }
+    chain[length] = p;
+    length + 1
+}
+
+/// True where `b` stands out on the right of the way from `a` to `c`.
+#[inline]
+fn turns_left(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
+    let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+    let twice_area = ab[0] * ac[1] - ab[1] * ac[0];
+    twice_area > 0.0 && twice_area * twice_area > FLAT * FLAT * (ac[0] * ac[0] + ac[1] * ac[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Random;
+
+    #[test]
+    fn halves_make_the_whole_again() {
+        let (m, n) = ([0.3, 0.0], [0.25, 0.75]);
+        let left = Polygon::new(&[[0.0, 0.0], m, n, [0.0, 1.0]]);
+        let right = Polygon::new(&[m, [1.0, 0.0], n]);
+        let whole = left.hull(&right).unwrap();
+        assert!(whole.is_whole(), "{whole:?}");
+        assert!(!left.is_whole());
+        assert_eq!(left.hull(&left), Some(left));
+    }
+
+    #[test]
+    fn points_on_a_line_have_a_hull() {
+        let point = Polygon::new(&[[0.5, 0.25]; 3]);
+        assert_eq!(point.hull(&point).unwrap().corners(), [[0.5, 0.25]]);
+        let line = Polygon::new(&[[0.0, 0.0], [0.25, 0.25], [0.5, 0.5]]);
+        assert_eq!(line.hull(&point).unwrap().corners(), [[0.0, 0.0], [0.5, 0.25], [0.5, 0.5]]);
+        assert_eq!(line.hull(&line).unwrap().corners(), [[0.0, 0.0], [0.5, 0.5]]);
+    }
+
+    #[test]
+    fn hulls_hold_all_corners_and_turn_left() {
+        let mut random = Random::new(5);
+        let mut kept = 0;
+        for _ in 0..2_000 {
+            let mut any = || {
+                let corners = [(); 4].map(|()| [random.unit(), random.unit()]);
+                let point = Polygon::new(&corners[..1]);
+                corners.iter().fold(point, |all, &p| all.hull(&Polygon::new(&[p])).unwrap())
+            };
+            let (a, b) = (any(), any());
+            let Some(hull) = a.hull(&b) else { continue };
+            kept += 1;
+            let corners = hull.corners();
+            for (i, &p) in corners.iter().enumerate() {
+                let q = corners[(i + 1) % corners.len()];
+                for &[x, y] in a.corners().iter().chain(b.corners()) {
+                    let side = (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]);
+                    assert!(side >= -1e-13, "{hull:?} misses a corner of {a:?} or {b:?}");
+                }
+            }
+        }
+        assert!(kept > 1_900);
+    }
+}

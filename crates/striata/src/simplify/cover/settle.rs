@@ -1,0 +1,274 @@
+//! Gives a piece to the triangles of a floor: whole where one triangle serves it well, else cut where the nearest changes.
+//!
+//! ```text
+//!        c                 Of the piece's corners a and b are nearer to A, c to B. On two of its sides there is a point as
+//!       / \      B         near to one as to the other: the cut runs from one to the other, and both parts go on
+//!   ---x---x---            on their own. Distances at x are then those to the surface, not to the wrong triangle.
+//!     /     \    A
+//!    a-------b
+//! ```
+
+use glam::DVec3;
+use wide::f64x4;
+
+use super::floor::Floor;
+use super::polygon::{MAX_CORNERS, Polygon};
+
+/// Cuts on the way from a piece to one that is given away as it is.
+const MAX_DEPTH: u8 = 12;
+
+/// Trials for a point where two triangles are equally near.
+const MAX_TRIALS: usize = 6;
+
+/// A piece may be given away whole if that makes its bound larger than the step's own error by no more than this share.
+const SLACK: f64 = 0.03;
+
+/// Points of the surface with their squared distances from the floor's triangles.
+#[derive(Default)]
+pub(super) struct Points {
+    at: Vec<DVec3>,
+    squared: Vec<f64x4>,
+    /// The largest squared distance of any from the nearest triangle.
+    farthest: f64,
+}
+
+impl Points {
+    pub(super) fn clear(&mut self) {
+        self.at.clear();
+        self.squared.clear();
+        self.farthest = 0.0;
+    }
+
+    #[inline]
+    pub(super) fn push(&mut self, floor: &Floor, at: DVec3) -> u32 {
+        self.farthest = self.farthest.max(floor.push_squared_distances(at, &mut self.squared));
+        self.at.push(at);
+        self.at.len() as u32 - 1
+    }
+
+    #[inline]
+    fn row(&self, point: u32) -> &[f64x4] {
+        let lanes = self.squared.len() / self.at.len();
+        &self.squared[point as usize * lanes..][..lanes]
+    }
+
+    #[inline]
+    fn squared(&self, point: u32, face: usize) -> f64 {
+        self.row(point)[face / 4].to_array()[face % 4]
+    }
+
+    /// The face from which the farthest of some points is least far, and its squared distance.
+    #[inline]
+    fn best(&self, points: &[u32], count: usize) -> (usize, f64) {
+        let lanes = self.squared.len() / self.at.len();
+        let (mut best, mut least) = (0, f64::INFINITY);
+        for lane in 0..lanes {
+            let mut worst = f64x4::ZERO;
+            for &point in points {
+                worst = worst.fast_max(self.squared[point as usize * lanes + lane]);
+            }
+            for (i, &squared) in worst.to_array().iter().enumerate() {
+                if squared < least && 4 * lane + i < count {
+                    (best, least) = (4 * lane + i, squared);
+                }
+            }
+        }
+        (best, least)
+    }
+}
+
+/// A piece with its corners among the points.
+#[derive(Clone, Copy)]
+pub(super) struct Shape {
+    count: usize,
+    corners: [[f64; 2]; MAX_CORNERS + 1],
+    points: [u32; MAX_CORNERS + 1],
+}
+
+impl Shape {
+    pub(super) fn new() -> Self {
+        Self { count: 0, corners: [[0.0; 2]; MAX_CORNERS + 1], points: [0; MAX_CORNERS + 1] }
+    }
+
+    #[inline]
+    pub(super) fn push(&mut self, corner: [f64; 2], point: u32) {
+        self.corners[self.count] = corner;
+        self.points[self.count] = point;
+        self.count += 1;
+    }
+
+    fn push_from(&mut self, other: &Self, i: usize) {
+        self.push(other.corners[i], other.points[i]);
+    }
+
+    fn points(&self) -> &[u32] {
+        &self.points[..self.count]
+    }
+
+    pub(super) fn polygon(&self) -> Polygon {
+        Polygon::new(&self.corners[..self.count])
+    }
+}
+
+/// Where a point of a piece lies in space.
+#[derive(Clone, Copy)]
+pub(super) struct Plane {
+    pub(super) first: DVec3,
+    pub(super) to_second: DVec3,
+    pub(super) to_third: DVec3,
+}
+
+impl Plane {
+    #[inline]
+    pub(super) fn at(&self, [u, v]: [f64; 2]) -> DVec3 {
+        self.first + self.to_second * u + self.to_third * v
+    }
+}
+
+/// A floor and the points measured against it.
+#[derive(Default)]
+pub(super) struct Settler {
+    pub(super) floor: Floor,
+    pub(super) points: Points,
+    /// Squared distance below which nothing is cut.
+    negligible: f64,
+    jobs: Vec<(Shape, u8)>,
+}
+
+impl Settler {
+    /// With the squared distance below which nothing is cut.
+    pub(super) fn new(negligible: f64) -> Self {
+        Self { negligible, ..Self::default() }
+    }
+
+    /// Squared bound that a piece may have without being cut.
+    #[inline]
+    fn allowed(&self) -> f64 {
+        (self.points.farthest * ((1.0 + SLACK) * (1.0 + SLACK))).max(self.negligible)
+    }
+
+    /// The face that serves all points well enough, and its squared bound.
+    #[inline]
+    pub(super) fn one_for_all(&self, points: &[u32]) -> Option<(usize, f64)> {
+        let (face, squared) = self.points.best(points, self.floor.count());
+        (squared <= self.allowed()).then_some((face, squared))
+    }
+
+    /// Cuts a piece until each part has a face that serves it, and hands out the parts; returns the largest squared bound.
+    pub(super) fn settle(&mut self, shape: Shape, plane: &Plane, mut out: impl FnMut(usize, &Shape)) -> f64 {
+        let mut largest: f64 = 0.0;
+        self.jobs.push((shape, 0));
+        while let Some((shape, depth)) = self.jobs.pop() {
+            let (face, squared) = self.points.best(shape.points(), self.floor.count());
+            if squared > self.allowed()
+                && depth < MAX_DEPTH
+                && let Some(parts) = self.cut(&shape, plane, face)
+            {
+                parts.into_iter().for_each(|part| self.push_job(part, depth + 1));
+            } else {
+                largest = largest.max(squared);
+                out(face, &shape);
+            }
+        }
+        largest
+    }
+
+    /// Takes a part up, in two where it has a corner too many.
+    fn push_job(&mut self, part: Shape, depth: u8) {
+        if part.count <= MAX_CORNERS {
+            self.jobs.push((part, depth));
+            return;
+        }
+        let middle = part.count / 2;
+        let (mut near, mut far) = (Shape::new(), Shape::new());
+        (0..=middle).for_each(|i| near.push_from(&part, i));
+        (middle..=part.count).for_each(|i| far.push_from(&part, i % part.count));
+        self.jobs.extend([(near, depth), (far, depth)]);
+    }
+
+    /// Cuts off what is nearer to another face around the corner that is farthest from `face`.
+    fn cut(&mut self, shape: &Shape, plane: &Plane, face: usize) -> Option<[Shape; 2]> {
+        let farther = |&i: &usize, &j: &usize| {
+            let squared = |i: usize| self.points.squared(shape.points[i], face);
+            squared(i).total_cmp(&squared(j))
+        };
+        let worst = (0..shape.count).max_by(farther)?;
+        let (other, _) = self.points.best(&[shape.points[worst]], self.floor.count());
+        let mut cutter = Cutter { settler: self, shape, plane, faces: [face, other], even: 0.0 };
+        let lead = cutter.lead(shape.points[worst]);
+        cutter.even = (0.01 * cutter.settler.allowed().sqrt()).min(0.5 * lead);
+        if other == face || lead <= 0.0 { None } else { cutter.cut_around(worst) }
+    }
+}
+
+/// Cuts one piece between two faces.
+struct Cutter<'a> {
+    settler: &'a mut Settler,
+    shape: &'a Shape,
+    plane: &'a Plane,
+    faces: [usize; 2],
+    /// A point is as near to one as to the other if its distances differ by no more.
+    even: f64,
+}
+
+impl Cutter<'_> {
+    /// How much nearer a point is to the second face than to the first.
+    fn lead(&self, point: u32) -> f64 {
+        let points = &self.settler.points;
+        points.squared(point, self.faces[0]).sqrt() - points.squared(point, self.faces[1]).sqrt()
+    }
+
+    fn cut_around(&mut self, worst: usize) -> Option<[Shape; 2]> {
+        let count = self.shape.count;
+        let mut leads = [0.0; MAX_CORNERS + 1];
+        for (lead, &point) in leads.iter_mut().zip(self.shape.points()) {
+            *lead = self.lead(point);
+        }
+        let is_first = |i: usize| leads[i % count] < -self.even;
+        // The corners on either side of the worst that are the first face's.
+        let after = (worst + 1..worst + count).find(|&i| is_first(i))?;
+        let before = (after..worst + count).rev().find(|&i| is_first(i))?;
+        let end = self.crossing((after + count - 1) % count, after % count, &leads);
+        let start = self.crossing((before + 1) % count, before % count, &leads);
+        let (mut off, mut rest) = (Shape::new(), Shape::new());
+        off.push(start.0, start.1);
+        for i in before + 1..after + count {
+            let point = self.shape.points[i % count];
+            if point != start.1 && point != end.1 {
+                off.push_from(self.shape, i % count);
+            }
+        }
+        off.push(end.0, end.1);
+        rest.push(end.0, end.1);
+        (after..=before).for_each(|i| rest.push_from(self.shape, i % count));
+        rest.push(start.0, start.1);
+        Some([off, rest])
+    }
+
+    /// The point between two corners that is as near to one face as to the other: `from` leads to the second face or is even.
+    fn crossing(&mut self, from: usize, to: usize, leads: &[f64; MAX_CORNERS + 1]) -> ([f64; 2], u32) {
+        let (mut lead_from, mut lead_to) = (leads[from], leads[to]);
+        if lead_from <= self.even {
+            return (self.shape.corners[from], self.shape.points[from]);
+        }
+        let [p, q] = [from, to].map(|i| self.shape.corners[i]);
+        let (mut low, mut high) = (0.0, 1.0);
+        let mut trial = 0;
+        loop {
+            let share = low + (high - low) * (lead_from / (lead_from - lead_to));
+            let corner = [p[0] + (q[0] - p[0]) * share, p[1] + (q[1] - p[1]) * share];
+            let point = self.settler.points.push(&self.settler.floor, self.plane.at(corner));
+            let lead = self.lead(point);
+            trial += 1;
+            if lead.abs() <= self.even || trial == MAX_TRIALS {
+                return (corner, point);
+            }
+            // A side that stays twice counts half, so that both ends close in.
+            if lead > 0.0 {
+                (low, lead_from, lead_to) = (share, lead, 0.5 * lead_to);
+            } else {
+                (high, lead_to, lead_from) = (share, lead, 0.5 * lead_from);
+            }
+        }
+    }
+}

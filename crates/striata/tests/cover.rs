@@ -1,0 +1,247 @@
+//! Certified errors hold: no point of the original surface is farther from a state than its error says.
+#![cfg(feature = "distance")]
+
+mod support;
+
+use proptest::prelude::*;
+use striata::mesh::{
+    DistanceOptions, FragmentSequence, FragmentedMesh, IndexedMesh, Random, RefinableMesh, fragment_faces,
+    replay, replay_fragments, shapes, surface_distance,
+};
+use striata::simplify::{SequenceOptions, build_sequence, certify, certify_collapses};
+use striata::{Cancelled, ignore_progress};
+use support::{Case, Wildness, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases};
+
+/// The distance of samples of `full` from `state`; 0 where there is nothing to measure.
+fn measured(full: &IndexedMesh, state: &IndexedMesh, sample_count: usize) -> f64 {
+    if state.triangles.is_empty() {
+        return 0.0;
+    }
+    let options = DistanceOptions::default().with_sample_count(sample_count);
+    surface_distance(full, state, &options).expect("both have triangles").a_to_b.max
+}
+
+/// What the measurement itself rounds.
+fn above(error: f32, mesh: &IndexedMesh) -> f64 {
+    f64::from(error) + 1e-14 * mesh.diagonal()
+}
+
+fn levels_hold(refinable: &RefinableMesh, stride: usize, sample_count: usize) {
+    let certain = certify_collapses(refinable, &mut ignore_progress).unwrap();
+    assert_eq!(certain.mesh, refinable.mesh);
+    assert_eq!(certain.sequence.targets(), refinable.sequence.targets());
+    for split_count in (0..refinable.sequence.step_count()).step_by(stride) {
+        let found = measured(&refinable.mesh, &replay(refinable, split_count), sample_count);
+        let error = certain.sequence.error_at(split_count);
+        assert!(found <= above(error, &refinable.mesh), "level {split_count}: {found} of at most {error}");
+    }
+}
+
+/// Random sets of steps, each with all that it stands on.
+fn selections_hold(refinable: &RefinableMesh, count: usize, sample_count: usize) {
+    let fragmented = FragmentedMesh::from_collapses(refinable);
+    let certain = certify(&fragmented, &mut ignore_progress).unwrap();
+    let fragments = &certain.fragments;
+    let replaced_by = fragments.replaced_by();
+    let mut random = Random::new(7);
+    for i in 0..count {
+        let taken = random_selection(fragments, &mut random, 5 + 90 * i as u32 / count as u32);
+        let faces = fragment_faces(fragments, |step| taken[step as usize]);
+        let mut error = 0f32;
+        for &face in &faces {
+            let step = replaced_by[face as usize];
+            if step != FragmentSequence::NO_STEP {
+                error = error.max(fragments.floor_error(step));
+            }
+        }
+        for step in (0..taken.len() as u32).filter(|&step| !taken[step as usize]) {
+            // What vanishes has no face left to tell its error.
+            if fragments.floor(step).is_empty() {
+                error = error.max(fragments.floor_error(step));
+            }
+        }
+        let triangles = faces.iter().map(|&face| fragments.faces()[face as usize].corners).collect();
+        let state = IndexedMesh::new(certain.mesh.positions.clone(), triangles);
+        let found = measured(&certain.mesh, &state, sample_count);
+        assert!(found <= above(error, &certain.mesh), "selection {i}: {found} of at most {error}");
+    }
+}
+
+/// Takes about `percent` of 100 steps, and whatever they stand on.
+fn random_selection(fragments: &FragmentSequence, random: &mut Random, percent: u32) -> Vec<bool> {
+    let mut taken = vec![false; fragments.step_count()];
+    // Whole regions, not single steps: a step is wanted if it restores a vertex whose number is so.
+    let block = 1 + random.below(40);
+    let salt = random.next_u64();
+    for step in (0..taken.len() as u32).rev() {
+        let wanted = Random::new(salt ^ u64::from(step / block)).below(100) < percent;
+        if wanted || taken[step as usize] {
+            taken[step as usize] = true;
+            for &face in fragments.floor(step) {
+                if let Some(maker) = fragments.maker(face) {
+                    taken[maker as usize] = true;
+                }
+            }
+        }
+    }
+    taken
+}
+
+fn everything_holds(case: &Case) {
+    let levels = case.refinable.sequence.step_count().div_ceil(12).max(1);
+    levels_hold(&case.refinable, case.stride.max(levels), 300);
+    selections_hold(&case.refinable, 4, 300);
+}
+
+#[test]
+fn all_kinds_of_meshes_hold_in_random_order() {
+    let cases = nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases().take(3));
+    cases.for_each(|case| everything_holds(&case));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn soups_hold(case in soups()) {
+        everything_holds(&case);
+    }
+
+    #[test]
+    fn random_triangles_in_space_hold(count in 1u32..60, seed in any::<u64>(), far_percent in 0usize..60) {
+        let mesh = shapes::random_soup(count, seed);
+        let wildness = Wildness { far_percent, base_position_count: 1 };
+        let refinable = random_refinable(&mesh, wildness, &mut support::Random::new(seed));
+        levels_hold(&refinable, 1 + count as usize / 10, 500);
+    }
+}
+
+/// A sphere with dents and noise, as scans have.
+fn rough_sphere() -> IndexedMesh {
+    let mut mesh = shapes::icosphere(4, 1.0);
+    let mut random = Random::new(11);
+    for p in &mut mesh.positions {
+        let [x, y, z] = *p;
+        let height = 1.0 + 0.1 * (5.0 * x).min(1.0) * (4.0 * y).max(-1.0) * z + random.between(-0.01, 0.01);
+        *p = [x * height, y * height, z * height];
+    }
+    mesh
+}
+
+fn surfaces() -> Vec<(&'static str, IndexedMesh)> {
+    vec![
+        ("torus", shapes::torus(48, 24, 1.0, 0.4)),
+        ("terrain", shapes::terrain(33, 3)),
+        ("rough sphere", rough_sphere()),
+        ("Klein bottle", shapes::klein_bottle(40, 24)),
+        ("seams", shapes::uv_cylinder(24, 12)),
+        ("hard edges", shapes::hard_cube()),
+    ]
+}
+
+fn quadric_sequence(mesh: &IndexedMesh) -> RefinableMesh {
+    build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress).unwrap().refinable
+}
+
+#[test]
+fn surfaces_hold_in_the_order_of_cost() {
+    for (name, mesh) in surfaces() {
+        eprintln!("{name}");
+        let refinable = quadric_sequence(&mesh);
+        levels_hold(&refinable, 1 + refinable.sequence.step_count() / 12, 20_000);
+        selections_hold(&refinable, 8, 20_000);
+    }
+}
+
+#[test]
+fn surfaces_hold_in_random_order() {
+    for (name, mesh) in surfaces() {
+        eprintln!("{name}");
+        for far_percent in [0, 2] {
+            let wildness = Wildness { far_percent, base_position_count: 4 };
+            let refinable = random_refinable(&mesh, wildness, &mut support::Random::new(3));
+            levels_hold(&refinable, 1 + refinable.sequence.step_count() / 8, 10_000);
+        }
+    }
+}
+
+/// Far from the origin, and at scales where squares of f32 would be 0 or infinite.
+#[test]
+fn any_scale_and_place_holds() {
+    for (scale, shift) in [(1e-25f32, 0.0), (1e25, 0.0), (1.0, 1e5)] {
+        let mut mesh = rough_sphere();
+        for x in mesh.positions.iter_mut().flatten() {
+            *x = *x * scale + shift;
+        }
+        let wildness = Wildness { far_percent: 0, base_position_count: 4 };
+        let refinable = random_refinable(&mesh, wildness, &mut support::Random::new(1));
+        levels_hold(&refinable, 1 + refinable.sequence.step_count() / 8, 5_000);
+    }
+}
+
+#[test]
+fn what_is_flat_stays_exact() {
+    let mut cube = shapes::cube();
+    for _ in 0..3 {
+        cube = split_in_four(&cube);
+    }
+    for (name, mesh, triangle_count) in [("grid", shapes::grid(24, 24), 2), ("cube", cube, 12)] {
+        let refinable = quadric_sequence(&mesh);
+        let certain = certify_collapses(&refinable, &mut ignore_progress).unwrap();
+        let level = certain.sequence.split_count_for_triangles(triangle_count);
+        assert!(certain.sequence.triangle_count_at(level) <= triangle_count, "{name}");
+        let error = f64::from(certain.sequence.error_at(level)) / mesh.diagonal();
+        assert!(error <= 1e-9, "{name}: {error} of the diagonal");
+    }
+}
+
+/// Each triangle into four.
+fn split_in_four(mesh: &IndexedMesh) -> IndexedMesh {
+    let mut positions = Vec::new();
+    let mut triangles = Vec::new();
+    for t in &mesh.triangles {
+        let [a, b, c] = t.map(|v| mesh.positions[v as usize]);
+        let middle = |p: [f32; 3], q: [f32; 3]| [0, 1, 2].map(|axis| 0.5 * (p[axis] + q[axis]));
+        let [d, e, f] = [middle(a, b), middle(b, c), middle(c, a)];
+        for corners in [[a, d, f], [d, b, e], [f, e, c], [d, e, f]] {
+            let first = positions.len() as u32;
+            positions.extend(corners);
+            triangles.push([first, first + 1, first + 2]);
+        }
+    }
+    IndexedMesh::new(positions, triangles)
+}
+
+/// Bounds that are true but loose would pass all other tests.
+#[test]
+fn bounds_are_tight() {
+    let mut ratios = Vec::new();
+    for (name, mesh) in surfaces().into_iter().take(4) {
+        let refinable = quadric_sequence(&mesh);
+        let certain = certify_collapses(&refinable, &mut ignore_progress).unwrap();
+        for percent in [75, 50, 25, 10, 5] {
+            let level = certain.sequence.split_count_for_triangles(mesh.triangle_count() * percent / 100);
+            let found = measured(&refinable.mesh, &replay(&refinable, level), 100_000);
+            let ratio = f64::from(certain.sequence.error_at(level)) / found;
+            assert!(ratio < 2.0, "{name} at {percent} %: {ratio}");
+            ratios.push(ratio);
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    assert!(ratios[ratios.len() / 2] < 1.15, "{ratios:?}");
+}
+
+#[test]
+fn certifying_can_be_cancelled() {
+    let fragmented = FragmentedMesh::from_collapses(&quadric_sequence(&shapes::torus(64, 32, 1.0, 0.4)));
+    let mut calls = 0;
+    let result = certify(&fragmented, &mut |progress| {
+        calls += 1;
+        assert_eq!(progress.phase, "certify");
+        if progress.done > 0 { std::ops::ControlFlow::Break(()) } else { std::ops::ControlFlow::Continue(()) }
+    });
+    assert_eq!((result, calls), (Err(Cancelled), 2));
+    let whole = certify(&fragmented, &mut ignore_progress).unwrap();
+    let level = fragmented.fragments.step_count() / 2;
+    assert_eq!(replay_fragments(&whole, level), replay_fragments(&fragmented, level));
+}
