@@ -4,7 +4,8 @@ mod support;
 
 use proptest::prelude::*;
 use striata::mesh::{FragmentSequence, FragmentedMesh, Random, canonical_triangles, fragment_faces};
-use striata::model::{Overlap, PatternInstance, Patterns};
+use striata::model::{Overlap, PatternBounds, PatternInstance, PatternScene, Patterns, Wanted};
+use striata::view::{Camera, Criterion, DetailBox, ScreenError};
 use support::{Case, follows_the_oracle, hub_cases, nasty_cases, seam_cases, soups, surface_cases};
 
 /// Compares what an instance shows with the oracle, group by group.
@@ -162,4 +163,71 @@ fn with_errors_as_condition_both_algorithms_agree() {
             assert_eq!(one.inserted_count(), limit as usize);
         }
     }
+}
+
+/// All fragments that a criterion wants are inserted, and nothing beside but what they stand on.
+fn holds_what_is_wanted(patterns: &Patterns, scene: PatternScene<'_>, criterion: &impl Criterion) -> usize {
+    let mut instance = PatternInstance::base(patterns);
+    instance.adapt(patterns, &Wanted::new(scene, criterion));
+    let mut expected = PatternInstance::base(patterns);
+    for step in 0..patterns.fragment_count() as u32 {
+        if criterion.weigh(&scene.part(step)).is_wanted() {
+            expected.insert(patterns, step);
+        }
+    }
+    assert_eq!(instance, expected, "{} fragments, {}", instance.inserted_count(), expected.inserted_count());
+    instance.triangle_count()
+}
+
+#[test]
+fn views_and_boxes_find_all_that_they_want() {
+    let mesh = striata::mesh::shapes::terrain(48, 7);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
+    let patterns = Patterns::build(&fragmented).unwrap();
+    let bounds = PatternBounds::build(&fragmented);
+    let positions = &fragmented.mesh.positions;
+    let scene = PatternScene::new(&patterns, &bounds, positions);
+    let all = fragmented.mesh.bounds().unwrap();
+    let full = fragmented.mesh.triangle_count();
+    let base = fragmented.fragments.levels().triangle_count_at(0);
+    let middle: [f32; 3] = std::array::from_fn(|a| 0.5 * (all.min[a] + all.max[a]));
+    let quarter =
+        DetailBox { min: all.min, max: [middle[0], middle[1], all.max[2]], error_outside: f32::INFINITY };
+    let shown = holds_what_is_wanted(&patterns, scene, &quarter);
+    assert!(shown > full / 5 && shown < full * 4 / 5, "{shown} of {full} triangles for a quarter");
+    let nowhere = DetailBox { min: [9e9; 3], max: [9e9; 3], ..quarter };
+    assert_eq!(holds_what_is_wanted(&patterns, scene, &nowhere), base);
+    let everywhere = DetailBox { min: all.min, max: all.max, ..quarter };
+    assert_eq!(holds_what_is_wanted(&patterns, scene, &everywhere), full);
+    for eye in [[2.0, 2.0, 2.0], [0.1, 0.1, 0.4], [-3.0, 0.2, 0.3]] {
+        let camera = Camera::new(eye, middle, [0.0, 0.0, 1.0], 0.4, [800, 600]).unwrap();
+        let shown = holds_what_is_wanted(&patterns, scene, &ScreenError::new(camera, 2.0));
+        assert!(shown > base && shown < full, "{shown} triangles from {eye:?}");
+    }
+}
+
+/// What lies in the box is there as in the full mesh.
+#[test]
+fn a_box_shows_full_detail() {
+    let mesh = striata::mesh::shapes::terrain(40, 3);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
+    let patterns = Patterns::build(&fragmented).unwrap();
+    let bounds = PatternBounds::build(&fragmented);
+    let scene = PatternScene::new(&patterns, &bounds, &fragmented.mesh.positions);
+    let all = fragmented.mesh.bounds().unwrap();
+    let max = std::array::from_fn(|a| if a == 2 { all.max[a] } else { 0.6 * all.min[a] + 0.4 * all.max[a] });
+    let detail = DetailBox { min: all.min, max, error_outside: f32::INFINITY };
+    let mut instance = PatternInstance::full(&patterns);
+    instance.adapt(&patterns, &Wanted::new(scene, &detail));
+    let mut shown = Vec::new();
+    instance.triangles_into(&mut shown);
+    let shown = canonical_triangles(&shown);
+    let is_inside =
+        |t: &[u32; 3]| t.iter().all(|&v| (0..3).all(|a| fragmented.mesh.positions[v as usize][a] <= max[a]));
+    let inside: Vec<_> =
+        canonical_triangles(&fragmented.mesh.triangles).into_iter().filter(is_inside).collect();
+    assert!(inside.len() > 200 && shown.len() < fragmented.mesh.triangle_count() / 2);
+    assert!(inside.iter().all(|t| shown.binary_search(t).is_ok()));
 }

@@ -12,6 +12,7 @@ pub mod mts;
 pub mod patterns;
 
 mod error;
+mod part_record;
 mod record_arena;
 mod step_bits;
 mod step_vertices;
@@ -28,7 +29,10 @@ pub use fans::{
 pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
-pub use patterns::{Condition, Overlap, PatternChange, PatternInstance, Patterns, PatternsState};
+pub use patterns::{
+    Condition, Overlap, PatternBounds, PatternChange, PatternInstance, PatternScene, Patterns, PatternsState,
+    Wanted,
+};
 pub(crate) use step_vertices::StepVertices;
 
 use std::ops::Range;

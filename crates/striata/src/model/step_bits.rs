@@ -37,6 +37,18 @@ impl StepBits {
         Some(64 * at as u32 + word.ilog2())
     }
 
+    /// The first step of the set from one on.
+    #[inline]
+    pub(in crate::model) fn first_from(&self, start: u32) -> Option<u32> {
+        let (mut at, bit) = (start as usize / 64, start % 64);
+        let mut word = self.words.get(at)? & u64::MAX << bit;
+        while word == 0 {
+            at += 1;
+            word = *self.words.get(at)?;
+        }
+        Some(64 * at as u32 + word.trailing_zeros())
+    }
+
     /// Puts the steps of a range in and takes all others out.
     pub(in crate::model) fn set_range(&mut self, range: std::ops::Range<usize>) {
         self.words.fill(0);

@@ -7,6 +7,7 @@
 mod camera;
 mod cone;
 mod criterion;
+mod detail_box;
 mod screen_error;
 mod screen_lanes;
 mod sphere;
@@ -14,6 +15,7 @@ mod sphere;
 pub use camera::{Camera, CameraError};
 pub use cone::NormalCone;
 pub use criterion::{Criterion, Part, Verdict};
+pub use detail_box::DetailBox;
 pub use screen_error::{Fovea, ScreenError};
 pub use sphere::Sphere;
 

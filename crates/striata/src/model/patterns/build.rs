@@ -213,21 +213,21 @@ impl Ancestry {
         let mut looked_at = 0;
         for &candidate in &below {
             // What is older than the candidate cannot need it, so the walk goes down no further than to it.
-            let mut later = Vec::new();
-            while let Some(at) = self.waiting.pop() {
-                if at <= candidate || looked_at == MAX_SEARCH {
-                    later.push(at);
+            let mut at = 0;
+            while at < self.waiting.len() && looked_at < MAX_SEARCH {
+                if self.waiting[at] <= candidate {
+                    at += 1;
                     continue;
                 }
+                let younger = self.waiting.swap_remove(at);
                 looked_at += 1;
-                for &next in &self.below[at as usize] {
+                for &next in &self.below[younger as usize] {
                     if next >= oldest && self.seen[next as usize] != step {
                         self.seen[next as usize] = step;
                         self.waiting.push(next);
                     }
                 }
             }
-            self.waiting = later;
             if self.seen[candidate as usize] != step {
                 self.seen[candidate as usize] = step;
                 kept.push(candidate);

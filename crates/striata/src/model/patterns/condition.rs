@@ -4,8 +4,9 @@
 //! triangle is too coarse, one is contained in all others: if two sets stand and are fine enough, so is what they have in
 //! common. [`PatternInstance::adapt`] finds it by going up from the base, over what is too coarse and over what that stands on.
 
-use super::{PatternInstance, Patterns};
+use super::{PatternInstance, PatternScene, Patterns};
 use crate::model::step_bits::StepBits;
+use crate::view::Criterion;
 
 /// The triangles that one fragment makes and another replaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +30,26 @@ impl<F: Fn(Overlap) -> bool> Condition for F {
     }
 }
 
+/// A criterion of views as a condition: fragments that it wants.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted<'a, C> {
+    scene: PatternScene<'a>,
+    criterion: &'a C,
+}
+
+impl<'a, C: Criterion> Wanted<'a, C> {
+    /// What a criterion wants of a scene.
+    pub fn new(scene: PatternScene<'a>, criterion: &'a C) -> Self {
+        Self { scene, criterion }
+    }
+}
+
+impl<C: Criterion> Condition for Wanted<'_, C> {
+    fn is_too_coarse(&self, overlap: Overlap) -> bool {
+        self.criterion.weigh(&self.scene.part(overlap.upper)).is_wanted()
+    }
+}
+
 /// What an instance did to satisfy a condition.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PatternChange {
@@ -47,17 +68,18 @@ impl PatternInstance {
         self.check(patterns);
         let mut change = PatternChange::default();
         let mut wanted = StepBits::none(patterns.fragment_count());
-        let mut waiting = Vec::new();
         for above in patterns.above_base() {
             if !wanted.has(above) && condition.is_too_coarse(Overlap { lower: None, upper: above }) {
                 wanted.insert(above);
-                waiting.push(above);
             }
-            // Depth first: what is near in space is then near in memory.
+        }
+        // By number: records are read as they stand in memory, and what a fragment stands on is mostly there.
+        let mut waiting = Vec::new();
+        let mut next = 0;
+        while let Some(step) = wanted.first_from(next) {
+            next = step + 1;
+            waiting.push(step);
             while let Some(step) = waiting.pop() {
-                if !self.is_inserted(step) {
-                    self.lay_foundation(patterns, step, |_| change.inserted += 1);
-                }
                 let head = patterns.records.head(step);
                 for below in patterns.down(&head) {
                     if !wanted.has(below) {
@@ -65,11 +87,16 @@ impl PatternInstance {
                         waiting.push(below);
                     }
                 }
+                if !self.is_inserted(step) {
+                    self.lay_foundation(patterns, step, |_| change.inserted += 1);
+                }
                 for link in 0..patterns.ways.link_count(head.way) {
                     let (upper, _) = patterns.records.up(&head, link);
                     if !wanted.has(upper) && condition.is_too_coarse(Overlap { lower: Some(step), upper }) {
                         wanted.insert(upper);
-                        waiting.push(upper);
+                        if upper < next {
+                            waiting.push(upper);
+                        }
                     }
                 }
             }
@@ -83,6 +110,7 @@ impl PatternInstance {
             }
             end = step;
         }
+        self.tidy();
         change
     }
 
@@ -110,6 +138,7 @@ impl PatternInstance {
                 self.remove_top(patterns, step);
             }
         }
+        self.tidy();
         before - self.inserted_count()
     }
 

@@ -23,6 +23,9 @@ struct Slot {
     place: u32,
 }
 
+/// Fewer places are left as they are.
+const MIN_TIDIED: usize = 1024;
+
 /// An instance of patterns: a set of inserted fragments that stands, and its triangles.
 ///
 /// Two are equal if they have the same fragments inserted.
@@ -150,6 +153,7 @@ impl PatternInstance {
                 self.remove_top(patterns, step);
             }
         }
+        self.tidy();
         before - self.inserted_count
     }
 
@@ -173,6 +177,34 @@ impl PatternInstance {
             .zip(&self.groups)
             .filter(|(slot, own)| slot.corners[0] != NONE && **own == group);
         out.extend(of_group.map(|(slot, _)| slot.corners));
+    }
+
+    /// Gives memory back once most places are free, so that what is left stands together.
+    pub(super) fn tidy(&mut self) {
+        if self.slots.len() < MIN_TIDIED || self.triangle_count > self.slots.len() / 4 {
+            return;
+        }
+        let mut moved = vec![NONE; self.slots.len()];
+        let mut live = 0;
+        for (to, slot) in moved.iter_mut().zip(&self.slots) {
+            if slot.corners[0] != NONE {
+                *to = live;
+                live += 1;
+            }
+        }
+        let follow = |slot: u32| if slot == NONE { NONE } else { moved[slot as usize] };
+        self.heads.iter_mut().for_each(|head| *head = follow(*head));
+        let mut from = moved.iter();
+        if !self.groups.is_empty() {
+            self.groups.retain(|_| *from.next().expect("a group for each place") != NONE);
+            self.groups.shrink_to_fit();
+        }
+        self.slots.retain_mut(|slot| {
+            slot.next = follow(slot.next);
+            slot.corners[0] != NONE
+        });
+        self.slots.shrink_to_fit();
+        self.free = NONE;
     }
 
     pub(super) fn check(&self, patterns: &Patterns) {

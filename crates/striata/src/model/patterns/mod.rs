@@ -28,6 +28,7 @@
 //! heads, so extraction is linear in what it shows.
 
 pub(in crate::model) mod bits;
+mod bounds;
 mod build;
 mod condition;
 mod instance;
@@ -37,7 +38,8 @@ mod records;
 mod rule;
 mod rule_table;
 
-pub use condition::{Condition, Overlap, PatternChange};
+pub use bounds::{PatternBounds, PatternScene};
+pub use condition::{Condition, Overlap, PatternChange, Wanted};
 pub use instance::PatternInstance;
 pub use level::PatternsState;
 

@@ -1,0 +1,192 @@
+//! Bounds of what steps change, eight bytes each, nested along a tree of steps.
+//!
+//! A record is a sphere around a known place, a cone of normals and an error. All numbers are rounded to the safe side: a
+//! radius and an error are the upper 16 bits of what they are without a sign, an axis is three bytes, and a sine is one. What is
+//! rounded is what the parent's bounds hold, so that rounding never makes a part weigh more than the whole.
+
+use glam::{DVec3, Vec3};
+
+use super::ModelError;
+use crate::view::{NormalCone, Part, Sphere};
+
+/// Stands for no step.
+pub(in crate::model) const NO_STEP: u32 = u32::MAX;
+
+/// Steps with what they change, and the tree along which bounds are nested.
+pub(in crate::model) trait Bounded {
+    /// The step above each in the tree, which is coarser; [`NO_STEP`] for one that hangs from the base.
+    fn parents(&self) -> Vec<u32>;
+    /// Where the sphere of a step has its centre.
+    fn center(&self, step: u32) -> [f32; 3];
+    /// Appends the triangles that go or come with a step.
+    fn changed_into(&mut self, step: u32, out: &mut Vec<[[f32; 3]; 3]>);
+    /// The error that is there while a step is left out, mesh units.
+    fn error(&self, step: u32) -> f32;
+}
+
+/// The records of all steps: each holds what its step changes, and the records of all steps below it.
+pub(in crate::model) fn bound(steps: &mut impl Bounded) -> Vec<PartRecord> {
+    let parents = steps.parents();
+    let mut records = vec![PartRecord::default(); parents.len()];
+    let mut normals = vec![DVec3::ZERO; parents.len()];
+    let (mut first_child, mut next_child) = (vec![NO_STEP; parents.len()], vec![NO_STEP; parents.len()]);
+    let mut changed = Vec::new();
+    // What is below a step is finer, so its bounds are known by then; and children come in rising order.
+    for step in (0..parents.len()).rev() {
+        let children =
+            || std::iter::successors(some_step(first_child[step]), |&c| some_step(next_child[c as usize]));
+        changed.clear();
+        steps.changed_into(step as u32, &mut changed);
+        let mut sphere = Sphere::point(steps.center(step as u32));
+        for &corner in changed.iter().flatten() {
+            sphere = sphere.with_point(corner);
+        }
+        let own = NormalCone::of_triangles(changed.iter().copied());
+        let normal = direction(own.axis) + children().map(|child| normals[child as usize]).sum::<DVec3>();
+        let mut cone = NormalCone::around(normal).with_cone(&own);
+        let mut error = steps.error(step as u32);
+        for child in children() {
+            let below = records[child as usize].part(steps.center(child));
+            sphere = sphere.with_sphere(&below.sphere);
+            cone = cone.with_cone(&below.cone);
+            error = error.max(below.error);
+        }
+        normals[step] = normal;
+        records[step] = PartRecord::holding(sphere.radius, &cone, error);
+        if let Some(parent) = some_step(parents[step]) {
+            next_child[step] = std::mem::replace(&mut first_child[parent as usize], step as u32);
+        }
+    }
+    records
+}
+
+fn some_step(step: u32) -> Option<u32> {
+    (step != NO_STEP).then_some(step)
+}
+
+/// What is stored of a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub(in crate::model) struct PartRecord {
+    radius: u16,
+    error: u16,
+    /// Of the cone, 127 being 1.
+    axis: [i8; 3],
+    /// Of the cone, 255 being 1.
+    sin: u8,
+}
+
+impl PartRecord {
+    pub(in crate::model) fn holding(radius: f32, cone: &NormalCone, error: f32) -> Self {
+        let mut record =
+            Self { radius: round_up(radius), error: round_up(error), axis: [0; 3], sin: u8::MAX };
+        if cone.cos > 0.0 {
+            // Towards zero, so that the axis is never longer than 1.
+            record.axis = cone.axis.map(|x| (x * 127.0) as i8);
+            let around = NormalCone::around(direction(record.axis.map(f32::from))).with_cone(cone);
+            if around.cos > 0.0 {
+                let cos = f64::from(around.cos);
+                record.sin = ((1.0 - cos * cos).max(0.0).sqrt() * 255.0 + 1e-3).ceil().min(255.0) as u8;
+            }
+        }
+        record
+    }
+
+    /// Whether a stored record is one that bounds can be.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub(in crate::model) fn check_shape(self) -> Result<(), &'static str> {
+        let axis = self.axis.map(i32::from);
+        if self.radius > round_up(f32::INFINITY) || self.error > round_up(f32::INFINITY) {
+            return Err("has a radius or an error that is no number");
+        }
+        if axis.iter().map(|x| x * x).sum::<i32>() > 127 * 127 {
+            return Err("has an axis that is longer than 1");
+        }
+        Ok(())
+    }
+
+    /// Whether it is the record of a step with such an error.
+    pub(in crate::model) fn has_error(self, error: f32) -> bool {
+        self.error == round_up(error)
+    }
+
+    /// Reads as many records as there are steps.
+    ///
+    /// # Errors
+    /// [`ModelError::Length`] where there are more or fewer.
+    pub(in crate::model) fn read_all(bytes: &[u8], step_count: usize) -> Result<Vec<Self>, ModelError> {
+        let expected = size_of::<Self>() * step_count;
+        if bytes.len() != expected {
+            return Err(ModelError::Length { what: "bytes of bounds", found: bytes.len(), expected });
+        }
+        let mut records = vec![Self::default(); step_count];
+        bytemuck::must_cast_slice_mut(&mut records).copy_from_slice(bytes);
+        Ok(records)
+    }
+
+    /// The bounds, around a centre.
+    #[inline]
+    pub(in crate::model) fn part(self, center: [f32; 3]) -> Part {
+        let sin = f32::from(self.sin) * (1.0 / 255.0);
+        // Shortened by what rounding may have added to it.
+        let axis = self.axis.map(|x| f32::from(x) * (1.0 / 127.001));
+        let cos = if self.sin == u8::MAX { -1.0 } else { (1.0 - sin * sin).sqrt() };
+        Part {
+            sphere: Sphere { center, radius: expand(self.radius) },
+            cone: NormalCone { axis, cos },
+            error: expand(self.error),
+        }
+    }
+}
+
+/// The upper 16 bits of a number that is not negative, without its sign; of the next larger number that has no lower ones.
+fn round_up(number: f32) -> u16 {
+    let bits = number.max(0.0).to_bits();
+    (bits.div_ceil(1 << 15)).min(f32::INFINITY.to_bits() >> 15) as u16
+}
+
+#[inline]
+fn expand(bits: u16) -> f32 {
+    f32::from_bits(u32::from(bits) << 15)
+}
+
+pub(in crate::model) fn direction(axis: [f32; 3]) -> DVec3 {
+    Vec3::from(axis).as_dvec3().normalize_or_zero()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Random;
+
+    #[test]
+    fn numbers_are_rounded_up_by_little() {
+        for number in [0.0, 1e-40, 1e-20, 0.1, 1.0, 1.001, 12345.6, 3e38] {
+            let kept = expand(round_up(number));
+            assert!(kept >= number && kept <= number * 1.004 + 1e-40, "{number} became {kept}");
+        }
+        assert_eq!(expand(round_up(f32::INFINITY)), f32::INFINITY);
+        assert_eq!(expand(round_up(f32::MAX)), f32::INFINITY);
+    }
+
+    #[test]
+    fn a_stored_cone_holds_the_cone_that_it_was_made_of() {
+        let mut random = Random::new(9);
+        let mut direction = || DVec3::from([(); 3].map(|()| random.unit() - 0.5)).normalize();
+        let mut wider = 0.0f32;
+        for _ in 0..2000 {
+            let (axis, other) = (direction(), direction());
+            let cone =
+                NormalCone::around(axis).with_cone(&NormalCone::around((axis * 1.5 + other).normalize()));
+            let kept = PartRecord::holding(1.0, &cone, 0.0).part([0.0; 3]).cone;
+            assert!(Vec3::from(kept.axis).length() <= 1.0);
+            let around = NormalCone::around(super::direction(kept.axis)).with_cone(&cone);
+            assert!(kept.cos <= around.cos, "{cone:?} became {kept:?}");
+            wider = wider.max(cone.cos - kept.cos);
+        }
+        assert!(wider < 0.02, "a cone lost {wider} of its cosine");
+        assert_eq!(PartRecord::holding(1.0, &NormalCone::ALL, 0.0).part([0.0; 3]).cone.cos, -1.0);
+    }
+}
