@@ -1,6 +1,7 @@
 //! The arguments of the command: one type per verb, and the values that flags take.
 
 mod compare;
+mod sequence;
 mod strips;
 mod view;
 
@@ -11,6 +12,7 @@ use std::str::FromStr;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, StripifierArgs};
+pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
 pub(crate) use self::view::{Point, ViewArgs, tan};
@@ -99,10 +101,10 @@ pub(crate) struct BuildArgs {
     /// Stop when no more than this many triangles are left [default: as far as it goes]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) base: Option<usize>,
-    /// Stop before the error exceeds this: mesh units, or `1%` of the diagonal
+    /// Never let the original be farther than this from a level, which is guaranteed: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "E", allow_negative_numbers = true)]
     pub(crate) max_error: Option<Length>,
-    /// How collapses are ordered.
+    /// What is simplified first.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
     /// How the strips at full detail are made.
@@ -157,7 +159,7 @@ pub(crate) struct ExtractArgs {
     override_usage = "striata simplify [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
     after_help = "Examples:\n  \
     striata simplify bunny.ply -o small.ply --triangles 5000\n  \
-    striata simplify scan.obj -o scan.glb --error 0.5% --lock-boundary"
+    striata simplify scan.obj -o scan.glb --max-error 0.5% --order hausdorff"
 )]
 pub(crate) struct SimplifyArgs {
     /// The mesh, or - for stdin
@@ -168,7 +170,11 @@ pub(crate) struct SimplifyArgs {
     /// Which level.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
-    /// How collapses are ordered.
+    /// Never let the original be farther than this, which is guaranteed; alone or with another level: mesh units, or `1%` of
+    /// the diagonal
+    #[arg(long, value_name = "E", allow_negative_numbers = true, group = "LevelArgs", help_heading = LEVEL)]
+    pub(crate) max_error: Option<Length>,
+    /// What is simplified first.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
     /// Where the mesh goes.
@@ -228,10 +234,13 @@ pub(crate) struct CompletionsArgs {
     pub(crate) shell: clap_complete::Shell,
 }
 
+/// The heading of targets.
+const LEVEL: &str = "Level (exactly one)";
+
 /// The target of a level; exactly one must be given, but that a view may have a number of triangles, too.
 #[derive(Clone, Copy, Debug, Args)]
 #[group(required = true, multiple = true)]
-#[command(next_help_heading = "Level (exactly one)")]
+#[command(next_help_heading = LEVEL)]
 pub(crate) struct LevelArgs {
     /// At most so many triangles; with --eye, those that the screen shows best
     #[arg(long, value_name = "N", allow_negative_numbers = true, conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
@@ -242,7 +251,7 @@ pub(crate) struct LevelArgs {
     /// Share of the way from the base mesh (0) to the full mesh (1)
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, conflicts_with_all = ["error", "split_count", "eye"])]
     pub(crate) detail: Option<f64>,
-    /// At most this error, as the file estimates it: mesh units, or `1%` of the diagonal
+    /// At most this error, estimated if it is not guaranteed: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "E", allow_negative_numbers = true, conflicts_with_all = ["split_count", "eye"])]
     pub(crate) error: Option<Length>,
     /// Exactly so many vertex splits above the base mesh
@@ -251,24 +260,6 @@ pub(crate) struct LevelArgs {
     /// As fine as the screen asks for, seen from here (`extract` only)
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub(crate) eye: Option<Point>,
-}
-
-/// How the simplification sequence is made.
-#[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Simplification")]
-pub(crate) struct SequenceArgs {
-    /// What orders the collapses: quadric
-    #[arg(long, value_name = "NAME", default_value = "quadric")]
-    pub(crate) order: String,
-    /// Which cost: of the current mesh, summed up, or of all removed vertices (slow, best far down)
-    #[arg(long, default_value = "memoryless")]
-    pub(crate) cost: CostArg,
-    /// Keep every boundary vertex in place
-    #[arg(long)]
-    pub(crate) lock_boundary: bool,
-    /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "D", allow_negative_numbers = true)]
-    pub(crate) pair_distance: Option<Length>,
 }
 
 /// Where a mesh goes, and how it is written.
@@ -330,17 +321,6 @@ pub(crate) enum PlacementArg {
     Subset,
     /// Anywhere: nearer to the surface, attributes interpolated
     Optimal,
-}
-
-/// What a collapse costs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum CostArg {
-    /// Against the current mesh: fast, best at mild levels
-    Memoryless,
-    /// Quadrics summed up over the history: the classic
-    Accumulated,
-    /// Against all removed vertices: slower, best at coarse levels
-    Tracked,
 }
 
 /// A length as the user writes it.

@@ -11,7 +11,7 @@ use striata::strip::{RESTART, StripOptions, StripSet, stripify};
 use super::extract_view::{ViewLevel, level_of_view};
 use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, Point, TriangleForm};
-use crate::commands::build::{MODELS, unknown_name};
+use crate::commands::build::{MODELS, errors_are_guaranteed, unknown_name};
 use crate::failure::Failure;
 use crate::fan_cover::fans_of;
 use crate::input::Input;
@@ -31,6 +31,8 @@ struct Report {
     vertex_count: usize,
     triangle_count: usize,
     error: f32,
+    /// Whether no point of the original is farther than the error; of a view nothing is known.
+    error_is_guaranteed: bool,
     stop_reason: &'static str,
     seek_secs: f64,
     secs: f64,
@@ -56,6 +58,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let sequence = file.sequence().map_err(|error| input.damaged(&error))?;
     let target = args.level.target(file.summary().bounds.map_or(0.0, |b| b.diagonal()))?;
     let (split_count, stop_reason) = target.resolve(&sequence);
+    let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let extracted = match pick_model(&file, args.model.as_deref(), &input)? {
         Model::LodStrips(model) => Extracted::of_strips("lodstrips", &model, split_count, &file),
         Model::Mts(model) => Extracted::of_strips("mts", &model, split_count, &file),
@@ -71,6 +74,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
         error: sequence.error_at(split_count),
+        error_is_guaranteed,
         stop_reason: stop_reason.as_str(),
         seek_secs,
         secs: started.elapsed().as_secs_f64(),
@@ -202,6 +206,7 @@ fn run_view(
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
         error,
+        error_is_guaranteed: false,
         stop_reason: stop_reason.as_str(),
         seek_secs,
         secs: started.elapsed().as_secs_f64(),
@@ -211,9 +216,10 @@ fn run_view(
 
 impl Report {
     fn to_text(&self, step_count: usize) -> String {
+        let kind = if self.error_is_guaranteed { "guaranteed error" } else { "error" };
         let fans = self.fans.map_or_else(String::new, |origin| format!(", fans {origin}"));
         format!(
-            "{} triangles, {} vertices, split {} of {}, error {}, {}; sought in {}{fans}",
+            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{fans}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.split_count),

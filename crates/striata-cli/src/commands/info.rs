@@ -7,7 +7,7 @@ use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData, St
 use striata::model::{LodModel, PartBytes, StripModel};
 
 use crate::args::InfoArgs;
-use crate::commands::build::parts_of_fans;
+use crate::commands::build::{errors_are_guaranteed, parts_of_fans};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, Table, grouped, measured, sized};
@@ -46,6 +46,7 @@ struct Report {
     step_count: Option<usize>,
     base: Option<Value>,
     error_max: Option<f32>,
+    error_is_guaranteed: Option<bool>,
     sections: Vec<Value>,
     defect_counts: Map<String, Value>,
     defects: Vec<String>,
@@ -67,6 +68,8 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
     let mut report = Report::new(input, &refinable.mesh);
     report.format_version = Some(FORMAT_VERSION);
     report.add_sequence(&refinable.sequence);
+    let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
+    report.error_is_guaranteed = Some(is_guaranteed);
     if let Some(model) = file.lod_strips() {
         let model = model.map_err(|error| input.damaged(&error))?;
         report.add_model("lodstrips", &model.bytes(), Some(model.strip_count()));
@@ -128,6 +131,7 @@ impl Report {
             step_count: None,
             base: None,
             error_max: None,
+            error_is_guaranteed: None,
             sections: Vec::new(),
             defect_counts: defects
                 .counts()
@@ -171,7 +175,8 @@ impl Report {
         row("diagonal", measured(self.diagonal));
         if let (Some(step_count), Some(base), Some(error)) = (self.step_count, &self.base, self.error_max) {
             row("levels", grouped(step_count + 1));
-            row("base", format!("{} triangles, error {}", base["triangle_count"], measured(error.into())));
+            let kind = if self.error_is_guaranteed == Some(true) { "guaranteed error" } else { "error" };
+            row("base", format!("{} triangles, {kind} {}", base["triangle_count"], measured(error.into())));
         }
         for (model, facts) in &self.models {
             let bytes_per_vertex = facts["bytes_per_vertex"].as_f64().unwrap_or(0.0);

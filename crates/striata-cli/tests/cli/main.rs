@@ -4,6 +4,7 @@ mod compare;
 mod compare_models;
 mod compare_views;
 mod help;
+mod orders;
 mod refusals;
 mod strip_blocks;
 mod strips;
