@@ -13,7 +13,7 @@ use striata::model::{FanBounds, FanFront, FanScene, Fans, LodModel, LodStrips, M
 use striata::strip::{StripOptions, StripSet, stripify};
 use support::{
     Random, Whim, Wildness, grid, hub_cases, nasty, nasty_cases, random_refinable, seam_cases, surface_cases,
-    with_seams_and_groups,
+    with_seams_and_groups, with_sound_checksums,
 };
 
 /// A mesh with everything that a file can hold.
@@ -302,22 +302,6 @@ fn every_flipped_bit_of_a_section_is_found() {
             assert!(read_everything(&flipped).is_err(), "{}, bit {bit}", section.kind);
         }
     }
-}
-
-/// Sets all checksums to what the damaged bytes have, as a hostile writer would.
-fn with_sound_checksums(bytes: &mut [u8]) {
-    let count = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
-    for entry in 0..count {
-        let at = 64 + 32 * entry;
-        let number = |i: usize| u64::from_le_bytes(bytes[at + i..at + i + 8].try_into().unwrap()) as usize;
-        let (offset, length) = (number(8), number(16));
-        let Some(section) = bytes.get(offset..offset.saturating_add(length)) else { continue };
-        let checksum = crc32fast::hash(section).to_le_bytes();
-        bytes[at + 24..at + 28].copy_from_slice(&checksum);
-    }
-    bytes[24..28].fill(0);
-    let checksum = crc32fast::hash(&bytes[..64 + 32 * count]).to_le_bytes();
-    bytes[24..28].copy_from_slice(&checksum);
 }
 
 /// Rewrites the kind and flags of one section of a sound file.

@@ -6,7 +6,10 @@ use proptest::prelude::*;
 use striata::mesh::{FragmentSequence, FragmentedMesh, Random, canonical_triangles, fragment_faces};
 use striata::model::{Overlap, PatternBounds, PatternInstance, PatternScene, Patterns, Wanted};
 use striata::view::{Camera, Criterion, DetailBox, ScreenError};
-use support::{Case, follows_the_oracle, hub_cases, nasty_cases, seam_cases, soups, surface_cases};
+use support::{
+    Case, closed_sets, follows_the_fragments, follows_the_oracle, fragment_cases, hub_cases, nasty_cases,
+    random_removals, seam_cases, smallest_set, soups, surface_cases,
+};
 
 /// Compares what an instance shows with the oracle, group by group.
 fn shows_its_set(fragments: &FragmentSequence, instance: &PatternInstance, group_count: u32) {
@@ -25,38 +28,46 @@ fn follows_any_way(case: &Case) {
     let fragmented = FragmentedMesh::from_collapses(&case.refinable);
     let patterns = Patterns::build(&fragmented).unwrap();
     follows_the_oracle(&case.refinable, &patterns, case.stride);
+    follows_any_way_of_fragments(&fragmented, &patterns, case.seed);
+}
+
+fn follows_any_way_of_fragments(fragmented: &FragmentedMesh, patterns: &Patterns, seed: u64) {
     let step_count = patterns.fragment_count();
+    let errors = (0..step_count as u32).map(|step| fragmented.fragments.floor_error(step)).collect();
+    let unpacked = patterns.unpack(errors).unwrap();
+    let again = FragmentedMesh { mesh: fragmented.mesh.clone(), fragments: unpacked };
+    assert_eq!(&Patterns::build(&again).unwrap(), patterns, "unpacked and built again");
     if step_count == 0 {
         return;
     }
     let group_count = fragmented.mesh.groups.len().max(1) as u32;
-    let mut random = Random::new(case.seed);
-    let mut instance = PatternInstance::base(&patterns);
+    let mut random = Random::new(seed);
+    let mut instance = PatternInstance::base(patterns);
     for _ in 0..24 {
         let step = random.below(step_count as u32);
         let count = instance.inserted_count();
         if random.below(2) == 0 {
-            let inserted = instance.insert(&patterns, step);
+            let inserted = instance.insert(patterns, step);
             assert!(instance.is_inserted(step));
             assert_eq!(instance.inserted_count(), count + inserted);
         } else {
-            let removed = instance.remove(&patterns, step);
+            let removed = instance.remove(patterns, step);
             assert!(!instance.is_inserted(step));
             assert_eq!(instance.inserted_count() + removed, count);
         }
         shows_its_set(&fragmented.fragments, &instance, group_count);
     }
     for _ in 0..6 {
-        let (seed, percent) = (u64::from(random.below(1 << 20)), random.below(100));
-        let whim = |overlap: Overlap| is_whim(overlap, seed, percent);
-        let mut other = PatternInstance::base(&patterns);
-        instance.adapt(&patterns, &whim);
-        other.refine(&patterns, &whim);
+        let (name, percent) = (u64::from(random.below(1 << 20)), random.below(100));
+        let whim = |overlap: Overlap| is_whim(overlap, name, percent);
+        let mut other = PatternInstance::base(patterns);
+        instance.adapt(patterns, &whim);
+        other.refine(patterns, &whim);
         shows_its_set(&fragmented.fragments, &instance, group_count);
         assert_eq!(instance, other, "from the base, and from what was there before");
-        let change = instance.adapt(&patterns, &whim);
+        let change = instance.adapt(patterns, &whim);
         assert_eq!(change, Default::default(), "nothing is left to be done");
-        assert_eq!(other.coarsen(&patterns, &whim), 0);
+        assert_eq!(other.coarsen(patterns, &whim), 0);
     }
 }
 
@@ -70,6 +81,15 @@ fn is_whim(overlap: Overlap, seed: u64, percent: u32) -> bool {
 fn all_kinds_of_meshes_follow_the_oracle() {
     let cases = nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases().take(4));
     cases.for_each(|case| follows_any_way(&case));
+}
+
+#[test]
+fn removals_with_any_triangulation_follow_the_oracle() {
+    for (seed, fragmented) in fragment_cases() {
+        let patterns = Patterns::build(&fragmented).unwrap();
+        follows_the_fragments(&fragmented, &patterns, 1);
+        follows_any_way_of_fragments(&fragmented, &patterns, seed);
+    }
 }
 
 proptest! {
@@ -91,51 +111,27 @@ fn small_terrains() -> impl Iterator<Item = Case> {
     })
 }
 
-/// All sets that stand, as bits.
-fn standing_sets(fragments: &FragmentSequence) -> Vec<u32> {
-    let count = fragments.step_count();
-    let below: Vec<u32> = (0..count as u32)
-        .map(|step| {
-            let makers = fragments.floor(step).iter().filter_map(|&face| fragments.maker(face));
-            makers.fold(0, |set, maker| set | 1 << maker)
-        })
-        .collect();
-    let stands = |set: &u32| (0..count).all(|step| set >> step & 1 == 0 || below[step] & !set == 0);
-    (0..1u32 << count).filter(stands).collect()
-}
-
-/// Whether no triangle of a set is too coarse.
-fn satisfies(fragments: &FragmentSequence, set: u32, condition: impl Fn(Overlap) -> bool) -> bool {
-    let replaced_by = fragments.replaced_by();
-    let is_missing = |&step: &u32| fragments.floor(step).is_empty() && set >> step & 1 == 0;
-    let mut unfounded = (0..fragments.step_count() as u32).filter(is_missing);
-    if unfounded.any(|upper| condition(Overlap { lower: None, upper })) {
-        return false;
-    }
-    fragment_faces(fragments, |step| set >> step & 1 == 1).into_iter().all(|face| {
-        let upper = replaced_by[face as usize];
-        upper == FragmentSequence::NO_STEP || !condition(Overlap { lower: fragments.maker(face), upper })
-    })
-}
-
 #[test]
 fn what_a_condition_leads_to_is_the_smallest_set_that_satisfies_it() {
     let mut sets_seen = 0;
-    for case in nasty_cases().chain(small_terrains()) {
-        let fragmented = FragmentedMesh::from_collapses(&case.refinable);
+    let collapsed = nasty_cases().chain(small_terrains());
+    let collapsed = collapsed.map(|case| FragmentedMesh::from_collapses(&case.refinable));
+    let removed = (0..12).map(|seed| {
+        random_removals(&striata::mesh::shapes::icosphere(1, 1.0), 12, &mut support::Random::new(seed))
+    });
+    for fragmented in collapsed.chain(removed) {
         let fragments = &fragmented.fragments;
         if fragments.step_count() == 0 || fragments.step_count() > 12 {
             continue;
         }
         let patterns = Patterns::build(&fragmented).unwrap();
-        let standing = standing_sets(fragments);
+        let standing = closed_sets(fragments);
         let mut instance = PatternInstance::base(&patterns);
         for seed in 0..20 {
             let condition = |overlap: Overlap| is_whim(overlap, seed, (seed as u32 * 17) % 100);
-            let fine: Vec<u32> =
-                standing.iter().copied().filter(|&set| satisfies(fragments, set, condition)).collect();
-            let smallest = *fine.iter().min_by_key(|set| set.count_ones()).unwrap();
-            assert!(fine.iter().all(|set| set & smallest == smallest), "one set is contained in all others");
+            let smallest = smallest_set(fragments, &standing, |face, upper| {
+                condition(Overlap { lower: face.and_then(|face| fragments.maker(face)), upper })
+            });
             instance.adapt(&patterns, &condition);
             let found = (0..fragments.step_count() as u32).filter(|&step| instance.is_inserted(step));
             assert_eq!(found.fold(0, |set, step| set | 1 << step), smallest);

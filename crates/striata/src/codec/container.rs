@@ -78,6 +78,22 @@ impl SectionKind {
     pub const FAN_ORPHANS: Self = Self(*b"FNOR");
     /// Fans: what a criterion needs of each step.
     pub const FAN_BOUNDS: Self = Self(*b"FNBD");
+    /// Patterns: how numbers are packed.
+    pub const PATTERN_WIDTHS: Self = Self(*b"PTWD");
+    /// Patterns: the rules.
+    pub const PATTERN_RULES: Self = Self(*b"PTRU");
+    /// Patterns: the ways in which ceilings are shared.
+    pub const PATTERN_WAYS: Self = Self(*b"PTWY");
+    /// Patterns: where each block of records begins.
+    pub const PATTERN_BLOCKS: Self = Self(*b"PTBL");
+    /// Patterns: the records of all steps.
+    pub const PATTERN_RECORDS: Self = Self(*b"PTRC");
+    /// Patterns: triangles of the base and where they go.
+    pub const PATTERN_BASE: Self = Self(*b"PTBS");
+    /// Patterns: vertices that no triangle of a fragment tells.
+    pub const PATTERN_EXTRAS: Self = Self(*b"PTEX");
+    /// Patterns: what a criterion needs of each step.
+    pub const PATTERN_BOUNDS: Self = Self(*b"PTBD");
 
     fn is_known(self) -> bool {
         [
@@ -109,6 +125,14 @@ impl SectionKind {
             Self::FAN_FAR_TARGETS,
             Self::FAN_ORPHANS,
             Self::FAN_BOUNDS,
+            Self::PATTERN_WIDTHS,
+            Self::PATTERN_RULES,
+            Self::PATTERN_WAYS,
+            Self::PATTERN_BLOCKS,
+            Self::PATTERN_RECORDS,
+            Self::PATTERN_BASE,
+            Self::PATTERN_EXTRAS,
+            Self::PATTERN_BOUNDS,
         ]
         .contains(&self)
     }

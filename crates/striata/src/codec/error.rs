@@ -107,6 +107,9 @@ pub enum DecodeError {
         /// Steps of the file.
         step_count: usize,
     },
+    /// The file has fragments, and something was asked for that only collapses tell.
+    #[error("the file was made by removing vertices, not by collapses: only its patterns know its levels")]
+    NoCollapses,
     /// The mesh is unsound.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -153,6 +156,14 @@ pub enum EncodeError {
     OtherStrips {
         /// The later model.
         model: &'static str,
+    },
+    /// A file cannot hold the model, since no reader could tell it from one that is meant to fill its memory.
+    #[error("{model}: {reason}")]
+    Unstorable {
+        /// The model.
+        model: &'static str,
+        /// What is too much of it.
+        reason: ModelError,
     },
     /// The same model was given twice.
     #[error("the {model} model is given more than once")]

@@ -16,7 +16,7 @@ pub use container::{SectionInfo, SectionKind, VERSION as FORMAT_VERSION, Verify}
 pub use error::{DecodeError, EncodeError};
 pub use reader::StriataFile;
 pub use summary::Summary;
-pub use writer::{FileModel, WriteOptions, to_striata, write_striata};
+pub use writer::{FileModel, WriteOptions, to_striata, write_fragments, write_striata};
 
 #[cfg(target_endian = "big")]
 compile_error!("the arrays of a .striata file are little-endian and are read in place");

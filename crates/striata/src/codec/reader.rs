@@ -6,12 +6,16 @@ use super::container::Container;
 use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes, metadata_from_bytes};
 use super::{DecodeError, SectionInfo, SectionKind, Summary, Verify};
 use crate::mesh::{
-    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
+    AttributeLayer, CollapseSequence, FragmentedMesh, IndexedMesh, Levels, PositionIndex, RefinableMesh,
+    SequenceParts, TriangleGroup,
 };
 use crate::model::fans::FansParts;
 use crate::model::lod_strips::LodStripsParts;
 use crate::model::mts::MtsParts;
-use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, StepVertices, StoredModel, StripModel};
+use crate::model::patterns::PatternsParts;
+use crate::model::{
+    FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StepVertices, StoredModel, StripModel,
+};
 use crate::strip::{StripSet, strip_triangles};
 
 /// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
@@ -107,11 +111,40 @@ impl<'a> StriataFile<'a> {
         Ok(errors)
     }
 
-    /// The sequence, checked and in memory of its own.
+    /// Whether the file's steps are collapses; if not, only its patterns know its levels.
+    pub fn has_collapses(&self) -> bool {
+        self.has(SectionKind::TARGETS) || !self.has(SectionKind::PATTERN_RECORDS)
+    }
+
+    /// The levels, whatever leads from one to the next.
     ///
     /// # Errors
     /// [`DecodeError`] where a section is unsound.
+    pub fn levels(&self) -> Result<Levels, DecodeError> {
+        if self.has_collapses() {
+            return Ok(self.sequence()?.levels().clone());
+        }
+        self.levels_of(&self.read_patterns()?.0)
+    }
+
+    fn levels_of(&self, patterns: &Patterns) -> Result<Levels, DecodeError> {
+        let base = self.summary.base_position_count;
+        let errors = self.errors()?.into_owned();
+        let levels = Levels::new(self.position_index()?, base, patterns.triangle_counts(), errors)?;
+        let kind = SectionKind::SUMMARY;
+        self.expect(kind, "base vertices", self.summary.base_vertex_count, levels.base_vertex_count())?;
+        self.expect(kind, "base triangles", self.summary.base_triangle_count, levels.triangle_count_at(0))?;
+        Ok(levels)
+    }
+
+    /// The sequence, checked and in memory of its own.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where a section is unsound, or there are no collapses.
     pub fn sequence(&self) -> Result<CollapseSequence, DecodeError> {
+        if !self.has_collapses() {
+            return Err(DecodeError::NoCollapses);
+        }
         let sequence = CollapseSequence::from_parts(SequenceParts {
             positions: self.position_index()?,
             base_position_count: self.summary.base_position_count,
@@ -247,6 +280,36 @@ impl<'a> StriataFile<'a> {
         Ok((fans, bounds))
     }
 
+    /// The patterns and the bounds of their fragments, if the file has them: in memory of their own and checked once, so that no
+    /// move can fail.
+    pub fn patterns(&self) -> Option<Result<(Patterns, PatternBounds), DecodeError>> {
+        self.has(SectionKind::PATTERN_RECORDS).then(|| self.read_patterns())
+    }
+
+    fn read_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
+        let header = self.container.numbers::<u32>(SectionKind::PATTERN_WIDTHS)?;
+        self.expect(SectionKind::PATTERN_WIDTHS, "numbers", header.len(), 4)?;
+        let parts = PatternsParts {
+            header: [header[0], header[1], header[2], header[3]],
+            rules: self.container.get(SectionKind::PATTERN_RULES)?.into(),
+            ways: self.container.get(SectionKind::PATTERN_WAYS)?.into(),
+            blocks: &self.container.numbers(SectionKind::PATTERN_BLOCKS)?,
+            records: self.container.get(SectionKind::PATTERN_RECORDS)?,
+            base: self.container.numbers(SectionKind::PATTERN_BASE)?.into_owned(),
+            extras: self.container.numbers(SectionKind::PATTERN_EXTRAS)?.into_owned(),
+        };
+        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
+        let group_count = self.summary.group_count.max(1);
+        let patterns = Patterns::from_parts(self.step_vertices()?, group_count, parts).map_err(unsound)?;
+        let kind = SectionKind::PATTERN_RECORDS;
+        self.expect(kind, "steps", patterns.step_count(), self.summary.step_count)?;
+        let full = patterns.triangle_counts().last().map_or(0, |&count| count as usize);
+        self.expect(kind, "triangles", full, self.summary.triangle_count)?;
+        let records = self.container.get(SectionKind::PATTERN_BOUNDS)?;
+        let bounds = PatternBounds::from_bytes(records, patterns.step_count()).map_err(unsound)?;
+        Ok((patterns, bounds))
+    }
+
     fn step_vertices(&self) -> Result<StepVertices<'a>, DecodeError> {
         let base = self.summary.base_position_count;
         let firsts = match self.first_vertices()? {
@@ -258,7 +321,10 @@ impl<'a> StriataFile<'a> {
             vertex_count: self.positions()?.len(),
             base_vertex_count: self.summary.base_vertex_count as u32,
             firsts,
-            targets: self.container.numbers(SectionKind::TARGETS)?,
+            targets: match self.has_collapses() {
+                true => self.container.numbers(SectionKind::TARGETS)?,
+                false => Cow::Borrowed(&[]),
+            },
         })
     }
 
@@ -271,11 +337,34 @@ impl<'a> StriataFile<'a> {
 
     /// The whole mesh with its sequence, checked and in memory of its own.
     ///
-    /// In files with strips the triangles come in the order of the strips, in files with fans alone in that of the fans.
+    /// In files with strips the triangles come in the order of the strips, in files without them in that of the fans or patterns.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where any part is unsound or parts do not fit together, or where there are no collapses.
+    pub fn refinable_mesh(&self) -> Result<RefinableMesh, DecodeError> {
+        let sequence = self.sequence()?;
+        Ok(RefinableMesh { mesh: self.mesh()?, sequence })
+    }
+
+    /// The whole mesh with fragments, checked and in memory of its own: those of the patterns, or of the collapses. The error of
+    /// a floor is that of the level without it.
     ///
     /// # Errors
     /// [`DecodeError`] where any part is unsound or parts do not fit together.
-    pub fn refinable_mesh(&self) -> Result<RefinableMesh, DecodeError> {
+    pub fn fragmented_mesh(&self) -> Result<FragmentedMesh, DecodeError> {
+        let Some(patterns) = self.patterns() else {
+            return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));
+        };
+        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
+        let fragments = patterns?.0.unpack(self.errors()?.into_owned()).map_err(unsound)?;
+        Ok(FragmentedMesh { mesh: self.mesh()?, fragments })
+    }
+
+    /// The whole mesh, checked and in memory of its own, its triangles in the order of [`refinable_mesh`](Self::refinable_mesh).
+    ///
+    /// # Errors
+    /// [`DecodeError`] where any part is unsound or parts do not fit together.
+    pub fn mesh(&self) -> Result<IndexedMesh, DecodeError> {
         let mut mesh = IndexedMesh {
             positions: self.positions()?.into_owned(),
             triangles: Vec::new(),
@@ -289,8 +378,12 @@ impl<'a> StriataFile<'a> {
                 SectionKind::STRIP_INDICES
             }
             None if !self.has(SectionKind::TRIANGLES) && self.has(SectionKind::FAN_ENTRIES) => {
-                self.append_fans(&self.read_fans()?.0, &mut mesh)?;
+                self.append_full(&self.read_fans()?.0, SectionKind::FAN_ENTRIES, &mut mesh)?;
                 SectionKind::FAN_ENTRIES
+            }
+            None if !self.has(SectionKind::TRIANGLES) && self.has(SectionKind::PATTERN_RECORDS) => {
+                self.append_full(&self.read_patterns()?.0, SectionKind::PATTERN_RECORDS, &mut mesh)?;
+                SectionKind::PATTERN_RECORDS
             }
             None => {
                 mesh.triangles = self.container.numbers(SectionKind::TRIANGLES)?.into_owned();
@@ -299,7 +392,7 @@ impl<'a> StriataFile<'a> {
         };
         self.expect(kind, "triangles", mesh.triangle_count(), self.summary.triangle_count)?;
         mesh.check()?;
-        Ok(RefinableMesh { mesh, sequence: self.sequence()? })
+        Ok(mesh)
     }
 
     /// One level as a mesh of its own, by way of the first model that the file has.
@@ -317,8 +410,11 @@ impl<'a> StriataFile<'a> {
         if let Some(model) = self.mts() {
             return self.moved(&model?, split_count);
         }
+        if let Some(model) = self.fans() {
+            return self.moved(&model?.0, split_count);
+        }
         let missing = DecodeError::SectionCount { kind: SectionKind::STRIP_INDICES, found: 0 };
-        self.moved(&self.fans().ok_or(missing)??.0, split_count)
+        self.moved(&self.patterns().ok_or(missing)??.0, split_count)
     }
 
     fn moved<M: StoredModel>(&self, model: &M, split_count: usize) -> Result<IndexedMesh, DecodeError> {
@@ -371,13 +467,18 @@ impl<'a> StriataFile<'a> {
         Ok(())
     }
 
-    /// The same of the full level of fans.
-    fn append_fans(&self, fans: &Fans, mesh: &mut IndexedMesh) -> Result<(), DecodeError> {
-        let full = fans.new_state();
-        for group in 0..fans.group_count() {
+    /// The same of the full level of a model that stands in a section.
+    fn append_full<M: StoredModel>(
+        &self,
+        model: &M,
+        kind: SectionKind,
+        mesh: &mut IndexedMesh,
+    ) -> Result<(), DecodeError> {
+        let full = model.new_state();
+        for group in 0..model.group_count() {
             let first = mesh.triangles.len();
-            fans.group_triangles_into(&full, group, &mut mesh.triangles);
-            self.end_group(SectionKind::FAN_ENTRIES, group, first, mesh)?;
+            model.group_triangles_into(&full, group, &mut mesh.triangles);
+            self.end_group(kind, group, first, mesh)?;
         }
         Ok(())
     }

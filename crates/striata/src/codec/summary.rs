@@ -2,7 +2,7 @@
 
 use super::byte_reader::{ByteReader, put_u32};
 use super::{DecodeError, SectionKind};
-use crate::mesh::{Bounds, RefinableMesh};
+use crate::mesh::{Bounds, IndexedMesh, Levels, RefinableMesh};
 
 /// What a file holds, in numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,7 +33,11 @@ pub struct Summary {
 impl Summary {
     /// The numbers of a mesh with its sequence.
     pub fn of(refinable: &RefinableMesh) -> Self {
-        let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
+        Self::of_levels(&refinable.mesh, refinable.sequence.levels())
+    }
+
+    /// The numbers of a mesh with its levels.
+    pub fn of_levels(mesh: &IndexedMesh, sequence: &Levels) -> Self {
         Self {
             vertex_count: mesh.vertex_count(),
             position_count: sequence.positions().position_count(),

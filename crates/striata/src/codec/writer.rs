@@ -6,8 +6,8 @@ use std::io::Write;
 use super::container::{ENTRY_BYTES, HEADER_BYTES, MAGIC, REQUIRED, VERSION, header_checksum, padding};
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
 use super::{EncodeError, SectionKind, Summary};
-use crate::mesh::RefinableMesh;
-use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, StoredModel};
+use crate::mesh::{CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
+use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StoredModel};
 
 /// A model to be stored beside the mesh.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,8 @@ pub enum FileModel<'m> {
     Mts(&'m Mts<'m>),
     /// Fans of each vertex, for levels that differ from place to place, and the bounds of their steps.
     Fans(&'m Fans, &'m FanBounds),
+    /// Patterns, for levels that differ from place to place, and the bounds of their fragments.
+    Patterns(&'m Patterns, &'m PatternBounds),
 }
 
 impl<'m> FileModel<'m> {
@@ -28,6 +30,7 @@ impl<'m> FileModel<'m> {
             Self::LodStrips(_) => "lodstrips",
             Self::Mts(_) => "mts",
             Self::Fans(..) => "fans",
+            Self::Patterns(..) => "patterns",
         }
     }
 
@@ -38,7 +41,7 @@ impl<'m> FileModel<'m> {
             Self::Mts(model) => {
                 Some([&model.parts.group_offsets, &model.parts.offsets, &model.parts.indices])
             }
-            Self::Fans(..) => None,
+            Self::Fans(..) | Self::Patterns(..) => None,
         }
     }
 
@@ -69,6 +72,19 @@ impl<'m> FileModel<'m> {
                     (SectionKind::FAN_FAR_TARGETS, bytes_of(parts.far)),
                     (SectionKind::FAN_ORPHANS, bytes_of(parts.orphans)),
                     (SectionKind::FAN_BOUNDS, bounds.as_bytes().into()),
+                ]
+            }
+            Self::Patterns(patterns, bounds) => {
+                let parts = patterns.parts();
+                vec![
+                    (SectionKind::PATTERN_WIDTHS, bytes_of(&parts.header).into_owned().into()),
+                    (SectionKind::PATTERN_RULES, parts.rules.into()),
+                    (SectionKind::PATTERN_WAYS, parts.ways.into()),
+                    (SectionKind::PATTERN_BLOCKS, bytes_of(parts.blocks)),
+                    (SectionKind::PATTERN_RECORDS, parts.records.into()),
+                    (SectionKind::PATTERN_BASE, bytes_of(&parts.base).into_owned().into()),
+                    (SectionKind::PATTERN_EXTRAS, bytes_of(&parts.extras).into_owned().into()),
+                    (SectionKind::PATTERN_BOUNDS, bounds.as_bytes().into()),
                 ]
             }
         }
@@ -115,11 +131,42 @@ pub fn write_striata(
     options: &WriteOptions,
     out: &mut dyn Write,
 ) -> Result<(), EncodeError> {
-    refinable.mesh.check()?;
-    let sections = lay_out(refinable, models, options)?;
+    let RefinableMesh { mesh, sequence } = refinable;
+    let source = Source { mesh, levels: sequence.levels(), collapses: Some(sequence) };
+    write_sections(&lay_out(source, models, options)?, out)
+}
+
+/// Writes a mesh with fragments and its patterns as one `.striata` file: no other model can be made of fragments.
+///
+/// The same input gives the same bytes on every machine. The triangles come back in the order of the patterns; of errors, those
+/// of the levels are kept, and those of single floors in the bounds of the patterns.
+///
+/// # Errors
+/// As [`write_striata`].
+pub fn write_fragments(
+    fragmented: &FragmentedMesh,
+    (patterns, bounds): (&Patterns, &PatternBounds),
+    options: &WriteOptions,
+    out: &mut dyn Write,
+) -> Result<(), EncodeError> {
+    let levels = fragmented.fragments.levels();
+    let source = Source { mesh: &fragmented.mesh, levels, collapses: None };
+    write_sections(&lay_out(source, &[FileModel::Patterns(patterns, bounds)], options)?, out)
+}
+
+/// What a file is made of beside models.
+#[derive(Clone, Copy)]
+struct Source<'m> {
+    mesh: &'m IndexedMesh,
+    levels: &'m Levels,
+    /// None where vertices were removed otherwise.
+    collapses: Option<&'m CollapseSequence>,
+}
+
+fn write_sections(sections: &[Section<'_>], out: &mut dyn Write) -> Result<(), EncodeError> {
     let mut head = vec![0; HEADER_BYTES];
     let mut end = HEADER_BYTES + ENTRY_BYTES * sections.len();
-    for section in &sections {
+    for section in sections {
         let offset = padding(end).end;
         head.extend(section.kind.0);
         head.extend(section.flags.to_le_bytes());
@@ -137,7 +184,7 @@ pub fn write_striata(
     head[24..28].copy_from_slice(&checksum.to_le_bytes());
     out.write_all(&head)?;
     let mut end = head.len();
-    for section in &sections {
+    for section in sections {
         let padding = padding(end);
         out.write_all(&[0; 64][..padding.len()])?;
         out.write_all(&section.bytes)?;
@@ -161,25 +208,30 @@ pub fn to_striata(
 }
 
 fn lay_out<'m>(
-    refinable: &'m RefinableMesh,
-    models: &'m [FileModel<'m>],
+    source: Source<'m>,
+    models: &[FileModel<'m>],
     options: &WriteOptions,
 ) -> Result<Vec<Section<'m>>, EncodeError> {
-    let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
+    let Source { mesh, levels, collapses } = source;
+    mesh.check()?;
     let mut sections = Vec::new();
     let mut add = |kind, flags, bytes: Cow<'m, [u8]>| sections.push(Section { kind, flags, bytes });
-    add(SectionKind::SUMMARY, REQUIRED, Summary::of(refinable).to_bytes().into());
+    add(SectionKind::SUMMARY, REQUIRED, Summary::of_levels(mesh, levels).to_bytes().into());
     if !options.metadata.is_empty() {
         add(SectionKind::METADATA, 0, metadata_to_bytes(&options.metadata)?.into());
     }
     add(SectionKind::GROUPS, REQUIRED, groups_to_bytes(&mesh.groups)?.into());
-    if !sequence.positions().is_identity() {
-        let firsts = sequence.positions().first_vertices();
+    if !levels.positions().is_identity() {
+        let firsts = levels.positions().first_vertices();
         add(SectionKind::FIRST_VERTICES, REQUIRED, bytemuck::must_cast_slice(firsts).into());
     }
-    add(SectionKind::TARGETS, REQUIRED, bytemuck::must_cast_slice(sequence.targets()).into());
-    add(SectionKind::ERRORS, REQUIRED, bytemuck::must_cast_slice(sequence.errors()).into());
-    add(SectionKind::REMOVED, REQUIRED, sequence.removed_triangle_counts().into());
+    if let Some(sequence) = collapses {
+        add(SectionKind::TARGETS, REQUIRED, bytemuck::must_cast_slice(sequence.targets()).into());
+    }
+    add(SectionKind::ERRORS, REQUIRED, bytemuck::must_cast_slice(levels.errors()).into());
+    if let Some(sequence) = collapses {
+        add(SectionKind::REMOVED, REQUIRED, sequence.removed_triangle_counts().into());
+    }
     add(SectionKind::POSITIONS, REQUIRED, bytemuck::must_cast_slice(&mesh.positions).into());
     for layer in &mesh.layers {
         add(SectionKind::LAYER, REQUIRED, layer_to_bytes(layer)?.into());
@@ -190,7 +242,7 @@ fn lay_out<'m>(
         add(SectionKind::STRIP_INDICES, 0, bytes_of(indices));
     }
     for (i, model) in models.iter().enumerate() {
-        check_model(model, &models[..i], refinable)?;
+        check_model(model, &models[..i], source)?;
         model.sections().into_iter().for_each(|(kind, bytes)| add(kind, 0, bytes));
     }
     if models.is_empty() {
@@ -208,20 +260,29 @@ fn lay_out<'m>(
 fn check_model(
     model: &FileModel<'_>,
     before: &[FileModel<'_>],
-    refinable: &RefinableMesh,
+    source: Source<'_>,
 ) -> Result<(), EncodeError> {
     let name = model.name();
+    let (triangle_count, base_triangle_count) =
+        (source.mesh.triangle_count(), source.levels.triangle_count_at(0));
     match model {
-        FileModel::LodStrips(model) => check_counts(name, *model, refinable)?,
-        FileModel::Mts(model) => check_counts(name, *model, refinable)?,
+        FileModel::LodStrips(model) => check_counts(name, *model, source)?,
+        FileModel::Mts(model) => check_counts(name, *model, source)?,
         FileModel::Fans(fans, bounds) => {
-            check_counts(name, *fans, refinable)?;
-            let triangle_count = |split_count| fans.draw_counts(&fans.level_at(split_count)).index_count / 3;
+            check_counts(name, *fans, source)?;
+            let shown = |split_count| fans.draw_counts(&fans.level_at(split_count)).index_count / 3;
             let step_count = fans.step_count();
             expect(name, "bounds", bounds.step_count(), step_count)?;
-            expect(name, "triangles", triangle_count(step_count), refinable.mesh.triangle_count())?;
-            let base_triangle_count = refinable.sequence.triangle_count_at(0);
-            expect(name, "triangles of the base", triangle_count(0), base_triangle_count)?;
+            expect(name, "triangles", shown(step_count), triangle_count)?;
+            expect(name, "triangles of the base", shown(0), base_triangle_count)?;
+        }
+        FileModel::Patterns(patterns, bounds) => {
+            check_counts(name, *patterns, source)?;
+            let counts = patterns.triangle_counts();
+            expect(name, "bounds", bounds.step_count(), patterns.step_count())?;
+            expect(name, "triangles", counts[counts.len() - 1] as usize, triangle_count)?;
+            expect(name, "triangles of the base", counts[0] as usize, base_triangle_count)?;
+            patterns.check_size().map_err(|reason| EncodeError::Unstorable { model: name, reason })?;
         }
     }
     if before.iter().any(|other| other.name() == name) {
@@ -234,14 +295,10 @@ fn check_model(
     Ok(())
 }
 
-fn check_counts(
-    name: &'static str,
-    model: &impl StoredModel,
-    refinable: &RefinableMesh,
-) -> Result<(), EncodeError> {
-    expect(name, "vertices", model.vertex_count(), refinable.mesh.vertex_count())?;
-    expect(name, "steps", model.step_count(), refinable.sequence.step_count())?;
-    expect(name, "groups", model.group_count(), refinable.mesh.groups.len().max(1))
+fn check_counts(name: &'static str, model: &impl StoredModel, source: Source<'_>) -> Result<(), EncodeError> {
+    expect(name, "vertices", model.vertex_count(), source.mesh.vertex_count())?;
+    expect(name, "steps", model.step_count(), source.levels.step_count())?;
+    expect(name, "groups", model.group_count(), source.mesh.groups.len().max(1))
 }
 
 fn expect(model: &'static str, what: &'static str, found: usize, expected: usize) -> Result<(), EncodeError> {

@@ -65,6 +65,14 @@ pub enum ModelError {
         /// The most there can be.
         limit: u64,
     },
+    /// Patterns stand for more triangles than their size lets expect.
+    #[error("the patterns make {found} triangles on the way to the full mesh, at most {limit} can be stored")]
+    Dense {
+        /// Triangles of all ceilings.
+        found: u64,
+        /// The most there can be.
+        limit: u64,
+    },
     /// A model as published has fields that are too narrow for the mesh.
     #[error("the published form holds at most {limit} {what}, and there are {found}")]
     Form {

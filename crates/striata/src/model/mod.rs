@@ -11,6 +11,7 @@ pub mod lod_strips;
 pub mod mts;
 pub mod patterns;
 
+mod bits;
 mod error;
 mod part_record;
 mod record_arena;

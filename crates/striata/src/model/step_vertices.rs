@@ -64,11 +64,11 @@ impl StepVertices<'_> {
         self.targets[(vertex - self.base_vertex_count) as usize]
     }
 
-    /// Checks that the arrays fit so many steps, and that every vertex collapses to an older one.
+    /// Checks that the first vertices fit so many steps.
     ///
     /// # Errors
     /// [`ModelError`] naming what does not fit.
-    pub(super) fn check(&self, step_count: usize) -> Result<(), ModelError> {
+    pub(super) fn check_firsts(&self, step_count: usize) -> Result<(), ModelError> {
         let vertex_count = self.vertex_count;
         let length = |what, found, expected| {
             if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
@@ -84,11 +84,19 @@ impl StepVertices<'_> {
                 return Err(ModelError::Length { what: "first vertices", found, expected });
             }
         }
-        length(
-            "targets",
-            (self.base_vertex_count as usize).saturating_add(self.targets.len()),
-            vertex_count,
-        )?;
+        Ok(())
+    }
+
+    /// Checks that the arrays fit so many steps, and that every vertex collapses to an older one.
+    ///
+    /// # Errors
+    /// [`ModelError`] naming what does not fit.
+    pub(super) fn check(&self, step_count: usize) -> Result<(), ModelError> {
+        self.check_firsts(step_count)?;
+        let found = (self.base_vertex_count as usize).saturating_add(self.targets.len());
+        if found != self.vertex_count {
+            return Err(ModelError::Length { what: "targets", found, expected: self.vertex_count });
+        }
         for step in 0..step_count {
             let range = self.of_step(step);
             if range.clone().any(|v| self.target(v) >= range.start) {
@@ -104,12 +112,13 @@ impl StepVertices<'static> {
     pub(super) fn of_levels(levels: &Levels) -> Self {
         let positions = levels.positions();
         let firsts = &positions.first_vertices()[levels.base_position_count()..];
-        Self {
+        let vertices = Self {
             vertex_count: positions.vertex_count(),
             base_vertex_count: levels.base_vertex_count() as u32,
-            firsts: if positions.is_identity() { [].as_slice().into() } else { firsts.to_vec().into() },
+            firsts: firsts.to_vec().into(),
             targets: Cow::Borrowed(&[]),
-        }
+        };
+        vertices.shortened()
     }
 }
 
@@ -124,6 +133,14 @@ impl<'a> StepVertices<'a> {
             firsts: if positions.is_identity() { [].as_slice().into() } else { firsts.into() },
             targets: sequence.targets().into(),
         }
+    }
+
+    /// The same without the first vertices where they say nothing: where each step has one vertex.
+    pub(super) fn shortened(mut self) -> Self {
+        if self.firsts.len() == 1 + self.vertex_count - self.base_vertex_count as usize {
+            self.firsts = Cow::Borrowed(&[]);
+        }
+        self
     }
 
     /// The same with memory of its own, for models that never ask for a target.

@@ -1,12 +1,14 @@
 //! Meshes and random collapse sequences for tests, and what every model is held to.
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test file uses its own part")]
 
+mod checksums;
 mod fragment_oracle;
 mod oracle;
 mod removals;
 mod suite;
 mod whim;
 
+pub use checksums::with_sound_checksums;
 pub use fragment_oracle::{
     closed_sets, follows_the_fragments, fragment_cases, random_closed_set, shows_a_set, smallest_set,
 };

@@ -9,6 +9,7 @@ pub mod multi_triangulation;
 pub mod ordered_meshes;
 pub mod original_lod_strips;
 pub mod progressive_meshes;
+pub mod sequential_patterns;
 pub mod skip_strips;
 pub mod view_dependent;
 
@@ -21,5 +22,8 @@ pub use multi_triangulation::{MtQuestion, MtTriangle, MultiTriangulation, MultiT
 pub use ordered_meshes::{OrderedMeshes, OrderedMeshesState};
 pub use original_lod_strips::{OriginalLodStrips, OriginalLodStripsState};
 pub use progressive_meshes::{ProgressiveMeshes, ProgressiveMeshesState};
+pub use sequential_patterns::{
+    SequentialDecoder, SequentialPatterns, SequentialPatternsError, decode_sequential,
+};
 pub use skip_strips::{SkipStrips, SkipStripsState};
 pub use view_dependent::{Adapted, ViewDependentError, ViewDependentMeshes, ViewDependentState};

@@ -17,8 +17,10 @@ impl Patterns {
     /// # Errors
     /// [`ModelError::TooMany`] where the links would take more than 512 MB.
     pub fn build(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
-        let fragments = &mesh.fragments;
-        let group_count = mesh.mesh.groups.len().max(1);
+        Self::build_from(&mesh.fragments, mesh.mesh.groups.len().max(1))
+    }
+
+    pub(super) fn build_from(fragments: &FragmentSequence, group_count: usize) -> Result<Self, ModelError> {
         let mut rulebook = Rulebook::new(fragments, group_count);
         let mut places = Places::new(fragments);
         let mut extras = Vec::new();

@@ -420,8 +420,7 @@ impl Scratch {
 
     fn load_links(&mut self, patterns: &Patterns, head: &Head) {
         self.links.clear();
-        self.links
-            .extend((0..patterns.ways.link_count(head.way)).map(|link| patterns.records.up(head, link)));
+        patterns.links_into(head, &mut self.links);
     }
 
     fn set(&mut self, triangle: [u32; 3], corners: [u32; 3]) {

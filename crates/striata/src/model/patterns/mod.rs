@@ -27,21 +27,23 @@
 //! Cost: building is linear but for the search of rules; inserting and removing a fragment touches its own triangles and a few list
 //! heads, so extraction is linear in what it shows.
 
-pub(in crate::model) mod bits;
 mod bounds;
 mod build;
 mod condition;
 mod instance;
 mod level;
 mod overlaps;
+mod parts;
 mod records;
 mod rule;
 mod rule_table;
+mod unpack;
 
 pub use bounds::{PatternBounds, PatternScene};
 pub use condition::{Condition, Overlap, PatternChange, Wanted};
 pub use instance::PatternInstance;
 pub use level::PatternsState;
+pub(crate) use parts::PatternsParts;
 
 use self::build::Extras;
 use self::overlaps::OverlapTable;
@@ -97,6 +99,18 @@ impl Patterns {
         self.rules.len()
     }
 
+    /// Triangles of each level, coarse to fine.
+    pub fn triangle_counts(&self) -> Vec<u32> {
+        let mut count = self.base.len() as u32;
+        let mut counts = vec![count];
+        for step in 0..self.records.step_count as u32 {
+            let rule = self.rules.rule(self.records.head(step).rule);
+            count = (count + rule.ceiling_count() as u32).saturating_sub(rule.floor_count() as u32);
+            counts.push(count);
+        }
+        counts
+    }
+
     /// Pairs of fragments that overlap, those with the base not counted.
     pub fn overlap_count(&self) -> usize {
         let mut count = 0;
@@ -130,6 +144,12 @@ impl Patterns {
     pub fn for_each_below(&self, step: u32, visit: impl FnMut(u32)) {
         let head = self.records.head(step);
         self.down(&head).for_each(visit);
+    }
+
+    /// Appends the links up of a step.
+    #[inline]
+    fn links_into(&self, head: &Head, out: &mut Vec<(u32, u32)>) {
+        out.extend((0..self.ways.link_count(head.way)).map(|link| self.records.up(head, link)));
     }
 
     #[inline]

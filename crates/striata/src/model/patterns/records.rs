@@ -4,9 +4,9 @@
 //! block its links begin), then the links, as wide as the steps that they can name need: links up name later steps, links
 //! down earlier ones. Where the next step's links begin says how many links down there are.
 
-use super::bits::{Bits, MAX_WIDTH, width_of};
 use super::overlaps::OverlapTable;
 use crate::model::ModelError;
+use crate::model::bits::{Bits, MAX_WIDTH, width_of};
 
 /// Steps whose links stand together.
 const BLOCK: usize = 16;
@@ -192,6 +192,63 @@ impl Records {
     /// The parts as a file holds them.
     pub(super) fn parts(&self) -> (&[u32], &Bits) {
         (&self.blocks, &self.bits)
+    }
+
+    /// From the parts that a file holds; checks that every head leads to links that are there.
+    ///
+    /// # Errors
+    /// [`ModelError`] naming what does not fit.
+    pub(super) fn from_parts(
+        step_count: usize,
+        widths: Widths,
+        (blocks, bits): (Vec<u32>, Bits),
+        ways: &OverlapTable,
+    ) -> Result<Self, ModelError> {
+        let records = Self { blocks, bits, ..Self::empty(step_count, widths) };
+        let (widest, _) = records.link_widths(0);
+        for found in [records.rule_width, records.way_width, records.offset_width, widest] {
+            if found > MAX_WIDTH {
+                let (found, limit) = (u64::from(found), u64::from(MAX_WIDTH));
+                return Err(ModelError::TooMany { what: "bits of a number", found, limit });
+            }
+        }
+        let (found, expected) = (records.blocks.len(), step_count.div_ceil(BLOCK) + 1);
+        if found != expected {
+            return Err(ModelError::Length { what: "blocks of records", found, expected });
+        }
+        let mut end = 0;
+        for step in 0..step_count as u32 {
+            let reason = "has a rule, a way or links that are not there";
+            let wrong = ModelError::Step { step: step as usize, reason };
+            let begin = records.blocks[step as usize / BLOCK] as usize;
+            let (_, links) = records.places(step);
+            let block_end = records.blocks[step as usize / BLOCK + 1] as usize;
+            if (step as usize).is_multiple_of(BLOCK) {
+                // Heads must be there before they are read.
+                if begin != end || links > block_end || block_end > records.bits.len() {
+                    return Err(wrong);
+                }
+                end = links;
+            }
+            let head = records.head(step);
+            let is_there = (head.rule as usize) < widths.rule_count && (head.way as usize) < widths.way_count;
+            let (up_width, down_width) = records.link_widths(step);
+            let links_end = records.links_end(step);
+            let ups = is_there.then(|| ways.link_count(head.way).saturating_mul(up_width as usize));
+            let downs = ups.and_then(|ups| links_end.checked_sub(head.at)?.checked_sub(ups));
+            if head.at != end
+                || links_end > block_end
+                || downs.is_none_or(|bits| bits % down_width as usize != 0)
+            {
+                return Err(wrong);
+            }
+            end = links_end;
+        }
+        let (found, expected) = (end, records.bits.len());
+        if found != expected || records.blocks.last() != Some(&(end as u32)) {
+            return Err(ModelError::Length { what: "bits of records", found, expected });
+        }
+        Ok(records)
     }
 
     pub(super) fn widths(&self, rule_count: usize, way_count: usize) -> Widths {

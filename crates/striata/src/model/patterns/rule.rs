@@ -208,20 +208,17 @@ impl<'a> Rulebook<'a> {
         let mut numbers: HashMap<u32, u32> = own.iter().copied().zip(0..).collect();
         let mut locals = own;
         let floor = self.fragments.floor(step).to_vec();
+        // Begun with the youngest: what is unpacked again is then numbered as it was.
         let mut localize = |face: u32| {
-            let corners = self.fragments.faces()[face as usize].corners;
-            corners.map(|v| {
+            let [a, b, c] = self.fragments.faces()[face as usize].corners;
+            first_corner([a, b, c], a.max(b).max(c)).map(|v| {
                 *numbers.entry(v).or_insert_with(|| {
                     locals.push(v);
                     locals.len() as u32 - 1
                 })
             })
         };
-        let youngest_first = |triangle: [u32; 3]| {
-            let youngest = triangle.into_iter().filter(|&local| local < own_count).max();
-            first_corner(triangle, youngest.expect("a ceiling's triangle has a restored corner"))
-        };
-        let ceiling_locals = ceiling.iter().map(|&face| youngest_first(localize(face))).collect();
+        let ceiling_locals = ceiling.iter().map(|&face| localize(face)).collect();
         let floor_locals = floor.iter().map(|&face| localize(face)).collect();
         let rule = Rule {
             own_count,

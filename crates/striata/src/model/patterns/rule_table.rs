@@ -122,6 +122,21 @@ impl RuleRef<'_> {
         }
     }
 
+    /// The rule by itself.
+    pub(super) fn to_rule(self) -> Rule {
+        let (ceiling, floor) = (self.ceiling_count(), self.floor_count());
+        let groups = |range: std::ops::Range<usize>| range.map(|triangle| self.group(triangle)).collect();
+        Rule {
+            own_count: self.entry.own_count,
+            local_count: self.entry.local_count,
+            ceiling: (0..ceiling).map(|s| self.ceiling(s)).collect(),
+            floor: (0..floor).map(|j| self.floor(j)).collect(),
+            ceiling_groups: if self.is_grouped { groups(0..ceiling) } else { Vec::new() },
+            floor_groups: if self.is_grouped { groups(ceiling..ceiling + floor) } else { Vec::new() },
+            ..Rule::default()
+        }
+    }
+
     /// Vertices that the step restores: the first local numbers.
     pub(super) fn own_count(&self) -> usize {
         self.entry.own_count as usize

@@ -74,7 +74,12 @@ impl LoopPatterns {
     }
 }
 
-fn check_form(group_count: usize, vertex_count: usize, position_count: usize) -> Result<(), ModelError> {
+/// Refuses what the published form has no words for: groups and seams.
+pub(in crate::model::baseline) fn check_form(
+    group_count: usize,
+    vertex_count: usize,
+    position_count: usize,
+) -> Result<(), ModelError> {
     if group_count > 1 {
         let (found, limit) = (group_count as u64, 1);
         return Err(ModelError::Form { what: "group of triangles", found, limit });

@@ -35,10 +35,11 @@ mod rule;
 mod state;
 mod surface;
 
+pub(super) use self::build::check_form;
 use self::records::Records;
 pub(super) use self::rule::{Rule, RuleTable, Shape};
 pub use self::state::LoopPatternsState;
-pub(super) use self::surface::{Found, Surface};
+pub(super) use self::surface::{Found, Side, Surface};
 use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, StoredModel, Topology};
 
 /// Bits that the paper counts for a fragment: two anchors, rule and number of loops, the link down.

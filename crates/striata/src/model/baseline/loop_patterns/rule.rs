@@ -48,6 +48,22 @@ impl<'a> Rule<'a> {
         Self { is_open: code[0] != 0, apexes: &code[1..] }
     }
 
+    /// Whether the apexes leave no part of the ring open.
+    pub(in crate::model::baseline) fn is_tree(self) -> bool {
+        let n = self.ring_len();
+        let mut rings = if n > 2 { vec![(1, n)] } else { Vec::new() };
+        for &apex in self.apexes {
+            let m = usize::from(apex);
+            match rings.pop() {
+                Some((i, j)) if i < m && m < j => {
+                    rings.extend([(m, j), (i, m)].into_iter().filter(|&(i, j)| j - i > 1));
+                }
+                _ => return false,
+            }
+        }
+        rings.is_empty()
+    }
+
     /// Corners of the ring.
     pub(in crate::model::baseline) fn ring_len(self) -> usize {
         self.apexes.len() + 2
@@ -286,7 +302,7 @@ mod tests {
             all
         }
         for (n, expected) in [(3, 1), (4, 1), (5, 1), (6, 4), (7, 6), (8, 19)] {
-            let ring: Vec<u32> = (0..n).map(|i| 10 + i * 7 % n).collect();
+            let ring: Vec<u32> = (0..n).map(|i| 10 + i * 11 % n).collect();
             let mut finder = RuleFinder::default();
             for floor in cuts(0, n - 1) {
                 let floor: Vec<_> = floor.iter().map(|t| t.map(|i| ring[i as usize])).collect();
@@ -302,7 +318,7 @@ mod tests {
         let no_fan = "removes a vertex whose triangles are not one fan";
         assert_eq!(reason(&[[9, 0, 1], [9, 2, 3]], &[]), no_fan);
         assert_eq!(reason(&[[9, 0, 1], [9, 1, 2], [9, 0, 3]], &[]), no_fan);
-        assert_eq!(reason(&[[9, 0, 0]], &[]), no_fan);
+        assert_eq!(reason(&[[9, 0, 0]], &[]), "has a floor that does not fill the hole");
         assert_eq!(reason(&[[9, 9, 0]], &[]), no_fan);
         assert_eq!(reason(&[], &[]), "removes a vertex without triangles");
         let hole = "has a floor that does not fill the hole";

@@ -233,6 +233,14 @@ impl Surface {
         found.rings.is_empty()
     }
 
+    /// The triangles of a floor that was found.
+    pub(in crate::model::baseline) fn found_corners<'f>(
+        &'f self,
+        found: &'f Found,
+    ) -> impl Iterator<Item = [u32; 3]> + 'f {
+        found.slots.iter().map(|&slot| self.corners[slot as usize])
+    }
+
     /// Finds the ring of a vertex from an anchor on.
     pub(super) fn find_fan(&self, vertex: u32, anchor: u32, found: &mut Found, star: &mut Vec<Side>) {
         let is_closed = self.star_into(vertex, star);
@@ -390,8 +398,8 @@ impl Found {
         self.outer[0] = on;
     }
 
-    /// What lies behind the side that closes the ring; [`NONE`] at a border.
-    pub(in crate::model::baseline) fn behind_last(&self) -> u32 {
-        self.outer[self.outer.len() - 1]
+    /// Whether nothing lies behind the side that closes the ring.
+    pub(in crate::model::baseline) fn has_border_last(&self) -> bool {
+        self.outer.last() == Some(&NONE)
     }
 }

@@ -3,7 +3,7 @@
 /// Spare bytes at the end, so that any number can be read as part of a whole word.
 const PADDING: usize = 8;
 /// The widest number that a word holds wherever in a byte it begins.
-pub(super) const MAX_WIDTH: u32 = 57;
+pub(in crate::model) const MAX_WIDTH: u32 = 57;
 
 /// Bits in bytes, the lowest first.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -76,7 +76,7 @@ impl Bits {
 }
 
 /// Bits that numbers below `count` take.
-pub(super) fn width_of(count: u64) -> u32 {
+pub(in crate::model) fn width_of(count: u64) -> u32 {
     u64::BITS - count.saturating_sub(1).leading_zeros()
 }
 
@@ -90,7 +90,7 @@ mod tests {
         let mut random = Random::new(3);
         let numbers: Vec<(u64, u32)> = (0..500)
             .map(|_| {
-                let width = random.below(MAX_WIDTH as usize + 1) as u32;
+                let width = random.below(MAX_WIDTH + 1);
                 ((random.unit() * (1u64 << width) as f64) as u64, width)
             })
             .collect();

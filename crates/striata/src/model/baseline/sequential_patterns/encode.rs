@@ -1,0 +1,134 @@
+//! Writing: each fragment told by its place in the level before it.
+
+use std::collections::HashMap;
+
+use super::{
+    ANCHOR_BITS, LONG_NEIGHBOUR, LONG_NEIGHBOUR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOUR_BITS, Neighbours,
+    RULE_BITS, SequentialPatterns,
+};
+use crate::mesh::FragmentedMesh;
+use crate::model::ModelError;
+use crate::model::baseline::loop_patterns::{Found, Rule, Shape, Surface, check_form};
+use crate::model::bits::Bits;
+
+impl SequentialPatterns {
+    /// Writes all levels of a mesh.
+    ///
+    /// # Errors
+    /// [`ModelError`] naming the first step, or the triangle of the base, that the published form cannot hold, as
+    /// [`LoopPatterns::build`](crate::model::baseline::LoopPatterns::build) does.
+    pub fn encode(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
+        let fragments = &mesh.fragments;
+        let levels = fragments.levels();
+        let positions = levels.positions();
+        check_form(mesh.mesh.groups.len(), positions.vertex_count(), positions.position_count())?;
+        let base_vertex_count = levels.base_vertex_count();
+        let corners = |faces: &mut dyn Iterator<Item = u32>| -> Vec<[u32; 3]> {
+            faces.map(|face| fragments.faces()[face as usize].corners).collect()
+        };
+        let base = corners(&mut (0..fragments.base_face_count() as u32));
+        let surface = Surface::new(&base, base_vertex_count)
+            .map_err(|(place, reason)| ModelError::Listed { what: "triangle of the base", place, reason })?;
+        if base_vertex_count > 3 * base.len() {
+            let (found, limit) = (base_vertex_count as u64, 3 * base.len() as u64);
+            return Err(ModelError::Form { what: "vertices of the base", found, limit });
+        }
+        let mut shapes = Vec::with_capacity(levels.step_count());
+        for step in 0..levels.step_count() {
+            let [ceiling, floor] = [
+                corners(&mut fragments.ceiling(step as u32)),
+                corners(&mut fragments.floor(step as u32).iter().copied()),
+            ];
+            let shape = Shape::of((base_vertex_count + step) as u32, &ceiling, &floor);
+            shapes.push(shape.map_err(|reason| ModelError::Step { step, reason })?);
+        }
+        let (rules, numbers) = number_rules(&shapes)?;
+        let mut bytes = Vec::new();
+        for count in [base_vertex_count, base.len(), shapes.len(), rules.len()] {
+            bytes.extend_from_slice(&(count as u32).to_le_bytes());
+        }
+        base.as_flattened().iter().for_each(|v| bytes.extend_from_slice(&v.to_le_bytes()));
+        for code in &rules {
+            let rule = Rule::of_code(code);
+            bytes.extend_from_slice(&[rule.ring_len() as u8, u8::from(rule.is_open)]);
+            bytes.extend_from_slice(rule.apexes);
+        }
+        let mut writer =
+            Writer { surface, bits: Bits::default(), around: Neighbours::default(), found: Found::default() };
+        for (step, (shape, number)) in shapes.iter().zip(numbers).enumerate() {
+            let vertex = (base_vertex_count + step) as u32;
+            writer.push(vertex, shape, number).map_err(|reason| ModelError::Step { step, reason })?;
+        }
+        bytes.extend_from_slice(writer.bits.as_bytes());
+        Ok(Self { bytes, step_count: shapes.len(), fragment_bits: writer.bits.len() })
+    }
+}
+
+/// The codes of all rules, those that are met most often first, and the number of each shape's.
+fn number_rules(shapes: &[Shape]) -> Result<(Vec<&[u8]>, Vec<u32>), ModelError> {
+    let mut counts: HashMap<&[u8], u32> = HashMap::new();
+    for shape in shapes {
+        *counts.entry(&shape.code).or_insert(0) += 1;
+    }
+    let mut sorted: Vec<(&[u8], u32)> = counts.iter().map(|(&code, &count)| (code, count)).collect();
+    sorted.sort_unstable_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
+    let limit = 1 << LONG_RULE_BITS;
+    if sorted.len() > limit {
+        return Err(ModelError::Form { what: "rules", found: sorted.len() as u64, limit: limit as u64 });
+    }
+    sorted.iter().zip(0..).for_each(|(&(code, _), number)| *counts.entry(code).or_insert(0) = number);
+    let numbers = shapes.iter().map(|shape| counts[&shape.code[..]]).collect();
+    Ok((sorted.into_iter().map(|(code, _)| code).collect(), numbers))
+}
+
+struct Writer {
+    surface: Surface,
+    bits: Bits,
+    around: Neighbours,
+    found: Found,
+}
+
+impl Writer {
+    fn push(&mut self, vertex: u32, shape: &Shape, rule_number: u32) -> Result<(), &'static str> {
+        let rule = Rule::of_code(&shape.code);
+        let [a, b] = [shape.ring[0], shape.ring[1]];
+        self.around.find(&self.surface, a);
+        let place = self.find(rule, shape).ok_or("has a floor that is not where its anchors are")?;
+        debug_assert_eq!(self.around.vertex(&self.surface, place), b);
+        self.write(u64::from(rule_number), LONG_RULE, [RULE_BITS, LONG_RULE_BITS]);
+        self.bits.push(u64::from(a), ANCHOR_BITS);
+        let counted = self.around.counted(place) as u64;
+        self.write(counted, LONG_NEIGHBOUR, [NEIGHBOUR_BITS, LONG_NEIGHBOUR_BITS]);
+        self.surface.add_vertex();
+        self.surface.put_fan(vertex, rule, &mut self.found);
+        Ok(())
+    }
+
+    /// The place of the second anchor among the neighbours of the first; leaves the floor in `found`.
+    fn find(&mut self, rule: Rule, shape: &Shape) -> Option<usize> {
+        let [a, b] = [shape.ring[0], shape.ring[1]];
+        let mut places = 0..self.around.count();
+        if rule.apexes.is_empty() {
+            let last = places.next_back()?;
+            let is_it = !self.around.is_closed && self.around.vertex(&self.surface, last) == b;
+            self.found.hang([a, b], self.around.star[last.checked_sub(1)?].0);
+            return is_it.then_some(last);
+        }
+        places.find(|&place| {
+            self.around.vertex(&self.surface, place) == b
+                && self.around.side(place).is_some_and(|side| {
+                    self.surface.find_floor(rule, side, &mut self.found) && self.found.ring == shape.ring
+                })
+        })
+    }
+
+    /// A number, or what says that it is longer and then the number.
+    fn write(&mut self, number: u64, long: u64, [width, long_width]: [u32; 2]) {
+        if number < long {
+            self.bits.push(number, width);
+        } else {
+            self.bits.push(long, width);
+            self.bits.push(number, long_width);
+        }
+    }
+}

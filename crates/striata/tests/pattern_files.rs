@@ -1,0 +1,154 @@
+//! Patterns in `.striata` files: they come back as they were, and no damaged bytes get past the checks.
+
+mod support;
+
+use proptest::prelude::*;
+use striata::codec::{
+    DecodeError, FileModel, SectionKind, StriataFile, WriteOptions, to_striata, write_fragments,
+};
+use striata::mesh::{FragmentedMesh, RefinableMesh, canonical_triangles, replay, replay_fragments};
+use striata::model::{LodModel, Overlap, PatternBounds, PatternInstance, Patterns};
+use support::{
+    Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, surface_cases,
+    with_seams_and_groups, with_sound_checksums,
+};
+
+fn patterns_of(refinable: &RefinableMesh) -> (FragmentedMesh, Patterns, PatternBounds) {
+    let fragmented = FragmentedMesh::from_collapses(refinable);
+    let (patterns, bounds) = (Patterns::build(&fragmented).unwrap(), PatternBounds::build(&fragmented));
+    (fragmented, patterns, bounds)
+}
+
+/// Beside collapses, and in a file without any.
+fn both_files(refinable: &RefinableMesh) -> [Vec<u8>; 2] {
+    let (fragmented, patterns, bounds) = patterns_of(refinable);
+    let models = [FileModel::Patterns(&patterns, &bounds)];
+    let with_collapses = to_striata(refinable, &models, &WriteOptions::default()).unwrap();
+    let mut alone = Vec::new();
+    write_fragments(&fragmented, (&patterns, &bounds), &WriteOptions::default(), &mut alone).unwrap();
+    [with_collapses, alone]
+}
+
+#[test]
+fn patterns_of_every_kind_of_mesh_come_back() {
+    for case in nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases().take(1)) {
+        let refinable = &case.refinable;
+        let (_, patterns, bounds) = patterns_of(refinable);
+        for (bytes, has_collapses) in both_files(refinable).iter().zip([true, false]) {
+            let file = StriataFile::parse(bytes).unwrap();
+            assert_eq!(file.has_collapses(), has_collapses);
+            let (found, found_bounds) = file.patterns().unwrap().unwrap();
+            assert_eq!((&found, &found_bounds), (&patterns, &bounds));
+            assert_eq!(&file.levels().unwrap(), refinable.sequence.levels());
+            for split_count in (0..=refinable.sequence.step_count())
+                .step_by(case.stride.max(1 + refinable.sequence.step_count() / 12))
+            {
+                let (level, expected) = (file.level(split_count).unwrap(), replay(refinable, split_count));
+                assert_eq!(level.positions, expected.positions);
+                for (group, expected_group) in level.groups_or_whole().iter().zip(expected.groups_or_whole())
+                {
+                    assert_eq!(
+                        canonical_triangles(&level.triangles[group.range()]),
+                        canonical_triangles(&expected.triangles[expected_group.range()])
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_file_without_collapses_says_so_and_has_its_fragments() {
+    let refinable = random_refinable(
+        &with_seams_and_groups(grid(7, false)),
+        Wildness { far_percent: 3, base_position_count: 5 },
+        &mut Random::new(7),
+    );
+    let [with_collapses, alone] = both_files(&refinable);
+    assert!(alone.len() < with_collapses.len(), "no targets are stored");
+    let file = StriataFile::parse(&alone).unwrap();
+    assert_eq!(file.refinable_mesh().unwrap_err(), DecodeError::NoCollapses);
+    assert_eq!(file.sequence().unwrap_err(), DecodeError::NoCollapses);
+    assert_eq!(file.mesh().unwrap().groups, refinable.mesh.groups);
+    for bytes in [&with_collapses, &alone] {
+        let found = StriataFile::parse(bytes).unwrap().fragmented_mesh().unwrap();
+        for split_count in 0..=refinable.sequence.step_count() {
+            let (found, expected) = (replay_fragments(&found, split_count), replay(&refinable, split_count));
+            assert_eq!(canonical_triangles(&found.triangles), canonical_triangles(&expected.triangles));
+        }
+    }
+}
+
+/// Any sets of fragments: no triangle has a corner that is not there.
+fn look_around(patterns: &Patterns) {
+    let mut instance = PatternInstance::base(patterns);
+    for round in 0..8u32 {
+        let whim = |overlap: Overlap| {
+            overlap.upper.wrapping_mul(2_654_435_761).wrapping_add(round * 7919) >> 8 & 7 < round % 5
+        };
+        instance.adapt(patterns, &whim);
+        let step = round * 31 % patterns.fragment_count().max(1) as u32;
+        if patterns.fragment_count() > 0 {
+            instance.remove(patterns, step);
+            instance.insert(patterns, step);
+        }
+        let mut triangles = Vec::new();
+        instance.triangles_into(&mut triangles);
+        assert_eq!(triangles.len(), instance.triangle_count());
+    }
+    let mut state = patterns.new_state();
+    for split_count in (0..=patterns.step_count()).rev().step_by(3) {
+        patterns.move_to(&mut state, split_count);
+    }
+}
+
+fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
+    let file = StriataFile::parse(bytes)?;
+    file.levels()?;
+    let patterns = file.patterns();
+    file.fragmented_mesh()?.mesh.check()?;
+    file.level(file.summary().step_count / 2)?.check()?;
+    if let Some(patterns) = patterns {
+        look_around(&patterns?.0);
+    }
+    Ok(())
+}
+
+#[test]
+fn sound_files_are_read() {
+    for seed in 0..4 {
+        let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(4, true)) } else { grid(5, false) };
+        let wildness = Wildness { far_percent: 10, base_position_count: 4 };
+        for mut bytes in both_files(&random_refinable(&mesh, wildness, &mut Random::new(seed))) {
+            let before = bytes.clone();
+            with_sound_checksums(&mut bytes);
+            assert!(bytes == before, "checksums are computed as the writer does");
+            read_everything(&bytes).unwrap();
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(500))]
+
+    #[test]
+    fn damaged_patterns_are_an_error_or_patterns_without_cracks(
+        places in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..3),
+        seed in 0u64..6,
+        which in 0usize..2,
+    ) {
+        let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(3, true)) } else { grid(5, false) };
+        let wildness = Wildness { far_percent: 10, base_position_count: 4 };
+        let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
+        let mut bytes = both_files(&refinable)[which].clone();
+        let is_damaged = |kind: SectionKind| kind.0.starts_with(b"PT") || kind == SectionKind::SUMMARY;
+        let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
+        let spans = sections.iter().filter(|s| is_damaged(s.kind)).map(|s| s.offset..s.offset + s.bytes);
+        let candidates: Vec<u64> = spans.flatten().collect();
+        for (place, byte) in places {
+            bytes[candidates[place.index(candidates.len())] as usize] ^= byte;
+        }
+        with_sound_checksums(&mut bytes);
+        let _ = read_everything(&bytes);
+    }
+}
