@@ -6,12 +6,12 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use meshes::{Named, all, closed, open, with_patches};
+use meshes::{Named, all, closed, odd, open, with_patches};
 use proptest::prelude::*;
 use striata::ignore_progress;
 use striata::mesh::{
-    Adjacency, FragmentedMesh, IndexedMesh, Statistics, canonical_triangles, replay, replay_fragments,
-    shapes, weld,
+    Adjacency, DistanceOptions, FragmentedMesh, IndexedMesh, Statistics, canonical_triangles, replay,
+    replay_fragments, shapes, surface_distance, weld,
 };
 use striata::simplify::{
     BoundaryRule, BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, SimplifyError, StopReason,
@@ -262,6 +262,62 @@ fn no_error_exceeds_the_limit_and_others_go_on() {
             assert!(count as f64 <= 1.1 * within as f64 + 4.0, "{count} left, {within} in order");
         }
     });
+}
+
+/// How far the welded mesh is from a level at most, as far as samples see it.
+fn measured(built: &BuiltFragments, split_count: usize) -> f64 {
+    let level = replay_fragments(&built.fragmented, split_count);
+    let options = DistanceOptions::default().with_sample_count(20_000);
+    surface_distance(&built.fragmented.mesh, &level, &options).expect("both have triangles").a_to_b.max
+}
+
+#[test]
+fn errors_are_never_exceeded_and_seldom_large() {
+    let mut ratios = Vec::new();
+    for (name, mesh) in [closed(), open(), odd()].concat() {
+        let built = build(&mesh, &RemovalOptions::default());
+        let fragments = &built.fragmented.fragments;
+        let step_count = fragments.step_count();
+        let extent = f64::from(mesh.bounds().map_or(0.0, |bounds| bounds.diagonal() as f32));
+        if step_count == 0 || extent > 1e30 || extent < 1e-30 {
+            continue;
+        }
+        for split_count in [0, step_count / 4, step_count / 2, step_count - 1] {
+            let error = f64::from(fragments.levels().error_at(split_count));
+            let found = measured(&built, split_count);
+            assert!(found <= error + 1e-6 * extent, "{name} at {split_count}: {found}, promised {error}");
+            if found > 1e-4 * extent {
+                ratios.push(error / found);
+            }
+        }
+    }
+    ratios.sort_unstable_by(f64::total_cmp);
+    let (median, count) = (ratios[ratios.len() / 2], ratios.len());
+    assert!(count > 60 && median < 1.2, "median {median} of {count}");
+}
+
+#[test]
+fn limits_hold_for_the_whole_surface() {
+    for (name, mesh) in [closed(), open()].concat() {
+        let extent = mesh.bounds().expect("vertices").diagonal();
+        for share in [0.002, 0.02, 0.1] {
+            let limit = share * extent;
+            let built = build(&mesh, &RemovalOptions::default().with_max_error(limit));
+            let found = measured(&built, 0);
+            assert!(found <= limit + 1e-6 * extent, "{name}: {found} of {limit}");
+        }
+    }
+}
+
+#[test]
+fn a_smooth_sphere_goes_as_far_as_the_limit_lets_it() {
+    // A sphere of radius 1 within 0.02 takes about this many triangles at least: a cap of that height has a radius of
+    // sqrt(2 * 0.02), and an equilateral triangle in it covers 3 sqrt(3) / 4 of its square.
+    let needed = 4.0 * std::f64::consts::PI / (1.299 * 0.04);
+    let built = build(&shapes::icosphere(4, 1.0), &RemovalOptions::default().with_max_error(0.02));
+    let count = built.fragmented.fragments.levels().triangle_count_at(0);
+    assert_eq!(built.stop_reason, StopReason::ErrorLimit);
+    assert!((count as f64) < 1.6 * needed, "{count} triangles, {needed:.0} needed");
 }
 
 #[test]

@@ -4,15 +4,16 @@ use crate::mesh::{CollapseSequence, Face, FragmentSequence, FragmentedMesh, Refi
 use crate::{Cancelled, Progress, ProgressFn};
 
 use super::Cover;
+use super::adopt::Adopters;
 
 /// Steps between two calls of the progress callback.
 const STEPS_PER_REPORT: usize = 1 << 10;
 
 /// The same fragments with errors that hold: the original surface is nowhere farther from what a state shows than the largest
-/// error of the floors whose faces it shows, and than the error of the level if it is one.
+/// error of the floors whose faces it shows, nor than the error of the level if it is one.
 ///
-/// All points of the original surface count, not its vertices alone; of the simplified surface nothing is said. A step whose floor is
-/// empty gets the diagonal of the mesh's bounds.
+/// All points of the original surface count, not its vertices alone; of the simplified surface nothing is said. A step that is not
+/// taken and whose floor is empty counts as well. Where nothing is left at all, its error is the diagonal of the mesh's bounds.
 ///
 /// # Errors
 /// [`Cancelled`] where the callback asks for it.
@@ -31,7 +32,7 @@ const STEPS_PER_REPORT: usize = 1 << 10;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn certify(mesh: &FragmentedMesh, progress: &mut ProgressFn<'_>) -> Result<FragmentedMesh, Cancelled> {
-    let errors = floor_errors(mesh, progress)?;
+    let errors = floor_errors(mesh, Scope::All, progress)?;
     let fragments = mesh.fragments.with_floor_errors(errors).expect("a finite error for each step");
     Ok(FragmentedMesh { mesh: mesh.mesh.clone(), fragments })
 }
@@ -45,7 +46,7 @@ pub fn certify_collapses(
     progress: &mut ProgressFn<'_>,
 ) -> Result<RefinableMesh, Cancelled> {
     let fragmented = FragmentedMesh::from_collapses(refinable);
-    let floor_errors = floor_errors(&fragmented, progress)?;
+    let floor_errors = floor_errors(&fragmented, Scope::Levels, progress)?;
     drop(fragmented);
     let sequence = &refinable.sequence;
     let mut errors = floor_errors;
@@ -64,10 +65,21 @@ pub fn certify_collapses(
     Ok(RefinableMesh { mesh: refinable.mesh.clone(), sequence })
 }
 
+/// For which states errors are to hold.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Scope {
+    Levels,
+    All,
+}
+
 /// The bound of each step's floor, rounded up.
-fn floor_errors(mesh: &FragmentedMesh, progress: &mut ProgressFn<'_>) -> Result<Vec<f32>, Cancelled> {
+fn floor_errors(
+    mesh: &FragmentedMesh,
+    scope: Scope,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Vec<f32>, Cancelled> {
     let fragments = &mesh.fragments;
-    let mut walk = Walk::new(mesh);
+    let mut walk = Walk::new(mesh, scope);
     let step_count = fragments.step_count();
     let mut errors = vec![0.0; step_count];
     for (done, step) in (0..step_count).rev().enumerate() {
@@ -97,12 +109,17 @@ struct Walk<'a> {
     /// For each face its number in the cover, where those of faces that are gone are used again.
     slots: Vec<u32>,
     slot_count: u32,
+    scope: Scope,
+    /// The largest bound so far of pieces and the faces that got them.
+    largest: f64,
     ceiling: Vec<u32>,
     floor: Vec<(u32, [[f64; 3]; 3])>,
+    /// Made when the first floor is empty.
+    adopters: Option<Adopters>,
 }
 
 impl<'a> Walk<'a> {
-    fn new(mesh: &'a FragmentedMesh) -> Self {
+    fn new(mesh: &'a FragmentedMesh, scope: Scope) -> Self {
         let FragmentedMesh { mesh, fragments } = mesh;
         let mut slots = vec![0; fragments.faces().len()];
         let mut triangles = Vec::with_capacity(mesh.triangle_count());
@@ -118,26 +135,64 @@ impl<'a> Walk<'a> {
             cover: Cover::new(&mesh.positions, &triangles),
             slots,
             slot_count: triangles.len() as u32,
+            scope,
+            largest: 0.0,
             ceiling: Vec::new(),
             floor: Vec::new(),
+            adopters: None,
         }
     }
 
+    /// Undoes a step; returns how far what its floor stands for may be off.
     fn undo(&mut self, step: u32) -> f64 {
-        let Self { positions, fragments, cover, slots, slot_count, ceiling, floor } = self;
+        let fragments = self.fragments;
+        let Self { slots, slot_count, ceiling, .. } = self;
         ceiling.clear();
         ceiling.extend(fragments.ceiling(step).map(|face| slots[face as usize]));
-        floor.clear();
+        if fragments.floor(step).is_empty() {
+            return self.undo_to_nothing(step);
+        }
         for (i, &face) in fragments.floor(step).iter().enumerate() {
-            let slot = ceiling.get(i).copied().unwrap_or_else(|| {
+            slots[face as usize] = ceiling.get(i).copied().unwrap_or_else(|| {
                 *slot_count += 1;
                 *slot_count - 1
             });
-            slots[face as usize] = slot;
-            let Face { corners, .. } = fragments.faces()[face as usize];
-            floor.push((slot, corners.map(|v| positions[v as usize].map(f64::from))));
         }
-        cover.replace(ceiling, floor)
+        self.set_floor(fragments.floor(step));
+        let bound = self.cover.replace(&self.ceiling, &self.floor);
+        self.largest = self.largest.max(bound);
+        bound
+    }
+
+    /// A step without a floor: others take what its ceiling answered for.
+    fn undo_to_nothing(&mut self, step: u32) -> f64 {
+        let fragments = self.fragments;
+        let adopters = self.adopters.get_or_insert_with(|| Adopters::new(fragments));
+        let mut found = adopters.find((fragments, self.positions), step);
+        let is_free = self.scope == Scope::Levels;
+        found.retain(|&face| {
+            is_free
+                || adopters.is_sure(fragments, face, step)
+                || !self.cover.known_triangles(self.slots[face as usize]).is_empty()
+        });
+        let is_sure: Vec<bool> = found.iter().map(|&face| adopters.is_sure(fragments, face, step)).collect();
+        self.set_floor(&found);
+        let bound = self.cover.propose(&self.ceiling, &self.floor);
+        let reach = self.cover.reach(|index| is_free || is_sure[index]);
+        self.cover.mark_orphans();
+        self.cover.commit();
+        self.largest = self.largest.max(bound);
+        let behind = reach.map_or(0.0, |reach| reach + self.largest);
+        bound.max(behind.min(self.cover.diagonal()))
+    }
+
+    fn set_floor(&mut self, faces: &[u32]) {
+        self.floor.clear();
+        for &face in faces {
+            let Face { corners, .. } = self.fragments.faces()[face as usize];
+            let corners = corners.map(|v| self.positions[v as usize].map(f64::from));
+            self.floor.push((self.slots[face as usize], corners));
+        }
     }
 }
 

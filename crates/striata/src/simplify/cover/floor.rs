@@ -26,28 +26,44 @@ struct Four {
 #[derive(Default)]
 pub(super) struct Floor {
     fours: Vec<Four>,
-    count: usize,
+    corners: Vec<[DVec3; 3]>,
 }
 
 impl Floor {
     /// Takes other triangles.
-    pub(super) fn set(&mut self, triangles: impl ExactSizeIterator<Item = [DVec3; 3]> + Clone) {
-        self.count = triangles.len();
+    pub(super) fn set(&mut self, triangles: impl Iterator<Item = [DVec3; 3]>) {
+        self.corners.clear();
+        self.corners.extend(triangles);
         self.fours.clear();
-        let mut rest = triangles;
-        for _ in 0..self.count.div_ceil(4) {
-            let mut four = [[DVec3::ZERO; 3]; 4];
+        for four in self.corners.chunks(4) {
             // Lanes to spare repeat the last triangle.
-            for lane in 0..4 {
-                four[lane] = rest.next().unwrap_or_else(|| four[lane - 1]);
-            }
-            self.fours.push(Four::new(&four));
+            self.fours.push(Four::new([0, 1, 2, 3].map(|lane: usize| &four[lane.min(four.len() - 1)])));
         }
     }
 
     /// How many triangles there are.
     pub(super) fn count(&self) -> usize {
-        self.count
+        self.corners.len()
+    }
+
+    /// The triangles that share a side with one.
+    pub(super) fn beside(&self, triangle: usize) -> impl Iterator<Item = usize> {
+        let own = &self.corners[triangle];
+        let is_beside =
+            move |other: &[DVec3; 3]| own.iter().filter(|corner| other.contains(corner)).count() >= 2;
+        (0..self.corners.len()).filter(move |&other| other != triangle && is_beside(&self.corners[other]))
+    }
+
+    /// The plane as near to one triangle as to another with which it shares a side: a point on it, and its normal.
+    pub(super) fn border(&self, one: usize, other: usize) -> Option<(DVec3, DVec3)> {
+        let (one, other) = (&self.corners[one], &self.corners[other]);
+        let [a, b] = [(one, other), (other, one)].map(|(t, u)| t.iter().find(|corner| !u.contains(corner)));
+        let mut shared = one.iter().filter(|corner| other.contains(corner));
+        let (start, end) = (*shared.next()?, *shared.next()?);
+        let along = (end - start).normalize_or_zero();
+        let [to_a, to_b] = [*a?, *b?].map(|p| (p - start).reject_from_normalized(along).normalize_or_zero());
+        let normal = to_a - to_b;
+        (normal.length_squared() > 1e-6).then_some((start, normal))
     }
 
     /// Squared distances of a point from all triangles, four to an entry, appended; returns the least.
@@ -64,9 +80,9 @@ impl Floor {
 }
 
 impl Four {
-    fn new(triangles: &[[DVec3; 3]; 4]) -> Self {
+    fn new(triangles: [&[DVec3; 3]; 4]) -> Self {
         let lanes = |f: &dyn Fn(&[DVec3; 3]) -> DVec3| {
-            let at = triangles.each_ref().map(f);
+            let at = triangles.map(f);
             [0, 1, 2].map(|axis| f64x4::from(at.map(|p| p[axis])))
         };
         let first = lanes(&|t| t[0]);

@@ -21,6 +21,7 @@
 //! Cost: a step looks at each piece around it, so all steps together O(n log n) pieces for n triangles; at most about 300 bytes a
 //! triangle.
 
+mod adopt;
 mod certify;
 mod floor;
 mod pieces;
@@ -31,15 +32,19 @@ pub use certify::{certify, certify_collapses};
 
 use glam::DVec3;
 
+use floor::Floor;
 use pieces::{NONE, Pieces};
 use polygon::{Polygon, WHOLE};
-use settle::{Plane, Settler, Shape};
+use settle::{Plane, Points, Settler, Shape};
 
 /// Share of the diagonal that every bound is raised by, for all that f64 rounds.
 const ROUNDING: f64 = 1e-11;
 
 /// Share of the diagonal below which a distance is not worth a cut.
 const NEGLIGIBLE: f64 = 1e-11;
+
+/// Triangles of a face's pieces that are tried for the one nearest to another piece.
+const MAX_KNOWN: usize = 1 << 10;
 
 /// Pieces of the original surface on the faces of the current one.
 pub(crate) struct Cover {
@@ -55,6 +60,9 @@ pub(crate) struct Cover {
     /// For each original triangle its piece in the step under way, or none.
     piece_of_triangle: Vec<u32>,
     proposal: Proposal,
+    /// Original triangles of which a face may have more than its ceiling had: parts left without a floor, and what lies between
+    /// parts that were joined.
+    is_displaced: Vec<bool>,
 }
 
 /// What a step takes and gives, until it is done.
@@ -99,6 +107,7 @@ impl Cover {
             point_of_vertex: vec![NONE; positions.len()],
             piece_of_triangle: vec![NONE; triangles.len()],
             proposal: Proposal::default(),
+            is_displaced: vec![false; triangles.len()],
             positions: positions.to_vec(),
             triangles: triangles.to_vec(),
         }
@@ -132,6 +141,61 @@ impl Cover {
         self.settle_all().sqrt() + ROUNDING * self.diagonal
     }
 
+    /// How far the pieces proposed are from what the faces that are to get them answer for already, orphans apart; faces that are
+    /// `exempt` (by index in the floor) left out. None where all are.
+    fn reach(&self, exempt: impl Fn(usize) -> bool) -> Option<f64> {
+        let Proposal { floor, wholes, parts, .. } = &self.proposal;
+        let mut reach: Option<f64> = None;
+        for (index, &face) in floor.iter().enumerate().filter(|&(index, _)| !exempt(index)) {
+            let mut known = Floor::default();
+            known.set(self.known_triangles(face).into_iter());
+            let mut points = Points::default();
+            let mut look = |triangle: u32, corners: &[[f64; 2]]| {
+                let plane = plane(&self.positions, self.origin, self.triangles[triangle as usize]);
+                points.clear();
+                let ids: Vec<u32> =
+                    corners.iter().map(|&corner| points.push(&known, plane.at(corner))).collect();
+                let (_, least) = points.best(&ids, known.count());
+                let raised = least.sqrt().min(self.diagonal) + ROUNDING * self.diagonal;
+                reach = Some(reach.map_or(raised, |reach| reach.max(raised)));
+            };
+            wholes.iter().filter(|whole| whole.1 as usize == index).for_each(|whole| look(whole.0, &WHOLE));
+            let own_parts = parts.iter().filter(|part| part.1 as usize == index);
+            own_parts.for_each(|part| look(part.0, part.2.corners()));
+        }
+        reach
+    }
+
+    /// Some of the pieces that a face answers for, as triangles; no orphans.
+    fn known_triangles(&self, face: u32) -> Vec<[DVec3; 3]> {
+        let mut known = Vec::new();
+        let mut add = |triangle: u32, corners: &[[f64; 2]]| {
+            if self.is_displaced[triangle as usize] {
+                return;
+            }
+            let plane = plane(&self.positions, self.origin, self.triangles[triangle as usize]);
+            for pair in corners.windows(2).skip(1) {
+                known.push([corners[0], pair[0], pair[1]].map(|corner| plane.at(corner)));
+            }
+        };
+        self.pieces.for_each_whole(face, |triangle| add(triangle, &WHOLE));
+        self.pieces.for_each_part(face, |triangle, polygon| add(triangle, polygon.corners()));
+        let stride = known.len().div_ceil(MAX_KNOWN).max(1);
+        known.into_iter().step_by(stride).collect()
+    }
+
+    /// Marks what was proposed as left without a floor.
+    fn mark_orphans(&mut self) {
+        for piece in &self.proposal.gathered {
+            self.is_displaced[piece.triangle as usize] = true;
+        }
+    }
+
+    /// Diagonal of the bounds of the original mesh: no two points of it are farther apart.
+    fn diagonal(&self) -> f64 {
+        self.diagonal
+    }
+
     /// Does what was proposed last.
     pub(crate) fn commit(&mut self) {
         let Proposal { ceiling, floor, wholes, parts, .. } = &mut self.proposal;
@@ -146,8 +210,8 @@ impl Cover {
         }
     }
 
-    /// Calls `f` with the corners of the pieces of a face, some more than once.
     #[expect(dead_code, reason = "for those who order candidates")]
+    /// Calls `f` with the corners of the pieces of a face, some more than once.
     pub(crate) fn for_each_point(&self, face: u32, mut f: impl FnMut([f64; 3])) {
         let mut all = |triangle: u32, corners: &[[f64; 2]]| {
             let plane = plane(&self.positions, self.origin, self.triangles[triangle as usize]);
@@ -159,7 +223,7 @@ impl Cover {
 
     /// Collects the pieces of some faces.
     fn gather(&mut self, ceiling: &[u32]) {
-        let Self { proposal, pieces, piece_of_triangle, .. } = self;
+        let Self { proposal, pieces, piece_of_triangle, is_displaced, .. } = self;
         proposal.ceiling.clear();
         proposal.ceiling.extend_from_slice(ceiling);
         let Proposal { gathered, polygons, .. } = proposal;
@@ -185,6 +249,8 @@ impl Cover {
                         return;
                     }
                     if let Some(hull) = polygons[*polygon as usize].hull(part) {
+                        let parts = polygons[*polygon as usize].area() + part.area();
+                        is_displaced[triangle as usize] |= hull.area() > parts + ROUNDING;
                         polygons[*polygon as usize] = hull;
                         if hull.is_whole() {
                             *polygon = NONE;

@@ -36,6 +36,17 @@ impl Polygon {
         self.count == 3 && WHOLE.iter().all(|corner| self.corners().contains(corner))
     }
 
+    /// Its area, of which the whole triangle has a half.
+    pub(super) fn area(&self) -> f64 {
+        let corners = self.corners();
+        let first = corners[0];
+        let twice = |pair: &[[f64; 2]]| {
+            let [p, q] = [0, 1].map(|i| [pair[i][0] - first[0], pair[i][1] - first[1]]);
+            p[0] * q[1] - p[1] * q[0]
+        };
+        0.5 * corners.windows(2).map(twice).sum::<f64>()
+    }
+
     /// The smallest convex polygon around both; none where it has too many corners.
     pub(super) fn hull(&self, other: &Self) -> Option<Self> {
         let mut points = [[0.0; 2]; 2 * MAX_CORNERS];
@@ -94,6 +105,7 @@ mod tests {
         let whole = left.hull(&right).unwrap();
         assert!(whole.is_whole(), "{whole:?}");
         assert!(!left.is_whole());
+        assert!((left.area() + right.area() - 0.5).abs() < 1e-15);
         assert_eq!(left.hull(&left), Some(left));
     }
 

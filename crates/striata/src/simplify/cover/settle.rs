@@ -14,11 +14,15 @@ use wide::f64x4;
 use super::floor::Floor;
 use super::polygon::{MAX_CORNERS, Polygon};
 
-/// Cuts on the way from a piece to one that is given away as it is.
-const MAX_DEPTH: u8 = 12;
+/// Cuts that one piece may have, and as many more for each triangle of the floor as it may cross.
+const CUTS: usize = 16;
+const CUTS_PER_FACE: usize = 4;
+
+/// A face is nearer only if its squared distance is below this share of the other's: what rounds is no reason for a cut.
+const NEARER: f64 = 1.0 - 1e-5;
 
 /// Trials for a point where two triangles are equally near.
-const MAX_TRIALS: usize = 6;
+const MAX_TRIALS: usize = 8;
 
 /// A piece may be given away whole if that makes its bound larger than the step's own error by no more than this share.
 const SLACK: f64 = 0.03;
@@ -59,7 +63,7 @@ impl Points {
 
     /// The face from which the farthest of some points is least far, and its squared distance.
     #[inline]
-    fn best(&self, points: &[u32], count: usize) -> (usize, f64) {
+    pub(super) fn best(&self, points: &[u32], count: usize) -> (usize, f64) {
         let lanes = self.squared.len() / self.at.len();
         let (mut best, mut least) = (0, f64::INFINITY);
         for lane in 0..lanes {
@@ -132,7 +136,7 @@ pub(super) struct Settler {
     pub(super) points: Points,
     /// Squared distance below which nothing is cut.
     negligible: f64,
-    jobs: Vec<(Shape, u8)>,
+    jobs: Vec<Shape>,
 }
 
 impl Settler {
@@ -157,14 +161,16 @@ impl Settler {
     /// Cuts a piece until each part has a face that serves it, and hands out the parts; returns the largest squared bound.
     pub(super) fn settle(&mut self, shape: Shape, plane: &Plane, mut out: impl FnMut(usize, &Shape)) -> f64 {
         let mut largest: f64 = 0.0;
-        self.jobs.push((shape, 0));
-        while let Some((shape, depth)) = self.jobs.pop() {
+        let mut cuts_left = CUTS + CUTS_PER_FACE * self.floor.count();
+        self.jobs.push(shape);
+        while let Some(shape) = self.jobs.pop() {
             let (face, squared) = self.points.best(shape.points(), self.floor.count());
             if squared > self.allowed()
-                && depth < MAX_DEPTH
+                && cuts_left > 0
                 && let Some(parts) = self.cut(&shape, plane, face)
             {
-                parts.into_iter().for_each(|part| self.push_job(part, depth + 1));
+                cuts_left -= 1;
+                parts.into_iter().for_each(|part| self.push_job(part));
             } else {
                 largest = largest.max(squared);
                 out(face, &shape);
@@ -174,16 +180,16 @@ impl Settler {
     }
 
     /// Takes a part up, in two where it has a corner too many.
-    fn push_job(&mut self, part: Shape, depth: u8) {
+    fn push_job(&mut self, part: Shape) {
         if part.count <= MAX_CORNERS {
-            self.jobs.push((part, depth));
+            self.jobs.push(part);
             return;
         }
         let middle = part.count / 2;
         let (mut near, mut far) = (Shape::new(), Shape::new());
         (0..=middle).for_each(|i| near.push_from(&part, i));
         (middle..=part.count).for_each(|i| far.push_from(&part, i % part.count));
-        self.jobs.extend([(near, depth), (far, depth)]);
+        self.jobs.extend([near, far]);
     }
 
     /// Cuts off what is nearer to another face around the corner that is farthest from `face`.
@@ -193,11 +199,33 @@ impl Settler {
             squared(i).total_cmp(&squared(j))
         };
         let worst = (0..shape.count).max_by(farther)?;
-        let (other, _) = self.points.best(&[shape.points[worst]], self.floor.count());
-        let mut cutter = Cutter { settler: self, shape, plane, faces: [face, other], even: 0.0 };
+        let other = self.other(face, shape.points[worst])?;
+        let mut cutter =
+            Cutter { settler: self, shape, plane, faces: [face, other], border: None, even: 0.0 };
         let lead = cutter.lead(shape.points[worst]);
         cutter.even = (0.01 * cutter.settler.allowed().sqrt()).min(0.5 * lead);
-        if other == face || lead <= 0.0 { None } else { cutter.cut_around(worst) }
+        if lead <= 0.0 {
+            return None;
+        }
+        cutter.border = cutter.settler.floor.border(face, other);
+        cutter.cut_around(worst)
+    }
+}
+
+impl Settler {
+    /// The face to cut off towards a point: of those that share a side with `face` the nearest, if it is nearer; else the nearest of
+    /// all. Across a shared side distances change at the side, so the cut follows it.
+    fn other(&mut self, face: usize, point: u32) -> Option<usize> {
+        let own = self.points.squared(point, face);
+        let points = &self.points;
+        let squared = |&other: &usize| points.squared(point, other);
+        let nearer = |a: &usize, b: &usize| squared(a).total_cmp(&squared(b));
+        let beside = self.floor.beside(face).min_by(nearer);
+        if let Some(other) = beside.filter(|other| squared(other) < NEARER * own) {
+            return Some(other);
+        }
+        let (nearest, _) = self.points.best(&[point], self.floor.count());
+        (squared(&nearest) < NEARER * own).then_some(nearest)
     }
 }
 
@@ -207,6 +235,8 @@ struct Cutter<'a> {
     shape: &'a Shape,
     plane: &'a Plane,
     faces: [usize; 2],
+    /// Where they share a side: a point of the plane that is as near to one as to the other, and its normal.
+    border: Option<(DVec3, DVec3)>,
     /// A point is as near to one as to the other if its distances differ by no more.
     even: f64,
 }
@@ -253,9 +283,17 @@ impl Cutter<'_> {
         }
         let [p, q] = [from, to].map(|i| self.shape.corners[i]);
         let (mut low, mut high) = (0.0, 1.0);
+        let mut guess = self.border.and_then(|(at, normal)| {
+            let [height_from, height_to] = [from, to].map(|i| {
+                let point = self.settler.points.at[self.shape.points[i] as usize];
+                normal.dot(point - at)
+            });
+            (height_from * height_to < 0.0).then(|| height_from / (height_from - height_to))
+        });
         let mut trial = 0;
         loop {
-            let share = low + (high - low) * (lead_from / (lead_from - lead_to));
+            let even = low + (high - low) * (lead_from / (lead_from - lead_to));
+            let share = guess.take().unwrap_or(even);
             let corner = [p[0] + (q[0] - p[0]) * share, p[1] + (q[1] - p[1]) * share];
             let point = self.settler.points.push(&self.settler.floor, self.plane.at(corner));
             let lead = self.lead(point);

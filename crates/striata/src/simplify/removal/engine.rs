@@ -8,12 +8,15 @@ use crate::simplify::heap::IndexedHeap;
 use crate::simplify::options::{SimplifyError, StopReason};
 use crate::{Cancelled, Progress, ProgressFn};
 
-use super::judge::{Filling, Judge};
+use super::judge::{Depth, Filling, Judge};
 use super::options::{RemovalOptions, Retriangulation};
 use super::record::{Faces, RemovalRecord};
 
 /// Removals between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
+
+/// A cost this much over its key is still taken: looking twice at every vertex would buy next to nothing.
+const TOLERANCE: f32 = 1.2;
 
 /// All state of one simplification.
 pub(super) struct Engine<'a> {
@@ -68,29 +71,24 @@ impl<'a> Engine<'a> {
             if self.triangle_count <= self.options.base_triangle_count {
                 return Ok(self.end(StopReason::TargetReached));
             }
-            let Some(verdict) = self.judge.judge(v) else {
+            let Some(verdict) = self.judge.judge(v, Depth::Exact) else {
+                // What lies around has changed what is allowed.
                 self.heap.remove(v);
                 continue;
             };
-            // What lies around may have changed what is allowed.
-            if verdict.cost > key {
-                self.heap.set(v, verdict.cost);
-                if self.heap.first().is_none_or(|(_, first)| first != v) {
-                    continue;
-                }
+            if self.has_to_wait(v, key, verdict.cost) {
+                continue;
             }
             let error = self.propose(v, verdict.filling);
-            let bound = self.judge.scaled_squared(error);
-            let full = verdict.cost + self.options.tuning[8] * (bound * bound - verdict.worst * verdict.worst).max(0.0);
-            if full > self.options.tuning[10] * key.max(verdict.cost) {
-                self.heap.set(v, full);
-                if self.heap.first().is_none_or(|(_, first)| first != v) {
-                    continue;
-                }
-            }
             if f64::from(error) > limit {
                 is_limited = true;
                 self.heap.remove(v);
+                continue;
+            }
+            // The bound takes the place of what points have seen.
+            let bound = self.judge.scaled_squared(error).max(verdict.worst);
+            let rise = Judge::spike_cost(bound) - Judge::spike_cost(verdict.worst);
+            if self.has_to_wait(v, key.max(verdict.cost), verdict.cost + rise) {
                 continue;
             }
             self.remove(v, verdict.filling, error);
@@ -109,13 +107,22 @@ impl<'a> Engine<'a> {
         Ok(self.end(reason))
     }
 
+    /// Puts `v` back where its true cost is well over the key that it came up with; true if others come first then.
+    fn has_to_wait(&mut self, v: u32, key: f32, cost: f32) -> bool {
+        if cost <= TOLERANCE * key {
+            return false;
+        }
+        self.heap.set(v, cost);
+        self.heap.first().is_some_and(|(_, first)| first != v)
+    }
+
     fn end(self, reason: StopReason) -> (RemovalRecord, Faces, StopReason) {
         let corners = self.judge.wedges.into_corners();
         (self.record, Faces { corners, groups: self.judge.groups }, reason)
     }
 
     fn key(&mut self, v: u32) -> f32 {
-        self.judge.judge(v).map_or(f32::INFINITY, |verdict| verdict.cost)
+        self.judge.judge(v, Depth::Estimate).map_or(f32::INFINITY, |verdict| verdict.cost)
     }
 
     /// How far the surface that the floor judged last stands for may be from it, mesh units, rounded up.
@@ -128,8 +135,9 @@ impl<'a> Engine<'a> {
         self.placed.clear();
         self.placed.extend((first..).zip(&self.floor).map(|(number, face)| (number, face.0.map(place))));
         let bound = self.cover.propose(&judge.star.triangles, &self.placed);
-        let rounded = (bound as f32).min(f32::MAX);
-        if f64::from(rounded) < bound { rounded.next_up() } else { rounded }
+        let nearest = bound as f32;
+        let up = if f64::from(nearest) < bound { nearest.next_up() } else { nearest };
+        up.min(f32::MAX)
     }
 
     fn remove(&mut self, v: u32, filling: Filling, error: f32) {

@@ -2,6 +2,7 @@
 //!
 //! After \[KLS96\], \[KK97\] and \[KG98\].
 
+mod collapses;
 mod engine;
 mod hole;
 mod judge;

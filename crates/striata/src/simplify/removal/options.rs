@@ -38,7 +38,8 @@ pub struct RemovalOptions {
     pub retriangulation: Retriangulation,
     /// Which filling is the best; default by distance. Half-edge collapses always go by distance.
     pub criterion: HoleCriterion,
-    /// Most triangles around a vertex that may be removed, 3 to 16; default 10.
+    /// Most triangles around a vertex that may be removed, 3 to 16; default 8: more make many more patterns and next to no better
+    /// levels.
     pub degree_limit: usize,
     /// Stop once no more triangles than this are left; default 0: as far as it goes.
     pub base_triangle_count: usize,
@@ -51,8 +52,6 @@ pub struct RemovalOptions {
     pub feature_angle: Option<f64>,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
-    #[doc(hidden)]
-    pub tuning: [f32; 12],
 }
 
 impl Default for RemovalOptions {
@@ -60,13 +59,12 @@ impl Default for RemovalOptions {
         Self {
             retriangulation: Retriangulation::default(),
             criterion: HoleCriterion::default(),
-            degree_limit: 10,
+            degree_limit: 8,
             base_triangle_count: 0,
             max_error: None,
             boundary: BoundaryRule::default(),
             feature_angle: None,
             locked_vertices: Vec::new(),
-            tuning: [0.2, 0.2, 0.2, 0.2, 0.8, 1.0, 0.0, 0.0, 100.0, 0.0, 1.2, 0.0],
         }
     }
 }
