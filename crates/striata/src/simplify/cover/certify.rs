@@ -65,6 +65,10 @@ pub fn certify_collapses(
     Ok(RefinableMesh { mesh: refinable.mesh.clone(), sequence })
 }
 
+/// Where a step raises the error of the levels by more than this, a way round is looked for: a triangle that folds over its
+/// neighbour leaves what it stood for to that neighbour, which is not of the step's floor.
+const WORTH_A_LOOK: f64 = 1.02;
+
 /// For which states errors are to hold.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Scope {
@@ -159,9 +163,28 @@ impl<'a> Walk<'a> {
             });
         }
         self.set_floor(fragments.floor(step));
-        let bound = self.cover.replace(&self.ceiling, &self.floor);
+        let mut bound = self.cover.propose(&self.ceiling, &self.floor);
+        if self.scope == Scope::Levels && bound > self.largest * WORTH_A_LOOK {
+            bound = self.look_around(step, bound);
+        }
+        self.cover.commit();
         self.largest = self.largest.max(bound);
         bound
+    }
+
+    /// Proposes what is better: that the floor takes the pieces of the ceiling, or that triangles around it may take some too.
+    fn look_around(&mut self, step: u32, alone: f64) -> f64 {
+        let fragments = self.fragments;
+        let adopters = self.adopters.get_or_insert_with(|| Adopters::new(fragments));
+        let mut faces = adopters.find((fragments, self.positions), step);
+        faces.extend_from_slice(fragments.floor(step));
+        self.set_floor(&faces);
+        let together = self.cover.propose(&self.ceiling, &self.floor);
+        if together < alone {
+            return together;
+        }
+        self.set_floor(fragments.floor(step));
+        self.cover.propose(&self.ceiling, &self.floor)
     }
 
     /// A step without a floor: others take what its ceiling answered for.
