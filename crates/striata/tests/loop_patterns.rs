@@ -277,8 +277,11 @@ fn faces(list: &[[u32; 3]]) -> Vec<Face> {
     list.iter().map(|&t| face(t)).collect()
 }
 
+/// A ceiling and the floor that it is put for.
+type Exchange<'a> = (&'a [[u32; 3]], &'a [[u32; 3]]);
+
 /// A mesh of a base and what some steps put for what.
-fn mesh_of(base: &[[u32; 3]], steps: &[(&[[u32; 3]], &[[u32; 3]])], vertex_count: usize) -> FragmentedMesh {
+fn mesh_of(base: &[[u32; 3]], steps: &[Exchange], vertex_count: usize) -> FragmentedMesh {
     let fragments = steps.iter().map(|(ceiling, floor)| Fragment {
         ceiling: faces(ceiling),
         floor: faces(floor),
@@ -328,7 +331,7 @@ fn crowded(degree: u32) -> FragmentedMesh {
     let fan: Vec<[u32; 3]> = (0..degree).map(|i| [i, (i + 1) % degree, hub]).collect();
     let splits: Vec<[[u32; 3]; 3]> =
         fan.iter().zip(hub + 1..).map(|(&[a, b, c], new)| [[a, b, new], [b, c, new], [c, a, new]]).collect();
-    let mut steps: Vec<(&[[u32; 3]], &[[u32; 3]])> = vec![(&fan, &base)];
+    let mut steps: Vec<Exchange> = vec![(&fan, &base)];
     steps.extend(splits.iter().zip(fan.chunks(1)).map(|(ceiling, floor)| (&ceiling[..], floor)));
     mesh_of(&base, &steps, 2 * degree as usize + 1)
 }

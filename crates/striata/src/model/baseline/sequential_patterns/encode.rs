@@ -6,7 +6,7 @@ use super::{
     ANCHOR_BITS, LONG_NEIGHBOUR, LONG_NEIGHBOUR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOUR_BITS, Neighbours,
     RULE_BITS, SequentialPatterns,
 };
-use crate::mesh::FragmentedMesh;
+use crate::mesh::{FragmentSequence, FragmentedMesh};
 use crate::model::ModelError;
 use crate::model::baseline::loop_patterns::{Found, Rule, Shape, Surface, check_form};
 use crate::model::bits::Bits;
@@ -23,25 +23,15 @@ impl SequentialPatterns {
         let positions = levels.positions();
         check_form(mesh.mesh.groups.len(), positions.vertex_count(), positions.position_count())?;
         let base_vertex_count = levels.base_vertex_count();
-        let corners = |faces: &mut dyn Iterator<Item = u32>| -> Vec<[u32; 3]> {
-            faces.map(|face| fragments.faces()[face as usize].corners).collect()
-        };
-        let base = corners(&mut (0..fragments.base_face_count() as u32));
+        let base: Vec<[u32; 3]> =
+            fragments.faces()[..fragments.base_face_count()].iter().map(|face| face.corners).collect();
         let surface = Surface::new(&base, base_vertex_count)
             .map_err(|(place, reason)| ModelError::Listed { what: "triangle of the base", place, reason })?;
         if base_vertex_count > 3 * base.len() {
             let (found, limit) = (base_vertex_count as u64, 3 * base.len() as u64);
             return Err(ModelError::Form { what: "vertices of the base", found, limit });
         }
-        let mut shapes = Vec::with_capacity(levels.step_count());
-        for step in 0..levels.step_count() {
-            let [ceiling, floor] = [
-                corners(&mut fragments.ceiling(step as u32)),
-                corners(&mut fragments.floor(step as u32).iter().copied()),
-            ];
-            let shape = Shape::of((base_vertex_count + step) as u32, &ceiling, &floor);
-            shapes.push(shape.map_err(|reason| ModelError::Step { step, reason })?);
-        }
+        let shapes = shapes_of(fragments)?;
         let (rules, numbers) = number_rules(&shapes)?;
         let mut bytes = Vec::new();
         for count in [base_vertex_count, base.len(), shapes.len(), rules.len()] {
@@ -62,6 +52,19 @@ impl SequentialPatterns {
         bytes.extend_from_slice(writer.bits.as_bytes());
         Ok(Self { bytes, step_count: shapes.len(), fragment_bits: writer.bits.len() })
     }
+}
+
+/// What each fragment looks like.
+fn shapes_of(fragments: &FragmentSequence) -> Result<Vec<Shape>, ModelError> {
+    let base_vertex_count = fragments.levels().base_vertex_count();
+    let corners = |face: u32| fragments.faces()[face as usize].corners;
+    let shape = |step: usize| {
+        let ceiling: Vec<_> = fragments.ceiling(step as u32).map(corners).collect();
+        let floor: Vec<_> = fragments.floor(step as u32).iter().map(|&face| corners(face)).collect();
+        Shape::of((base_vertex_count + step) as u32, &ceiling, &floor)
+            .map_err(|reason| ModelError::Step { step, reason })
+    };
+    (0..fragments.step_count()).map(shape).collect()
 }
 
 /// The codes of all rules, those that are met most often first, and the number of each shape's.
