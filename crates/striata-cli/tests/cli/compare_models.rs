@@ -128,13 +128,14 @@ fn shapes_with_seams_materials_and_one_side_are_shown_right_by_all() {
         ("cylinder", Some("one a position")),
         ("two-materials", Some("group")),
         ("moebius", Some("")),
-        ("grid", None),
+        ("grid", Some("loops through one fragment")),
+        ("torus", None),
         ("klein-bottle", Some("")),
     ] {
         let line = format!("compare shape:{shape} {QUICK}");
         let mesh = &bench.json(&line)["meshes"][0];
         assert_eq!(mesh["name"], format!("shape:{shape}"));
-        // As published, patterns know surfaces only, of one side, one group and no seams.
+        // As published, patterns know surfaces of one side, one group and no seams, with few overlaps to a fragment.
         let names: Vec<&str> = rows(mesh).iter().filter_map(|row| row["name"].as_str()).collect();
         let expected = MODELS.iter().filter(|name| refused.is_none() || **name != "loop-patterns");
         assert!(names.iter().eq(expected), "{shape}: {names:?}");
@@ -181,7 +182,7 @@ fn the_page_of_all_parts_stands_alone() {
         assert!(told.contains(text), "no {text:?} in {told}");
     }
     let page = String::from_utf8(bench.read("page.html")).expect("text");
-    assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (11 + 17, 5 + 8));
+    assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (11 + 17 + 3, 5 + 8 + 2));
     for model in MODELS {
         assert!(told.contains(model) && page.matches(model).count() >= 8, "{model}");
     }

@@ -2,6 +2,7 @@
 
 mod compare;
 mod compare_models;
+mod compare_patterns;
 mod compare_views;
 mod help;
 mod orders;

@@ -105,7 +105,8 @@ pub(super) struct ModelRow {
 pub(super) struct Sequenced {
     /// The welded mesh with its sequence.
     pub(super) refinable: RefinableMesh,
-    secs: f64,
+    /// Seconds that it took.
+    pub(super) secs: f64,
 }
 
 impl Sequenced {
