@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use super::ModelError;
-use crate::mesh::{CollapseSequence, Levels};
+use crate::mesh::{CollapseSequence, Levels, PositionIndex};
 
 /// What the model takes from the sequence: the vertices of each step and where they collapse to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -133,6 +133,13 @@ impl<'a> StepVertices<'a> {
             firsts: if positions.is_identity() { [].as_slice().into() } else { firsts.into() },
             targets: sequence.targets().into(),
         }
+    }
+
+    /// Positions and their wedges; vertices of the base that share a position are not known here, and get one each.
+    pub(super) fn positions(&self) -> PositionIndex {
+        let base = 0..self.base_vertex_count;
+        let steps = (0..self.step_count()).map(|step| self.of_step(step).start);
+        PositionIndex::from_first(base.chain(steps).chain([self.vertex_count as u32]).collect())
     }
 
     /// The same without the first vertices where they say nothing: where each step has one vertex.

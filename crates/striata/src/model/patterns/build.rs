@@ -1,15 +1,18 @@
 //! From fragments to patterns.
 
+use std::collections::BinaryHeap;
+
 use super::overlaps::{MAX_RUN, OverlapBook, Share};
 use super::records::{Draft, Records, Widths};
 use super::rule::{Matched, Rule, Rulebook, first_corner};
 use super::rule_table::RuleTable;
 use super::{BaseFace, Patterns};
 use crate::mesh::{Face, FragmentSequence, FragmentedMesh};
-use crate::model::{ModelError, StepVertices};
+use crate::model::baseline::MultiTriangulation;
+use crate::model::{ModelError, StepVertices, StoredModel};
 
 /// Steps that are looked at to find out whether one is needed by another; what is not found is listed though it need not be.
-const MAX_SEARCH: usize = 96;
+const MAX_SEARCH: usize = 24;
 
 impl Patterns {
     /// The patterns of a mesh with fragments, whatever made them.
@@ -18,6 +21,14 @@ impl Patterns {
     /// [`ModelError::TooMany`] where the links would take more than 512 MB.
     pub fn build(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
         Self::build_from(&mesh.fragments, mesh.mesh.groups.len().max(1))
+    }
+
+    /// The same patterns from an explicit model.
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    pub fn from_multi_triangulation(explicit: &MultiTriangulation) -> Result<Self, ModelError> {
+        Self::build_from(&explicit.to_fragments(), explicit.group_count())
     }
 
     pub(super) fn build_from(fragments: &FragmentSequence, group_count: usize) -> Result<Self, ModelError> {
@@ -193,12 +204,16 @@ struct Ancestry {
     below: Vec<Vec<u32>>,
     /// The step for which each was seen last.
     seen: Vec<u32>,
-    waiting: Vec<u32>,
+    waiting: BinaryHeap<u32>,
 }
 
 impl Ancestry {
     fn new(step_count: usize) -> Self {
-        Self { below: Vec::with_capacity(step_count), seen: vec![u32::MAX; step_count], waiting: Vec::new() }
+        Self {
+            below: Vec::with_capacity(step_count),
+            seen: vec![u32::MAX; step_count],
+            waiting: BinaryHeap::new(),
+        }
     }
 
     /// Adds a step that stands on others; returns those of them that none of the rest needs, youngest first.
@@ -214,14 +229,9 @@ impl Ancestry {
         self.waiting.clear();
         let mut looked_at = 0;
         for &candidate in &below {
-            // What is older than the candidate cannot need it, so the walk goes down no further than to it.
-            let mut at = 0;
-            while at < self.waiting.len() && looked_at < MAX_SEARCH {
-                if self.waiting[at] <= candidate {
-                    at += 1;
-                    continue;
-                }
-                let younger = self.waiting.swap_remove(at);
+            // Youngest first, and no further down than to the candidate: what is older cannot need it.
+            while self.waiting.peek().is_some_and(|&at| at > candidate) && looked_at < MAX_SEARCH {
+                let Some(younger) = self.waiting.pop() else { break };
                 looked_at += 1;
                 for &next in &self.below[younger as usize] {
                     if next >= oldest && self.seen[next as usize] != step {

@@ -5,7 +5,7 @@ use super::overlaps::Share;
 use super::parts::UNKNOWN;
 use super::rule::{NONE, first_corner};
 use super::rule_table::RuleRef;
-use crate::mesh::{Face, Fragment, FragmentSequence, PositionIndex};
+use crate::mesh::{Face, Fragment, FragmentSequence};
 use crate::model::ModelError;
 
 /// Where a face goes: the fragment above and the corner of its floor where the face's youngest vertex is.
@@ -61,15 +61,8 @@ impl Patterns {
             fragments.push(Fragment { ceiling, floor, error: floor_errors[step as usize] });
         }
         let base = faces[..self.base.len()].to_vec();
-        FragmentSequence::from_fragments(self.position_index(), base, fragments.into_iter())
+        FragmentSequence::from_fragments(self.vertices.positions(), base, fragments.into_iter())
             .map_err(|_| ModelError::Listed { what: "fragment", place: 0, reason: "does not fit the others" })
-    }
-
-    /// Positions and their wedges; those of the base that share a position are not known here, and do not matter.
-    fn position_index(&self) -> PositionIndex {
-        let base = 0..self.vertices.base_vertex_count;
-        let steps = (0..self.records.step_count).map(|step| self.vertices.of_step(step).start);
-        PositionIndex::from_first(base.chain(steps).chain([self.vertices.vertex_count as u32]).collect())
     }
 
     /// Sets the vertices of a fragment from its floor, and checks that triangles agree on them.

@@ -37,7 +37,9 @@ pub fn certify(mesh: &FragmentedMesh, progress: &mut ProgressFn<'_>) -> Result<F
     Ok(FragmentedMesh { mesh: mesh.mesh.clone(), fragments })
 }
 
-/// The same collapses with errors that hold: the original surface is nowhere farther from a level than the level's error. See [`certify`].
+/// The same collapses with errors that hold: the original surface is nowhere farther from a level than the level's error.
+///
+/// Levels only, not what selective refinement makes of the steps: so the errors may be lower than those of [`certify`].
 ///
 /// # Errors
 /// [`Cancelled`] where the callback asks for it.
@@ -163,28 +165,32 @@ impl<'a> Walk<'a> {
             });
         }
         self.set_floor(fragments.floor(step));
-        let mut bound = self.cover.propose(&self.ceiling, &self.floor);
-        if self.scope == Scope::Levels && bound > self.largest * WORTH_A_LOOK {
-            bound = self.look_around(step, bound);
-        }
-        self.cover.commit();
+        let bound = match self.scope {
+            Scope::All => self.cover.replace(&self.ceiling, &self.floor),
+            Scope::Levels => self.replace_or_look_around(step),
+        };
         self.largest = self.largest.max(bound);
         bound
     }
 
-    /// Proposes what is better: that the floor takes the pieces of the ceiling, or that triangles around it may take some too.
-    fn look_around(&mut self, step: u32, alone: f64) -> f64 {
-        let fragments = self.fragments;
-        let adopters = self.adopters.get_or_insert_with(|| Adopters::new(fragments));
-        let mut faces = adopters.find((fragments, self.positions), step);
-        faces.extend_from_slice(fragments.floor(step));
-        self.set_floor(&faces);
-        let together = self.cover.propose(&self.ceiling, &self.floor);
-        if together < alone {
-            return together;
+    /// Gives the pieces of the ceiling to the floor or, where that would raise the error and it is better, to triangles around as well.
+    fn replace_or_look_around(&mut self, step: u32) -> f64 {
+        let mut bound = self.cover.propose(&self.ceiling, &self.floor);
+        if bound > self.largest * WORTH_A_LOOK {
+            let fragments = self.fragments;
+            let adopters = self.adopters.get_or_insert_with(|| Adopters::new(fragments));
+            let mut faces = adopters.find((fragments, self.positions), step);
+            faces.extend_from_slice(fragments.floor(step));
+            self.set_floor(&faces);
+            let together = self.cover.propose(&self.ceiling, &self.floor);
+            if together >= bound {
+                self.set_floor(fragments.floor(step));
+                self.cover.propose(&self.ceiling, &self.floor);
+            }
+            bound = bound.min(together);
         }
-        self.set_floor(fragments.floor(step));
-        self.cover.propose(&self.ceiling, &self.floor)
+        self.cover.commit();
+        bound
     }
 
     /// A step without a floor: others take what its ceiling answered for.

@@ -16,10 +16,15 @@
 //!
 //! The one-sided Hausdorff distance that orders the steps of \[KLS96\] and \[KG98\] is this distance taken at samples or
 //! under assumptions on the surface. Differs: the bound is certain. A floor without triangles can serve nothing: what its
-//! ceiling stood for is then given up, at a bound of the diagonal of the mesh's bounds, which no two vertices exceed.
+//! ceiling stood for is then given up, at a bound of the diagonal of the mesh's bounds, which no two vertices exceed; `adopt`
+//! finds better for sequences that exist.
 //!
-//! Cost: a step looks at each piece around it, so all steps together O(n log n) pieces for n triangles; at most about 300 bytes a
-//! triangle.
+//! Pieces never leave the fragment, so where a new triangle folds over its neighbour the bound is that to the triangle, not
+//! to the neighbour that hides the hole. Within the fragment it is tight: at most 3 % above the distance of some point from the floor,
+//! as far as cuts find their way, which they nearly always do.
+//!
+//! Cost: a step looks at each piece around it, so all steps together O(n log n) pieces for n triangles; half a second for the 69,451
+//! triangles of the bunny.
 
 mod adopt;
 mod certify;
@@ -210,17 +215,6 @@ impl Cover {
         }
     }
 
-    #[expect(dead_code, reason = "for those who order candidates")]
-    /// Calls `f` with the corners of the pieces of a face, some more than once.
-    pub(crate) fn for_each_point(&self, face: u32, mut f: impl FnMut([f64; 3])) {
-        let mut all = |triangle: u32, corners: &[[f64; 2]]| {
-            let plane = plane(&self.positions, self.origin, self.triangles[triangle as usize]);
-            corners.iter().for_each(|&corner| f((plane.at(corner) + self.origin).to_array()));
-        };
-        self.pieces.for_each_whole(face, |triangle| all(triangle, &WHOLE));
-        self.pieces.for_each_part(face, |triangle, polygon| all(triangle, polygon.corners()));
-    }
-
     /// Collects the pieces of some faces.
     fn gather(&mut self, ceiling: &[u32]) {
         let Self { proposal, pieces, piece_of_triangle, is_displaced, .. } = self;
@@ -332,4 +326,64 @@ impl Cover {
 fn plane(positions: &[[f32; 3]], origin: DVec3, triangle: [u32; 3]) -> Plane {
     let [a, b, c] = triangle.map(|v| DVec3::from_array(positions[v as usize].map(f64::from)));
     Plane { first: a - origin, to_second: b - a, to_third: c - a }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square around a raised middle, as four triangles, and the two that are left without it.
+    fn tent(height: f32) -> (Cover, [(u32, [[f64; 3]; 3]); 2]) {
+        let points =
+            [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.25, 0.0, height]];
+        let cover = Cover::new(&points, &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
+        let face = |corners: [usize; 3]| corners.map(|v| points[v].map(f64::from));
+        (cover, [(0, face([0, 1, 2])), (9, face([0, 2, 3]))])
+    }
+
+    #[test]
+    fn the_middle_is_the_farthest_point() {
+        for height in [0.0, 0.001, 0.1, 2.0] {
+            let (mut cover, floor) = tent(height);
+            let bound = cover.replace(&[0, 1, 2, 3], &floor);
+            let height = f64::from(height);
+            assert!(bound >= height && bound <= (1.0 + settle::SLACK) * height + 1e-9, "{height}: {bound}");
+        }
+    }
+
+    #[test]
+    fn proposals_change_nothing_and_numbers_may_be_used_again() {
+        let (mut cover, floor) = tent(0.5);
+        let upright = floor.map(|(face, corners)| (face, corners.map(|[x, y, z]| [x, y, z + 3.0])));
+        let far = cover.propose(&[0, 1, 2, 3], &upright);
+        assert!(far > 2.99 && far < 3.2, "{far}");
+        let bound = cover.replace(&[0, 1, 2, 3], &floor);
+        assert!(bound < 0.52, "{bound}");
+        // All pieces are on the two now, on nothing else.
+        assert_eq!(cover.replace(&[1, 2, 3], &[]), 0.0);
+        let back = cover.replace(&[0, 9], &upright);
+        assert!(back > 2.99 && back < 3.2, "{back}");
+    }
+
+    #[test]
+    fn what_is_left_without_a_floor_is_given_up_once() {
+        let (mut cover, floor) = tent(0.5);
+        let bound = cover.replace(&[0, 1], &[]);
+        assert!(bound >= 8f64.sqrt() && bound < 2.9, "the diagonal: {bound}");
+        assert!(cover.replace(&[2, 3], &floor) < 0.52);
+        assert_eq!(cover.replace(&[0, 9], &[]), bound);
+        assert_eq!(cover.replace(&[0, 9], &[]), 0.0);
+    }
+
+    #[test]
+    fn parts_meet_again() {
+        let (mut cover, floor) = tent(0.0);
+        cover.replace(&[0, 1, 2, 3], &floor);
+        assert!(cover.pieces.peak()[1] > 0, "the cut along the diagonal goes through two triangles");
+        let one = floor[0].1.map(|[x, y, z]| [3.0 * x, 3.0 * y, z]);
+        cover.replace(&[0, 9], &[(5, one)]);
+        let mut wholes = 0;
+        cover.pieces.for_each_whole(5, |_| wholes += 1);
+        assert_eq!(wholes, 4);
+    }
 }

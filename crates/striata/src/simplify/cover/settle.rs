@@ -25,7 +25,7 @@ const NEARER: f64 = 1.0 - 1e-5;
 const MAX_TRIALS: usize = 8;
 
 /// A piece may be given away whole if that makes its bound larger than the step's own error by no more than this share.
-const SLACK: f64 = 0.03;
+pub(super) const SLACK: f64 = 0.03;
 
 /// Points of the surface with their squared distances from the floor's triangles.
 #[derive(Default)]

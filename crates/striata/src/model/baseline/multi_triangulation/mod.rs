@@ -27,7 +27,7 @@ mod state;
 
 pub use self::refine::MtQuestion;
 pub use self::state::MultiTriangulationState;
-use crate::mesh::{FragmentSequence, FragmentedMesh};
+use crate::mesh::{Face, Fragment, FragmentSequence, FragmentedMesh};
 use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, StepVertices, StoredModel, Topology};
 
 /// A triangle of some levels.
@@ -159,6 +159,24 @@ impl MultiTriangulation {
     /// Vertices of the base mesh.
     pub fn base_vertex_count(&self) -> usize {
         self.vertices.base_vertex_count as usize
+    }
+
+    /// The fragments that these are the triangles of.
+    pub fn to_fragments(&self) -> FragmentSequence {
+        let face = |&number: &u32| Face {
+            corners: self.triangles[number as usize].corners,
+            group: self.groups.get(number as usize).map_or(0, |&group| group),
+        };
+        let faces = |numbers: &[u32]| numbers.iter().map(face).collect();
+        let fragment = |step| Fragment {
+            ceiling: faces(self.ceiling(step)),
+            floor: faces(self.floor(step)),
+            error: self.error(step),
+        };
+        let base = (0..self.base_triangle_count as u32).map(|number| face(&number)).collect();
+        let fragments = (0..self.errors.len() as u32).map(fragment);
+        FragmentSequence::from_fragments(self.vertices.positions(), base, fragments)
+            .expect("the triangles were those of fragments")
     }
 
     /// A new instance that shows the base.
