@@ -49,7 +49,9 @@ impl Judge<'_> {
     /// Leaves only neighbours along the sharp edges of the star; false where those meet in it.
     fn keep_to_features(&mut self, v: u32) -> bool {
         let kind = self.links.kind(v);
-        let (Some(cosine), LinkKind::Closed | LinkKind::Open) = (self.feature_cosine, kind) else { return true };
+        let (Some(cosine), LinkKind::Closed | LinkKind::Open) = (self.feature_cosine, kind) else {
+            return true;
+        };
         let star = &mut self.star;
         let n = star.ids.len();
         self.hole.load((0..n).map(|i| star.offset(i)), kind == LinkKind::Closed);

@@ -355,7 +355,8 @@ fn cosine(angle: f64) -> f64 {
     let angle = angle.min(std::f64::consts::PI);
     // Twice halved, the series needs few terms.
     let quarter = 0.25 * angle;
-    let series = |x: f64| (1..10).rev().fold(1.0, |sum, k| 1.0 - sum * x * x / f64::from(2 * k * (2 * k - 1)));
+    let series =
+        |x: f64| (1..10).rev().fold(1.0, |sum, k| 1.0 - sum * x * x / f64::from(2 * k * (2 * k - 1)));
     let doubled = |c: f64| 2.0 * c * c - 1.0;
     doubled(doubled(series(quarter)))
 }

@@ -43,7 +43,8 @@ pub struct RemovalOptions {
     pub degree_limit: usize,
     /// Stop once no more triangles than this are left; default 0: as far as it goes.
     pub base_triangle_count: usize,
-    /// Remove no vertex that would raise the error over this, mesh units; default none.
+    /// Remove no vertex after which some point of the original could be farther than this from what takes its place, mesh units;
+    /// others go on. Default none.
     pub max_error: Option<f64>,
     /// What may happen to boundaries; default kept.
     pub boundary: BoundaryRule,

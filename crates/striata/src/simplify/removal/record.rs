@@ -73,8 +73,7 @@ impl RemovalRecord {
                 }
                 let levels = fragments.levels();
                 let counts = (0..self.removed.len()).rev();
-                let counts =
-                    counts.map(|s| levels.triangle_count_at(s + 1) - levels.triangle_count_at(s));
+                let counts = counts.map(|s| levels.triangle_count_at(s + 1) - levels.triangle_count_at(s));
                 let removed_triangle_counts = counts.map(|n| n as u8).collect();
                 let record = Record { removed: self.removed, errors, removed_triangle_counts, targets };
                 Some(finish(welded, record)?.0)

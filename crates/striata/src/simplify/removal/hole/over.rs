@@ -53,7 +53,11 @@ impl Hole {
     /// Sum of the weighted squared heights of the points over the triangles of a floor, and the largest squared height.
     ///
     /// The points must be those of the last search.
-    pub(in crate::simplify::removal) fn heights(&self, floor: &[RingTriangle], points: &[Point]) -> (f32, f32) {
+    pub(in crate::simplify::removal) fn heights(
+        &self,
+        floor: &[RingTriangle],
+        points: &[Point],
+    ) -> (f32, f32) {
         let (mut sum, mut worst) = (0.0, 0.0f32);
         for &triangle in floor {
             let corners = triangle.map(usize::from);

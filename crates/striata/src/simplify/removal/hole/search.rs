@@ -193,7 +193,8 @@ mod tests {
         for case in 0..200 {
             let n = 3 + case % 6;
             let (mut hole, points) = random_hole(n, &mut random);
-            let criterion = [HoleCriterion::Distance, HoleCriterion::Flatness, HoleCriterion::Shape][case % 3];
+            let criterion =
+                [HoleCriterion::Distance, HoleCriterion::Flatness, HoleCriterion::Shape][case % 3];
             let mut floor = Vec::new();
             let is_found = hole.triangulate(&points, criterion, &mut floor);
             let least = least_of_all(&hole, 0, n - 1, &points, criterion);
