@@ -1,10 +1,12 @@
 //! How a mesh becomes a sequence of steps: what goes first, which errors hold, and how far it goes.
 
+use std::borrow::Cow;
+
 use striata::ProgressFn;
 use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
 use striata::simplify::{
     BoundaryRule, CollapseCost, RemovalOptions, Retriangulation, SequenceOptions, SimplifyError, StopReason,
-    build_welded_fragments, build_welded_sequence, certify_collapses,
+    build_welded_fragments, build_welded_sequence, certify, certify_collapses,
 };
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
@@ -49,6 +51,14 @@ pub(crate) enum Steps {
 }
 
 impl Steps {
+    /// The mesh in refinement order.
+    pub(crate) fn mesh(&self) -> &IndexedMesh {
+        match self {
+            Self::Collapses(refinable) => &refinable.mesh,
+            Self::Fragments(fragmented) => &fragmented.mesh,
+        }
+    }
+
     /// What is known of each level.
     pub(crate) fn levels(&self) -> &Levels {
         match self {
@@ -75,6 +85,31 @@ pub(crate) struct Sequenced {
     pub(crate) stop_reason: StopReason,
     /// Whether no point of the original is farther from a level than its error.
     pub(crate) error_is_guaranteed: bool,
+    /// The same steps as fragments, where they are known beside collapses: with the errors of single floors.
+    floors: Option<FragmentedMesh>,
+}
+
+impl Sequenced {
+    /// The steps as fragments; where errors are guaranteed, so are those of single floors.
+    ///
+    /// # Errors
+    /// Where the callback asks to stop.
+    pub(crate) fn fragments(
+        &self,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Cow<'_, FragmentedMesh>, SimplifyError> {
+        Ok(match (&self.steps, &self.floors) {
+            (Steps::Fragments(fragmented), _) | (_, Some(fragmented)) => Cow::Borrowed(fragmented),
+            (Steps::Collapses(refinable), None) => {
+                let fragmented = FragmentedMesh::from_collapses(refinable);
+                Cow::Owned(if self.error_is_guaranteed {
+                    certify(&fragmented, progress)?
+                } else {
+                    fragmented
+                })
+            }
+        })
+    }
 }
 
 impl SequencePlan {
@@ -104,16 +139,17 @@ impl SequencePlan {
             Self::Quadric { options, is_certified: false } => {
                 let built = build_welded_sequence(welded, options, progress)?;
                 let (steps, stop_reason) = (Steps::Collapses(built.refinable), built.stop_reason);
-                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false })
+                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false, floors: None })
             }
             Self::Quadric { options, is_certified: true } => certified(welded, options, progress),
             Self::Hausdorff(options) => {
                 let built = build_welded_fragments(welded, options, progress)?;
-                let steps = match built.refinable {
-                    Some(refinable) => Steps::Collapses(refinable),
-                    None => Steps::Fragments(built.fragmented),
+                let (steps, floors) = match built.refinable {
+                    Some(refinable) => (Steps::Collapses(refinable), Some(built.fragmented)),
+                    None => (Steps::Fragments(built.fragmented), None),
                 };
-                Ok(Sequenced { steps, stop_reason: built.stop_reason, error_is_guaranteed: true })
+                let stop_reason = built.stop_reason;
+                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, floors })
             }
         }
     }
@@ -131,7 +167,7 @@ fn certified(
     let first = options.max_error.map_or(0, |error| refinable.sequence.split_count_for_error(error));
     let stop_reason = if first > 0 { StopReason::ErrorLimit } else { built.stop_reason };
     let steps = Steps::Collapses(refinable.without_levels_below(first));
-    Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true })
+    Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, floors: None })
 }
 
 impl SequenceArgs {

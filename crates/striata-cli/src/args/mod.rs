@@ -15,7 +15,7 @@ pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, StripifierArgs};
 pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-pub(crate) use self::view::{Point, ViewArgs, tan};
+pub(crate) use self::view::{Corners, Point, ViewArgs, tan};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
@@ -95,7 +95,8 @@ pub(crate) struct BuildArgs {
     #[arg(short, long, value_name = "OUT.striata")]
     pub(crate) output: PathBuf,
     /// Models to store, separated by commas: lodstrips (small, steps fast), mts (walks strips anew), fans (finer
-    /// where a view asks for it; without them `extract --eye` builds them each time)
+    /// where a view asks for it; without them `extract --eye` builds them each time), patterns (the same for views and boxes,
+    /// in less memory, of any order)
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "lodstrips")]
     pub(crate) models: Vec<String>,
     /// Stop when no more than this many triangles are left [default: as far as it goes]
@@ -134,8 +135,8 @@ pub(crate) struct InfoArgs {
 pub(crate) struct ExtractArgs {
     /// A .striata file, or - for stdin
     pub(crate) input: PathBuf,
-    /// Which model of the file to use: lodstrips, mts, fans [default: fans for a view, else the first of these that
-    /// the file has]
+    /// Which model of the file to use: lodstrips, mts, fans, patterns [default: for a view fans or patterns, for a box
+    /// patterns, else the first of these that the file has]
     #[arg(long, value_name = "NAME")]
     pub(crate) model: Option<String>,
     /// How triangles are written; strips and fans need .glb or .gltf, where each fan is a primitive of its own: a
@@ -145,6 +146,9 @@ pub(crate) struct ExtractArgs {
     /// Which level.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
+    /// Full detail in this box, by two of its corners; outside the base, or what --error or --triangles leave
+    #[arg(long, value_name = "X,Y,Z,X,Y,Z", allow_hyphen_values = true, group = "LevelArgs", help_heading = LEVEL, conflicts_with_all = ["vertices", "detail", "split_count", "eye"])]
+    pub(crate) detail_box: Option<Corners>,
     /// What a view needs beside its eye.
     #[command(flatten)]
     pub(crate) view: ViewArgs,

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
-use striata::codec::{DecodeError, FileModel, StriataFile, WriteOptions, to_striata};
+use striata::codec::{DecodeError, FileModel, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes};
+use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes, PatternBounds, Patterns};
 use striata::simplify::{Retriangulation, StopReason};
 use striata::strip::StripSet;
 use striata_io::write_atomically;
@@ -38,7 +38,10 @@ pub(crate) fn errors_are_guaranteed(file: &StriataFile<'_>) -> Result<bool, Deco
 }
 
 /// Models that this version has.
-pub(crate) const MODELS: [&str; 3] = ["lodstrips", "mts", "fans"];
+pub(crate) const MODELS: [&str; 4] = ["lodstrips", "mts", "fans", PATTERNS];
+
+/// The only model that takes any steps.
+const PATTERNS: &str = "patterns";
 
 /// Reads, builds, writes, reports.
 ///
@@ -104,8 +107,7 @@ impl BuildPlan {
 /// A mesh with all that a .striata file holds.
 #[derive(Debug)]
 pub(crate) struct Built {
-    /// The mesh in refinement order, and its steps.
-    pub(crate) refinable: RefinableMesh,
+    steps: Steps,
     models: Models,
     order: OrderArg,
     stop_reason: StopReason,
@@ -120,36 +122,45 @@ struct Models {
     lod_strips: Option<LodStrips<'static>>,
     mts: Option<Mts<'static>>,
     fans: Option<(Fans, FanBounds)>,
+    patterns: Option<(Patterns, PatternBounds)>,
 }
 
 impl Models {
     /// Models of strips are built where there are strips.
     ///
     /// # Errors
-    /// Where the strips are not those of the mesh.
+    /// Where the strips are not those of the mesh, or there are too many fragments.
     fn build(
         names: &[String],
-        refinable: &RefinableMesh,
+        sequenced: &Sequenced,
         strips: Option<&StripSet>,
+        bar: &mut Bar,
     ) -> Result<Self, Failure> {
         let is_wanted = |name: &str| names.iter().any(|n| n == name);
-        let strips_for = |name: &str| strips.filter(|_| is_wanted(name));
-        let fans = is_wanted("fans").then(|| {
-            let fans = Fans::build(refinable);
-            let bounds = FanBounds::build(&fans, refinable);
-            (fans, bounds)
-        });
-        Ok(Self {
-            lod_strips: strips_for("lodstrips").map(|s| LodStrips::build(refinable, s)).transpose()?,
-            mts: strips_for("mts").map(|s| Mts::build(refinable, s)).transpose()?,
-            fans,
-        })
+        let mut models = Self { lod_strips: None, mts: None, fans: None, patterns: None };
+        if let Steps::Collapses(refinable) = &sequenced.steps {
+            let strips_for = |name: &str| strips.filter(|_| is_wanted(name));
+            models.lod_strips =
+                strips_for("lodstrips").map(|s| LodStrips::build(refinable, s)).transpose()?;
+            models.mts = strips_for("mts").map(|s| Mts::build(refinable, s)).transpose()?;
+            models.fans = is_wanted("fans").then(|| {
+                let fans = Fans::build(refinable);
+                let bounds = FanBounds::build(&fans, refinable);
+                (fans, bounds)
+            });
+        }
+        if is_wanted(PATTERNS) {
+            let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
+            models.patterns = Some((Patterns::build(&fragmented)?, PatternBounds::build(&fragmented)));
+        }
+        Ok(models)
     }
 
     fn in_file(&self) -> Vec<FileModel<'_>> {
         let lod_strips = self.lod_strips.iter().map(FileModel::LodStrips);
         let fans = self.fans.iter().map(|(fans, bounds)| FileModel::Fans(fans, bounds));
-        lod_strips.chain(self.mts.iter().map(FileModel::Mts)).chain(fans).collect()
+        let patterns = self.patterns.iter().map(|(patterns, bounds)| FileModel::Patterns(patterns, bounds));
+        lod_strips.chain(self.mts.iter().map(FileModel::Mts)).chain(fans).chain(patterns).collect()
     }
 
     /// Each model's name and parts.
@@ -157,13 +168,22 @@ impl Models {
         let lod_strips = self.lod_strips.iter().map(|model| ("lodstrips", model.bytes()));
         let mts = self.mts.iter().map(|model| ("mts", model.bytes()));
         let fans = self.fans.iter().map(|(fans, bounds)| ("fans", parts_of_fans(fans, bounds)));
-        lod_strips.chain(mts).chain(fans).collect()
+        let patterns =
+            self.patterns.iter().map(|(patterns, bounds)| (PATTERNS, parts_of_patterns(patterns, bounds)));
+        lod_strips.chain(mts).chain(fans).chain(patterns).collect()
     }
 }
 
 /// The parts of fans, what a view needs of them among these.
 pub(crate) fn parts_of_fans(fans: &Fans, bounds: &FanBounds) -> Vec<PartBytes> {
     let mut parts = fans.bytes();
+    parts.push(PartBytes { name: "bounds", bytes: bounds.bytes() });
+    parts
+}
+
+/// The same of patterns.
+pub(crate) fn parts_of_patterns(patterns: &Patterns, bounds: &PatternBounds) -> Vec<PartBytes> {
+    let mut parts = patterns.bytes();
     parts.push(PartBytes { name: "bounds", bytes: bounds.bytes() });
     parts
 }
@@ -183,28 +203,37 @@ pub(crate) fn build(
     let welded = weld(mesh)?;
     phases.enter("simplify");
     let sequenced = plan.sequence.run(welded, &mut |progress| bar.show(progress))?;
-    let Sequenced { steps, stop_reason, error_is_guaranteed } = sequenced;
-    let Steps::Collapses(refinable) = steps else {
-        return Err(Failure::internal("models were asked for that need collapses"));
-    };
     phases.enter("strip");
-    let has_strips = plan.models.iter().any(|name| name != "fans");
-    let mut strip = || plan.strips.run(&refinable.mesh, &mut |share| bar.share("strip", share));
+    let has_strips = plan.models.iter().any(|name| name != "fans" && name != PATTERNS);
+    let full = sequenced.steps.mesh();
+    let mut strip = || plan.strips.run(full, &mut |share| bar.share("strip", share));
     let stripped = if has_strips { Some(strip()?) } else { None };
     let report = |stripped| -> Result<StripReport, Failure> {
-        let report = StripReport::new(plan.strips.chain.to_string(), &refinable.mesh, stripped)?;
-        Ok(report.with_bound(&plan.strips.chain, &refinable.mesh))
+        let report = StripReport::new(plan.strips.chain.to_string(), full, stripped)?;
+        Ok(report.with_bound(&plan.strips.chain, full))
     };
     let strip_report = stripped.as_ref().map(report).transpose()?;
     phases.enter("models");
     bar.phase("models");
     let strips = stripped.as_ref().map(|stripped| &stripped.strips);
-    let models = Models::build(&plan.models, &refinable, strips)?;
+    let models = Models::build(&plan.models, &sequenced, strips, bar)?;
     let order = plan.sequence.order();
-    Ok(Built { refinable, models, order, stop_reason, error_is_guaranteed, strip_report })
+    let Sequenced { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
+    Ok(Built { steps, models, order, stop_reason, error_is_guaranteed, strip_report })
 }
 
 impl Built {
+    /// The mesh in refinement order, and its steps.
+    ///
+    /// # Panics
+    /// If they are no collapses.
+    pub(crate) fn refinable(&self) -> &RefinableMesh {
+        match &self.steps {
+            Steps::Collapses(refinable) => refinable,
+            Steps::Fragments(_) => panic!("built with collapses"),
+        }
+    }
+
     /// The LodStrips.
     ///
     /// # Panics
@@ -223,7 +252,15 @@ impl Built {
             .with_metadata("source", source)
             .with_metadata("order", self.order.as_str())
             .with_metadata(ERRORS, if self.error_is_guaranteed { GUARANTEED } else { "estimated" });
-        Ok(to_striata(&self.refinable, &self.models.in_file(), &options)?)
+        match (&self.steps, &self.models.patterns) {
+            (Steps::Collapses(refinable), _) => Ok(to_striata(refinable, &self.models.in_file(), &options)?),
+            (Steps::Fragments(fragmented), Some((patterns, bounds))) => {
+                let mut bytes = Vec::new();
+                write_fragments(fragmented, (patterns, bounds), &options, &mut bytes)?;
+                Ok(bytes)
+            }
+            (Steps::Fragments(_), None) => Err(Failure::internal("only patterns know what is no collapse")),
+        }
     }
 }
 
@@ -246,8 +283,8 @@ struct Report {
 
 impl Report {
     fn new(mesh: &IndexedMesh, built: &Built, output_bytes: usize, phases: Phases) -> Self {
-        let sequence = &built.refinable.sequence;
-        let vertex_count = built.refinable.mesh.vertex_count().max(1);
+        let sequence = built.steps.levels();
+        let vertex_count = built.steps.mesh().vertex_count().max(1);
         let mut models = Map::new();
         for (name, parts) in built.models.parts() {
             let bytes = parts.iter().map(|part| part.bytes).sum::<usize>();
@@ -283,7 +320,7 @@ impl Report {
     }
 
     fn to_text(&self, output: &Path, built: &Built, diagonal: f64) -> String {
-        let sequence = &built.refinable.sequence;
+        let sequence = built.steps.levels();
         let last = sequence.step_count();
         let error = f64::from(sequence.error_at(0));
         let share = if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
@@ -318,7 +355,8 @@ fn fill_as_models_need(
     models: &[String],
     is_free: bool,
 ) -> Result<Option<String>, Failure> {
-    let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, models.first()) else { return Ok(None) };
+    let in_need = models.iter().find(|model| *model != PATTERNS);
+    let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, in_need) else { return Ok(None) };
     if options.retriangulation == Retriangulation::Collapse {
         return Ok(None);
     }

@@ -3,11 +3,11 @@
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::codec::FORMAT_VERSION;
-use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData, Statistics, validate};
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, validate};
 use striata::model::{LodModel, PartBytes, StripModel};
 
 use crate::args::InfoArgs;
-use crate::commands::build::{errors_are_guaranteed, parts_of_fans};
+use crate::commands::build::{errors_are_guaranteed, parts_of_fans, parts_of_patterns};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, Table, grouped, measured, sized};
@@ -64,10 +64,10 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
 
 fn of_container(input: &Input) -> Result<Report, Failure> {
     let file = input.striata()?;
-    let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
-    let mut report = Report::new(input, &refinable.mesh);
+    let mesh = file.mesh().map_err(|error| input.damaged(&error))?;
+    let mut report = Report::new(input, &mesh);
     report.format_version = Some(FORMAT_VERSION);
-    report.add_sequence(&refinable.sequence);
+    report.add_levels(&file.levels().map_err(|error| input.damaged(&error))?);
     let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     report.error_is_guaranteed = Some(is_guaranteed);
     if let Some(model) = file.lod_strips() {
@@ -81,6 +81,13 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
     if let Some(model) = file.fans() {
         let (fans, bounds) = model.map_err(|error| input.damaged(&error))?;
         report.add_model("fans", &parts_of_fans(&fans, &bounds), None);
+    }
+    if let Some(model) = file.patterns() {
+        let (patterns, bounds) = model.map_err(|error| input.damaged(&error))?;
+        report.add_model("patterns", &parts_of_patterns(&patterns, &bounds), None);
+        let model = &mut report.models["patterns"];
+        model["rule_count"] = json!(patterns.rule_count());
+        model["overlap_count"] = json!(patterns.overlap_count());
     }
     report.sections =
         file.sections().iter().map(|s| json!({ "kind": s.kind.to_string(), "bytes": s.bytes })).collect();
@@ -141,7 +148,7 @@ impl Report {
         }
     }
 
-    fn add_sequence(&mut self, sequence: &CollapseSequence) {
+    fn add_levels(&mut self, sequence: &Levels) {
         self.step_count = Some(sequence.step_count());
         self.base = Some(json!({
             "vertex_count": sequence.base_vertex_count(),

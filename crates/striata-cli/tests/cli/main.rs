@@ -6,6 +6,7 @@ mod compare_patterns;
 mod compare_views;
 mod help;
 mod orders;
+mod patterns;
 mod refusals;
 mod strip_blocks;
 mod strips;

@@ -4,12 +4,12 @@ use serde_json::Value;
 
 use crate::workbench::{Workbench, asset};
 
-fn number(report: &Value, key: &str) -> f64 {
+pub(crate) fn number(report: &Value, key: &str) -> f64 {
     report[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {report}"))
 }
 
 /// The largest distance from one surface to the other.
-fn distance(bench: &Workbench, from: &str, to: &str) -> f64 {
+pub(crate) fn distance(bench: &Workbench, from: &str, to: &str) -> f64 {
     let report = bench.json(&format!("distance {from} {to} --samples 20000"));
     number(&report["a_to_b"], "max")
 }

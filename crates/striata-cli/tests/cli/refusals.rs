@@ -148,8 +148,8 @@ fn unknown_names_list_what_there_is() {
     let bench = Workbench::with_ball();
     assert!(
         bench
-            .refused("build sphere.obj -o x.striata --models lodstrips,patterns")
-            .contains("hint: this version has: lodstrips, mts, fans")
+            .refused("build sphere.obj -o x.striata --models lodstrips,pm")
+            .contains("hint: this version has: lodstrips, mts, fans, patterns")
     );
     let order = bench.refused("build sphere.obj -o x.striata --order random");
     assert!(order.contains("random") && order.contains("quadric, hausdorff"), "{order}");
