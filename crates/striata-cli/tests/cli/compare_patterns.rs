@@ -15,7 +15,7 @@ fn number(object: &Value, key: &str) -> f64 {
     object[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {object}"))
 }
 
-fn patterns<'v>(report: &'v Value, mesh: usize) -> &'v Value {
+fn patterns(report: &Value, mesh: usize) -> &Value {
     &list(report, "meshes")[mesh]["patterns"]
 }
 
