@@ -7,6 +7,7 @@ use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, 
 use striata::simplify::{
     BoundaryRule, CollapseCost, RemovalOptions, Retriangulation, SequenceOptions, SimplifyError, StopReason,
     build_welded_fragments, build_welded_sequence, certify, certify_collapses,
+    certify_collapses_in_any_state,
 };
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
@@ -19,8 +20,8 @@ pub(crate) enum SequencePlan {
     Quadric {
         /// How they are ordered and what they must respect.
         options: SequenceOptions,
-        /// Whether errors have to hold for the whole surface.
-        is_certified: bool,
+        /// Which states errors are to hold for.
+        promise: Promise,
     },
     /// By removing vertices in the order of the distance that is left.
     Hausdorff(RemovalOptions),
@@ -37,7 +38,7 @@ pub(crate) struct Limits {
 
 impl Default for SequencePlan {
     fn default() -> Self {
-        Self::Quadric { options: SequenceOptions::default(), is_certified: false }
+        Self::Quadric { options: SequenceOptions::default(), promise: Promise::Estimates }
     }
 }
 
@@ -112,7 +113,27 @@ impl Sequenced {
     }
 }
 
+/// What errors of collapses hold for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Promise {
+    /// Nothing: they are estimates.
+    Estimates,
+    /// Levels that are the same everywhere.
+    Levels,
+    /// Whatever a view shows too, at the price of larger errors.
+    AnyState,
+}
+
 impl SequencePlan {
+    /// Makes errors that are to hold for levels hold for whatever a view shows.
+    pub(crate) fn hold_in_any_state(&mut self) {
+        if let Self::Quadric { promise, .. } = self
+            && *promise == Promise::Levels
+        {
+            *promise = Promise::AnyState;
+        }
+    }
+
     /// What goes first.
     pub(crate) fn order(&self) -> OrderArg {
         match self {
@@ -123,7 +144,7 @@ impl SequencePlan {
 
     /// Whether no point of the original will be farther from a level than its error.
     pub(crate) fn guarantees_errors(&self) -> bool {
-        !matches!(self, Self::Quadric { is_certified: false, .. })
+        !matches!(self, Self::Quadric { promise: Promise::Estimates, .. })
     }
 
     /// Builds the steps of a mesh.
@@ -136,12 +157,12 @@ impl SequencePlan {
         progress: &mut ProgressFn<'_>,
     ) -> Result<Sequenced, SimplifyError> {
         match self {
-            Self::Quadric { options, is_certified: false } => {
+            Self::Quadric { options, promise: Promise::Estimates } => {
                 let built = build_welded_sequence(welded, options, progress)?;
                 let (steps, stop_reason) = (Steps::Collapses(built.refinable), built.stop_reason);
                 Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false, floors: None })
             }
-            Self::Quadric { options, is_certified: true } => certified(welded, options, progress),
+            Self::Quadric { options, promise } => certified(welded, options, *promise, progress),
             Self::Hausdorff(options) => {
                 let built = build_welded_fragments(welded, options, progress)?;
                 let (steps, floors) = match built.refinable {
@@ -159,13 +180,17 @@ impl SequencePlan {
 fn certified(
     welded: Welded,
     options: &SequenceOptions,
+    promise: Promise,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Sequenced, SimplifyError> {
     // Estimates would stop it elsewhere.
     let mut unlimited = options.clone();
     unlimited.max_error = None;
     let built = build_welded_sequence(welded, &unlimited, progress)?;
-    let refinable = certify_collapses(&built.refinable, progress)?;
+    let refinable = match promise {
+        Promise::AnyState => certify_collapses_in_any_state(&built.refinable, progress)?,
+        _ => certify_collapses(&built.refinable, progress)?,
+    };
     let first = options.max_error.map_or(0, |error| refinable.sequence.split_count_for_error(error));
     let stop_reason = if first > 0 { StopReason::ErrorLimit } else { built.stop_reason };
     let steps = Steps::Collapses(refinable.without_levels_below(first));
@@ -199,7 +224,9 @@ impl SequenceArgs {
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
                 options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
-                Ok(SequencePlan::Quadric { options, is_certified: self.certify || max_error.is_some() })
+                let is_certified = self.certify || max_error.is_some();
+                let promise = if is_certified { Promise::Levels } else { Promise::Estimates };
+                Ok(SequencePlan::Quadric { options, promise })
             }
             OrderArg::Hausdorff => {
                 let mut options = RemovalOptions::default().with_boundary(boundary);

@@ -36,6 +36,9 @@ pub(crate) struct CompareArgs {
         hide_possible_values = true
     )]
     pub(crate) parts: Vec<Part>,
+    /// Let models go by errors that hold at every point of the mesh, not by estimates
+    #[arg(long)]
+    pub(crate) certify: bool,
     /// How models are compared.
     #[command(flatten)]
     pub(crate) models: ModelArgs,

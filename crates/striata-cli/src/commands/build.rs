@@ -38,7 +38,10 @@ pub(crate) fn errors_are_guaranteed(file: &StriataFile<'_>) -> Result<bool, Deco
 }
 
 /// Models that this version has.
-pub(crate) const MODELS: [&str; 4] = ["lodstrips", "mts", "fans", PATTERNS];
+pub(crate) const MODELS: [&str; 4] = ["lodstrips", "mts", FANS, PATTERNS];
+
+/// The model that follows views by the errors of collapses.
+const FANS: &str = "fans";
 
 /// The only model that takes any steps.
 const PATTERNS: &str = "patterns";
@@ -65,6 +68,9 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let mut sequence = args.sequence.plan(diagonal, limits)?;
     if let Some(remark) = fill_as_models_need(&mut sequence, &models, args.sequence.is_free())? {
         output.say(&remark);
+    }
+    if models.iter().any(|model| model == FANS) {
+        sequence.hold_in_any_state();
     }
     let plan = BuildPlan { sequence, strips: args.strip_plan(), models };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;

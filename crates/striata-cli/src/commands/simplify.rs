@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Bar, Output, grouped, lasted, measured};
 use crate::save::{Drawn, format_of, is_stdout, save};
-use crate::sequence::{Limits, SequencePlan, Sequenced, limit_in_units};
+use crate::sequence::{Limits, Promise, SequencePlan, Sequenced, limit_in_units};
 
 /// Samples of each surface for the way back.
 const REVERSE_SAMPLES: usize = 100_000;
@@ -52,7 +52,7 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let plan = plan(args, target, diagonal)?;
     let simplify_started = Instant::now();
     let made = match &plan {
-        SequencePlan::Quadric { options, is_certified: false } => {
+        SequencePlan::Quadric { options, promise: Promise::Estimates } => {
             let target = target.ok_or_else(|| Failure::internal("no level was given"))?;
             let options = SimplifyOptions::default()
                 .with_target(target)

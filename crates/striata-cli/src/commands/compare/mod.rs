@@ -125,7 +125,7 @@ fn measure_mesh(
     let component_count = mesh.component_count()?;
     let strips = args.has(Part::Strips).then(|| measure_strips(&mesh, &args.strips, bar, say)).transpose()?;
     let needs_sequence = [Part::Models, Part::Views, Part::Patterns].into_iter().any(|part| args.has(part));
-    let sequenced = needs_sequence.then(|| Sequenced::build(&mesh, bar, say)).transpose()?;
+    let sequenced = needs_sequence.then(|| Sequenced::build(&mesh, args.certify, bar, say)).transpose()?;
     let sequenced_for = |part| sequenced.as_ref().filter(|_| args.has(part));
     let models = sequenced_for(Part::Models);
     let models = models.map(|sequenced| models::measure(sequenced, &args.models, bar, say)).transpose()?;

@@ -8,7 +8,9 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
 use striata::model::{Accounting, Topology};
-use striata::simplify::{SequenceOptions, build_welded_sequence};
+use striata::simplify::{
+    SequenceOptions, SimplifyError, build_welded_sequence, certify_collapses_in_any_state,
+};
 
 use super::contenders::{Entry, Given, Unbuilt, entries};
 use super::contest::{Contestant, hold};
@@ -110,16 +112,26 @@ pub(super) struct Sequenced {
 }
 
 impl Sequenced {
-    /// Welds and builds the sequence.
+    /// Welds and builds the sequence; with errors that hold in any state if asked to.
     ///
     /// # Errors
     /// Where the mesh does not hang together.
-    pub(super) fn build(mesh: &IndexedMesh, bar: &mut Bar, say: &dyn Fn(&str)) -> Result<Self, Failure> {
+    pub(super) fn build(
+        mesh: &IndexedMesh,
+        is_certified: bool,
+        bar: &mut Bar,
+        say: &dyn Fn(&str),
+    ) -> Result<Self, Failure> {
         say("the sequence");
         let started = Instant::now();
         let options = SequenceOptions::default();
         let built = build_welded_sequence(weld(mesh)?, &options, &mut |progress| bar.show(progress))?;
-        Ok(Self { refinable: built.refinable, secs: started.elapsed().as_secs_f64() })
+        let refinable = match is_certified {
+            true => certify_collapses_in_any_state(&built.refinable, &mut |progress| bar.show(progress))
+                .map_err(SimplifyError::from)?,
+            false => built.refinable,
+        };
+        Ok(Self { refinable, secs: started.elapsed().as_secs_f64() })
     }
 }
 
