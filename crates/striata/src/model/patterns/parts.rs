@@ -65,6 +65,12 @@ impl Patterns {
         group_count: usize,
         parts: PatternsParts<'_>,
     ) -> Result<Self, ModelError> {
+        for (what, bytes) in [("bytes of rules", &parts.rules), ("bytes of ways", &parts.ways)] {
+            let (found, limit) = (bytes.len() as u64, MAX_TABLE_BYTES);
+            if found > limit {
+                return Err(ModelError::TooMany { what, found, limit });
+            }
+        }
         let step_count = vertices.step_count();
         vertices.check_firsts(step_count)?;
         let vertices = vertices.without_targets().shortened();
@@ -116,6 +122,8 @@ impl Patterns {
     }
 }
 
+/// Bytes of a table of rules or ways: numbered in 32 bits once they are unpacked, to fewer than four numbers a byte.
+const MAX_TABLE_BYTES: u64 = 1 << 30;
 /// Triangles of all ceilings that a file may have for each vertex, beside those that links tell.
 const MAX_UNLINKED: u64 = 128;
 
@@ -269,3 +277,29 @@ fn ways_from_bytes(bytes: &[u8]) -> Result<OverlapTable, ModelError> {
 
 /// Stands for a local number of which no vertex is known.
 pub(super) const UNKNOWN: u32 = NONE;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rules_of_many_vertices_and_no_triangles_take_no_memory() {
+        let mut bytes = Vec::new();
+        for _ in 0..1000 {
+            [u32::MAX, u32::MAX, 0, 0].into_iter().for_each(|number| put(number, &mut bytes));
+        }
+        let rules = rules_from_bytes(&bytes, 1).unwrap();
+        assert_eq!((rules.len(), rules.rule(999).extras().count()), (1000, 0));
+        [u32::MAX - 1, u32::MAX, 0, 0].into_iter().for_each(|number| put(number, &mut bytes));
+        assert!(rules_from_bytes(&bytes, 1).is_err(), "a vertex that nothing shows");
+    }
+
+    #[test]
+    fn numbers_end_within_32_bits() {
+        let read = |bytes: &[u8]| Numbers { bytes, what: "rule", place: 0 }.next();
+        assert_eq!(read(&[0xff, 0xff, 0xff, 0xff, 0x0f]), Ok(u32::MAX));
+        assert!(read(&[0xff, 0xff, 0xff, 0xff, 0x1f]).is_err());
+        assert!(read(&[0x80; 9]).is_err());
+        assert!(read(&[]).is_err());
+    }
+}
