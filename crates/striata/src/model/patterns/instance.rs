@@ -351,32 +351,45 @@ impl PatternInstance {
         scratch.load_shared(patterns, head);
         let shared = std::mem::take(&mut scratch.shared);
         for own in shared.chunk_by(|a, b| a.above == b.above) {
-            let above = own[0].above;
-            let floor = patterns.rules.rule(patterns.records.head(above).rule);
-            let (mut slot, mut before) = (self.heads[above as usize], NONE);
-            let mut left = own.len();
-            while slot != NONE && left > 0 {
-                let Slot { corners, next, place, .. } = self.slots[slot as usize];
-                let (from, along) = place_of(place);
-                let at = floor.around(from, along);
-                let found = own.binary_search_by_key(&at, |shared| Some(shared.half_edge));
-                if let Ok(found) = found {
-                    scratch.set(rule.ceiling(own[found].triangle as usize), corners);
-                    left -= 1;
-                }
-                if found.is_ok() && is_taken_away {
-                    match before {
-                        NONE => self.heads[above as usize] = next,
-                        before => self.slots[before as usize].next = next,
-                    }
-                    self.release(slot);
-                } else {
-                    before = slot;
-                }
-                slot = next;
-            }
+            self.read_above(patterns, own, is_taken_away, |triangle, corners| {
+                scratch.set(rule.ceiling(triangle as usize), corners);
+            });
         }
         scratch.shared = shared;
+    }
+
+    /// Reads triangles of one ceiling that are in the list of the same step above.
+    fn read_above(
+        &mut self,
+        patterns: &Patterns,
+        own: &[Shared],
+        is_taken_away: bool,
+        mut visit: impl FnMut(u32, [u32; 3]),
+    ) {
+        let above = own[0].above;
+        let floor = patterns.rules.rule(patterns.records.head(above).rule);
+        let (mut slot, mut before) = (self.heads[above as usize], NONE);
+        let mut left = own.len();
+        while slot != NONE && left > 0 {
+            let Slot { corners, next, place, .. } = self.slots[slot as usize];
+            let (from, along) = place_of(place);
+            let at = floor.around(from, along);
+            let found = own.binary_search_by_key(&at, |shared| Some(shared.half_edge));
+            if let Ok(found) = found {
+                visit(own[found].triangle, corners);
+                left -= 1;
+            }
+            if found.is_ok() && is_taken_away {
+                match before {
+                    NONE => self.heads[above as usize] = next,
+                    before => self.slots[before as usize].next = next,
+                }
+                self.release(slot);
+            } else {
+                before = slot;
+            }
+            slot = next;
+        }
     }
 
     /// Puts a triangle into a free place.

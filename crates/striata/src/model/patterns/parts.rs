@@ -84,21 +84,7 @@ impl Patterns {
         let widths = Widths { rule_count: rules.len(), way_count: ways.len(), half_edge_count, offset_width };
         let blocks = parts.blocks.to_vec();
         let records = Records::from_parts(step_count, widths, (blocks, bits.ok_or(wrong)?), &ways)?;
-        let mut extras = Extras::default();
-        extras.firsts.push(0);
-        for (place, &[step, vertex]) in parts.extras.iter().enumerate() {
-            let is_same = extras.steps.last() == Some(&step);
-            if !is_same && extras.steps.last().is_some_and(|&last| last > step) {
-                return Err(ModelError::Listed { what: "named vertex", place, reason: "is out of order" });
-            }
-            extras.vertices.push(vertex);
-            if is_same {
-                extras.firsts.pop();
-            } else {
-                extras.steps.push(step);
-            }
-            extras.firsts.push(place as u32 + 1);
-        }
+        let extras = Extras::from_pairs(&parts.extras)?;
         let base = parts.base.iter().map(|&[a, b, c, group, above, half_edge]| BaseFace {
             corners: [a, b, c],
             group,
@@ -119,6 +105,30 @@ impl Patterns {
             });
         }
         Ok(patterns)
+    }
+}
+
+impl Extras {
+    /// From steps and vertices that they name, as [`Patterns::parts`] lists them.
+    ///
+    /// # Errors
+    /// [`ModelError::Listed`] where a step comes before an earlier one.
+    fn from_pairs(pairs: &[[u32; 2]]) -> Result<Self, ModelError> {
+        let mut extras = Self { firsts: vec![0], ..Self::default() };
+        for (place, &[step, vertex]) in pairs.iter().enumerate() {
+            let last = extras.steps.last().copied();
+            if last.is_some_and(|last| last > step) {
+                return Err(ModelError::Listed { what: "named vertex", place, reason: "is out of order" });
+            }
+            extras.vertices.push(vertex);
+            if last == Some(step) {
+                extras.firsts.pop();
+            } else {
+                extras.steps.push(step);
+            }
+            extras.firsts.push(place as u32 + 1);
+        }
+        Ok(extras)
     }
 }
 
