@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use striata::codec::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
+use striata::model::baseline::SequentialPatterns;
 use striata::model::{FanBounds, Fans, LodStrips, Mts, PatternBounds, Patterns};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
@@ -28,11 +29,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (name, bytes) in containers(mesh)? {
             fs::write(folder_of_files.join(format!("{i}-{name}.striata")), bytes)?;
         }
+        if let Some(bytes) = patterns(mesh)? {
+            fs::write(folder("sequential_patterns")?.join(i.to_string()), bytes)?;
+        }
         for target in ["simplify", "stripify"] {
             fs::write(folder(target)?.join(i.to_string()), as_fuzz_input(mesh))?;
         }
     }
     Ok(())
+}
+
+/// Patterns in sequential form, if the mesh is a surface.
+fn patterns(mesh: &IndexedMesh) -> Result<Option<Vec<u8>>, Box<dyn Error>> {
+    let simplified = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?;
+    let fragmented = FragmentedMesh::from_collapses(&simplified.refinable);
+    Ok(SequentialPatterns::encode(&fragmented).ok().map(|written| written.as_bytes().to_vec()))
 }
 
 /// The place of each format's extension in the list of `read_bytes`.

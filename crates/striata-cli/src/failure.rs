@@ -148,7 +148,18 @@ macro_rules! ours {
     };
 }
 
-ours!(DiscreteLevelsError, ModelError, DecodeError, EncodeError);
+ours!(DiscreteLevelsError, ModelError, DecodeError);
+
+impl From<EncodeError> for Failure {
+    fn from(error: EncodeError) -> Self {
+        match error {
+            EncodeError::Unstorable { .. } => {
+                Self::user(error.to_string()).with_hint("store another model with --models")
+            }
+            error => Self::internal(error.to_string()),
+        }
+    }
+}
 
 /// Prints a panic as what it is: our fault.
 pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {

@@ -114,8 +114,7 @@ impl Input {
             Content::Shape(shape) => return Ok(shape.mesh()),
         };
         if file.format == Format::Striata {
-            let refinable = self.striata()?.refinable_mesh();
-            return Ok(refinable.map_err(|error| self.damaged(&error))?.mesh);
+            return self.striata()?.mesh().map_err(|error| self.damaged(&error));
         }
         let mut source = Source::new(&self.name);
         if let Some(folder) = &file.folder {

@@ -11,6 +11,14 @@ impl LevelArgs {
     /// # Errors
     /// Where it is a view; and where none is given, which the argument parser refuses before.
     pub(crate) fn target(&self, diagonal: f64) -> Result<Target, Failure> {
+        self.target_if_given(diagonal)?.ok_or_else(|| Failure::internal("no level was given"))
+    }
+
+    /// The target in mesh units, where one is given.
+    ///
+    /// # Errors
+    /// Where it is a view.
+    pub(crate) fn target_if_given(&self, diagonal: f64) -> Result<Option<Target>, Failure> {
         let targets = [
             self.triangles.map(Target::Triangles),
             self.vertices.map(Target::Vertices),
@@ -22,6 +30,6 @@ impl LevelArgs {
             return Err(Failure::user("a view is refined from a file that holds all levels")
                 .with_hint("`striata build` makes one, `striata extract --eye` takes the view from it"));
         }
-        targets.into_iter().flatten().next().ok_or_else(|| Failure::internal("no level was given"))
+        Ok(targets.into_iter().flatten().next())
     }
 }

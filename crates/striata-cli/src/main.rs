@@ -13,6 +13,7 @@ mod output;
 mod page;
 mod picture;
 mod save;
+mod sequence;
 mod shapes;
 mod strip_chain;
 mod strip_report;

@@ -8,7 +8,9 @@ use std::collections::BTreeSet;
 use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, fragment_faces, shapes,
 };
-use striata::model::baseline::{LoopPatterns, LoopPatternsState, MultiTriangulation};
+use striata::model::baseline::{
+    LoopPatterns, LoopPatternsState, MultiTriangulation, SequentialPatterns, decode_sequential,
+};
 use striata::model::{Accounting, LodModel, Overlap, PatternChange, Patterns, StoredModel};
 use striata::simplify::{SequenceOptions, build_sequence};
 use support::{
@@ -269,6 +271,43 @@ fn what_is_no_surface_is_refused() {
     assert!(refused > 60, "{refused} of them are refused");
 }
 
+/// A grid with random holes, some of which touch at vertices.
+fn ragged(seed: u64) -> IndexedMesh {
+    let mut random = Random::new(seed);
+    let mut mesh = grid(5, seed.is_multiple_of(2));
+    mesh.triangles.retain(|_| random.below(100) > seed as usize % 14);
+    let used: BTreeSet<u32> = mesh.triangles.iter().flatten().copied().collect();
+    let used: Vec<u32> = used.into_iter().collect();
+    mesh.positions = used.iter().map(|&v| mesh.positions[v as usize]).collect();
+    let new_index = |v: u32| used.binary_search(&v).unwrap() as u32;
+    mesh.triangles.iter_mut().for_each(|t| *t = t.map(new_index));
+    mesh
+}
+
+/// Where holes close and borders touch, what is refused is refused by both forms, and what is not is right in any set.
+#[test]
+fn ragged_surfaces_are_right_or_refused() {
+    let (mut right, mut refused) = (0, 0);
+    for seed in 0..400 {
+        let mesh = random_removals(&ragged(seed), usize::MAX, &mut Random::new(seed + 1));
+        let Ok(model) = LoopPatterns::build(&mesh) else {
+            assert!(SequentialPatterns::encode(&mesh).is_err(), "seed {seed}: one form refuses it");
+            refused += 1;
+            continue;
+        };
+        right += 1;
+        follows_the_fragments(&mesh, &model, 1);
+        let written = SequentialPatterns::encode(&mesh).unwrap();
+        assert!(decode_sequential(written.as_bytes()).is_ok());
+        let mut state = model.new_state();
+        for round in 0..10 {
+            model.adapt(&mut state, &scattered([3, 30, 10, 60][round % 4], seed + round as u64));
+            shows_what_is_inserted(&mesh, &state);
+        }
+    }
+    assert!(right > 100 && refused > 50, "{right} are right, {refused} refused");
+}
+
 fn face(corners: [u32; 3]) -> Face {
     Face { corners, group: 0 }
 }
@@ -315,6 +354,11 @@ fn refusals_name_the_place_and_the_reason() {
     let floor = [[0, 1, 2], [0, 2, 3]];
     let doubled = mesh_of(&[[0, 1, 2], [0, 2, 3], [0, 2, 4]], &[(&ring, &floor)], 6);
     assert_eq!(refusal(&doubled), "step 0 leaves an edge that two triangles run along in the same way");
+    // A triangle that touches two others at two vertices, until a floor fills the hole between them.
+    let touching = mesh_of(&[[0, 2, 1], [3, 0, 1]], &[(&[[4, 0, 2], [4, 2, 1]], &[[0, 2, 1]])], 5);
+    assert_eq!(refusal(&touching), "step 0 closes a hole at a vertex that has another border");
+    let error = SequentialPatterns::encode(&touching).unwrap_err();
+    assert_eq!(error.to_string(), "step 0 opens a hole at a vertex that has another border");
     let mut groups = mesh_of(&floor, &[(&[[0, 1, 4], [1, 2, 4], [2, 0, 4]], &floor[..1])], 5);
     assert!(LoopPatterns::build(&groups).is_ok());
     groups.mesh.groups = support::with_seams_and_groups(grid(2, false)).groups;

@@ -27,12 +27,12 @@ pub(crate) struct CompareArgs {
     /// Write a page with charts too; it opens without a network
     #[arg(long, value_name = "OUT")]
     pub(crate) html: Option<PathBuf>,
-    /// What to measure, separated by commas: strips, models, views
+    /// What to measure, separated by commas: strips, models, views, patterns
     #[arg(
         long,
         value_name = "PARTS",
         value_delimiter = ',',
-        default_value = "strips,models,views",
+        default_value = "strips,models,views,patterns",
         hide_possible_values = true
     )]
     pub(crate) parts: Vec<Part>,
@@ -53,6 +53,8 @@ pub(crate) enum Part {
     Models,
     /// Models that follow an eye.
     Views,
+    /// Patterns and what they replace, of several simplifiers.
+    Patterns,
 }
 
 /// How models are compared.

@@ -1,6 +1,7 @@
 //! The arguments of the command: one type per verb, and the values that flags take.
 
 mod compare;
+mod sequence;
 mod strips;
 mod view;
 
@@ -11,9 +12,10 @@ use std::str::FromStr;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, StripifierArgs};
+pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-pub(crate) use self::view::{Point, ViewArgs, tan};
+pub(crate) use self::view::{Corners, Point, ViewArgs, tan};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
@@ -93,16 +95,17 @@ pub(crate) struct BuildArgs {
     #[arg(short, long, value_name = "OUT.striata")]
     pub(crate) output: PathBuf,
     /// Models to store, separated by commas: lodstrips (small, steps fast), mts (walks strips anew), fans (finer
-    /// where a view asks for it; without them `extract --eye` builds them each time)
+    /// where a view asks for it; without them `extract --eye` builds them each time), patterns (the same for views and boxes,
+    /// in less memory, of any order)
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "lodstrips")]
     pub(crate) models: Vec<String>,
     /// Stop when no more than this many triangles are left [default: as far as it goes]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) base: Option<usize>,
-    /// Stop before the error exceeds this: mesh units, or `1%` of the diagonal
+    /// Never let the original be farther than this from a level, which is guaranteed: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "E", allow_negative_numbers = true)]
     pub(crate) max_error: Option<Length>,
-    /// How collapses are ordered.
+    /// What is simplified first.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
     /// How the strips at full detail are made.
@@ -132,8 +135,8 @@ pub(crate) struct InfoArgs {
 pub(crate) struct ExtractArgs {
     /// A .striata file, or - for stdin
     pub(crate) input: PathBuf,
-    /// Which model of the file to use: lodstrips, mts, fans [default: fans for a view, else the first of these that
-    /// the file has]
+    /// Which model of the file to use: lodstrips, mts, fans, patterns [default: for a view fans or patterns, for a box
+    /// patterns, else the first of these that the file has]
     #[arg(long, value_name = "NAME")]
     pub(crate) model: Option<String>,
     /// How triangles are written; strips and fans need .glb or .gltf, where each fan is a primitive of its own: a
@@ -143,6 +146,9 @@ pub(crate) struct ExtractArgs {
     /// Which level.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
+    /// Full detail in this box, by two of its corners; outside the base, or what --error or --triangles leave
+    #[arg(long, value_name = "X,Y,Z,X,Y,Z", allow_hyphen_values = true, group = "LevelArgs", help_heading = LEVEL, conflicts_with_all = ["vertices", "detail", "split_count", "eye"])]
+    pub(crate) detail_box: Option<Corners>,
     /// What a view needs beside its eye.
     #[command(flatten)]
     pub(crate) view: ViewArgs,
@@ -157,7 +163,7 @@ pub(crate) struct ExtractArgs {
     override_usage = "striata simplify [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
     after_help = "Examples:\n  \
     striata simplify bunny.ply -o small.ply --triangles 5000\n  \
-    striata simplify scan.obj -o scan.glb --error 0.5% --lock-boundary"
+    striata simplify scan.obj -o scan.glb --max-error 0.5% --order hausdorff"
 )]
 pub(crate) struct SimplifyArgs {
     /// The mesh, or - for stdin
@@ -168,7 +174,11 @@ pub(crate) struct SimplifyArgs {
     /// Which level.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
-    /// How collapses are ordered.
+    /// Never let the original be farther than this, which is guaranteed; alone or with another level: mesh units, or `1%` of
+    /// the diagonal
+    #[arg(long, value_name = "E", allow_negative_numbers = true, group = "LevelArgs", help_heading = LEVEL)]
+    pub(crate) max_error: Option<Length>,
+    /// What is simplified first.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
     /// Where the mesh goes.
@@ -228,10 +238,13 @@ pub(crate) struct CompletionsArgs {
     pub(crate) shell: clap_complete::Shell,
 }
 
+/// The heading of targets.
+const LEVEL: &str = "Level (exactly one)";
+
 /// The target of a level; exactly one must be given, but that a view may have a number of triangles, too.
 #[derive(Clone, Copy, Debug, Args)]
 #[group(required = true, multiple = true)]
-#[command(next_help_heading = "Level (exactly one)")]
+#[command(next_help_heading = LEVEL)]
 pub(crate) struct LevelArgs {
     /// At most so many triangles; with --eye, those that the screen shows best
     #[arg(long, value_name = "N", allow_negative_numbers = true, conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
@@ -242,7 +255,7 @@ pub(crate) struct LevelArgs {
     /// Share of the way from the base mesh (0) to the full mesh (1)
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, conflicts_with_all = ["error", "split_count", "eye"])]
     pub(crate) detail: Option<f64>,
-    /// At most this error, as the file estimates it: mesh units, or `1%` of the diagonal
+    /// At most this error, estimated if it is not guaranteed: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "E", allow_negative_numbers = true, conflicts_with_all = ["split_count", "eye"])]
     pub(crate) error: Option<Length>,
     /// Exactly so many vertex splits above the base mesh
@@ -251,24 +264,6 @@ pub(crate) struct LevelArgs {
     /// As fine as the screen asks for, seen from here (`extract` only)
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub(crate) eye: Option<Point>,
-}
-
-/// How the simplification sequence is made.
-#[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Simplification")]
-pub(crate) struct SequenceArgs {
-    /// What orders the collapses: quadric
-    #[arg(long, value_name = "NAME", default_value = "quadric")]
-    pub(crate) order: String,
-    /// Which cost: of the current mesh, summed up, or of all removed vertices (slow, best far down)
-    #[arg(long, default_value = "memoryless")]
-    pub(crate) cost: CostArg,
-    /// Keep every boundary vertex in place
-    #[arg(long)]
-    pub(crate) lock_boundary: bool,
-    /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "D", allow_negative_numbers = true)]
-    pub(crate) pair_distance: Option<Length>,
 }
 
 /// Where a mesh goes, and how it is written.
@@ -330,17 +325,6 @@ pub(crate) enum PlacementArg {
     Subset,
     /// Anywhere: nearer to the surface, attributes interpolated
     Optimal,
-}
-
-/// What a collapse costs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum CostArg {
-    /// Against the current mesh: fast, best at mild levels
-    Memoryless,
-    /// Quadrics summed up over the history: the classic
-    Accumulated,
-    /// Against all removed vertices: slower, best at coarse levels
-    Tracked,
 }
 
 /// A length as the user writes it.

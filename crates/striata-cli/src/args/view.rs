@@ -107,6 +107,25 @@ impl FromStr for Point {
     }
 }
 
+/// A box as the user writes it: two corners that lie across.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Corners {
+    /// The least coordinates.
+    pub(crate) min: [f32; 3],
+    /// The greatest coordinates.
+    pub(crate) max: [f32; 3],
+}
+
+impl FromStr for Corners {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || format!("{text:?} is no box; write two of its corners: 0,0,0,1,1.5,2");
+        let [a, b, c, x, y, z] = numbers(text).ok_or_else(wrong)?;
+        Ok(Self { min: [a.min(x), b.min(y), c.min(z)], max: [a.max(x), b.max(y), c.max(z)] })
+    }
+}
+
 /// A sphere as the user writes it: its middle and its radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Region([f32; 4]);
@@ -202,6 +221,10 @@ mod tests {
         assert_eq!("1,-0.5".parse(), Ok(Gaze([1.0, -0.5])));
         for wrong in ["", "1,2,3", "1,2,3,-1", "1,2,3,inf"] {
             assert!(wrong.parse::<Region>().is_err(), "{wrong:?} was taken");
+        }
+        assert_eq!("1,0,3,0,2,-1".parse(), Ok(Corners { min: [0.0, 0.0, -1.0], max: [1.0, 2.0, 3.0] }));
+        for wrong in ["", "1,2,3,4,5", "1,2,3,4,5,inf", "1,2,3,4,5,6,7"] {
+            assert!(wrong.parse::<Corners>().is_err(), "{wrong:?} was taken");
         }
         for wrong in ["", "0", "0,1.5", "0,0,0"] {
             assert!(wrong.parse::<Gaze>().is_err(), "{wrong:?} was taken");

@@ -4,30 +4,44 @@ use std::path::Path;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
-use striata::codec::{FileModel, WriteOptions, to_striata};
+use striata::codec::{DecodeError, FileModel, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes};
-use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, StopReason, build_welded_sequence};
+use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes, PatternBounds, Patterns};
+use striata::simplify::{Retriangulation, StopReason};
 use striata::strip::StripSet;
 use striata_io::write_atomically;
 
-use crate::args::{BuildArgs, CostArg, SequenceArgs};
+use crate::args::{BuildArgs, OrderArg};
 use crate::clock::{Phases, peak_rss_bytes};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Bar, Output, Table, grouped, lasted, measured, sized, to_stdout};
 use crate::save::is_stdout;
+use crate::sequence::{Limits, SequencePlan, Sequenced, Steps, limit_in_units};
 use crate::strip_chain::StripPlan;
 use crate::strip_report::StripReport;
 
 /// The phases that a build reports.
 pub(crate) const PHASES: [&str; 6] = ["read", "weld", "simplify", "strip", "models", "write"];
 
-/// Orders of collapses that this version has.
-const ORDERS: [&str; 1] = ["quadric"];
+/// The key by which a file says of which kind its errors are, and the kind that holds for the whole surface.
+const ERRORS: &str = "errors";
+const GUARANTEED: &str = "guaranteed";
+
+/// Whether a file says that no point of the original is farther from a level than its error.
+///
+/// # Errors
+/// Where what the file says of itself is damaged.
+pub(crate) fn errors_are_guaranteed(file: &StriataFile<'_>) -> Result<bool, DecodeError> {
+    let is_said = |(key, value): &(String, String)| key == ERRORS && value == GUARANTEED;
+    Ok(file.metadata()?.iter().any(is_said))
+}
 
 /// Models that this version has.
-pub(crate) const MODELS: [&str; 3] = ["lodstrips", "mts", "fans"];
+pub(crate) const MODELS: [&str; 4] = ["lodstrips", "mts", "fans", PATTERNS];
+
+/// The only model that takes any steps.
+const PATTERNS: &str = "patterns";
 
 /// Reads, builds, writes, reports.
 ///
@@ -44,10 +58,15 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let (mesh, source) = (input.mesh()?, input.file_name());
     let diagonal = mesh.diagonal();
-    let mut options = args.sequence.options(diagonal)?;
-    options.base_triangle_count = args.base.unwrap_or(0);
-    options.max_error = args.max_error.map(|error| error.in_units(diagonal));
-    let plan = BuildPlan { options, strips: args.strip_plan(), models };
+    let limits = Limits {
+        base_triangle_count: args.base.unwrap_or(0),
+        max_error: limit_in_units(args.max_error, diagonal),
+    };
+    let mut sequence = args.sequence.plan(diagonal, limits)?;
+    if let Some(remark) = fill_as_models_need(&mut sequence, &models, args.sequence.is_free())? {
+        output.say(&remark);
+    }
+    let plan = BuildPlan { sequence, strips: args.strip_plan(), models };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     phases.enter("write");
     bar.phase("write");
@@ -67,7 +86,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
 #[derive(Clone, Debug)]
 pub(crate) struct BuildPlan {
     /// How the mesh is simplified.
-    pub(crate) options: SequenceOptions,
+    pub(crate) sequence: SequencePlan,
     /// How its strips are made.
     pub(crate) strips: StripPlan,
     /// The models, by name.
@@ -78,7 +97,7 @@ impl BuildPlan {
     /// What is built where nothing is asked for.
     pub(crate) fn usual() -> Self {
         Self {
-            options: SequenceOptions::default(),
+            sequence: SequencePlan::default(),
             strips: BuildArgs::usual_strip_plan(),
             models: vec![MODELS[0].to_owned()],
         }
@@ -88,10 +107,11 @@ impl BuildPlan {
 /// A mesh with all that a .striata file holds.
 #[derive(Debug)]
 pub(crate) struct Built {
-    /// The mesh in refinement order, and its steps.
-    pub(crate) refinable: RefinableMesh,
+    steps: Steps,
     models: Models,
+    order: OrderArg,
     stop_reason: StopReason,
+    error_is_guaranteed: bool,
     /// Where a model needs strips.
     strip_report: Option<StripReport>,
 }
@@ -102,36 +122,45 @@ struct Models {
     lod_strips: Option<LodStrips<'static>>,
     mts: Option<Mts<'static>>,
     fans: Option<(Fans, FanBounds)>,
+    patterns: Option<(Patterns, PatternBounds)>,
 }
 
 impl Models {
     /// Models of strips are built where there are strips.
     ///
     /// # Errors
-    /// Where the strips are not those of the mesh.
+    /// Where the strips are not those of the mesh, or there are too many fragments.
     fn build(
         names: &[String],
-        refinable: &RefinableMesh,
+        sequenced: &Sequenced,
         strips: Option<&StripSet>,
+        bar: &mut Bar,
     ) -> Result<Self, Failure> {
         let is_wanted = |name: &str| names.iter().any(|n| n == name);
-        let strips_for = |name: &str| strips.filter(|_| is_wanted(name));
-        let fans = is_wanted("fans").then(|| {
-            let fans = Fans::build(refinable);
-            let bounds = FanBounds::build(&fans, refinable);
-            (fans, bounds)
-        });
-        Ok(Self {
-            lod_strips: strips_for("lodstrips").map(|s| LodStrips::build(refinable, s)).transpose()?,
-            mts: strips_for("mts").map(|s| Mts::build(refinable, s)).transpose()?,
-            fans,
-        })
+        let mut models = Self { lod_strips: None, mts: None, fans: None, patterns: None };
+        if let Steps::Collapses(refinable) = &sequenced.steps {
+            let strips_for = |name: &str| strips.filter(|_| is_wanted(name));
+            models.lod_strips =
+                strips_for("lodstrips").map(|s| LodStrips::build(refinable, s)).transpose()?;
+            models.mts = strips_for("mts").map(|s| Mts::build(refinable, s)).transpose()?;
+            models.fans = is_wanted("fans").then(|| {
+                let fans = Fans::build(refinable);
+                let bounds = FanBounds::build(&fans, refinable);
+                (fans, bounds)
+            });
+        }
+        if is_wanted(PATTERNS) {
+            let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
+            models.patterns = Some((Patterns::build(&fragmented)?, PatternBounds::build(&fragmented)));
+        }
+        Ok(models)
     }
 
     fn in_file(&self) -> Vec<FileModel<'_>> {
         let lod_strips = self.lod_strips.iter().map(FileModel::LodStrips);
         let fans = self.fans.iter().map(|(fans, bounds)| FileModel::Fans(fans, bounds));
-        lod_strips.chain(self.mts.iter().map(FileModel::Mts)).chain(fans).collect()
+        let patterns = self.patterns.iter().map(|(patterns, bounds)| FileModel::Patterns(patterns, bounds));
+        lod_strips.chain(self.mts.iter().map(FileModel::Mts)).chain(fans).chain(patterns).collect()
     }
 
     /// Each model's name and parts.
@@ -139,13 +168,22 @@ impl Models {
         let lod_strips = self.lod_strips.iter().map(|model| ("lodstrips", model.bytes()));
         let mts = self.mts.iter().map(|model| ("mts", model.bytes()));
         let fans = self.fans.iter().map(|(fans, bounds)| ("fans", parts_of_fans(fans, bounds)));
-        lod_strips.chain(mts).chain(fans).collect()
+        let patterns =
+            self.patterns.iter().map(|(patterns, bounds)| (PATTERNS, parts_of_patterns(patterns, bounds)));
+        lod_strips.chain(mts).chain(fans).chain(patterns).collect()
     }
 }
 
 /// The parts of fans, what a view needs of them among these.
 pub(crate) fn parts_of_fans(fans: &Fans, bounds: &FanBounds) -> Vec<PartBytes> {
     let mut parts = fans.bytes();
+    parts.push(PartBytes { name: "bounds", bytes: bounds.bytes() });
+    parts
+}
+
+/// The same of patterns.
+pub(crate) fn parts_of_patterns(patterns: &Patterns, bounds: &PatternBounds) -> Vec<PartBytes> {
+    let mut parts = patterns.bytes();
     parts.push(PartBytes { name: "bounds", bytes: bounds.bytes() });
     parts
 }
@@ -164,25 +202,38 @@ pub(crate) fn build(
     bar.phase("weld");
     let welded = weld(mesh)?;
     phases.enter("simplify");
-    let sequence = build_welded_sequence(welded, &plan.options, &mut |progress| bar.show(progress))?;
-    let refinable = sequence.refinable;
+    let sequenced = plan.sequence.run(welded, &mut |progress| bar.show(progress))?;
     phases.enter("strip");
-    let has_strips = plan.models.iter().any(|name| name != "fans");
-    let mut strip = || plan.strips.run(&refinable.mesh, &mut |share| bar.share("strip", share));
+    let has_strips = plan.models.iter().any(|name| name != "fans" && name != PATTERNS);
+    let full = sequenced.steps.mesh();
+    let mut strip = || plan.strips.run(full, &mut |share| bar.share("strip", share));
     let stripped = if has_strips { Some(strip()?) } else { None };
     let report = |stripped| -> Result<StripReport, Failure> {
-        let report = StripReport::new(plan.strips.chain.to_string(), &refinable.mesh, stripped)?;
-        Ok(report.with_bound(&plan.strips.chain, &refinable.mesh))
+        let report = StripReport::new(plan.strips.chain.to_string(), full, stripped)?;
+        Ok(report.with_bound(&plan.strips.chain, full))
     };
     let strip_report = stripped.as_ref().map(report).transpose()?;
     phases.enter("models");
     bar.phase("models");
     let strips = stripped.as_ref().map(|stripped| &stripped.strips);
-    let models = Models::build(&plan.models, &refinable, strips)?;
-    Ok(Built { refinable, models, stop_reason: sequence.stop_reason, strip_report })
+    let models = Models::build(&plan.models, &sequenced, strips, bar)?;
+    let order = plan.sequence.order();
+    let Sequenced { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
+    Ok(Built { steps, models, order, stop_reason, error_is_guaranteed, strip_report })
 }
 
 impl Built {
+    /// The mesh in refinement order, and its steps.
+    ///
+    /// # Panics
+    /// If they are no collapses.
+    pub(crate) fn refinable(&self) -> &RefinableMesh {
+        match &self.steps {
+            Steps::Collapses(refinable) => refinable,
+            Steps::Fragments(_) => panic!("built with collapses"),
+        }
+    }
+
     /// The LodStrips.
     ///
     /// # Panics
@@ -198,8 +249,18 @@ impl Built {
     pub(crate) fn to_bytes(&self, source: &str) -> Result<Vec<u8>, Failure> {
         let options = WriteOptions::default()
             .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
-            .with_metadata("source", source);
-        Ok(to_striata(&self.refinable, &self.models.in_file(), &options)?)
+            .with_metadata("source", source)
+            .with_metadata("order", self.order.as_str())
+            .with_metadata(ERRORS, if self.error_is_guaranteed { GUARANTEED } else { "estimated" });
+        match (&self.steps, &self.models.patterns) {
+            (Steps::Collapses(refinable), _) => Ok(to_striata(refinable, &self.models.in_file(), &options)?),
+            (Steps::Fragments(fragmented), Some((patterns, bounds))) => {
+                let mut bytes = Vec::new();
+                write_fragments(fragmented, (patterns, bounds), &options, &mut bytes)?;
+                Ok(bytes)
+            }
+            (Steps::Fragments(_), None) => Err(Failure::internal("only patterns know what is no collapse")),
+        }
     }
 }
 
@@ -209,6 +270,8 @@ struct Report {
     step_count: usize,
     base: Value,
     error_max: f32,
+    error_is_guaranteed: bool,
+    order: &'static str,
     stop_reason: &'static str,
     models: Map<String, Value>,
     strips: Value,
@@ -220,8 +283,8 @@ struct Report {
 
 impl Report {
     fn new(mesh: &IndexedMesh, built: &Built, output_bytes: usize, phases: Phases) -> Self {
-        let sequence = &built.refinable.sequence;
-        let vertex_count = built.refinable.mesh.vertex_count().max(1);
+        let sequence = built.steps.levels();
+        let vertex_count = built.steps.mesh().vertex_count().max(1);
         let mut models = Map::new();
         for (name, parts) in built.models.parts() {
             let bytes = parts.iter().map(|part| part.bytes).sum::<usize>();
@@ -244,6 +307,8 @@ impl Report {
                 "triangle_count": sequence.triangle_count_at(0),
             }),
             error_max: sequence.error_at(0),
+            error_is_guaranteed: built.error_is_guaranteed,
+            order: built.order.as_str(),
             stop_reason: built.stop_reason.as_str(),
             models,
             strips,
@@ -255,7 +320,7 @@ impl Report {
     }
 
     fn to_text(&self, output: &Path, built: &Built, diagonal: f64) -> String {
-        let sequence = &built.refinable.sequence;
+        let sequence = built.steps.levels();
         let last = sequence.step_count();
         let error = f64::from(sequence.error_at(0));
         let share = if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
@@ -264,7 +329,8 @@ impl Report {
         let triangles = |at| grouped(sequence.triangle_count_at(at));
         row("triangles", format!("{} down to {}", triangles(last), triangles(0)));
         row("levels", grouped(last + 1));
-        row("error of the base", format!("{} ({share:.3} % of the diagonal)", measured(error)));
+        let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
+        row("error of the base", format!("{} ({share:.3} % of the diagonal), {kind}", measured(error)));
         if let Some(StripReport { algorithm, strip_count, indices_per_triangle, .. }) = &built.strip_report {
             let strips = format!("{} ({algorithm})", grouped(*strip_count));
             row("strips", format!("{strips}, {indices_per_triangle:.3} indices a triangle"));
@@ -278,6 +344,28 @@ impl Report {
         row("time", lasted(self.secs));
         table.to_text()
     }
+}
+
+/// Lets holes be filled as collapses do where a model asks for it; what is to be said of that.
+///
+/// # Errors
+/// Where they were to be filled freely.
+fn fill_as_models_need(
+    sequence: &mut SequencePlan,
+    models: &[String],
+    is_free: bool,
+) -> Result<Option<String>, Failure> {
+    let in_need = models.iter().find(|model| *model != PATTERNS);
+    let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, in_need) else { return Ok(None) };
+    if options.retriangulation == Retriangulation::Collapse {
+        return Ok(None);
+    }
+    if is_free {
+        return Err(Failure::user(format!("{model} knows collapses, and not holes that are filled freely"))
+            .with_hint("leave --retriangulation out, or the model"));
+    }
+    options.retriangulation = Retriangulation::Collapse;
+    Ok(Some(format!("holes are filled as half-edge collapses do, since {model} knows no other steps")))
 }
 
 /// The names as our list has them; there may be blanks behind commas.
@@ -304,33 +392,5 @@ fn check_output_name(path: &Path) -> Result<(), Failure> {
         None | Some(striata_io::Format::Striata) => Ok(()),
         Some(_) => Err(Failure::user(format!("{}: `build` writes .striata files", path.display()))
             .with_hint("`striata simplify` writes one level as a mesh")),
-    }
-}
-
-impl SequenceArgs {
-    /// The options in mesh units.
-    ///
-    /// # Errors
-    /// Where an order is asked for that this version does not have.
-    pub(crate) fn options(&self, diagonal: f64) -> Result<SequenceOptions, Failure> {
-        if !ORDERS.contains(&self.order.as_str()) {
-            return Err(unknown_name("order", &self.order, &ORDERS));
-        }
-        let mut options = SequenceOptions::default().with_cost(self.cost.into());
-        if self.lock_boundary {
-            options = options.with_boundary(BoundaryRule::Locked);
-        }
-        options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
-        Ok(options)
-    }
-}
-
-impl From<CostArg> for CollapseCost {
-    fn from(cost: CostArg) -> Self {
-        match cost {
-            CostArg::Memoryless => Self::Memoryless,
-            CostArg::Accumulated => Self::Accumulated,
-            CostArg::Tracked => Self::Tracked,
-        }
     }
 }

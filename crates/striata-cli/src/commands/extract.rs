@@ -5,13 +5,14 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::codec::{DecodeError, StriataFile};
 use striata::mesh::IndexedMesh;
-use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, StoredModel, StripModel};
+use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, Patterns, StoredModel, StripModel};
 use striata::strip::{RESTART, StripOptions, StripSet, stripify};
 
+use super::extract_patterns::{Budget, PatternsOfFile};
 use super::extract_view::{ViewLevel, level_of_view};
 use super::strip::check_form_fits;
-use crate::args::{ExtractArgs, Point, TriangleForm};
-use crate::commands::build::{MODELS, unknown_name};
+use crate::args::{Corners, ExtractArgs, Point, TriangleForm};
+use crate::commands::build::{MODELS, errors_are_guaranteed, unknown_name};
 use crate::failure::Failure;
 use crate::fan_cover::fans_of;
 use crate::input::Input;
@@ -24,6 +25,9 @@ struct Report {
     /// Of a view: whether its fans were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
     fans: Option<&'static str>,
+    /// Of a view or a box: whether its patterns were `stored` in the file or `built` from the sequence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    patterns: Option<&'static str>,
     /// Of a view: pixels that an error may take where nothing else is allowed, once the triangles are no more than wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pixels: Option<f64>,
@@ -31,6 +35,8 @@ struct Report {
     vertex_count: usize,
     triangle_count: usize,
     error: f32,
+    /// Whether no point of the original is farther than the error.
+    error_is_guaranteed: bool,
     stop_reason: &'static str,
     seek_secs: f64,
     secs: f64,
@@ -46,36 +52,43 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     check_form(args)?;
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
-    if let Some(eye) = args.level.eye {
-        return run_view(args, eye, &input, started, output);
-    }
-    if args.view.is_given() {
+    if args.view.is_given() && args.level.eye.is_none() {
         return Err(Failure::user("a view was described, but no level is asked for it")
             .with_hint("say --eye instead of the other level, or leave the view out"));
     }
-    let sequence = file.sequence().map_err(|error| input.damaged(&error))?;
+    if let Some(eye) = args.level.eye {
+        return run_view(args, eye, &input, started, output);
+    }
+    if let Some(corners) = args.detail_box {
+        return run_box(args, corners, &input, started, output);
+    }
+    let levels = file.levels().map_err(|error| input.damaged(&error))?;
     let target = args.level.target(file.summary().bounds.map_or(0.0, |b| b.diagonal()))?;
-    let (split_count, stop_reason) = target.resolve(&sequence);
+    let (split_count, stop_reason) = target.resolve_in(&levels);
+    let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let extracted = match pick_model(&file, args.model.as_deref(), &input)? {
         Model::LodStrips(model) => Extracted::of_strips("lodstrips", &model, split_count, &file),
         Model::Mts(model) => Extracted::of_strips("mts", &model, split_count, &file),
         Model::Fans(model) => Extracted::of("fans", &model, split_count, &file, |_| None),
+        Model::Patterns(model) => Extracted::of("patterns", &model, split_count, &file, |_| None),
     };
     let Extracted { model, mesh, strips, seek_secs } = extracted.map_err(|error| input.damaged(&error))?;
     save(&mesh, drawn(args.form, &mesh, strips)?, &args.output.output, &args.output.format)?;
     let report = Report {
         model,
         fans: None,
+        patterns: None,
         pixels: None,
         split_count,
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
-        error: sequence.error_at(split_count),
+        error: levels.error_at(split_count),
+        error_is_guaranteed,
         stop_reason: stop_reason.as_str(),
         seek_secs,
         secs: started.elapsed().as_secs_f64(),
     };
-    output.summary(&report, &report.to_text(sequence.step_count()))
+    output.summary(&report, &report.to_text(levels.step_count()))
 }
 
 /// A model of a file.
@@ -83,6 +96,7 @@ enum Model<'a> {
     LodStrips(LodStrips<'a>),
     Mts(Mts<'a>),
     Fans(Fans),
+    Patterns(Patterns),
 }
 
 /// The model that is named, or else the first that the file has.
@@ -99,7 +113,11 @@ fn pick_model<'a>(file: &StriataFile<'a>, name: Option<&str>, input: &Input) -> 
     let mts = || is_wanted("mts").then(|| file.mts()).flatten().map(|model| model.map(Model::Mts));
     let fans =
         || is_wanted("fans").then(|| file.fans()).flatten().map(|model| model.map(|m| Model::Fans(m.0)));
-    match lod_strips.or_else(mts).or_else(fans) {
+    let patterns = || {
+        let model = is_wanted("patterns").then(|| file.patterns()).flatten();
+        model.map(|model| model.map(|m| Model::Patterns(m.0)))
+    };
+    match lod_strips.or_else(mts).or_else(fans).or_else(patterns) {
         Some(model) => model.map_err(|error| input.damaged(&error)),
         None => {
             let what = name.map_or("no model".to_owned(), |name| format!("no model {name}"));
@@ -172,16 +190,16 @@ fn run_view(
     started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
-    if let Some(name) = args.model.as_deref().filter(|&name| name != "fans") {
-        return Err(
-            Failure::user(format!("{name} knows whole levels only")).with_hint("a view takes --model fans")
-        );
-    }
     let file = input.striata()?;
     let center = file.summary().bounds.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
     let camera = args.view.camera(eye, center).map_err(|error| {
         Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
     })?;
+    if asks_patterns(args, &file, input)? {
+        let model = PatternsOfFile::read(&file, input)?;
+        let level = model.level_of_view(&args.view, camera, args.level.triangles);
+        return report_patterns(args, (&model, level), input, started, output);
+    }
     let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
     let stored = file.fans().transpose().map_err(|error| input.damaged(&error))?;
     let fans = if stored.is_some() { "stored" } else { "built" };
@@ -191,29 +209,111 @@ fn run_view(
         (table, bounds)
     });
     let scene = FanScene::new(&table, &bounds, &refinable);
-    let ViewLevel { mesh, split_count, error, pixels, stop_reason, seek_secs } =
-        level_of_view(&scene, &refinable, &args.view, camera, args.level.triangles);
-    save(&mesh, drawn(args.form, &mesh, None)?, &args.output.output, &args.output.format)?;
-    let report = Report {
-        model: "fans",
-        fans: Some(fans),
-        pixels: Some(pixels),
-        split_count,
-        vertex_count: mesh.vertex_count(),
-        triangle_count: mesh.triangle_count(),
-        error,
-        stop_reason: stop_reason.as_str(),
-        seek_secs,
-        secs: started.elapsed().as_secs_f64(),
-    };
+    let level = level_of_view(&scene, &refinable, &args.view, camera, args.level.triangles);
+    save(&level.mesh, drawn(args.form, &level.mesh, None)?, &args.output.output, &args.output.format)?;
+    let report =
+        Report { fans: Some(fans), pixels: Some(level.pixels), ..Report::of_place("fans", level, started) };
     output.summary(&report, &report.to_text(refinable.sequence.step_count()))
 }
 
+/// Whether a view is one of patterns: where they are named, or no fans are and these would have to be built.
+///
+/// # Errors
+/// Where a model is named that knows whole levels only, or fans where there are no collapses.
+fn asks_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
+    match args.model.as_deref() {
+        Some("patterns") => Ok(true),
+        Some("fans") if !file.has_collapses() => {
+            Err(Failure::user(format!("{}: fans take collapses, and this file has none", input.name))
+                .with_hint("leave --model out, or say --model patterns"))
+        }
+        Some("fans") => Ok(false),
+        Some(name) if !MODELS.contains(&name) => Err(unknown_name("model", name, &MODELS)),
+        Some(name) => Err(Failure::user(format!("{name} knows whole levels only"))
+            .with_hint("a view takes --model fans or patterns")),
+        None => Ok(file.fans().is_none() && file.patterns().is_some()),
+    }
+}
+
+/// The same for a box.
+///
+/// # Errors
+/// Where another model is asked for, or any of it fails.
+fn run_box(
+    args: &ExtractArgs,
+    corners: Corners,
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    if let Some(name) = args.model.as_deref().filter(|&name| name != "patterns") {
+        return Err(Failure::user(format!("{name} are not asked for boxes"))
+            .with_hint("a box takes --model patterns"));
+    }
+    let file = input.striata()?;
+    let diagonal = file.summary().bounds.map_or(0.0, |b| b.diagonal());
+    let triangle_limit = args.level.triangles;
+    // What is nowhere in the box weighs its error: all of it may be left out, or none of what is over the limit.
+    let threshold = match (args.level.error, triangle_limit) {
+        (Some(error), _) => error.in_units(diagonal) as f32,
+        (None, Some(_)) => 0.0,
+        (None, None) => f32::MAX,
+    };
+    let model = PatternsOfFile::read(&file, input)?;
+    let level = model.level_of_box(corners, Budget { triangle_limit, threshold });
+    report_patterns(args, (&model, level), input, started, output)
+}
+
+/// Writes and reports what patterns show of a view or a box.
+///
+/// # Errors
+/// Where the file is unsound or the output cannot be written.
+fn report_patterns(
+    args: &ExtractArgs,
+    (model, level): (&PatternsOfFile, ViewLevel),
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    save(&level.mesh, drawn(args.form, &level.mesh, None)?, &args.output.output, &args.output.format)?;
+    let is_guaranteed = errors_are_guaranteed(&input.striata()?).map_err(|error| input.damaged(&error))?;
+    let report = Report {
+        patterns: Some(if model.are_stored { "stored" } else { "built" }),
+        pixels: args.level.eye.is_some().then_some(level.pixels),
+        // Built from collapses they know errors of levels only, and not what holds of each floor wherever it is shown.
+        error_is_guaranteed: is_guaranteed && model.are_stored,
+        ..Report::of_place("patterns", level, started)
+    };
+    output.summary(&report, &report.to_text(model.step_count()))
+}
+
 impl Report {
+    /// Of a level that differs from place to place.
+    fn of_place(model: &'static str, level: ViewLevel, started: Instant) -> Self {
+        Self {
+            model,
+            fans: None,
+            patterns: None,
+            pixels: None,
+            split_count: level.split_count,
+            vertex_count: level.mesh.vertex_count(),
+            triangle_count: level.mesh.triangle_count(),
+            error: level.error,
+            error_is_guaranteed: false,
+            stop_reason: level.stop_reason.as_str(),
+            seek_secs: level.seek_secs,
+            secs: started.elapsed().as_secs_f64(),
+        }
+    }
+
     fn to_text(&self, step_count: usize) -> String {
-        let fans = self.fans.map_or_else(String::new, |origin| format!(", fans {origin}"));
+        let kind = if self.error_is_guaranteed { "guaranteed error" } else { "error" };
+        let of_model = |model: &str, origin: Option<&str>| {
+            origin.map_or_else(String::new, |origin| format!(", {model} {origin}"))
+        };
+        let origin = of_model("fans", self.fans) + &of_model("patterns", self.patterns);
         format!(
-            "{} triangles, {} vertices, split {} of {}, error {}, {}; sought in {}{fans}",
+            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{origin}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.split_count),

@@ -13,13 +13,13 @@ use striata::view::Camera;
 use crate::args::ViewArgs;
 
 /// Errors of fewer pixels than this are no smaller to a budget, so that what weighs them stays a number.
-const LEAST_PIXELS: f64 = 1e-6;
+pub(crate) const LEAST_PIXELS: f64 = 1e-6;
 
 /// A level of a view.
 pub(crate) struct ViewLevel {
     /// Its mesh.
     pub(crate) mesh: IndexedMesh,
-    /// Steps that were undone.
+    /// Steps that were undone: positions that it has beside the base's.
     pub(crate) split_count: usize,
     /// The largest error of a step that is still taken, mesh units.
     pub(crate) error: f32,

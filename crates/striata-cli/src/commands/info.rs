@@ -3,11 +3,11 @@
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::codec::FORMAT_VERSION;
-use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData, Statistics, validate};
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, validate};
 use striata::model::{LodModel, PartBytes, StripModel};
 
 use crate::args::InfoArgs;
-use crate::commands::build::parts_of_fans;
+use crate::commands::build::{errors_are_guaranteed, parts_of_fans, parts_of_patterns};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, Table, grouped, measured, sized};
@@ -46,6 +46,7 @@ struct Report {
     step_count: Option<usize>,
     base: Option<Value>,
     error_max: Option<f32>,
+    error_is_guaranteed: Option<bool>,
     sections: Vec<Value>,
     defect_counts: Map<String, Value>,
     defects: Vec<String>,
@@ -63,10 +64,12 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
 
 fn of_container(input: &Input) -> Result<Report, Failure> {
     let file = input.striata()?;
-    let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
-    let mut report = Report::new(input, &refinable.mesh);
+    let mesh = file.mesh().map_err(|error| input.damaged(&error))?;
+    let mut report = Report::new(input, &mesh);
     report.format_version = Some(FORMAT_VERSION);
-    report.add_sequence(&refinable.sequence);
+    report.add_levels(&file.levels().map_err(|error| input.damaged(&error))?);
+    let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
+    report.error_is_guaranteed = Some(is_guaranteed);
     if let Some(model) = file.lod_strips() {
         let model = model.map_err(|error| input.damaged(&error))?;
         report.add_model("lodstrips", &model.bytes(), Some(model.strip_count()));
@@ -78,6 +81,13 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
     if let Some(model) = file.fans() {
         let (fans, bounds) = model.map_err(|error| input.damaged(&error))?;
         report.add_model("fans", &parts_of_fans(&fans, &bounds), None);
+    }
+    if let Some(model) = file.patterns() {
+        let (patterns, bounds) = model.map_err(|error| input.damaged(&error))?;
+        report.add_model("patterns", &parts_of_patterns(&patterns, &bounds), None);
+        let model = &mut report.models["patterns"];
+        model["rule_count"] = json!(patterns.rule_count());
+        model["overlap_count"] = json!(patterns.overlap_count());
     }
     report.sections =
         file.sections().iter().map(|s| json!({ "kind": s.kind.to_string(), "bytes": s.bytes })).collect();
@@ -128,6 +138,7 @@ impl Report {
             step_count: None,
             base: None,
             error_max: None,
+            error_is_guaranteed: None,
             sections: Vec::new(),
             defect_counts: defects
                 .counts()
@@ -137,7 +148,7 @@ impl Report {
         }
     }
 
-    fn add_sequence(&mut self, sequence: &CollapseSequence) {
+    fn add_levels(&mut self, sequence: &Levels) {
         self.step_count = Some(sequence.step_count());
         self.base = Some(json!({
             "vertex_count": sequence.base_vertex_count(),
@@ -171,7 +182,8 @@ impl Report {
         row("diagonal", measured(self.diagonal));
         if let (Some(step_count), Some(base), Some(error)) = (self.step_count, &self.base, self.error_max) {
             row("levels", grouped(step_count + 1));
-            row("base", format!("{} triangles, error {}", base["triangle_count"], measured(error.into())));
+            let kind = if self.error_is_guaranteed == Some(true) { "guaranteed error" } else { "error" };
+            row("base", format!("{} triangles, {kind} {}", base["triangle_count"], measured(error.into())));
         }
         for (model, facts) in &self.models {
             let bytes_per_vertex = facts["bytes_per_vertex"].as_f64().unwrap_or(0.0);

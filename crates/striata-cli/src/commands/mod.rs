@@ -7,6 +7,7 @@ mod convert;
 mod demo;
 mod distance;
 mod extract;
+mod extract_patterns;
 mod extract_view;
 mod info;
 mod simplify;

@@ -4,15 +4,18 @@ use serde_json::Value;
 
 use crate::workbench::{Workbench, assert_keys};
 
-const MODELS: [&str; 10] = [
+const MODELS: [&str; 13] = [
     "lodstrips",
     "mts",
     "fans",
+    "patterns",
     "lodstrips-original",
     "mts-graph",
     "skip-strips",
     "progressive-meshes",
     "ordered-meshes",
+    "loop-patterns",
+    "multi-triangulation",
     "discrete-5",
     "discrete-10",
 ];
@@ -77,8 +80,7 @@ fn walks_go_from_the_full_mesh_to_the_base() {
             }
             let at = |name: &str, i: usize| series[name][i].as_f64().expect("a number");
             assert_eq!((at("split_count", 0), at("triangle_count", 0)), (step_count, 512.0), "{walk}");
-            let draws_triangles = ["progressive-meshes", "ordered-meshes", "fans"];
-            let is_triangles = draws_triangles.iter().any(|name| row["name"] == *name);
+            let is_triangles = MODELS[2..4].iter().chain(&MODELS[7..11]).any(|name| row["name"] == *name);
             assert_eq!(at("index_count", 0) == 3.0 * 512.0, is_triangles, "{walk}");
             assert_eq!(at("strip_count", 0) == 0.0, is_triangles, "{walk}");
             let has_few_levels = row["sweep_ns_per_step"].is_null();
@@ -122,10 +124,29 @@ fn meshes_of_next_to_nothing_have_rows_too() {
 fn shapes_with_seams_materials_and_one_side_are_shown_right_by_all() {
     // The command itself holds every model to the oracle.
     let bench = Workbench::new();
-    for shape in ["cylinder", "two-materials", "moebius", "klein-bottle"] {
-        let report = bench.json(&format!("compare shape:{shape} {QUICK}"));
-        assert_eq!(report["meshes"][0]["name"], format!("shape:{shape}"));
-        assert_eq!(rows(&report["meshes"][0]).len(), MODELS.len());
+    for (shape, refused) in [
+        ("cylinder", Some("one a position")),
+        ("two-materials", Some("group")),
+        ("moebius", Some("")),
+        ("grid", Some("loops through one fragment")),
+        ("torus", None),
+        ("klein-bottle", Some("")),
+    ] {
+        let line = format!("compare shape:{shape} {QUICK}");
+        let mesh = &bench.json(&line)["meshes"][0];
+        assert_eq!(mesh["name"], format!("shape:{shape}"));
+        // As published, patterns know surfaces of one side, one group and no seams, with few overlaps to a fragment.
+        let names: Vec<&str> = rows(mesh).iter().filter_map(|row| row["name"].as_str()).collect();
+        let expected = MODELS.iter().filter(|name| refused.is_none() || **name != "loop-patterns");
+        assert!(names.iter().eq(expected), "{shape}: {names:?}");
+        let refusals = mesh["models_refused"].as_array().expect("a list");
+        assert_eq!(refusals.len(), usize::from(refused.is_some()), "{shape}: {refusals:?}");
+        let Some(why) = refused else { continue };
+        let said = refusals[0]["cannot_be_built"].as_str().expect("a reason");
+        assert!(refusals[0]["name"] == "loop-patterns" && said.contains(why), "{shape}: {said}");
+        let told = bench.run(&line).success();
+        let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
+        assert!(told.contains(&format!("loop-patterns cannot be built: {said}.")), "{told}");
     }
 }
 
@@ -161,7 +182,7 @@ fn the_page_of_all_parts_stands_alone() {
         assert!(told.contains(text), "no {text:?} in {told}");
     }
     let page = String::from_utf8(bench.read("page.html")).expect("text");
-    assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (11 + 17, 5 + 8));
+    assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (11 + 17 + 3, 5 + 8 + 2));
     for model in MODELS {
         assert!(told.contains(model) && page.matches(model).count() >= 8, "{model}");
     }

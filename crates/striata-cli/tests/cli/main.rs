@@ -2,8 +2,11 @@
 
 mod compare;
 mod compare_models;
+mod compare_patterns;
 mod compare_views;
 mod help;
+mod orders;
+mod patterns;
 mod refusals;
 mod strip_blocks;
 mod strips;

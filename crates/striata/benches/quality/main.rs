@@ -5,7 +5,8 @@
 //! levels are measured against the welded original with the same samples. Attributes are left out on both sides.
 //!
 //! ```text
-//! --cost memoryless|accumulated|tracked|all   what orders our collapses; default memoryless
+//! --cost memoryless|accumulated|tracked|hausdorff|all
+//!                                             what orders our collapses, or (hausdorff) removals; default memoryless
 //! --placement optimal                         adds our one-level simplifier that places vertices freely
 //! --samples N                                 samples a surface; default 500000, 0 measures no distances
 //! --repeat N                                  timed runs, the best counts; default 5, 0 measures no time
@@ -19,8 +20,12 @@ mod table;
 use std::error::Error;
 use std::io::Write;
 
-use striata::mesh::{IndexedMesh, Welded, weld};
-use striata::simplify::CollapseCost;
+use striata::ignore_progress;
+use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, Welded, weld};
+use striata::simplify::{
+    CollapseCost, RemovalOptions, SequenceOptions, SimplifyError, build_welded_fragments,
+    build_welded_sequence,
+};
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
@@ -29,7 +34,7 @@ const SHARES: [f64; 4] = [0.5, 0.25, 0.1, 0.02];
 
 /// What the command line asks for.
 struct Request {
-    costs: Vec<CollapseCost>,
+    simplifiers: Vec<Simplifier>,
     has_optimal: bool,
     sample_count: usize,
     repeat_count: usize,
@@ -39,7 +44,7 @@ struct Request {
 impl Request {
     fn parse(mut arguments: impl Iterator<Item = String>) -> Fallible<Self> {
         let mut request = Self {
-            costs: vec![CollapseCost::Memoryless],
+            simplifiers: vec![Simplifier::Collapses(CollapseCost::Memoryless)],
             has_optimal: false,
             sample_count: 500_000,
             repeat_count: 5,
@@ -50,7 +55,7 @@ impl Request {
             match argument.as_str() {
                 // Cargo says so to every bench.
                 "--bench" => {}
-                "--cost" => request.costs = costs_of(&value()?)?,
+                "--cost" => request.simplifiers = simplifiers_of(&value()?)?,
                 "--placement" => request.has_optimal = value()? == "optimal",
                 "--samples" => request.sample_count = value()?.parse()?,
                 "--repeat" => request.repeat_count = value()?.parse()?,
@@ -62,14 +67,57 @@ impl Request {
     }
 }
 
-fn costs_of(name: &str) -> Fallible<Vec<CollapseCost>> {
-    let all = [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked];
-    let costs: Vec<_> = all.into_iter().filter(|&cost| name == "all" || name_of(cost) == name).collect();
-    if costs.is_empty() { Err(format!("unknown cost {name}").into()) } else { Ok(costs) }
+/// What makes a sequence of ours.
+#[derive(Clone, Copy)]
+enum Simplifier {
+    /// Half-edge collapses in the order of a cost.
+    Collapses(CollapseCost),
+    /// Removals of vertices, holes filled freely, in the order of the Hausdorff distance.
+    Removal,
 }
 
-fn name_of(cost: CollapseCost) -> String {
-    format!("{cost:?}").to_lowercase()
+impl Simplifier {
+    const ALL: [Self; 4] = [
+        Self::Collapses(CollapseCost::Memoryless),
+        Self::Collapses(CollapseCost::Accumulated),
+        Self::Collapses(CollapseCost::Tracked),
+        Self::Removal,
+    ];
+
+    fn name(self) -> String {
+        match self {
+            Self::Collapses(cost) => format!("{cost:?}").to_lowercase(),
+            Self::Removal => "hausdorff".to_owned(),
+        }
+    }
+
+    /// The whole sequence of a welded mesh.
+    fn build(self, welded: Welded) -> Result<Built, SimplifyError> {
+        match self {
+            Self::Collapses(cost) => {
+                let options = SequenceOptions::default().with_cost(cost);
+                let built = build_welded_sequence(welded, &options, &mut ignore_progress)?;
+                Ok(Built::Collapses(Box::new(built.refinable)))
+            }
+            Self::Removal => {
+                let options = RemovalOptions::default();
+                let built = build_welded_fragments(welded, &options, &mut ignore_progress)?;
+                Ok(Built::Fragments(Box::new(built.fragmented)))
+            }
+        }
+    }
+}
+
+/// A sequence of ours.
+enum Built {
+    Collapses(Box<RefinableMesh>),
+    Fragments(Box<FragmentedMesh>),
+}
+
+fn simplifiers_of(name: &str) -> Fallible<Vec<Simplifier>> {
+    let chosen: Vec<_> =
+        Simplifier::ALL.into_iter().filter(|simplifier| name == "all" || simplifier.name() == name).collect();
+    if chosen.is_empty() { Err(format!("unknown cost {name}").into()) } else { Ok(chosen) }
 }
 
 /// A mesh to measure on: positions and triangles of the file, welded.

@@ -8,12 +8,10 @@ use std::hint::black_box;
 use std::io::Write;
 use std::process::Command;
 
-use striata::ignore_progress;
-use striata::mesh::IndexedMesh;
-use striata::simplify::{SequenceOptions, build_sequence};
+use striata::mesh::{IndexedMesh, weld};
 
 use crate::table::Table;
-use crate::{Fallible, Request, Subject, costs_of, name_of};
+use crate::{Fallible, Request, Subject, simplifiers_of};
 
 /// Tells a child process which mesh to simplify, and by which cost.
 const MESH_VARIABLE: &str = "STRIATA_MEMORY_MESH";
@@ -36,9 +34,8 @@ impl ChildRequest {
         // Resets the peak, so that reading does not count.
         fs::write("/proc/self/clear_refs", "5")?;
         let loaded = status_bytes("VmRSS:")?;
-        for cost in costs_of(&self.cost)? {
-            let options = SequenceOptions::default().with_cost(cost);
-            black_box(build_sequence(&mesh, &options, &mut ignore_progress)?);
+        for simplifier in simplifiers_of(&self.cost)? {
+            black_box(simplifier.build(weld(&mesh)?)?);
         }
         let peak = status_bytes("VmHWM:")?;
         writeln!(std::io::stdout(), "{loaded} {peak}")?;
@@ -61,9 +58,9 @@ pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Writ
     writeln!(out, "Peak resident memory of a process that welds and simplifies, bytes a triangle.\n")?;
     let mut table = Table::new(["mesh", "cost", "the process", "above the loaded mesh"]);
     for (path, subject) in request.paths.iter().zip(subjects) {
-        for &cost in &request.costs {
+        for simplifier in &request.simplifiers {
             let mut child = Command::new(env::current_exe()?);
-            let answer = child.env(MESH_VARIABLE, path).env(COST_VARIABLE, name_of(cost)).output()?;
+            let answer = child.env(MESH_VARIABLE, path).env(COST_VARIABLE, simplifier.name()).output()?;
             let text = String::from_utf8(answer.stdout)?;
             let numbers = text.split_whitespace().map(str::parse).collect::<Result<Vec<u64>, _>>()?;
             let [loaded, peak] = numbers[..] else {
@@ -72,7 +69,7 @@ pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Writ
             let a_triangle =
                 |bytes: u64| format!("{:.0}", bytes as f64 / subject.mesh().triangle_count() as f64);
             let above = peak.saturating_sub(loaded);
-            table.push(vec![subject.name.clone(), name_of(cost), a_triangle(peak), a_triangle(above)]);
+            table.push(vec![subject.name.clone(), simplifier.name(), a_triangle(peak), a_triangle(above)]);
         }
     }
     table.print(out)?;

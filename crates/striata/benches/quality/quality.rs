@@ -3,17 +3,17 @@
 use std::io::Write;
 
 use striata::ignore_progress;
-use striata::mesh::{DistanceOptions, IndexedMesh, RefinableMesh, SurfaceDistance, replay, surface_distance};
-use striata::simplify::{
-    Placement, SequenceOptions, SimplifyOptions, Target, build_welded_sequence, simplify,
+use striata::mesh::{
+    DistanceOptions, IndexedMesh, SurfaceDistance, replay, replay_fragments, surface_distance,
 };
+use striata::simplify::{Placement, SimplifyOptions, Target, simplify};
 
 use crate::table::Table;
-use crate::{Fallible, Request, SHARES, Subject, name_of};
+use crate::{Built, Fallible, Request, SHARES, Subject};
 
 /// Where our levels come from.
 enum Tool {
-    Sequence(Box<RefinableMesh>),
+    Sequence(Built),
     Optimal,
 }
 
@@ -21,7 +21,13 @@ impl Tool {
     /// A level of at most so many triangles, and the error that it reports.
     fn level(&self, subject: &Subject, triangle_count: usize) -> Fallible<(IndexedMesh, f64)> {
         match self {
-            Self::Sequence(refinable) => {
+            Self::Sequence(Built::Fragments(fragmented)) => {
+                let levels = fragmented.fragments.levels();
+                let split_count = levels.split_count_for_triangles(triangle_count);
+                let error = f64::from(levels.error_at(split_count));
+                Ok((replay_fragments(fragmented, split_count), error))
+            }
+            Self::Sequence(Built::Collapses(refinable)) => {
                 let split_count = refinable.sequence.split_count_for_triangles(triangle_count);
                 let error = f64::from(refinable.sequence.error_at(split_count));
                 Ok((replay(refinable, split_count), error))
@@ -39,10 +45,8 @@ impl Tool {
 
 fn tools(request: &Request, subject: &Subject) -> Fallible<Vec<Tool>> {
     let mut tools = Vec::new();
-    for &cost in &request.costs {
-        let options = SequenceOptions::default().with_cost(cost);
-        let built = build_welded_sequence(subject.welded.clone(), &options, &mut ignore_progress)?;
-        tools.push(Tool::Sequence(Box::new(built.refinable)));
+    for simplifier in &request.simplifiers {
+        tools.push(Tool::Sequence(simplifier.build(subject.welded.clone())?));
     }
     if request.has_optimal {
         tools.push(Tool::Optimal);
@@ -76,7 +80,7 @@ impl GeometricMean {
 struct Means([[GeometricMean; 2]; SHARES.len()]);
 
 pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Write) -> Fallible<()> {
-    let mut names: Vec<String> = request.costs.iter().copied().map(name_of).collect();
+    let mut names: Vec<String> = request.simplifiers.iter().map(|simplifier| simplifier.name()).collect();
     names.extend(request.has_optimal.then(|| "optimal placement".to_owned()));
     let head =
         |first: &[&str]| Table::new(first.iter().map(|s| (*s).to_owned()).chain(names.iter().cloned()));

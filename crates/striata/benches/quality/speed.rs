@@ -4,12 +4,10 @@ use std::hint::black_box;
 use std::io::Write;
 use std::time::Instant;
 
-use striata::ignore_progress;
 use striata::mesh::weld;
-use striata::simplify::{SequenceOptions, build_welded_sequence};
 
 use crate::table::Table;
-use crate::{Fallible, Request, SHARES, Subject, name_of};
+use crate::{Fallible, Request, SHARES, Subject};
 
 /// Seconds of one run, and what it made; dropping that is not timed.
 fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
@@ -37,13 +35,12 @@ pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Writ
         "µs a triangle",
     ]);
     for subject in subjects {
-        for &cost in &request.costs {
-            let options = SequenceOptions::default().with_cost(cost);
+        for simplifier in &request.simplifiers {
             let (mut ours, mut peer, mut welding) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
             for _ in 0..request.repeat_count {
                 welding = welding.min(timed(|| weld(subject.mesh())).0);
                 let input = subject.welded.clone();
-                let (secs, built) = timed(|| build_welded_sequence(input, &options, &mut ignore_progress));
+                let (secs, built) = timed(|| simplifier.build(input));
                 built?;
                 ours = ours.min(secs);
                 let (secs, indices) = timed(|| subject.meshoptimizer(share));
@@ -54,7 +51,7 @@ pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Writ
             table.push(vec![
                 subject.name.clone(),
                 triangle_count.to_string(),
-                name_of(cost),
+                simplifier.name(),
                 format!("{:.1}", welding * 1e3),
                 format!("{:.1}", ours * 1e3),
                 format!("{:.1}", peer * 1e3),

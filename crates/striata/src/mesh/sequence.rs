@@ -260,3 +260,26 @@ pub struct RefinableMesh {
     /// How it is simplified.
     pub sequence: CollapseSequence,
 }
+
+impl RefinableMesh {
+    /// The same without the coarsest levels: its base is what this one shows at a split count.
+    ///
+    /// # Panics
+    /// If `split_count` exceeds the step count.
+    pub fn without_levels_below(mut self, split_count: usize) -> Self {
+        let CollapseSequence { levels, mut targets, mut removed_triangle_counts } = self.sequence;
+        let first = levels.vertex_count_at(split_count) - levels.base_vertex_count();
+        targets.drain(..first);
+        removed_triangle_counts.drain(..split_count);
+        let parts = SequenceParts {
+            base_position_count: levels.base_position_count() + split_count,
+            errors: levels.errors()[split_count..].to_vec(),
+            positions: levels.positions().clone(),
+            targets,
+            removed_triangle_counts,
+            triangle_count: self.mesh.triangle_count(),
+        };
+        self.sequence = CollapseSequence::from_parts(parts).expect("the last steps of a sequence are one");
+        self
+    }
+}

@@ -233,7 +233,7 @@ impl<'a> Engine<'a> {
 }
 
 /// One entry a position, about the centre of the bounds and with their diagonal as unit, and that unit.
-fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
+pub(super) fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
     let Some(bounds) = welded.mesh.bounds() else { return (Vec::new(), 1.0) };
     let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };
     let centre: [f64; 3] =

@@ -15,31 +15,45 @@ pub(super) struct Record {
     pub(super) targets: Vec<u32>,
 }
 
+/// How the vertices of a welded mesh are numbered when positions are removed in some order.
+pub(super) struct RefinementOrder {
+    pub(super) base_position_count: usize,
+    /// First new vertex of every position in refinement order, closed by the vertex count.
+    pub(super) first: Vec<u32>,
+    /// The old vertex of each new one.
+    pub(super) vertex_order: Vec<u32>,
+    /// The new vertex of each old one.
+    pub(super) new_index: Vec<u32>,
+}
+
+impl RefinementOrder {
+    pub(super) fn new(old: &PositionIndex, removed: &[u32]) -> Self {
+        let position_count = old.position_count();
+        let mut is_removed = vec![false; position_count];
+        for &p in removed {
+            is_removed[p as usize] = true;
+        }
+        let base = (0..position_count as u32).filter(|&p| !is_removed[p as usize]);
+        let mut vertex_order = Vec::with_capacity(old.vertex_count());
+        let mut first = Vec::with_capacity(position_count + 1);
+        for p in base.chain(removed.iter().rev().copied()) {
+            first.push(vertex_order.len() as u32);
+            vertex_order.extend(old.wedges(p));
+        }
+        first.push(vertex_order.len() as u32);
+        let mut new_index = vec![0u32; vertex_order.len()];
+        for (new, &v) in vertex_order.iter().enumerate() {
+            new_index[v as usize] = new as u32;
+        }
+        Self { base_position_count: position_count - removed.len(), first, vertex_order, new_index }
+    }
+}
+
 /// Renumbers the mesh so that every level uses a prefix of its vertices; also gives each vertex's source.
 pub(super) fn finish(welded: Welded, record: Record) -> Result<(RefinableMesh, Vec<u32>), SequenceError> {
-    let old = &welded.positions;
-    let position_count = old.position_count();
-    let mut is_removed = vec![false; position_count];
-    for &p in &record.removed {
-        is_removed[p as usize] = true;
-    }
-    let base = (0..position_count as u32).filter(|&p| !is_removed[p as usize]);
-    let order: Vec<u32> = base.chain(record.removed.iter().rev().copied()).collect();
-    drop(is_removed);
-    let base_position_count = position_count - record.removed.len();
-
-    let mut vertex_order = Vec::with_capacity(old.vertex_count());
-    let mut first = Vec::with_capacity(position_count + 1);
-    for &p in &order {
-        first.push(vertex_order.len() as u32);
-        vertex_order.extend(old.wedges(p));
-    }
-    first.push(vertex_order.len() as u32);
+    let order = RefinementOrder::new(&welded.positions, &record.removed);
+    let RefinementOrder { base_position_count, first, vertex_order, new_index } = order;
     let base_vertex_count = first[base_position_count] as usize;
-    let mut new_index = vec![0u32; vertex_order.len()];
-    for (new, &v) in vertex_order.iter().enumerate() {
-        new_index[v as usize] = new as u32;
-    }
     let target = |&v: &u32| new_index[record.targets[v as usize] as usize];
     let targets = vertex_order[base_vertex_count..].iter().map(target).collect();
     let source_vertex = vertex_order.iter().map(|&v| welded.source_vertex[v as usize]).collect();

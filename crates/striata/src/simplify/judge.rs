@@ -331,7 +331,7 @@ fn accumulated_cost(quadrics: &[Quadric], positions: &[[f32; 4]], v: u32, u: u32
 }
 
 /// Which positions hold a vertex of the input that must stay.
-fn locked_positions(welded: &Welded, locked_vertices: &[u32]) -> Vec<bool> {
+pub(super) fn locked_positions(welded: &Welded, locked_vertices: &[u32]) -> Vec<bool> {
     let mut is_locked = vec![false; welded.positions.position_count()];
     for &vertex in locked_vertices {
         let position = welded.position_of_source.get(vertex as usize);

@@ -196,6 +196,33 @@ impl Links {
         slab.len = 0;
     }
 
+    /// Takes out `v` with the triangles around it and puts in `floor` instead: numbers and corners of triangles that
+    /// have neighbours of `v` at their corners.
+    pub(super) fn fill(&mut self, v: u32, floor: &[(u32, [u32; 3])]) {
+        let mut edges = std::mem::take(&mut self.edges);
+        let mut ring = std::mem::take(&mut self.ring);
+        ring.clear();
+        ring.extend_from_slice(self.entries(v));
+        ring.sort_unstable();
+        ring.dedup();
+        for &w in &ring {
+            self.edges_into(w, &mut edges);
+            edges.retain(|e| e.a != v && e.b != v);
+            for &(triangle, [a, b, c]) in floor {
+                for [corner, a, b] in [[a, b, c], [b, c, a], [c, a, b]] {
+                    if corner == w {
+                        edges.push(LinkEdge { a, b, triangle });
+                    }
+                }
+            }
+            self.set(w, &edges);
+        }
+        let slab = &mut self.slabs[v as usize];
+        slab.kind = LinkKind::Empty;
+        slab.len = 0;
+        (self.edges, self.ring) = (edges, ring);
+    }
+
     /// The link of `u` after the collapse, where both links are rings; false where they are not, or
     /// where the result is no ring. Leaves the neighbours of `v` in `self.ring`.
     fn splice(&mut self, v: u32, u: u32) -> bool {
@@ -532,6 +559,43 @@ mod tests {
             out.extend(edges.iter().filter(|e| v < e.a && v < e.b).map(|e| [v, e.a, e.b]));
         }
         canonical_triangles(&out)
+    }
+
+    #[test]
+    fn filled_holes_are_what_is_left_of_a_collapse() {
+        // A strip, a book of three pages and a tetrahedron on one of them.
+        let triangles = [
+            [0, 1, 2],
+            [2, 1, 3],
+            [2, 3, 4],
+            [4, 3, 5],
+            [1, 0, 6],
+            [1, 6, 7],
+            [0, 1, 8],
+            [8, 1, 9],
+            [3, 1, 9],
+            [3, 9, 5],
+        ];
+        for v in 0..10 {
+            for u in (0..10).filter(|&u| u != v) {
+                let (mut filled, mut collapsed) =
+                    (Links::new(10, &triangles, true), Links::new(10, &triangles, true));
+                if !collapsed.entries(v).contains(&u) {
+                    continue;
+                }
+                let mut edges = Vec::new();
+                filled.edges_into(v, &mut edges);
+                let kept = edges.iter().filter(|e| e.a != u && e.b != u);
+                let floor: Vec<_> = kept.map(|e| (20 + e.triangle, [u, e.a, e.b])).collect();
+                filled.fill(v, &floor);
+                collapsed.collapse(v, u);
+                assert_eq!(triangles_of(&filled), triangles_of(&collapsed), "{v} -> {u}");
+                assert_eq!(filled.kind(v), LinkKind::Empty);
+                filled.edges_into(u, &mut edges);
+                let numbers: Vec<u32> = edges.iter().map(|e| e.triangle).filter(|&t| t >= 20).collect();
+                assert_eq!(numbers.len(), floor.len(), "{v} -> {u}: numbers of new triangles");
+            }
+        }
     }
 
     fn check_against_substitution(triangles: &[[u32; 3]], count: usize, collapses: &[(u32, u32)]) {

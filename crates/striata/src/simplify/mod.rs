@@ -14,6 +14,7 @@ mod optimal;
 mod options;
 mod pairs;
 mod quadric;
+mod removal;
 mod star;
 mod tracked;
 mod wedges;
@@ -23,6 +24,9 @@ pub use cover::{certify, certify_collapses};
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SequenceOptions, Simplified,
     SimplifyError, SimplifyOptions, StopReason, Target,
+};
+pub use removal::{
+    BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, build_fragments, build_welded_fragments,
 };
 
 use crate::ProgressFn;

@@ -1,6 +1,6 @@
 //! What a caller may ask of the simplifier, and what it answers besides the mesh.
 
-use crate::mesh::{IndexedMesh, MeshError, RefinableMesh, SequenceError};
+use crate::mesh::{FragmentError, IndexedMesh, MeshError, RefinableMesh, SequenceError};
 
 /// Which level is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,14 +141,7 @@ impl SequenceOptions {
     }
     /// Checks that the locked vertices are vertices of the mesh.
     pub(super) fn check_locked(&self, vertex_count: usize) -> Result<(), SimplifyError> {
-        match self.locked_vertices.iter().find(|&&v| v as usize >= vertex_count) {
-            None => Ok(()),
-            Some(vertex) => Err(SimplifyError::Option {
-                option: "locked_vertices",
-                value: format!("vertex {vertex} of {vertex_count}"),
-                expected: "a vertex of the mesh",
-            }),
-        }
+        check_locked(&self.locked_vertices, vertex_count)
     }
 
     /// Sets [`Self::cost`].
@@ -178,6 +171,18 @@ impl SequenceOptions {
     /// Sets [`Self::pair_distance`].
     pub fn with_pair_distance(self, pair_distance: f64) -> Self {
         Self { pair_distance: Some(pair_distance), ..self }
+    }
+}
+
+/// Checks that locked vertices are vertices of the mesh.
+pub(super) fn check_locked(locked_vertices: &[u32], vertex_count: usize) -> Result<(), SimplifyError> {
+    match locked_vertices.iter().find(|&&v| v as usize >= vertex_count) {
+        None => Ok(()),
+        Some(vertex) => Err(SimplifyError::Option {
+            option: "locked_vertices",
+            value: format!("vertex {vertex} of {vertex_count}"),
+            expected: "a vertex of the mesh",
+        }),
     }
 }
 
@@ -307,4 +312,7 @@ pub enum SimplifyError {
     /// The simplifier broke its own invariant.
     #[error("internal error: the sequence is inconsistent: {0}")]
     Sequence(#[from] SequenceError),
+    /// The simplifier broke its own invariant.
+    #[error("internal error: the fragments are inconsistent: {0}")]
+    Fragments(#[from] FragmentError),
 }

@@ -55,6 +55,29 @@ impl<'a> Wedges<'a> {
         }
     }
 
+    /// The vertices of a triangle.
+    #[inline]
+    pub(super) fn corners(&self, triangle: u32) -> [u32; 3] {
+        self.corners[triangle as usize]
+    }
+
+    /// The vertices of all triangles.
+    pub(super) fn into_corners(self) -> Vec<[u32; 3]> {
+        self.corners
+    }
+
+    /// The position of a vertex.
+    #[inline]
+    pub(super) fn position_of(&self, vertex: u32) -> u32 {
+        self.positions.position_of(vertex)
+    }
+
+    /// Adds a triangle and numbers it.
+    pub(super) fn push(&mut self, corners: [u32; 3]) -> u32 {
+        self.corners.push(corners);
+        self.corners.len() as u32 - 1
+    }
+
     /// The vertex that `triangle` shows at `position`.
     #[inline]
     pub(super) fn shown(&self, triangle: u32, position: u32) -> u32 {

@@ -4,11 +4,14 @@ use std::hint::black_box;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
-use striata::mesh::RefinableMesh;
+use striata::mesh::{FragmentedMesh, RefinableMesh};
 use striata::model::baseline::{
-    DiscreteLevels, DiscreteLevelsError, OrderedMeshes, OriginalLodStrips, ProgressiveMeshes, SkipStrips,
+    DiscreteLevels, DiscreteLevelsError, LoopPatterns, MultiTriangulation, OrderedMeshes, OriginalLodStrips,
+    ProgressiveMeshes, SkipStrips,
 };
-use striata::model::{Accounting, DrawCounts, Fans, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Topology};
+use striata::model::{
+    Accounting, DrawCounts, Fans, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Patterns, Topology,
+};
 use striata::strip::{StripOptions, StripSet};
 
 use crate::commands::build::unknown_name;
@@ -19,6 +22,8 @@ use crate::failure::Failure;
 pub(super) struct Given<'g> {
     /// The mesh with its sequence.
     pub(super) refinable: &'g RefinableMesh,
+    /// The same as fragments.
+    pub(super) fragmented: &'g FragmentedMesh,
     /// Strips of the full mesh.
     pub(super) strips: &'g StripSet,
     /// How strips are made for models that store some of every level.
@@ -32,14 +37,32 @@ pub(super) struct Entry {
     pub(super) name: &'static str,
     /// Whether it shows only some levels of the sequence.
     pub(super) has_few_levels: bool,
-    build: fn(Given<'_>) -> Result<Box<dyn Contender>, Failure>,
+    build: Build,
+}
+
+type Build = fn(Given<'_>) -> Result<Box<dyn Contender>, Unbuilt>;
+
+/// Why there is no model.
+#[derive(Debug)]
+pub(super) enum Unbuilt {
+    /// Its published form cannot hold the mesh.
+    Refused(String),
+    /// It should have been built.
+    Failed(Failure),
+}
+
+impl<E: Into<Failure>> From<E> for Unbuilt {
+    fn from(error: E) -> Self {
+        Self::Failed(error.into())
+    }
 }
 
 /// All of them; the colours of charts follow this order.
-const ENTRIES: [Entry; 10] = [
+const ENTRIES: [Entry; 13] = [
     Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips))),
     Entry::new("mts", |given| built(|| Mts::build(given.refinable, given.strips))),
     Entry::new("fans", |given| built(|| Ok::<_, Failure>(Fans::build(given.refinable)))),
+    Entry::new("patterns", |given| built(|| Patterns::build(given.fragmented))),
     Entry::new("lodstrips-original", |given| {
         built(|| OriginalLodStrips::build(given.refinable, given.strips))
     }),
@@ -49,6 +72,12 @@ const ENTRIES: [Entry; 10] = [
         built(|| Ok::<_, Failure>(ProgressiveMeshes::build(given.refinable)))
     }),
     Entry::new("ordered-meshes", |given| built(|| Ok::<_, Failure>(OrderedMeshes::build(given.refinable)))),
+    Entry::new("loop-patterns", |given| {
+        built(|| LoopPatterns::build(given.fragmented).map_err(|error| Unbuilt::Refused(error.to_string())))
+    }),
+    Entry::new("multi-triangulation", |given| {
+        built(|| Ok::<_, Failure>(MultiTriangulation::build(given.fragmented)))
+    }),
     Entry::of_few_levels("discrete-5", |given| built(|| discrete(given, 5))),
     Entry::of_few_levels("discrete-10", |given| built(|| discrete(given, 10))),
 ];
@@ -58,22 +87,19 @@ fn discrete(given: Given<'_>, level_count: usize) -> Result<DiscreteLevels, Disc
 }
 
 impl Entry {
-    const fn new(name: &'static str, build: fn(Given<'_>) -> Result<Box<dyn Contender>, Failure>) -> Self {
+    const fn new(name: &'static str, build: Build) -> Self {
         Self { name, has_few_levels: false, build }
     }
 
-    const fn of_few_levels(
-        name: &'static str,
-        build: fn(Given<'_>) -> Result<Box<dyn Contender>, Failure>,
-    ) -> Self {
+    const fn of_few_levels(name: &'static str, build: Build) -> Self {
         Self { name, has_few_levels: true, build }
     }
 
     /// Builds the model, several times where that is quick.
     ///
     /// # Errors
-    /// Where it cannot be built, which is our fault.
-    pub(super) fn build(&self, given: Given<'_>) -> Result<Box<dyn Contender>, Failure> {
+    /// Where the published form refuses the mesh, or where it cannot be built, which is our fault.
+    pub(super) fn build(&self, given: Given<'_>) -> Result<Box<dyn Contender>, Unbuilt> {
         (self.build)(given)
     }
 }
@@ -129,15 +155,15 @@ struct Built<M: LodModel> {
 }
 
 /// Builds a model up to [`BUILD_COUNT`] times, as long as that stays within [`BUILD_SECS`].
-fn built<M, E>(mut make: impl FnMut() -> Result<M, E>) -> Result<Box<dyn Contender>, Failure>
+fn built<M, E>(mut make: impl FnMut() -> Result<M, E>) -> Result<Box<dyn Contender>, Unbuilt>
 where
     M: LodModel + 'static,
-    E: Into<Failure>,
+    E: Into<Unbuilt>,
 {
     let mut timed = || {
         let started = Instant::now();
         let model = make().map_err(Into::into)?;
-        Ok::<_, Failure>((model, started.elapsed().as_secs_f64()))
+        Ok::<_, Unbuilt>((model, started.elapsed().as_secs_f64()))
     };
     let (mut model, mut build_secs) = timed()?;
     let mut spent = build_secs;

@@ -12,6 +12,7 @@ mod models;
 mod oracle;
 mod page;
 mod papers;
+mod patterns;
 #[cfg(feature = "peers")]
 mod peers;
 mod plot;
@@ -34,6 +35,7 @@ pub(crate) use self::contenders::compared_models;
 use self::models::{ModelsReport, Sequenced};
 use self::page::MeshPart;
 use self::papers::PaperRow;
+use self::patterns::PatternsReport;
 use self::stripifiers::StripifierRow;
 use self::tunnels::TunnelRow;
 use self::views::ViewsReport;
@@ -63,6 +65,8 @@ struct MeshReport {
     models: Option<ModelsReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     views: Option<ViewsReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    patterns: Option<PatternsReport>,
     /// Empty where no paper measured this mesh.
     papers: Vec<PaperRow>,
 }
@@ -120,13 +124,16 @@ fn measure_mesh(
     let mesh = if args.strips.weld { weld(&mesh)?.mesh } else { mesh };
     let component_count = mesh.component_count()?;
     let strips = args.has(Part::Strips).then(|| measure_strips(&mesh, &args.strips, bar, say)).transpose()?;
-    let needs_sequence = args.has(Part::Models) || args.has(Part::Views);
+    let needs_sequence = [Part::Models, Part::Views, Part::Patterns].into_iter().any(|part| args.has(part));
     let sequenced = needs_sequence.then(|| Sequenced::build(&mesh, bar, say)).transpose()?;
     let sequenced_for = |part| sequenced.as_ref().filter(|_| args.has(part));
     let models = sequenced_for(Part::Models);
     let models = models.map(|sequenced| models::measure(sequenced, &args.models, bar, say)).transpose()?;
     let views = sequenced_for(Part::Views);
     let views = views.map(|sequenced| views::measure(&sequenced.refinable, bar, say)).transpose()?;
+    let patterns = sequenced_for(Part::Patterns)
+        .map(|sequenced| patterns::measure(&mesh, (&sequenced.refinable, sequenced.secs), bar, say));
+    let patterns = patterns.transpose()?;
     Ok(MeshReport {
         name,
         vertex_count: mesh.vertex_count(),
@@ -136,6 +143,7 @@ fn measure_mesh(
         papers: models.as_ref().map_or_else(Vec::new, papers::beside),
         models,
         views,
+        patterns,
     })
 }
 
@@ -204,6 +212,10 @@ impl MeshReport {
             text.push_str(&views::to_text(views, text_of));
             text.push('\n');
         }
+        if let Some(patterns) = &self.patterns {
+            text.push_str(&patterns::to_text(patterns, text_of));
+            text.push('\n');
+        }
         if let Some(strips) = &self.strips {
             text.push_str(
                 "Strips by the longest tunnel: mean, lowest to highest, standard deviation of the sample\n",
@@ -225,6 +237,9 @@ impl MeshReport {
         }
         if let Some(views) = &self.views {
             sections.extend(views::sections(views)?);
+        }
+        if let Some(patterns) = &self.patterns {
+            sections.extend(patterns::sections(patterns)?);
         }
         if let Some(strips) = &self.strips {
             sections.push(tunnels::section(&strips.tunnel_lengths)?);

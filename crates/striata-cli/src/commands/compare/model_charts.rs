@@ -17,14 +17,15 @@ pub(super) fn sections(report: &ModelsReport) -> Result<Vec<Section>, Failure> {
     let space = Section {
         title: "Models".to_owned(),
         intro: format!(
-            "{}. All models are built from the same sequence, and those of strips from the same strips; at every level they show \
+            "{}.{} All models are built from the same sequence, and those of strips from the same strips; at every level they show \
              the same triangles, but those of few levels show a coarser one where they lack it. Bytes a vertex \
              are those of what is built once, without positions; the next two columns add {POSITION_BYTES} bytes a vertex \
              for positions. What the papers count: their structures, 4 bytes a number, an index or a pointer, positions \
              added. Plain is positions and strips without levels. An instance is what each object on the screen owns \
              besides, in bytes a vertex. Steps: from the full mesh to the base and back, one at a time. Random access: \
              the mean move between random levels. Of each, the quickest of {rounds} rounds in which models take turns.",
-            report.basis.summary()
+            report.basis.summary(),
+            report.refusals()
         ),
         blocks: vec![
             Block::bars(&space_chart(report), "Bytes a vertex of each model")?,

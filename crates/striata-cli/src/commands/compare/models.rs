@@ -6,11 +6,11 @@ use std::time::Instant;
 
 use serde::Serialize;
 use serde_json::{Map, Value};
-use striata::mesh::{IndexedMesh, RefinableMesh, weld};
+use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
 use striata::model::{Accounting, Topology};
 use striata::simplify::{SequenceOptions, build_welded_sequence};
 
-use super::contenders::{Entry, Given, entries};
+use super::contenders::{Entry, Given, Unbuilt, entries};
 use super::contest::{Contestant, hold};
 use super::oracle::{Checked, check};
 use super::walks::{Pace, WalkReport};
@@ -32,6 +32,16 @@ pub(super) struct ModelsReport {
     /// A row for each.
     #[serde(rename = "models")]
     pub(super) rows: Vec<ModelRow>,
+    /// Those whose published form cannot hold the mesh.
+    #[serde(rename = "models_refused")]
+    refused: Vec<Refusal>,
+}
+
+/// A model whose published form cannot hold the mesh.
+#[derive(Clone, Debug, Serialize)]
+struct Refusal {
+    name: &'static str,
+    cannot_be_built: String,
 }
 
 /// What all models of a mesh were built from.
@@ -95,7 +105,8 @@ pub(super) struct ModelRow {
 pub(super) struct Sequenced {
     /// The welded mesh with its sequence.
     pub(super) refinable: RefinableMesh,
-    secs: f64,
+    /// Seconds that it took.
+    pub(super) secs: f64,
 }
 
 impl Sequenced {
@@ -129,13 +140,19 @@ pub(super) fn measure(
     let stripped = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?;
     let (frames, step_count) = (args.frames as usize, refinable.sequence.step_count());
     let level_strips = plan.search.options(plan.chain.last());
-    let given = Given { refinable, strips: &stripped.strips, level_strips: &level_strips };
-    let mut contestants = Vec::new();
+    let fragmented = FragmentedMesh::from_collapses(refinable);
+    let given =
+        Given { refinable, fragmented: &fragmented, strips: &stripped.strips, level_strips: &level_strips };
+    let (mut contestants, mut refused) = (Vec::new(), Vec::new());
     for entry in entries {
         say(entry.name);
-        let contender = entry.build(given)?;
-        contestants.push(Contestant::new(entry, contender, step_count, frames));
+        match entry.build(given) {
+            Ok(contender) => contestants.push(Contestant::new(entry, contender, step_count, frames)),
+            Err(Unbuilt::Refused(why)) => refused.push(Refusal { name: entry.name, cannot_be_built: why }),
+            Err(Unbuilt::Failed(failure)) => return Err(failure),
+        }
     }
+    drop(fragmented);
     bar.phase("check");
     let mut checked: Vec<Checked<'_>> = contestants.iter_mut().map(Contestant::checked).collect();
     check(&mut checked, refinable)?;
@@ -144,7 +161,7 @@ pub(super) fn measure(
     let strips = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped)?;
     let basis = Basis::new(refinable, (&stripped, strips), *sequence_secs, (frames, rounds));
     let rows = contestants.iter_mut().map(|contestant| ModelRow::new(contestant, refinable, &basis));
-    Ok(ModelsReport { rows: rows.collect(), basis })
+    Ok(ModelsReport { rows: rows.collect(), basis, refused })
 }
 
 impl Contestant {
@@ -233,6 +250,15 @@ impl ModelRow {
     }
 }
 
+impl ModelsReport {
+    /// Which models cannot be built, and why, in sentences; nothing where all can.
+    pub(super) fn refusals(&self) -> String {
+        let why =
+            |refusal: &Refusal| format!(" {} cannot be built: {}.", refusal.name, refusal.cannot_be_built);
+        self.refused.iter().map(why).collect()
+    }
+}
+
 /// Head and rows: what models take, and how quickly they move.
 pub(super) fn table(report: &ModelsReport) -> Vec<Vec<String>> {
     let head = [
@@ -296,7 +322,8 @@ fn precisely(secs: f64) -> String {
 
 /// The tables for people, with what is to be known about them.
 pub(super) fn to_text(report: &ModelsReport, text_of: impl Fn(Vec<Vec<String>>) -> String) -> String {
-    let mut text = format!("Models: {}\n{}", report.basis.summary(), text_of(table(report)));
+    let mut text =
+        format!("Models: {}.{}\n{}", report.basis.summary(), report.refusals(), text_of(table(report)));
     for pace in Pace::ALL {
         let frames = report.basis.frames;
         text.push_str(&format!("\n{} walk, {frames} frames away and {frames} back: means\n", pace.title()));

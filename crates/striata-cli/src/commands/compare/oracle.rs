@@ -73,7 +73,7 @@ fn check_level(
 
 #[cfg(test)]
 mod tests {
-    use striata::mesh::shapes;
+    use striata::mesh::{FragmentedMesh, shapes};
     use striata::simplify::{SequenceOptions, build_sequence};
     use striata::strip::{StripOptions, stripify};
 
@@ -90,7 +90,13 @@ mod tests {
         wrong.mesh.triangles[0].swap(0, 1);
         let level_strips = StripOptions::default();
         let strips = stripify(&right.mesh, &level_strips).unwrap();
-        let given = Given { refinable: &right, strips: &strips, level_strips: &level_strips };
+        let fragmented = FragmentedMesh::from_collapses(&right);
+        let given = Given {
+            refinable: &right,
+            fragmented: &fragmented,
+            strips: &strips,
+            level_strips: &level_strips,
+        };
         for entry in entries(&compared_models().collect::<Vec<_>>()).unwrap() {
             let mut contender = entry.build(given).unwrap();
             let (name, has_few_levels) = (entry.name, entry.has_few_levels);

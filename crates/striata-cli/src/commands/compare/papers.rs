@@ -127,6 +127,14 @@ pub(super) fn cor01_megabytes(triangle_count: usize) -> Option<f64> {
     MESHES.iter().find(|&&(triangles, _)| triangles == triangle_count).map(|&(_, megabytes)| megabytes)
 }
 
+/// What patterns and the Multi-Triangulation take in \[KG98\], sections 3.2 and 3.3: bytes a vertex, without positions.
+pub(super) const KG98_BYTES_PER_VERTEX: [u32; 2] = [26, 160];
+/// Bits of a fragment there, with so many overlaps to each.
+pub(super) const KG98_FRAGMENT_BITS: u32 = 206;
+pub(super) const KG98_OVERLAPS: f64 = 2.5;
+/// Bits of a fragment there in the form for transmission, section 3.1.
+pub(super) const KG98_SEQUENTIAL_BITS: u32 = 44;
+
 /// What was published about a mesh of so many triangles.
 fn published_about(triangle_count: usize) -> &'static [Published] {
     match triangle_count {

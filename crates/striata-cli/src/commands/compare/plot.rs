@@ -35,7 +35,7 @@ pub(super) const SOFT: (RGBColor, &str) = (RGBColor(0x6d, 0x66, 0x5c), "soft");
 pub(super) const RULE: (RGBColor, &str) = (RGBColor(0xdd, 0xd7, 0xcd), "rule");
 
 /// Colours of series in the light theme and in the dark one.
-pub(super) const SERIES: [(RGBColor, &str); 10] = [
+pub(super) const SERIES: [(RGBColor, &str); 13] = [
     (RGBColor(0x0b, 0x6e, 0x99), "#5bb8e0"),
     (RGBColor(0xc2, 0x57, 0x1a), "#f0955a"),
     (RGBColor(0x2e, 0x8b, 0x57), "#6fcf97"),
@@ -46,6 +46,9 @@ pub(super) const SERIES: [(RGBColor, &str); 10] = [
     (RGBColor(0x1f, 0x3a, 0x93), "#8ea6f5"),
     (RGBColor(0xb0, 0x3a, 0x78), "#ee86bb"),
     (RGBColor(0x5d, 0x6d, 0x7e), "#b3bcc6"),
+    (RGBColor(0x6a, 0x7d, 0x00), "#b5cc4a"),
+    (RGBColor(0x7a, 0x4a, 0x24), "#cf9f78"),
+    (RGBColor(0x6a, 0x5a, 0xcd), "#b0a4ff"),
 ];
 
 /// Named points, joined by a line where there are several.

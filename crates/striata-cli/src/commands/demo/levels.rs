@@ -40,12 +40,12 @@ pub(super) struct Level {
 
 /// Goes to each level of the table and measures it.
 pub(super) fn measure(built: &Built) -> Vec<Level> {
-    let diagonal = built.refinable.mesh.diagonal();
+    let diagonal = built.refinable().mesh.diagonal();
     TABLE_SHARES.iter().map(|&share| measure_one(built, share, diagonal)).collect()
 }
 
 fn measure_one(built: &Built, share: f64, diagonal: f64) -> Level {
-    let sequence = &built.refinable.sequence;
+    let sequence = &built.refinable().sequence;
     let split_count = split_count_at(built, share);
     let mut state = built.lod_strips().new_state();
     // The best of three: the first one also pays for memory that nobody has touched yet.
@@ -152,7 +152,7 @@ fn triangles_by_strip(built: &Built, state: &LodStripsState) -> (Vec<[u32; 3]>, 
 }
 
 fn split_count_at(built: &Built, share: f64) -> usize {
-    let sequence = &built.refinable.sequence;
+    let sequence = &built.refinable().sequence;
     let full = sequence.triangle_count_at(sequence.step_count());
     sequence.split_count_for_triangles((share * full as f64).round() as usize)
 }

@@ -89,7 +89,7 @@ impl<'a> Folder<'a> {
 
 fn picture(built: &Built) -> Result<Vec<u8>, Failure> {
     let shots: Vec<shots::Shot> = SHOWN_SHARES.iter().map(|&share| levels::shot(built, share)).collect();
-    let sheet = shots::contact_sheet(&built.refinable.mesh, &shots);
+    let sheet = shots::contact_sheet(&built.refinable().mesh, &shots);
     sheet.to_png().map_err(|error| Failure::internal(format!("levels.png: {error}")))
 }
 
@@ -100,7 +100,7 @@ fn render_page(
     picture: &[u8],
     file_bytes: usize,
 ) -> String {
-    let sequence = &built.refinable.sequence;
+    let sequence = &built.refinable().sequence;
     let intro = format!(
         "The bust of Nefertiti, {} triangles, became one file of {} that holds {} levels.",
         grouped(sequence.triangle_count_at(sequence.step_count())),
@@ -115,7 +115,7 @@ fn render_page(
         files: &folder.files,
         picture,
     };
-    page::render(&content, &built.refinable)
+    page::render(&content, &built.refinable())
 }
 
 impl Report {

@@ -332,8 +332,11 @@ fn plane(positions: &[[f32; 3]], origin: DVec3, triangle: [u32; 3]) -> Plane {
 mod tests {
     use super::*;
 
+    /// The number of a face and its corners.
+    type NumberedFace = (u32, [[f64; 3]; 3]);
+
     /// A square around a raised middle, as four triangles, and the two that are left without it.
-    fn tent(height: f32) -> (Cover, [(u32, [[f64; 3]; 3]); 2]) {
+    fn tent(height: f32) -> (Cover, [NumberedFace; 2]) {
         let points =
             [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.25, 0.0, height]];
         let cover = Cover::new(&points, &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);

@@ -4,7 +4,8 @@
 //! ceiling, and it is put into their loops. Whether a triangle knows its covering fragment for good or only for the time being is all
 //! that the two ways differ in.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 
 use super::LoopPatterns;
 use super::records::{Head, Link, MAX_LOOPS, Records};
@@ -97,9 +98,7 @@ struct Builder<'a> {
     corners: &'a [[u32; 3]],
     base_vertex_count: u32,
     /// The triangle left of each side, at the level that has been reached.
-    sides: HashMap<[u32; 2], u32>,
-    /// Sides with which floors close a border.
-    closings: HashSet<[u32; 2]>,
+    sides: HashMap<u64, u32, BuildHasherDefault<SideHasher>>,
     rules: RuleFinder,
     /// By step.
     heads: Vec<Head>,
@@ -126,8 +125,7 @@ impl<'a> Builder<'a> {
         let mut builder = Self {
             corners,
             base_vertex_count,
-            sides: HashMap::new(),
-            closings: HashSet::new(),
+            sides: HashMap::default(),
             rules: RuleFinder::default(),
             heads: Vec::with_capacity(step_count),
             anchored_at: vec![NO_STEP; step_count],
@@ -151,7 +149,7 @@ impl<'a> Builder<'a> {
     /// Adds the sides of a triangle; false where one is there already.
     fn put(&mut self, triangle: u32) -> bool {
         let [a, b, c] = self.corners[triangle as usize];
-        [[a, b], [b, c], [c, a]].into_iter().all(|side| self.sides.insert(side, triangle).is_none())
+        [[a, b], [b, c], [c, a]].into_iter().all(|side| self.sides.insert(key(side), triangle).is_none())
     }
 
     /// Takes the next fragment, where `covers` is what covers the triangles of its ceiling, [`NO_STEP`] where nothing does.
@@ -168,17 +166,20 @@ impl<'a> Builder<'a> {
         for &triangle in ceiling {
             let [a, b, c] = self.corners[triangle as usize];
             for side in [[a, b], [b, c], [c, a]] {
-                self.sides.remove(&side);
+                self.sides.remove(&key(side));
             }
         }
         if !floor.iter().all(|&triangle| self.put(triangle)) {
             return Err(refused("leaves an edge that two triangles run along in the same way"));
         }
         let anchors = [shape.ring[0], shape.ring[1]];
-        self.anchored_at[step as usize] =
-            if floor.is_empty() { self.hang(step, anchors).map_err(refused)? } else { self.sides[&anchors] };
-        if shape.code[0] == 1 {
-            self.closings.insert([shape.ring[shape.ring.len() - 1], shape.ring[0]]);
+        self.anchored_at[step as usize] = if floor.is_empty() {
+            self.hang(step, anchors).map_err(refused)?
+        } else {
+            self.sides[&key(anchors)]
+        };
+        if shape.code[0] == 1 && !self.is_openable([shape.ring[0], shape.ring[shape.ring.len() - 1]]) {
+            return Err(refused("closes a hole at a vertex that has another border"));
         }
         covers.extend(ceiling.iter().flat_map(|triangle| self.hung.get(triangle).into_iter().flatten()));
         covers.retain(|&cover| cover != NO_STEP);
@@ -194,13 +195,29 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// The triangle that a fragment without a floor hangs on.
-    fn hang(&mut self, step: u32, anchors: [u32; 2]) -> Result<u32, &'static str> {
-        let side = [anchors[1], anchors[0]];
-        let on = *self.sides.get(&side).ok_or("takes the last triangle of a piece")?;
-        if self.closings.contains(&side) {
-            return Err("takes a triangle that hangs on an edge which another step makes");
+    /// Whether a floor between the ends of an open ring has a border there, or closes a hole so that the ends have none.
+    fn is_openable(&self, [first, last]: [u32; 2]) -> bool {
+        let is_glued = self.sides.contains_key(&key([first, last]));
+        !is_glued || self.is_closed_around(first, last) && self.is_closed_around(last, first)
+    }
+
+    /// Whether the triangles around a vertex lead from a neighbour back to it.
+    fn is_closed_around(&self, vertex: u32, neighbour: u32) -> bool {
+        let mut at = neighbour;
+        while let Some(&triangle) = self.sides.get(&key([vertex, at])) {
+            let corners = &self.corners[triangle as usize];
+            let turn = corners.iter().position(|&v| v == vertex).unwrap_or(0);
+            at = corners[(turn + 2) % 3];
+            if at == neighbour {
+                return true;
+            }
         }
+        false
+    }
+
+    /// The triangle that a fragment without a floor hangs on.
+    fn hang(&mut self, step: u32, [a, b]: [u32; 2]) -> Result<u32, &'static str> {
+        let on = *self.sides.get(&key([b, a])).ok_or("takes the last triangle of a piece")?;
         self.hung.entry(on).or_default().push(step);
         Ok(on)
     }
@@ -262,6 +279,30 @@ impl<'a> Builder<'a> {
             rules,
             records,
         })
+    }
+}
+
+/// A side as one number.
+fn key([from, to]: [u32; 2]) -> u64 {
+    u64::from(from) << 32 | u64::from(to)
+}
+
+/// Mixes one number: sides are looked up a dozen times a fragment, and their numbers are close to each other.
+#[derive(Default)]
+struct SideHasher(u64);
+
+impl Hasher for SideHasher {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write_u64(&mut self, number: u64) {
+        let mixed = (number ^ number >> 31).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        self.0 = (mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) ^ mixed >> 32;
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.write_u64(self.0 << 8 | u64::from(byte)));
     }
 }
 

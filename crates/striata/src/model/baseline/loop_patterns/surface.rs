@@ -233,6 +233,13 @@ impl Surface {
         found.rings.is_empty()
     }
 
+    /// Whether the fan of an open ring can be put where a floor was found: it lies at a border, or it closes a hole
+    /// whose ends have no other border.
+    pub(in crate::model::baseline) fn is_openable(&self, found: &Found, star: &mut Vec<Side>) -> bool {
+        let ends = [found.ring[0], found.ring[found.ring.len() - 1]];
+        found.outer.last() == Some(&NONE) || ends.into_iter().all(|end| self.star_into(end, star))
+    }
+
     /// The triangles of a floor that was found.
     pub(in crate::model::baseline) fn found_corners<'f>(
         &'f self,
@@ -396,10 +403,5 @@ impl Found {
         self.start(2);
         self.ring.copy_from_slice(&ring);
         self.outer[0] = on;
-    }
-
-    /// Whether nothing lies behind the side that closes the ring.
-    pub(in crate::model::baseline) fn has_border_last(&self) -> bool {
-        self.outer.last() == Some(&NONE)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     ANCHOR_BITS, FRAGMENT_BITS, LONG_NEIGHBOUR, LONG_NEIGHBOUR_BITS, LONG_RULE, LONG_RULE_BITS,
-    NEIGHBOUR_BITS, Neighbours, RULE_BITS, SequentialPatternsError,
+    NEIGHBOUR_BITS, Neighbours, OPENS_TWICE, RULE_BITS, SequentialPatternsError,
 };
 use crate::mesh::{Face, Fragment, FragmentSequence, PositionIndex};
 use crate::model::baseline::loop_patterns::{Found, Rule, RuleTable, Surface};
@@ -153,8 +153,8 @@ impl SequentialDecoder {
             if !self.surface.find_floor(rule, side, &mut self.found) || !self.is_simple() {
                 return Err("has a floor that is not where its anchors are");
             }
-            if rule.is_open && !self.is_openable() {
-                return Err("opens a surface at a vertex of its border");
+            if rule.is_open && !self.surface.is_openable(&self.found, &mut self.around.star) {
+                return Err(OPENS_TWICE);
             }
         }
         let vertex = (self.base_vertex_count + self.step) as u32;
@@ -172,14 +172,6 @@ impl SequentialDecoder {
         self.sorted.clone_from(&self.found.ring);
         self.sorted.sort_unstable();
         self.sorted.windows(2).all(|pair| pair[0] != pair[1])
-    }
-
-    /// Whether the side that closes an open ring lies at a border, or its ends do not.
-    fn is_openable(&mut self) -> bool {
-        let ring = &self.found.ring;
-        let ends = [ring[0], ring[ring.len() - 1]];
-        self.found.has_border_last()
-            || ends.into_iter().all(|end| self.surface.star_into(end, &mut self.around.star))
     }
 
     fn read_number(&mut self, long: u64, [width, long_width]: [u32; 2]) -> Result<u64, &'static str> {

@@ -4,11 +4,11 @@ use std::collections::HashMap;
 
 use super::{
     ANCHOR_BITS, LONG_NEIGHBOUR, LONG_NEIGHBOUR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOUR_BITS, Neighbours,
-    RULE_BITS, SequentialPatterns,
+    OPENS_TWICE, RULE_BITS, SequentialPatterns,
 };
 use crate::mesh::{FragmentSequence, FragmentedMesh};
 use crate::model::ModelError;
-use crate::model::baseline::loop_patterns::{Found, Rule, Shape, Surface, check_form};
+use crate::model::baseline::loop_patterns::{Found, Rule, Shape, Side, Surface, check_form};
 use crate::model::bits::Bits;
 
 impl SequentialPatterns {
@@ -43,8 +43,13 @@ impl SequentialPatterns {
             bytes.extend_from_slice(&[rule.ring_len() as u8, u8::from(rule.is_open)]);
             bytes.extend_from_slice(rule.apexes);
         }
-        let mut writer =
-            Writer { surface, bits: Bits::default(), around: Neighbours::default(), found: Found::default() };
+        let mut writer = Writer {
+            surface,
+            bits: Bits::default(),
+            around: Neighbours::default(),
+            found: Found::default(),
+            star: Vec::new(),
+        };
         for (step, (shape, number)) in shapes.iter().zip(numbers).enumerate() {
             let vertex = (base_vertex_count + step) as u32;
             writer.push(vertex, shape, number).map_err(|reason| ModelError::Step { step, reason })?;
@@ -89,15 +94,19 @@ struct Writer {
     bits: Bits,
     around: Neighbours,
     found: Found,
+    star: Vec<Side>,
 }
 
 impl Writer {
     fn push(&mut self, vertex: u32, shape: &Shape, rule_number: u32) -> Result<(), &'static str> {
         let rule = Rule::of_code(&shape.code);
-        let [a, b] = [shape.ring[0], shape.ring[1]];
+        let a = shape.ring[0];
         self.around.find(&self.surface, a);
         let place = self.find(rule, shape).ok_or("has a floor that is not where its anchors are")?;
-        debug_assert_eq!(self.around.vertex(&self.surface, place), b);
+        let is_hung = rule.apexes.is_empty();
+        if rule.is_open && !is_hung && !self.surface.is_openable(&self.found, &mut self.star) {
+            return Err(OPENS_TWICE);
+        }
         self.write(u64::from(rule_number), LONG_RULE, [RULE_BITS, LONG_RULE_BITS]);
         self.bits.push(u64::from(a), ANCHOR_BITS);
         let counted = self.around.counted(place) as u64;

@@ -44,6 +44,9 @@ const FRAGMENT_BITS: usize = (RULE_BITS + ANCHOR_BITS + NEIGHBOUR_BITS) as usize
 const LONG_RULE: u64 = (1 << RULE_BITS) - 1;
 const LONG_NEIGHBOUR: u64 = (1 << NEIGHBOUR_BITS) - 1;
 
+/// What a fragment must not do.
+const OPENS_TWICE: &str = "opens a hole at a vertex that has another border";
+
 /// The connectivity of all levels as bytes; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SequentialPatterns {

@@ -1,0 +1,141 @@
+//! The arguments of verbs that simplify: what goes first, and what may not happen.
+
+use clap::{Args, ValueEnum};
+use striata::simplify::{HoleCriterion, Retriangulation};
+
+use super::Length;
+
+/// How the simplification sequence is made.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Simplification")]
+pub(crate) struct SequenceArgs {
+    /// What is simplified first: quadric (collapses of edges that cost least) or hausdorff (vertices whose removal leaves the
+    /// original nearest; slower, errors are guaranteed)
+    #[arg(long, value_name = "ORDER", default_value = "quadric", hide_possible_values = true)]
+    pub(crate) order: OrderArg,
+    /// Guarantee errors in quadric order too: no point of the original is farther from a level than its error
+    #[arg(long)]
+    pub(crate) certify: bool,
+    /// Which cost has the quadric order: of the current mesh, summed up, or of all removed vertices (slow, best far
+    /// down) [default: memoryless]
+    #[arg(long)]
+    pub(crate) cost: Option<CostArg>,
+    /// Keep every boundary vertex in place
+    #[arg(long)]
+    pub(crate) lock_boundary: bool,
+    /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    pub(crate) pair_distance: Option<Length>,
+    /// How vertices are removed.
+    #[command(flatten)]
+    pub(crate) removal: RemovalArgs,
+}
+
+/// How vertices are removed.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Simplification, with --order hausdorff")]
+pub(crate) struct RemovalArgs {
+    /// How the hole of a vertex is filled: in the best of all ways, or as a collapse would, which all models but patterns
+    /// need [default: free where they allow it]
+    #[arg(long, value_name = "HOW")]
+    pub(crate) retriangulation: Option<RetriangulationArg>,
+    /// Which way is the best: nearest to the original, flattest, or of the roundest triangles [default: distance]
+    #[arg(long)]
+    pub(crate) criterion: Option<CriterionArg>,
+    /// Most triangles around a vertex that is removed, 3 to 16 [default: 10]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(3..=16))]
+    pub(crate) degree_limit: Option<u32>,
+    /// Keep edges where the surface turns by more than this, degrees [default: distances alone decide]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = parse_turn)]
+    pub(crate) feature_angle: Option<f64>,
+}
+
+impl RemovalArgs {
+    /// The first flag that was given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let Self { retriangulation, criterion, degree_limit, feature_angle } = self;
+        let flags = [
+            ("--retriangulation", retriangulation.is_some()),
+            ("--criterion", criterion.is_some()),
+            ("--degree-limit", degree_limit.is_some()),
+            ("--feature-angle", feature_angle.is_some()),
+        ];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
+}
+
+/// What is simplified first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum OrderArg {
+    /// Half-edge collapses, by quadrics
+    Quadric,
+    /// Vertices removed, by the distance that is left
+    Hausdorff,
+}
+
+impl OrderArg {
+    /// As the flag spells it.
+    pub(crate) const fn as_str(self) -> &'static str {
+        match self {
+            Self::Quadric => "quadric",
+            Self::Hausdorff => "hausdorff",
+        }
+    }
+}
+
+/// What a collapse costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CostArg {
+    /// Against the current mesh: fast, best at mild levels
+    Memoryless,
+    /// Quadrics summed up over the history: the classic
+    Accumulated,
+    /// Against all removed vertices: slower, best at coarse levels
+    Tracked,
+}
+
+/// How holes are filled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RetriangulationArg {
+    /// In any way
+    Free,
+    /// As half-edge collapses do
+    Collapse,
+}
+
+impl From<RetriangulationArg> for Retriangulation {
+    fn from(how: RetriangulationArg) -> Self {
+        match how {
+            RetriangulationArg::Free => Self::Free,
+            RetriangulationArg::Collapse => Self::Collapse,
+        }
+    }
+}
+
+/// Which filling of a hole is the best.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CriterionArg {
+    /// Nearest to the original surface
+    Distance,
+    /// Turned least
+    Flatness,
+    /// Of the roundest triangles
+    Shape,
+}
+
+impl From<CriterionArg> for HoleCriterion {
+    fn from(criterion: CriterionArg) -> Self {
+        match criterion {
+            CriterionArg::Distance => Self::Distance,
+            CriterionArg::Flatness => Self::Flatness,
+            CriterionArg::Shape => Self::Shape,
+        }
+    }
+}
+
+fn parse_turn(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(angle),
+        _ => Err("must be an angle from 0 to 180".to_owned()),
+    }
+}

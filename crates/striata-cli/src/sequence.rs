@@ -1,0 +1,235 @@
+//! How a mesh becomes a sequence of steps: what goes first, which errors hold, and how far it goes.
+
+use std::borrow::Cow;
+
+use striata::ProgressFn;
+use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
+use striata::simplify::{
+    BoundaryRule, CollapseCost, RemovalOptions, Retriangulation, SequenceOptions, SimplifyError, StopReason,
+    build_welded_fragments, build_welded_sequence, certify, certify_collapses,
+};
+
+use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
+use crate::failure::Failure;
+
+/// How a mesh is simplified.
+#[derive(Clone, Debug)]
+pub(crate) enum SequencePlan {
+    /// By half-edge collapses in the order of quadrics.
+    Quadric {
+        /// How they are ordered and what they must respect.
+        options: SequenceOptions,
+        /// Whether errors have to hold for the whole surface.
+        is_certified: bool,
+    },
+    /// By removing vertices in the order of the distance that is left.
+    Hausdorff(RemovalOptions),
+}
+
+/// How far a simplification goes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Limits {
+    /// Not below so many triangles.
+    pub(crate) base_triangle_count: usize,
+    /// Never farther than this from the original.
+    pub(crate) max_error: Option<f64>,
+}
+
+impl Default for SequencePlan {
+    fn default() -> Self {
+        Self::Quadric { options: SequenceOptions::default(), is_certified: false }
+    }
+}
+
+/// The steps of a mesh.
+#[derive(Debug)]
+pub(crate) enum Steps {
+    /// Each is a half-edge collapse.
+    Collapses(RefinableMesh),
+    /// Any.
+    Fragments(FragmentedMesh),
+}
+
+impl Steps {
+    /// The mesh in refinement order.
+    pub(crate) fn mesh(&self) -> &IndexedMesh {
+        match self {
+            Self::Collapses(refinable) => &refinable.mesh,
+            Self::Fragments(fragmented) => &fragmented.mesh,
+        }
+    }
+
+    /// What is known of each level.
+    pub(crate) fn levels(&self) -> &Levels {
+        match self {
+            Self::Collapses(refinable) => refinable.sequence.levels(),
+            Self::Fragments(fragmented) => fragmented.fragments.levels(),
+        }
+    }
+
+    /// The mesh that a level shows.
+    pub(crate) fn level(&self, split_count: usize) -> IndexedMesh {
+        match self {
+            Self::Collapses(refinable) => replay(refinable, split_count),
+            Self::Fragments(fragmented) => replay_fragments(fragmented, split_count),
+        }
+    }
+}
+
+/// A mesh with its steps.
+#[derive(Debug)]
+pub(crate) struct Sequenced {
+    /// The steps.
+    pub(crate) steps: Steps,
+    /// Why there are no more.
+    pub(crate) stop_reason: StopReason,
+    /// Whether no point of the original is farther from a level than its error.
+    pub(crate) error_is_guaranteed: bool,
+    /// The same steps as fragments, where they are known beside collapses: with the errors of single floors.
+    floors: Option<FragmentedMesh>,
+}
+
+impl Sequenced {
+    /// The steps as fragments; where errors are guaranteed, so are those of single floors.
+    ///
+    /// # Errors
+    /// Where the callback asks to stop.
+    pub(crate) fn fragments(
+        &self,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Cow<'_, FragmentedMesh>, SimplifyError> {
+        Ok(match (&self.steps, &self.floors) {
+            (Steps::Fragments(fragmented), _) | (_, Some(fragmented)) => Cow::Borrowed(fragmented),
+            (Steps::Collapses(refinable), None) => {
+                let fragmented = FragmentedMesh::from_collapses(refinable);
+                Cow::Owned(if self.error_is_guaranteed {
+                    certify(&fragmented, progress)?
+                } else {
+                    fragmented
+                })
+            }
+        })
+    }
+}
+
+impl SequencePlan {
+    /// What goes first.
+    pub(crate) fn order(&self) -> OrderArg {
+        match self {
+            Self::Quadric { .. } => OrderArg::Quadric,
+            Self::Hausdorff(_) => OrderArg::Hausdorff,
+        }
+    }
+
+    /// Whether no point of the original will be farther from a level than its error.
+    pub(crate) fn guarantees_errors(&self) -> bool {
+        !matches!(self, Self::Quadric { is_certified: false, .. })
+    }
+
+    /// Builds the steps of a mesh.
+    ///
+    /// # Errors
+    /// Where an option is out of range.
+    pub(crate) fn run(
+        &self,
+        welded: Welded,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Sequenced, SimplifyError> {
+        match self {
+            Self::Quadric { options, is_certified: false } => {
+                let built = build_welded_sequence(welded, options, progress)?;
+                let (steps, stop_reason) = (Steps::Collapses(built.refinable), built.stop_reason);
+                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false, floors: None })
+            }
+            Self::Quadric { options, is_certified: true } => certified(welded, options, progress),
+            Self::Hausdorff(options) => {
+                let built = build_welded_fragments(welded, options, progress)?;
+                let (steps, floors) = match built.refinable {
+                    Some(refinable) => (Steps::Collapses(refinable), Some(built.fragmented)),
+                    None => (Steps::Fragments(built.fragmented), None),
+                };
+                let stop_reason = built.stop_reason;
+                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, floors })
+            }
+        }
+    }
+}
+
+/// Collapses in the order of quadrics, as far as a guaranteed error stays within the limit.
+fn certified(
+    welded: Welded,
+    options: &SequenceOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Sequenced, SimplifyError> {
+    let built = build_welded_sequence(welded, options, progress)?;
+    let refinable = certify_collapses(&built.refinable, progress)?;
+    // The limit held for estimates, which may be lower.
+    let first = options.max_error.map_or(0, |error| refinable.sequence.split_count_for_error(error));
+    let stop_reason = if first > 0 { StopReason::ErrorLimit } else { built.stop_reason };
+    let steps = Steps::Collapses(refinable.without_levels_below(first));
+    Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, floors: None })
+}
+
+impl SequenceArgs {
+    /// What was asked for, in mesh units.
+    ///
+    /// # Errors
+    /// Where a flag belongs to the other order.
+    pub(crate) fn plan(&self, diagonal: f64, limits: Limits) -> Result<SequencePlan, Failure> {
+        let Limits { base_triangle_count, max_error } = limits;
+        let boundary = if self.lock_boundary { BoundaryRule::Locked } else { BoundaryRule::Kept };
+        let foreign = match self.order {
+            OrderArg::Quadric => self.removal.given(),
+            OrderArg::Hausdorff if self.cost.is_some() => Some("--cost"),
+            OrderArg::Hausdorff if self.pair_distance.is_some() => Some("--pair-distance"),
+            OrderArg::Hausdorff => None,
+        };
+        if let Some(flag) = foreign {
+            let order = self.order.as_str();
+            let other = if self.order == OrderArg::Quadric { "hausdorff" } else { "quadric" };
+            return Err(Failure::user(format!("{flag} means nothing in {order} order"))
+                .with_hint(format!("say --order {other}, or leave {flag} out")));
+        }
+        match self.order {
+            OrderArg::Quadric => {
+                let mut options = SequenceOptions::default().with_boundary(boundary);
+                options.cost = self.cost.map_or_else(CollapseCost::default, CollapseCost::from);
+                options.base_triangle_count = base_triangle_count;
+                options.max_error = max_error;
+                options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
+                Ok(SequencePlan::Quadric { options, is_certified: self.certify || max_error.is_some() })
+            }
+            OrderArg::Hausdorff => {
+                let mut options = RemovalOptions::default().with_boundary(boundary);
+                options.base_triangle_count = base_triangle_count;
+                options.max_error = max_error;
+                let removal = &self.removal;
+                options.retriangulation = removal.retriangulation.map_or(Retriangulation::Free, Into::into);
+                options.criterion = removal.criterion.map_or(options.criterion, Into::into);
+                options.degree_limit = removal.degree_limit.map_or(options.degree_limit, |n| n as usize);
+                options.feature_angle = removal.feature_angle.map(f64::to_radians);
+                Ok(SequencePlan::Hausdorff(options))
+            }
+        }
+    }
+
+    /// Whether holes were asked to be filled in any way.
+    pub(crate) fn is_free(&self) -> bool {
+        self.removal.retriangulation == Some(RetriangulationArg::Free)
+    }
+}
+
+/// A limit in mesh units.
+pub(crate) fn limit_in_units(limit: Option<Length>, diagonal: f64) -> Option<f64> {
+    limit.map(|error| error.in_units(diagonal))
+}
+
+impl From<CostArg> for CollapseCost {
+    fn from(cost: CostArg) -> Self {
+        match cost {
+            CostArg::Memoryless => Self::Memoryless,
+            CostArg::Accumulated => Self::Accumulated,
+            CostArg::Tracked => Self::Tracked,
+        }
+    }
+}

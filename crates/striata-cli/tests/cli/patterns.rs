@@ -1,0 +1,269 @@
+//! Patterns in files: of collapses and of removed vertices, for whole levels, for views and for boxes.
+
+use serde_json::Value;
+
+use crate::orders::{distance, number};
+use crate::workbench::{Workbench, assert_keys, asset};
+
+fn count(report: &Value) -> u64 {
+    report["triangle_count"].as_u64().unwrap_or_else(|| panic!("no count in {report}"))
+}
+
+/// A folder with `free.striata`, built from the ball of `sphere.obj` by removing vertices.
+fn with_free_ball() -> Workbench {
+    let bench = Workbench::with_ball();
+    bench.run("build sphere.obj -o free.striata --order hausdorff --models patterns --quiet").success();
+    bench
+}
+
+#[test]
+fn patterns_show_the_levels_of_the_other_models() {
+    let bench = Workbench::with_ball();
+    let report = bench.json("build sphere.obj -o all.striata --models patterns,fans,lodstrips");
+    assert_keys(&report, &["models.patterns.bytes", "models.patterns.bytes_per_vertex", "models.fans.bytes"]);
+    let alone = bench.json("build sphere.obj -o alone.striata --models patterns");
+    assert!(alone["strips"].is_null() && alone["models"].get("fans").is_none(), "{alone}");
+    assert_eq!((&alone["order"], &alone["error_is_guaranteed"]), (&"quadric".into(), &false.into()));
+    for file in ["all", "alone"] {
+        let info = bench.json(&format!("info {file}.striata"));
+        assert_keys(&info, &["models.patterns.parts.bounds", "models.patterns.parts.records"]);
+        assert!(number(&info["models"]["patterns"], "rule_count") >= 1.0);
+        assert!(number(&info["models"]["patterns"], "overlap_count") > 256.0);
+        assert_eq!((&info["triangle_count"], &info["step_count"]), (&512.into(), &report["step_count"]));
+        for detail in ["0", "0.3", "0.77", "1"] {
+            let level = |model: &str, file: &str| {
+                let line = format!("extract {file}.striata -o level.ply --detail {detail} --model {model}");
+                let told = bench.json(&line);
+                assert_eq!(told["model"], model);
+                let info = bench.json("info level.ply");
+                let counts =
+                    [&told["split_count"], &told["error"], &info["triangle_count"], &info["vertex_count"]];
+                (counts.map(Clone::clone), number(&info, "area"))
+            };
+            let (found, expected) = (level("patterns", file), level("lodstrips", "ball"));
+            assert_eq!(found.0, expected.0, "{file} at {detail}");
+            assert!((found.1 - expected.1).abs() <= 1e-9 * expected.1, "{file} at {detail}");
+        }
+    }
+    assert_eq!(bench.json("extract alone.striata -o x.ply --triangles 200")["model"], "patterns");
+    assert_eq!(bench.json("extract all.striata -o x.ply --triangles 200")["model"], "lodstrips");
+}
+
+#[test]
+fn a_file_of_removed_vertices_needs_no_collapses() {
+    let bench = with_free_ball();
+    let report = bench.json("build sphere.obj -o again.striata --order hausdorff --models patterns");
+    assert_eq!(
+        bench.read("again.striata"),
+        bench.read("free.striata"),
+        "the same input gives the same bytes"
+    );
+    assert_eq!((&report["order"], &report["error_is_guaranteed"]), (&"hausdorff".into(), &true.into()));
+    let told = bench.run("build sphere.obj -o again.striata --order hausdorff --models patterns").success();
+    assert!(!String::from_utf8_lossy(&told.get_output().stderr).contains("collapses"));
+    let info = bench.json("info free.striata");
+    assert_eq!((&info["triangle_count"], &info["error_is_guaranteed"]), (&512.into(), &true.into()));
+    assert_eq!((&info["step_count"], &info["error_max"]), (&report["step_count"], &report["error_max"]));
+    for level in
+        ["--triangles 100", "--detail 0", "--detail 0.4", "--error 2%", "--vertices 77", "--split-count 99"]
+    {
+        let report = bench.json(&format!("extract free.striata -o level.ply {level}"));
+        assert_eq!((&report["model"], &report["error_is_guaranteed"]), (&"patterns".into(), &true.into()));
+        let measured = distance(&bench, "sphere.obj", "level.ply");
+        assert!(measured <= number(&report, "error") + 1e-9, "{level}: {measured} beside {report}");
+    }
+    let whole = bench.json("extract free.striata -o whole.glb --detail 1 --as strips");
+    assert_eq!((count(&whole), number(&whole, "error")), (512, 0.0));
+    assert!(number(&bench.json("distance sphere.obj free.striata --samples 2000"), "max") < 1e-9);
+    assert_eq!(bench.json("strip free.striata")["triangle_count"], 512);
+    bench.run("convert free.striata out.obj --quiet").success();
+    // A file that is built from its full level has collapses again.
+    bench.run("build free.striata -o strips.striata --quiet").success();
+    assert_eq!(bench.json("info strips.striata")["triangle_count"], 512);
+    for model in ["lodstrips", "mts", "fans"] {
+        let said = bench.refused(&format!("extract free.striata -o x.ply --detail 1 --model {model}"));
+        assert!(said.contains(&format!("no model {model} is in this file")), "{said}");
+    }
+    let said = bench.refused("extract free.striata -o x.ply --eye 0,0,3 --model fans");
+    assert!(
+        said.contains("free.striata: fans take collapses") && said.contains("--model patterns"),
+        "{said}"
+    );
+    // Others need collapses, and patterns beside them know these.
+    let both =
+        bench.run("build sphere.obj -o both.striata --order hausdorff --models patterns,fans").success();
+    assert!(String::from_utf8_lossy(&both.get_output().stderr).contains("since fans knows no other steps"));
+    let said = bench.refused(
+        "build sphere.obj -o x.striata --order hausdorff --retriangulation free --models patterns,mts",
+    );
+    assert!(said.contains("mts knows collapses"), "{said}");
+    bench.json("build sphere.obj -o x.striata --order hausdorff --retriangulation free --models patterns");
+    bench
+        .json("build sphere.obj -o x.striata --order hausdorff --retriangulation collapse --models patterns");
+    assert_eq!(bench.json("extract x.striata -o x.ply --eye 0,0,3 --model fans")["fans"], "built");
+}
+
+#[test]
+fn patterns_follow_a_view() {
+    let bench = with_free_ball();
+    bench.run("build sphere.obj -o quadric.striata --models patterns --quiet").success();
+    let view = |file: &str, flags: &str| {
+        bench.json(&format!("extract {file}.striata -o {file}.glb --eye -0.4,0.3,-3 {flags}"))
+    };
+    for file in ["free", "quadric"] {
+        let seen = view(file, "--pixels 2");
+        assert_eq!((&seen["model"], &seen["patterns"]), (&"patterns".into(), &"stored".into()));
+        assert!(seen.get("fans").is_none() && number(&seen, "pixels") == 2.0, "{seen}");
+        assert!(count(&seen) > 20 && count(&seen) < 512, "half of a ball is turned away: {seen}");
+        assert_eq!(count(&bench.json(&format!("info {file}.glb"))), count(&seen));
+        assert!(count(&view(file, "--pixels 0.5")) > count(&seen));
+        assert!(count(&view(file, "--pixels 2 --viewport 64x48")) < count(&seen));
+        assert!(count(&view(file, "--pixels 8 --silhouette-pixels 1")) > count(&view(file, "--pixels 8")));
+        let enough = view(file, "--pixels 0.5 --triangles 512");
+        assert_eq!((count(&enough), number(&enough, "pixels")), (count(&view(file, "--pixels 0.5")), 0.5));
+        let few = view(file, "--pixels 0.5 --triangles 100");
+        assert!((80..=100).contains(&count(&few)) && number(&few, "pixels") > 0.5, "{few}");
+        let again = view(file, &format!("--pixels {}", number(&few, "pixels") * 1.0001));
+        assert!(count(&again).abs_diff(count(&few)) <= 2, "{again}");
+        let least = view(file, "--triangles 0");
+        assert_eq!((&least["stop_reason"], &least["split_count"]), (&"base_reached".into(), &0.into()));
+        assert_eq!(view(file, "--pixels 2 --as strips")["triangle_count"], seen["triangle_count"]);
+    }
+    // Errors of removed vertices hold wherever a floor is shown.
+    let seen = view("free", "--pixels 4 --silhouette-pixels 1");
+    assert_eq!(seen["error_is_guaranteed"], true);
+    let measured = distance(&bench, "sphere.obj", "free.glb");
+    assert!(measured <= number(&seen, "error") + 1e-9, "{measured} beside {seen}");
+    assert_eq!(view("quadric", "--pixels 2")["error_is_guaranteed"], false);
+    // Where patterns are not in the file they may be asked for, and are those that a file would have.
+    let stored = view("quadric", "--pixels 2");
+    let built = view("ball", "--pixels 2 --model patterns");
+    assert_eq!((&built["patterns"], count(&built)), (&"built".into(), count(&stored)));
+    assert_eq!(view("ball", "--pixels 2")["fans"], "built", "fans are what a view takes");
+    assert!(bench.refused("extract free.striata -o x.ply --eye 0,0,3 --model pm").contains("patterns"));
+}
+
+#[test]
+fn a_box_has_full_detail_inside() {
+    let bench = with_free_ball();
+    bench.run("build sphere.obj -o sure.striata --certify --models patterns --quiet").success();
+    for file in ["free", "sure", "ball"] {
+        let level =
+            |flags: &str| bench.json(&format!("extract {file}.striata -o level.ply --detail-box {flags}"));
+        let base = bench.json(&format!("extract {file}.striata -o base.ply --detail 0"));
+        let nowhere = level("5,5,5,6,6,6");
+        assert_eq!((count(&nowhere), &nowhere["split_count"]), (count(&base), &0.into()));
+        let everywhere = level("-2,-2,-2,2,2,2");
+        assert_eq!((count(&everywhere), number(&everywhere, "error")), (512, 0.0));
+        // A cap is fine, whichever corners tell it; the rest is coarse, and less so where an error is told. At the poles so much
+        // hangs together that most of the ball would come with them.
+        let cap = level("0.5,-2,-2,2,2,2");
+        assert_eq!(cap, {
+            let mut same = level("2,2,-2,0.5,-2,2");
+            same_times(&mut same, &cap);
+            same
+        });
+        assert!(count(&cap) > 100 && count(&cap) < 400, "{cap}");
+        let stored = if file == "ball" { "built" } else { "stored" };
+        assert_eq!((&cap["model"], &cap["patterns"]), (&"patterns".into(), &stored.into()));
+        assert!(cap.get("pixels").is_none());
+        let finer = level("0.5,-2,-2,2,2,2 --error 1%");
+        assert!(count(&finer) > count(&cap) && count(&finer) < 512, "{finer}");
+        let limit = 0.01 * number(&bench.json("info sphere.obj"), "diagonal");
+        assert!(number(&finer, "error") <= limit && number(&cap, "error") > limit, "{finer}");
+        let is_sure = file != "ball";
+        assert_eq!(finer["error_is_guaranteed"], is_sure);
+        if is_sure {
+            let measured = distance(&bench, "sphere.obj", "level.ply");
+            assert!(measured <= number(&finer, "error") + 1e-9, "{measured} beside {finer}");
+        }
+        let within = level("0.8,-2,-2,2,2,2 --triangles 300");
+        assert!(
+            (280..=300).contains(&count(&within)) && within["stop_reason"] == "target_reached",
+            "{within}"
+        );
+        let too_few = level("0.5,-2,-2,2,2,2 --triangles 60");
+        assert_eq!((count(&too_few), &too_few["stop_reason"]), (count(&cap), &"base_reached".into()));
+    }
+    // Full detail means the original itself.
+    bench.json("extract free.striata -o part.ply --detail-box 0.5,-2,-2,2,2,2");
+    let back = bench.json("distance part.ply sphere.obj --samples 20000");
+    assert!(number(&back["a_to_b"], "max") > 0.0);
+    let vertices = |name: &str| {
+        let mesh = String::from_utf8(bench.read(name)).expect("text");
+        let rows = mesh.lines().filter_map(|line| line.strip_prefix("v ")).map(|row| {
+            [0, 1, 2].map(|i| row.split(' ').nth(i).and_then(|x| x.parse::<f64>().ok()).expect("a number"))
+        });
+        rows.filter(|at| at[0] >= 0.5).count()
+    };
+    bench.run("convert part.ply part.obj --quiet").success();
+    assert_eq!(vertices("part.obj"), vertices("sphere.obj"));
+}
+
+/// Makes times the same, which are not.
+fn same_times(report: &mut Value, as_in: &Value) {
+    for key in ["secs", "seek_secs"] {
+        report[key] = as_in[key].clone();
+    }
+}
+
+#[test]
+fn seams_and_materials_stay_with_patterns() {
+    let bench = Workbench::new();
+    for input in ["shape:two-materials", &asset("spot.obj.zst").display().to_string()] {
+        for order in ["--order hausdorff", "--certify"] {
+            bench.run(&format!("build {input} -o it.striata --models patterns {order} --quiet")).success();
+            let original = bench.json(&format!("info {input}"));
+            let full = bench.json("info it.striata");
+            assert_eq!(full["attributes"], original["attributes"], "{input}");
+            assert_eq!(full["groups"].as_array().map(Vec::len), original["groups"].as_array().map(Vec::len));
+            for level in ["--triangles 900", "--detail-box 0,0,0,9,9,9", "--eye 0.3,2,-3 --pixels 3"] {
+                let report = bench.json(&format!("extract it.striata -o level.glb {level}"));
+                assert_eq!(report["error_is_guaranteed"], true, "{report}");
+                let info = bench.json("info level.glb");
+                assert_eq!(info["triangle_count"], report["triangle_count"]);
+                assert_eq!(info["materials"], original["materials"], "{input} {level}");
+                let measured = distance(&bench, input, "level.glb");
+                assert!(
+                    measured <= 1.000_001 * number(&report, "error"),
+                    "{input} {level}: {measured}, {report}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn boxes_and_files_that_make_no_sense_are_refused() {
+    let bench = with_free_ball();
+    for (arguments, named) in [
+        ("--detail-box 0,0,0,1,1", "is no box; write two of its corners"),
+        ("--detail-box 0,0,0,1,1,nan", "is no box"),
+        ("--detail-box 0,0,0,1,1,1 --eye 0,0,3", "--eye"),
+        ("--detail-box 0,0,0,1,1,1 --vertices 9", "--vertices"),
+        ("--detail-box 0,0,0,1,1,1 --detail 0.5", "--detail"),
+        ("--detail-box 0,0,0,1,1,1 --split-count 3", "--split-count"),
+        ("--detail-box 0,0,0,1,1,1 --model fans", "hint: a box takes --model patterns"),
+        ("--detail-box 0,0,0,1,1,1 --pixels 3", "hint: say --eye"),
+        ("--quiet", "--detail-box"),
+    ] {
+        let said = bench.refused(&format!("extract free.striata -o x.ply {arguments}"));
+        assert!(said.contains(named), "{arguments}: {said}");
+    }
+    let whole = bench.read("free.striata");
+    for share in 0..40 {
+        bench.write("part.striata", &whole[..whole.len() * share / 40]);
+        for verb in ["info part.striata", "extract part.striata -o x.ply --detail-box 0,0,0,1,1,1"] {
+            assert!(bench.refused(verb).contains("part.striata"));
+        }
+    }
+    // Bytes that are changed are found, or change nothing.
+    for place in (0..whole.len()).step_by(whole.len() / 60) {
+        let mut broken = whole.clone();
+        broken[place] ^= 0x41;
+        bench.write("part.striata", &broken);
+        let told = bench.run("extract part.striata -o x.ply --detail 0.5");
+        let code = told.get_output().status.code();
+        assert!(matches!(code, Some(0 | 1)), "byte {place}: {told}");
+    }
+}

@@ -1,0 +1,256 @@
+//! The best of all triangulations of a hole.
+//!
+//! Parts `i..=j` of the ring are triangulated best first, the short ones before the long ones (dynamic programming over
+//! intervals):
+//!
+//! ```text
+//!            k
+//!          /   \          best(i, j) = least over k of  best(i, k) + best(k, j) + cost of triangle (i, k, j)
+//!    ...  /     \  ...                 + cost of the new edge (i, j)
+//!        i ----- j
+//! ```
+//!
+//! That is exact as long as costs add up over triangles and new edges. Distances do: each point that is followed lies
+//! over one triangle, and new edges cross the old spokes where old and new surface are farthest apart.
+//!
+//! Time O(n^3) for a ring of n, each triangle looked at once.
+
+use super::{Hole, RingTriangle, edges_squared, quality};
+use crate::simplify::removal::options::HoleCriterion;
+use crate::simplify::removal::points::Point;
+
+/// Cost of a squared gap under a new edge, per area of the star.
+const GAP_WEIGHT: f32 = 0.2;
+
+impl Hole {
+    /// The best triangulation into `floor`; false where there is none.
+    pub(in crate::simplify::removal) fn triangulate(
+        &mut self,
+        points: &[Point],
+        criterion: HoleCriterion,
+        floor: &mut Vec<RingTriangle>,
+    ) -> bool {
+        floor.clear();
+        self.compute_sides(points);
+        let n = self.n;
+        for i in 0..n - 1 {
+            self.best[i][i + 1] = 0.0;
+        }
+        for span in 2..n {
+            for i in 0..n - span {
+                self.best[i][i + span] = self.best_between(i, i + span, points, criterion);
+            }
+        }
+        let is_found = self.best[0][n - 1] < f32::INFINITY;
+        if is_found {
+            self.collect(0, n - 1, floor);
+        }
+        is_found
+    }
+
+    fn best_between(&mut self, i: usize, j: usize, points: &[Point], criterion: HoleCriterion) -> f32 {
+        if self.allowed[i] & 1 << j == 0 {
+            return f32::INFINITY;
+        }
+        let mut least = f32::INFINITY;
+        for k in i + 1..j {
+            let parts = self.best[i][k] + self.best[k][j];
+            // No triangle costs less than nothing.
+            if parts < least {
+                let cost = parts + self.triangle_cost([i, k, j], points, criterion);
+                if cost < least {
+                    least = cost;
+                    self.apex[i][j] = k as u8;
+                }
+            }
+        }
+        match criterion {
+            HoleCriterion::Distance => least + self.edge_cost(i, j),
+            HoleCriterion::Flatness | HoleCriterion::Shape => least,
+        }
+    }
+
+    fn edge_cost(&self, i: usize, j: usize) -> f32 {
+        GAP_WEIGHT * self.area * self.gap_squared[i.min(j)][i.max(j)]
+    }
+
+    /// What a triangle costs; infinite where it may not be.
+    fn triangle_cost(&self, corners: [usize; 3], points: &[Point], criterion: HoleCriterion) -> f32 {
+        let Some(normal) = self.sound_normal(corners) else { return f32::INFINITY };
+        match criterion {
+            HoleCriterion::Distance => {
+                let level = normal.dot(self.ring[corners[0]]);
+                let mut sum = 0.0;
+                self.for_each_over(corners, points, |point| {
+                    let height = normal.dot(point.at) - level;
+                    sum += point.weight * height * height;
+                });
+                sum / normal.length_squared()
+            }
+            HoleCriterion::Flatness => {
+                // The area that turns away.
+                let facing = self.facing_of(corners).normalize_or_zero();
+                (0.5 * (normal.length() - normal.dot(facing))).max(0.0)
+            }
+            HoleCriterion::Shape => {
+                let edges = edges_squared(corners.map(|i| self.ring[i]));
+                (1.0 / quality(normal.length(), edges) - 1.0).max(0.0)
+            }
+        }
+    }
+
+    fn collect(&self, i: usize, j: usize, floor: &mut Vec<RingTriangle>) {
+        if j < i + 2 {
+            return;
+        }
+        let k = usize::from(self.apex[i][j]);
+        floor.push([i, k, j].map(|x| x as u8));
+        self.collect(i, k, floor);
+        self.collect(k, j, floor);
+    }
+
+    /// The nearest fan into `floor`, as a half-edge collapse leaves it; the member of the ring that it is around.
+    pub(in crate::simplify::removal) fn best_fan(
+        &mut self,
+        points: &[Point],
+        floor: &mut Vec<RingTriangle>,
+    ) -> Option<usize> {
+        self.compute_sides(points);
+        let n = self.n;
+        // On a boundary only along it.
+        let apexes = (0..n).step_by(if self.is_closed { 1 } else { n - 1 });
+        let cost = |apex: usize| {
+            let others = (0..n).filter(|&i| i != apex);
+            if others.clone().any(|i| self.allowed[apex] & 1 << i == 0) {
+                return f32::INFINITY;
+            }
+            let triangles = fan(n, apex).map(|t| self.triangle_cost(t, points, HoleCriterion::Distance));
+            triangles.sum::<f32>() + others.map(|i| self.edge_cost(apex, i)).sum::<f32>()
+        };
+        let best = apexes.map(|apex| (cost(apex), apex)).min_by(|a, b| a.0.total_cmp(&b.0));
+        let (_, apex) = best.filter(|(cost, _)| *cost < f32::INFINITY)?;
+        floor.clear();
+        floor.extend(fan(n, apex).map(|triangle| triangle.map(|i| i as u8)));
+        Some(apex)
+    }
+}
+
+/// The triangles of the fan around one member of a ring of `n`, corners rising.
+fn fan(n: usize, apex: usize) -> impl Iterator<Item = [usize; 3]> {
+    (1..n - 1).map(move |step| {
+        let mut triangle = [apex, (apex + step) % n, (apex + step + 1) % n];
+        triangle.sort_unstable();
+        triangle
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+    use crate::mesh::Random;
+
+    /// A ring around the origin, not flat, and points over it.
+    fn random_hole(n: usize, random: &mut Random) -> (Hole, Vec<Point>) {
+        let mut hole = Hole::default();
+        let ring: Vec<Vec3> = (0..n)
+            .map(|i| {
+                let angle = (i as f32 + random.between(-0.3, 0.3)) / n as f32 * std::f32::consts::TAU;
+                let radius = random.between(0.7, 1.3);
+                Vec3::new(radius * angle.cos(), radius * angle.sin(), random.between(-0.3, 0.3))
+            })
+            .collect();
+        hole.load(ring.into_iter(), true);
+        let mut point = |position| Point {
+            position,
+            at: Vec3::from([(); 3].map(|()| random.between(-0.4, 0.4))),
+            weight: random.between(0.1, 1.0),
+            before: 0.0,
+        };
+        (hole, (0..70).map(&mut point).collect())
+    }
+
+    /// The least cost of all triangulations between `i` and `j`, each looked at by itself.
+    fn least_of_all(hole: &Hole, i: usize, j: usize, points: &[Point], criterion: HoleCriterion) -> f32 {
+        if j < i + 2 {
+            return 0.0;
+        }
+        let edge = if criterion == HoleCriterion::Distance { hole.edge_cost(i, j) } else { 0.0 };
+        let at = |k: usize| {
+            least_of_all(hole, i, k, points, criterion)
+                + least_of_all(hole, k, j, points, criterion)
+                + hole.triangle_cost([i, k, j], points, criterion)
+                + edge
+        };
+        (i + 1..j).map(at).fold(f32::INFINITY, f32::min)
+    }
+
+    #[test]
+    fn nothing_is_better_than_the_best() {
+        let mut random = Random::new(5);
+        let mut found_count = 0;
+        for case in 0..200 {
+            let n = 3 + case % 6;
+            let (mut hole, points) = random_hole(n, &mut random);
+            let criterion =
+                [HoleCriterion::Distance, HoleCriterion::Flatness, HoleCriterion::Shape][case % 3];
+            let mut floor = Vec::new();
+            let is_found = hole.triangulate(&points, criterion, &mut floor);
+            let least = least_of_all(&hole, 0, n - 1, &points, criterion);
+            assert_eq!(is_found, least < f32::INFINITY);
+            if is_found {
+                found_count += 1;
+                assert_eq!(floor.len(), n - 2);
+                let found = hole.best[0][n - 1];
+                assert!((found - least).abs() <= 1e-4 * least.max(1e-3), "{found} {least}");
+            }
+        }
+        assert!(found_count > 100, "{found_count}");
+    }
+
+    #[test]
+    fn each_point_is_over_one_triangle() {
+        let mut random = Random::new(9);
+        for case in 0..100 {
+            let (mut hole, points) = random_hole(4 + case % 6, &mut random);
+            let mut floor = Vec::new();
+            if !hole.triangulate(&points, HoleCriterion::Distance, &mut floor) {
+                continue;
+            }
+            let mut counts = vec![0; points.len()];
+            for triangle in &floor {
+                hole.for_each_over(triangle.map(usize::from), &points, |p| counts[p.position as usize] += 1);
+            }
+            // Far from the ring the directions of different diagonals may disagree.
+            let once = counts.iter().filter(|&&count| count == 1).count();
+            assert!(once * 20 >= 19 * counts.len(), "{counts:?}");
+        }
+    }
+
+    #[test]
+    fn the_edge_that_must_stay_is_there() {
+        let mut random = Random::new(3);
+        for _ in 0..50 {
+            let (mut hole, points) = random_hole(8, &mut random);
+            hole.keep_edge(6, 1);
+            let mut floor = Vec::new();
+            if hole.triangulate(&points, HoleCriterion::Shape, &mut floor) {
+                assert!(floor.iter().any(|t| t.contains(&1) && t.contains(&6)), "{floor:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_valley_is_not_bridged() {
+        // Four neighbours, two of them low: the new edge lies low, where the removed vertex was.
+        let ring = [[1., 0., 0.], [0., 1., 1.], [-1., 0., 0.], [0., -1., 1.]].map(Vec3::from);
+        let mut hole = Hole::default();
+        hole.load(ring.into_iter(), true);
+        let own = Point { position: 0, at: Vec3::ZERO, weight: 1.0, before: 0.0 };
+        let mut floor = Vec::new();
+        assert!(hole.triangulate(&[own], HoleCriterion::Distance, &mut floor));
+        assert_eq!(hole.diagonals(&floor).collect::<Vec<_>>(), [(0, 2)]);
+        assert_eq!(hole.best_fan(&[own], &mut floor), Some(0));
+    }
+}

@@ -1,0 +1,375 @@
+//! What removing a vertex costs, and what fills its hole best.
+//!
+//! The cost has three parts. The first is what the removal adds to the squared distances of all vertices removed so far,
+//! weighted by the areas that they stand for: this follows the original surface. The second looks at the current
+//! surface only, at the gap between old and new: one-sided distances of points do not see a surface that sticks out. The third is the
+//! largest distance alone: the Hausdorff distance that orders \[KLS96\], which decides where it stands out.
+
+use crate::mesh::Welded;
+use crate::simplify::engine::scaled_positions;
+use crate::simplify::judge::locked_positions;
+use crate::simplify::legality::Legality;
+use crate::simplify::links::{LinkKind, Links};
+use crate::simplify::options::BoundaryRule;
+use crate::simplify::star::Star;
+use crate::simplify::wedges::Wedges;
+
+use glam::Vec3;
+
+use super::hole::{Features, Hole, RingTriangle};
+use super::options::{RemovalOptions, Retriangulation};
+use super::points::{Points, nearest};
+
+/// Weight of the squared distance of the removed vertex, and of squared gaps, over the area of the star; beside distances of all
+/// that was removed before.
+const STILL_WEIGHT: f32 = 0.1;
+/// Weight of the squared area between the old and the new course of a boundary.
+const BORDER_WEIGHT: f32 = 0.8;
+/// Weight of the largest squared distance, itself squared, against squared distances over areas. From 20 to 100 maxima fall by
+/// a tenth and RMS rises by three hundredths; without it maxima are half as large again.
+const SPIKE_WEIGHT: f32 = 30.0;
+const NONE: u32 = u32::MAX;
+
+/// More neighbours than this no position gets by a new edge: hubs cost quadratic time.
+const MAX_VALENCE: usize = 40;
+
+/// How closely to look.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Depth {
+    /// For the order of what is far from its turn.
+    Estimate,
+    Exact,
+}
+
+/// How the hole is filled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Filling {
+    /// By triangles of the ring.
+    Free,
+    /// By moving the removed vertex to a neighbour, an index into the star.
+    Collapse(usize),
+}
+
+/// A removal that may be made; its triangles are with the judge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Verdict {
+    pub(super) cost: f32,
+    pub(super) filling: Filling,
+    /// Largest squared distance that the cost knows of.
+    pub(super) worst: f32,
+}
+
+/// The mesh as it is, and all that judges it.
+pub(super) struct Judge<'a> {
+    pub(super) options: &'a RemovalOptions,
+    /// Positions about the bounds' centre, diagonal 1, padded to a vector register.
+    pub(super) positions: Vec<[f32; 4]>,
+    /// Mesh units of one scaled unit.
+    pub(super) scale: f64,
+    pub(super) links: Links,
+    pub(super) wedges: Wedges<'a>,
+    /// Group of each face.
+    pub(super) groups: Vec<u32>,
+    pub(super) points: Points,
+    pub(super) star: Star,
+    pub(super) hole: Hole,
+    pub(super) legality: Legality,
+    is_locked: Vec<bool>,
+    /// Of the angle between normals from which on an edge is a feature.
+    pub(super) feature_cosine: Option<f32>,
+    has_wedges: bool,
+    /// True where the star loaded last shows one vertex at each position and lies in one group.
+    is_plain: bool,
+    /// Those vertices.
+    shown: Vec<u32>,
+    /// What fills the hole, in indices into the star.
+    pub(super) floor: Vec<RingTriangle>,
+    /// The same in space, relative to the removed vertex.
+    pub(super) floor_corners: Vec<[Vec3; 3]>,
+    pub(super) best_floor: Vec<RingTriangle>,
+}
+
+impl<'a> Judge<'a> {
+    pub(super) fn new(welded: &'a Welded, options: &'a RemovalOptions) -> Self {
+        let (positions, scale) = scaled_positions(welded);
+        let has_wedges = !welded.positions.is_identity();
+        let links = if has_wedges {
+            let of = |t: &[u32; 3]| t.map(|v| welded.positions.position_of(v));
+            let triangles: Vec<[u32; 3]> = welded.mesh.triangles.iter().map(of).collect();
+            Links::new(positions.len(), &triangles, true)
+        } else {
+            Links::new(positions.len(), &welded.mesh.triangles, true)
+        };
+        let mut groups = vec![0; welded.mesh.triangle_count()];
+        for (number, group) in welded.mesh.groups.iter().enumerate() {
+            groups[group.range()].fill(number as u32);
+        }
+        let mut star = Star::default();
+        let weight = (0..positions.len() as u32).map(|v| {
+            star.gather(&links, &positions, v);
+            star.compute_costs();
+            star.area() / 3.0
+        });
+        let points = Points::new(welded.mesh.triangle_count(), weight.collect());
+        Self {
+            options,
+            positions,
+            scale,
+            links,
+            wedges: Wedges::new(&welded.positions, welded.mesh.triangles.clone()),
+            groups,
+            points,
+            star,
+            hole: Hole::default(),
+            legality: Legality::default(),
+            is_locked: locked_positions(welded, &options.locked_vertices),
+            feature_cosine: options.feature_angle.map(|angle| cosine(angle) as f32),
+            has_wedges,
+            is_plain: false,
+            shown: Vec::new(),
+            floor: Vec::new(),
+            floor_corners: Vec::new(),
+            best_floor: Vec::new(),
+        }
+    }
+
+    /// The best filling of the hole that `v` would leave; its triangles are then in `floor`.
+    pub(super) fn judge(&mut self, v: u32, depth: Depth) -> Option<Verdict> {
+        let degree = self.links.triangle_count(v);
+        if self.is_locked[v as usize] || degree == 0 || degree > self.options.degree_limit {
+            return None;
+        }
+        if self.options.boundary == BoundaryRule::Locked && self.is_boundary(v) {
+            return None;
+        }
+        self.star.gather(&self.links, &self.positions, v);
+        self.points.load(&self.star.triangles, &self.positions, v);
+        let is_ring = matches!(self.links.kind(v), LinkKind::Closed | LinkKind::Open);
+        self.is_plain = is_ring && degree > 1 && self.find_shown();
+        if self.is_plain { self.judge_ring(v, depth) } else { self.judge_collapses(v) }
+    }
+
+    /// The square of a distance in mesh units, in scaled units.
+    pub(super) fn scaled_squared(&self, distance: f32) -> f32 {
+        let scaled = (f64::from(distance) / self.scale) as f32;
+        scaled * scaled
+    }
+
+    fn is_boundary(&self, v: u32) -> bool {
+        match self.links.kind(v) {
+            LinkKind::Open => true,
+            LinkKind::Edges => {
+                let entries = self.links.entries(v);
+                entries.iter().any(|w| entries.iter().filter(|x| *x == w).count() == 1)
+            }
+            _ => false,
+        }
+    }
+
+    /// True where the star, a ring, shows one vertex at each of its positions and lies in one group.
+    fn find_shown(&mut self) -> bool {
+        let Self { star, wedges, shown, groups, .. } = self;
+        let group = groups[star.triangles[0] as usize];
+        if star.triangles.iter().any(|&t| groups[t as usize] != group) {
+            return false;
+        }
+        shown.clear();
+        if !self.has_wedges {
+            shown.extend_from_slice(&star.ids);
+            return true;
+        }
+        shown.resize(star.ids.len(), NONE);
+        let mut centre = NONE;
+        let agrees = |known: &mut u32, vertex: u32| {
+            let is_same = *known == NONE || *known == vertex;
+            *known = vertex;
+            is_same
+        };
+        (0..star.triangle_count()).all(|t| {
+            let [a, b] = star.triangle(t);
+            let triangle = star.triangles[t];
+            let [x, y] = [a, b].map(|i| wedges.shown(triangle, star.ids[i]));
+            let own = wedges.corners(triangle).into_iter().find(|&c| c != x && c != y).unwrap_or(x);
+            agrees(&mut centre, own) && agrees(&mut shown[a], x) && agrees(&mut shown[b], y)
+        })
+    }
+
+    fn judge_ring(&mut self, v: u32, depth: Depth) -> Option<Verdict> {
+        if !self.load_hole(v) || !self.keep_features() {
+            return None;
+        }
+        let Self { hole, points, floor, .. } = self;
+        let filling = match self.options.retriangulation {
+            Retriangulation::Free => {
+                let is_found = hole.triangulate(&points.loaded, self.options.criterion, floor);
+                is_found.then_some(Filling::Free)?
+            }
+            Retriangulation::Collapse => Filling::Collapse(hole.best_fan(&points.loaded, floor)?),
+        };
+        self.place_floor();
+        let (gap_sum, gap_squared) = self.hole.gaps_squared(&self.floor);
+        let area = self.hole.area();
+        let mut still = self.volume_cost() + self.border_cost();
+        let (increase, worst) = match depth {
+            Depth::Estimate => {
+                still += STILL_WEIGHT * area * gap_sum;
+                let (increase, worst) = self.increase_by_height();
+                (increase, worst.max(gap_squared))
+            }
+            Depth::Exact => {
+                let (own, _) = nearest(&self.floor_corners, Vec3::ZERO)?;
+                let protrusion = gap_squared.max(self.hole.protrusion_squared(&self.floor));
+                still += STILL_WEIGHT * area * (own + gap_sum.max(protrusion));
+                let (increase, worst) = self.increase();
+                (increase, worst.max(protrusion))
+            }
+        };
+        Some(Verdict { cost: increase.max(0.0) + still + Self::spike_cost(worst), filling, worst })
+    }
+
+    /// Loads the ring of `v` with the new edges that it may get; false where it can have no floor.
+    fn load_hole(&mut self, v: u32) -> bool {
+        let is_closed = self.links.kind(v) == LinkKind::Closed;
+        let star = &self.star;
+        let n = star.ids.len();
+        self.hole.load((0..n).map(|i| star.offset(i)), is_closed);
+        if is_closed && n == 3 {
+            // A tetrahedron would fold flat.
+            let [a, b, c] = [0, 1, 2].map(|i| star.ids[i]);
+            return !self.has_triangle(a, b, c);
+        }
+        for i in 0..n {
+            let entries = self.links.entries(star.ids[i]);
+            let is_full = entries.len() > MAX_VALENCE;
+            for j in 0..n {
+                let is_old = j.abs_diff(i) <= 1 || (is_closed && j.abs_diff(i) == n - 1);
+                if !is_old && (is_full || entries.contains(&star.ids[j])) {
+                    self.hole.forbid(i, j);
+                }
+            }
+        }
+        true
+    }
+
+    fn has_triangle(&self, a: u32, b: u32, c: u32) -> bool {
+        let entries = self.links.entries(a);
+        let n = entries.len();
+        let is_pair = |i: usize| {
+            let pair = (entries[i], entries[if i + 1 == n { 0 } else { i + 1 }]);
+            pair == (b, c) || pair == (c, b)
+        };
+        match self.links.kind(a) {
+            LinkKind::Empty => false,
+            LinkKind::Closed => (0..n).any(is_pair),
+            LinkKind::Open => (0..n - 1).any(is_pair),
+            LinkKind::Edges => (0..n).step_by(2).any(is_pair),
+        }
+    }
+
+    /// Keeps the sharp edges of the star; false where they meet in it.
+    fn keep_features(&mut self) -> bool {
+        let Some(cosine) = self.feature_cosine else { return true };
+        match self.hole.features(cosine) {
+            Features::None => true,
+            Features::Course(a, b) => {
+                self.hole.keep_edge(a, b);
+                true
+            }
+            Features::Corner => false,
+        }
+    }
+
+    /// Puts the floor into space.
+    pub(super) fn place_floor(&mut self) {
+        let Self { star, floor, floor_corners, .. } = self;
+        floor_corners.clear();
+        floor_corners.extend(floor.iter().map(|t| t.map(|i| star.offset(usize::from(i)))));
+    }
+
+    /// The volume between the old and the new surface, squared, over the area.
+    fn volume_cost(&self) -> f32 {
+        let six_volumes: f32 = self.floor_corners.iter().map(|[a, b, c]| a.dot(b.cross(*c))).sum();
+        six_volumes * six_volumes / (36.0 * self.hole.area().max(f32::MIN_POSITIVE))
+    }
+
+    /// The area between the old and the new course of the boundary, squared.
+    fn border_cost(&self) -> f32 {
+        let n = self.star.ids.len();
+        if self.star.triangle_count() == n {
+            return 0.0;
+        }
+        BORDER_WEIGHT * self.hole.at(0).cross(self.hole.at(n - 1)).length_squared()
+    }
+
+    /// What the floor at hand adds to the loaded points' weighted squared distances, and the largest of those.
+    pub(super) fn increase(&self) -> (f32, f32) {
+        let mut sum = 0.0;
+        let mut worst = 0.0f32;
+        for point in &self.points.loaded {
+            let Some((squared, _)) = nearest(&self.floor_corners, point.at) else { break };
+            sum += point.weight * (squared - point.before);
+            worst = worst.max(squared);
+        }
+        (sum, worst)
+    }
+
+    /// The same by heights over the triangles that the points lie over, which is quick and seldom more.
+    fn increase_by_height(&self) -> (f32, f32) {
+        let points = &self.points.loaded;
+        let before: f32 = points.iter().map(|point| point.weight * point.before).sum();
+        let (sum, worst) = self.hole.heights(&self.floor, points);
+        (sum - before, worst)
+    }
+
+    /// What the largest squared distance costs, whatever the area: the share that a Hausdorff distance has in the order.
+    pub(super) fn spike_cost(worst: f32) -> f32 {
+        SPIKE_WEIGHT * worst * worst
+    }
+
+    /// The vertices of the floor's faces and their groups, for a verdict given last.
+    pub(super) fn floor_faces(&mut self, v: u32, filling: Filling, out: &mut Vec<([u32; 3], u32)>) {
+        out.clear();
+        let Self { star, wedges, groups, floor, shown, .. } = self;
+        if self.is_plain {
+            let group = groups[star.triangles[0] as usize];
+            out.extend(floor.iter().map(|t| (t.map(|i| shown[i as usize]), group)));
+            return;
+        }
+        let Filling::Collapse(k) = filling else { return };
+        wedges.pair(star, v, k);
+        for t in 0..star.triangle_count() {
+            if star.triangle(t).contains(&k) {
+                continue;
+            }
+            let triangle = star.triangles[t];
+            let own = wedges.shown(triangle, v);
+            let to = wedges.paired(own, star.ids[k]);
+            let corners = wedges.corners(triangle).map(|c| if c == own { to } else { c });
+            out.push((corners, groups[triangle as usize]));
+        }
+    }
+}
+
+/// The cosine of an angle of at most half a turn: the same bits on every machine, which platform cosines are not.
+fn cosine(angle: f64) -> f64 {
+    let angle = angle.min(std::f64::consts::PI);
+    // Twice halved, the series needs few terms.
+    let quarter = 0.25 * angle;
+    let series =
+        |x: f64| (1..10).rev().fold(1.0, |sum, k| 1.0 - sum * x * x / f64::from(2 * k * (2 * k - 1)));
+    let doubled = |c: f64| 2.0 * c * c - 1.0;
+    doubled(doubled(series(quarter)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cosines_are_right() {
+        for i in 0..=32 {
+            let angle = f64::from(i) / 32.0 * std::f64::consts::PI;
+            assert!((cosine(angle) - angle.cos()).abs() < 1e-13, "{angle}");
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! What a caller may ask of the removal of vertices, and what it gives.
+
+use crate::mesh::{FragmentedMesh, RefinableMesh};
+use crate::simplify::options::{BoundaryRule, SimplifyError, StopReason};
+
+/// Which triangulations of a hole are tried.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Retriangulation {
+    /// All of them, where attributes and groups allow; half-edge collapses elsewhere.
+    #[default]
+    Free,
+    /// Those that a half-edge collapse leaves.
+    Collapse,
+}
+
+/// Which triangulation of a hole is the best one. What is removed next is decided by distances in any case.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum HoleCriterion {
+    /// Nearest to the original surface.
+    #[default]
+    Distance,
+    /// Turned least against the triangles before.
+    Flatness,
+    /// Of the roundest triangles.
+    Shape,
+}
+
+/// Largest degree that [`RemovalOptions::degree_limit`] may allow.
+pub(super) const MAX_DEGREE: usize = 16;
+
+/// Options of [`build_fragments`](crate::simplify::build_fragments).
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct RemovalOptions {
+    /// How holes may be filled; default freely.
+    pub retriangulation: Retriangulation,
+    /// Which filling is the best; default by distance. Half-edge collapses always go by distance.
+    pub criterion: HoleCriterion,
+    /// Most triangles around a vertex that may be removed, 3 to 16; default 8: more make many more patterns and next to no better
+    /// levels.
+    pub degree_limit: usize,
+    /// Stop once no more triangles than this are left; default 0: as far as it goes.
+    pub base_triangle_count: usize,
+    /// Remove no vertex after which some point of the original could be farther than this from what takes its place, mesh units;
+    /// others go on. Default none.
+    pub max_error: Option<f64>,
+    /// What may happen to boundaries; default kept.
+    pub boundary: BoundaryRule,
+    /// Edges whose triangles' normals differ by more than this, radians, stay edges: a vertex on two of them goes only along
+    /// them, one on more stays. Default none: distances alone decide.
+    pub feature_angle: Option<f64>,
+    /// Vertices of the input that must stay.
+    pub locked_vertices: Vec<u32>,
+}
+
+impl Default for RemovalOptions {
+    fn default() -> Self {
+        Self {
+            retriangulation: Retriangulation::default(),
+            criterion: HoleCriterion::default(),
+            degree_limit: 8,
+            base_triangle_count: 0,
+            max_error: None,
+            boundary: BoundaryRule::default(),
+            feature_angle: None,
+            locked_vertices: Vec::new(),
+        }
+    }
+}
+
+impl RemovalOptions {
+    /// Checks that every option is in its range.
+    ///
+    /// # Errors
+    /// [`SimplifyError::Option`] naming the first that is not.
+    pub fn check(&self) -> Result<(), SimplifyError> {
+        let wrong = |option, value: String, expected| Err(SimplifyError::Option { option, value, expected });
+        if !(3..=MAX_DEGREE).contains(&self.degree_limit) {
+            return wrong("degree_limit", self.degree_limit.to_string(), "3 to 16");
+        }
+        let numbers = [("max_error", self.max_error), ("feature_angle", self.feature_angle)];
+        for (option, value) in numbers.into_iter().filter_map(|(option, value)| Some((option, value?))) {
+            if !(value >= 0.0 && value.is_finite()) {
+                return wrong(option, value.to_string(), "a number of at least 0");
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets [`Self::retriangulation`].
+    pub fn with_retriangulation(self, retriangulation: Retriangulation) -> Self {
+        Self { retriangulation, ..self }
+    }
+    /// Sets [`Self::criterion`].
+    pub fn with_criterion(self, criterion: HoleCriterion) -> Self {
+        Self { criterion, ..self }
+    }
+    /// Sets [`Self::degree_limit`].
+    pub fn with_degree_limit(self, degree_limit: usize) -> Self {
+        Self { degree_limit, ..self }
+    }
+    /// Sets [`Self::base_triangle_count`].
+    pub fn with_base_triangle_count(self, base_triangle_count: usize) -> Self {
+        Self { base_triangle_count, ..self }
+    }
+    /// Sets [`Self::max_error`].
+    pub fn with_max_error(self, max_error: f64) -> Self {
+        Self { max_error: Some(max_error), ..self }
+    }
+    /// Sets [`Self::boundary`].
+    pub fn with_boundary(self, boundary: BoundaryRule) -> Self {
+        Self { boundary, ..self }
+    }
+    /// Sets [`Self::feature_angle`].
+    pub fn with_feature_angle(self, feature_angle: f64) -> Self {
+        Self { feature_angle: Some(feature_angle), ..self }
+    }
+    /// Sets [`Self::locked_vertices`].
+    pub fn with_locked_vertices(self, locked_vertices: Vec<u32>) -> Self {
+        Self { locked_vertices, ..self }
+    }
+}
+
+/// What [`build_fragments`](crate::simplify::build_fragments) gives.
+#[derive(Clone, Debug)]
+pub struct BuiltFragments {
+    /// The mesh in refinement order, and its steps.
+    pub fragmented: FragmentedMesh,
+    /// The same as collapses, where every step is one: with [`Retriangulation::Collapse`].
+    pub refinable: Option<RefinableMesh>,
+    /// For each vertex, the vertex of the input that it was.
+    pub source_vertex: Vec<u32>,
+    /// Why the sequence ends where it does.
+    pub stop_reason: StopReason,
+    /// Triangles of the input dropped since two of their corners are at one position.
+    pub degenerate_triangle_count: usize,
+    /// Vertices of the input merged into equal ones.
+    pub merged_vertex_count: usize,
+}

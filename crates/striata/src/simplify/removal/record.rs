@@ -1,0 +1,92 @@
+//! What was removed, and the mesh and its fragments in refinement order made of it.
+
+use crate::mesh::{Face, Fragment, FragmentSequence, FragmentedMesh, PositionIndex, Welded};
+use crate::simplify::finish::{Record, RefinementOrder, finish};
+use crate::simplify::options::{SimplifyError, StopReason};
+
+use super::options::BuiltFragments;
+
+/// The steps in the order of removal, in the numbering of the welded mesh.
+#[derive(Debug, Default)]
+pub(super) struct RemovalRecord {
+    /// Removed positions.
+    pub(super) removed: Vec<u32>,
+    /// Numbers of the faces around each removed position, one step after the other.
+    pub(super) ceilings: Vec<u32>,
+    /// End of each step's part of `ceilings`.
+    pub(super) ceiling_ends: Vec<u32>,
+    /// The faces that each step adds end before this number.
+    pub(super) face_ends: Vec<u32>,
+    /// Error of each step's floor, mesh units.
+    pub(super) errors: Vec<f32>,
+    /// Where each vertex collapses to; only where all steps are collapses.
+    pub(super) targets: Option<Vec<u32>>,
+}
+
+/// All faces that ever were, by number, in the numbering of the welded mesh.
+pub(super) struct Faces {
+    pub(super) corners: Vec<[u32; 3]>,
+    pub(super) groups: Vec<u32>,
+}
+
+impl RemovalRecord {
+    pub(super) fn finish(
+        self,
+        welded: Welded,
+        faces: &Faces,
+        stop_reason: StopReason,
+    ) -> Result<BuiltFragments, SimplifyError> {
+        let order = RefinementOrder::new(&welded.positions, &self.removed);
+        let source_vertex = order.vertex_order.iter().map(|&v| welded.source_vertex[v as usize]).collect();
+        let face = |face: u32| Face {
+            corners: faces.corners[face as usize].map(|v| order.new_index[v as usize]),
+            group: faces.groups[face as usize],
+        };
+        let mut is_gone = vec![false; faces.corners.len()];
+        self.ceilings.iter().for_each(|&face| is_gone[face as usize] = true);
+        let base = (0..faces.corners.len() as u32).filter(|&f| !is_gone[f as usize]).map(face).collect();
+        let fragment = |step: usize| {
+            let start = |ends: &[u32], first: u32| if step == 0 { first } else { ends[step - 1] };
+            let ceiling = start(&self.ceiling_ends, 0)..self.ceiling_ends[step];
+            let floor = start(&self.face_ends, welded.mesh.triangle_count() as u32)..self.face_ends[step];
+            Fragment {
+                ceiling: self.ceilings[ceiling.start as usize..ceiling.end as usize]
+                    .iter()
+                    .map(|&f| face(f))
+                    .collect(),
+                floor: floor.map(face).collect(),
+                error: self.errors[step],
+            }
+        };
+        let steps = (0..self.removed.len()).rev().map(fragment);
+        let positions = PositionIndex::from_first(order.first.clone());
+        let fragments = FragmentSequence::from_fragments(positions, base, steps)?;
+        let mesh = welded.mesh.gather(&order.vertex_order, &order.new_index);
+        let (degenerate_triangle_count, merged_vertex_count) =
+            (welded.degenerate_triangle_count, welded.merged_vertex_count);
+        let refinable = match self.targets {
+            None => None,
+            Some(targets) => {
+                let mut errors = self.errors;
+                for step in 1..errors.len() {
+                    errors[step] = errors[step].max(errors[step - 1]);
+                }
+                let levels = fragments.levels();
+                let counts = (0..self.removed.len()).rev();
+                let counts = counts.map(|s| levels.triangle_count_at(s + 1) - levels.triangle_count_at(s));
+                let removed_triangle_counts = counts.map(|n| n as u8).collect();
+                let record = Record { removed: self.removed, errors, removed_triangle_counts, targets };
+                Some(finish(welded, record)?.0)
+            }
+        };
+        let fragmented = FragmentedMesh { mesh, fragments };
+        Ok(BuiltFragments {
+            fragmented,
+            refinable,
+            source_vertex,
+            stop_reason,
+            degenerate_triangle_count,
+            merged_vertex_count,
+        })
+    }
+}
