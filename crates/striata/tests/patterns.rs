@@ -281,3 +281,43 @@ fn a_hub_may_stand_on_a_hub() {
         follows_any_way_of_fragments(&fragmented, &Patterns::build(&fragmented).unwrap(), u64::from(n));
     }
 }
+
+/// An instance gives memory back, and what is left stands as before.
+#[test]
+fn what_is_taken_away_gives_its_memory_back() {
+    let mesh = with_seams_and_groups(grid(32, true));
+    let wildness = Wildness { far_percent: 0, base_position_count: 8 };
+    let case = Case::new(&mesh, wildness, 1, 100);
+    let fragmented = FragmentedMesh::from_collapses(&case.refinable);
+    let patterns = Patterns::build(&fragmented).unwrap();
+    let group_count = fragmented.mesh.groups.len() as u32;
+    for percent in [0, 10] {
+        let mut instance = PatternInstance::full(&patterns);
+        let full = instance.bytes();
+        assert!(instance.triangle_count() > 1024);
+        instance.adapt(&patterns, &|overlap: Overlap| overlap.upper < percent);
+        assert!(instance.bytes() < full / 2, "{} of {full} bytes", instance.bytes());
+        shows_its_set(&fragmented.fragments, &instance, group_count);
+        instance.adapt(&patterns, &|_: Overlap| true);
+        assert_eq!(instance, PatternInstance::full(&patterns));
+        shows_its_set(&fragmented.fragments, &instance, group_count);
+    }
+}
+
+/// Errors of floors that differ from step to step, as certified ones do: what is far off is found below what is not.
+#[test]
+fn errors_that_rise_and_fall_are_found() {
+    let mesh = striata::mesh::shapes::terrain(24, 5);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let mut fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
+    let mut random = Random::new(11);
+    let errors = (0..fragmented.fragments.step_count()).map(|_| random.below(1000) as f32 * 0.001);
+    fragmented.fragments = fragmented.fragments.with_floor_errors(errors.collect()).unwrap();
+    let patterns = Patterns::build(&fragmented).unwrap();
+    let bounds = PatternBounds::build(&fragmented);
+    let scene = PatternScene::new(&patterns, &bounds, &fragmented.mesh.positions);
+    for error_outside in [0.5, 0.9, 0.99, 0.998] {
+        let detail = DetailBox { min: [9e9; 3], max: [9e9; 3], error_outside };
+        holds_what_is_wanted(&patterns, scene, &detail);
+    }
+}

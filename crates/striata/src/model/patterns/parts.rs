@@ -305,6 +305,20 @@ mod tests {
     }
 
     #[test]
+    fn what_rules_and_ways_name_is_there() {
+        let with_group = |group| rules_from_bytes(&[1, 3, 1, 0, 0, 1, 2, group], 2);
+        assert_eq!(with_group(1).map(|rules| rules.len()), Ok(1));
+        assert!(with_group(2).is_err(), "no such group");
+        let with_corner = |corner| rules_from_bytes(&[1, 3, 1, 0, 0, 1, corner], 1);
+        assert!(with_corner(2).is_ok() && with_corner(3).is_err(), "no such corner");
+        let with_link = |link: u8| ways_from_bytes(&[2, 0, 1 + 16 * link]);
+        assert_eq!(with_link(1).map(|ways| ways.link_count(0)), Ok(2));
+        assert!(with_link(2).is_err(), "more links than triangles");
+        assert!(Extras::from_pairs(&[[4, 9], [4, 3], [6, 0]]).is_ok());
+        assert!(Extras::from_pairs(&[[4, 9], [6, 0], [4, 3]]).is_err(), "out of order");
+    }
+
+    #[test]
     fn numbers_end_within_32_bits() {
         let read = |bytes: &[u8]| Numbers { bytes, what: "rule", place: 0 }.next();
         assert_eq!(read(&[0xff, 0xff, 0xff, 0xff, 0x0f]), Ok(u32::MAX));
