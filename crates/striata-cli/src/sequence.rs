@@ -161,9 +161,11 @@ fn certified(
     options: &SequenceOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Sequenced, SimplifyError> {
-    let built = build_welded_sequence(welded, options, progress)?;
+    // Estimates would stop it elsewhere.
+    let mut unlimited = options.clone();
+    unlimited.max_error = None;
+    let built = build_welded_sequence(welded, &unlimited, progress)?;
     let refinable = certify_collapses(&built.refinable, progress)?;
-    // The limit held for estimates, which may be lower.
     let first = options.max_error.map_or(0, |error| refinable.sequence.split_count_for_error(error));
     let stop_reason = if first > 0 { StopReason::ErrorLimit } else { built.stop_reason };
     let steps = Steps::Collapses(refinable.without_levels_below(first));

@@ -8,7 +8,9 @@ use striata::mesh::{
     DistanceOptions, FragmentSequence, FragmentedMesh, IndexedMesh, Random, RefinableMesh, fragment_faces,
     replay, replay_fragments, shapes, surface_distance,
 };
-use striata::simplify::{SequenceOptions, build_sequence, certify, certify_collapses};
+use striata::simplify::{
+    SequenceOptions, build_sequence, certify, certify_collapses, certify_collapses_in_any_state,
+};
 use striata::{Cancelled, ignore_progress};
 use support::{Case, Wildness, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases};
 
@@ -42,6 +44,8 @@ fn selections_hold(refinable: &RefinableMesh, count: usize, sample_count: usize)
     let fragmented = FragmentedMesh::from_collapses(refinable);
     let certain = certify(&fragmented, &mut ignore_progress).unwrap();
     let fragments = &certain.fragments;
+    let collapses = certify_collapses_in_any_state(refinable, &mut ignore_progress).unwrap();
+    assert_eq!(collapses.sequence.errors(), fragments.levels().errors());
     let replaced_by = fragments.replaced_by();
     let mut random = Random::new(7);
     for i in 0..count {

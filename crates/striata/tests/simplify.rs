@@ -432,3 +432,24 @@ proptest! {
         prop_assert_eq!(built.merged_vertex_count, welded.merged_vertex_count);
     }
 }
+
+#[test]
+fn levels_stay_what_they_are_where_coarser_ones_go() {
+    check_each(all(), |name, mesh, options| {
+        let whole = build(mesh, options).refinable;
+        let step_count = whole.sequence.step_count();
+        for first in [0, step_count / 3, step_count] {
+            let cut = whole.clone().without_levels_below(first);
+            assert_eq!(cut.sequence.step_count(), step_count - first, "{name}");
+            check_parts(name, &cut);
+            for split_count in [0, (step_count - first) / 2, step_count - first] {
+                let (found, expected) = (replay(&cut, split_count), replay(&whole, first + split_count));
+                let place = format!("{name}: {split_count} above {first} of {step_count}");
+                assert_eq!(found.positions, expected.positions, "{place}");
+                assert_eq!(found.triangles, expected.triangles, "{place}");
+                let error_at = |of: &RefinableMesh, at| of.sequence.error_at(at);
+                assert_eq!(error_at(&cut, split_count), error_at(&whole, first + split_count), "{name}");
+            }
+        }
+    });
+}

@@ -1,7 +1,7 @@
 //! The arguments of verbs that simplify: what goes first, and what may not happen.
 
 use clap::{Args, ValueEnum};
-use striata::simplify::{HoleCriterion, Retriangulation};
+use striata::simplify::{HoleCriterion, RemovalOptions, Retriangulation};
 
 use super::Length;
 
@@ -42,8 +42,7 @@ pub(crate) struct RemovalArgs {
     /// Which way is the best: nearest to the original, flattest, or of the roundest triangles [default: distance]
     #[arg(long)]
     pub(crate) criterion: Option<CriterionArg>,
-    /// Most triangles around a vertex that is removed, 3 to 16 [default: 10]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(3..=16))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(3..=16), help = degree_help())]
     pub(crate) degree_limit: Option<u32>,
     /// Keep edges where the surface turns by more than this, degrees [default: distances alone decide]
     #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = parse_turn)]
@@ -131,6 +130,11 @@ impl From<CriterionArg> for HoleCriterion {
             CriterionArg::Shape => Self::Shape,
         }
     }
+}
+
+fn degree_help() -> String {
+    let usual = RemovalOptions::default().degree_limit;
+    format!("Most triangles around a vertex that is removed, 3 to 16 [default: {usual}]")
 }
 
 fn parse_turn(text: &str) -> Result<f64, String> {

@@ -8,11 +8,13 @@
 //! --cost memoryless|accumulated|tracked|hausdorff|all
 //!                                             what orders our collapses, or (hausdorff) removals; default memoryless
 //! --placement optimal                         adds our one-level simplifier that places vertices freely
+//! --promises                                  instead: guaranteed errors against measured ones
 //! --samples N                                 samples a surface; default 500000, 0 measures no distances
 //! --repeat N                                  timed runs, the best counts; default 5, 0 measures no time
 //! ```
 
 mod memory;
+mod promises;
 mod quality;
 mod speed;
 mod table;
@@ -36,6 +38,7 @@ const SHARES: [f64; 4] = [0.5, 0.25, 0.1, 0.02];
 struct Request {
     simplifiers: Vec<Simplifier>,
     has_optimal: bool,
+    has_promises: bool,
     sample_count: usize,
     repeat_count: usize,
     paths: Vec<String>,
@@ -46,6 +49,7 @@ impl Request {
         let mut request = Self {
             simplifiers: vec![Simplifier::Collapses(CollapseCost::Memoryless)],
             has_optimal: false,
+            has_promises: false,
             sample_count: 500_000,
             repeat_count: 5,
             paths: Vec::new(),
@@ -57,6 +61,7 @@ impl Request {
                 "--bench" => {}
                 "--cost" => request.simplifiers = simplifiers_of(&value()?)?,
                 "--placement" => request.has_optimal = value()? == "optimal",
+                "--promises" => request.has_promises = true,
                 "--samples" => request.sample_count = value()?.parse()?,
                 "--repeat" => request.repeat_count = value()?.parse()?,
                 option if option.starts_with('-') => return Err(format!("unknown option {option}").into()),
@@ -167,6 +172,9 @@ fn main() -> Fallible<()> {
         return Ok(());
     }
     let subjects = request.paths.iter().map(|path| Subject::read(path)).collect::<Fallible<Vec<_>>>()?;
+    if request.has_promises {
+        return promises::report(&request, &subjects, &mut out);
+    }
     if request.sample_count > 0 {
         quality::report(&request, &subjects, &mut out)?;
     }

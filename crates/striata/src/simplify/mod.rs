@@ -20,7 +20,7 @@ mod tracked;
 mod wedges;
 mod witness;
 
-pub use cover::{certify, certify_collapses};
+pub use cover::{certify, certify_collapses, certify_collapses_in_any_state};
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SequenceOptions, Simplified,
     SimplifyError, SimplifyOptions, StopReason, Target,

@@ -115,7 +115,7 @@ fn render_page(
         files: &folder.files,
         picture,
     };
-    page::render(&content, &built.refinable())
+    page::render(&content, built.refinable())
 }
 
 impl Report {

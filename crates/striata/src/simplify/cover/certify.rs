@@ -39,7 +39,8 @@ pub fn certify(mesh: &FragmentedMesh, progress: &mut ProgressFn<'_>) -> Result<F
 
 /// The same collapses with errors that hold: the original surface is nowhere farther from a level than the level's error.
 ///
-/// Levels only, not what selective refinement makes of the steps: so the errors may be lower than those of [`certify`].
+/// Levels only, not what selective refinement makes of the steps: so the errors may be lower than those of [`certify`] and of
+/// [`certify_collapses_in_any_state`].
 ///
 /// # Errors
 /// [`Cancelled`] where the callback asks for it.
@@ -47,8 +48,29 @@ pub fn certify_collapses(
     refinable: &RefinableMesh,
     progress: &mut ProgressFn<'_>,
 ) -> Result<RefinableMesh, Cancelled> {
+    certified_collapses(refinable, Scope::Levels, progress)
+}
+
+/// The same collapses with errors that hold in any state, as those of [`certify`] do: for models that follow views.
+///
+/// What a state shows is nowhere farther from the original surface than the error of the coarsest step that it lacks.
+///
+/// # Errors
+/// [`Cancelled`] where the callback asks for it.
+pub fn certify_collapses_in_any_state(
+    refinable: &RefinableMesh,
+    progress: &mut ProgressFn<'_>,
+) -> Result<RefinableMesh, Cancelled> {
+    certified_collapses(refinable, Scope::All, progress)
+}
+
+fn certified_collapses(
+    refinable: &RefinableMesh,
+    scope: Scope,
+    progress: &mut ProgressFn<'_>,
+) -> Result<RefinableMesh, Cancelled> {
     let fragmented = FragmentedMesh::from_collapses(refinable);
-    let floor_errors = floor_errors(&fragmented, Scope::Levels, progress)?;
+    let floor_errors = floor_errors(&fragmented, scope, progress)?;
     drop(fragmented);
     let sequence = &refinable.sequence;
     let mut errors = floor_errors;

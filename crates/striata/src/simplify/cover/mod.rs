@@ -33,7 +33,7 @@ mod pieces;
 mod polygon;
 mod settle;
 
-pub use certify::{certify, certify_collapses};
+pub use certify::{certify, certify_collapses, certify_collapses_in_any_state};
 
 use glam::DVec3;
 
