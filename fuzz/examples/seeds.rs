@@ -4,11 +4,11 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use striata::codec::{FileModel, WriteOptions, to_striata};
+use striata::codec::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
 use striata::model::baseline::SequentialPatterns;
-use striata::model::{FanBounds, Fans, LodStrips, Mts};
+use striata::model::{FanBounds, Fans, LodStrips, Mts, PatternBounds, Patterns};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
 use striata_io::Format;
@@ -72,8 +72,8 @@ fn write_formats(i: usize, mesh: &IndexedMesh, folder: &Path) -> Result<(), Box<
 /// A file by the name of what is in it.
 type Container = (&'static str, Vec<u8>);
 
-/// Files with models of strips, and with fans alone.
-fn containers(mesh: &IndexedMesh) -> Result<[Container; 2], Box<dyn Error>> {
+/// Files with models of strips, with fans alone, and with patterns: beside collapses and without any.
+fn containers(mesh: &IndexedMesh) -> Result<[Container; 4], Box<dyn Error>> {
     let refinable = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
     let strips = stripify(&refinable.mesh, &StripOptions::default())?;
     let (lod_strips, mts) = (LodStrips::build(&refinable, &strips)?, Mts::build(&refinable, &strips)?);
@@ -81,7 +81,16 @@ fn containers(mesh: &IndexedMesh) -> Result<[Container; 2], Box<dyn Error>> {
     let bounds = FanBounds::build(&fans, &refinable);
     let strips = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts)];
     let written = |models: &[FileModel<'_>]| to_striata(&refinable, models, &WriteOptions::default());
-    Ok([("strips", written(&strips)?), ("fans", written(&[FileModel::Fans(&fans, &bounds)])?)])
+    let fragmented = FragmentedMesh::from_collapses(&refinable);
+    let patterns = (&Patterns::build(&fragmented)?, &PatternBounds::build(&fragmented));
+    let mut fragments = Vec::new();
+    write_fragments(&fragmented, patterns, &WriteOptions::default(), &mut fragments)?;
+    Ok([
+        ("strips", written(&strips)?),
+        ("fans", written(&[FileModel::Fans(&fans, &bounds)])?),
+        ("patterns", written(&[FileModel::Patterns(patterns.0, patterns.1)])?),
+        ("fragments", fragments),
+    ])
 }
 
 /// Options, shape, vertices on whole numbers, cuts, triangles: what `Bytes::mesh` takes apart.

@@ -1,11 +1,14 @@
-//! Damaged `.striata` files: an error, or levels that are sound meshes.
+//! Damaged `.striata` files: an error, or levels that are sound meshes and patterns that follow the oracle.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use striata::codec::{DecodeError, StriataFile, Verify};
-use striata::mesh::{RefinableMesh, replay};
-use striata::model::{FanBounds, FanFront, FanScene, Fans, LodModel, StripModel};
-use striata::view::{Camera, ScreenError};
+use striata::mesh::{FragmentSequence, RefinableMesh, canonical_triangles, fragment_faces, replay};
+use striata::model::{
+    FanBounds, FanFront, FanScene, Fans, LodModel, Overlap, PatternBounds, PatternInstance, PatternScene, Patterns,
+    StoredModel, StripModel, Wanted,
+};
+use striata::view::{Camera, DetailBox, ScreenError};
 use striata_fuzz::with_checksums_set_right;
 
 fuzz_target!(|data: &[u8]| {
@@ -37,17 +40,70 @@ fn read_all(bytes: &[u8], verify: Verify) -> Result<(), DecodeError> {
             look_around(refinable, &fans, &bounds);
         }
     }
+    if let Some(model) = file.patterns() {
+        let (patterns, bounds) = model?;
+        look_at_levels(&file, &patterns);
+        if let Ok(fragments) = patterns.unpack(vec![0.0; patterns.fragment_count()]) {
+            shows_any_set(&fragments, &patterns);
+        }
+        if let Ok(positions) = file.positions() {
+            look_into_boxes(PatternScene::new(&patterns, &bounds, &positions));
+        }
+        if let Ok(fragmented) = file.fragmented_mesh() {
+            assert_eq!(fragmented.mesh.check(), Ok(()));
+            PatternBounds::build(&fragmented);
+        }
+    }
     Ok(())
 }
 
-fn look_at_levels(file: &StriataFile<'_>, fans: &Fans) {
-    let mut state = fans.new_state();
-    let step_count = fans.step_count();
+/// Levels that can be read are sound meshes.
+fn look_at_levels<M: StoredModel>(file: &StriataFile<'_>, model: &M) {
+    let mut state = model.new_state();
+    let step_count = model.step_count();
     for split_count in [step_count, step_count / 2, 0] {
-        fans.move_to(&mut state, split_count);
-        if let Ok(level) = file.level_of(fans, &state) {
+        model.move_to(&mut state, split_count);
+        if let Ok(level) = file.level_of(model, &state) {
             assert_eq!(level.check(), Ok(()));
         }
+    }
+}
+
+/// An instance shows what the oracle shows, whatever was inserted and removed.
+fn shows_any_set(fragments: &FragmentSequence, patterns: &Patterns) {
+    let step_count = patterns.fragment_count() as u32;
+    let mut instance = PatternInstance::base(patterns);
+    for round in 0..6u32 {
+        let whim = |overlap: Overlap| {
+            let name = overlap.upper ^ overlap.lower.map_or(77, |lower| lower.wrapping_mul(31));
+            name.wrapping_mul(2_654_435_761).wrapping_add(round * 7919) >> 8 & 7 < round % 5
+        };
+        instance.adapt(patterns, &whim);
+        if step_count > 0 {
+            instance.remove(patterns, round * 31 % step_count);
+            instance.insert(patterns, round * 17 % step_count);
+        }
+        let faces = fragment_faces(fragments, |step| instance.is_inserted(step));
+        let expected: Vec<_> = faces.iter().map(|&face| fragments.faces()[face as usize].corners).collect();
+        let mut found = Vec::new();
+        instance.triangles_into(&mut found);
+        assert_eq!(canonical_triangles(&found), canonical_triangles(&expected));
+    }
+}
+
+/// What is wanted is the same from wherever it is looked for.
+fn look_into_boxes(scene: PatternScene<'_>) {
+    let patterns = scene.patterns();
+    let mut instance = PatternInstance::full(patterns);
+    for detail in [
+        DetailBox { min: [-1.0; 3], max: [0.5; 3], error_outside: f32::INFINITY },
+        DetailBox { min: [9e9; 3], max: [9e9; 3], error_outside: 0.1 },
+    ] {
+        let condition = Wanted::new(scene, &detail);
+        instance.adapt(patterns, &condition);
+        let mut fresh = PatternInstance::base(patterns);
+        fresh.adapt(patterns, &condition);
+        assert_eq!(instance, fresh);
     }
 }
 

@@ -86,6 +86,44 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(build(vec![face([0, 1, 2])], old), Err(not_its_own));
     let twice = Fragment { floor: vec![face([0, 1, 2]), face([0, 1, 2])], ..split(0.0) };
     assert!(build(vec![face([0, 1, 2])], twice).is_err());
+    let again = FragmentError::Floor { step: 0, corners: [1, 2, 0] };
+    let turned = Fragment { floor: vec![face([0, 1, 2]), face([2, 0, 1]), face([1, 2, 0])], ..split(0.0) };
+    assert_eq!(build(vec![face([0, 1, 2]); 2], turned.clone()), Err(again), "there are two");
+    assert_eq!(build(vec![face([0, 1, 2]); 3], turned).unwrap().floor(0), [0, 1, 2]);
+    let flat = FragmentError::Degenerate { step: Some(0), corners: [3, 1, 3] };
+    let folded = Fragment { ceiling: vec![face([3, 1, 3])], ..split(0.0) };
+    assert_eq!(build(vec![face([0, 1, 2])], folded), Err(flat));
+    let flat = FragmentError::Degenerate { step: None, corners: [1, 1, 2] };
+    assert_eq!(build(vec![face([0, 1, 2]), face([1, 1, 2])], split(0.0)), Err(flat));
+}
+
+/// Where a level has fewer triangles than a coarser one.
+#[test]
+fn levels_are_found_by_triangles_wherever_they_rise_and_fall() {
+    let faces = |corners: &[[u32; 3]]| corners.iter().copied().map(face).collect::<Vec<_>>();
+    let base = faces(&[[0, 1, 2], [0, 2, 1]]);
+    let steps = [
+        Fragment { floor: base.clone(), ..Fragment::default() },
+        Fragment { ceiling: faces(&[[0, 1, 4], [1, 2, 4], [2, 0, 4]]), ..Fragment::default() },
+        Fragment { ceiling: faces(&[[0, 1, 5]]), floor: faces(&[[0, 1, 4], [1, 2, 4]]), error: 0.0 },
+        Fragment { ceiling: faces(&[[0, 1, 6], [0, 5, 6]]), ..Fragment::default() },
+    ];
+    let positions = PositionIndex::identity(7);
+    let fragments = FragmentSequence::from_fragments(positions, base, steps.into_iter()).unwrap();
+    let levels = fragments.levels();
+    assert_eq!([0, 1, 2, 3, 4].map(|s| levels.triangle_count_at(s)), [2, 0, 3, 2, 4]);
+    assert_eq!([0, 1, 2, 3, 4].map(|n| levels.split_count_for_triangles(n)), [1, 1, 3, 3, 4]);
+}
+
+#[test]
+fn collapses_of_triangles_with_a_corner_twice_leave_these_out() {
+    let case = surface_cases().next().unwrap();
+    let mut refinable = case.refinable.clone();
+    refinable.mesh.triangles.extend([[0, 0, 1], [7, 8, 7]]);
+    assert_eq!(
+        FragmentedMesh::from_collapses(&refinable).fragments,
+        FragmentedMesh::from_collapses(&case.refinable).fragments
+    );
 }
 
 #[test]

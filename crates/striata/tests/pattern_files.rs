@@ -6,7 +6,10 @@ use proptest::prelude::*;
 use striata::codec::{
     DecodeError, FileModel, SectionKind, StriataFile, WriteOptions, to_striata, write_fragments,
 };
-use striata::mesh::{FragmentedMesh, RefinableMesh, canonical_triangles, replay, replay_fragments};
+use striata::mesh::{
+    Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, RefinableMesh,
+    canonical_triangles, replay, replay_fragments,
+};
 use striata::model::{LodModel, Overlap, PatternBounds, PatternInstance, Patterns};
 use support::{
     Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, surface_cases,
@@ -125,6 +128,51 @@ fn sound_files_are_read() {
             assert!(bytes == before, "checksums are computed as the writer does");
             read_everything(&bytes).unwrap();
         }
+    }
+}
+
+/// One number after the other: what is still read is what a build makes of its own fragments.
+#[test]
+fn no_damaged_number_leaves_patterns_that_contradict_themselves() {
+    let wildness = Wildness { far_percent: 10, base_position_count: 4 };
+    let mut read = 0;
+    for mesh in [with_seams_and_groups(grid(3, true)), grid(5, false)] {
+        let [_, bytes] = both_files(&random_refinable(&mesh, wildness, &mut Random::new(5)));
+        let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
+        let places = sections.iter().filter(|s| s.kind.0.starts_with(b"PT") && s.kind.0 != *b"PTBD");
+        for place in places.flat_map(|s| s.offset..s.offset + s.bytes) {
+            for change in [1, 2, 0x10, 0x80] {
+                let mut damaged = bytes.clone();
+                damaged[place as usize] ^= change;
+                with_sound_checksums(&mut damaged);
+                let file = StriataFile::parse(&damaged).unwrap();
+                let Ok((patterns, _)) = file.patterns().unwrap() else { continue };
+                let fragments = patterns.unpack(vec![0.0; patterns.fragment_count()]).unwrap();
+                let again = FragmentedMesh { mesh: mesh.clone(), fragments };
+                assert_eq!(Patterns::build(&again).unwrap(), patterns, "byte {place} changed by {change}");
+                read += 1;
+            }
+        }
+    }
+    assert!(read > 0, "corners of the base are as good as others");
+}
+
+#[test]
+fn more_triangles_than_a_file_may_stand_for_are_not_written() {
+    let face = |corners: [u32; 3]| Face { corners, group: 0 };
+    let base = vec![face([0, 1, 2])];
+    for (count, is_stored) in [(500, true), (600, false)] {
+        let ceiling = vec![face([0, 1, 3]); count];
+        let step = Fragment { ceiling, floor: base.clone(), error: 0.0 };
+        let positions = PositionIndex::identity(4);
+        let fragments = FragmentSequence::from_fragments(positions, base.clone(), [step].into_iter());
+        let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let mesh = IndexedMesh::new(corners.to_vec(), vec![[0, 1, 3]; count]);
+        let fragmented = FragmentedMesh { mesh, fragments: fragments.unwrap() };
+        let (patterns, bounds) = (Patterns::build(&fragmented).unwrap(), PatternBounds::build(&fragmented));
+        let mut out = Vec::new();
+        let written = write_fragments(&fragmented, (&patterns, &bounds), &WriteOptions::default(), &mut out);
+        assert_eq!(written.is_ok(), is_stored, "{count}: {written:?}");
     }
 }
 

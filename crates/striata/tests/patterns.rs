@@ -3,13 +3,16 @@
 mod support;
 
 use proptest::prelude::*;
-use striata::mesh::{FragmentSequence, FragmentedMesh, Random, canonical_triangles, fragment_faces};
+use striata::mesh::{
+    Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, Random,
+    canonical_triangles, fragment_faces,
+};
 use striata::model::baseline::MultiTriangulation;
 use striata::model::{Overlap, PatternBounds, PatternInstance, PatternScene, Patterns, Wanted};
 use striata::view::{Camera, Criterion, DetailBox, ScreenError};
 use support::{
-    Case, closed_sets, follows_the_fragments, follows_the_oracle, fragment_cases, hub_cases, nasty_cases,
-    random_removals, seam_cases, smallest_set, soups, surface_cases,
+    Case, Wildness, closed_sets, follows_the_fragments, follows_the_oracle, fragment_cases, grid, hub_cases,
+    nasty_cases, random_removals, seam_cases, smallest_set, soups, surface_cases, with_seams_and_groups,
 };
 
 /// Compares what an instance shows with the oracle, group by group.
@@ -229,4 +232,92 @@ fn a_box_shows_full_detail() {
         canonical_triangles(&fragmented.mesh.triangles).into_iter().filter(is_inside).collect();
     assert!(inside.len() > 200 && shown.len() < fragmented.mesh.triangle_count() / 2);
     assert!(inside.iter().all(|t| shown.binary_search(t).is_ok()));
+}
+
+/// A closed ring of triangles around one vertex.
+fn cone(n: u32) -> IndexedMesh {
+    let rim = (0..n).map(|i| [i as f32, (i * i % 17) as f32, 0.0]);
+    let triangles = (0..n).map(|i| [n, i, (i + 1) % n]).collect();
+    IndexedMesh::new(rim.chain([[0.0, 0.0, 5.0]]).collect(), triangles)
+}
+
+/// Every triangle of a mesh twice more, and once the other way round.
+fn with_copies(mut mesh: IndexedMesh) -> IndexedMesh {
+    let turned = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b], [a, c, b]];
+    mesh.triangles = mesh.triangles.iter().flat_map(turned).collect();
+    mesh
+}
+
+#[test]
+fn hubs_of_rings_and_triangles_over_triangles_follow_the_oracle() {
+    let meshes = [cone(400), with_copies(cone(120)), with_copies(grid(5, true)), with_copies(cone(3))];
+    for (mesh, seed) in meshes.iter().zip(0..) {
+        for (far_percent, base_position_count) in [(0, 1), (50, 1), (10, 40)] {
+            let wildness = Wildness { far_percent, base_position_count };
+            follows_any_way(&Case::new(mesh, wildness, seed, 11));
+            let seams = with_seams_and_groups(mesh.clone());
+            follows_any_way(&Case::new(&seams, wildness, seed, 11));
+        }
+    }
+}
+
+/// Two fragments with the same ring, one over the other: all triangles of a hub replaced by all of another.
+#[test]
+fn a_hub_may_stand_on_a_hub() {
+    for n in [5, 64, 65, 300] {
+        let around = |hub: u32| (0..n).map(move |i| [hub, i, (i + 1) % n]);
+        let face = |corners: [u32; 3]| Face { corners, group: 0 };
+        let faces = |corners: Vec<[u32; 3]>| corners.into_iter().map(face).collect::<Vec<_>>();
+        let base = faces((1..n - 1).map(|i| [0, i, i + 1]).collect());
+        let fragment = |floor, hub| Fragment { floor, ceiling: faces(around(hub).collect()), error: 0.0 };
+        let first = fragment(base.clone(), n);
+        let second = fragment(first.ceiling.clone(), n + 1);
+        let positions = PositionIndex::identity(n as usize + 2);
+        let fragments = FragmentSequence::from_fragments(positions, base, [first, second].into_iter());
+        let mut mesh = cone(n);
+        mesh.positions.push([0.0, 0.0, 6.0]);
+        mesh.triangles = around(n + 1).collect();
+        let fragmented = FragmentedMesh { mesh, fragments: fragments.unwrap() };
+        follows_any_way_of_fragments(&fragmented, &Patterns::build(&fragmented).unwrap(), u64::from(n));
+    }
+}
+
+/// An instance gives memory back, and what is left stands as before.
+#[test]
+fn what_is_taken_away_gives_its_memory_back() {
+    let mesh = with_seams_and_groups(grid(32, true));
+    let wildness = Wildness { far_percent: 0, base_position_count: 8 };
+    let case = Case::new(&mesh, wildness, 1, 100);
+    let fragmented = FragmentedMesh::from_collapses(&case.refinable);
+    let patterns = Patterns::build(&fragmented).unwrap();
+    let group_count = fragmented.mesh.groups.len() as u32;
+    for percent in [0, 10] {
+        let mut instance = PatternInstance::full(&patterns);
+        let full = instance.bytes();
+        assert!(instance.triangle_count() > 1024);
+        instance.adapt(&patterns, &|overlap: Overlap| overlap.upper < percent);
+        assert!(instance.bytes() < full / 2, "{} of {full} bytes", instance.bytes());
+        shows_its_set(&fragmented.fragments, &instance, group_count);
+        instance.adapt(&patterns, &|_: Overlap| true);
+        assert_eq!(instance, PatternInstance::full(&patterns));
+        shows_its_set(&fragmented.fragments, &instance, group_count);
+    }
+}
+
+/// Errors of floors that differ from step to step, as certified ones do: what is far off is found below what is not.
+#[test]
+fn errors_that_rise_and_fall_are_found() {
+    let mesh = striata::mesh::shapes::terrain(24, 5);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let mut fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
+    let mut random = Random::new(11);
+    let errors = (0..fragmented.fragments.step_count()).map(|_| random.below(1000) as f32 * 0.001);
+    fragmented.fragments = fragmented.fragments.with_floor_errors(errors.collect()).unwrap();
+    let patterns = Patterns::build(&fragmented).unwrap();
+    let bounds = PatternBounds::build(&fragmented);
+    let scene = PatternScene::new(&patterns, &bounds, &fragmented.mesh.positions);
+    for error_outside in [0.5, 0.9, 0.99, 0.998] {
+        let detail = DetailBox { min: [9e9; 3], max: [9e9; 3], error_outside };
+        holds_what_is_wanted(&patterns, scene, &detail);
+    }
 }

@@ -299,7 +299,7 @@ impl<'a> StriataFile<'a> {
             extras: self.container.numbers(SectionKind::PATTERN_EXTRAS)?.into_owned(),
         };
         let unsound = |reason| DecodeError::Model { model: "patterns", reason };
-        let group_count = self.summary.group_count.max(1);
+        let group_count = self.groups()?.len().max(1);
         let patterns = Patterns::from_parts(self.step_vertices()?, group_count, parts).map_err(unsound)?;
         let kind = SectionKind::PATTERN_RECORDS;
         self.expect(kind, "steps", patterns.step_count(), self.summary.step_count)?;

@@ -109,7 +109,8 @@ impl Levels {
 
     /// The most detailed level with at most `triangle_count` triangles; the base if none has so few.
     pub fn split_count_for_triangles(&self, triangle_count: usize) -> usize {
-        self.triangle_counts.partition_point(|&n| n as usize <= triangle_count).saturating_sub(1)
+        // One after the other: nothing keeps the floor of a fragment from being larger than its ceiling.
+        self.triangle_counts.iter().rposition(|&n| n as usize <= triangle_count).unwrap_or(0)
     }
 
     /// The most detailed level with at most `vertex_count` vertices; the base if none has so few.

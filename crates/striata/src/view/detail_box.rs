@@ -18,13 +18,13 @@ pub struct DetailBox {
 impl Criterion for DetailBox {
     fn weigh(&self, part: &Part) -> Verdict {
         let outside = |a: usize| {
-            let at = part.sphere.center[a];
-            (self.min[a] - at).max(at - self.max[a]).max(0.0)
+            let [min, at, max] = [self.min[a], part.sphere.center[a], self.max[a]].map(f64::from);
+            (min - at).max(at - max).max(0.0)
         };
         let [x, y, z] = [outside(0), outside(1), outside(2)];
         // Numbers that are no numbers are inside: nothing is left out for them.
-        let is_outside = (x * x + y * y + z * z).sqrt() > part.sphere.radius;
-        let is_wanted = !is_outside || part.error > self.error_outside;
+        let is_outside = (x * x + y * y + z * z).sqrt() > f64::from(part.sphere.radius);
+        let is_wanted = !(is_outside && part.error <= self.error_outside);
         Verdict { weight: if is_wanted { f32::INFINITY } else { 0.0 }, lasts: f32::INFINITY }
     }
 
@@ -51,5 +51,21 @@ mod tests {
         assert!(!is_wanted([2.0, 3.0, 4.0], 1.7, 0.1), "nor at a corner");
         assert!(is_wanted([2.0, 3.0, 4.0], 1.7, 0.11), "too far off");
         assert!(is_wanted([f32::NAN; 3], 1.0, 0.0), "nobody knows where");
+        assert!(is_wanted([2.0, 3.0, 4.0], 1.7, f32::NAN), "nobody knows how far off");
+        assert!(is_wanted([2e30, 0.0, 0.0], 3e30, 0.0), "reaches it from afar");
+        assert!(!is_wanted([2e30, 0.0, 0.0], 1e30, 0.0), "afar");
+    }
+
+    #[test]
+    fn a_box_of_no_numbers_leaves_nothing_out() {
+        let part = Part {
+            sphere: Sphere { center: [5.0; 3], radius: 1.0 },
+            cone: NormalCone::ALL,
+            error: f32::INFINITY,
+        };
+        let detail = DetailBox { min: [0.0; 3], max: [1.0; 3], error_outside: f32::INFINITY };
+        assert!(!detail.weigh(&part).is_wanted());
+        assert!(DetailBox { error_outside: f32::NAN, ..detail }.weigh(&part).is_wanted());
+        assert!(DetailBox { min: [f32::NAN; 3], max: [f32::NAN; 3], ..detail }.weigh(&part).is_wanted());
     }
 }

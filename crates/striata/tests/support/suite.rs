@@ -16,7 +16,7 @@ pub struct Case {
 }
 
 impl Case {
-    fn new(mesh: &IndexedMesh, wildness: Wildness, seed: u64, stride: usize) -> Self {
+    pub fn new(mesh: &IndexedMesh, wildness: Wildness, seed: u64, stride: usize) -> Self {
         Self { stride, seed, refinable: random_refinable(mesh, wildness, &mut Random::new(seed)) }
     }
 }

@@ -9,7 +9,8 @@ const NONE: u32 = u32::MAX;
 impl FragmentedMesh {
     /// The fragments of a collapse sequence: its levels, and any other state that their order allows.
     ///
-    /// The error of a floor is that of the level that its step leads to.
+    /// The error of a floor is that of the level that its step leads to. Triangles with a corner twice, which such a mesh should not
+    /// have, are left out.
     pub fn from_collapses(refinable: &RefinableMesh) -> Self {
         let RefinableMesh { mesh, sequence } = refinable;
         let mut stars = Stars::new(mesh);
@@ -46,7 +47,7 @@ impl Stars {
         let mut stars = Self {
             groups,
             triangles: mesh.triangles.clone(),
-            is_gone: vec![false; mesh.triangle_count()],
+            is_gone: mesh.triangles.iter().map(|&[a, b, c]| a == b || b == c || c == a).collect(),
             head: vec![NONE; mesh.vertex_count()],
             next: vec![NONE; 3 * mesh.triangle_count()],
             around: Vec::new(),

@@ -51,6 +51,14 @@ pub enum FragmentError {
         /// The face's corners.
         corners: [u32; 3],
     },
+    /// A face of a ceiling or of the base has a corner twice.
+    #[error("step {step:?} (none: the base) makes the triangle {corners:?}, which has a corner twice")]
+    Degenerate {
+        /// The step; none for the base.
+        step: Option<u32>,
+        /// The face's corners.
+        corners: [u32; 3],
+    },
     /// A face of a floor is not there when its step is taken.
     #[error("step {step} replaces the triangle {corners:?}, which is not there")]
     Floor {
@@ -212,10 +220,11 @@ pub struct FragmentedMesh {
 struct Builder<'a> {
     positions: &'a PositionIndex,
     base_position_count: u32,
-    /// The base's faces in the order in which a search finds them.
-    sorted_base: Vec<(Face, u32)>,
-    is_replaced: Vec<bool>,
     faces: Vec<Face>,
+    /// Numbers of faces, those of the base and those of each ceiling sorted by what they are.
+    sorted: Vec<u32>,
+    /// Faces that are replaced, at the first among `sorted` of those that are equal.
+    replaced_counts: Vec<u32>,
     first_ceiling: Vec<u32>,
     floors: Vec<u32>,
     first_floor: Vec<u32>,
@@ -229,20 +238,34 @@ impl<'a> Builder<'a> {
         if let Some(face) = base.iter().find(|face| face.corners.iter().any(|&v| v >= limit)) {
             return Err(FragmentError::Ceiling { step: None, corners: face.corners });
         }
-        let mut sorted_base: Vec<_> = base.iter().zip(0..).map(|(face, i)| (face.canonical(), i)).collect();
-        sorted_base.sort_unstable();
-        Ok(Self {
+        let mut builder = Self {
             positions,
             base_position_count: base_count as u32,
-            sorted_base,
-            is_replaced: vec![false; base.len()],
+            faces: Vec::new(),
+            sorted: Vec::new(),
+            replaced_counts: Vec::new(),
             first_ceiling: vec![base.len() as u32],
             triangle_counts: vec![base.len() as u32],
-            faces: base,
             floors: Vec::new(),
             first_floor: vec![0],
             floor_errors: Vec::new(),
-        })
+        };
+        builder.add(None, &base)?;
+        Ok(builder)
+    }
+
+    /// Numbers the faces of the base or of a ceiling.
+    fn add(&mut self, step: Option<u32>, faces: &[Face]) -> Result<(), FragmentError> {
+        let has_equal = |&[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
+        if let Some(corners) = faces.iter().map(|face| face.corners).find(has_equal) {
+            return Err(FragmentError::Degenerate { step, corners });
+        }
+        let first = self.faces.len();
+        self.faces.extend_from_slice(faces);
+        self.sorted.extend(first as u32..self.faces.len() as u32);
+        self.sorted[first..].sort_unstable_by_key(|&face| (self.faces[face as usize].canonical(), face));
+        self.replaced_counts.resize(self.faces.len(), 0);
+        Ok(())
     }
 
     fn push(&mut self, step: u32, fragment: &Fragment) -> Result<(), FragmentError> {
@@ -254,15 +277,12 @@ impl<'a> Builder<'a> {
             }
         }
         for &face in &fragment.floor {
-            let found = self.find(step, face);
+            let found = self.take(step, face);
             let missing = FragmentError::Floor { step, corners: face.corners };
-            let face = found.ok_or(missing)?;
-            self.is_replaced[face as usize] = true;
-            self.floors.push(face);
+            self.floors.push(found.ok_or(missing)?);
         }
         self.first_floor.push(self.floors.len() as u32);
-        self.faces.extend_from_slice(&fragment.ceiling);
-        self.is_replaced.resize(self.faces.len(), false);
+        self.add(Some(step), &fragment.ceiling)?;
         self.first_ceiling.push(self.faces.len() as u32);
         let count = self.triangle_counts[step as usize] + fragment.ceiling.len() as u32;
         self.triangle_counts.push(count - fragment.floor.len() as u32);
@@ -270,26 +290,30 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// The face of an earlier step, or of the base, with these corners; one that is still there.
-    fn find(&self, step: u32, face: Face) -> Option<u32> {
-        let wanted = face.canonical();
+    /// The first face of an earlier step, or of the base, with these corners that is still there; replaces it.
+    fn take(&mut self, step: u32, face: Face) -> Option<u32> {
         let [a, b, c] = face.corners;
         let youngest = a.max(b).max(c);
         if youngest as usize >= self.positions.vertex_count() {
             return None;
         }
-        let is_free = |face: &u32| !self.is_replaced[*face as usize];
-        match self.positions.position_of(youngest).checked_sub(self.base_position_count) {
-            None => {
-                let at = self.sorted_base.partition_point(|entry| entry.0 < wanted);
-                let equal = self.sorted_base[at..].iter().take_while(|entry| entry.0 == wanted);
-                equal.map(|entry| entry.1).find(is_free)
-            }
+        let made = match self.positions.position_of(youngest).checked_sub(self.base_position_count) {
+            None => 0..self.first_ceiling[0],
             Some(maker) if maker < step => {
-                let mut ceiling = self.first_ceiling[maker as usize]..self.first_ceiling[maker as usize + 1];
-                ceiling.find(|f| is_free(f) && self.faces[*f as usize].canonical() == wanted)
+                self.first_ceiling[maker as usize]..self.first_ceiling[maker as usize + 1]
             }
-            Some(_) => None,
+            Some(_) => return None,
+        };
+        let (first, end) = (made.start as usize, made.end as usize);
+        let (wanted, faces) = (face.canonical(), &self.faces);
+        let made = &self.sorted[first..end];
+        let at = made.partition_point(|&other| faces[other as usize].canonical() < wanted);
+        let replaced = self.replaced_counts[first..end].get_mut(at)?;
+        let found = *made.get(at + *replaced as usize)?;
+        if faces[found as usize].canonical() != wanted {
+            return None;
         }
+        *replaced += 1;
+        Some(found)
     }
 }

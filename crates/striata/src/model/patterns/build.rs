@@ -250,3 +250,34 @@ impl Ancestry {
         kept
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_others_need_anyway_is_not_listed() {
+        let mut ancestry = Ancestry::new(6);
+        let lists: [(&[u32], &[u32]); 6] = [
+            (&[], &[]),
+            (&[0], &[0]),
+            (&[0], &[0]),
+            (&[0, 1, 1], &[1]),
+            (&[0, 2, 3, 1], &[3, 2]),
+            (&[0, 4, 3], &[4]),
+        ];
+        for (below, kept) in lists {
+            assert_eq!(ancestry.add(below.to_vec()), kept, "{below:?}");
+        }
+    }
+
+    #[test]
+    fn links_are_numbered_as_the_ceiling_names_them() {
+        let share = |link| Share { link, place: 0 };
+        let mut way = [2, Share::FULL, 0, 2, 1].map(share);
+        let mut up = vec![(7, 0), (8, 1), (9, 2)];
+        renumber(&mut way, &mut up);
+        assert_eq!(way, [0, Share::FULL, 1, 0, 2].map(share));
+        assert_eq!(up, [(9, 2), (7, 0), (8, 1)]);
+    }
+}

@@ -47,7 +47,17 @@ pub struct PatternInstance {
 struct Scratch {
     locals: Vec<u32>,
     links: Vec<(u32, u32)>,
+    shared: Vec<Shared>,
     waiting: Vec<u32>,
+}
+
+/// A triangle of a ceiling that something may replace, and its place there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Shared {
+    above: u32,
+    half_edge: u32,
+    /// Its number in the ceiling.
+    triangle: u32,
 }
 
 impl PartialEq for PatternInstance {
@@ -326,7 +336,6 @@ impl PatternInstance {
     ) {
         let rule = patterns.rules.rule(head.rule);
         scratch.start(patterns, step, &rule);
-        scratch.load_links(patterns, head);
         let mut slot = self.heads[step as usize];
         while slot != NONE {
             let Slot { corners, next, place, .. } = self.slots[slot as usize];
@@ -339,31 +348,47 @@ impl PatternInstance {
         if is_taken_away {
             self.heads[step as usize] = NONE;
         }
-        for link in 0..scratch.links.len() {
-            let (above, half_edge) = scratch.links[link];
-            let floor = patterns.rules.rule(patterns.records.head(above).rule);
-            let is_of_run = |share: Share| share.link as usize == link;
-            let (mut slot, mut before) = (self.heads[above as usize], NONE);
-            while slot != NONE {
-                let Slot { corners, next, place, .. } = self.slots[slot as usize];
-                let (from, along) = place_of(place);
-                let at = floor.around(from, along);
-                let mut shares = patterns.ways.shares(head.way);
-                let own = shares.position(|s| is_of_run(s) && floor.around(half_edge, s.place) == at);
-                if let Some(s) = own {
-                    scratch.set(rule.ceiling(s), corners);
-                }
-                if own.is_some() && is_taken_away {
-                    match before {
-                        NONE => self.heads[above as usize] = next,
-                        before => self.slots[before as usize].next = next,
-                    }
-                    self.release(slot);
-                } else {
-                    before = slot;
-                }
-                slot = next;
+        scratch.load_shared(patterns, head);
+        let shared = std::mem::take(&mut scratch.shared);
+        for own in shared.chunk_by(|a, b| a.above == b.above) {
+            self.read_above(patterns, own, is_taken_away, |triangle, corners| {
+                scratch.set(rule.ceiling(triangle as usize), corners);
+            });
+        }
+        scratch.shared = shared;
+    }
+
+    /// Reads triangles of one ceiling that are in the list of the same step above.
+    fn read_above(
+        &mut self,
+        patterns: &Patterns,
+        own: &[Shared],
+        is_taken_away: bool,
+        mut visit: impl FnMut(u32, [u32; 3]),
+    ) {
+        let above = own[0].above;
+        let floor = patterns.rules.rule(patterns.records.head(above).rule);
+        let (mut slot, mut before) = (self.heads[above as usize], NONE);
+        let mut left = own.len();
+        while slot != NONE && left > 0 {
+            let Slot { corners, next, place, .. } = self.slots[slot as usize];
+            let (from, along) = place_of(place);
+            let at = floor.around(from, along);
+            let found = own.binary_search_by_key(&at, |shared| Some(shared.half_edge));
+            if let Ok(found) = found {
+                visit(own[found].triangle, corners);
+                left -= 1;
             }
+            if found.is_ok() && is_taken_away {
+                match before {
+                    NONE => self.heads[above as usize] = next,
+                    before => self.slots[before as usize].next = next,
+                }
+                self.release(slot);
+            } else {
+                before = slot;
+            }
+            slot = next;
         }
     }
 
@@ -421,6 +446,27 @@ impl Scratch {
     fn load_links(&mut self, patterns: &Patterns, head: &Head) {
         self.links.clear();
         patterns.links_into(head, &mut self.links);
+    }
+
+    /// Finds where the triangles of a ceiling go, sorted, so that each list above is gone through once.
+    fn load_shared(&mut self, patterns: &Patterns, head: &Head) {
+        self.load_links(patterns, head);
+        self.shared.clear();
+        let mut floor_of = (NONE, None);
+        for (share, triangle) in patterns.ways.shares(head.way).zip(0..) {
+            if share.link == Share::FULL {
+                continue;
+            }
+            let (above, first) = self.links[share.link as usize];
+            let floor = match floor_of {
+                (step, Some(floor)) if step == above => floor,
+                _ => patterns.rules.rule(patterns.records.head(above).rule),
+            };
+            floor_of = (above, Some(floor));
+            let half_edge = floor.around(first, share.place).expect("a run goes on around its vertex");
+            self.shared.push(Shared { above, half_edge, triangle });
+        }
+        self.shared.sort_unstable();
     }
 
     fn set(&mut self, triangle: [u32; 3], corners: [u32; 3]) {

@@ -65,6 +65,12 @@ impl Patterns {
         group_count: usize,
         parts: PatternsParts<'_>,
     ) -> Result<Self, ModelError> {
+        for (what, bytes) in [("bytes of rules", &parts.rules), ("bytes of ways", &parts.ways)] {
+            let (found, limit) = (bytes.len() as u64, MAX_TABLE_BYTES);
+            if found > limit {
+                return Err(ModelError::TooMany { what, found, limit });
+            }
+        }
         let step_count = vertices.step_count();
         vertices.check_firsts(step_count)?;
         let vertices = vertices.without_targets().shortened();
@@ -78,21 +84,7 @@ impl Patterns {
         let widths = Widths { rule_count: rules.len(), way_count: ways.len(), half_edge_count, offset_width };
         let blocks = parts.blocks.to_vec();
         let records = Records::from_parts(step_count, widths, (blocks, bits.ok_or(wrong)?), &ways)?;
-        let mut extras = Extras::default();
-        extras.firsts.push(0);
-        for (place, &[step, vertex]) in parts.extras.iter().enumerate() {
-            let is_same = extras.steps.last() == Some(&step);
-            if !is_same && extras.steps.last().is_some_and(|&last| last > step) {
-                return Err(ModelError::Listed { what: "named vertex", place, reason: "is out of order" });
-            }
-            extras.vertices.push(vertex);
-            if is_same {
-                extras.firsts.pop();
-            } else {
-                extras.steps.push(step);
-            }
-            extras.firsts.push(place as u32 + 1);
-        }
+        let extras = Extras::from_pairs(&parts.extras)?;
         let base = parts.base.iter().map(|&[a, b, c, group, above, half_edge]| BaseFace {
             corners: [a, b, c],
             group,
@@ -116,6 +108,32 @@ impl Patterns {
     }
 }
 
+impl Extras {
+    /// From steps and vertices that they name, as [`Patterns::parts`] lists them.
+    ///
+    /// # Errors
+    /// [`ModelError::Listed`] where a step comes before an earlier one.
+    fn from_pairs(pairs: &[[u32; 2]]) -> Result<Self, ModelError> {
+        let mut extras = Self { firsts: vec![0], ..Self::default() };
+        for (place, &[step, vertex]) in pairs.iter().enumerate() {
+            let last = extras.steps.last().copied();
+            if last.is_some_and(|last| last > step) {
+                return Err(ModelError::Listed { what: "named vertex", place, reason: "is out of order" });
+            }
+            extras.vertices.push(vertex);
+            if last == Some(step) {
+                extras.firsts.pop();
+            } else {
+                extras.steps.push(step);
+            }
+            extras.firsts.push(place as u32 + 1);
+        }
+        Ok(extras)
+    }
+}
+
+/// Bytes of a table of rules or ways: numbered in 32 bits once they are unpacked, to fewer than four numbers a byte.
+const MAX_TABLE_BYTES: u64 = 1 << 30;
 /// Triangles of all ceilings that a file may have for each vertex, beside those that links tell.
 const MAX_UNLINKED: u64 = 128;
 
@@ -269,3 +287,43 @@ fn ways_from_bytes(bytes: &[u8]) -> Result<OverlapTable, ModelError> {
 
 /// Stands for a local number of which no vertex is known.
 pub(super) const UNKNOWN: u32 = NONE;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rules_of_many_vertices_and_no_triangles_take_no_memory() {
+        let mut bytes = Vec::new();
+        for _ in 0..1000 {
+            [u32::MAX, u32::MAX, 0, 0].into_iter().for_each(|number| put(number, &mut bytes));
+        }
+        let rules = rules_from_bytes(&bytes, 1).unwrap();
+        assert_eq!((rules.len(), rules.rule(999).extras().count()), (1000, 0));
+        [u32::MAX - 1, u32::MAX, 0, 0].into_iter().for_each(|number| put(number, &mut bytes));
+        assert!(rules_from_bytes(&bytes, 1).is_err(), "a vertex that nothing shows");
+    }
+
+    #[test]
+    fn what_rules_and_ways_name_is_there() {
+        let with_group = |group| rules_from_bytes(&[1, 3, 1, 0, 0, 1, 2, group], 2);
+        assert_eq!(with_group(1).map(|rules| rules.len()), Ok(1));
+        assert!(with_group(2).is_err(), "no such group");
+        let with_corner = |corner| rules_from_bytes(&[1, 3, 1, 0, 0, 1, corner], 1);
+        assert!(with_corner(2).is_ok() && with_corner(3).is_err(), "no such corner");
+        let with_link = |link: u8| ways_from_bytes(&[2, 0, 1 + 16 * link]);
+        assert_eq!(with_link(1).map(|ways| ways.link_count(0)), Ok(2));
+        assert!(with_link(2).is_err(), "more links than triangles");
+        assert!(Extras::from_pairs(&[[4, 9], [4, 3], [6, 0]]).is_ok());
+        assert!(Extras::from_pairs(&[[4, 9], [6, 0], [4, 3]]).is_err(), "out of order");
+    }
+
+    #[test]
+    fn numbers_end_within_32_bits() {
+        let read = |bytes: &[u8]| Numbers { bytes, what: "rule", place: 0 }.next();
+        assert_eq!(read(&[0xff, 0xff, 0xff, 0xff, 0x0f]), Ok(u32::MAX));
+        assert!(read(&[0xff, 0xff, 0xff, 0xff, 0x1f]).is_err());
+        assert!(read(&[0x80; 9]).is_err());
+        assert!(read(&[]).is_err());
+    }
+}

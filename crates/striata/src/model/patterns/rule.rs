@@ -15,7 +15,7 @@ use crate::mesh::{Face, FragmentSequence};
 
 /// Stands for no half-edge.
 pub(super) const NONE: u32 = u32::MAX;
-/// Rings longer than this are not turned: comparing all places to begin takes the square of their length.
+/// Rings longer than this, or over more triangles, are not turned: comparing all places to begin takes the product.
 const MAX_TURNED: usize = 64;
 
 /// The triangles of a fragment in local numbers.
@@ -40,14 +40,15 @@ pub(in crate::model) struct Rule {
 impl Rule {
     /// Completes a rule that has its triangles.
     pub(super) fn completed(mut self) -> Self {
-        let mut shown = vec![0u8; self.local_count as usize];
+        // Behind the own ones alone: of these a damaged file may claim any number.
+        let mut shown = vec![0u8; (self.local_count - self.own_count) as usize];
         for (bit, triangles) in [(1, &self.ceiling), (2, &self.floor)] {
-            for &local in triangles.iter().flatten() {
-                shown[local as usize] |= bit;
+            for place in triangles.iter().flatten().filter_map(|local| local.checked_sub(self.own_count)) {
+                shown[place as usize] |= bit;
             }
         }
-        let is_extra = |&local: &u32| local >= self.own_count && shown[local as usize] != 3;
-        self.extras = (0..self.local_count).filter(is_extra).collect();
+        let is_extra = |&local: &u32| shown[(local - self.own_count) as usize] != 3;
+        self.extras = (self.own_count..self.local_count).filter(is_extra).collect();
         self.next_around = next_around(&self.floor);
         self
     }
@@ -111,7 +112,8 @@ impl<'a> Rulebook<'a> {
     pub(super) fn find(&mut self, step: u32) -> Matched {
         let own: Vec<u32> = self.fragments.levels().step_vertices(step as usize).collect();
         let ceiling: Vec<u32> = self.fragments.ceiling(step).collect();
-        let ring = if ceiling.len() <= MAX_TURNED { self.ring_of(&own, &ceiling) } else { None };
+        let is_small = ceiling.len().max(self.fragments.floor(step).len()) <= MAX_TURNED;
+        let ring = if is_small { self.ring_of(&own, &ceiling) } else { None };
         let (rule, mut matched) = match ring {
             Some(ring) => self.turned(step, own[0], &ring),
             None => self.as_it_comes(step, own, ceiling),
@@ -147,12 +149,13 @@ impl<'a> Rulebook<'a> {
     fn turned(&self, step: u32, center: u32, ring: &Ring) -> (Rule, Matched) {
         let floor_faces = self.fragments.floor(step);
         let turns = if ring.is_closed { ring.vertices.len() } else { 1 };
+        let Some(places) = self.places_on(ring, floor_faces) else {
+            // A vertex of the floor is not on the ring: the target lies elsewhere.
+            return self.as_it_comes(step, vec![center], self.fragments.ceiling(step).collect());
+        };
         let mut best: Option<(Vec<Placed>, Vec<u32>, usize)> = None;
         for turn in 0..turns {
-            let Some(floor) = self.floor_from(floor_faces, ring, turn) else {
-                // A vertex of the floor is not on the ring: the target lies elsewhere.
-                return self.as_it_comes(step, vec![center], self.fragments.ceiling(step).collect());
-            };
+            let floor = turned_floor(&places, ring.vertices.len(), turn);
             let mut faces = ring.faces.clone();
             faces.rotate_left(turn);
             let groups = self.groups(&faces);
@@ -183,22 +186,18 @@ impl<'a> Rulebook<'a> {
         (rule, Matched { rule: 0, locals: locals.collect(), ceiling: faces, floor: floor_faces })
     }
 
-    /// The floor's triangles, groups and faces, sorted, with the ring begun at a place; none if one leaves the ring.
-    fn floor_from(&self, faces: &[u32], ring: &Ring, turn: usize) -> Option<Vec<Placed>> {
-        let count = ring.vertices.len();
+    /// Faces by the places of their corners on a ring; none if a corner is not on it.
+    fn places_on(&self, ring: &Ring, faces: &[u32]) -> Option<Vec<Placed>> {
         let mut out = Vec::with_capacity(faces.len());
         for &number in faces {
             let face = self.face(number);
             let mut locals = [0; 3];
             for (local, corner) in locals.iter_mut().zip(face.corners) {
-                let place = ring.vertices.iter().position(|&v| v == corner)?;
-                *local = 1 + ((place + count - turn) % count) as u32;
+                *local = ring.vertices.iter().position(|&v| v == corner)? as u32;
             }
-            let least = *locals.iter().min()?;
             let group = if self.is_grouped { face.group } else { 0 };
-            out.push(Placed { locals: first_corner(locals, least), group, face: number });
+            out.push(Placed { locals, group, face: number });
         }
-        out.sort_unstable();
         Some(out)
     }
 
@@ -245,6 +244,18 @@ impl Placed {
     fn shape(&self) -> ([u32; 3], u32) {
         (self.locals, self.group)
     }
+}
+
+/// A floor with the ring of so many vertices begun at a place, sorted.
+fn turned_floor(places: &[Placed], count: usize, turn: usize) -> Vec<Placed> {
+    let local = |place: u32| 1 + ((place as usize + count - turn) % count) as u32;
+    let turned = places.iter().map(|&placed| {
+        let [a, b, c] = placed.locals.map(local);
+        Placed { locals: first_corner([a, b, c], a.min(b).min(c)), ..placed }
+    });
+    let mut out: Vec<Placed> = turned.collect();
+    out.sort_unstable();
+    out
 }
 
 /// A triangle turned so that a corner comes first.

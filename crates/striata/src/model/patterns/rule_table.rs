@@ -59,7 +59,9 @@ impl RuleTable {
             triangles.chain(&rule.next_around).chain(&rule.extras).chain(groups).copied()
         };
         self.is_grouped |= !rule.ceiling_groups.is_empty() || !rule.floor_groups.is_empty();
-        let is_wide = numbers().any(|n| n != super::rule::NONE && n >= u32::from(NARROW_NONE));
+        // Of a floor with so many corners one would look like none.
+        let is_wide = 3 * rule.floor.len() > usize::from(NARROW_NONE)
+            || numbers().any(|n| n != super::rule::NONE && n >= u32::from(NARROW_NONE));
         let first = if is_wide { self.wide.len() } else { self.narrow.len() };
         self.entries.push(Entry {
             first: first as u32,
@@ -198,5 +200,20 @@ impl RuleRef<'_> {
         }
         let first = 3 * (self.ceiling_count() + 2 * self.floor_count()) + self.entry.extra_count as usize;
         self.number(first + triangle)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_corner_follows_where_triangles_are_copies_however_many() {
+        for count in [2, 85, 86, 300] {
+            let rule = Rule { local_count: 3, floor: vec![[0, 1, 2]; count], ..Rule::default() };
+            let table = RuleTable::pack([rule]);
+            let rule = table.rule(0);
+            assert!((0..3 * count as u32).all(|half_edge| rule.next_around(half_edge).is_none()), "{count}");
+        }
     }
 }

@@ -5,7 +5,7 @@ use super::overlaps::Share;
 use super::parts::UNKNOWN;
 use super::rule::{NONE, first_corner};
 use super::rule_table::RuleRef;
-use crate::mesh::{Face, Fragment, FragmentSequence};
+use crate::mesh::{Face, Fragment, FragmentError, FragmentSequence};
 use crate::model::ModelError;
 
 /// Where a face goes: the fragment above and the corner of its floor where the face's youngest vertex is.
@@ -62,7 +62,7 @@ impl Patterns {
         }
         let base = faces[..self.base.len()].to_vec();
         FragmentSequence::from_fragments(self.vertices.positions(), base, fragments.into_iter())
-            .map_err(|_| ModelError::Listed { what: "fragment", place: 0, reason: "does not fit the others" })
+            .map_err(misfit)
     }
 
     /// Sets the vertices of a fragment from its floor, and checks that triangles agree on them.
@@ -149,6 +149,20 @@ impl Patterns {
             }
         }
         Floors::of(step_count as usize, self.base.len(), &places)
+    }
+}
+
+/// What a sequence of fragments finds that single fragments do not show.
+fn misfit(error: FragmentError) -> ModelError {
+    let (step, reason) = match error {
+        FragmentError::Degenerate { step, .. } => (step, "has a triangle with a corner twice"),
+        FragmentError::Ceiling { step, .. } => (step, "has a triangle whose youngest corner is not its own"),
+        FragmentError::Floor { step, .. } => (Some(step), "stands on a triangle that is not there"),
+        FragmentError::Sequence(_) => (None, "has levels that do not fit"),
+    };
+    match step {
+        Some(step) => ModelError::Step { step: step as usize, reason },
+        None => ModelError::Listed { what: "base", place: 0, reason },
     }
 }
 
