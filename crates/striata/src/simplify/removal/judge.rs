@@ -25,9 +25,9 @@ use super::points::{Points, nearest};
 const STILL_WEIGHT: f32 = 0.1;
 /// Weight of the squared area between the old and the new course of a boundary.
 const BORDER_WEIGHT: f32 = 0.8;
-/// Weight of the largest squared distance, itself squared, against squared distances over areas. From 20 to 100 maxima fall by
-/// a tenth and RMS rises by three hundredths; without it maxima are half as large again.
-const SPIKE_WEIGHT: f32 = 30.0;
+/// Weight of the largest squared distance, itself squared, against squared distances over areas. From 30 to 100 maxima fall by
+/// a fifth and RMS rises by one to four hundredths; without it maxima are half as large again.
+const SPIKE_WEIGHT: f32 = 60.0;
 const NONE: u32 = u32::MAX;
 
 /// More neighbours than this no position gets by a new edge: hubs cost quadratic time.
