@@ -1,13 +1,14 @@
-//! How fast LodStrips, MTS and fans are built, loaded and moved, and what a step of MTS costs beside a full recovery.
+//! How fast LodStrips, MTS, fans and patterns are built, loaded and moved, and what a step of MTS costs beside a full recovery.
 
 use std::hint::black_box;
 
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
-use striata::mesh::{IndexedMesh, RefinableMesh};
+use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, shapes};
 use striata::model::{
-    FanBounds, FanForm, FanIndices, FanInstance, FanMorphs, Fans, LodModel, LodStrips, Mts, StripBuffer,
+    FanBounds, FanForm, FanIndices, FanInstance, FanMorphs, Fans, LodModel, LodStrips, Mts, Overlap,
+    PatternInstance, Patterns, StripBuffer,
 };
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripOptions, stripify};
@@ -200,5 +201,33 @@ fn emit_forms(
     });
 }
 
-criterion_group!(benches, lod_strips, mts, fans);
+/// Extraction from the base, by a condition, from a thousand triangles to all of a large sphere: linear in what comes out.
+fn patterns(c: &mut Criterion) {
+    let mut group = c.benchmark_group("patterns");
+    group.sample_size(10);
+    let mesh = shapes::uv_sphere(448, 896, 1.0);
+    let fragmented = FragmentedMesh::from_collapses(&refinable(&mesh));
+    group.bench_function("build", |b| b.iter(|| Patterns::build(&fragmented)));
+    let patterns = Patterns::build(&fragmented).expect("the mesh is not too large");
+    let levels = fragmented.fragments.levels();
+    let sizes = std::iter::successors(Some(1_000), |size| Some(4 * size));
+    let sizes = sizes.take_while(|&size| size < mesh.triangle_count()).chain([mesh.triangle_count()]);
+    let mut out = Vec::new();
+    for size in sizes {
+        let split_count = levels.split_count_for_triangles(size) as u32;
+        group.throughput(Throughput::Elements(size as u64));
+        group.bench_function(format!("extract/{size}"), |b| {
+            b.iter(|| {
+                let mut instance = PatternInstance::base(&patterns);
+                instance.adapt(&patterns, &|overlap: Overlap| overlap.upper < split_count);
+                out.clear();
+                instance.triangles_into(&mut out);
+                out.len()
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, lod_strips, mts, fans, patterns);
 criterion_main!(benches);
