@@ -5,7 +5,7 @@ use libfuzzer_sys::fuzz_target;
 use striata::codec::{DecodeError, StriataFile, Verify};
 use striata::mesh::{FragmentSequence, RefinableMesh, canonical_triangles, fragment_faces, replay};
 use striata::model::{
-    FanBounds, FanFront, FanScene, Fans, LodModel, Overlap, PatternBounds, PatternInstance, PatternScene, Patterns,
+    FanBounds, FanFront, FanScene, Fans, Overlap, PatternBounds, PatternInstance, PatternScene, Patterns,
     StoredModel, StripModel, Wanted,
 };
 use striata::view::{Camera, DetailBox, ScreenError};
