@@ -2,6 +2,8 @@
 
 mod meshes;
 
+mod support;
+
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -10,13 +12,14 @@ use meshes::{Named, all, closed, odd, open, with_patches};
 use proptest::prelude::*;
 use striata::ignore_progress;
 use striata::mesh::{
-    Adjacency, DistanceOptions, FragmentedMesh, IndexedMesh, Statistics, canonical_triangles, replay,
-    replay_fragments, shapes, surface_distance, weld,
+    Adjacency, DistanceOptions, FragmentedMesh, IndexedMesh, canonical_triangles, replay, replay_fragments,
+    shapes, surface_distance, weld,
 };
 use striata::simplify::{
     BoundaryRule, BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, SequenceOptions,
     SimplifyError, StopReason, build_fragments, build_sequence, certify_collapses,
 };
+use support::Topology;
 
 fn build(mesh: &IndexedMesh, options: &RemovalOptions) -> BuiltFragments {
     build_fragments(mesh, options, &mut ignore_progress).expect("sound meshes are simplified")
@@ -103,31 +106,6 @@ fn check_fragments(name: &str, input: &IndexedMesh, options: &RemovalOptions, bu
 #[test]
 fn every_mesh_keeps_the_promises() {
     check_each(all(), |name, mesh, options| check_fragments(name, mesh, options, &build(mesh, options)));
-}
-
-/// Numbers that filling a hole must not change.
-#[derive(Debug, PartialEq)]
-struct Topology {
-    component_count: usize,
-    boundary_loop_count: usize,
-    euler_characteristic: i64,
-    genus: Option<usize>,
-    duplicate_triangle_count: usize,
-    is_closed: bool,
-}
-
-impl Topology {
-    fn of(mesh: &IndexedMesh) -> Self {
-        let statistics = Statistics::of(mesh).expect("levels are sound");
-        Self {
-            component_count: statistics.component_count,
-            boundary_loop_count: statistics.boundary_loop_count,
-            euler_characteristic: statistics.euler_characteristic,
-            genus: statistics.genus,
-            duplicate_triangle_count: statistics.duplicate_triangle_count,
-            is_closed: statistics.is_closed,
-        }
-    }
 }
 
 #[test]

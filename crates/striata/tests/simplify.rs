@@ -2,6 +2,8 @@
 
 mod meshes;
 
+mod support;
+
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
@@ -10,12 +12,13 @@ use proptest::prelude::*;
 use striata::codec::{WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{
-    Adjacency, CollapseSequence, IndexedMesh, RefinableMesh, SequenceParts, Statistics, canonical_triangles,
-    replay, shapes, weld,
+    Adjacency, CollapseSequence, IndexedMesh, RefinableMesh, SequenceParts, canonical_triangles, replay,
+    shapes, weld,
 };
 use striata::simplify::{
     BoundaryRule, BuiltSequence, SequenceOptions, SimplifyError, StopReason, build_sequence,
 };
+use support::Topology;
 
 fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> BuiltSequence {
     build_sequence(mesh, options, &mut ignore_progress).expect("sound meshes are simplified")
@@ -125,31 +128,6 @@ fn check_materials(at: &str, level: &IndexedMesh) {
 #[test]
 fn every_sequence_keeps_its_promises() {
     check_each(all(), |name, mesh, options| check_sequence(name, mesh, &build(mesh, options)));
-}
-
-/// Numbers that a collapse on a manifold must not change.
-#[derive(Debug, PartialEq)]
-struct Topology {
-    component_count: usize,
-    boundary_loop_count: usize,
-    euler_characteristic: i64,
-    genus: Option<usize>,
-    duplicate_triangle_count: usize,
-    is_closed: bool,
-}
-
-impl Topology {
-    fn of(mesh: &IndexedMesh) -> Self {
-        let statistics = Statistics::of(mesh).expect("levels are sound");
-        Self {
-            component_count: statistics.component_count,
-            boundary_loop_count: statistics.boundary_loop_count,
-            euler_characteristic: statistics.euler_characteristic,
-            genus: statistics.genus,
-            duplicate_triangle_count: statistics.duplicate_triangle_count,
-            is_closed: statistics.is_closed,
-        }
-    }
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod fragment_oracle;
 mod oracle;
 mod removals;
 mod suite;
+mod topology;
 mod whim;
 
 pub use checksums::with_sound_checksums;
@@ -19,6 +20,7 @@ use striata::mesh::{
     SequenceParts, TriangleGroup, weld,
 };
 pub use suite::{Case, hub_cases, nasty_cases, seam_cases, soups, surface_cases};
+pub use topology::Topology;
 pub use whim::Whim;
 
 /// A small generator of numbers (xorshift): the same on every machine.
