@@ -1,21 +1,20 @@
 //! Reading a file: typed views of its sections, the whole mesh, single levels.
 
+mod patterns;
+
 use std::borrow::Cow;
 
 use super::container::Container;
 use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes, metadata_from_bytes};
 use super::{DecodeError, SectionInfo, SectionKind, Summary, Verify};
 use crate::mesh::{
-    AttributeLayer, CollapseSequence, FragmentedMesh, IndexedMesh, Levels, PositionIndex, RefinableMesh,
-    SequenceParts, TriangleGroup,
+    AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts,
+    TriangleGroup,
 };
 use crate::model::fans::FansParts;
 use crate::model::lod_strips::LodStripsParts;
 use crate::model::mts::MtsParts;
-use crate::model::patterns::PatternsParts;
-use crate::model::{
-    FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StepVertices, StoredModel, StripModel,
-};
+use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, StepVertices, StoredModel, StripModel};
 use crate::strip::{StripSet, strip_triangles};
 
 /// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
@@ -125,16 +124,6 @@ impl<'a> StriataFile<'a> {
             return Ok(self.sequence()?.levels().clone());
         }
         self.levels_of(&self.read_patterns()?.0)
-    }
-
-    fn levels_of(&self, patterns: &Patterns) -> Result<Levels, DecodeError> {
-        let base = self.summary.base_position_count;
-        let errors = self.errors()?.into_owned();
-        let levels = Levels::new(self.position_index()?, base, patterns.triangle_counts(), errors)?;
-        let kind = SectionKind::SUMMARY;
-        self.expect(kind, "base vertices", self.summary.base_vertex_count, levels.base_vertex_count())?;
-        self.expect(kind, "base triangles", self.summary.base_triangle_count, levels.triangle_count_at(0))?;
-        Ok(levels)
     }
 
     /// The sequence, checked and in memory of its own.
@@ -280,36 +269,6 @@ impl<'a> StriataFile<'a> {
         Ok((fans, bounds))
     }
 
-    /// The patterns and the bounds of their fragments, if the file has them: in memory of their own and checked once, so that no
-    /// move can fail.
-    pub fn patterns(&self) -> Option<Result<(Patterns, PatternBounds), DecodeError>> {
-        self.has(SectionKind::PATTERN_RECORDS).then(|| self.read_patterns())
-    }
-
-    fn read_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
-        let header = self.container.numbers::<u32>(SectionKind::PATTERN_WIDTHS)?;
-        self.expect(SectionKind::PATTERN_WIDTHS, "numbers", header.len(), 4)?;
-        let parts = PatternsParts {
-            header: [header[0], header[1], header[2], header[3]],
-            rules: self.container.get(SectionKind::PATTERN_RULES)?.into(),
-            ways: self.container.get(SectionKind::PATTERN_WAYS)?.into(),
-            blocks: &self.container.numbers(SectionKind::PATTERN_BLOCKS)?,
-            records: self.container.get(SectionKind::PATTERN_RECORDS)?,
-            base: self.container.numbers(SectionKind::PATTERN_BASE)?.into_owned(),
-            extras: self.container.numbers(SectionKind::PATTERN_EXTRAS)?.into_owned(),
-        };
-        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
-        let group_count = self.groups()?.len().max(1);
-        let patterns = Patterns::from_parts(self.step_vertices()?, group_count, parts).map_err(unsound)?;
-        let kind = SectionKind::PATTERN_RECORDS;
-        self.expect(kind, "steps", patterns.step_count(), self.summary.step_count)?;
-        let full = patterns.triangle_counts().last().map_or(0, |&count| count as usize);
-        self.expect(kind, "triangles", full, self.summary.triangle_count)?;
-        let records = self.container.get(SectionKind::PATTERN_BOUNDS)?;
-        let bounds = PatternBounds::from_bytes(records, patterns.step_count()).map_err(unsound)?;
-        Ok((patterns, bounds))
-    }
-
     fn step_vertices(&self) -> Result<StepVertices<'a>, DecodeError> {
         let base = self.summary.base_position_count;
         let firsts = match self.first_vertices()? {
@@ -344,20 +303,6 @@ impl<'a> StriataFile<'a> {
     pub fn refinable_mesh(&self) -> Result<RefinableMesh, DecodeError> {
         let sequence = self.sequence()?;
         Ok(RefinableMesh { mesh: self.mesh()?, sequence })
-    }
-
-    /// The whole mesh with fragments, checked and in memory of its own: those of the patterns, or of the collapses. The error of
-    /// a floor is that of the level without it.
-    ///
-    /// # Errors
-    /// [`DecodeError`] where any part is unsound or parts do not fit together.
-    pub fn fragmented_mesh(&self) -> Result<FragmentedMesh, DecodeError> {
-        let Some(patterns) = self.patterns() else {
-            return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));
-        };
-        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
-        let fragments = patterns?.0.unpack(self.errors()?.into_owned()).map_err(unsound)?;
-        Ok(FragmentedMesh { mesh: self.mesh()?, fragments })
     }
 
     /// The whole mesh, checked and in memory of its own, its triangles in the order of [`refinable_mesh`](Self::refinable_mesh).
