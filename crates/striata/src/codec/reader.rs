@@ -3,6 +3,7 @@
 mod patterns;
 
 use std::borrow::Cow;
+use std::sync::OnceLock;
 
 use super::container::Container;
 use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes, metadata_from_bytes};
@@ -14,7 +15,9 @@ use crate::mesh::{
 use crate::model::fans::FansParts;
 use crate::model::lod_strips::LodStripsParts;
 use crate::model::mts::MtsParts;
-use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, StepVertices, StoredModel, StripModel};
+use crate::model::{
+    FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StepVertices, StoredModel, StripModel,
+};
 use crate::strip::{StripSet, strip_triangles};
 
 /// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
@@ -22,6 +25,8 @@ use crate::strip::{StripSet, strip_triangles};
 pub struct StriataFile<'a> {
     container: Container<'a>,
     summary: Summary,
+    /// The patterns, once they have been checked: that takes as long as building them.
+    patterns: OnceLock<(Patterns, PatternBounds)>,
 }
 
 impl<'a> StriataFile<'a> {
@@ -40,7 +45,7 @@ impl<'a> StriataFile<'a> {
     pub fn parse_with(bytes: &'a [u8], verify: Verify) -> Result<Self, DecodeError> {
         let container = Container::parse(bytes, verify)?;
         let summary = Summary::from_bytes(container.get(SectionKind::SUMMARY)?)?;
-        Ok(Self { container, summary })
+        Ok(Self { container, summary, patterns: OnceLock::new() })
     }
 
     /// Counts and bounds.

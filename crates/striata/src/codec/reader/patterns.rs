@@ -14,6 +14,14 @@ impl StriataFile<'_> {
     }
 
     pub(super) fn read_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
+        if let Some(checked) = self.patterns.get() {
+            return Ok(checked.clone());
+        }
+        let checked = self.check_patterns()?;
+        Ok(self.patterns.get_or_init(|| checked).clone())
+    }
+
+    fn check_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
         let header = self.container.numbers::<u32>(SectionKind::PATTERN_WIDTHS)?;
         self.expect(SectionKind::PATTERN_WIDTHS, "numbers", header.len(), 4)?;
         let parts = PatternsParts {
