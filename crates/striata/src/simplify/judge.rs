@@ -182,7 +182,7 @@ impl<'a> Judge<'a> {
         if self.is_locked[v as usize] || self.links.kind(v) == LinkKind::Empty {
             return f32::INFINITY;
         }
-        if self.locks_boundary && self.is_boundary(v) {
+        if self.locks_boundary && self.links.is_boundary(v) {
             return f32::INFINITY;
         }
         self.load_star(v);
@@ -197,17 +197,6 @@ impl<'a> Judge<'a> {
         let Some(pairs) = &mut self.pairs else { return false };
         pairs.partners_into(v, &mut self.partners);
         !self.partners.is_empty()
-    }
-
-    fn is_boundary(&self, v: u32) -> bool {
-        match self.links.kind(v) {
-            LinkKind::Open => true,
-            LinkKind::Edges => {
-                let entries = self.links.entries(v);
-                entries.iter().any(|w| entries.iter().filter(|x| *x == w).count() == 1)
-            }
-            _ => false,
-        }
     }
 
     /// The cheapest allowed target of `v`.

@@ -115,6 +115,18 @@ impl Links {
         self.follows_triangles
     }
 
+    /// Whether a position lies on an edge of one triangle.
+    pub(super) fn is_boundary(&self, v: u32) -> bool {
+        match self.kind(v) {
+            LinkKind::Open => true,
+            LinkKind::Edges => {
+                let entries = self.entries(v);
+                entries.iter().any(|w| entries.iter().filter(|x| *x == w).count() == 1)
+            }
+            _ => false,
+        }
+    }
+
     /// How the link of `v` is stored.
     #[inline]
     pub(super) fn kind(&self, v: u32) -> LinkKind {

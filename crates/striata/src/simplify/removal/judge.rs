@@ -139,7 +139,7 @@ impl<'a> Judge<'a> {
         if self.is_locked[v as usize] || degree == 0 || degree > self.options.degree_limit {
             return None;
         }
-        if self.options.boundary == BoundaryRule::Locked && self.is_boundary(v) {
+        if self.options.boundary == BoundaryRule::Locked && self.links.is_boundary(v) {
             return None;
         }
         self.star.gather(&self.links, &self.positions, v);
@@ -153,17 +153,6 @@ impl<'a> Judge<'a> {
     pub(super) fn scaled_squared(&self, distance: f32) -> f32 {
         let scaled = (f64::from(distance) / self.scale) as f32;
         scaled * scaled
-    }
-
-    fn is_boundary(&self, v: u32) -> bool {
-        match self.links.kind(v) {
-            LinkKind::Open => true,
-            LinkKind::Edges => {
-                let entries = self.links.entries(v);
-                entries.iter().any(|w| entries.iter().filter(|x| *x == w).count() == 1)
-            }
-            _ => false,
-        }
     }
 
     /// True where the star, a ring, shows one vertex at each of its positions and lies in one group.
