@@ -40,7 +40,7 @@ use crate::{Cancelled, Progress, ProgressFn};
 
 use super::heap::IndexedHeap;
 use super::legality::Legality;
-use super::links::{LinkKind, Links};
+use super::links::Links;
 use super::options::{BoundaryRule, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason};
 use course::{Course, first_cost, places};
 use drift::Drift;
@@ -500,16 +500,7 @@ fn locked_positions(welded: &Welded, links: &Links, options: &SequenceOptions) -
     let locks_boundary = options.boundary == BoundaryRule::Locked;
     let is_locked = |p: u32| {
         welded.positions.wedges(p).any(|v| wanted.contains(&welded.source_vertex[v as usize]))
-            || (locks_boundary && is_boundary(links, p))
+            || (locks_boundary && links.is_boundary(p))
     };
     (0..welded.positions.position_count() as u32).map(is_locked).collect()
-}
-
-fn is_boundary(links: &Links, v: u32) -> bool {
-    let entries = links.entries(v);
-    match links.kind(v) {
-        LinkKind::Open => true,
-        LinkKind::Edges => entries.iter().any(|w| entries.iter().filter(|x| *x == w).count() == 1),
-        LinkKind::Closed | LinkKind::Empty => false,
-    }
 }
