@@ -6,8 +6,10 @@
 
 mod byte_reader;
 mod container;
+mod entropy;
 mod error;
 mod mesh_sections;
+pub mod progressive;
 mod reader;
 mod summary;
 mod writer;

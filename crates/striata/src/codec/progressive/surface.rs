@@ -1,0 +1,342 @@
+//! Closed surfaces as a corner table, with vertex splits and collapses.
+//!
+//! A corner is one of the three of a triangle; corners are numbered `4 * triangle + 0..3`, so that a triangle is one
+//! aligned piece of memory. Around a vertex the triangles form one cycle: boundary loops are closed by a **virtual
+//! vertex** each, and vertices that are not manifold were cut into copies (`cutting.rs`).
+//!
+//! ```text
+//!        r1 --- r2              r1 --- r2         A split gives the triangles of a run of corners at u, the
+//!       /  \   /  \            /  \   /  \        patch, to v: here those between r0 and r3. Two triangles
+//!     r0 -- u,v -- r3        r0 --- v --- r3      are new: A = (v, u, r0) and B = (v, r3, u).
+//!       \  /   \  /            \ A \|/ B /
+//!        ..     ..              ..  u  ..
+//! ```
+
+/// A corner that is not there.
+pub(super) const NONE: u32 = u32::MAX;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Corner {
+    vertex: u32,
+    /// The corner across the edge between the two others of the triangle.
+    opposite: u32,
+}
+
+/// A run of triangles around a vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Cut {
+    /// The corner, at the vertex that splits, of the first triangle that goes to the new vertex.
+    pub(super) first: u32,
+    /// Triangles that go to it, counter-clockwise.
+    pub(super) length: u32,
+}
+
+/// A collapse as it was done, for undoing it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Undo {
+    /// The vertex that stays.
+    pub(super) kept: u32,
+    /// Its run of corners.
+    pub(super) cut: Cut,
+    /// The corners of the vertex that went in the two triangles that went with it, A and B.
+    pub(super) gone: [u32; 2],
+}
+
+/// The next corner of the triangle, counter-clockwise.
+#[inline]
+pub(super) fn next(corner: u32) -> u32 {
+    if corner & 3 == 2 { corner - 2 } else { corner + 1 }
+}
+
+/// The previous corner of the triangle.
+#[inline]
+pub(super) fn previous(corner: u32) -> u32 {
+    if corner & 3 == 0 { corner + 2 } else { corner - 1 }
+}
+
+/// The triangle of a corner.
+#[inline]
+pub(super) fn triangle_of(corner: u32) -> u32 {
+    corner >> 2
+}
+
+/// A closed triangulated surface whose vertices `0..virtual_count` stand for boundary loops.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Surface {
+    /// Four a triangle; the fourth keeps the triangle's mark and label.
+    corners: Vec<Corner>,
+    corner_of: Vec<u32>,
+    virtual_count: u32,
+}
+
+/// Why triangles are no closed surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub(super) enum SurfaceDefect {
+    /// A half-edge has no partner, or several.
+    #[error("triangle {0} has an edge that is not shared by two triangles")]
+    Edge(u32),
+    /// The triangles around a vertex are not one cycle, or there are none.
+    #[error("the triangles around vertex {0} are not one cycle")]
+    Vertex(u32),
+}
+
+impl Surface {
+    /// From triangles over `vertex_count` vertices with the corner across each edge: `opposite[3 t + i]` is `3 s + j`.
+    pub(super) fn from_opposites(
+        triangles: &[[u32; 3]],
+        opposite: &[u32],
+        vertex_count: usize,
+        virtual_count: u32,
+    ) -> Self {
+        let mut corners = Vec::with_capacity(4 * triangles.len());
+        let mut corner_of = vec![NONE; vertex_count];
+        for (t, triangle) in triangles.iter().enumerate() {
+            for (i, &vertex) in triangle.iter().enumerate() {
+                let o = opposite[3 * t + i];
+                corner_of[vertex as usize] = corners.len() as u32;
+                corners.push(Corner { vertex, opposite: o / 3 * 4 + o % 3 });
+            }
+            corners.push(Corner { vertex: 0, opposite: 0 });
+        }
+        Self { corners, corner_of, virtual_count }
+    }
+
+    /// From the triangles of a closed surface.
+    pub(super) fn from_closed(
+        triangles: &[[u32; 3]],
+        vertex_count: usize,
+        virtual_count: u32,
+    ) -> Result<Self, SurfaceDefect> {
+        let opposite = match_edges(triangles)?;
+        let surface = Self::from_opposites(triangles, &opposite, vertex_count, virtual_count);
+        surface.check_cycles(triangles.len())?;
+        Ok(surface)
+    }
+
+    fn check_cycles(&self, triangle_count: usize) -> Result<(), SurfaceDefect> {
+        let mut seen = 0;
+        for v in 0..self.corner_of.len() as u32 {
+            if self.corner_of[v as usize] == NONE {
+                return Err(SurfaceDefect::Vertex(v));
+            }
+            seen += self.ring(v).count();
+        }
+        if seen == 3 * triangle_count {
+            return Ok(());
+        }
+        // Some vertex has more corners than its cycle.
+        let mut is_seen = vec![false; self.corners.len()];
+        for v in 0..self.corner_of.len() as u32 {
+            self.ring(v).for_each(|c| is_seen[c as usize] = true);
+        }
+        let missed = (0..self.corners.len()).find(|&c| c & 3 != 3 && !is_seen[c]).unwrap_or(0);
+        Err(SurfaceDefect::Vertex(self.corners[missed].vertex))
+    }
+
+    /// Vertices, virtual ones first.
+    pub(super) fn vertex_count(&self) -> usize {
+        self.corner_of.len()
+    }
+
+    /// Triangles, those with a virtual corner included.
+    pub(super) fn triangle_count(&self) -> usize {
+        self.corners.len() / 4
+    }
+
+    /// True for the vertex of a boundary loop.
+    #[inline]
+    pub(super) fn is_virtual(&self, vertex: u32) -> bool {
+        vertex < self.virtual_count
+    }
+
+    /// Vertices of boundary loops.
+    pub(super) fn virtual_count(&self) -> u32 {
+        self.virtual_count
+    }
+
+    /// The vertex at a corner.
+    #[inline]
+    pub(super) fn vertex(&self, corner: u32) -> u32 {
+        self.corners[corner as usize].vertex
+    }
+
+    /// The corner across the edge that faces this one.
+    #[inline]
+    pub(super) fn opposite(&self, corner: u32) -> u32 {
+        self.corners[corner as usize].opposite
+    }
+
+    /// The vertices of a triangle.
+    #[inline]
+    pub(super) fn triangle(&self, triangle: u32) -> [u32; 3] {
+        let at = 4 * triangle as usize;
+        [self.corners[at].vertex, self.corners[at + 1].vertex, self.corners[at + 2].vertex]
+    }
+
+    /// Some corner at a vertex, the same on both sides of a stream.
+    #[inline]
+    pub(super) fn corner_of(&self, vertex: u32) -> u32 {
+        self.corner_of[vertex as usize]
+    }
+
+    /// The corner of the next triangle around the same vertex, counter-clockwise.
+    #[inline]
+    pub(super) fn swing(&self, corner: u32) -> u32 {
+        next(self.opposite(next(corner)))
+    }
+
+    /// The corner of the triangle before, around the same vertex.
+    #[inline]
+    pub(super) fn swing_back(&self, corner: u32) -> u32 {
+        previous(self.opposite(previous(corner)))
+    }
+
+    /// The corners at a vertex, counter-clockwise from [`Self::corner_of`].
+    pub(super) fn ring(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
+        let first = self.corner_of[vertex as usize];
+        let mut corner = first;
+        let mut is_done = false;
+        std::iter::from_fn(move || {
+            if is_done {
+                return None;
+            }
+            let here = corner;
+            corner = self.swing(corner);
+            is_done = corner == first;
+            Some(here)
+        })
+    }
+
+    /// A number that the caller keeps with a triangle; 0 at first.
+    #[inline]
+    pub(super) fn mark(&self, triangle: u32) -> u32 {
+        self.corners[4 * triangle as usize + 3].vertex
+    }
+
+    /// Sets the number that is kept with a triangle.
+    #[inline]
+    pub(super) fn set_mark(&mut self, triangle: u32, mark: u32) {
+        self.corners[4 * triangle as usize + 3].vertex = mark;
+    }
+
+    /// Another number that the caller keeps with a triangle; 0 at first.
+    #[inline]
+    pub(super) fn label(&self, triangle: u32) -> u32 {
+        self.corners[4 * triangle as usize + 3].opposite
+    }
+
+    /// Sets the other number that is kept with a triangle.
+    #[inline]
+    pub(super) fn set_label(&mut self, triangle: u32, label: u32) {
+        self.corners[4 * triangle as usize + 3].opposite = label;
+    }
+
+    fn link(&mut self, a: u32, b: u32) {
+        self.corners[a as usize].opposite = b;
+        self.corners[b as usize].opposite = a;
+    }
+
+    /// Gives the triangles of a cut to a new vertex, the next one; A and B become the last two triangles.
+    ///
+    /// The new vertex's [`corner_of`](Self::corner_of) is A's, so its ring begins with A: `u, r0, .., rk`.
+    pub(super) fn split(&mut self, cut: Cut) -> u32 {
+        let kept = self.vertex(cut.first);
+        let v = self.corner_of.len() as u32;
+        let mut last = cut.first;
+        self.corners[last as usize].vertex = v;
+        for _ in 1..cut.length {
+            last = self.swing(last);
+            self.corners[last as usize].vertex = v;
+        }
+        let (before, after) = (previous(cut.first), next(last));
+        let [r0, rk] = [next(cut.first), previous(last)].map(|c| self.vertex(c));
+        let [outside_a, outside_b] = [self.opposite(before), self.opposite(after)];
+        let a = self.corners.len() as u32;
+        let b = a + 4;
+        for vertex in [v, kept, r0, 0, v, rk, kept, 0] {
+            self.corners.push(Corner { vertex, opposite: 0 });
+        }
+        self.link(a, outside_a);
+        self.link(a + 1, before);
+        self.link(a + 2, b + 1);
+        self.link(b, outside_b);
+        self.link(b + 2, after);
+        self.corner_of.push(a);
+        self.corner_of[kept as usize] = a + 1;
+        v
+    }
+
+    /// Takes a vertex away: its triangles go to the neighbour at the edge of `corner`, the corner at the vertex whose
+    /// next one is the neighbour. The two triangles at that edge vanish but stay in the table.
+    pub(super) fn collapse(&mut self, corner: u32) -> Undo {
+        let a = corner;
+        let kept = self.vertex(next(a));
+        let first = self.swing(a);
+        let (mut last, mut length) = (first, 0);
+        let b = loop {
+            self.corners[last as usize].vertex = kept;
+            length += 1;
+            let after = self.swing(last);
+            if self.vertex(previous(after)) == kept && self.swing(after) == a {
+                break after;
+            }
+            last = after;
+        };
+        let (outside_a, inside_a) = (self.opposite(a), self.opposite(next(a)));
+        let (outside_b, inside_b) = (self.opposite(b), self.opposite(previous(b)));
+        self.link(outside_a, inside_a);
+        self.link(outside_b, inside_b);
+        let [r0, rk] = [next(first), previous(last)];
+        self.corner_of[kept as usize] = first;
+        for c in [r0, rk] {
+            let vertex = self.vertex(c);
+            self.corner_of[vertex as usize] = c;
+        }
+        Undo { kept, cut: Cut { first, length }, gone: [a, b] }
+    }
+}
+
+/// The corner across each edge, numbered `3 triangle + corner`.
+fn match_edges(triangles: &[[u32; 3]]) -> Result<Vec<u32>, SurfaceDefect> {
+    let mut edges = half_edges(triangles);
+    edges.sort_unstable();
+    let mut opposite = vec![NONE; 3 * triangles.len()];
+    for pair in edges.chunks(2) {
+        let [(one, a), (other, b)] = *pair else { return Err(SurfaceDefect::Edge(pair[0].1 / 3)) };
+        if one != other || is_forward(triangles, a) == is_forward(triangles, b) {
+            return Err(SurfaceDefect::Edge(a / 3));
+        }
+        opposite[a as usize] = b;
+        opposite[b as usize] = a;
+    }
+    // Three or four triangles at an edge would have passed for pairs.
+    if edges.chunks(2).zip(edges.chunks(2).skip(1)).any(|(a, b)| a[0].0 == b[0].0) {
+        let at = edges.windows(3).find(|w| w[0].0 == w[2].0).map_or(0, |w| w[0].1 / 3);
+        return Err(SurfaceDefect::Edge(at));
+    }
+    Ok(opposite)
+}
+
+/// Every half-edge as its two vertices, smaller first, and the corner that faces it.
+pub(super) fn half_edges(triangles: &[[u32; 3]]) -> Vec<(u64, u32)> {
+    let mut edges = Vec::with_capacity(3 * triangles.len());
+    for t in 0..triangles.len() as u32 {
+        for i in 0..3 {
+            let (a, b) = edge_facing(triangles, 3 * t + i);
+            edges.push((u64::from(a.min(b)) << 32 | u64::from(a.max(b)), 3 * t + i));
+        }
+    }
+    edges
+}
+
+/// The half-edge that faces a corner, as its triangle runs along it.
+pub(super) fn edge_facing(triangles: &[[u32; 3]], corner: u32) -> (u32, u32) {
+    let (t, i) = (corner as usize / 3, corner as usize % 3);
+    (triangles[t][(i + 1) % 3], triangles[t][(i + 2) % 3])
+}
+
+/// True where the half-edge that faces a corner runs from the smaller vertex to the larger.
+pub(super) fn is_forward(triangles: &[[u32; 3]], corner: u32) -> bool {
+    let (a, b) = edge_facing(triangles, corner);
+    a < b
+}
