@@ -94,6 +94,8 @@ impl SectionKind {
     pub const PATTERN_EXTRAS: Self = Self(*b"PTEX");
     /// Patterns: what a criterion needs of each step.
     pub const PATTERN_BOUNDS: Self = Self(*b"PTBD");
+    /// The progressive stream.
+    pub const STREAM: Self = Self(*b"STRM");
 
     fn is_known(self) -> bool {
         [
@@ -133,6 +135,7 @@ impl SectionKind {
             Self::PATTERN_BASE,
             Self::PATTERN_EXTRAS,
             Self::PATTERN_BOUNDS,
+            Self::STREAM,
         ]
         .contains(&self)
     }

@@ -1,6 +1,7 @@
 //! What can be wrong with a file, and with what is to become one.
 
 use super::SectionKind;
+use super::progressive::StreamDefect;
 use crate::mesh::{MeshError, SequenceError};
 use crate::model::ModelError;
 use crate::strip::StripSetError;
@@ -110,6 +111,9 @@ pub enum DecodeError {
     /// The file has fragments, and something was asked for that only collapses tell.
     #[error("the file was made by removing vertices, not by collapses: only its patterns know its levels")]
     NoCollapses,
+    /// A progressive stream is unsound.
+    #[error("the stream is damaged: {0}")]
+    Stream(#[from] StreamDefect),
     /// The mesh is unsound.
     #[error(transparent)]
     Mesh(#[from] MeshError),

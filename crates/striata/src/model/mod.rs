@@ -34,6 +34,7 @@ pub use patterns::{
     Condition, Overlap, PatternBounds, PatternChange, PatternInstance, PatternScene, Patterns, PatternsState,
     Wanted,
 };
+pub(crate) use record_arena::{read_varint, write_varint};
 pub(crate) use step_vertices::StepVertices;
 
 use std::ops::Range;

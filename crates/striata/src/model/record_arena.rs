@@ -21,7 +21,7 @@ pub(super) fn read_fixed(bytes: &mut &[u8], count: usize) -> Option<u32> {
 }
 
 /// Appends a number.
-pub(super) fn write_varint(mut value: u32, out: &mut Vec<u8>) {
+pub(crate) fn write_varint(mut value: u32, out: &mut Vec<u8>) {
     while value >= 0x80 {
         out.push(value as u8 | 0x80);
         value >>= 7;
@@ -31,7 +31,7 @@ pub(super) fn write_varint(mut value: u32, out: &mut Vec<u8>) {
 
 /// Takes a number off the front; `None` where it ends too early or does not fit.
 #[inline]
-pub(super) fn read_varint(bytes: &mut &[u8]) -> Option<u32> {
+pub(crate) fn read_varint(bytes: &mut &[u8]) -> Option<u32> {
     let (&first, mut rest) = bytes.split_first()?;
     let mut value = u32::from(first & 0x7f);
     if first >= 0x80 {

@@ -1,17 +1,17 @@
 //! From a sequence in batch order to compressed chunks.
 
 use super::super::entropy::RangeWriter;
-use super::Effort;
 use super::cutting::{Closed, close};
-use super::growth::Growth;
-use super::refiner::Refiner;
+use super::refiner::{Refiner, Terms};
 use super::splits::{StepDefect, collapse_all};
 use super::surface::Undo;
-use super::truth::{Truth, base_of};
+use super::truth::{Points, Truth, base_of};
 use crate::mesh::RefinableMesh;
 
 /// Splits of a chunk: what is checked, and can be asked for, at once.
 const CHUNK_SPLITS: usize = 4096;
+/// Splits of the first chunk: the first picture should not have to wait.
+const FIRST_SPLITS: usize = 256;
 
 /// A stretch of the stream with a checksum of its own.
 #[derive(Clone, Debug)]
@@ -61,12 +61,12 @@ pub enum BatchDefect {
     },
 }
 
-/// Codes a sequence; `places` are the grid coordinates of the positions.
+/// Codes a sequence; the patch of `terms` is found here.
 pub(super) fn encode_chunks(
     refinable: &RefinableMesh,
     batches: &[u32],
-    places: &[[i32; 3]],
-    effort: Effort,
+    points: &Points,
+    terms: &Terms,
 ) -> Result<Chunks, BatchDefect> {
     check_batches(batches, refinable.sequence.step_count())?;
     let positions = refinable.sequence.positions();
@@ -75,7 +75,7 @@ pub(super) fn encode_chunks(
     let mut closed = close(&triangles, positions.position_count());
     let undo =
         collapse_all(&mut closed, refinable).map_err(|(step, defect)| BatchDefect::Step { step, defect })?;
-    write(&closed, &undo, (batches, places), effort)
+    write(&closed, &undo, (batches, points), terms)
 }
 
 fn check_batches(batches: &[u32], step_count: usize) -> Result<(), BatchDefect> {
@@ -89,20 +89,19 @@ fn check_batches(batches: &[u32], step_count: usize) -> Result<(), BatchDefect> 
 fn write(
     closed: &Closed,
     undo: &[Undo],
-    (batches, places): (&[u32], &[[i32; 3]]),
-    effort: Effort,
+    (batches, points): (&[u32], &Points),
+    terms: &Terms,
 ) -> Result<Chunks, BatchDefect> {
-    let (mut base, mut truth) = base_of(closed, undo, batches, places);
+    let (base, mut truth) = base_of(closed, undo, batches, points);
     let max_patch = undo.iter().map(|u| u.cut.length).max().unwrap_or(0);
+    let terms = Terms { max_patch, ..terms.clone() };
     let mut spent = [0.0; 4];
     let mut chunks = Vec::new();
     let mut writer = RangeWriter::new();
-    base.code(&mut writer);
+    // A surface that was collapsed to is closed.
+    let mut refiner =
+        Refiner::begin(&mut writer, base, &terms, &truth).expect("collapses keep a surface closed");
     push(&mut chunks, writer, 0, &mut spent);
-    // What the reader does with the same triangles; a surface that was collapsed to is closed.
-    let mut surface = base.surface().expect("collapses keep a surface closed");
-    let growth = Growth::of_base(&base, &mut surface);
-    let mut refiner = Refiner::new(surface, base.surface_places(), growth, effort, max_patch);
     while truth.order.len() < undo.len() {
         let mut writer = RangeWriter::new();
         code_chunk(&mut refiner, &mut writer, &mut truth, undo.len())?;
@@ -123,7 +122,9 @@ fn code_chunk(
     truth: &mut Truth<'_>,
     step_count: usize,
 ) -> Result<(), BatchDefect> {
-    let end = (truth.order.len() + CHUNK_SPLITS).min(step_count);
+    let done = truth.order.len();
+    // Early chunks are small, so that pictures come often.
+    let end = (done + (done / 2).clamp(FIRST_SPLITS, CHUNK_SPLITS)).min(step_count);
     while truth.order.len() < end {
         let result = refiner.stretch(writer, truth, end - truth.order.len());
         let is_dependent = !refiner.is_in_batch() && !truth.is_settled();
@@ -136,7 +137,9 @@ fn code_chunk(
 
 #[cfg(test)]
 mod tests {
+    use super::super::Effort;
     use super::super::base::Base;
+    use super::super::grid::PositionGrid;
     use super::super::refiner::{Ended, Unknown};
     use super::*;
     use crate::codec::entropy::RangeReader;
@@ -155,12 +158,10 @@ mod tests {
     }
 
     /// Reads chunks as far as they go; a check after each.
-    fn read(chunks: &Chunks, effort: Effort, mut check: impl FnMut(&Refiner, usize)) -> Refiner {
-        let mut base = Base::default();
-        base.code(&mut RangeReader::new(&chunks.chunks[0].bytes, true));
-        let mut surface = base.surface().unwrap();
-        let growth = Growth::of_base(&base, &mut surface);
-        let mut refiner = Refiner::new(surface, base.surface_places(), growth, effort, chunks.max_patch);
+    fn read(chunks: &Chunks, terms: &Terms, mut check: impl FnMut(&Refiner, usize)) -> Refiner {
+        let mut reader = RangeReader::new(&chunks.chunks[0].bytes, true);
+        let terms = Terms { max_patch: chunks.max_patch, ..terms.clone() };
+        let mut refiner = Refiner::begin(&mut reader, Base::default(), &terms, &Unknown).unwrap();
         let mut done = 0;
         check(&refiner, 0);
         for chunk in &chunks.chunks[1..] {
@@ -185,12 +186,15 @@ mod tests {
         let places: Vec<[i32; 3]> = (0..sequence.positions().position_count())
             .map(|_| std::array::from_fn(|_| random.below(4096) as i32))
             .collect();
+        let points = Points { exact: vec![[0.0; 3]; places.len()], places };
+        let grid = PositionGrid { origin: [0.0; 3], step: 1.0, bits: 12 };
         for effort in [Effort::Fast, Effort::Default, Effort::Small] {
-            let chunks = encode_chunks(refinable, &batches, &places, effort).unwrap();
+            let terms = Terms { effort, grid, is_exact: false, max_patch: 0 };
+            let chunks = encode_chunks(refinable, &batches, &points, &terms).unwrap();
             // Places are all different with near certainty, so triangles can be compared by them.
             let base = sequence.base_position_count();
             let mut seen = 0;
-            let refiner = read(&chunks, effort, |refiner, done| {
+            let refiner = read(&chunks, &terms, |refiner, done| {
                 seen += 1;
                 let _ = (refiner, done);
             });

@@ -6,6 +6,8 @@ use super::surface::{NONE, Surface, triangle_of};
 /// Triangles and steps, growing with each split. Vertices are numbered as in the mesh: base first, then step by step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Growth {
+    /// Where the vertices are, mesh units.
+    pub(super) positions: Vec<[f32; 3]>,
     /// Corners of each triangle of the level, in the order in which they came.
     pub(super) triangles: Vec<[u32; 3]>,
     /// The vertex that each one beyond the base collapses to.

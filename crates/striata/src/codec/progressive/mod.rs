@@ -9,7 +9,11 @@ mod base;
 mod chunks;
 mod connectivity;
 mod cutting;
+mod decode;
+mod encode;
+mod grid;
 mod growth;
+mod head;
 mod hood;
 mod positions;
 mod refiner;
@@ -19,7 +23,12 @@ mod truth;
 mod walk;
 
 pub use chunks::BatchDefect;
+pub use decode::{StreamDecoder, StreamUpdate};
+pub use encode::{EncodedStream, Precision, StreamError, StreamOptions, StreamSizes, encode_stream};
+pub use grid::GridError;
+pub use head::STREAM_MAGIC;
 pub use splits::StepDefect;
+pub use surface::SurfaceDefect;
 
 /// How hard the coder tries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,9 +44,40 @@ pub enum Effort {
 }
 
 /// What can be wrong within a stream whose bytes are as they were written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StreamDefect {
+    /// The grid is none.
+    #[error(transparent)]
+    Grid(#[from] GridError),
+    /// The stream ends before its base mesh does.
+    #[error("it ends before the base mesh does")]
+    NoBase,
+    /// The base is no closed surface.
+    #[error("the base mesh is no surface: {0}")]
+    Base(#[from] SurfaceDefect),
+    /// A chunk's bytes are damaged.
+    #[error("chunk {chunk} at byte {offset} is damaged: checksum {found:08x}, expected {expected:08x}")]
+    Checksum {
+        /// The chunk, from 0, which holds the base.
+        chunk: usize,
+        /// Where it begins in the stream.
+        offset: u64,
+        /// Checksum of the bytes.
+        found: u32,
+        /// Checksum that the head holds.
+        expected: u32,
+    },
+    /// What was decoded is not what the head promises.
+    #[error("it gives {found} {what}, but its head says {expected}")]
+    Count {
+        /// What is counted.
+        what: &'static str,
+        /// What came.
+        found: u64,
+        /// What was promised.
+        expected: u64,
+    },
     /// A batch splits nothing, so that the stream would never end.
     #[error("batch {batch} splits no vertex")]
     EmptyBatch {

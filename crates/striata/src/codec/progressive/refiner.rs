@@ -4,7 +4,9 @@
 //! cannot disagree, as long as models look only at what has been coded.
 
 use super::super::entropy::{Coder, Part};
+use super::base::Base;
 use super::connectivity::{ConnectivityModel, Scene};
+use super::grid::{CorrectionModel, PositionGrid};
 use super::growth::Growth;
 use super::hood::Hood;
 use super::positions::PositionModel;
@@ -14,6 +16,19 @@ use super::{Effort, StreamDefect};
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.
 const STRETCH: usize = 1024;
+
+/// What both sides agree on before the first bit.
+#[derive(Clone, Debug)]
+pub(super) struct Terms {
+    /// How hard models try.
+    pub(super) effort: Effort,
+    /// The grid of positions.
+    pub(super) grid: PositionGrid,
+    /// Whether positions are exact beside it.
+    pub(super) is_exact: bool,
+    /// Most triangles that a new vertex takes over.
+    pub(super) max_patch: u32,
+}
 
 /// What a writer knows of what is to come.
 pub(super) trait Source {
@@ -25,6 +40,8 @@ pub(super) trait Source {
     fn born(&mut self, vertex: u32, kept: u32);
     /// The grid coordinates of a vertex.
     fn place(&self, vertex: u32) -> [i32; 3];
+    /// Where a vertex is exactly, mesh units.
+    fn exact(&self, vertex: u32) -> [f32; 3];
 }
 
 /// A reader's source: nothing is known.
@@ -38,6 +55,9 @@ impl Source for Unknown {
     fn born(&mut self, _: u32, _: u32) {}
     fn place(&self, _: u32) -> [i32; 3] {
         [0; 3]
+    }
+    fn exact(&self, _: u32) -> [f32; 3] {
+        [0.0; 3]
     }
 }
 
@@ -60,35 +80,61 @@ pub(super) struct Refiner {
     is_in_batch: bool,
     splits_in_batch: usize,
     max_patch: u32,
+    grid: PositionGrid,
     connectivity: ConnectivityModel,
     positions: PositionModel,
+    /// What grid coordinates lack, where positions are exact.
+    corrections: Option<CorrectionModel>,
     pending: Vec<Cut>,
     corners: Vec<u32>,
     pub(super) growth: Growth,
 }
 
 impl Refiner {
-    /// Begins with a base; `places` has the coordinates of all its vertices, anything for virtual ones.
-    pub(super) fn new(
-        surface: Surface,
-        places: Vec<[i32; 3]>,
-        growth: Growth,
-        effort: Effort,
-        max_patch: u32,
-    ) -> Self {
-        Self {
+    /// Codes the base, counts and all, and begins with it.
+    ///
+    /// # Errors
+    /// Where what was read is no base.
+    pub(super) fn begin<C: Coder>(
+        coder: &mut C,
+        mut base: Base,
+        terms: &Terms,
+        source: &impl Source,
+    ) -> Result<Self, StreamDefect> {
+        base.code(coder);
+        if coder.overran() {
+            return Err(StreamDefect::NoBase);
+        }
+        let mut surface = base.surface()?;
+        let mut corrections = terms.is_exact.then(CorrectionModel::new);
+        let mut growth = Growth::of_base(&base, &mut surface);
+        let mut vertex_of_position = vec![0; base.places.len()];
+        for (copy, &position) in base.position_of_copy.iter().enumerate().rev() {
+            vertex_of_position[position as usize] = base.virtual_count + copy as u32;
+        }
+        for (&place, &vertex) in base.places.iter().zip(&vertex_of_position) {
+            let exact = source.exact(vertex);
+            growth.positions.push(match &mut corrections {
+                Some(model) => model.code(coder, &terms.grid, place, exact),
+                None => terms.grid.place(place),
+            });
+        }
+        let Terms { grid, effort, max_patch, .. } = *terms;
+        Ok(Self {
             surface,
-            places,
+            places: base.surface_places(),
             walk: Walk::default(),
             is_in_batch: false,
             splits_in_batch: 0,
             max_patch,
+            grid,
             connectivity: ConnectivityModel::new(effort),
             positions: PositionModel::new(effort),
+            corrections,
             pending: Vec::new(),
             corners: Vec::new(),
             growth,
-        }
+        })
     }
 
     /// Codes up to so many splits: the rest of a batch, or a part of it.
@@ -184,13 +230,23 @@ impl Refiner {
         coder.part(Part::Positions);
         let actual = if C::READS { [0; 3] } else { source.place(vertex) };
         let place = self.positions.code(coder, &hood, actual);
+        let position = match &mut self.corrections {
+            Some(model) => model.code(coder, &self.grid, place, source.exact(vertex)),
+            None => self.grid.place(place),
+        };
         if coder.overran() {
             return Ended::Short;
         }
         self.places.push(place);
+        self.growth.positions.push(position);
         let kept = self.surface.vertex(next(self.corners[0]));
         self.growth.add(&mut self.surface, &self.corners, vertex, kept);
         Ended::Whole
+    }
+
+    /// Splits done and told in full.
+    pub(super) fn split_count(&self) -> usize {
+        self.growth.targets.len()
     }
 
     /// Batches begun so far.

@@ -71,7 +71,8 @@ pub(super) struct Surface {
 
 /// Why triangles are no closed surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub(super) enum SurfaceDefect {
+#[non_exhaustive]
+pub enum SurfaceDefect {
     /// A half-edge has no partner, or several.
     #[error("triangle {0} has an edge that is not shared by two triangles")]
     Edge(u32),

@@ -5,13 +5,20 @@ use super::cutting::Closed;
 use super::refiner::Source;
 use super::surface::{Cut, NONE, Undo};
 
+/// Where the positions of the mesh are.
+pub(super) struct Points {
+    /// Grid coordinates.
+    pub(super) places: Vec<[i32; 3]>,
+    /// Mesh units.
+    pub(super) exact: Vec<[f32; 3]>,
+}
+
 /// The steps of a sequence in the numbering of a surface under refinement.
 pub(super) struct Truth<'a> {
     undo: &'a [Undo],
     /// Split counts at which batches begin, closed by the number of steps.
     batches: &'a [u32],
-    /// Grid coordinates of the positions of the mesh.
-    places: &'a [[i32; 3]],
+    points: &'a Points,
     batch: usize,
     base_position_count: u32,
     fine_virtual_count: u32,
@@ -33,13 +40,13 @@ pub(super) fn base_of<'a>(
     closed: &Closed,
     undo: &'a [Undo],
     batches: &'a [u32],
-    places: &'a [[i32; 3]],
+    points: &'a Points,
 ) -> (Base, Truth<'a>) {
     let surface = &closed.surface;
     let virtual_count = surface.virtual_count();
     let mut is_gone = vec![false; surface.triangle_count()];
     undo.iter().flat_map(|u| u.gone).for_each(|corner| is_gone[corner as usize / 4] = true);
-    let base_position_count = (places.len() - undo.len()) as u32;
+    let base_position_count = (points.places.len() - undo.len()) as u32;
     let mut vertices = vec![NONE; surface.vertex_count()];
     let mut base = Base { virtual_count, ..Base::default() };
     (0..virtual_count).for_each(|v| vertices[v as usize] = v);
@@ -56,11 +63,11 @@ pub(super) fn base_of<'a>(
         corners[t] = 4 * base.triangles.len() as u32;
         base.triangles.push(surface.triangle(t as u32).map(|v| vertices[v as usize]));
     }
-    base.places = places[..base_position_count as usize].to_vec();
+    base.places = points.places[..base_position_count as usize].to_vec();
     let truth = Truth {
         undo,
         batches,
-        places,
+        points,
         batch: 0,
         base_position_count,
         fine_virtual_count: virtual_count,
@@ -117,6 +124,10 @@ impl Source for Truth<'_> {
     }
 
     fn place(&self, vertex: u32) -> [i32; 3] {
-        self.places[self.positions[vertex as usize] as usize]
+        self.points.places[self.positions[vertex as usize] as usize]
+    }
+
+    fn exact(&self, vertex: u32) -> [f32; 3] {
+        self.points.exact[self.positions[vertex as usize] as usize]
     }
 }

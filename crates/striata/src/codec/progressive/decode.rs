@@ -1,0 +1,268 @@
+//! The reader's front: bytes in as they arrive, vertices and triangles out.
+
+use std::ops::Range;
+
+use super::super::DecodeError;
+use super::super::entropy::RangeReader;
+use super::StreamDefect;
+use super::base::Base;
+use super::growth::Growth;
+use super::head::{FIXED_BYTES, Head, Row, head_length};
+use super::refiner::{Ended, Refiner, Terms, Unknown};
+use crate::mesh::{CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts};
+
+/// What some bytes have brought.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct StreamUpdate {
+    /// Vertices that are new, at the end of the vertex buffer.
+    pub vertices: Range<usize>,
+    /// Triangles that are new, at the end of the index buffer.
+    pub triangles: Range<usize>,
+    /// Older triangles with other corners now, ascending.
+    pub changed_triangles: Vec<u32>,
+}
+
+/// Reads a progressive stream: takes slices of bytes as they arrive, and holds the mesh of what has come.
+///
+/// A chunk is read once all its bytes are there and its checksum holds. Where the bytes end for good,
+/// [`finish`](Self::finish) reads what the rest of them tell.
+///
+/// # Example
+/// ```
+/// use striata::codec::progressive::{StreamDecoder, StreamOptions, encode_stream};
+/// use striata::mesh::shapes;
+/// use striata::simplify::{BatchOptions, build_batches};
+///
+/// let built = build_batches(&shapes::torus(32, 16, 1.0, 0.4), &BatchOptions::default(), &mut striata::ignore_progress)?;
+/// let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default())?;
+/// let mut decoder = StreamDecoder::new();
+/// for piece in stream.bytes.chunks(100) {
+///     let update = decoder.push(piece)?;
+///     println!("{} more vertices", update.vertices.len());
+/// }
+/// assert_eq!(decoder.triangles().len(), 1024);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct StreamDecoder {
+    /// Bytes that have come and are not read yet.
+    waiting: Vec<u8>,
+    /// Bytes that have been read.
+    read: u64,
+    head: Option<Head>,
+    refiner: Option<Box<Refiner>>,
+    /// Chunks read.
+    chunk_count: usize,
+    /// Splits within a chunk that was cut off.
+    is_cut: bool,
+}
+
+impl StreamDecoder {
+    /// Nothing read yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes the next bytes of the stream and reads all chunks that are complete.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the bytes are no sound stream; what came before stays, more bytes are of no use.
+    pub fn push(&mut self, bytes: &[u8]) -> Result<StreamUpdate, DecodeError> {
+        self.waiting.extend_from_slice(bytes);
+        let before = self.sizes();
+        if self.head.is_none() {
+            let Some(length) = head_length(&self.waiting)?.filter(|&n| n <= self.waiting.len()) else {
+                return Ok(self.update_since(before));
+            };
+            self.head = Some(Head::from_bytes(&self.waiting[..length])?);
+            self.consume(length);
+        }
+        while let Some(row) = self.next_row().filter(|row| row.bytes as usize <= self.waiting.len()) {
+            let chunk: Vec<u8> = self.waiting[..row.bytes as usize].to_vec();
+            self.check_chunk(&chunk, row)?;
+            self.read_chunk(&chunk, row, true)?;
+            self.consume(row.bytes as usize);
+            self.chunk_count += 1;
+        }
+        if self.next_row().is_none() {
+            self.check_counts()?;
+        }
+        Ok(self.update_since(before))
+    }
+
+    /// Reads what a last, incomplete chunk tells, its checksum unknown. No more bytes can follow.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the stream ends before its base mesh does, or what is there makes no sense.
+    pub fn finish(&mut self) -> Result<StreamUpdate, DecodeError> {
+        let before = self.sizes();
+        if self.head.is_none() {
+            let (found, expected) = (self.waiting.len() as u64, FIXED_BYTES as u64);
+            return Err(DecodeError::FileLength { found, expected: expected.max(found + 1) });
+        }
+        if self.chunk_count == 0 {
+            return Err(StreamDefect::NoBase.into());
+        }
+        if let Some(row) = self.next_row().filter(|_| !self.is_cut) {
+            let rest = std::mem::take(&mut self.waiting);
+            self.is_cut = true;
+            self.read_chunk(&rest, row, false)?;
+        }
+        Ok(self.update_since(before))
+    }
+
+    fn next_row(&self) -> Option<Row> {
+        self.head.as_ref()?.rows.get(self.chunk_count).copied()
+    }
+
+    fn consume(&mut self, count: usize) {
+        self.waiting.drain(..count);
+        self.read += count as u64;
+    }
+
+    fn check_chunk(&self, chunk: &[u8], row: Row) -> Result<(), StreamDefect> {
+        let found = crc32fast::hash(chunk);
+        if found == row.checksum {
+            return Ok(());
+        }
+        Err(StreamDefect::Checksum {
+            chunk: self.chunk_count,
+            offset: self.read,
+            found,
+            expected: row.checksum,
+        })
+    }
+
+    fn read_chunk(&mut self, bytes: &[u8], row: Row, is_complete: bool) -> Result<(), StreamDefect> {
+        let mut reader = RangeReader::new(bytes, is_complete);
+        let Some(refiner) = &mut self.refiner else {
+            return self.read_base(&mut reader);
+        };
+        while refiner.split_count() < row.split_count as usize {
+            let most = row.split_count as usize - refiner.split_count();
+            if refiner.stretch(&mut reader, &mut Unknown, most)? == Ended::Short {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn read_base(&mut self, reader: &mut RangeReader<'_>) -> Result<(), StreamDefect> {
+        let Some(head) = &self.head else { return Ok(()) };
+        let terms = Terms {
+            effort: head.effort,
+            grid: head.grid,
+            is_exact: head.is_exact,
+            max_patch: head.max_patch,
+        };
+        self.refiner = Some(Box::new(Refiner::begin(reader, Base::default(), &terms, &Unknown)?));
+        Ok(())
+    }
+
+    /// The whole stream is read: it must be what its head says.
+    fn check_counts(&self) -> Result<(), StreamDefect> {
+        let (Some(head), Some(growth)) = (&self.head, self.growth()) else { return Ok(()) };
+        let counts = [
+            ("vertices", growth.positions.len(), head.vertex_count),
+            ("triangles", growth.triangles.len(), head.triangle_count),
+        ];
+        for (what, found, expected) in counts {
+            if found != expected as usize {
+                return Err(StreamDefect::Count { what, found: found as u64, expected: u64::from(expected) });
+            }
+        }
+        Ok(())
+    }
+
+    fn growth(&self) -> Option<&Growth> {
+        self.refiner.as_ref().map(|refiner| &refiner.growth)
+    }
+
+    fn sizes(&self) -> (usize, usize) {
+        self.growth().map_or((0, 0), |growth| (growth.positions.len(), growth.triangles.len()))
+    }
+
+    fn update_since(&mut self, (vertices, triangles): (usize, usize)) -> StreamUpdate {
+        let (vertices_now, triangles_now) = self.sizes();
+        let mut changed_triangles = match &mut self.refiner {
+            Some(refiner) => std::mem::take(&mut refiner.growth.changed),
+            None => Vec::new(),
+        };
+        changed_triangles.retain(|&t| (t as usize) < triangles);
+        changed_triangles.sort_unstable();
+        changed_triangles.dedup();
+        StreamUpdate {
+            vertices: vertices..vertices_now,
+            triangles: triangles..triangles_now,
+            changed_triangles,
+        }
+    }
+
+    /// Positions of the vertices that have come, mesh units.
+    pub fn positions(&self) -> &[[f32; 3]] {
+        self.growth().map_or(&[], |growth| &growth.positions)
+    }
+
+    /// Triangles of the level that has come, in the order in which they came.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        self.growth().map_or(&[], |growth| &growth.triangles)
+    }
+
+    /// Vertex splits that have come.
+    pub fn split_count(&self) -> usize {
+        self.refiner.as_ref().map_or(0, |refiner| refiner.split_count())
+    }
+
+    /// Vertex splits of the whole stream; none before its head has come.
+    pub fn step_count(&self) -> Option<usize> {
+        self.head.as_ref().map(|head| head.step_count as usize)
+    }
+
+    /// True where the whole stream has been read.
+    pub fn is_complete(&self) -> bool {
+        self.head.is_some() && self.next_row().is_none()
+    }
+
+    /// Bytes from the beginning of the stream after which a level is there; none before the head has come, or if
+    /// there is no such level.
+    pub fn bytes_for(&self, split_count: usize) -> Option<u64> {
+        let head = self.head.as_ref()?;
+        let chunks = head.rows.partition_point(|row| (row.split_count as usize) < split_count) + 1;
+        let bytes: u64 = head.rows.get(..chunks)?.iter().map(|row| u64::from(row.bytes)).sum();
+        Some(bytes + head.length)
+    }
+
+    /// How far the level is from the full mesh at most as far as the sequence tells, mesh units; 0 at the end.
+    pub fn error(&self) -> Option<f32> {
+        let head = self.head.as_ref()?;
+        Some(head.rows.get(self.chunk_count).map_or(0.0, |row| row.error))
+    }
+
+    /// What has come as a mesh with the sequence that leads to it: models are built from it as from any other.
+    ///
+    /// None before the base has come.
+    pub fn refinable_mesh(&self) -> Option<RefinableMesh> {
+        let (head, growth) = (self.head.as_ref()?, self.growth()?);
+        let mesh = IndexedMesh {
+            positions: growth.positions.clone(),
+            triangles: growth.triangles.clone(),
+            appearance: head.appearance.clone(),
+            ..IndexedMesh::default()
+        };
+        let step_count = growth.added.len();
+        let error_of = |step: usize| {
+            let chunk = head.rows.partition_point(|row| row.split_count as usize <= step);
+            head.rows.get(chunk).map_or(0.0, |row| row.error)
+        };
+        let sequence = CollapseSequence::from_parts(SequenceParts {
+            positions: PositionIndex::identity(mesh.vertex_count()),
+            base_position_count: mesh.vertex_count() - step_count,
+            targets: growth.targets.clone(),
+            errors: (0..step_count).map(error_of).collect(),
+            removed_triangle_counts: growth.added.clone(),
+            triangle_count: mesh.triangle_count(),
+        });
+        Some(RefinableMesh { mesh, sequence: sequence.ok()? })
+    }
+}

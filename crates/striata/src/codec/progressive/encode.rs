@@ -1,0 +1,189 @@
+//! The writer's front: options, the stream's bytes, and what they were spent on.
+
+use super::super::EncodeError;
+use super::Effort;
+use super::chunks::{BatchDefect, Chunks, encode_chunks};
+use super::grid::{GridError, PositionGrid};
+use super::head::{GroupName, Head, Row};
+use super::refiner::Terms;
+use super::truth::Points;
+use crate::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
+
+/// How exactly positions are kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Precision {
+    /// On a cubic grid of so many bits (1 to 24) along the longest side of the bounds.
+    Bits(u32),
+    /// On a cubic grid on which no vertex moves farther, mesh units.
+    Tolerance(f64),
+    /// The very floats of the mesh; attribute layers too.
+    Lossless,
+}
+
+impl Default for Precision {
+    fn default() -> Self {
+        Self::Bits(14)
+    }
+}
+
+/// Options of [`encode_stream`].
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct StreamOptions {
+    /// How exactly positions are kept; default 14 bits.
+    pub precision: Precision,
+    /// How hard the coder tries; default [`Effort::Default`].
+    pub effort: Effort,
+    /// Texts about the stream, key and value; default none.
+    pub metadata: Vec<(String, String)>,
+}
+
+impl StreamOptions {
+    /// Sets [`Self::precision`].
+    pub fn with_precision(self, precision: Precision) -> Self {
+        Self { precision, ..self }
+    }
+
+    /// Sets [`Self::effort`].
+    pub fn with_effort(self, effort: Effort) -> Self {
+        Self { effort, ..self }
+    }
+
+    /// Adds to [`Self::metadata`].
+    pub fn with_metadata(mut self, key: impl Into<String>, value: impl Into<String>) -> Self {
+        self.metadata.push((key.into(), value.into()));
+        self
+    }
+}
+
+/// What the bytes of a stream are spent on; the sum is all of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct StreamSizes {
+    /// Bits that say which vertices split and how.
+    pub connectivity_bits: f64,
+    /// Bits of coordinates.
+    pub position_bits: f64,
+    /// Bits of wedges, groups and attribute layers.
+    pub attribute_bits: f64,
+    /// Bits of the base mesh, of the head and of what is lost between chunks.
+    pub other_bits: f64,
+}
+
+/// A stream, and the mesh in its order.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct EncodedStream {
+    /// The stream.
+    pub bytes: Vec<u8>,
+    /// What its bytes are spent on.
+    pub sizes: StreamSizes,
+    /// For each vertex that a reader gets, the vertex of the mesh that was given.
+    pub source_vertex: Vec<u32>,
+}
+
+/// Why a mesh does not become a stream.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StreamError {
+    /// The mesh is unsound.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// There is no grid as asked for.
+    #[error(transparent)]
+    Grid(#[from] GridError),
+    /// The sequence is not one of batches.
+    #[error(transparent)]
+    Batches(#[from] BatchDefect),
+    /// A text is too long.
+    #[error(transparent)]
+    Text(#[from] EncodeError),
+}
+
+/// Codes a mesh with its sequence, whose steps are in batches as [`build_batches`](crate::simplify::build_batches) makes
+/// them: `batches` are the split counts at which batches begin, closed by the number of steps.
+///
+/// # Errors
+/// [`StreamError`] where the mesh is unsound, there is no such grid, or the steps of a batch depend on each other.
+pub fn encode_stream(
+    refinable: &RefinableMesh,
+    batches: &[u32],
+    options: &StreamOptions,
+) -> Result<EncodedStream, StreamError> {
+    refinable.mesh.check()?;
+    let is_exact = options.precision == Precision::Lossless;
+    let grid = grid_of(&refinable.mesh, options.precision)?;
+    let points = points_of(refinable, &grid);
+    let terms = Terms { effort: options.effort, grid, is_exact, max_patch: 0 };
+    let chunks = encode_chunks(refinable, batches, &points, &terms)?;
+    let head = head_of(refinable, batches, &chunks, (options, grid)).to_bytes()?;
+    let mut bytes = head;
+    chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
+    let [connectivity_bits, position_bits, attribute_bits, _] = chunks.spent;
+    let told = connectivity_bits + position_bits + attribute_bits;
+    let other_bits = bytes.len() as f64 * 8.0 - told;
+    let sizes = StreamSizes { connectivity_bits, position_bits, attribute_bits, other_bits };
+    Ok(EncodedStream { bytes, sizes, source_vertex: source_vertices(refinable, &chunks) })
+}
+
+/// Bits of the grid that predicts exact positions.
+const LOSSLESS_BITS: u32 = 16;
+
+fn grid_of(mesh: &IndexedMesh, precision: Precision) -> Result<PositionGrid, GridError> {
+    let bounds = mesh.bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
+    match precision {
+        Precision::Bits(bits) => PositionGrid::from_bits(&bounds, bits),
+        Precision::Tolerance(tolerance) => PositionGrid::from_tolerance(&bounds, tolerance),
+        Precision::Lossless => PositionGrid::from_bits(&bounds, LOSSLESS_BITS),
+    }
+}
+
+fn points_of(refinable: &RefinableMesh, grid: &PositionGrid) -> Points {
+    let positions = refinable.sequence.positions();
+    let exact: Vec<[f32; 3]> = (0..positions.position_count() as u32)
+        .map(|p| refinable.mesh.positions[positions.first_vertex(p) as usize])
+        .collect();
+    Points { places: exact.iter().map(|&p| grid.quantise(p)).collect(), exact }
+}
+
+fn head_of(
+    refinable: &RefinableMesh,
+    batches: &[u32],
+    chunks: &Chunks,
+    (options, grid): (&StreamOptions, PositionGrid),
+) -> Head {
+    let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
+    let group = |g: &crate::mesh::TriangleGroup| GroupName { name: g.name.clone(), material: g.material };
+    let mut before = 0;
+    let rows = chunks.chunks.iter().map(|chunk| {
+        // Within a batch steps change places, so the error of its beginning holds for all of it.
+        let batch = batches.partition_point(|&first| first <= before).saturating_sub(1);
+        let error = batches.get(batch).map_or(0.0, |&first| sequence.error_at(first as usize));
+        before = chunk.split_count;
+        let checksum = crc32fast::hash(&chunk.bytes);
+        Row { bytes: chunk.bytes.len() as u32, split_count: chunk.split_count, error, checksum }
+    });
+    Head {
+        length: 0,
+        effort: options.effort,
+        is_exact: options.precision == Precision::Lossless,
+        position_count: sequence.positions().position_count() as u32,
+        vertex_count: mesh.vertex_count() as u32,
+        triangle_count: mesh.triangle_count() as u32,
+        step_count: sequence.step_count() as u32,
+        max_patch: chunks.max_patch,
+        grid,
+        groups: mesh.groups.iter().map(group).collect(),
+        appearance: mesh.appearance.clone(),
+        metadata: options.metadata.clone(),
+        rows: rows.collect(),
+    }
+}
+
+fn source_vertices(refinable: &RefinableMesh, chunks: &Chunks) -> Vec<u32> {
+    let positions = refinable.sequence.positions();
+    let base = refinable.sequence.base_position_count() as u32;
+    let steps = chunks.order.iter().map(|&step| base + step);
+    (0..base).chain(steps).flat_map(|p| positions.wedges(p)).collect()
+}

@@ -1,0 +1,264 @@
+//! What stands before the chunks of a stream: counts, the grid, names, and where each chunk is.
+//!
+//! ```text
+//! 0   4 bytes  89 53 54 52
+//! 4   u8       version, 1
+//! 5   u8       effort
+//! 6   u16      flags; bit 0: positions are exact
+//! 8   u32      length of the head, these 16 bytes included
+//! 12  u32      CRC-32 of the head, this field left out
+//! 16           counts, grid, layers, groups, appearance, metadata, chunks
+//! ```
+
+use super::super::byte_reader::{ByteReader, put_block};
+use super::super::mesh_sections::{appearance_from_bytes, appearance_to_bytes};
+use super::super::{DecodeError, EncodeError, SectionKind};
+use super::grid::PositionGrid;
+use super::{Effort, StreamDefect};
+use crate::mesh::Appearance;
+use crate::model::write_varint;
+
+/// The first bytes of a stream.
+pub const STREAM_MAGIC: [u8; 4] = *b"\x89STR";
+/// The only version of streams that is written and read.
+const VERSION: u8 = 1;
+/// Bytes of the head that are always there.
+pub(super) const FIXED_BYTES: usize = 16;
+const EXACT: u16 = 1;
+/// A chunk may hold so many splits a byte, and so many more.
+const MAX_SPLITS_A_BYTE: u64 = 256;
+
+/// A group without its triangles.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct GroupName {
+    pub(super) name: String,
+    pub(super) material: Option<u32>,
+}
+
+/// Where a chunk is, and what it gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Row {
+    /// Bytes of the chunk.
+    pub(super) bytes: u32,
+    /// Splits of this and all chunks before it.
+    pub(super) split_count: u32,
+    /// Error of the level before the chunk, mesh units, rounded up.
+    pub(super) error: f32,
+    /// CRC-32 of the chunk's bytes.
+    pub(super) checksum: u32,
+}
+
+/// All that a reader knows before the first chunk.
+#[derive(Clone, Debug)]
+pub(super) struct Head {
+    /// Bytes of the head.
+    pub(super) length: u64,
+    pub(super) effort: Effort,
+    /// Whether positions are the very floats of the mesh, beside the grid.
+    pub(super) is_exact: bool,
+    pub(super) position_count: u32,
+    pub(super) vertex_count: u32,
+    pub(super) triangle_count: u32,
+    pub(super) step_count: u32,
+    pub(super) max_patch: u32,
+    pub(super) grid: PositionGrid,
+    pub(super) groups: Vec<GroupName>,
+    pub(super) appearance: Appearance,
+    pub(super) metadata: Vec<(String, String)>,
+    pub(super) rows: Vec<Row>,
+}
+
+/// An error as its upper 16 bits, rounded up.
+pub(super) fn error_code(error: f32) -> u16 {
+    let bits = error.max(0.0).to_bits();
+    ((bits >> 16) + u32::from(bits & 0xffff != 0)).min(0x7f7f) as u16
+}
+
+fn error_of_code(code: u16) -> f32 {
+    f32::from_bits(u32::from(code) << 16)
+}
+
+/// The length that the first bytes of a head name; none where there are too few of them.
+///
+/// # Errors
+/// Where they begin no stream that this version reads.
+pub(super) fn head_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> {
+    let shown = bytes.len().min(4);
+    if bytes[..shown] != STREAM_MAGIC[..shown] {
+        return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
+    }
+    let Some(fixed) = bytes.get(..FIXED_BYTES) else { return Ok(None) };
+    if fixed[4] != VERSION {
+        let (found, supported) = (u32::from(fixed[4]), u32::from(VERSION));
+        return Err(DecodeError::Version { found, supported });
+    }
+    let length = u32::from_le_bytes([fixed[8], fixed[9], fixed[10], fixed[11]]) as usize;
+    if length < FIXED_BYTES {
+        let reason = "the head is shorter than its own beginning";
+        return Err(DecodeError::Malformed { kind: SectionKind::STREAM, offset: 8, reason });
+    }
+    Ok(Some(length))
+}
+
+fn checksum(head: &[u8]) -> u32 {
+    let mut hasher = crc32fast::Hasher::new();
+    hasher.update(&head[..12]);
+    hasher.update(&head[FIXED_BYTES..]);
+    hasher.finalize()
+}
+
+impl Head {
+    /// The bytes of the head.
+    ///
+    /// # Errors
+    /// Where a text is too long.
+    pub(super) fn to_bytes(&self) -> Result<Vec<u8>, EncodeError> {
+        let mut out = STREAM_MAGIC.to_vec();
+        let effort = match self.effort {
+            Effort::Fast => 0,
+            Effort::Default => 1,
+            Effort::Small => 2,
+        };
+        out.extend([VERSION, effort]);
+        out.extend((if self.is_exact { EXACT } else { 0 }).to_le_bytes());
+        out.extend([0; 8]);
+        let counts = [self.position_count, self.vertex_count, self.triangle_count, self.step_count];
+        counts.into_iter().chain([self.max_patch]).for_each(|n| write_varint(n, &mut out));
+        out.push(self.grid.bits as u8);
+        self.grid.origin.iter().for_each(|x| out.extend(x.to_le_bytes()));
+        out.extend(self.grid.step.to_le_bytes());
+        self.names_to_bytes(&mut out)?;
+        write_varint(self.rows.len() as u32, &mut out);
+        let mut before = 0;
+        for row in &self.rows {
+            write_varint(row.bytes, &mut out);
+            write_varint(row.split_count - before, &mut out);
+            out.extend(error_code(row.error).to_le_bytes());
+            out.extend(row.checksum.to_le_bytes());
+            before = row.split_count;
+        }
+        let length = u32::try_from(out.len())
+            .map_err(|_| EncodeError::TooLong { what: "the head", length: out.len() })?;
+        out[8..12].copy_from_slice(&length.to_le_bytes());
+        let checksum = checksum(&out);
+        out[12..16].copy_from_slice(&checksum.to_le_bytes());
+        Ok(out)
+    }
+
+    fn names_to_bytes(&self, out: &mut Vec<u8>) -> Result<(), EncodeError> {
+        write_varint(self.groups.len() as u32, out);
+        for group in &self.groups {
+            write_varint(group.material.map_or(0, |m| m + 1), out);
+            put_block("a group's name", group.name.as_bytes(), out)?;
+        }
+        let appearance =
+            if self.appearance.is_empty() { Vec::new() } else { appearance_to_bytes(&self.appearance)? };
+        put_block("the appearance", &appearance, out)?;
+        write_varint(self.metadata.len() as u32, out);
+        for text in self.metadata.iter().flat_map(|(key, value)| [key, value]) {
+            put_block("metadata", text.as_bytes(), out)?;
+        }
+        Ok(())
+    }
+
+    /// Reads a head of the length that [`head_length`] gave.
+    ///
+    /// # Errors
+    /// Where anything in it is unsound.
+    pub(super) fn from_bytes(bytes: &[u8]) -> Result<Self, DecodeError> {
+        let expected = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]);
+        let found = checksum(bytes);
+        if found != expected {
+            return Err(DecodeError::HeaderChecksum { found, expected });
+        }
+        let mut reader = ByteReader::new(SectionKind::STREAM, bytes);
+        reader.bytes(5)?;
+        let effort = match reader.u8()? {
+            0 => Effort::Fast,
+            1 => Effort::Default,
+            2 => Effort::Small,
+            _ => return Err(reader.malformed("unknown effort")),
+        };
+        let flags = reader.bytes(2)?;
+        reader.bytes(8)?;
+        let [position_count, vertex_count, triangle_count, step_count, max_patch] =
+            [reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?];
+        let grid = read_grid(&mut reader)?;
+        let groups = read_groups(&mut reader)?;
+        let appearance = match reader.block()? {
+            [] => Appearance::default(),
+            bytes => appearance_from_bytes(bytes)?,
+        };
+        let mut metadata = Vec::new();
+        for _ in 0..reader.short_count(8)? {
+            metadata.push((reader.text()?, reader.text()?));
+        }
+        let rows = read_rows(&mut reader)?;
+        if rows.last().map(|row| row.split_count) != Some(step_count) {
+            return Err(reader.malformed("the chunks do not hold all steps"));
+        }
+        if step_count > position_count || vertex_count < position_count {
+            return Err(
+                reader.malformed("there are fewer positions than steps, or fewer vertices than positions")
+            );
+        }
+        if groups.iter().filter_map(|g| g.material).any(|m| m as usize >= appearance.materials.len()) {
+            return Err(reader.malformed("a group has a material that is not there"));
+        }
+        reader.end()?;
+        Ok(Self {
+            length: bytes.len() as u64,
+            effort,
+            is_exact: flags[0] & 1 != 0,
+            position_count,
+            vertex_count,
+            triangle_count,
+            step_count,
+            max_patch,
+            grid,
+            groups,
+            appearance,
+            metadata,
+            rows,
+        })
+    }
+}
+
+fn read_grid(reader: &mut ByteReader<'_>) -> Result<PositionGrid, DecodeError> {
+    let bits = u32::from(reader.u8()?);
+    let origin = [reader.f32()?, reader.f32()?, reader.f32()?];
+    let step = reader.f64()?;
+    let grid = PositionGrid { origin, step, bits };
+    grid.check().map_err(|error| DecodeError::Stream(StreamDefect::Grid(error)))
+}
+
+fn read_groups(reader: &mut ByteReader<'_>) -> Result<Vec<GroupName>, DecodeError> {
+    let mut groups = Vec::new();
+    for _ in 0..reader.short_count(5)? {
+        let material = reader.varint()?.checked_sub(1);
+        groups.push(GroupName { name: reader.text()?, material });
+    }
+    Ok(groups)
+}
+
+fn read_rows(reader: &mut ByteReader<'_>) -> Result<Vec<Row>, DecodeError> {
+    let count = reader.short_count(8)?;
+    let mut rows = Vec::with_capacity(count);
+    let (mut split_count, mut last_error) = (0u32, f32::INFINITY);
+    for _ in 0..count {
+        let (bytes, splits) = (reader.varint()?, reader.varint()?);
+        let code = reader.bytes(2)?;
+        let error = error_of_code(u16::from_le_bytes([code[0], code[1]]));
+        let checksum = reader.u32()?;
+        split_count = split_count.checked_add(splits).ok_or_else(|| reader.malformed("too many steps"))?;
+        if !(error >= 0.0 && error <= last_error && error.is_finite()) {
+            return Err(reader.malformed("an error grows with detail"));
+        }
+        if u64::from(splits) > MAX_SPLITS_A_BYTE * (u64::from(bytes) + 1) {
+            return Err(reader.malformed("a chunk holds more splits than its bytes can tell"));
+        }
+        last_error = error;
+        rows.push(Row { bytes, split_count, error, checksum });
+    }
+    Ok(rows)
+}
