@@ -63,7 +63,7 @@ impl AdaptiveBit {
         let probability = self.state >> COUNT_BITS;
         let target = if bit { (1 << 22) - 1 } else { 0 };
         let step =
-            (i64::from(target) - i64::from(probability)) * i64::from(WEIGHTS[count as usize & 255]) >> 16;
+            ((i64::from(target) - i64::from(probability)) * i64::from(WEIGHTS[count as usize & 255])) >> 16;
         let moved = (i64::from(probability) + step) as u32;
         self.state = moved << COUNT_BITS | self.state & QUICK | (count + 1).min(limit);
     }
@@ -91,7 +91,7 @@ mod tests {
                 bit.update(true);
                 bit.p_one() >> 10
             });
-            assert_eq!(seen, [52, 57, 59, 60]);
+            assert_eq!(seen, [51, 56, 58, 59]);
         }
     }
 
@@ -104,19 +104,20 @@ mod tests {
             bit.update(false);
             (before, before - bit.p_one())
         });
-        assert_eq!(settled, [(65520, 2058), (65520, 245)]);
+        assert_eq!(settled, [(65520, 2058), (65520, 248)]);
     }
 
     #[test]
     fn a_skewed_source_takes_little_more_than_its_entropy() {
         let mut random = Random::new(4);
         let message: Vec<bool> = (0..20_000).map(|_| random.below(100) < 7).collect();
-        let entropy = 20_000.0 * -(0.07f64.mul_add(0.07f64.log2(), 0.93 * 0.93f64.log2()));
+        let share = message.iter().filter(|&&bit| bit).count() as f64 / 20_000.0;
+        let entropy = -20_000.0 * (share * share.log2() + (1.0 - share) * (1.0 - share).log2());
         let mut writer = RangeWriter::new();
         let mut model = AdaptiveBit::new(Rate::Steady);
         message.iter().for_each(|&bit| assert_eq!(model.code(&mut writer, bit), bit));
         let (bytes, _) = writer.finish();
-        assert!((bytes.len() as f64 * 8.0) < entropy * 1.02, "{} bytes for {entropy} bits", bytes.len());
+        assert!((bytes.len() as f64 * 8.0) < entropy * 1.015, "{} bytes for {entropy} bits", bytes.len());
         let mut reader = RangeReader::new(&bytes, true);
         let mut model = AdaptiveBit::new(Rate::Steady);
         message.iter().for_each(|&bit| assert_eq!(model.code(&mut reader, false), bit));

@@ -23,7 +23,7 @@ static PROBABILITIES: [u16; 2 * SPAN] = {
         let p = if p > 65535 { 65535 } else { p };
         table[SPAN + at] = p as u16;
         table[SPAN - at] = (65536 - p) as u16;
-        decay = decay * DECAY >> 62;
+        decay = (decay * DECAY) >> 62;
         at += 1;
     }
     table[0] = 1;
@@ -68,7 +68,7 @@ static FRACTIONS: [u8; 256] = {
         let mut fraction = 0u16;
         let mut bit = 0;
         while bit < 9 {
-            mantissa = mantissa * mantissa >> 31;
+            mantissa = (mantissa * mantissa) >> 31;
             let is_over = mantissa >> 32;
             mantissa >>= is_over;
             fraction = fraction << 1 | is_over as u16;
@@ -124,10 +124,9 @@ mod tests {
 
     #[test]
     fn tables_are_the_same_everywhere() {
-        let bytes: Vec<u8> = PROBABILITIES.iter().flat_map(|p| p.to_le_bytes()).collect();
-        assert_eq!(crc32fast::hash(&bytes), 0);
-        let bytes: Vec<u8> = LOG_ODDS.iter().flat_map(|p| p.to_le_bytes()).collect();
-        assert_eq!(crc32fast::hash(&bytes), 0);
-        assert_eq!(crc32fast::hash(&FRACTIONS), 0);
+        let bytes = |table: &[u16]| table.iter().flat_map(|p| p.to_le_bytes()).collect::<Vec<u8>>();
+        let odds: Vec<u8> = LOG_ODDS.iter().flat_map(|p| p.to_le_bytes()).collect();
+        let found = [&bytes(&PROBABILITIES), &odds, &FRACTIONS[..]].map(crc32fast::hash);
+        assert_eq!(found, [4_100_039_620, 2_484_021_974, 1_421_023_757]);
     }
 }

@@ -66,7 +66,7 @@ impl<const N: usize> Mixer<N> {
     pub(crate) fn update(&mut self, bit: bool) {
         let set = &mut self.sets[self.selected];
         let error = (i32::from(bit) << 16) - self.p_one as i32;
-        let push = error * (set.rate >> 5) >> 4;
+        let push = (error * (set.rate >> 5)) >> 4;
         for (weight, &input) in set.weights.iter_mut().zip(&self.inputs) {
             let step = (i64::from(input) * i64::from(push) + (1 << 13)) >> 14;
             *weight = (*weight + step as i32).clamp(-WEIGHT_LIMIT, WEIGHT_LIMIT);
