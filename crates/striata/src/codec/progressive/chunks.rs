@@ -61,24 +61,29 @@ pub enum BatchDefect {
     },
 }
 
-/// Codes a sequence; the patch of `terms` is found here.
-pub(super) fn encode_chunks(
-    refinable: &RefinableMesh,
-    batches: &[u32],
-    points: &Points,
-    terms: &Terms,
-) -> Result<Chunks, BatchDefect> {
-    check_batches(batches, refinable.sequence.step_count())?;
+/// The positions of a mesh as a closed surface.
+pub(super) fn close_positions(refinable: &RefinableMesh) -> Closed {
     let positions = refinable.sequence.positions();
     let triangles: Vec<[u32; 3]> =
         refinable.mesh.triangles.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
-    let mut closed = close(&triangles, positions.position_count());
+    close(&triangles, positions.position_count())
+}
+
+/// Codes a sequence on the closed surface of its positions; the patch of the terms is found here.
+pub(super) fn encode_chunks(
+    mut closed: Closed,
+    refinable: &RefinableMesh,
+    batches: &[u32],
+    (points, terms): (&Points, &Terms),
+) -> Result<Chunks, BatchDefect> {
     let undo =
         collapse_all(&mut closed, refinable).map_err(|(step, defect)| BatchDefect::Step { step, defect })?;
     write(&closed, &undo, (batches, points), terms)
 }
 
-fn check_batches(batches: &[u32], step_count: usize) -> Result<(), BatchDefect> {
+/// # Errors
+/// Where batches do not rise from 0 to the number of steps.
+pub(super) fn check_batches(batches: &[u32], step_count: usize) -> Result<(), BatchDefect> {
     let rises = batches.windows(2).all(|w| w[0] < w[1]);
     if rises && batches.first() == Some(&0) && batches.last().map(|&n| n as usize) == Some(step_count) {
         return Ok(());
@@ -189,8 +194,15 @@ mod tests {
         let points = Points { exact: vec![[0.0; 3]; places.len()], places };
         let grid = PositionGrid { origin: [0.0; 3], step: 1.0, bits: 12 };
         for effort in [Effort::Fast, Effort::Default, Effort::Small] {
-            let terms = Terms { effort, grid, is_exact: false, max_patch: 0 };
-            let chunks = encode_chunks(refinable, &batches, &points, &terms).unwrap();
+            let terms = Terms {
+                effort,
+                grid,
+                is_exact: false,
+                max_patch: 0,
+                position_count: points.places.len() as u32,
+            };
+            let chunks =
+                encode_chunks(close_positions(refinable), refinable, &batches, (&points, &terms)).unwrap();
             // Places are all different with near certainty, so triangles can be compared by them.
             let base = sequence.base_position_count();
             let mut seen = 0;

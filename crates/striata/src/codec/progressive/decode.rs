@@ -155,6 +155,7 @@ impl StreamDecoder {
             grid: head.grid,
             is_exact: head.is_exact,
             max_patch: head.max_patch,
+            position_count: head.position_count,
         };
         self.refiner = Some(Box::new(Refiner::begin(reader, Base::default(), &terms, &Unknown)?));
         Ok(())

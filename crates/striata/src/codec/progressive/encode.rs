@@ -2,7 +2,8 @@
 
 use super::super::EncodeError;
 use super::Effort;
-use super::chunks::{BatchDefect, Chunks, encode_chunks};
+use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_chunks};
+use super::cutting::Closed;
 use super::grid::{GridError, PositionGrid};
 use super::head::{GroupName, Head, Row};
 use super::refiner::Terms;
@@ -112,11 +113,19 @@ pub fn encode_stream(
     options: &StreamOptions,
 ) -> Result<EncodedStream, StreamError> {
     refinable.mesh.check()?;
+    check_batches(batches, refinable.sequence.step_count())?;
     let is_exact = options.precision == Precision::Lossless;
     let grid = grid_of(&refinable.mesh, options.precision)?;
     let points = points_of(refinable, &grid);
-    let terms = Terms { effort: options.effort, grid, is_exact, max_patch: 0 };
-    let chunks = encode_chunks(refinable, batches, &points, &terms)?;
+    let position_count = points.places.len() as u32;
+    let terms = Terms { effort: options.effort, grid, is_exact, max_patch: 0, position_count };
+    let closed = close_positions(refinable);
+    let first = first_batch(&terms, &closed, batches);
+    let shortened = (first > 0).then(|| refinable.clone().without_levels_below(batches[first] as usize));
+    let refinable = shortened.as_ref().unwrap_or(refinable);
+    let batches: Vec<u32> = batches[first..].iter().map(|n| n - batches[first]).collect();
+    let batches = batches.as_slice();
+    let chunks = encode_chunks(closed, refinable, batches, (&points, &terms))?;
     let head = head_of(refinable, batches, &chunks, (options, grid)).to_bytes()?;
     let mut bytes = head;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
@@ -125,6 +134,22 @@ pub fn encode_stream(
     let other_bits = bytes.len() as f64 * 8.0 - told;
     let sizes = StreamSizes { connectivity_bits, position_bits, attribute_bits, other_bits };
     Ok(EncodedStream { bytes, sizes, source_vertex: source_vertices(refinable, &chunks) })
+}
+
+/// The batch to begin with: earlier ones go to the base where there are too many that split next to nothing, as
+/// where most of a mesh is not manifold.
+fn first_batch(terms: &Terms, closed: &Closed, batches: &[u32]) -> usize {
+    let mut visits_left = terms.most_visits();
+    let step_count = batches.last().copied().unwrap_or(0);
+    let mut first = batches.len().saturating_sub(1);
+    while first > 0 {
+        let gone = u64::from(step_count.saturating_sub(batches[first - 1]));
+        let visits = (closed.surface.vertex_count() as u64).saturating_sub(gone);
+        let Some(left) = visits_left.checked_sub(visits) else { break };
+        visits_left = left;
+        first -= 1;
+    }
+    first
 }
 
 /// Bits of the grid that predicts exact positions.

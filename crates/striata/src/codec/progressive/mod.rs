@@ -47,6 +47,12 @@ pub enum Effort {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StreamDefect {
+    /// There are so many batches of so few splits that reading them would take for ever.
+    #[error("{batch_count} batches were read, and they are too many for so few splits")]
+    Batches {
+        /// Batches read.
+        batch_count: u32,
+    },
     /// The grid is none.
     #[error(transparent)]
     Grid(#[from] GridError),

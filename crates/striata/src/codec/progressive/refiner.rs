@@ -28,6 +28,15 @@ pub(super) struct Terms {
     pub(super) is_exact: bool,
     /// Most triangles that a new vertex takes over.
     pub(super) max_patch: u32,
+    /// Positions of the full mesh.
+    pub(super) position_count: u32,
+}
+
+impl Terms {
+    /// How often vertices may be asked in all: what real batches need many times over, and a bound for hostile ones.
+    pub(super) fn most_visits(&self) -> u64 {
+        256 * u64::from(self.position_count) + 65_536
+    }
 }
 
 /// What a writer knows of what is to come.
@@ -79,6 +88,8 @@ pub(super) struct Refiner {
     walk: Walk,
     is_in_batch: bool,
     splits_in_batch: usize,
+    /// Vertices that may still be asked.
+    visits_left: u64,
     max_patch: u32,
     grid: PositionGrid,
     connectivity: ConnectivityModel,
@@ -126,6 +137,7 @@ impl Refiner {
             walk: Walk::default(),
             is_in_batch: false,
             splits_in_batch: 0,
+            visits_left: terms.most_visits(),
             max_patch,
             grid,
             connectivity: ConnectivityModel::new(effort),
@@ -145,6 +157,11 @@ impl Refiner {
         most: usize,
     ) -> Result<Ended, StreamDefect> {
         if !self.is_in_batch {
+            let visits = self.surface.vertex_count() as u64;
+            let Some(left) = self.visits_left.checked_sub(visits) else {
+                return Err(StreamDefect::Batches { batch_count: self.walk.batch() });
+            };
+            self.visits_left = left;
             self.walk.begin(&self.surface);
             self.connectivity.begin_batch(&self.surface, self.walk.end());
             source.begin_batch();
