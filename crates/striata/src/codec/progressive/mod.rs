@@ -17,6 +17,7 @@ mod head;
 mod hood;
 mod positions;
 mod refiner;
+mod shown;
 mod splits;
 mod surface;
 mod truth;
