@@ -1,9 +1,19 @@
 //! Which vertices split, and which triangles go to the new vertex.
 
-use super::super::entropy::{AdaptiveBit, Coder, Rate};
+mod cuts;
+mod flags;
+mod memory;
+mod ring;
+mod softmax;
+
+use super::super::entropy::Coder;
 use super::Effort;
-use super::surface::{Cut, Surface, next, triangle_of};
+use super::surface::{Cut, Surface};
 use super::walk::Walk;
+use cuts::CutModel;
+use flags::FlagModel;
+use memory::Memory;
+use ring::Ring;
 
 /// What both sides know when a vertex is asked whether it splits.
 pub(super) struct Scene<'a> {
@@ -29,22 +39,40 @@ impl Scene<'_> {
 /// Adaptive models of flags and cuts.
 #[derive(Clone, Debug)]
 pub(super) struct ConnectivityModel {
-    flags: Vec<AdaptiveBit>,
-    lengths: Vec<AdaptiveBit>,
-    starts: Vec<Cut>,
+    memory: Memory,
+    ring: Ring,
+    cuts: CutModel,
+    flags: FlagModel,
+    length: i32,
+    height: i32,
+    last: usize,
+}
+
+pub static STATS: std::sync::Mutex<[f64; 4]> = std::sync::Mutex::new([0.0; 4]);
+pub fn stats() -> String {
+    let mut s = STATS.lock().unwrap();
+    let r = format!("{:?}", *s);
+    *s = [0.0; 4];
+    r
 }
 
 impl ConnectivityModel {
     pub(super) fn new(_effort: Effort) -> Self {
         Self {
-            flags: vec![AdaptiveBit::new(Rate::Steady); 256],
-            lengths: vec![AdaptiveBit::new(Rate::Steady); 1024],
-            starts: Vec::new(),
+            memory: Memory::default(),
+            ring: Ring::default(),
+            cuts: CutModel::new(),
+            flags: FlagModel::new(),
+            length: 0,
+            height: 0,
+            last: 0,
         }
     }
 
     /// Told when a batch begins; `end` is the number of vertices, all with places.
-    pub(super) fn begin_batch(&mut self, _surface: &Surface, _end: u32) {}
+    pub(super) fn begin_batch(&mut self, surface: &Surface, _end: u32) {
+        self.memory.begin_batch(surface);
+    }
 
     /// Codes whether the vertex of `corners` (all corners around it, counter-clockwise) splits, and how.
     pub(super) fn code<C: Coder>(
@@ -54,42 +82,46 @@ impl ConnectivityModel {
         corners: &[u32],
         actual: Option<Cut>,
     ) -> Option<Cut> {
-        let free = corners.iter().filter(|&&c| !scene.is_taken(triangle_of(c))).count();
+        let vertex = scene.surface.vertex(corners[0]);
+        self.ring.survey(scene, &self.memory, corners);
+        self.cuts.score(&self.ring, self.memory.valence(vertex), scene.max_patch);
+        let around = self.memory.surroundings(scene, corners);
+        if self.cuts.run_count() == 0 {
+            self.memory.settle(scene, corners, around, None);
+            return None;
+        }
+        let ring = &self.ring;
         let n = corners.len();
-        if free == 0 || n < 2 {
-            return None;
-        }
-        let context = n.min(15) * 16 + (n - free).min(15);
-        let splits = self.flags[context].code(coder, actual.is_some());
-        if !splits {
-            return None;
-        }
-        let most = (scene.max_patch as usize).min(n - 1);
-        let mut length = 1;
-        while length < most {
-            let bit = &mut self.lengths[n.min(31) * 32 + length.min(31)];
-            if !bit.code(coder, actual.is_some_and(|cut| cut.length as usize > length)) {
-                break;
-            }
-            length += 1;
-        }
-        self.starts.clear();
-        for i in 0..n {
-            let run = (0..length).map(|j| corners[(i + j) % n]);
-            let is_free = run.clone().all(|c| !scene.is_taken(triangle_of(c)));
-            let is_inside = run.skip(1).all(|c| !scene.surface.is_virtual(scene.surface.vertex(next(c))));
-            if is_free && is_inside {
-                self.starts.push(Cut { first: corners[i], length: length as u32 });
-            }
-        }
-        // A reader of a damaged stream may find no run of that length.
-        let (mut low, mut high) = (0, self.starts.len());
-        let at = self.starts.iter().position(|&cut| Some(cut) == actual).unwrap_or(0);
-        while low + 1 < high {
-            let middle = low.midpoint(high);
-            let share = ((high - middle) * 65536 / (high - low)) as u32;
-            if coder.bit(at >= middle, share) { low = middle } else { high = middle }
-        }
-        self.starts.get(low).copied()
+        let taken = n - ring.free;
+        let count = |fate: usize| ring.spokes.iter().filter(|s| s.fate == fate).count();
+        let (open, stays, splits) = (count(0), count(1), count(2));
+        let young = ring.spokes.iter().filter(|s| s.age == 1).count();
+        let log_sum = self.cuts.log_sum();
+        let length = ((ring.length + 512 * ring.shift - self.length) / 48 + 16).clamp(0, 31) as usize;
+        let height = ((ring.height - self.height) / 128 + 16).clamp(0, 31) as usize;
+        let density = (around >> 4).clamp(0, 15) as usize;
+        let lse = ((log_sum >> 6) + 32).clamp(0, 63) as usize;
+        let run = ring.free_run.min(7);
+        let keys = [
+            n.min(15) * 64 + taken.min(7) * 8 + run,
+            splits.min(4) * 64 + stays.min(7) * 8 + open.min(7),
+            density * 16 + n.min(15),
+            length * 16 + density,
+            height * 16 + density,
+            self.memory.age(vertex) * 128 + self.memory.rest(vertex) * 32 + young.min(7) * 4 + splits.min(3),
+            lse * 8 + run,
+            lse * 16 + density,
+            length * 32 + height,
+            (self.last & 31) * 8 + run,
+        ];
+        let did = self.flags.code(coder, &keys, log_sum, [run * 4 + splits.min(3), density * 4 + taken.min(3)], actual.is_some());
+        self.last = self.last << 1 | usize::from(did);
+        self.length += (ring.length + 512 * ring.shift - self.length) >> 7;
+        self.height += (ring.height - self.height) >> 7;
+        coder.part(super::super::entropy::Part::Attributes);
+        let cut = did.then(|| self.cuts.code(coder, &self.ring, corners, actual));
+        coder.part(super::super::entropy::Part::Connectivity);
+        self.memory.settle(scene, corners, around, cut);
+        cut
     }
 }
