@@ -1,129 +1,148 @@
 //! Which run of triangles goes to the new vertex: a log-linear model over all runs that can.
 //!
 //! The score of a run is the sum of what its two end edges, its inner edges and its triangles bring, each looked up by
-//! small features; so all runs around a vertex are scored by running sums. Probabilities are the exponentials of scores over
-//! their sum, and after each split every weight that had a say moves along the gradient of what the split cost \[Mah05\].
+//! small features, and of what the run brings as a whole. Probabilities are the exponentials of scores over their sum, and
+//! after each split every weight that had a say moves along the gradient of what the split cost. Scores without what a run
+//! brings as a whole are running sums, cheap enough to ask of every vertex how well it could split.
 
 use super::super::super::entropy::Coder;
 use super::super::surface::Cut;
-use super::ring::{Ring, Spoke, dot, log2_wide};
+use super::patch::{self, Patch};
+use super::ring::{Ring, Spoke};
 use super::softmax::{Choice, SCORE_ONE, exponential, log_sum};
 
-/// A run that can go to the new vertex.
-#[derive(Clone, Copy, Debug)]
-struct Run {
-    first: u32,
-    length: u32,
-    score: i32,
-}
+/// Most triangles of a run that the model knows; longer ones are told in another way.
+pub(super) const LONGEST: usize = 12;
 
-/// Tables of the model, one behind the other.
+/// Features of an edge, as places in one table that has weights for ends and for inner edges.
 const LENGTHS: usize = 17;
 const VALENCES: usize = 10;
 const AGES: usize = 4;
 const FATES: usize = 4;
 const HEIGHTS: usize = 12;
-const EDGE: usize = LENGTHS + VALENCES + AGES + FATES + HEIGHTS;
-const ENDS: usize = 0;
-const INNER: usize = EDGE;
-const AREAS: usize = 2 * EDGE;
-const AREA_STEPS: usize = 13;
-const ANGLES: usize = AREAS + AREA_STEPS;
-const ANGLE_STEPS: usize = 16;
-const COUNTS: usize = ANGLES + ANGLE_STEPS;
-const COUNT_STEPS: usize = 16 * 8;
-const REMAINS: usize = COUNTS + COUNT_STEPS;
-const REMAIN_STEPS: usize = 16;
-const CENTRES: usize = REMAINS + REMAIN_STEPS;
-const CENTRE_STEPS: usize = 8 * 16;
-const SHARES: usize = CENTRES + CENTRE_STEPS;
-const SHARE_STEPS: usize = 8 * 16;
-const OWNERS: usize = SHARES + SHARE_STEPS;
-const OWNER_STEPS: usize = 8;
-const WEIGHTS: usize = OWNERS + OWNER_STEPS;
+const EDGE_WEIGHTS: usize = LENGTHS + VALENCES + AGES + FATES + HEIGHTS;
+/// Features of a triangle.
+const AREAS: usize = 13;
+const ANGLES: usize = 16;
+const TRIANGLE_WEIGHTS: usize = AREAS + ANGLES;
+/// Features of the numbers of triangles, then those of runs as wholes.
+const COUNTS: usize = 0;
+const REMAINS: usize = patch::VALUES;
+const PATCHES: usize = 2 * patch::VALUES;
+const RUN_WEIGHTS: usize = PATCHES + patch::FEATURES * patch::VALUES;
 
-/// The features of an edge as places in [`ENDS`] or [`INNER`].
-type EdgeKeys = [u8; 5];
+/// Runs of less than this, of a million for the best, are not worth a closer look.
+const WORTH_A_LOOK: u32 = 4000;
+/// How fast weights learn, in 1/16384: at first, and in the end.
+const FIRST_RATE: i32 = 750;
+const LAST_RATE: i32 = 120;
+
+/// A run that can go to the new vertex.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    first: u32,
+    /// The edge where it ends.
+    end: u32,
+    length: u32,
+    score: i32,
+}
+
+/// An edge and the triangle behind it.
+#[derive(Clone, Copy, Debug)]
+struct Side {
+    edge: [u8; 5],
+    triangle: [u8; 2],
+    /// What the edge brings as an end, what it brings within a run, and what the triangle brings.
+    end: i32,
+    inner: i32,
+    area: i32,
+    /// While learning: as the first or last, as the first, and a change of how much runs cover the triangle.
+    pushes: [i32; 3],
+}
+
+/// The weights of a run as a whole.
+#[derive(Clone, Copy, Debug)]
+struct Looks {
+    run: u32,
+    keys: [u16; patch::FEATURES],
+}
 
 /// The model, with scratch memory.
 #[derive(Clone, Debug)]
 pub(super) struct CutModel {
-    weights: Vec<i32>,
+    edges: Vec<[i32; 2]>,
+    triangles: Vec<i32>,
+    wholes: Vec<i32>,
     choice: Choice,
+    /// Splits learned from.
+    splits: i32,
+    /// Mean height of rings that split.
+    height: i32,
+    sides: Vec<Side>,
     runs: Vec<Run>,
+    looks: Vec<Looks>,
     powers: Vec<u32>,
     total: u64,
     best: i32,
-    edges: Vec<EdgeKeys>,
-    triangles: Vec<[u8; 2]>,
-    /// Scores of each edge as an end and as an inner one, and of each triangle.
-    parts: Vec<[i32; 3]>,
-    splits: u32,
-    /// Mean logarithm of heights.
-    height: i32,
-    /// The valence of the vertex with all splits known so far.
-    planned: usize,
-    gradient: Vec<[i32; 3]>,
-    pairs: Vec<[u16; 3]>,
+    /// Weights of each length around this vertex.
+    counts: [[u16; 2]; LONGEST + 1],
 }
 
 impl CutModel {
     pub(super) fn new() -> Self {
         Self {
-            weights: vec![0; WEIGHTS],
+            edges: vec![[0; 2]; EDGE_WEIGHTS],
+            triangles: vec![0; TRIANGLE_WEIGHTS],
+            wholes: vec![0; RUN_WEIGHTS],
             choice: Choice::new(),
+            splits: 0,
+            height: 0,
+            sides: Vec::new(),
             runs: Vec::new(),
+            looks: Vec::new(),
             powers: Vec::new(),
             total: 0,
             best: 0,
-            edges: Vec::new(),
-            triangles: Vec::new(),
-            parts: Vec::new(),
-            splits: 0,
-            height: 0,
-            planned: 6,
-            gradient: Vec::new(),
-            pairs: Vec::new(),
+            counts: [[0; 2]; LONGEST + 1],
         }
     }
 
-    /// Scores all runs around a vertex.
-    pub(super) fn score(&mut self, ring: &Ring, planned: usize, max_patch: u32) {
+    /// Scores all runs around a vertex that will have `planned` triangles before it splits.
+    pub(super) fn score(&mut self, ring: &Ring, planned: usize, max_patch: usize) {
         let n = ring.spokes.len();
-        self.planned = planned;
-        self.edges.clear();
-        self.triangles.clear();
-        self.parts.clear();
+        self.sides.clear();
         for spoke in &ring.spokes {
             let edge = edge_keys(spoke, ring, self.height);
             let triangle = triangle_keys(spoke, ring);
-            let sum = |base: usize| edge.iter().map(|&k| self.weights[base + k as usize]).sum::<i32>();
-            self.parts.push([
-                sum(ENDS),
-                sum(INNER),
-                self.weights[AREAS + triangle[0] as usize] + self.weights[ANGLES + triangle[1] as usize],
-            ]);
-            self.edges.push(edge);
-            self.triangles.push(triangle);
+            let (mut end, mut inner) = (0, 0);
+            for &key in &edge {
+                let weights = self.edges[key as usize];
+                end += weights[0];
+                inner += weights[1];
+            }
+            let area = triangle.iter().map(|&key| self.triangles[key as usize]).sum();
+            self.sides.push(Side { edge, triangle, end, inner, area, pushes: [0; 3] });
+        }
+        let most = max_patch.min(n.saturating_sub(1)).min(LONGEST);
+        let mut by_length = [0; LONGEST + 1];
+        for length in 1..=most {
+            self.counts[length] = count_keys(n, planned, length);
+            by_length[length] = self.counts[length].iter().map(|&key| self.wholes[key as usize]).sum();
         }
         self.runs.clear();
-        let most = (max_patch as usize).min(n.saturating_sub(1));
-        for i in 0..n {
-            let mut score = self.parts[i][0];
-            let mut j = i;
+        for first in 0..n {
+            let mut score = self.sides[first].end;
+            let mut at = first;
             for length in 1..=most {
-                let spoke = &ring.spokes[j];
+                let spoke = &ring.spokes[at];
                 if spoke.is_taken || length > 1 && spoke.is_virtual {
                     break;
                 }
-                score += self.parts[j][2];
-                if length > 1 {
-                    score += self.parts[j][1];
-                }
-                j = if j + 1 < n { j + 1 } else { 0 };
-                let [count, remain] = count_keys(n, planned, length);
-                let whole = score + self.parts[j][0] + self.weights[count] + self.weights[remain];
-                self.runs.push(Run { first: i as u32, length: length as u32, score: whole });
+                let side = &self.sides[at];
+                score += side.area + if length > 1 { side.inner } else { 0 };
+                at = if at + 1 < n { at + 1 } else { 0 };
+                let whole = score + self.sides[at].end + by_length[length];
+                self.runs.push(Run { first: first as u32, end: at as u32, length: length as u32, score: whole });
             }
         }
         self.sum_up();
@@ -131,8 +150,9 @@ impl CutModel {
 
     fn sum_up(&mut self) {
         self.best = self.runs.iter().map(|run| run.score).max().unwrap_or(0);
+        let best = self.best;
         self.powers.clear();
-        self.powers.extend(self.runs.iter().map(|run| exponential(self.best - run.score)));
+        self.powers.extend(self.runs.iter().map(|run| exponential(best - run.score)));
         self.total = self.powers.iter().map(|&p| u64::from(p)).sum();
     }
 
@@ -146,19 +166,22 @@ impl CutModel {
         (self.best >> 8) + log_sum(self.total)
     }
 
-    /// Codes which of the runs it is, and learns from it; there must be one.
+    /// Codes which of the runs it is, and learns from it; there must be one. `looks_closely` says whether runs are judged as
+    /// wholes too.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
         ring: &Ring,
         corners: &[u32],
-        actual: Option<Cut>,
+        (actual, looks_closely): (Option<Cut>, bool),
     ) -> Cut {
-        self.pair_up(ring);
+        self.looks.clear();
+        if looks_closely {
+            self.look_closely(ring);
+        }
         let actual = actual.and_then(|cut| {
-            self.runs.iter().position(|run| {
-                corners[run.first as usize] == cut.first && run.length == cut.length
-            })
+            let is_it = |run: &Run| corners[run.first as usize] == cut.first && run.length == cut.length;
+            self.runs.iter().position(is_it)
         });
         debug_assert!(C::READS || actual.is_some(), "the run that splits off is not one of those that can");
         let chosen = self.choice.code(coder, &mut self.powers, self.total, actual.unwrap_or(0));
@@ -168,150 +191,111 @@ impl CutModel {
         Cut { first: corners[run.first as usize], length: run.length }
     }
 
-    /// Adds what depends on both ends of a run.
-    fn pair_up(&mut self, ring: &Ring) {
-        let n = ring.spokes.len();
-        self.pairs.clear();
-        let mut whole = [0i64; 3];
+    /// Adds what runs bring as wholes.
+    fn look_closely(&mut self, ring: &Ring) {
+        let mut whole = [0; 3];
         for spoke in &ring.spokes {
-            (0..3).for_each(|a| whole[a] += spoke.normal[a]);
+            (0..3).for_each(|a| whole[a] += i64::from(spoke.normal[a]));
         }
-        let (mut steps, mut squares, mut normal) = ([0i64; 3], 0i64, [0i64; 3]);
-        for run in &mut self.runs {
-            let i = run.first as usize;
+        let mut patch = Patch::default();
+        for (at, run) in self.runs.iter_mut().enumerate() {
             if run.length == 1 {
-                let step = ring.spokes[i].step.map(i64::from);
-                (steps, squares, normal) = (step, dot(step, step), [0; 3]);
+                patch = Patch::begin(ring, run.first as usize);
             }
-            let j = (i + run.length as usize) % n;
-            let before = if j == 0 { n - 1 } else { j - 1 };
-            let step = ring.spokes[j].step.map(i64::from);
-            (0..3).for_each(|a| {
-                steps[a] += step[a];
-                normal[a] += ring.spokes[before].normal[a];
-            });
-            squares += dot(step, step);
-            let l = (run.length as usize).min(7);
-            let is_open = ring.spokes[i].is_virtual || ring.spokes[j].is_virtual;
-            let centre = if is_open {
-                15
-            } else {
-                let centre = log2_wide(dot(steps, steps) as u64)
-                    - log2_wide((i64::from(run.length) + 2) as u64 * squares as u64);
-                ((centre + 15 * 64) / 64).clamp(0, 14) as usize
-            };
-            let rest: [i64; 3] = std::array::from_fn(|a| whole[a] - normal[a]);
-            let outside = (n as u32).saturating_sub(run.length).max(1);
-            let share = log2_wide(dot(normal, normal) as u64)
-                - log2_wide(dot(rest, rest) as u64)
-                - 2 * (log2_wide(u64::from(run.length) + 2) - log2_wide(u64::from(outside)));
-            let share = ((share + 8 * 96) / 96).clamp(0, 15) as usize;
-            let owner = owner_key(run, ring);
-            let keys = [CENTRES + l * 16 + centre, SHARES + l * 16 + share, OWNERS + owner];
-            run.score += keys.iter().map(|&k| self.weights[k]).sum::<i32>();
-            self.pairs.push(keys.map(|k| k as u16));
+            patch.grow(ring);
+            if self.powers[at] < WORTH_A_LOOK {
+                continue;
+            }
+            let mut keys = patch.features(ring, whole).map(|key| key as u16);
+            for (feature, key) in keys.iter_mut().enumerate() {
+                *key += (PATCHES + feature * patch::VALUES) as u16;
+                run.score += self.wholes[*key as usize];
+            }
+            self.looks.push(Looks { run: at as u32, keys });
         }
         self.sum_up();
     }
 
     /// Moves all weights along the gradient.
     fn learn(&mut self, chosen: usize) {
-        let n = self.edges.len();
-        self.splits += 1;
-        let rate = (6000 / (8 + self.splits.min(1 << 16) / 16)).max(120) as i32;
-        let step = |push: i32| ((i64::from(push) * i64::from(rate)) >> 14) as i32;
-        // Ends, inner edges and triangles: what was expected of each, less what came, in 1/65536.
-        self.gradient.clear();
-        self.gradient.resize(n, [0; 3]);
-        let mut taken = 0;
+        let rate = (8 * FIRST_RATE / (8 + self.splits / 32)).max(LAST_RATE);
+        self.splits = (self.splits + 1).min(1 << 20);
+        let inverse = (1 << 36) / self.total.max(1);
+        let push_of = |powers: &[u32], at: usize| {
+            let p = (u64::from(powers[at]) * inverse >> 20) as i32;
+            if at == chosen { 65536 - p } else { -p }
+        };
+        for look in &self.looks {
+            let push = push_of(&self.powers, look.run as usize);
+            look.keys.iter().for_each(|&key| turn(&mut self.wholes[key as usize], push, rate));
+        }
+        let mut by_length = [0; LONGEST + 1];
         for (at, run) in self.runs.iter().enumerate() {
-            let power = u64::from(self.powers[at]);
-            let p = ((power << 16) / self.total.max(1)) as i32;
-            let push = if at == chosen { 65536 - p } else { -p };
-            taken += p;
-            let (i, l) = (run.first as usize, run.length as usize);
-            let j = (i + l) % n;
-            self.gradient[i][0] += push;
-            self.gradient[j][0] += push;
-            self.gradient[i][2] += push;
-            self.gradient[j][2] -= push;
-            // Runs that go past the last edge cover the first ones from the beginning.
-            self.gradient[i][1] += push;
-            if i + l > n || (i + l == n && false) {
-                self.gradient[0][2] += push;
+            let push = push_of(&self.powers, at);
+            let (first, end) = (run.first as usize, run.end as usize);
+            self.sides[first].pushes[0] += push;
+            self.sides[first].pushes[1] += push;
+            self.sides[first].pushes[2] += push;
+            self.sides[end].pushes[0] += push;
+            self.sides[end].pushes[2] -= push;
+            // Runs that go past the last edge cover the first triangles from the beginning.
+            if end < first {
+                self.sides[0].pushes[2] += push;
             }
-            if i + l == n {
-                self.gradient[0][2] += push;
-            }
-            let [count, remain] = count_keys(n, self.planned, l);
-            for key in [count, remain].into_iter().chain(self.pairs[at].map(usize::from)) {
-                self.weights[key] += step(push);
-            }
+            by_length[run.length as usize] += push;
         }
-        let _ = taken;
+        for (push, keys) in by_length.into_iter().zip(&self.counts).filter(|&(push, _)| push != 0) {
+            keys.iter().for_each(|&key| turn(&mut self.wholes[key as usize], push, rate));
+        }
         let mut cover = 0;
-        for i in 0..n {
-            cover += self.gradient[i][2];
-            let [end, starts, _] = self.gradient[i];
-            let inner = cover - starts;
-            for &key in &self.edges[i] {
-                self.weights[ENDS + key as usize] += step(end);
-                self.weights[INNER + key as usize] += step(inner);
+        for side in &self.sides {
+            cover += side.pushes[2];
+            let inner = cover - side.pushes[1];
+            for &key in &side.edge {
+                let weights = &mut self.edges[key as usize];
+                turn(&mut weights[0], side.pushes[0], rate);
+                turn(&mut weights[1], inner, rate);
             }
-            let [area, angle] = self.triangles[i];
-            self.weights[AREAS + area as usize] += step(cover);
-            self.weights[ANGLES + angle as usize] += step(cover);
-        }
-        for weight in &mut self.weights {
-            *weight = (*weight).clamp(-8 * SCORE_ONE, 8 * SCORE_ONE);
+            side.triangle.iter().for_each(|&key| turn(&mut self.triangles[key as usize], cover, rate));
         }
     }
 }
 
-fn edge_keys(spoke: &Spoke, ring: &Ring, height: i32) -> EdgeKeys {
-    let length = if spoke.is_virtual {
-        16
-    } else {
-        ((spoke.length - ring.length + 8 * 64) >> 6).clamp(0, 15)
-    };
-    let bend = ((spoke.height - height + 6 * 192) / 192).clamp(0, 11);
-    let mut keys = [length as usize, spoke.valence.min(9), spoke.age, spoke.fate, bend as usize];
-    keys[1] += LENGTHS;
-    keys[2] += LENGTHS + VALENCES;
-    keys[3] += LENGTHS + VALENCES + AGES;
-    keys[4] += LENGTHS + VALENCES + AGES + FATES;
-    keys.map(|k| k as u8)
+/// Moves a weight.
+#[inline]
+fn turn(weight: &mut i32, push: i32, rate: i32) {
+    *weight = (*weight + (push * rate >> 14)).clamp(-8 * SCORE_ONE, 8 * SCORE_ONE);
+}
+
+fn edge_keys(spoke: &Spoke, ring: &Ring, height: i32) -> [u8; 5] {
+    let length =
+        if spoke.is_virtual { 16 } else { ((spoke.length - ring.length + 8 * 64) >> 6).clamp(0, 15) as usize };
+    let bend = ((spoke.height - height + 6 * 192) / 192).clamp(0, HEIGHTS as i32 - 1) as usize;
+    [
+        length,
+        LENGTHS + usize::from(spoke.valence).min(VALENCES - 1),
+        LENGTHS + VALENCES + usize::from(spoke.age),
+        LENGTHS + VALENCES + AGES + usize::from(spoke.fate),
+        LENGTHS + VALENCES + AGES + FATES + bend,
+    ]
+    .map(|key| key as u8)
 }
 
 fn triangle_keys(spoke: &Spoke, ring: &Ring) -> [u8; 2] {
     if spoke.area == 0 {
-        return [12, 15];
+        return [12, (AREAS + 15) as u8];
     }
-    let area = ((spoke.area - ring.area + 6 * 96) / 96).clamp(0, 11);
-    let angle = if !spoke.is_blunt {
-        ((spoke.tangent + 1000) / 167).clamp(0, 11)
-    } else if spoke.tangent > 973 {
-        12
-    } else if spoke.tangent > 406 {
-        13
-    } else {
-        14
+    let area = ((spoke.area - ring.area + 6 * 96) / 96).clamp(0, 11) as u8;
+    let angle = match (spoke.is_blunt, spoke.tangent) {
+        (false, tangent) => ((tangent + 1000) / 167).clamp(0, 11) as u8,
+        (true, 974..) => 12,
+        (true, 407..) => 13,
+        (true, _) => 14,
     };
-    [area as u8, angle as u8]
+    [area, AREAS as u8 + angle]
 }
 
-fn count_keys(n: usize, planned: usize, length: usize) -> [usize; 2] {
+fn count_keys(n: usize, planned: usize, length: usize) -> [u16; 2] {
     let remain = (planned + 2).saturating_sub(length).min(15);
-    [COUNTS + n.min(15) * 8 + length.min(7), REMAINS + remain]
-}
-
-/// How many of the other vertices that might have had a patch of one or two triangles were asked, and had nothing.
-fn owner_key(run: &Run, ring: &Ring) -> usize {
-    let n = ring.spokes.len();
-    let at = |k: usize| ring.spokes[(run.first as usize + k) % n];
-    match run.length {
-        1 => 1 + usize::from(at(0).fate == 1) + usize::from(at(1).fate == 1),
-        2 => 4 + usize::from(at(1).fate == 1),
-        _ => 0,
-    }
+    [COUNTS + patch::class_of(length) + n.min(15), REMAINS + remain].map(|key| key as u16)
 }

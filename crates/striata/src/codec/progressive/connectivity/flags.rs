@@ -2,53 +2,52 @@
 
 use super::super::super::entropy::{AdaptiveBit, Coder, Mixer, Rate, Refiner, log_odds};
 
-/// Contexts that are asked.
-pub(super) const CONTEXTS: usize = 10;
-const SIZE: usize = 1024;
+/// Contexts below this.
+pub(super) const CONTEXT_SIZE: usize = 1024;
 
-/// The model.
+/// One in weights of a mixer.
+const WEIGHT_ONE: i32 = 1 << 16;
+
+/// Mixes the opinions of the contexts; `N` is their number, and one more for what else there is to say.
 #[derive(Clone, Debug)]
-pub(super) struct FlagModel {
+pub(super) struct FlagModel<const N: usize> {
     bits: Vec<AdaptiveBit>,
-    mixer: Mixer<{ CONTEXTS + 2 }>,
+    mixer: Mixer<N>,
     refiner: Refiner,
 }
 
-impl FlagModel {
+impl<const N: usize> FlagModel<N> {
     pub(super) fn new() -> Self {
-        let mut first = [65536 * 3 / 10; CONTEXTS + 2];
-        first[CONTEXTS] = 0;
-        first[CONTEXTS + 1] = 0;
+        let mut first = [WEIGHT_ONE * 3 / N as i32; N];
+        first[N - 1] = 0;
         Self {
-            bits: vec![AdaptiveBit::new(Rate::Steady); CONTEXTS * SIZE],
+            bits: vec![AdaptiveBit::new(Rate::Steady); N * CONTEXT_SIZE],
             mixer: Mixer::new(32, first),
             refiner: Refiner::new(64),
         }
     }
 
-    /// Codes the flag.
+    /// Codes the flag. The last key is no context but log-odds, in 1/256; `selectors` are below 32 and 64.
+    #[inline]
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        keys: &[usize; CONTEXTS],
-        log_sum: i32,
+        keys: &[i32; N],
         selectors: [usize; 2],
         actual: bool,
     ) -> bool {
-        let mut inputs = [0; CONTEXTS + 2];
-        for (at, &key) in keys.iter().enumerate() {
-            debug_assert!(key < SIZE, "context {at}: {key}");
-            inputs[at] = log_odds(self.bits[at * SIZE + key].p_one());
+        let mut inputs = [0; N];
+        for (at, &key) in keys[..N - 1].iter().enumerate() {
+            inputs[at] = log_odds(self.bits[at * CONTEXT_SIZE + key as usize].p_one());
         }
-        inputs[CONTEXTS] = log_sum.clamp(-2047, 2047);
-        inputs[CONTEXTS + 1] = 256;
+        inputs[N - 1] = keys[N - 1].clamp(-2047, 2047);
         let mixed = self.mixer.mix(&inputs, selectors[0]);
         let p_one = self.refiner.refine(mixed, selectors[1]);
         let splits = coder.bit(actual, p_one);
         self.mixer.update(splits);
         self.refiner.update(splits);
-        for (at, &key) in keys.iter().enumerate() {
-            self.bits[at * SIZE + key].update(splits);
+        for (at, &key) in keys[..N - 1].iter().enumerate() {
+            self.bits[at * CONTEXT_SIZE + key as usize].update(splits);
         }
         splits
     }

@@ -3,16 +3,17 @@
 mod cuts;
 mod flags;
 mod memory;
+mod patch;
 mod ring;
 mod softmax;
 
-use super::super::entropy::Coder;
+use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::Effort;
 use super::surface::{Cut, Surface};
 use super::walk::Walk;
 use cuts::CutModel;
 use flags::FlagModel;
-use memory::Memory;
+use memory::{Memory, Trace};
 use ring::Ring;
 
 /// What both sides know when a vertex is asked whether it splits.
@@ -39,30 +40,31 @@ impl Scene<'_> {
 /// Adaptive models of flags and cuts.
 #[derive(Clone, Debug)]
 pub(super) struct ConnectivityModel {
+    effort: Effort,
     memory: Memory,
     ring: Ring,
     cuts: CutModel,
-    flags: FlagModel,
+    /// Flags by effort: counters alone, mixed, mixed with what the ring tells.
+    counters: Vec<AdaptiveBit>,
+    mixed: FlagModel<7>,
+    seen: FlagModel<11>,
+    /// Mean length and height of rings that were asked.
     length: i32,
     height: i32,
+    /// Whether the last vertices split.
     last: usize,
 }
 
-pub static STATS: std::sync::Mutex<[f64; 4]> = std::sync::Mutex::new([0.0; 4]);
-pub fn stats() -> String {
-    let mut s = STATS.lock().unwrap();
-    let r = format!("{:?}", *s);
-    *s = [0.0; 4];
-    r
-}
-
 impl ConnectivityModel {
-    pub(super) fn new(_effort: Effort) -> Self {
+    pub(super) fn new(effort: Effort) -> Self {
         Self {
+            effort,
             memory: Memory::default(),
             ring: Ring::default(),
             cuts: CutModel::new(),
-            flags: FlagModel::new(),
+            counters: vec![AdaptiveBit::new(Rate::Steady); 1 << 13],
+            mixed: FlagModel::new(),
+            seen: FlagModel::new(),
             length: 0,
             height: 0,
             last: 0,
@@ -74,54 +76,129 @@ impl ConnectivityModel {
         self.memory.begin_batch(surface);
     }
 
-    /// Codes whether the vertex of `corners` (all corners around it, counter-clockwise) splits, and how.
+    /// Codes whether a vertex splits, and how. `corners` are filled with those around the vertex, counter-clockwise, where it
+    /// splits or they are looked at.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
         scene: &Scene<'_>,
-        corners: &[u32],
+        (vertex, corners): (u32, &mut Vec<u32>),
         actual: Option<Cut>,
     ) -> Option<Cut> {
-        let vertex = scene.surface.vertex(corners[0]);
-        self.ring.survey(scene, &self.memory, corners);
-        self.cuts.score(&self.ring, self.memory.valence(vertex), scene.max_patch);
-        let around = self.memory.surroundings(scene, corners);
-        if self.cuts.run_count() == 0 {
-            self.memory.settle(scene, corners, around, None);
+        let trace = self.memory.trace(vertex);
+        let is_small = self.effort == Effort::Small;
+        let (mut density, mut splits) = (i32::from(trace.density), false);
+        if is_small {
+            self.look(scene, vertex, corners, trace);
+            density = self.ring.density;
+            if self.cuts.run_count() > 0 {
+                splits = self.flag_of_ring(coder, vertex, trace, actual.is_some());
+            }
+        } else if self.effort == Effort::Fast {
+            let context = self.context(vertex, trace);
+            splits = self.counters[context].code(coder, actual.is_some());
+        } else {
+            splits = self.flag_of_trace(coder, vertex, trace, actual.is_some());
+        }
+        self.memory.settle(vertex, density, splits);
+        if !splits {
             return None;
         }
-        let ring = &self.ring;
-        let n = corners.len();
-        let taken = n - ring.free;
-        let count = |fate: usize| ring.spokes.iter().filter(|s| s.fate == fate).count();
-        let (open, stays, splits) = (count(0), count(1), count(2));
-        let young = ring.spokes.iter().filter(|s| s.age == 1).count();
-        let log_sum = self.cuts.log_sum();
-        let length = ((ring.length + 512 * ring.shift - self.length) / 48 + 16).clamp(0, 31) as usize;
-        let height = ((ring.height - self.height) / 128 + 16).clamp(0, 31) as usize;
-        let density = (around >> 4).clamp(0, 15) as usize;
-        let lse = ((log_sum >> 6) + 32).clamp(0, 63) as usize;
-        let run = ring.free_run.min(7);
+        if !is_small {
+            self.look(scene, vertex, corners, trace);
+        }
+        // A reader of a damaged stream may find no run at all.
+        if self.cuts.run_count() == 0 {
+            return None;
+        }
+        coder.part(super::super::entropy::Part::Attributes);
+        let cut = self.cuts.code(coder, &self.ring, corners, (actual, is_small));
+        coder.part(super::super::entropy::Part::Connectivity);
+        let first = corners.iter().position(|&c| c == cut.first).unwrap_or(0);
+        self.memory.split(vertex, &self.ring, first, cut);
+        Some(cut)
+    }
+
+    /// Walks around a vertex and scores its runs.
+    fn look(&mut self, scene: &Scene<'_>, vertex: u32, corners: &mut Vec<u32>, trace: Trace) {
+        corners.clear();
+        corners.extend(scene.surface.ring(vertex));
+        self.ring.gather(scene, &self.memory, corners);
+        if self.ring.free > 0 {
+            self.ring.measure(scene, vertex);
+        }
+        self.cuts.score(&self.ring, trace.valence.into(), scene.max_patch as usize);
+    }
+
+    /// The counter of a vertex.
+    fn context(&self, vertex: u32, trace: Trace) -> usize {
+        let valence = usize::from(trace.valence.clamp(3, 10) - 3);
+        let free = usize::from(trace.free.min(7));
+        let splits = usize::from(trace.splits.min(3));
+        let age = usize::from(self.memory.age(vertex) & 3);
+        let last = usize::from(trace.last_splits.min(3));
+        (((valence * 8 + free) * 4 + splits) * 4 + age) * 4 + last
+    }
+
+    fn flag_of_trace<C: Coder>(&mut self, coder: &mut C, vertex: u32, trace: Trace, actual: bool) -> bool {
+        let valence = i32::from(trace.valence.min(15));
+        let free = i32::from(trace.free.min(7));
+        let splits = i32::from(trace.splits.min(7));
+        let last_splits = i32::from(trace.last_splits.min(7));
+        let age = i32::from(self.memory.age(vertex) & 3);
+        let rest = i32::from(trace.rest);
+        let around = i32::from(trace.density >> 4);
+        let (length, height) = (i32::from(trace.length), i32::from(trace.height));
+        let length_key = ((length - (self.length >> 8)) / 4 + 16).clamp(0, 31);
+        let height_key = ((height - (self.height >> 8)) / 10 + 16).clamp(0, 31);
         let keys = [
-            n.min(15) * 64 + taken.min(7) * 8 + run,
+            valence * 64 + free * 8 + splits.min(7),
+            around * 64 + last_splits * 8 + splits,
+            age * 256 + rest * 64 + last_splits * 8 + free,
+            length_key * 32 + height_key,
+            length_key * 32 + valence.min(7) * 4 + splits.min(3),
+            (self.last & 31) as i32 * 32 + free * 4 + age,
+            256,
+        ];
+        let selectors = [(free * 4 + splits.min(3)) as usize, (around * 4 + age) as usize];
+        let did = self.mixed.code(coder, &keys, selectors, actual);
+        self.last = self.last << 1 | usize::from(did);
+        self.length += ((length << 8) - self.length) >> 7;
+        self.height += ((height << 8) - self.height) >> 7;
+        did
+    }
+
+    fn flag_of_ring<C: Coder>(&mut self, coder: &mut C, vertex: u32, trace: Trace, actual: bool) -> bool {
+        let ring = &self.ring;
+        let n = ring.spokes.len();
+        let [open, stays, splits, _] = ring.fates;
+        let log_sum = self.cuts.log_sum();
+        let length = ((ring.grid_length() - self.length) / 48 + 16).clamp(0, 31) as usize;
+        let height = ((ring.height - self.height) / 128 + 16).clamp(0, 31) as usize;
+        let around = (ring.density >> 4).clamp(0, 15) as usize;
+        let sum = ((log_sum >> 6) + 32).clamp(0, 63) as usize;
+        let run = ring.free_run.min(7);
+        let age = usize::from(self.memory.age(vertex) & 3);
+        let keys = [
+            n.min(15) * 64 + (n - ring.free).min(7) * 8 + run,
             splits.min(4) * 64 + stays.min(7) * 8 + open.min(7),
-            density * 16 + n.min(15),
-            length * 16 + density,
-            height * 16 + density,
-            self.memory.age(vertex) * 128 + self.memory.rest(vertex) * 32 + young.min(7) * 4 + splits.min(3),
-            lse * 8 + run,
-            lse * 16 + density,
+            around * 16 + n.min(15),
+            length * 16 + around,
+            height * 16 + around,
+            age * 128 + usize::from(trace.rest) * 32 + ring.young.min(7) * 4 + splits.min(3),
+            sum * 8 + run,
+            sum * 16 + around,
             length * 32 + height,
             (self.last & 31) * 8 + run,
+            0,
         ];
-        let did = self.flags.code(coder, &keys, log_sum, [run * 4 + splits.min(3), density * 4 + taken.min(3)], actual.is_some());
+        let mut keys = keys.map(|key| key as i32);
+        keys[10] = log_sum;
+        let selectors = [run * 4 + splits.min(3), around * 4 + (n - ring.free).min(3)];
+        let did = self.seen.code(coder, &keys, selectors, actual);
         self.last = self.last << 1 | usize::from(did);
-        self.length += (ring.length + 512 * ring.shift - self.length) >> 7;
-        self.height += (ring.height - self.height) >> 7;
-        coder.part(super::super::entropy::Part::Attributes);
-        let cut = did.then(|| self.cuts.code(coder, &self.ring, corners, actual));
-        coder.part(super::super::entropy::Part::Connectivity);
-        self.memory.settle(scene, corners, around, cut);
-        cut
+        self.length += (self.ring.grid_length() - self.length) >> 7;
+        self.height += (self.ring.height - self.height) >> 7;
+        did
     }
 }

@@ -1,4 +1,7 @@
-//! What is seen around a vertex that may split: lengths, angles, areas and bends, as small numbers.
+//! What is seen around a vertex that may split: its neighbours and their history, then lengths, angles, areas and bends.
+//!
+//! Measures are logarithms to base 2 in 1/256, of squares, since roots and quotients are then free. Steps to neighbours are
+//! shifted down to 13 bits where they are longer, so that products stay small.
 
 use super::super::super::entropy::log2_q8;
 use super::super::surface::{next, triangle_of};
@@ -15,42 +18,57 @@ pub(super) struct Spoke {
     pub(super) is_virtual: bool,
     /// The triangle cannot go to a new vertex any more.
     pub(super) is_taken: bool,
-    /// To the other end, in units of the ring.
-    pub(super) step: [i32; 3],
-    /// Twice the area of the triangle as a vector.
-    pub(super) normal: [i64; 3],
-    /// Logarithm to base 2 of the squared length, in 1/256.
-    pub(super) length: i32,
-    /// Of the squared area.
-    pub(super) area: i32,
-    /// Of the squared height of the other end of the next edge over the triangle before this edge.
-    pub(super) height: i32,
-    /// Of the squared tangent of the triangle's angle.
-    pub(super) tangent: i32,
-    /// The angle is over 90 degrees.
+    /// The angle of the triangle is over 90 degrees.
     pub(super) is_blunt: bool,
-    /// What became of the other end.
-    pub(super) fate: usize,
-    /// Its age.
-    pub(super) age: usize,
-    /// Its valence.
-    pub(super) valence: usize,
+    /// What became of the other end: not asked, stays, splits, new.
+    pub(super) fate: u8,
+    /// Its age in batches, up to 3.
+    pub(super) age: u8,
+    /// Triangles around it, with all splits that are known.
+    pub(super) valence: u8,
+    /// To the other end; zeros where that is virtual.
+    pub(super) step: [i32; 3],
+    /// Twice the area of the triangle as a vector; zeros where the triangle is virtual.
+    pub(super) normal: [i32; 3],
+    /// The length.
+    pub(super) length: i32,
+    /// Twice the area of the triangle.
+    pub(super) area: i32,
+    /// How far the next edge's end lies from the plane of the triangle before this edge.
+    pub(super) height: i32,
+    /// The tangent of the triangle's angle.
+    pub(super) tangent: i32,
 }
 
 /// A vertex and what is around it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ring {
+    /// Edges and triangles, counter-clockwise.
     pub(super) spokes: Vec<Spoke>,
-    /// Means over what is not virtual, as the logarithms of [`Spoke`].
+    /// Neighbours by what became of them.
+    pub(super) fates: [usize; 4],
+    /// Neighbours made in the last batch.
+    pub(super) young: usize,
+    /// Triangles that may go to a new vertex.
+    pub(super) free: usize,
+    /// The most of them in a row.
+    pub(super) free_run: usize,
+    /// The share of splits that the neighbours asked before saw, in 1/256.
+    pub(super) density: i32,
+    /// Mean of the lengths.
     pub(super) length: i32,
+    /// Mean of the areas.
     pub(super) area: i32,
-    /// The logarithm of the mean squared height.
+    /// Mean of the heights.
     pub(super) height: i32,
     /// Bits by which steps were shifted down.
-    pub(super) shift: i32,
-    pub(super) free: usize,
-    pub(super) free_run: usize,
+    shift: i32,
 }
+
+/// Bits of a step.
+const STEP_BITS: i32 = 13;
+/// Heights below this are noise of the grid.
+const LEAST_HEIGHT: i32 = -512;
 
 /// The logarithm to base 2 in 1/256.
 #[inline]
@@ -60,113 +78,145 @@ pub(super) fn log2_wide(number: u64) -> i32 {
 }
 
 #[inline]
-pub(super) fn dot(a: [i64; 3], b: [i64; 3]) -> i64 {
+pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline]
-fn cross(a: [i32; 3], b: [i32; 3]) -> [i64; 3] {
-    let [a, b] = [a, b].map(|v| v.map(i64::from));
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+pub(super) fn dot_wide(a: [i64; 3], b: [i64; 3]) -> i64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline]
-fn square(v: [i64; 3]) -> u64 {
-    dot(v, v) as u64
+pub(super) fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 impl Ring {
-    /// Looks around a vertex.
-    pub(super) fn survey(&mut self, scene: &Scene<'_>, memory: &Memory, corners: &[u32]) {
-        let surface = scene.surface;
-        let here = scene.places[surface.vertex(corners[0]) as usize];
+    /// Looks who is around a vertex.
+    pub(super) fn gather(&mut self, scene: &Scene<'_>, memory: &Memory, corners: &[u32]) {
         self.spokes.clear();
-        let mut reach = 0;
+        self.fates = [0; 4];
+        self.young = 0;
+        self.free = 0;
+        let mut density = 0;
         for &corner in corners {
-            let vertex = surface.vertex(next(corner));
-            let is_virtual = surface.is_virtual(vertex);
-            let step = match scene.places.get(vertex as usize) {
-                Some(place) if !is_virtual => std::array::from_fn(|a| place[a].wrapping_sub(here[a])),
-                _ => [0; 3],
-            };
-            reach |= step.iter().fold(0, |m, s| m | s.unsigned_abs());
-            self.spokes.push(Spoke {
-                vertex,
-                is_virtual,
-                is_taken: scene.is_taken(triangle_of(corner)),
-                step,
-                fate: match scene.walk.fate(vertex) {
+            let vertex = scene.surface.vertex(next(corner));
+            let is_taken = scene.is_taken(triangle_of(corner));
+            self.free += usize::from(!is_taken);
+            let mut spoke = Spoke { vertex, is_taken, ..Spoke::default() };
+            if scene.surface.is_virtual(vertex) {
+                (spoke.is_virtual, spoke.fate, spoke.age, spoke.valence) = (true, 1, 3, 9);
+            } else {
+                let fate = scene.walk.fate(vertex);
+                let trace = memory.trace(vertex);
+                spoke.fate = match fate {
                     Fate::Open => 0,
                     Fate::Stays => 1,
                     Fate::Splits => 2,
                     Fate::New => 3,
-                },
-                age: memory.age(vertex),
-                valence: memory.valence(vertex),
-                ..Spoke::default()
-            });
+                };
+                spoke.age = memory.age(vertex);
+                spoke.valence = trace.valence;
+                self.fates[usize::from(spoke.fate & 3)] += 1;
+                self.young += usize::from(spoke.age == 1);
+                if matches!(fate, Fate::Stays | Fate::Splits) {
+                    density += i32::from(trace.density);
+                }
+            }
+            self.spokes.push(spoke);
         }
-        // Products of four steps must fit.
-        self.shift = (18 - reach.leading_zeros() as i32).max(0);
-        if self.shift > 0 {
-            let shift = self.shift;
-            self.spokes.iter_mut().for_each(|s| s.step = s.step.map(|x| x >> shift));
-        }
-        self.measure();
-        self.count_free();
+        let asked = (self.fates[1] + self.fates[2]) as i32;
+        self.density = if asked == 0 { memory.share() } else { density / asked };
+        self.free_run = self.longest_free_run();
     }
 
-    fn measure(&mut self) {
+    fn longest_free_run(&self) -> usize {
+        if self.free == self.spokes.len() {
+            return self.free;
+        }
+        let (mut longest, mut run, mut first) = (0, 0, None);
+        for spoke in &self.spokes {
+            if spoke.is_taken {
+                longest = longest.max(run);
+                first = first.or(Some(run));
+                run = 0;
+            } else {
+                run += 1;
+            }
+        }
+        // The last run goes on in the first.
+        longest.max(run + first.unwrap_or(0))
+    }
+
+    /// Measures what [`gather`](Self::gather) found; `vertex` is in the middle.
+    pub(super) fn measure(&mut self, scene: &Scene<'_>, vertex: u32) {
+        let here = scene.places[vertex as usize];
+        let mut reach = 0;
+        for spoke in self.spokes.iter_mut().filter(|spoke| !spoke.is_virtual) {
+            // Vertices made in this stretch have no place yet, and are not met.
+            let place = scene.places.get(spoke.vertex as usize).copied().unwrap_or(here);
+            spoke.step = std::array::from_fn(|a| place[a].wrapping_sub(here[a]));
+            reach |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());
+        }
+        self.shift = (32 - STEP_BITS - reach.leading_zeros() as i32).max(0);
+        if self.shift > 0 {
+            let shift = self.shift;
+            self.spokes.iter_mut().for_each(|spoke| spoke.step = spoke.step.map(|x| x >> shift));
+        }
+        self.measure_triangles();
+        self.measure_heights();
+    }
+
+    fn measure_triangles(&mut self) {
         let n = self.spokes.len();
-        let (mut lengths, mut areas, mut real_edges, mut real_triangles) = (0, 0, 0, 0);
+        let (mut lengths, mut areas, mut edge_count, mut triangle_count) = (0, 0, 0, 0);
         for i in 0..n {
-            let behind = self.spokes[if i + 1 < n { i + 1 } else { 0 }];
+            let behind = &self.spokes[if i + 1 < n { i + 1 } else { 0 }];
+            let (next_step, is_open) = (behind.step, behind.is_virtual);
             let spoke = &mut self.spokes[i];
             if spoke.is_virtual {
                 continue;
             }
-            spoke.length = log2_wide(square(spoke.step.map(i64::from)));
+            spoke.length = log2_q8(dot(spoke.step, spoke.step) as u32);
             lengths += spoke.length;
-            real_edges += 1;
-            if behind.is_virtual {
+            edge_count += 1;
+            if is_open {
                 continue;
             }
-            spoke.normal = cross(spoke.step, behind.step);
-            spoke.area = log2_wide(square(spoke.normal));
-            let cosine = dot(spoke.step.map(i64::from), behind.step.map(i64::from));
-            spoke.tangent = spoke.area - 2 * log2_wide(cosine.unsigned_abs());
+            spoke.normal = cross(spoke.step, next_step);
+            let normal = spoke.normal.map(i64::from);
+            spoke.area = log2_wide(dot_wide(normal, normal) as u64);
+            let cosine = dot(spoke.step, next_step);
+            spoke.tangent = spoke.area - 2 * log2_q8(cosine.unsigned_abs());
             spoke.is_blunt = cosine < 0;
             areas += spoke.area;
-            real_triangles += 1;
+            triangle_count += 1;
         }
-        self.length = lengths / real_edges.max(1);
-        self.area = areas / real_triangles.max(1);
-        let mut heights = 0;
-        for i in 0..n {
-            let before = self.spokes[if i > 0 { i - 1 } else { n - 1 }];
-            let behind = self.spokes[if i + 1 < n { i + 1 } else { 0 }];
-            let spoke = &mut self.spokes[i];
-            if before.is_virtual || behind.is_virtual || spoke.is_virtual {
-                continue;
-            }
-            let volume = dot(before.normal, behind.step.map(i64::from)).unsigned_abs();
-            spoke.height = (2 * log2_wide(volume) - before.area + 512 * self.shift).max(-512);
-            heights += spoke.height;
-        }
-        self.height = heights / real_edges.max(1);
+        self.length = lengths / edge_count.max(1);
+        self.area = areas / triangle_count.max(1);
     }
 
-    fn count_free(&mut self) {
-        self.free = self.spokes.iter().filter(|s| !s.is_taken).count();
-        self.free_run = 0;
-        if self.free == self.spokes.len() {
-            self.free_run = self.free;
-            return;
+    fn measure_heights(&mut self) {
+        let n = self.spokes.len();
+        let (mut heights, mut count) = (0, 0);
+        for i in 0..n {
+            let before = &self.spokes[if i > 0 { i - 1 } else { n - 1 }];
+            let behind = &self.spokes[if i + 1 < n { i + 1 } else { 0 }];
+            if before.is_virtual || behind.is_virtual || self.spokes[i].is_virtual {
+                continue;
+            }
+            let volume = dot_wide(before.normal.map(i64::from), behind.step.map(i64::from));
+            let height = 2 * log2_wide(volume.unsigned_abs()) - before.area + 512 * self.shift;
+            heights += height.max(LEAST_HEIGHT);
+            count += 1;
+            self.spokes[i].height = height.max(LEAST_HEIGHT);
         }
-        let mut run = 0;
-        for spoke in self.spokes.iter().chain(&self.spokes) {
-            run = if spoke.is_taken { 0 } else { run + 1 };
-            self.free_run = self.free_run.max(run);
-        }
+        self.height = heights / count.max(1);
+    }
+
+    /// The mean length in steps of the grid.
+    pub(super) fn grid_length(&self) -> i32 {
+        self.length + 512 * self.shift
     }
 }
