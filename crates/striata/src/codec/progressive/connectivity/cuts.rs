@@ -6,6 +6,7 @@
 //! brings as a whole are running sums, cheap enough to ask of every vertex how well it could split.
 
 use super::super::super::entropy::Coder;
+use super::super::Effort;
 use super::super::surface::Cut;
 use super::patch::{self, Patch};
 use super::ring::{Ring, Spoke};
@@ -17,10 +18,9 @@ pub(super) const LONGEST: usize = 12;
 /// Features of an edge, as places in one table that has weights for ends and for inner edges.
 const LENGTHS: usize = 17;
 const VALENCES: usize = 10;
-const AGES: usize = 4;
-const FATES: usize = 4;
+const PASTS: usize = 16;
 const HEIGHTS: usize = 12;
-const EDGE_WEIGHTS: usize = LENGTHS + VALENCES + AGES + FATES + HEIGHTS;
+const EDGE_WEIGHTS: usize = LENGTHS + VALENCES + PASTS + HEIGHTS;
 /// Features of a triangle.
 const AREAS: usize = 13;
 const ANGLES: usize = 16;
@@ -50,7 +50,7 @@ struct Run {
 /// An edge and the triangle behind it.
 #[derive(Clone, Copy, Debug)]
 struct Side {
-    edge: [u8; 5],
+    edge: [u8; 4],
     triangle: [u8; 2],
     /// What the edge brings as an end, what it brings within a run, and what the triangle brings.
     end: i32,
@@ -120,7 +120,7 @@ impl CutModel {
                 end += weights[0];
                 inner += weights[1];
             }
-            let area = triangle.iter().map(|&key| self.triangles[key as usize]).sum();
+            let area = self.triangles[triangle[0] as usize] + self.triangles[triangle[1] as usize];
             self.sides.push(Side { edge, triangle, end, inner, area, pushes: [0; 3] });
         }
         let most = max_patch.min(n.saturating_sub(1)).min(LONGEST);
@@ -130,18 +130,20 @@ impl CutModel {
             by_length[length] = self.counts[length].iter().map(|&key| self.wholes[key as usize]).sum();
         }
         self.runs.clear();
+        let sides = &self.sides[..n];
+        let spokes = &ring.spokes[..n];
         for first in 0..n {
-            let mut score = self.sides[first].end;
+            let mut score = sides[first].end;
             let mut at = first;
             for length in 1..=most {
-                let spoke = &ring.spokes[at];
+                let spoke = &spokes[at];
                 if spoke.is_taken || length > 1 && spoke.is_virtual {
                     break;
                 }
-                let side = &self.sides[at];
+                let side = &sides[at];
                 score += side.area + if length > 1 { side.inner } else { 0 };
                 at = if at + 1 < n { at + 1 } else { 0 };
-                let whole = score + self.sides[at].end + by_length[length];
+                let whole = score + sides[at].end + by_length[length];
                 self.runs.push(Run { first: first as u32, end: at as u32, length: length as u32, score: whole });
             }
         }
@@ -150,10 +152,14 @@ impl CutModel {
 
     fn sum_up(&mut self) {
         self.best = self.runs.iter().map(|run| run.score).max().unwrap_or(0);
-        let best = self.best;
+        let (best, mut total) = (self.best, 0);
         self.powers.clear();
-        self.powers.extend(self.runs.iter().map(|run| exponential(best - run.score)));
-        self.total = self.powers.iter().map(|&p| u64::from(p)).sum();
+        self.powers.extend(self.runs.iter().map(|run| {
+            let power = exponential(best - run.score);
+            total += u64::from(power);
+            power
+        }));
+        self.total = total;
     }
 
     /// Runs that can go to a new vertex.
@@ -173,10 +179,10 @@ impl CutModel {
         coder: &mut C,
         ring: &Ring,
         corners: &[u32],
-        (actual, looks_closely): (Option<Cut>, bool),
+        (actual, effort): (Option<Cut>, Effort),
     ) -> Cut {
         self.looks.clear();
-        if looks_closely {
+        if effort == Effort::Small {
             self.look_closely(ring);
         }
         let actual = actual.and_then(|cut| {
@@ -184,8 +190,8 @@ impl CutModel {
             self.runs.iter().position(is_it)
         });
         debug_assert!(C::READS || actual.is_some(), "the run that splits off is not one of those that can");
-        let chosen = self.choice.code(coder, &mut self.powers, self.total, actual.unwrap_or(0));
-        self.learn(chosen);
+        let chosen = { let g = std::env::var("G").map_or(1, |v| v.parse().unwrap()); self.choice.code(coder, &mut self.powers, (self.total, if effort == Effort::Small { 3 } else { g }), actual.unwrap_or(0)) };
+        if effort != Effort::Fast || self.splits < 2000 || self.splits % 4 == 0 { self.learn(chosen); } else { self.splits += 1; }
         self.height += (ring.height - self.height) >> 5;
         let run = self.runs[chosen];
         Cut { first: corners[run.first as usize], length: run.length }
@@ -267,23 +273,22 @@ fn turn(weight: &mut i32, push: i32, rate: i32) {
     *weight = (*weight + (push * rate >> 14)).clamp(-8 * SCORE_ONE, 8 * SCORE_ONE);
 }
 
-fn edge_keys(spoke: &Spoke, ring: &Ring, height: i32) -> [u8; 5] {
+fn edge_keys(spoke: &Spoke, ring: &Ring, height: i32) -> [u8; 4] {
     let length =
         if spoke.is_virtual { 16 } else { ((spoke.length - ring.length + 8 * 64) >> 6).clamp(0, 15) as usize };
     let bend = ((spoke.height - height + 6 * 192) / 192).clamp(0, HEIGHTS as i32 - 1) as usize;
     [
         length,
         LENGTHS + usize::from(spoke.valence).min(VALENCES - 1),
-        LENGTHS + VALENCES + usize::from(spoke.age),
-        LENGTHS + VALENCES + AGES + usize::from(spoke.fate),
-        LENGTHS + VALENCES + AGES + FATES + bend,
+        LENGTHS + VALENCES + usize::from(spoke.age * 4 + spoke.fate),
+        LENGTHS + VALENCES + PASTS + bend,
     ]
     .map(|key| key as u8)
 }
 
 fn triangle_keys(spoke: &Spoke, ring: &Ring) -> [u8; 2] {
     if spoke.area == 0 {
-        return [12, (AREAS + 15) as u8];
+        return [AREAS as u8 - 1, (AREAS + ANGLES - 1) as u8];
     }
     let area = ((spoke.area - ring.area + 6 * 96) / 96).clamp(0, 11) as u8;
     let angle = match (spoke.is_blunt, spoke.tangent) {

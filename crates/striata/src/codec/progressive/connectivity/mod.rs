@@ -47,7 +47,7 @@ pub(super) struct ConnectivityModel {
     /// Flags by effort: counters alone, mixed, mixed with what the ring tells.
     counters: Vec<AdaptiveBit>,
     mixed: FlagModel<7>,
-    seen: FlagModel<11>,
+    seen: FlagModel<9>,
     /// Mean length and height of rings that were asked.
     length: i32,
     height: i32,
@@ -88,14 +88,21 @@ impl ConnectivityModel {
         let trace = self.memory.trace(vertex);
         let is_small = self.effort == Effort::Small;
         let (mut density, mut splits) = (i32::from(trace.density), false);
-        if is_small {
+        let context = self.context(vertex, trace);
+        let t: u32 = { static T: std::sync::OnceLock<u32> = std::sync::OnceLock::new(); *T.get_or_init(|| std::env::var("T").map_or(0, |v| v.parse().unwrap())) };
+        if is_small && self.counters[context].p_one() < t {
+            corners.clear();
+            corners.extend(scene.surface.ring(vertex));
+            splits = self.counters[context].code(coder, actual.is_some());
+            if splits { self.look(scene, vertex, corners, trace); }
+        } else if is_small {
             self.look(scene, vertex, corners, trace);
             density = self.ring.density;
             if self.cuts.run_count() > 0 {
                 splits = self.flag_of_ring(coder, vertex, trace, actual.is_some());
+                self.counters[context].update(splits);
             }
         } else if self.effort == Effort::Fast {
-            let context = self.context(vertex, trace);
             splits = self.counters[context].code(coder, actual.is_some());
         } else {
             splits = self.flag_of_trace(coder, vertex, trace, actual.is_some());
@@ -112,7 +119,7 @@ impl ConnectivityModel {
             return None;
         }
         coder.part(super::super::entropy::Part::Attributes);
-        let cut = self.cuts.code(coder, &self.ring, corners, (actual, is_small));
+        let cut = self.cuts.code(coder, &self.ring, corners, (actual, self.effort));
         coder.part(super::super::entropy::Part::Connectivity);
         let first = corners.iter().position(|&c| c == cut.first).unwrap_or(0);
         self.memory.split(vertex, &self.ring, first, cut);
@@ -125,7 +132,7 @@ impl ConnectivityModel {
         corners.extend(scene.surface.ring(vertex));
         self.ring.gather(scene, &self.memory, corners);
         if self.ring.free > 0 {
-            self.ring.measure(scene, vertex);
+            self.ring.measure(scene, vertex, self.effort != Effort::Fast);
         }
         self.cuts.score(&self.ring, trace.valence.into(), scene.max_patch as usize);
     }
@@ -182,18 +189,16 @@ impl ConnectivityModel {
         let keys = [
             n.min(15) * 64 + (n - ring.free).min(7) * 8 + run,
             splits.min(4) * 64 + stays.min(7) * 8 + open.min(7),
-            around * 16 + n.min(15),
             length * 16 + around,
             height * 16 + around,
             age * 128 + usize::from(trace.rest) * 32 + ring.young.min(7) * 4 + splits.min(3),
-            sum * 8 + run,
             sum * 16 + around,
             length * 32 + height,
             (self.last & 31) * 8 + run,
             0,
         ];
         let mut keys = keys.map(|key| key as i32);
-        keys[10] = log_sum;
+        keys[8] = log_sum;
         let selectors = [run * 4 + splits.min(3), around * 4 + (n - ring.free).min(3)];
         let did = self.seen.code(coder, &keys, selectors, actual);
         self.last = self.last << 1 | usize::from(did);

@@ -77,6 +77,26 @@ pub(super) fn log2_wide(number: u64) -> i32 {
     log2_q8((number >> spare) as u32) + ((spare as i32) << 8)
 }
 
+/// 65536 / n, rounded up.
+const INVERSES: [i64; 16] = {
+    let mut table = [0; 16];
+    let mut n = 1;
+    while n < 16 {
+        table[n] = 65536 / n as i64 + 1;
+        n += 1;
+    }
+    table
+};
+
+/// A sum over a count, rounded down, about; 0 for none.
+#[inline]
+fn mean(sum: i32, count: usize) -> i32 {
+    match INVERSES.get(count) {
+        Some(inverse) => (i64::from(sum) * inverse >> 16) as i32,
+        None => (i64::from(sum) / count as i64) as i32,
+    }
+}
+
 #[inline]
 pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -126,8 +146,8 @@ impl Ring {
             }
             self.spokes.push(spoke);
         }
-        let asked = (self.fates[1] + self.fates[2]) as i32;
-        self.density = if asked == 0 { memory.share() } else { density / asked };
+        let asked = self.fates[1] + self.fates[2];
+        self.density = if asked == 0 { memory.share() } else { mean(density, asked) };
         self.free_run = self.longest_free_run();
     }
 
@@ -150,7 +170,7 @@ impl Ring {
     }
 
     /// Measures what [`gather`](Self::gather) found; `vertex` is in the middle.
-    pub(super) fn measure(&mut self, scene: &Scene<'_>, vertex: u32) {
+    pub(super) fn measure(&mut self, scene: &Scene<'_>, vertex: u32, with_heights: bool) {
         let here = scene.places[vertex as usize];
         let mut reach = 0;
         for spoke in self.spokes.iter_mut().filter(|spoke| !spoke.is_virtual) {
@@ -165,7 +185,10 @@ impl Ring {
             self.spokes.iter_mut().for_each(|spoke| spoke.step = spoke.step.map(|x| x >> shift));
         }
         self.measure_triangles();
-        self.measure_heights();
+        self.height = 0;
+        if with_heights {
+            self.measure_heights();
+        }
     }
 
     fn measure_triangles(&mut self) {
@@ -193,8 +216,8 @@ impl Ring {
             areas += spoke.area;
             triangle_count += 1;
         }
-        self.length = lengths / edge_count.max(1);
-        self.area = areas / triangle_count.max(1);
+        self.length = mean(lengths, edge_count);
+        self.area = mean(areas, triangle_count);
     }
 
     fn measure_heights(&mut self) {
@@ -212,7 +235,7 @@ impl Ring {
             count += 1;
             self.spokes[i].height = height.max(LEAST_HEIGHT);
         }
-        self.height = heights / count.max(1);
+        self.height = mean(heights, count);
     }
 
     /// The mean length in steps of the grid.

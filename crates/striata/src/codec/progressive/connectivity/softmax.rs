@@ -60,7 +60,7 @@ impl Choice {
         &mut self,
         coder: &mut C,
         weights: &mut [u32],
-        total: u64,
+        (total, guesses): (u64, usize),
         actual: usize,
     ) -> usize {
         let mut left = total;
@@ -72,7 +72,7 @@ impl Choice {
             10..20 => 1,
             _ => 2,
         };
-        while count < GUESSES && count + 1 < weights.len() && found.is_none() {
+        while count < guesses.min(GUESSES) && count + 1 < weights.len() && found.is_none() {
             let (best, weight) = likeliest(weights);
             let p_one = share(u64::from(weight), left);
             let p_one = self.refiner.refine(log_odds(p_one), count * 3 + size);
