@@ -138,7 +138,11 @@ fn positions_are_as_exact_as_was_asked_for() {
         let options = StreamOptions::default().with_effort(Effort::Fast);
         check(&mesh, &options.clone().with_precision(Precision::Lossless), 1);
         let tolerance = (mesh.diagonal() * 1e-3).max(1e-30);
-        check(&mesh, &options.clone().with_precision(Precision::Tolerance(tolerance)), 2);
+        // Far from the origin floats themselves are coarser.
+        let size = mesh.positions.iter().flatten().fold(0.0f32, |size, x| size.max(x.abs()));
+        if tolerance > f64::from(size) * 1e-6 {
+            check(&mesh, &options.clone().with_precision(Precision::Tolerance(tolerance)), 2);
+        }
         for bits in [1, 8, 20, 24] {
             check(&mesh, &options.clone().with_precision(Precision::Bits(bits)), 3);
         }
@@ -166,7 +170,9 @@ fn damaged_bytes_are_refused_or_give_a_mesh() {
             let mut damaged = bytes.clone();
             damaged[at] ^= 1 << (at % 8);
             let mut decoder = StreamDecoder::new();
-            let error = decoder.push(&damaged).expect_err("checksums cover every byte");
+            // A head that says that it is longer waits for bytes that never come.
+            let error = decoder.push(&damaged).and_then(|_| decoder.finish());
+            let error = error.expect_err("checksums cover every byte");
             assert!(!matches!(error, DecodeError::Sequence(_)), "{error}");
             if let Some(level) = decoder.refinable_mesh() {
                 level.mesh.check().unwrap();

@@ -6,10 +6,13 @@ use super::super::DecodeError;
 use super::super::entropy::RangeReader;
 use super::StreamDefect;
 use super::base::Base;
+use super::base_coder::BaseLimits;
 use super::growth::Growth;
-use super::head::{FIXED_BYTES, Head, Row, head_length};
+use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length};
 use super::refiner::{Ended, Refiner, Terms, Unknown};
-use crate::mesh::{CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts};
+use crate::mesh::{
+    CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
+};
 
 /// What some bytes have brought.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -156,8 +159,14 @@ impl StreamDecoder {
             is_exact: head.is_exact,
             max_patch: head.max_patch,
             position_count: head.position_count,
+            base: BaseLimits {
+                position_count: head.position_count - head.step_count,
+                triangle_count: head.most_base_triangles(),
+            },
+            vertex_count: head.vertex_count,
+            group_count: head.groups.len() as u32,
         };
-        self.refiner = Some(Box::new(Refiner::begin(reader, Base::default(), &terms, &Unknown)?));
+        self.refiner = Some(Box::new(Refiner::begin(reader, &Base::default(), &terms, &mut Unknown)?));
         Ok(())
     }
 
@@ -245,9 +254,11 @@ impl StreamDecoder {
     /// None before the base has come.
     pub fn refinable_mesh(&self) -> Option<RefinableMesh> {
         let (head, growth) = (self.head.as_ref()?, self.growth()?);
+        let (triangles, groups) = self.grouped_triangles();
         let mesh = IndexedMesh {
             positions: growth.positions.clone(),
-            triangles: growth.triangles.clone(),
+            triangles,
+            groups,
             appearance: head.appearance.clone(),
             ..IndexedMesh::default()
         };
@@ -257,13 +268,39 @@ impl StreamDecoder {
             head.rows.get(chunk).map_or(0.0, |row| row.error)
         };
         let sequence = CollapseSequence::from_parts(SequenceParts {
-            positions: PositionIndex::identity(mesh.vertex_count()),
-            base_position_count: mesh.vertex_count() - step_count,
+            base_position_count: growth.first_vertex.len() - 1 - step_count,
+            positions: PositionIndex::from_first(growth.first_vertex.clone()),
             targets: growth.targets.clone(),
             errors: (0..step_count).map(error_of).collect(),
             removed_triangle_counts: growth.added.clone(),
             triangle_count: mesh.triangle_count(),
         });
         Some(RefinableMesh { mesh, sequence: sequence.ok()? })
+    }
+
+    /// Triangles group after group, and the groups.
+    fn grouped_triangles(&self) -> (Vec<[u32; 3]>, Vec<TriangleGroup>) {
+        let (Some(head), Some(growth)) = (&self.head, self.growth()) else { return Default::default() };
+        if head.groups.len() < 2 {
+            let count = growth.triangles.len() as u32;
+            let group = |name: &GroupName| TriangleGroup {
+                name: name.name.clone(),
+                material: name.material,
+                first: 0,
+                count,
+            };
+            return (growth.triangles.clone(), head.groups.iter().map(group).collect());
+        }
+        let mut counts = vec![0u32; head.groups.len()];
+        growth.groups.iter().for_each(|&g| counts[g as usize] += 1);
+        let mut first = 0;
+        let mut groups = Vec::with_capacity(counts.len());
+        for (name, &count) in head.groups.iter().zip(&counts) {
+            groups.push(TriangleGroup { name: name.name.clone(), material: name.material, first, count });
+            first += count;
+        }
+        let mut order: Vec<u32> = (0..growth.triangles.len() as u32).collect();
+        order.sort_by_key(|&t| growth.groups[t as usize]);
+        (order.iter().map(|&t| growth.triangles[t as usize]).collect(), groups)
     }
 }

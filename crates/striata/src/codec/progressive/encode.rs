@@ -2,6 +2,7 @@
 
 use super::super::EncodeError;
 use super::Effort;
+use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_chunks};
 use super::cutting::Closed;
 use super::grid::{GridError, PositionGrid};
@@ -118,7 +119,16 @@ pub fn encode_stream(
     let grid = grid_of(&refinable.mesh, options.precision)?;
     let points = points_of(refinable, &grid);
     let position_count = points.places.len() as u32;
-    let terms = Terms { effort: options.effort, grid, is_exact, max_patch: 0, position_count };
+    let terms = Terms {
+        effort: options.effort,
+        grid,
+        is_exact,
+        max_patch: 0,
+        position_count,
+        base: BaseLimits { position_count: 0, triangle_count: 0 },
+        vertex_count: refinable.mesh.vertex_count() as u32,
+        group_count: refinable.mesh.groups.len() as u32,
+    };
     let closed = close_positions(refinable);
     let first = first_batch(&terms, &closed, batches);
     let shortened = (first > 0).then(|| refinable.clone().without_levels_below(batches[first] as usize));
@@ -207,8 +217,11 @@ fn head_of(
 }
 
 fn source_vertices(refinable: &RefinableMesh, chunks: &Chunks) -> Vec<u32> {
+    if !chunks.source_vertex.is_empty() {
+        return chunks.source_vertex.clone();
+    }
     let positions = refinable.sequence.positions();
     let base = refinable.sequence.base_position_count() as u32;
     let steps = chunks.order.iter().map(|&step| base + step);
-    (0..base).chain(steps).flat_map(|p| positions.wedges(p)).collect()
+    chunks.base_positions.iter().copied().chain(steps).flat_map(|p| positions.wedges(p)).collect()
 }

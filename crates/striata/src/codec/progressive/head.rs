@@ -25,8 +25,15 @@ const VERSION: u8 = 1;
 /// Bytes of the head that are always there.
 pub(super) const FIXED_BYTES: usize = 16;
 const EXACT: u16 = 1;
-/// A chunk may hold so many splits a byte, and so many more.
+/// A chunk may hold so many splits a byte and for one byte more; a writer that needs less appends zeros.
 const MAX_SPLITS_A_BYTE: u64 = 256;
+/// The same of the triangles of the base.
+const MAX_BASE_TRIANGLES_A_BYTE: u32 = 256;
+
+/// The bytes that a chunk must have at least.
+pub(super) fn least_bytes(splits: usize, base_triangles: usize) -> usize {
+    (splits / MAX_SPLITS_A_BYTE as usize).max(base_triangles / MAX_BASE_TRIANGLES_A_BYTE as usize)
+}
 
 /// A group without its triangles.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -159,6 +166,12 @@ impl Head {
             put_block("metadata", text.as_bytes(), out)?;
         }
         Ok(())
+    }
+
+    /// The most triangles that a base of the first chunk's bytes may have.
+    pub(super) fn most_base_triangles(&self) -> u32 {
+        let bytes = self.rows.first().map_or(0, |row| row.bytes);
+        bytes.saturating_add(1).saturating_mul(MAX_BASE_TRIANGLES_A_BYTE)
     }
 
     /// Reads a head of the length that [`head_length`] gave.

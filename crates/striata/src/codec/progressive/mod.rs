@@ -6,6 +6,7 @@
 //! the batches of \[PR00\]; connectivity is not stored by rules but predicted from the geometry that is there.
 
 mod base;
+mod base_coder;
 mod chunks;
 mod connectivity;
 mod cutting;
@@ -22,6 +23,7 @@ mod splits;
 mod surface;
 mod truth;
 mod walk;
+mod wedges;
 
 pub use chunks::BatchDefect;
 pub use decode::{StreamDecoder, StreamUpdate};

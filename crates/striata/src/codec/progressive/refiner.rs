@@ -3,15 +3,19 @@
 //! One generic code over a [`Coder`]: a writer has a [`Source`] that knows what is to come, a reader has none. So the two
 //! cannot disagree, as long as models look only at what has been coded.
 
+use std::ops::Range;
+
 use super::super::entropy::{Coder, Part};
 use super::base::Base;
+use super::base_coder::{BaseLimits, BaseOrder, code_base};
 use super::connectivity::{ConnectivityModel, Scene};
 use super::grid::{CorrectionModel, PositionGrid};
 use super::growth::Growth;
 use super::hood::Hood;
 use super::positions::PositionModel;
-use super::surface::{Cut, NONE, Surface, next, triangle_of};
+use super::surface::{Cut, NONE, Surface, triangle_of};
 use super::walk::Walk;
+use super::wedges::{SplitWedges, WedgeModel};
 use super::{Effort, StreamDefect};
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.
@@ -30,9 +34,20 @@ pub(super) struct Terms {
     pub(super) max_patch: u32,
     /// Positions of the full mesh.
     pub(super) position_count: u32,
+    /// What the base may be at most.
+    pub(super) base: BaseLimits,
+    /// Vertices of the full mesh.
+    pub(super) vertex_count: u32,
+    /// Groups of the full mesh.
+    pub(super) group_count: u32,
 }
 
 impl Terms {
+    /// Whether what corners show has to be told.
+    pub(super) fn has_wedges(&self) -> bool {
+        self.vertex_count != self.position_count || self.group_count > 1
+    }
+
     /// How often vertices may be asked in all: what real batches need many times over, and a bound for hostile ones.
     pub(super) fn most_visits(&self) -> u64 {
         256 * u64::from(self.position_count) + 65_536
@@ -41,6 +56,8 @@ impl Terms {
 
 /// What a writer knows of what is to come.
 pub(super) trait Source {
+    /// The base is numbered anew.
+    fn order_base(&mut self, base: &Base, order: &BaseOrder);
     /// A batch begins.
     fn begin_batch(&mut self);
     /// How a vertex splits in this batch, if it does.
@@ -51,6 +68,14 @@ pub(super) trait Source {
     fn refine(&mut self, vertex: u32, corners: &[u32]);
     /// The vertex of the mesh that is given which a corner shows, where that is not one for each position.
     fn wedge(&self, corner: u32) -> u32;
+    /// The vertex of the stream that a corner shows.
+    fn vertex_at(&self, corner: u32) -> u32;
+    /// The vertices, of the mesh that is given, of a position.
+    fn wedges(&self, vertex: u32) -> Range<u32>;
+    /// The vertex of the stream that a vertex of the mesh that is given collapses to.
+    fn target(&self, wedge: u32) -> u32;
+    /// The next vertices of the stream are these of the mesh that is given.
+    fn name(&mut self, wedges: impl IntoIterator<Item = u32>);
     /// The group of a triangle.
     fn group(&self, triangle: u32) -> u32;
     /// The grid coordinates of a vertex.
@@ -63,6 +88,7 @@ pub(super) trait Source {
 pub(super) struct Unknown;
 
 impl Source for Unknown {
+    fn order_base(&mut self, _: &Base, _: &BaseOrder) {}
     fn begin_batch(&mut self) {}
     fn cut(&self, _: u32) -> Option<Cut> {
         None
@@ -72,6 +98,16 @@ impl Source for Unknown {
     fn wedge(&self, _: u32) -> u32 {
         0
     }
+    fn vertex_at(&self, _: u32) -> u32 {
+        0
+    }
+    fn wedges(&self, _: u32) -> Range<u32> {
+        0..0
+    }
+    fn target(&self, _: u32) -> u32 {
+        0
+    }
+    fn name(&mut self, _: impl IntoIterator<Item = u32>) {}
     fn group(&self, _: u32) -> u32 {
         0
     }
@@ -109,6 +145,9 @@ pub(super) struct Refiner {
     positions: PositionModel,
     /// What grid coordinates lack, where positions are exact.
     corrections: Option<CorrectionModel>,
+    /// What corners show, where positions have several vertices or triangles several groups.
+    wedges: Option<WedgeModel>,
+    told: SplitWedges,
     pending: Vec<Cut>,
     corners: Vec<u32>,
     pub(super) growth: Growth,
@@ -121,27 +160,38 @@ impl Refiner {
     /// Where what was read is no base.
     pub(super) fn begin<C: Coder>(
         coder: &mut C,
-        mut base: Base,
+        known: &Base,
         terms: &Terms,
-        source: &impl Source,
+        source: &mut impl Source,
     ) -> Result<Self, StreamDefect> {
-        base.code(coder);
+        let (mut base, order) = code_base(coder, known, terms.base)?;
+        source.order_base(&base, &order);
         if coder.overran() {
             return Err(StreamDefect::NoBase);
         }
+        let vertex_of_position = base.vertex_of_position()?;
         let mut surface = base.surface()?;
-        let mut corrections = terms.is_exact.then(CorrectionModel::new);
-        let mut growth = Growth::of_base(&base, &mut surface);
-        let mut vertex_of_position = vec![0; base.places.len()];
-        for (copy, &position) in base.position_of_copy.iter().enumerate().rev() {
-            vertex_of_position[position as usize] = base.virtual_count + copy as u32;
+        let mut wedges = terms.has_wedges().then(|| WedgeModel::new(terms.vertex_count));
+        match &mut wedges {
+            Some(model) => {
+                for &vertex in &vertex_of_position {
+                    source.name(source.wedges(vertex));
+                }
+                let counts = (terms.vertex_count, terms.group_count);
+                base.code_wedges(coder, model, source, counts, &vertex_of_position);
+            }
+            None => base.show_positions(),
         }
-        for (&place, &vertex) in base.places.iter().zip(&vertex_of_position) {
-            let exact = source.exact(vertex);
-            growth.positions.push(match &mut corrections {
-                Some(model) => model.code(coder, &terms.grid, place, exact),
+        let mut corrections = terms.is_exact.then(CorrectionModel::new);
+        let mut growth = Growth::of_base(&base, &mut surface, terms.group_count);
+        for (position, &vertex) in vertex_of_position.iter().enumerate() {
+            let place = base.places[position];
+            let exact = match &mut corrections {
+                Some(model) => model.code(coder, &terms.grid, place, source.exact(vertex)),
                 None => terms.grid.place(place),
-            });
+            };
+            let wedges = base.first_vertex[position]..base.first_vertex[position + 1];
+            growth.positions.extend(wedges.map(|_| exact));
         }
         let Terms { grid, effort, max_patch, .. } = *terms;
         Ok(Self {
@@ -156,6 +206,8 @@ impl Refiner {
             connectivity: ConnectivityModel::new(effort),
             positions: PositionModel::new(effort),
             corrections,
+            wedges,
+            told: SplitWedges::default(),
             pending: Vec::new(),
             corners: Vec::new(),
             growth,
@@ -250,7 +302,7 @@ impl Refiner {
     }
 
     /// What the new vertex is; then it is part of the mesh.
-    fn values<C: Coder>(&mut self, coder: &mut C, source: &impl Source, vertex: u32) -> Ended {
+    fn values<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) -> Ended {
         self.corners.clear();
         self.corners.extend(self.surface.ring(vertex));
         let hood = Hood {
@@ -267,19 +319,27 @@ impl Refiner {
             Some(model) => model.code(coder, &self.grid, place, source.exact(vertex)),
             None => self.grid.place(place),
         };
+        if let Some(model) = &mut self.wedges {
+            coder.part(Part::Attributes);
+            source.refine(vertex, &self.corners);
+            let known = (&self.surface, &self.growth);
+            let named = model.code(coder, known, &self.corners, source, &mut self.told);
+            source.name(named);
+        }
         if coder.overran() {
             return Ended::Short;
         }
         self.places.push(place);
-        self.growth.positions.push(position);
-        let kept = self.surface.vertex(next(self.corners[0]));
-        self.growth.add(&mut self.surface, &self.corners, vertex, kept);
+        match &self.wedges {
+            Some(_) => self.growth.add_wedges(&mut self.surface, &self.corners, position, &self.told),
+            None => self.growth.add(&mut self.surface, &self.corners, position),
+        }
         Ended::Whole
     }
 
     /// Splits done and told in full.
     pub(super) fn split_count(&self) -> usize {
-        self.growth.targets.len()
+        self.growth.added.len()
     }
 
     /// Batches begun so far.
