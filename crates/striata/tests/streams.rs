@@ -8,8 +8,8 @@ use striata::codec::DecodeError;
 use striata::codec::progressive::{
     Effort, EncodedStream, Precision, StreamDecoder, StreamOptions, encode_stream,
 };
-use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
-use striata::simplify::{BatchOptions, build_batches};
+use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes};
+use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use support::{Random, soup, with_seams_and_groups};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
@@ -158,6 +158,19 @@ fn seams_groups_and_layers_come_back() {
             check(&mesh, &StreamOptions::default().with_effort(effort), 4);
         }
         check(&mesh, &StreamOptions::default().with_precision(Precision::Lossless), 5);
+    }
+}
+
+/// Nothing is asked of the order of steps where each is a batch of its own.
+#[test]
+fn steps_one_at_a_time_are_batches_too() {
+    for mesh in [shapes::torus(24, 12, 1.0, 0.4), shapes::icosphere(3, 1.0), support::grid(16, true)] {
+        let built =
+            build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap();
+        let batches: Vec<u32> = (0..=built.refinable.sequence.step_count() as u32).collect();
+        let options = StreamOptions::default();
+        let stream = encode_stream(&built.refinable, &batches, &options).unwrap();
+        check_whole(&Written { source: built.refinable, stream }, &options);
     }
 }
 
