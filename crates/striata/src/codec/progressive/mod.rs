@@ -10,13 +10,21 @@ mod chunks;
 mod connectivity;
 mod cutting;
 mod decode;
+#[cfg_attr(not(test), expect(dead_code, reason = "attributes of streams come next"))]
+mod directions;
 mod encode;
 mod grid;
 mod growth;
 mod head;
 mod hood;
+#[cfg_attr(not(test), expect(dead_code, reason = "attributes of streams come next"))]
+mod layer_model;
+#[cfg_attr(not(test), expect(dead_code, reason = "attributes of streams come next"))]
+mod layers;
 mod positions;
 mod refiner;
+#[cfg_attr(not(test), expect(dead_code, reason = "attributes of streams come next"))]
+mod ring_fit;
 mod splits;
 mod surface;
 mod truth;
@@ -27,6 +35,7 @@ pub use decode::{StreamDecoder, StreamUpdate};
 pub use encode::{EncodedStream, Precision, StreamError, StreamOptions, StreamSizes, encode_stream};
 pub use grid::GridError;
 pub use head::STREAM_MAGIC;
+pub use layers::{LayerBitsError, LayerOptions};
 pub use splits::StepDefect;
 pub use surface::SurfaceDefect;
 
