@@ -8,7 +8,7 @@ use striata::codec::DecodeError;
 use striata::codec::progressive::{
     Effort, EncodedStream, Precision, StreamDecoder, StreamOptions, encode_stream,
 };
-use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes};
+use striata::mesh::{IndexedMesh, LayerData, RefinableMesh, canonical_triangles, replay, shapes};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use support::{Random, soup, with_seams_and_groups};
 
@@ -64,7 +64,34 @@ fn check_whole(written: &Written, options: &StreamOptions) -> RefinableMesh {
             assert_eq!(original(target), source.sequence.target(from));
         }
     }
+    check_layers(written, options, &decoded);
     decoded
+}
+
+fn check_layers(written: &Written, options: &StreamOptions, decoded: &RefinableMesh) {
+    let Written { source, stream } = written;
+    assert_eq!(decoded.mesh.layers.len(), source.mesh.layers.len());
+    for (found, layer) in decoded.mesh.layers.iter().zip(&source.mesh.layers) {
+        let expected = layer.gather(&stream.source_vertex);
+        let kind = (&found.semantic, found.component_count, found.normalized);
+        assert_eq!(kind, (&expected.semantic, expected.component_count, expected.normalized));
+        if options.precision == Precision::Lossless || !matches!(expected.data, LayerData::F32(_)) {
+            assert_eq!(found.data.as_bytes(), expected.data.as_bytes(), "{}", found.semantic);
+            continue;
+        }
+        // Components of one unit share their steps; directions are a thousandth of a circle apart.
+        let n = usize::from(layer.component_count);
+        let number = |v: usize| expected.get(v / n, v % n);
+        let range_of = |component: usize| {
+            let all = || (0..expected.data.len() / n).map(|v| expected.get(v, component));
+            all().fold(f32::MIN, f32::max) - all().fold(f32::MAX, f32::min)
+        };
+        let range = (0..n).map(range_of).fold(2.0, f32::max);
+        for v in 0..expected.data.len() {
+            let off = (found.get(v / n, v % n) - number(v)).abs();
+            assert!(off <= range / 200.0 || !number(v).is_finite(), "{}: {off} of {range}", found.semantic);
+        }
+    }
 }
 
 fn check_prefix(decoder: &StreamDecoder, whole: &RefinableMesh) {

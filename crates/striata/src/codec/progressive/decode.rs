@@ -9,9 +9,10 @@ use super::base::Base;
 use super::base_coder::BaseLimits;
 use super::growth::Growth;
 use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length};
+use super::layers::LayerForm;
 use super::refiner::{Ended, Refiner, Terms, Unknown};
 use crate::mesh::{
-    CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
+    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
 };
 
 /// What some bytes have brought.
@@ -165,6 +166,7 @@ impl StreamDecoder {
             },
             vertex_count: head.vertex_count,
             group_count: head.groups.len() as u32,
+            layers: head.layers.clone(),
         };
         self.refiner = Some(Box::new(Refiner::begin(reader, &Base::default(), &terms, &mut Unknown)?));
         Ok(())
@@ -214,6 +216,22 @@ impl StreamDecoder {
         self.growth().map_or(&[], |growth| &growth.positions)
     }
 
+    /// The attribute layers of some of the vertices that have come.
+    ///
+    /// # Panics
+    /// If some of the vertices have not.
+    pub fn layers_of(&self, vertices: Range<usize>) -> Vec<AttributeLayer> {
+        let (Some(head), Some(refiner)) = (&self.head, &self.refiner) else { return Vec::new() };
+        let Some(attributes) = refiner.attributes() else { return Vec::new() };
+        let layer = |(index, form): (usize, &LayerForm)| {
+            let mut layer = form.empty_layer();
+            let n = form.integer_count();
+            form.append(&attributes.integers(index)[vertices.start * n..vertices.end * n], &mut layer.data);
+            layer
+        };
+        head.layers.iter().enumerate().map(layer).collect()
+    }
+
     /// Triangles of the level that has come, in the order in which they came.
     pub fn triangles(&self) -> &[[u32; 3]] {
         self.growth().map_or(&[], |growth| &growth.triangles)
@@ -259,8 +277,8 @@ impl StreamDecoder {
             positions: growth.positions.clone(),
             triangles,
             groups,
+            layers: self.layers_of(0..growth.positions.len()),
             appearance: head.appearance.clone(),
-            ..IndexedMesh::default()
         };
         let step_count = growth.added.len();
         let error_of = |step: usize| {

@@ -14,6 +14,7 @@ use super::super::byte_reader::{ByteReader, put_block};
 use super::super::mesh_sections::{appearance_from_bytes, appearance_to_bytes};
 use super::super::{DecodeError, EncodeError, SectionKind};
 use super::grid::PositionGrid;
+use super::layers::LayerForm;
 use super::{Effort, StreamDefect};
 use crate::mesh::Appearance;
 use crate::model::write_varint;
@@ -69,6 +70,7 @@ pub(super) struct Head {
     pub(super) step_count: u32,
     pub(super) max_patch: u32,
     pub(super) grid: PositionGrid,
+    pub(super) layers: Vec<LayerForm>,
     pub(super) groups: Vec<GroupName>,
     pub(super) appearance: Appearance,
     pub(super) metadata: Vec<(String, String)>,
@@ -134,6 +136,8 @@ impl Head {
         out.push(self.grid.bits as u8);
         self.grid.origin.iter().for_each(|x| out.extend(x.to_le_bytes()));
         out.extend(self.grid.step.to_le_bytes());
+        write_varint(self.layers.len() as u32, &mut out);
+        self.layers.iter().for_each(|layer| layer.write(&mut out));
         self.names_to_bytes(&mut out)?;
         write_varint(self.rows.len() as u32, &mut out);
         let mut before = 0;
@@ -197,6 +201,8 @@ impl Head {
         let [position_count, vertex_count, triangle_count, step_count, max_patch] =
             [reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?];
         let grid = read_grid(&mut reader)?;
+        let layer_count = reader.short_count(5)?;
+        let layers = (0..layer_count).map(|_| LayerForm::read(&mut reader)).collect::<Result<_, _>>()?;
         let groups = read_groups(&mut reader)?;
         let appearance = match reader.block()? {
             [] => Appearance::default(),
@@ -229,6 +235,7 @@ impl Head {
             step_count,
             max_patch,
             grid,
+            layers,
             groups,
             appearance,
             metadata,

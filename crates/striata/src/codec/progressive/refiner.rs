@@ -6,14 +6,17 @@
 use std::ops::Range;
 
 use super::super::entropy::{Coder, Part};
+use super::attributes::{Actual, Around, Attributes};
 use super::base::Base;
 use super::base_coder::{BaseLimits, BaseOrder, code_base};
 use super::connectivity::{ConnectivityModel, Scene};
 use super::grid::{CorrectionModel, PositionGrid};
 use super::growth::Growth;
 use super::hood::Hood;
+use super::layer_model::LayerValues;
+use super::layers::LayerForm;
 use super::positions::PositionModel;
-use super::surface::{Cut, NONE, Surface, triangle_of};
+use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::Walk;
 use super::wedges::{SplitWedges, WedgeModel};
 use super::{Effort, StreamDefect};
@@ -40,6 +43,8 @@ pub(super) struct Terms {
     pub(super) vertex_count: u32,
     /// Groups of the full mesh.
     pub(super) group_count: u32,
+    /// How attribute layers are told.
+    pub(super) layers: Vec<LayerForm>,
 }
 
 impl Terms {
@@ -76,6 +81,8 @@ pub(super) trait Source {
     fn target(&self, wedge: u32) -> u32;
     /// The next vertices of the stream are these of the mesh that is given.
     fn name(&mut self, wedges: impl IntoIterator<Item = u32>);
+    /// All attribute layers, in the order of the mesh that is given.
+    fn layers(&self) -> &[LayerValues];
     /// The group of a triangle.
     fn group(&self, triangle: u32) -> u32;
     /// The grid coordinates of a vertex.
@@ -106,6 +113,9 @@ impl Source for Unknown {
     }
     fn target(&self, _: u32) -> u32 {
         0
+    }
+    fn layers(&self) -> &[LayerValues] {
+        &[]
     }
     fn name(&mut self, _: impl IntoIterator<Item = u32>) {}
     fn group(&self, _: u32) -> u32 {
@@ -148,6 +158,7 @@ pub(super) struct Refiner {
     /// What corners show, where positions have several vertices or triangles several groups.
     wedges: Option<WedgeModel>,
     told: SplitWedges,
+    attributes: Option<Attributes>,
     pending: Vec<Cut>,
     corners: Vec<u32>,
     pub(super) growth: Growth,
@@ -183,6 +194,7 @@ impl Refiner {
             None => base.show_positions(),
         }
         let mut corrections = terms.is_exact.then(CorrectionModel::new);
+        let mut attributes = Attributes::new(&terms.layers);
         let mut growth = Growth::of_base(&base, &mut surface, terms.group_count);
         for (position, &vertex) in vertex_of_position.iter().enumerate() {
             let place = base.places[position];
@@ -191,7 +203,13 @@ impl Refiner {
                 None => terms.grid.place(place),
             };
             let wedges = base.first_vertex[position]..base.first_vertex[position + 1];
-            growth.positions.extend(wedges.map(|_| exact));
+            growth.positions.extend(wedges.clone().map(|_| exact));
+            if let Some(attributes) = &mut attributes {
+                for (wedge, new) in wedges.enumerate() {
+                    let actual = actual_layers::<C>(source, source.wedges(vertex).start + wedge as u32);
+                    attributes.base_vertex(coder, new, actual);
+                }
+            }
         }
         let Terms { grid, effort, max_patch, .. } = *terms;
         Ok(Self {
@@ -208,6 +226,7 @@ impl Refiner {
             corrections,
             wedges,
             told: SplitWedges::default(),
+            attributes,
             pending: Vec::new(),
             corners: Vec::new(),
             growth,
@@ -319,22 +338,55 @@ impl Refiner {
             Some(model) => model.code(coder, &self.grid, place, source.exact(vertex)),
             None => self.grid.place(place),
         };
-        if let Some(model) = &mut self.wedges {
-            coder.part(Part::Attributes);
-            source.refine(vertex, &self.corners);
-            let known = (&self.surface, &self.growth);
-            let named = model.code(coder, known, &self.corners, source, &mut self.told);
-            source.name(named);
-        }
+        self.places.push(place);
+        coder.part(Part::Attributes);
+        self.shown(coder, source, vertex);
         if coder.overran() {
+            if let Some(attributes) = &mut self.attributes {
+                attributes.truncate(self.growth.positions.len());
+            }
             return Ended::Short;
         }
-        self.places.push(place);
         match &self.wedges {
             Some(_) => self.growth.add_wedges(&mut self.surface, &self.corners, position, &self.told),
             None => self.growth.add(&mut self.surface, &self.corners, position),
         }
         Ended::Whole
+    }
+
+    /// What corners around a new vertex show, and the attributes of that.
+    fn shown<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) {
+        let mut named = Vec::new();
+        if let Some(model) = &mut self.wedges {
+            source.refine(vertex, &self.corners);
+            let known = (&self.surface, &self.growth);
+            named = model.code(coder, known, &self.corners, source, &mut self.told);
+            source.name(named.iter().copied());
+        }
+        let Some(attributes) = &mut self.attributes else { return };
+        let around = Around {
+            surface: &self.surface,
+            growth: &self.growth,
+            places: &self.places,
+            corners: &self.corners,
+            told: self.wedges.as_ref().map(|_| &self.told),
+        };
+        let place = self.places[vertex as usize];
+        if self.wedges.is_none() {
+            let kept = self.surface.vertex(next(self.corners[0]));
+            let actual = actual_layers::<C>(source, source.wedges(vertex).start);
+            attributes.vertex(coder, around, (place, 0, self.growth.wedges(kept).start), actual);
+            return;
+        }
+        for (wedge, &target) in self.told.targets.iter().enumerate() {
+            let actual = actual_layers::<C>(source, named[wedge]);
+            attributes.vertex(coder, around, (place, wedge as u32, target), actual);
+        }
+    }
+
+    /// The attribute layers, if there are any.
+    pub(super) fn attributes(&self) -> Option<&Attributes> {
+        self.attributes.as_ref()
     }
 
     /// Splits done and told in full.
@@ -351,4 +403,9 @@ impl Refiner {
     pub(super) fn is_in_batch(&self) -> bool {
         self.is_in_batch
     }
+}
+
+/// A writer's layers and the vertex there.
+fn actual_layers<C: Coder>(source: &impl Source, vertex: u32) -> Actual<'_> {
+    (!C::READS).then(|| (source.layers(), vertex))
 }

@@ -5,17 +5,20 @@ use std::ops::Range;
 use super::base::Base;
 use super::base_coder::BaseOrder;
 use super::cutting::Closed;
+use super::layer_model::LayerValues;
 use super::refiner::Source;
 use super::shown::ShownUp;
 use super::surface::{Cut, NONE, Surface, Undo};
 use crate::mesh::RefinableMesh;
 
-/// Where the positions of the mesh are.
+/// Where the positions of the mesh are, and what its vertices have beside.
 pub(super) struct Points {
     /// Grid coordinates.
     pub(super) places: Vec<[i32; 3]>,
     /// Mesh units.
     pub(super) exact: Vec<[f32; 3]>,
+    /// Integers of all vertices, layer by layer.
+    pub(super) layers: Vec<LayerValues>,
 }
 
 /// The steps of a sequence in the numbering of a surface under refinement.
@@ -186,6 +189,10 @@ impl Source for Truth<'_> {
             self.next_triangle += 1;
         }
         self.order.push(step);
+    }
+
+    fn layers(&self) -> &[LayerValues] {
+        &self.points.layers
     }
 
     fn refine(&mut self, vertex: u32, corners: &[u32]) {
