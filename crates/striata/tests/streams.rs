@@ -101,7 +101,10 @@ fn check_prefix(decoder: &StreamDecoder, whole: &RefinableMesh) {
     assert_eq!(level.sequence.step_count(), split_count);
     let expected = replay(whole, split_count);
     assert_eq!(level.mesh.positions, expected.positions);
-    assert_eq!(level.mesh.layers, expected.layers);
+    for (found, expected) in level.mesh.layers.iter().zip(&expected.layers) {
+        // As bytes: there may be NaN among them.
+        assert_eq!(found.data.as_bytes(), expected.data.as_bytes(), "{}", found.semantic);
+    }
     assert_eq!(groups_of(&level.mesh, |v| v), groups_of(&expected, |v| v));
     assert_eq!(&level.sequence.targets()[..], &whole.sequence.targets()[..level.sequence.targets().len()]);
 }
