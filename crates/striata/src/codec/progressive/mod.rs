@@ -21,6 +21,7 @@ mod hood;
 mod layer_model;
 mod layers;
 mod positions;
+mod quick;
 mod refiner;
 mod ring_fit;
 mod shown;
