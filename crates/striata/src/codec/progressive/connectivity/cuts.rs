@@ -6,8 +6,6 @@
 //! brings as a whole are running sums, cheap enough to ask of every vertex how well it could split.
 
 use super::super::super::entropy::Coder;
-use super::super::Effort;
-use super::super::surface::Cut;
 use super::patch::{self, Patch};
 use super::ring::{Ring, Spoke};
 use super::softmax::{Choice, SCORE_ONE, exponential, log_sum};
@@ -144,7 +142,12 @@ impl CutModel {
                 score += side.area + if length > 1 { side.inner } else { 0 };
                 at = if at + 1 < n { at + 1 } else { 0 };
                 let whole = score + sides[at].end + by_length[length];
-                self.runs.push(Run { first: first as u32, end: at as u32, length: length as u32, score: whole });
+                self.runs.push(Run {
+                    first: first as u32,
+                    end: at as u32,
+                    length: length as u32,
+                    score: whole,
+                });
             }
         }
         self.sum_up();
@@ -172,29 +175,29 @@ impl CutModel {
         (self.best >> 8) + log_sum(self.total)
     }
 
-    /// Codes which of the runs it is, and learns from it; there must be one. `looks_closely` says whether runs are judged as
-    /// wholes too.
+    /// Codes which of the runs it is, by the index of its first edge and its length, and learns from it; there must be one.
+    /// `looks_closely` says whether runs are judged as wholes too.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
         ring: &Ring,
-        corners: &[u32],
-        (actual, effort): (Option<Cut>, Effort),
-    ) -> Cut {
+        actual: Option<(usize, usize)>,
+        looks_closely: bool,
+    ) -> (usize, usize) {
         self.looks.clear();
-        if effort == Effort::Small {
+        if looks_closely {
             self.look_closely(ring);
         }
-        let actual = actual.and_then(|cut| {
-            let is_it = |run: &Run| corners[run.first as usize] == cut.first && run.length == cut.length;
-            self.runs.iter().position(is_it)
-        });
+        let actual = actual
+            .and_then(|run| self.runs.iter().position(|r| (r.first as usize, r.length as usize) == run));
         debug_assert!(C::READS || actual.is_some(), "the run that splits off is not one of those that can");
-        let chosen = { let g = std::env::var("G").map_or(1, |v| v.parse().unwrap()); self.choice.code(coder, &mut self.powers, (self.total, if effort == Effort::Small { 3 } else { g }), actual.unwrap_or(0)) };
-        if effort != Effort::Fast || self.splits < 2000 || self.splits % 4 == 0 { self.learn(chosen); } else { self.splits += 1; }
+        let guesses = if looks_closely { 3 } else { 1 };
+        let weights = (self.powers.as_mut_slice(), self.total, guesses);
+        let chosen = self.choice.code(coder, weights, actual.unwrap_or(0));
+        self.learn(chosen);
         self.height += (ring.height - self.height) >> 5;
         let run = self.runs[chosen];
-        Cut { first: corners[run.first as usize], length: run.length }
+        (run.first as usize, run.length as usize)
     }
 
     /// Adds what runs bring as wholes.
@@ -274,8 +277,11 @@ fn turn(weight: &mut i32, push: i32, rate: i32) {
 }
 
 fn edge_keys(spoke: &Spoke, ring: &Ring, height: i32) -> [u8; 4] {
-    let length =
-        if spoke.is_virtual { 16 } else { ((spoke.length - ring.length + 8 * 64) >> 6).clamp(0, 15) as usize };
+    let length = if spoke.is_virtual {
+        16
+    } else {
+        ((spoke.length - ring.length + 8 * 64) >> 6).clamp(0, 15) as usize
+    };
     let bend = ((spoke.height - height + 6 * 192) / 192).clamp(0, HEIGHTS as i32 - 1) as usize;
     [
         length,

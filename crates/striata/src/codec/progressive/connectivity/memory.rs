@@ -3,7 +3,7 @@
 //! Splits are some seven times rarer than vertices that are asked. So each split tells all around it, and a vertex that is
 //! asked has a few bytes to look at.
 
-use super::super::surface::{Cut, Surface};
+use super::super::surface::Surface;
 use super::ring::Ring;
 
 /// One vertex.
@@ -28,16 +28,8 @@ pub(super) struct Trace {
 }
 
 impl Trace {
-    const NEW: Self = Self {
-        valence: 6,
-        free: 6,
-        splits: 0,
-        last_splits: 0,
-        rest: 3,
-        density: 40,
-        length: 0,
-        height: 0,
-    };
+    const NEW: Self =
+        Self { valence: 6, free: 6, splits: 0, last_splits: 0, rest: 3, density: 40, length: 0, height: 0 };
 
     fn begin_batch(&mut self) {
         self.free = self.valence;
@@ -112,8 +104,8 @@ impl Memory {
         }
     }
 
-    /// Notes how a vertex splits, `corners[first]` being the first corner of the cut, and tells all around it.
-    pub(super) fn split(&mut self, vertex: u32, ring: &Ring, first: usize, cut: Cut) {
+    /// Notes how a vertex splits, by the index of the cut's first corner and its length, and tells all around it.
+    pub(super) fn split(&mut self, vertex: u32, ring: &Ring, (first, cut_length): (usize, usize)) {
         let n = ring.spokes.len();
         let (length, height) = (byte(ring.grid_length()), byte(ring.height));
         for spoke in ring.spokes.iter().filter(|spoke| !spoke.is_virtual) {
@@ -123,7 +115,6 @@ impl Memory {
             trace.length = if trace.length == 0 { length } else { middle(trace.length, length) };
             trace.height = if trace.height == 0 { height } else { middle(trace.height, height) };
         }
-        let cut_length = cut.length as usize;
         for k in 0..=cut_length {
             let spoke = &ring.spokes[(first + k) % n];
             let Some(trace) = self.traces.get_mut(spoke.vertex as usize) else { continue };
@@ -137,11 +128,11 @@ impl Memory {
         let mut density = 40;
         if let Some(trace) = self.traces.get_mut(vertex as usize) {
             trace.rest = 0;
-            trace.valence = (u32::from(trace.valence) + 2).saturating_sub(cut.length).min(255) as u8;
+            trace.valence = (usize::from(trace.valence) + 2).saturating_sub(cut_length).min(255) as u8;
             (trace.length, trace.height) = (length, height);
             density = trace.density;
         }
-        let valence = (cut.length + 2).min(255) as u8;
+        let valence = (cut_length + 2).min(255) as u8;
         self.traces.push(Trace { valence, free: 0, density, length, height, ..Trace::NEW });
     }
 }

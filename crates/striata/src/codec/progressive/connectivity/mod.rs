@@ -1,4 +1,21 @@
 //! Which vertices split, and which triangles go to the new vertex.
+//!
+//! Whether a vertex splits is mixed from many small contexts: what became of its neighbours in this batch and the last ones,
+//! how many of its triangles are left, how long its edges are and how bent it is against the others. Which run of its triangles
+//! goes to the new vertex is chosen among all that can, by a log-linear model that learns as it goes. Where
+//! time matters more, a vertex that does not split is told by what is remembered of it; for the smallest streams its ring is
+//! looked at and its runs are scored, since a vertex that can split well is likely to.
+//!
+//! | file | what it does |
+//! | --- | --- |
+//! | `memory.rs` | [`Memory`]: what is kept with a vertex from batch to batch |
+//! | `ring.rs` | [`Ring`]: what is seen around a vertex |
+//! | `patch.rs` | what is seen of a run of triangles as a whole |
+//! | `cuts.rs` | [`CutModel`]: scores of runs, and how they are learned |
+//! | `softmax.rs` | from scores to probabilities to decisions |
+//! | `flags.rs` | [`FlagModel`]: contexts, mixed |
+//!
+//! All models hold integers, and look only at what has been decoded.
 
 mod cuts;
 mod flags;
@@ -7,12 +24,15 @@ mod patch;
 mod ring;
 mod softmax;
 
+#[cfg(test)]
+mod tests;
+
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::Effort;
-use super::surface::{Cut, Surface};
+use super::surface::{Cut, Surface, next, triangle_of};
 use super::walk::Walk;
-use cuts::CutModel;
-use flags::FlagModel;
+use cuts::{CutModel, LONGEST};
+use flags::{FlagModel, Question};
 use memory::{Memory, Trace};
 use ring::Ring;
 
@@ -37,47 +57,52 @@ impl Scene<'_> {
     }
 }
 
+/// Contexts of flags that are read off what is remembered, and off the ring; one more input is no context.
+const REMEMBERED: usize = 7;
+const SEEN: usize = 9;
+
 /// Adaptive models of flags and cuts.
 #[derive(Clone, Debug)]
 pub(super) struct ConnectivityModel {
-    effort: Effort,
+    /// Every ring is looked at, and runs are judged as wholes.
+    is_thorough: bool,
     memory: Memory,
     ring: Ring,
     cuts: CutModel,
-    /// Flags by effort: counters alone, mixed, mixed with what the ring tells.
-    counters: Vec<AdaptiveBit>,
-    mixed: FlagModel<7>,
-    seen: FlagModel<9>,
-    /// Mean length and height of rings that were asked.
+    remembered: FlagModel<REMEMBERED>,
+    seen: FlagModel<SEEN>,
+    is_long: AdaptiveBit,
+    /// Mean length and height around vertices that were asked, on the scale of what is looked at.
     length: i32,
     height: i32,
-    /// Whether the last vertices split.
-    last: usize,
+    /// Whether the last vertices split, a bit each.
+    history: usize,
 }
 
 impl ConnectivityModel {
     pub(super) fn new(effort: Effort) -> Self {
         Self {
-            effort,
+            is_thorough: effort == Effort::Small,
             memory: Memory::default(),
             ring: Ring::default(),
             cuts: CutModel::new(),
-            counters: vec![AdaptiveBit::new(Rate::Steady); 1 << 13],
-            mixed: FlagModel::new(),
+            remembered: FlagModel::new(),
             seen: FlagModel::new(),
+            is_long: AdaptiveBit::new(Rate::Steady),
             length: 0,
             height: 0,
-            last: 0,
+            history: 0,
         }
     }
 
     /// Told when a batch begins; `end` is the number of vertices, all with places.
-    pub(super) fn begin_batch(&mut self, surface: &Surface, _end: u32) {
+    pub(super) fn begin_batch(&mut self, surface: &Surface, end: u32) {
+        debug_assert_eq!(surface.vertex_count(), end as usize);
         self.memory.begin_batch(surface);
     }
 
     /// Codes whether a vertex splits, and how. `corners` are filled with those around the vertex, counter-clockwise, where it
-    /// splits or they are looked at.
+    /// splits or is looked at in any case.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -86,43 +111,23 @@ impl ConnectivityModel {
         actual: Option<Cut>,
     ) -> Option<Cut> {
         let trace = self.memory.trace(vertex);
-        let is_small = self.effort == Effort::Small;
-        let (mut density, mut splits) = (i32::from(trace.density), false);
-        let context = self.context(vertex, trace);
-        let t: u32 = { static T: std::sync::OnceLock<u32> = std::sync::OnceLock::new(); *T.get_or_init(|| std::env::var("T").map_or(0, |v| v.parse().unwrap())) };
-        if is_small && self.counters[context].p_one() < t {
-            corners.clear();
-            corners.extend(scene.surface.ring(vertex));
-            splits = self.counters[context].code(coder, actual.is_some());
-            if splits { self.look(scene, vertex, corners, trace); }
-        } else if is_small {
+        let (density, splits) = if self.is_thorough {
             self.look(scene, vertex, corners, trace);
-            density = self.ring.density;
-            if self.cuts.run_count() > 0 {
-                splits = self.flag_of_ring(coder, vertex, trace, actual.is_some());
-                self.counters[context].update(splits);
-            }
-        } else if self.effort == Effort::Fast {
-            splits = self.counters[context].code(coder, actual.is_some());
+            let splits = self.cuts.run_count() > 0 && self.flag_seen(coder, vertex, trace, actual.is_some());
+            (self.ring.density, splits)
         } else {
-            splits = self.flag_of_trace(coder, vertex, trace, actual.is_some());
-        }
+            (i32::from(trace.density), self.flag_remembered(coder, vertex, trace, actual.is_some()))
+        };
         self.memory.settle(vertex, density, splits);
         if !splits {
             return None;
         }
-        if !is_small {
+        if !self.is_thorough {
             self.look(scene, vertex, corners, trace);
         }
-        // A reader of a damaged stream may find no run at all.
-        if self.cuts.run_count() == 0 {
-            return None;
-        }
-        coder.part(super::super::entropy::Part::Attributes);
-        let cut = self.cuts.code(coder, &self.ring, corners, (actual, self.effort));
-        coder.part(super::super::entropy::Part::Connectivity);
-        let first = corners.iter().position(|&c| c == cut.first).unwrap_or(0);
-        self.memory.split(vertex, &self.ring, first, cut);
+        let (first, length) = self.run(coder, scene, corners, actual)?;
+        let cut = Cut { first: corners[first], length: length as u32 };
+        self.memory.split(vertex, &self.ring, (first, length));
         Some(cut)
     }
 
@@ -132,78 +137,122 @@ impl ConnectivityModel {
         corners.extend(scene.surface.ring(vertex));
         self.ring.gather(scene, &self.memory, corners);
         if self.ring.free > 0 {
-            self.ring.measure(scene, vertex, self.effort != Effort::Fast);
+            self.ring.measure(scene, vertex);
         }
         self.cuts.score(&self.ring, trace.valence.into(), scene.max_patch as usize);
     }
 
-    /// The counter of a vertex.
-    fn context(&self, vertex: u32, trace: Trace) -> usize {
-        let valence = usize::from(trace.valence.clamp(3, 10) - 3);
-        let free = usize::from(trace.free.min(7));
-        let splits = usize::from(trace.splits.min(3));
-        let age = usize::from(self.memory.age(vertex) & 3);
-        let last = usize::from(trace.last_splits.min(3));
-        (((valence * 8 + free) * 4 + splits) * 4 + age) * 4 + last
+    /// Codes the first corner, by index, and the length of a cut; a reader of a damaged stream may find none.
+    fn run<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        scene: &Scene<'_>,
+        corners: &[u32],
+        actual: Option<Cut>,
+    ) -> Option<(usize, usize)> {
+        let actual = actual.map(|cut| {
+            let first = corners.iter().position(|&corner| corner == cut.first);
+            debug_assert!(first.is_some(), "a cut begins with a corner of its vertex");
+            (first.unwrap_or(0), cut.length as usize)
+        });
+        let may_be_long = (scene.max_patch as usize).min(corners.len().saturating_sub(1)) > LONGEST;
+        if may_be_long && self.is_long.code(coder, actual.is_some_and(|(_, length)| length > LONGEST)) {
+            return long_run(coder, scene, corners, actual.unwrap_or((0, 0)));
+        }
+        (self.cuts.run_count() > 0).then(|| self.cuts.code(coder, &self.ring, actual, self.is_thorough))
     }
 
-    fn flag_of_trace<C: Coder>(&mut self, coder: &mut C, vertex: u32, trace: Trace, actual: bool) -> bool {
-        let valence = i32::from(trace.valence.min(15));
-        let free = i32::from(trace.free.min(7));
-        let splits = i32::from(trace.splits.min(7));
-        let last_splits = i32::from(trace.last_splits.min(7));
-        let age = i32::from(self.memory.age(vertex) & 3);
-        let rest = i32::from(trace.rest);
-        let around = i32::from(trace.density >> 4);
-        let (length, height) = (i32::from(trace.length), i32::from(trace.height));
-        let length_key = ((length - (self.length >> 8)) / 4 + 16).clamp(0, 31);
-        let height_key = ((height - (self.height >> 8)) / 10 + 16).clamp(0, 31);
-        let keys = [
-            valence * 64 + free * 8 + splits.min(7),
-            around * 64 + last_splits * 8 + splits,
-            age * 256 + rest * 64 + last_splits * 8 + free,
-            length_key * 32 + height_key,
-            length_key * 32 + valence.min(7) * 4 + splits.min(3),
-            (self.last & 31) as i32 * 32 + free * 4 + age,
-            256,
-        ];
-        let selectors = [(free * 4 + splits.min(3)) as usize, (around * 4 + age) as usize];
-        let did = self.mixed.code(coder, &keys, selectors, actual);
-        self.last = self.last << 1 | usize::from(did);
+    /// Codes whether a vertex splits by what is remembered of it.
+    fn flag_remembered<C: Coder>(&mut self, coder: &mut C, vertex: u32, trace: Trace, actual: bool) -> bool {
+        let [valence, free, splits, last_splits, rest] = [
+            trace.valence.min(15),
+            trace.free.min(7),
+            trace.splits.min(7),
+            trace.last_splits.min(7),
+            trace.rest,
+        ]
+        .map(usize::from);
+        let age = usize::from(self.memory.age(vertex));
+        let around = usize::from(trace.density >> 4);
+        let [length, height] = [trace.length, trace.height].map(i32::from);
+        let length_step = ((length - (self.length >> 8)) / 4 + 16).clamp(0, 31) as usize;
+        let height_step = ((height - (self.height >> 8)) / 10 + 16).clamp(0, 31) as usize;
         self.length += ((length << 8) - self.length) >> 7;
         self.height += ((height << 8) - self.height) >> 7;
-        did
+        let question = Question {
+            contexts: [
+                valence * 64 + free * 8 + splits,
+                around * 64 + last_splits * 8 + splits,
+                age * 256 + rest * 64 + last_splits * 8 + free,
+                length_step * 32 + height_step,
+                length_step * 32 + valence.min(7) * 4 + splits.min(3),
+                (self.history & 31) * 32 + free * 4 + age,
+                0,
+            ],
+            log_odds: 256,
+            weights: free * 4 + splits.min(3),
+            refined: around * 4 + age,
+        };
+        let does = self.remembered.code(coder, &question, actual);
+        self.history = self.history << 1 | usize::from(does);
+        does
     }
 
-    fn flag_of_ring<C: Coder>(&mut self, coder: &mut C, vertex: u32, trace: Trace, actual: bool) -> bool {
+    /// Codes whether a vertex splits by what is seen around it.
+    fn flag_seen<C: Coder>(&mut self, coder: &mut C, vertex: u32, trace: Trace, actual: bool) -> bool {
         let ring = &self.ring;
         let n = ring.spokes.len();
+        let taken = n - ring.free;
         let [open, stays, splits, _] = ring.fates;
         let log_sum = self.cuts.log_sum();
-        let length = ((ring.grid_length() - self.length) / 48 + 16).clamp(0, 31) as usize;
-        let height = ((ring.height - self.height) / 128 + 16).clamp(0, 31) as usize;
+        let sum_step = ((log_sum >> 6) + 32).clamp(0, 63) as usize;
+        let length_step = ((ring.grid_length() - self.length) / 48 + 16).clamp(0, 31) as usize;
+        let height_step = ((ring.height - self.height) / 128 + 16).clamp(0, 31) as usize;
+        self.length += (ring.grid_length() - self.length) >> 7;
+        self.height += (ring.height - self.height) >> 7;
         let around = (ring.density >> 4).clamp(0, 15) as usize;
-        let sum = ((log_sum >> 6) + 32).clamp(0, 63) as usize;
         let run = ring.free_run.min(7);
-        let age = usize::from(self.memory.age(vertex) & 3);
-        let keys = [
-            n.min(15) * 64 + (n - ring.free).min(7) * 8 + run,
-            splits.min(4) * 64 + stays.min(7) * 8 + open.min(7),
-            length * 16 + around,
-            height * 16 + around,
-            age * 128 + usize::from(trace.rest) * 32 + ring.young.min(7) * 4 + splits.min(3),
-            sum * 16 + around,
-            length * 32 + height,
-            (self.last & 31) * 8 + run,
-            0,
-        ];
-        let mut keys = keys.map(|key| key as i32);
-        keys[8] = log_sum;
-        let selectors = [run * 4 + splits.min(3), around * 4 + (n - ring.free).min(3)];
-        let did = self.seen.code(coder, &keys, selectors, actual);
-        self.last = self.last << 1 | usize::from(did);
-        self.length += (self.ring.grid_length() - self.length) >> 7;
-        self.height += (self.ring.height - self.height) >> 7;
-        did
+        let age = usize::from(self.memory.age(vertex));
+        let question = Question {
+            contexts: [
+                n.min(15) * 64 + taken.min(7) * 8 + run,
+                splits.min(4) * 64 + stays.min(7) * 8 + open.min(7),
+                length_step * 16 + around,
+                height_step * 16 + around,
+                age * 128 + usize::from(trace.rest) * 32 + ring.young.min(7) * 4 + splits.min(3),
+                sum_step * 16 + around,
+                length_step * 32 + height_step,
+                (self.history & 31) * 8 + run,
+                0,
+            ],
+            log_odds: log_sum,
+            weights: run * 4 + splits.min(3),
+            refined: around * 4 + taken.min(3),
+        };
+        let does = self.seen.code(coder, &question, actual);
+        self.history = self.history << 1 | usize::from(does);
+        does
     }
+}
+
+/// Codes a run of more triangles than the model of cuts knows: rare, and only where the encoder was given such steps.
+fn long_run<C: Coder>(
+    coder: &mut C,
+    scene: &Scene<'_>,
+    corners: &[u32],
+    (first, length): (usize, usize),
+) -> Option<(usize, usize)> {
+    let n = corners.len();
+    let bits = (usize::BITS - n.leading_zeros()).min(24);
+    let first = (coder.raw(first as u32, bits) as usize).min(n - 1);
+    let length = (coder.raw(length as u32, bits) as usize).min(n - 1).min(scene.max_patch as usize);
+    // A run ends at the latest where the vertex has no free triangle more.
+    let is_free = |k: &usize| {
+        let corner = corners[(first + k) % n];
+        let is_inner = *k > 0;
+        !scene.is_taken(triangle_of(corner))
+            && !(is_inner && scene.surface.is_virtual(scene.surface.vertex(next(corner))))
+    };
+    let length = (0..length).take_while(is_free).count();
+    (length > 0).then_some((first, length))
 }

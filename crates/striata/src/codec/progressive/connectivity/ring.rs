@@ -90,10 +90,10 @@ const INVERSES: [i64; 16] = {
 
 /// A sum over a count, rounded down, about; 0 for none.
 #[inline]
-fn mean(sum: i32, count: usize) -> i32 {
+fn mean(sum: i64, count: usize) -> i32 {
     match INVERSES.get(count) {
-        Some(inverse) => (i64::from(sum) * inverse >> 16) as i32,
-        None => (i64::from(sum) / count as i64) as i32,
+        Some(inverse) => (sum * inverse >> 16) as i32,
+        None => (sum / count as i64) as i32,
     }
 }
 
@@ -141,7 +141,7 @@ impl Ring {
                 self.fates[usize::from(spoke.fate & 3)] += 1;
                 self.young += usize::from(spoke.age == 1);
                 if matches!(fate, Fate::Stays | Fate::Splits) {
-                    density += i32::from(trace.density);
+                    density += i64::from(trace.density);
                 }
             }
             self.spokes.push(spoke);
@@ -170,7 +170,7 @@ impl Ring {
     }
 
     /// Measures what [`gather`](Self::gather) found; `vertex` is in the middle.
-    pub(super) fn measure(&mut self, scene: &Scene<'_>, vertex: u32, with_heights: bool) {
+    pub(super) fn measure(&mut self, scene: &Scene<'_>, vertex: u32) {
         let here = scene.places[vertex as usize];
         let mut reach = 0;
         for spoke in self.spokes.iter_mut().filter(|spoke| !spoke.is_virtual) {
@@ -185,10 +185,7 @@ impl Ring {
             self.spokes.iter_mut().for_each(|spoke| spoke.step = spoke.step.map(|x| x >> shift));
         }
         self.measure_triangles();
-        self.height = 0;
-        if with_heights {
-            self.measure_heights();
-        }
+        self.measure_heights();
     }
 
     fn measure_triangles(&mut self) {
@@ -202,7 +199,7 @@ impl Ring {
                 continue;
             }
             spoke.length = log2_q8(dot(spoke.step, spoke.step) as u32);
-            lengths += spoke.length;
+            lengths += i64::from(spoke.length);
             edge_count += 1;
             if is_open {
                 continue;
@@ -213,7 +210,7 @@ impl Ring {
             let cosine = dot(spoke.step, next_step);
             spoke.tangent = spoke.area - 2 * log2_q8(cosine.unsigned_abs());
             spoke.is_blunt = cosine < 0;
-            areas += spoke.area;
+            areas += i64::from(spoke.area);
             triangle_count += 1;
         }
         self.length = mean(lengths, edge_count);
@@ -231,9 +228,10 @@ impl Ring {
             }
             let volume = dot_wide(before.normal.map(i64::from), behind.step.map(i64::from));
             let height = 2 * log2_wide(volume.unsigned_abs()) - before.area + 512 * self.shift;
-            heights += height.max(LEAST_HEIGHT);
+            let height = height.max(LEAST_HEIGHT);
+            heights += i64::from(height);
             count += 1;
-            self.spokes[i].height = height.max(LEAST_HEIGHT);
+            self.spokes[i].height = height;
         }
         self.height = mean(heights, count);
     }
@@ -241,5 +239,50 @@ impl Ring {
     /// The mean length in steps of the grid.
     pub(super) fn grid_length(&self) -> i32 {
         self.length + 512 * self.shift
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::surface::Surface;
+    use super::super::super::walk::Walk;
+    use super::*;
+
+    #[test]
+    fn a_flat_hexagon_is_seen_as_one() {
+        // Vertex 0 is virtual and closes the hexagon around vertex 1.
+        let rim = |i: u32| 2 + i % 6;
+        let triangles: Vec<[u32; 3]> =
+            (0..6).flat_map(|i| [[1, rim(i), rim(i + 1)], [0, rim(i + 1), rim(i)]]).collect();
+        let mut surface = Surface::from_closed(&triangles, 8, 1).unwrap();
+        let [x, y] = [500, 866];
+        let hexagon = [[2 * x, 0], [x, y], [-x, y], [-2 * x, 0], [-x, -y], [x, -y]];
+        let places: Vec<[i32; 3]> =
+            [[0; 3], [70, 80, 90]].into_iter().chain(hexagon.map(|[x, y]| [70 + x, 80 + y, 90])).collect();
+        let mut walk = Walk::new(true);
+        walk.begin(&surface);
+        let mut memory = Memory::default();
+        memory.begin_batch(&surface);
+        let corners: Vec<u32> = surface.ring(1).collect();
+        surface.set_mark(triangle_of(corners[2]), walk.batch());
+        let scene = Scene { surface: &surface, places: &places, walk: &walk, max_patch: 5 };
+        let mut ring = Ring::default();
+        ring.gather(&scene, &memory, &corners);
+        ring.measure(&scene, 1);
+        assert_eq!((ring.free, ring.free_run, ring.fates), (5, 5, [6, 0, 0, 0]));
+        assert_eq!(ring.height, LEAST_HEIGHT);
+        assert!((ring.grid_length() - 5102).abs() < 4, "{}", ring.grid_length());
+        for spoke in &ring.spokes {
+            assert!((spoke.length - ring.length).abs() < 4 && (spoke.area - ring.area).abs() < 4);
+            // The squared tangent of 60 degrees is 3.
+            assert!((spoke.tangent - 406).abs() < 4 && !spoke.is_blunt && spoke.valence == 4);
+        }
+        // From the rim, the hole is no place.
+        let corners: Vec<u32> = surface.ring(2).collect();
+        ring.gather(&scene, &memory, &corners);
+        ring.measure(&scene, 2);
+        let open: Vec<_> = ring.spokes.iter().filter(|s| s.is_virtual).collect();
+        assert!(open.len() == 1 && open[0].step == [0; 3] && open[0].area == 0);
+        assert_eq!(ring.spokes.iter().filter(|s| s.area > 0).count(), 2);
     }
 }

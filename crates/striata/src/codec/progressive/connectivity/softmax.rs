@@ -55,12 +55,12 @@ impl Choice {
         Self { refiner: Refiner::new(GUESSES * 3) }
     }
 
-    /// Codes an index into `weights`, which add up to `total` and are not changed in the end.
+    /// Codes an index into weights, given with their sum and how many of the likeliest are asked for first. The weights are
+    /// the same in the end.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        weights: &mut [u32],
-        (total, guesses): (u64, usize),
+        (weights, total, guesses): (&mut [u32], u64, usize),
         actual: usize,
     ) -> usize {
         let mut left = total;
@@ -118,7 +118,11 @@ fn halve<C: Coder>(coder: &mut C, weights: &[u32], total: u64, actual: usize) ->
         let middle = low.midpoint(high);
         let upper: u64 = weights[middle..high].iter().map(|&w| u64::from(w)).sum();
         if upper == 0 || upper == left {
-            if upper == 0 { high = middle } else { low = middle }
+            if upper == 0 {
+                high = middle
+            } else {
+                low = middle
+            }
             continue;
         }
         if coder.bit(actual >= middle, share(upper, left)) {
@@ -130,4 +134,57 @@ fn halve<C: Coder>(coder: &mut C, weights: &[u32], total: u64, actual: usize) ->
         }
     }
     low
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::super::entropy::{RangeReader, RangeWriter};
+    use super::*;
+    use crate::mesh::Random;
+
+    #[test]
+    fn exponentials_and_logarithms_are_right() {
+        for below in (0..11 * SCORE_ONE).step_by(997) {
+            let expected = (-f64::from(below >> 10) / 64.0).exp() * f64::from(1 << 20);
+            assert!((f64::from(exponential(below)) - expected).abs() < 0.6, "{below}");
+        }
+        assert!(exponential(i32::MAX) > 0 && exponential(-5) == 1 << 20);
+        for sum in [1u64, 1 << 20, 3 << 20, 987_654_321, 1 << 40] {
+            let expected = (sum as f64 / f64::from(1 << 20)).ln() * 256.0;
+            assert!((f64::from(log_sum(sum)) - expected).abs() < 5.0, "{sum}");
+        }
+    }
+
+    #[test]
+    fn choices_come_back_for_little_more_than_their_information() {
+        let mut random = Random::new(5);
+        for guesses in 0..=GUESSES {
+            let (mut writer, mut choice) = (RangeWriter::new(), Choice::new());
+            let (mut message, mut information) = (Vec::new(), 0.0);
+            for _ in 0..4000 {
+                let count = 1 + random.below(30);
+                let weights: Vec<u32> =
+                    (0..count).map(|_| exponential(random.below(6 << 16) as i32)).collect();
+                let total: u64 = weights.iter().map(|&w| u64::from(w)).sum();
+                let mut left = u64::from(random.below(total as u32));
+                let chosen = weights.iter().position(|&weight| {
+                    let is_here = left < u64::from(weight);
+                    left = left.wrapping_sub(weight.into());
+                    is_here
+                });
+                let chosen = chosen.unwrap();
+                information -= (f64::from(weights[chosen]) / total as f64).log2();
+                let mut changing = weights.clone();
+                assert_eq!(choice.code(&mut writer, (&mut changing, total, guesses), chosen), chosen);
+                assert_eq!(changing, weights);
+                message.push((weights, total, chosen));
+            }
+            let bytes = writer.finish().0;
+            assert!((bytes.len() as f64 * 8.0) < information * 1.01, "{} for {information}", bytes.len() * 8);
+            let (mut reader, mut choice) = (RangeReader::new(&bytes, true), Choice::new());
+            for (mut weights, total, chosen) in message {
+                assert_eq!(choice.code(&mut reader, (&mut weights, total, guesses), 0), chosen);
+            }
+        }
+    }
 }
