@@ -21,7 +21,7 @@ mod number;
 mod range;
 
 pub(crate) use adaptive::{AdaptiveBit, Rate};
-pub(crate) use logistic::{LOG_ODDS_LIMIT, LOG_ODDS_ONE, log_odds, log2_q8, probability};
+pub(crate) use logistic::{LOG_ODDS_LIMIT, LOG_ODDS_ONE, log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixer::{Mixer, Refiner};
 pub(crate) use number::AdaptiveNumber;
 pub(crate) use range::{RangeReader, RangeWriter};
