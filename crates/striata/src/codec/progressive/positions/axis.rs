@@ -5,9 +5,9 @@
 //! often it went so at this point of the tree under like circumstances; two mixers weigh them, and their mean counts.
 
 use super::super::super::entropy::{
-    AdaptiveBit, AdaptiveNumber, Coder, Mixer, Rate, Refiner, log_odds, log2_q16,
+    AdaptiveBit, AdaptiveNumber, Coder, WideMixer, Rate, Refiner, log_odds, log2_q16,
 };
-use super::bumps::Bumps;
+use super::bumps::{Bumps, Width};
 use super::local::Local;
 
 const COUNTERS: usize = 3;
@@ -29,8 +29,8 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     pub(super) axis: usize,
     /// The density of each kind of guess.
     pub(super) bumps: &'a [Bumps; KINDS],
-    /// Logarithms of half the widths of bumps.
-    pub(super) widths: [u32; WIDTHS],
+    /// How far bumps reach.
+    pub(super) widths: [Width; WIDTHS],
     /// The grid coordinate that is expected.
     pub(super) centre: i32,
     /// Which size the surroundings have, below [`SIZES`].
@@ -50,41 +50,41 @@ impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
         let x = self.local.border(self.centre.wrapping_add(off), self.axis);
         let mut masses = [[0; WIDTHS]; KINDS];
         for (masses, bumps) in masses.iter_mut().zip(self.bumps) {
-            bumps.below(x, &self.widths, masses);
+            *masses = bumps.below(x, &self.widths);
         }
         masses
     }
 }
 
-/// What is learned about one axis: `OPINIONS` are one for each kind and width, and 4 more.
+/// What is learned about one axis. There is one opinion for each kind and width and [`COUNTERS`] more, and one that never
+/// changes, in vectors of 8.
 #[derive(Clone, Debug)]
-pub(super) struct AxisModel<const OPINIONS: usize> {
+pub(super) struct AxisModel<const VECTORS: usize> {
     is_far: Vec<AdaptiveBit>,
     far: AdaptiveNumber,
     by_size: Vec<AdaptiveBit>,
     by_place: Vec<AdaptiveBit>,
     by_spread: Vec<AdaptiveBit>,
-    mixer: Mixer<OPINIONS>,
+    mixer: WideMixer<VECTORS>,
     /// A second one where there is time for it.
-    other: Option<Mixer<OPINIONS>>,
+    other: Option<WideMixer<VECTORS>>,
     refiner: Refiner,
 }
 
-impl<const OPINIONS: usize> AxisModel<OPINIONS> {
+impl<const VECTORS: usize> AxisModel<VECTORS> {
     /// Knows nothing yet.
     pub(super) fn new(is_thorough: bool) -> Self {
         let bits = |count: usize| vec![AdaptiveBit::new(Rate::Steady); count * NODES];
-        let mut first = [75_000 / OPINIONS as i32; OPINIONS];
-        first[OPINIONS - 1 - COUNTERS..].fill(13_000);
-        first[OPINIONS - 1] = 0;
+        let mut first = [[(18_000 / VECTORS / 8) as i16; 8]; VECTORS];
+        first.as_flattened_mut()[..COUNTERS].fill(3250);
         Self {
             is_far: vec![AdaptiveBit::new(Rate::Steady); 32],
             far: AdaptiveNumber::new(1, Rate::Steady),
             by_size: bits(SIZES),
             by_place: bits(PLACES),
             by_spread: bits(SPREADS),
-            mixer: Mixer::new(DEPTHS * PLACES, first),
-            other: is_thorough.then(|| Mixer::new(SIZES, first)),
+            mixer: WideMixer::new(DEPTHS * PLACES, first),
+            other: is_thorough.then(|| WideMixer::new(SIZES, first)),
             refiner: Refiner::new(DEPTHS),
         }
     }
@@ -96,7 +96,7 @@ impl<const OPINIONS: usize> AxisModel<OPINIONS> {
         axis: &Axis<'_, KINDS, WIDTHS>,
         actual: i32,
     ) -> i32 {
-        const { assert!(OPINIONS == KINDS * WIDTHS + COUNTERS + 1, "one opinion each") }
+        const { assert!(8 * VECTORS > KINDS * WIDTHS + COUNTERS, "one opinion each") }
         let span_log = (11 - axis.local.shift).clamp(1, 29) as u32;
         let half = 1i32 << span_log;
         let actual = actual.wrapping_sub(axis.centre);
@@ -120,8 +120,8 @@ impl<const OPINIONS: usize> AxisModel<OPINIONS> {
         while high - low > 1 {
             let middle = (low + high) >> 1;
             let below = axis.below(middle);
-            let mut inputs = [0; OPINIONS];
-            weigh(&below_low, &below, &below_high, &mut inputs);
+            let mut inputs = [[0; 8]; VECTORS];
+            weigh(&below_low, &below, &below_high, &mut inputs.as_flattened_mut()[COUNTERS..]);
             let is_up = self.decide(coder, axis, (node, depth), &mut inputs, actual >= middle);
             if is_up {
                 (low, below_low) = (middle, below);
@@ -140,7 +140,7 @@ impl<const OPINIONS: usize> AxisModel<OPINIONS> {
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
         (node, depth): (usize, usize),
-        inputs: &mut [i32; OPINIONS],
+        inputs: &mut [[i16; 8]; VECTORS],
         is_up: bool,
     ) -> bool {
         let node = if node < NODES { node } else { 0 };
@@ -149,18 +149,19 @@ impl<const OPINIONS: usize> AxisModel<OPINIONS> {
             &mut self.by_place[axis.place * NODES + node],
             &mut self.by_spread[axis.spread * NODES + node],
         ];
-        for (input, counter) in inputs[KINDS * WIDTHS..].iter_mut().zip(&counters) {
-            *input = log_odds(counter.p_one());
+        let all = inputs.as_flattened_mut();
+        for (input, counter) in all.iter_mut().zip(&counters) {
+            *input = log_odds(counter.p_one()) as i16;
         }
-        inputs[OPINIONS - 1] = 128;
+        all[KINDS * WIDTHS + COUNTERS] = 128;
         let mut odds = self.mixer.mix(inputs, axis.place * DEPTHS + depth);
         if let Some(other) = &mut self.other {
             odds = (odds + other.mix(inputs, axis.size)) >> 1;
         }
         let is_up = coder.bit(is_up, self.refiner.refine(odds, depth));
-        self.mixer.update(is_up);
+        self.mixer.update(inputs, is_up);
         if let Some(other) = &mut self.other {
-            other.update(is_up);
+            other.update(inputs, is_up);
         }
         self.refiner.update(is_up);
         counters.into_iter().for_each(|counter| counter.update(is_up));
@@ -174,13 +175,13 @@ fn weigh<const KINDS: usize, const WIDTHS: usize>(
     low: &Masses<KINDS, WIDTHS>,
     middle: &Masses<KINDS, WIDTHS>,
     high: &Masses<KINDS, WIDTHS>,
-    inputs: &mut [i32],
+    inputs: &mut [i16],
 ) {
     for kind in 0..KINDS {
         for width in 0..WIDTHS {
             let middle = middle[kind][width];
             let [up, down] = [high[kind][width] - middle, middle - low[kind][width]];
-            inputs[kind * WIDTHS + width] = logarithm(up) - logarithm(down);
+            inputs[kind * WIDTHS + width] = (logarithm(up) - logarithm(down)) as i16;
         }
     }
 }

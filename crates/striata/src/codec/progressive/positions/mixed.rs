@@ -14,17 +14,17 @@ type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
 
 /// A model of positions with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
-pub(super) struct MixedModel<const USED: usize, const WIDTHS: usize, const OPINIONS: usize> {
+pub(super) struct MixedModel<const USED: usize, const WIDTHS: usize, const VECTORS: usize> {
     widths: Widths<WIDTHS>,
     sight: Sight<USED>,
-    axes: [AxisModel<OPINIONS>; 3],
+    axes: [AxisModel<VECTORS>; 3],
     /// Along the surface and across it, by valence.
     blends: [[Blend; 4]; 2],
     /// How large the error was at each vertex, along the surface and across it.
     errors: Vec<[u8; 2]>,
 }
 
-impl<const USED: usize, const WIDTHS: usize, const OPINIONS: usize> MixedModel<USED, WIDTHS, OPINIONS> {
+impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<USED, WIDTHS, VECTORS> {
     /// Knows nothing yet.
     pub(super) fn new(widths: Widths<WIDTHS>) -> Self {
         Self {

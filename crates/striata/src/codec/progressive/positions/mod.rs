@@ -20,9 +20,9 @@ pub(super) struct PositionModel(Model);
 #[derive(Clone, Debug)]
 enum Model {
     /// Guesses from the ring and the triangles around it.
-    Some(Box<MixedModel<4, 1, 8>>),
+    Some(Box<MixedModel<4, 1, 1>>),
     /// Guesses from two rings, under several widths.
-    All(Box<MixedModel<5, 3, 19>>),
+    All(Box<MixedModel<5, 3, 3>>),
 }
 
 impl PositionModel {

@@ -4,7 +4,7 @@ use super::super::super::entropy::log2_q8;
 use super::super::hood::Hood;
 use super::axis::{Axis, SIZES, SPREADS};
 use super::blend::Features;
-use super::bumps::Bumps;
+use super::bumps::{Bumps, Width};
 use super::guesses::{Guesses, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
 use super::local::{LANES, Local, Point};
 
@@ -156,7 +156,7 @@ impl<const USED: usize> Sight<USED> {
             local,
             axis,
             bumps: &self.bumps,
-            widths: widths.map(|width| width.max(narrowest)),
+            widths: widths.map(|width| Width::new(width.max(narrowest))),
             centre: local.to_grid(expected, axis),
             size: (size as usize).min(SIZES - 1),
             place,
@@ -175,7 +175,7 @@ impl<const USED: usize> Sight<USED> {
                 let off = (i32::from(at) - found).abs();
                 let near = |(reach, inverse): (i32, i32)| ((reach - off).max(0) * inverse) >> 14;
                 let (wide, narrow) = (near(wide), near(narrow));
-                let worth = FAR_WORTH + (wide * wide >> 8) + (NARROW_WORTH * (narrow * narrow >> 8) >> 8);
+                let worth = FAR_WORTH + ((wide * wide + ((NARROW_WORTH * narrow * narrow) >> 8)) >> 8);
                 *weight = (*weight * worth) >> 9;
             }
         }
