@@ -187,13 +187,13 @@ fn weigh<const KINDS: usize, const WIDTHS: usize>(
 }
 
 /// Masses are told apart in steps of 2 to this.
-const STEP_LOG: u32 = 15;
-/// Mass that is in every interval, of 2^27, in steps.
+const STEP_LOG: u32 = 16;
+/// Mass that is in every interval, of 2^28, in steps.
 const DOUBT: usize = 32;
 
 /// Natural logarithms of masses, in 1/256.
-static LOGARITHMS: [i16; (1 << (27 - STEP_LOG)) + 1] = {
-    let mut table = [0; (1 << (27 - STEP_LOG)) + 1];
+static LOGARITHMS: [i16; (1 << (28 - STEP_LOG)) + 1] = {
+    let mut table = [0; (1 << (28 - STEP_LOG)) + 1];
     let mut at = 0;
     while at < table.len() {
         // ln 2 is 177.446 / 256.

@@ -1,5 +1,7 @@
 //! The densities of a new vertex's place, axis by axis.
 
+use wide::{CmpLt, i16x8, i32x4};
+
 use super::super::super::entropy::log2_q8;
 use super::super::hood::Hood;
 use super::axis::{Axis, SIZES, SPREADS};
@@ -10,9 +12,13 @@ use super::local::{LANES, Local, Point};
 
 /// Within which distance, in 1/256 of the radius, a guess of the first and of the second axis counts for more: widely, narrowly.
 const NEAR: [[i32; 2]; 2] = [[45, 10], [130, 20]];
-/// What a guess counts that was far off, and how much more one that was narrowly right; widely right is 256.
-const FAR_WORTH: i32 = 60;
-const NARROW_WORTH: i32 = 400;
+/// What a guess counts that was far off; one that was widely right counts 12288 more, one that was narrowly right 16384 more.
+const FAR_WORTH: i16 = 2800;
+/// What guesses count at first, and planes where they come in.
+const FULL_WORTH: i16 = 1 << 9;
+const PLANE_WORTH: i16 = 400;
+/// 4096 by each number.
+const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 683, 585, 512];
 
 /// What is known of one new vertex, with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
@@ -22,7 +28,7 @@ pub(super) struct Sight<const USED: usize> {
     guesses: [Guesses; KINDS],
     bumps: [Bumps; USED],
     /// How much each guess counts, by what is known of the vertex already.
-    weights: [[i32; LANES]; USED],
+    weights: [i16x8; USED],
 }
 
 impl<const USED: usize> Sight<USED> {
@@ -35,7 +41,7 @@ impl<const USED: usize> Sight<USED> {
             local: Local::default(),
             guesses: [Guesses::default(); KINDS],
             bumps: [Bumps::default(); USED],
-            weights: [[0; LANES]; USED],
+            weights: [i16x8::ZERO; USED],
         }
     }
 
@@ -44,7 +50,7 @@ impl<const USED: usize> Sight<USED> {
         self.local.look(hood, Self::LOOKS_BEYOND);
         guess(&self.local, &mut self.guesses);
         for (weights, guesses) in self.weights.iter_mut().zip(&self.guesses) {
-            *weights = std::array::from_fn(|j| if j < guesses.count { 1 << 16 } else { 0 });
+            *weights = first_lanes(guesses.count) & i16x8::splat(FULL_WORTH);
         }
     }
 
@@ -72,13 +78,12 @@ impl<const USED: usize> Sight<USED> {
                 bumps.at = guesses.at[axes[slot]];
             }
         }
-        // Weights of a density sum up to 2^14.
-        let total: i64 = self.weights.as_flattened().iter().map(|&w| i64::from(w)).sum();
-        let factor = (1i64 << 40) / total.max(1);
-        for (bumps, weights) in self.bumps.iter_mut().zip(&self.weights) {
-            for (weight, &w) in bumps.weight.iter_mut().zip(weights) {
-                *weight = ((i64::from(w) * factor) >> 26) as i16;
-            }
+        // All weights together come to 2^14 to 2^15.
+        let total: i32 = self.weights.iter().map(|weights| sum(weights.dot(i16x8::ONE))).sum();
+        let lift = 14 - total.max(1).ilog2() as i32;
+        for (bumps, weights) in self.bumps.iter_mut().zip(&mut self.weights) {
+            *weights = if lift >= 0 { *weights << lift as u32 } else { *weights >> -lift as u32 };
+            bumps.weight = weights.to_array();
         }
     }
 
@@ -87,13 +92,17 @@ impl<const USED: usize> Sight<USED> {
         let [a, b, c] = axes;
         let [x, y] = [a, b].map(|a| self.local.localise_axis(place[a], a));
         let steep = if normal[c] == 0 { 1 } else { normal[c] };
-        let [dx, dy] = [a, b].map(|a| (normal[a] * 4096 / steep) as i32);
+        // Slopes of at most 1, in 1/16384; differences of a few radii, times 4.
+        let slopes = [a, b].map(|a| i16x8::splat((normal[a] * 16_383 / steep) as i16));
+        let known = [x, y].map(|x| i16x8::splat(x as i16));
         for (bumps, guesses) in self.bumps.iter_mut().zip(&self.guesses) {
-            for j in 0..LANES {
-                let off = dx * (x - i32::from(guesses.at[a][j])) + dy * (y - i32::from(guesses.at[b][j]));
-                let moved = i32::from(guesses.at[c][j]) - (off >> 12);
-                bumps.at[j] = moved.clamp(-16_000, 16_000) as i16;
-            }
+            let [rise, more] = [(a, 0), (b, 1)].map(|(a, i)| {
+                let off = known[i].saturating_sub(i16x8::new(guesses.at[a]));
+                let off: i16x8 = off.max(i16x8::splat(-8191)).min(i16x8::splat(8191)) << 2u32;
+                off.mul_keep_high(slopes[i])
+            });
+            let moved = i16x8::new(guesses.at[c]).saturating_sub(rise).saturating_sub(more);
+            bumps.at = moved.to_array();
         }
     }
 
@@ -102,7 +111,6 @@ impl<const USED: usize> Sight<USED> {
         let local = &self.local;
         let [x, y] = [a, b].map(|a| local.localise_axis(place[a], a));
         let mut count = 0;
-        self.weights[MOVED] = [0; LANES];
         for i in 0..local.count {
             let j = if i + 1 == local.count { 0 } else { i + 1 };
             let (Some(p), Some(q), Some(r)) = (local.ring[i], local.ring[j], local.apexes[i]) else {
@@ -114,27 +122,26 @@ impl<const USED: usize> Sight<USED> {
             }
             let rise = (normal[a] * i64::from(x - p[a]) + normal[b] * i64::from(y - p[b])) / normal[c];
             self.bumps[MOVED].at[count] = (i64::from(p[c]) - rise).clamp(-16_000, 16_000) as i16;
-            self.weights[MOVED][count] = 1 << 14;
             count += 1;
         }
         self.guesses[MOVED].count = count;
+        self.weights[MOVED] = first_lanes(count) & i16x8::splat(PLANE_WORTH);
     }
 
     /// What the blends are made of.
     pub(super) fn features(&self) -> Features {
         let mut features = Features { base: i32::from(self.bumps[MIDDLE].at[0]), off: [0; KINDS] };
-        let (mut sum, mut total) = (0, 0);
+        let (mut all, mut total) = (0, 0);
         for (kind, (bumps, guesses)) in self.bumps.iter().zip(&self.guesses).enumerate() {
+            let (at, weight) = (i16x8::new(bumps.at), i16x8::new(bumps.weight));
             if guesses.count > 0 {
-                let all: i32 = bumps.at[..guesses.count].iter().map(|&x| i32::from(x)).sum();
-                features.off[kind] = all / guesses.count as i32 - features.base;
+                let sum = sum(at.dot(first_lanes(guesses.count) & i16x8::ONE));
+                features.off[kind] = ((sum * INVERSES[guesses.count]) >> 12) - features.base;
             }
-            for (&weight, &at) in bumps.weight.iter().zip(&bumps.at) {
-                sum += i32::from(weight) * i32::from(at);
-                total += i32::from(weight);
-            }
+            all += sum(at.dot(weight)) >> 4;
+            total += sum(weight.dot(i16x8::ONE));
         }
-        features.off[MIDDLE] = sum / total.max(1) - features.base;
+        features.off[MIDDLE] = all / (total >> 4).max(1) - features.base;
         features
     }
 
@@ -166,18 +173,23 @@ impl<const USED: usize> Sight<USED> {
 
     /// Guesses far from what was found count less from now on.
     pub(super) fn reweigh(&mut self, slot: usize, found: i32) {
-        let [wide, narrow] = NEAR[slot].map(|reach| {
+        let found = i16x8::splat(found as i16);
+        let reaches = NEAR[slot].map(|reach| {
             let reach = (self.local.radius * reach) >> 8;
-            (reach, (1 << 22) / reach)
+            let lift = 13 - reach.ilog2();
+            (i16x8::splat(reach as i16), i16x8::splat((((1 << 28) / (reach << lift)) - 1) as i16), lift)
         });
         for (weights, bumps) in self.weights.iter_mut().zip(&self.bumps) {
-            for (weight, &at) in weights.iter_mut().zip(&bumps.at) {
-                let off = (i32::from(at) - found).abs();
-                let near = |(reach, inverse): (i32, i32)| ((reach - off).max(0) * inverse) >> 14;
-                let (wide, narrow) = (near(wide), near(narrow));
-                let worth = FAR_WORTH + ((wide * wide + ((NARROW_WORTH * narrow * narrow) >> 8)) >> 8);
-                *weight = (*weight * worth) >> 9;
-            }
+            let off = found.saturating_sub(i16x8::new(bumps.at));
+            let off = off.max(-off);
+            let [wide, narrow] = reaches.map(|(reach, inverse, lift)| {
+                // The nearest are at 2^14.
+                let near: i16x8 = reach.saturating_sub(off).max(i16x8::ZERO) << lift;
+                let near: i16x8 = near.mul_keep_high(inverse) << 2u32;
+                near.mul_keep_high(near)
+            });
+            let worth = i16x8::splat(FAR_WORTH) + wide + (wide << 1u32) + (narrow << 2u32);
+            *weights = weights.mul_keep_high(worth);
         }
     }
 }
@@ -189,4 +201,13 @@ fn minus(p: Point, q: Point) -> Point {
 fn cross(p: Point, q: Point) -> [i64; 3] {
     let part = |b: usize, c: usize| i64::from(p[b]) * i64::from(q[c]) - i64::from(p[c]) * i64::from(q[b]);
     [part(1, 2), part(2, 0), part(0, 1)]
+}
+
+fn sum(lanes: i32x4) -> i32 {
+    lanes.to_array().iter().sum()
+}
+
+/// All bits of so many lanes.
+fn first_lanes(count: usize) -> i16x8 {
+    i16x8::new([0, 1, 2, 3, 4, 5, 6, 7]).simd_lt(i16x8::splat(count as i16))
 }
