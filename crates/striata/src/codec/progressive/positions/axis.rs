@@ -33,6 +33,8 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     pub(super) widths: [Width; WIDTHS],
     /// The grid coordinate that is expected.
     pub(super) centre: i32,
+    /// True for the axis along the normal, where little is left open.
+    pub(super) is_last: bool,
     /// Which size the surroundings have, below [`SIZES`].
     pub(super) size: usize,
     /// What they are like, below [`PLACES`].
@@ -78,8 +80,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         let mut first = [[(18_000 / VECTORS / 8) as i16; 8]; VECTORS];
         first.as_flattened_mut()[..COUNTERS].fill(3250);
         Self {
-            is_far: vec![AdaptiveBit::new(Rate::Steady); 32],
-            far: AdaptiveNumber::new(1, Rate::Steady),
+            is_far: vec![AdaptiveBit::new(Rate::Steady); SPREADS],
+            far: AdaptiveNumber::new(SIZES, Rate::Steady),
             by_size: bits(SIZES),
             by_place: bits(PLACES),
             by_spread: bits(SPREADS),
@@ -97,12 +99,15 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         actual: i32,
     ) -> i32 {
         const { assert!(8 * VECTORS > KINDS * WIDTHS + COUNTERS, "one opinion each") }
-        let span_log = (11 - axis.local.shift).clamp(1, 29) as u32;
+        let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let half = 1i32 << span_log;
         let actual = actual.wrapping_sub(axis.centre);
-        let is_far = self.is_far[span_log as usize].code(coder, !(-half..half).contains(&actual));
-        let off =
-            if is_far { self.far.signed(coder, 0, actual) } else { self.halve(coder, axis, half, actual) };
+        let context = axis.spread;
+        let off = if !self.is_far[context].code(coder, !(-half..half).contains(&actual)) {
+            self.halve(coder, axis, half, actual)
+        } else {
+            self.far.signed(coder, axis.size, actual)
+        };
         axis.centre.wrapping_add(off)
     }
 

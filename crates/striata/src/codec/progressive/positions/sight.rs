@@ -18,7 +18,7 @@ const FAR_WORTH: i16 = 2800;
 const FULL_WORTH: i16 = 1 << 9;
 const PLANE_WORTH: i16 = 400;
 /// 4096 by each number.
-const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 683, 585, 512];
+pub(super) const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 683, 585, 512];
 
 /// What is known of one new vertex, with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
@@ -27,6 +27,7 @@ pub(super) struct Sight<const USED: usize> {
     pub(super) local: Local,
     guesses: [Guesses; KINDS],
     bumps: [Bumps; USED],
+    is_last: bool,
     /// How much each guess counts, by what is known of the vertex already.
     weights: [i16x8; USED],
 }
@@ -42,6 +43,7 @@ impl<const USED: usize> Sight<USED> {
             guesses: [Guesses::default(); KINDS],
             bumps: [Bumps::default(); USED],
             weights: [i16x8::ZERO; USED],
+            is_last: false,
         }
     }
 
@@ -54,22 +56,9 @@ impl<const USED: usize> Sight<USED> {
         }
     }
 
-    /// The normal of the ring, and the axes from the most tangential to the most normal.
-    pub(super) fn order(&self) -> ([i64; 3], [usize; 3]) {
-        let local = &self.local;
-        let mut normal = [0i64; 3];
-        for i in 0..local.count {
-            let j = if i + 1 == local.count { 0 } else { i + 1 };
-            let (Some(p), Some(q)) = (local.ring[i], local.ring[j]) else { continue };
-            normal.iter_mut().zip(cross(p, q)).for_each(|(sum, x)| *sum += x);
-        }
-        let mut axes = [0, 1, 2];
-        axes.sort_by_key(|&a| normal[a].abs());
-        (normal, axes)
-    }
-
     /// Puts the bumps where the guesses are along an axis, given what is known of the place.
     pub(super) fn aim(&mut self, slot: usize, (normal, axes): ([i64; 3], [usize; 3]), place: [i32; 3]) {
+        self.is_last = slot == 2;
         if slot == 2 {
             self.move_along(normal, axes, place);
             self.raise_planes(axes, place);
@@ -165,6 +154,7 @@ impl<const USED: usize> Sight<USED> {
             bumps: &self.bumps,
             widths: widths.map(|width| Width::new(width.max(narrowest))),
             centre: local.to_grid(expected, axis),
+            is_last: self.is_last,
             size: (size as usize).min(SIZES - 1),
             place,
             spread: (spread >> 7).clamp(0, SPREADS as i32 - 1) as usize,
@@ -192,6 +182,19 @@ impl<const USED: usize> Sight<USED> {
             *weights = weights.mul_keep_high(worth);
         }
     }
+}
+
+/// The normal of the ring, and the axes from the most tangential to the most normal.
+pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
+    let mut normal = [0i64; 3];
+    for i in 0..local.count {
+        let j = if i + 1 == local.count { 0 } else { i + 1 };
+        let (Some(p), Some(q)) = (local.ring[i], local.ring[j]) else { continue };
+        normal.iter_mut().zip(cross(p, q)).for_each(|(sum, x)| *sum += x);
+    }
+    let mut axes = [0, 1, 2];
+    axes.sort_by_key(|&a| normal[a].abs());
+    (normal, axes)
 }
 
 fn minus(p: Point, q: Point) -> Point {
