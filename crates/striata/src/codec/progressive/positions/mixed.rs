@@ -47,7 +47,7 @@ impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<US
         for (slot, &a) in axes.iter().enumerate() {
             let across = slot / 2;
             self.sight.aim(slot, (normal, axes), place);
-            let features = self.sight.features();
+            let features = self.sight.features(a);
             let expected = self.blends[across][valence].predict(&features);
             let axis = self.sight.axis(
                 a,

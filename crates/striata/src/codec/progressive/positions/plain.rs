@@ -5,10 +5,10 @@
 
 use super::super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, log2_q8};
 use super::super::hood::Hood;
-use super::blend::{Blend, Features};
-use super::guesses::{ACROSS, INSIDE, MIDDLE, STRAIGHT};
+use super::blend::{BESIDE, Blend, FEATURES, Features, KEPT};
+use super::guesses::ACROSS;
 use super::local::Local;
-use super::sight::{INVERSES, normal_order};
+use super::sight::{INVERSES, kept_and_beside, normal_order};
 
 /// Nodes of the tree that have counters.
 const NODES: usize = 64;
@@ -121,7 +121,7 @@ impl PlainModel {
 
     /// By axis, how far from the middle of the ring others lie: the mean of parallelograms across ring edges, the vertex that
     /// split, and the mean of its neighbours in the ring.
-    fn features(&self) -> [[i32; 5]; 3] {
+    fn features(&self) -> [[i32; FEATURES]; 3] {
         let local = &self.local;
         let n = local.count;
         let (mut sum, mut count) = ([0; 3], 0);
@@ -132,17 +132,11 @@ impl PlainModel {
                 count += 1;
             }
         }
-        let kept = local.ring[0].unwrap_or_default();
-        let beside = match (local.ring[1 % n], local.ring[n - 1]) {
-            (Some(p), Some(q)) => [0, 1, 2].map(|a| (p[a] + q[a]) >> 1),
-            (p, q) => p.or(q).unwrap_or_default(),
-        };
-        let mut off = [[0; 5]; 3];
+        let kept = kept_and_beside(local);
+        let mut off = [[0; FEATURES]; 3];
         for a in 0..3 {
             off[a][ACROSS] = (sum[a] * INVERSES[count]) >> 12;
-            off[a][INSIDE] = kept[a];
-            off[a][STRAIGHT] = beside[a];
-            off[a][MIDDLE] = 0;
+            [off[a][KEPT], off[a][BESIDE]] = kept[a];
         }
         off
     }

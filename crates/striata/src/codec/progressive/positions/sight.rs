@@ -5,7 +5,7 @@ use wide::{CmpLt, i16x8, i32x4};
 use super::super::super::entropy::log2_q8;
 use super::super::hood::Hood;
 use super::axis::{Axis, SIZES, SPREADS};
-use super::blend::Features;
+use super::blend::{BESIDE, FEATURES, Features, KEPT};
 use super::bumps::{Bumps, Width};
 use super::guesses::{Guesses, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
 use super::local::{LANES, Local, Point};
@@ -28,6 +28,8 @@ pub(super) struct Sight<const USED: usize> {
     guesses: [Guesses; KINDS],
     bumps: [Bumps; USED],
     is_last: bool,
+    /// By axis, the vertex that split, and the middle of its neighbours in the ring.
+    kept: [[i32; 2]; 3],
     /// How much each guess counts, by what is known of the vertex already.
     weights: [i16x8; USED],
 }
@@ -44,6 +46,7 @@ impl<const USED: usize> Sight<USED> {
             bumps: [Bumps::default(); USED],
             weights: [i16x8::ZERO; USED],
             is_last: false,
+            kept: [[0; 2]; 3],
         }
     }
 
@@ -51,6 +54,7 @@ impl<const USED: usize> Sight<USED> {
     pub(super) fn look(&mut self, hood: &Hood<'_>) {
         self.local.look(hood, Self::LOOKS_BEYOND);
         guess(&self.local, &mut self.guesses);
+        self.kept = kept_and_beside(&self.local);
         for (weights, guesses) in self.weights.iter_mut().zip(&self.guesses) {
             *weights = first_lanes(guesses.count) & i16x8::splat(FULL_WORTH);
         }
@@ -81,6 +85,10 @@ impl<const USED: usize> Sight<USED> {
         let [a, b, c] = axes;
         let [x, y] = [a, b].map(|a| self.local.localise_axis(place[a], a));
         let steep = if normal[c] == 0 { 1 } else { normal[c] };
+        for at in [0, 1] {
+            let rise = normal[a] * i64::from(x - self.kept[a][at]) + normal[b] * i64::from(y - self.kept[b][at]);
+            self.kept[c][at] = (i64::from(self.kept[c][at]) - rise / steep).clamp(-16_000, 16_000) as i32;
+        }
         // Slopes of at most 1, in 1/16384; differences of a few radii, times 4.
         let slopes = [a, b].map(|a| i16x8::splat((normal[a] * 16_383 / steep) as i16));
         let known = [x, y].map(|x| i16x8::splat(x as i16));
@@ -118,8 +126,8 @@ impl<const USED: usize> Sight<USED> {
     }
 
     /// What the blends are made of.
-    pub(super) fn features(&self) -> Features {
-        let mut features = Features { base: i32::from(self.bumps[MIDDLE].at[0]), off: [0; KINDS] };
+    pub(super) fn features(&self, axis: usize) -> Features {
+        let mut features = Features { base: i32::from(self.bumps[MIDDLE].at[0]), off: [0; FEATURES] };
         let (mut all, mut total) = (0, 0);
         for (kind, (bumps, guesses)) in self.bumps.iter().zip(&self.guesses).enumerate() {
             let (at, weight) = (i16x8::new(bumps.at), i16x8::new(bumps.weight));
@@ -130,6 +138,9 @@ impl<const USED: usize> Sight<USED> {
             all += sum(at.dot(weight)) >> 4;
             total += sum(weight.dot(i16x8::ONE));
         }
+        let [kept, beside] = self.kept[axis];
+        features.off[KEPT] = kept;
+        features.off[BESIDE] = beside;
         features.off[MIDDLE] = all / (total >> 4).max(1) - features.base;
         features
     }
@@ -195,6 +206,17 @@ pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
     let mut axes = [0, 1, 2];
     axes.sort_by_key(|&a| normal[a].abs());
     (normal, axes)
+}
+
+/// By axis, where the vertex that split is, and the middle of its neighbours in the ring.
+pub(super) fn kept_and_beside(local: &Local) -> [[i32; 2]; 3] {
+    let n = local.count;
+    let kept = local.ring[0].unwrap_or_default();
+    let beside = match (local.ring[1 % n], local.ring[n - 1]) {
+        (Some(p), Some(q)) => [0, 1, 2].map(|a| (p[a] + q[a]) >> 1),
+        (p, q) => p.or(q).unwrap_or_default(),
+    };
+    [0, 1, 2].map(|a| [kept[a], beside[a]])
 }
 
 fn minus(p: Point, q: Point) -> Point {
