@@ -33,6 +33,8 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     pub(super) widths: [Width; WIDTHS],
     /// The grid coordinate that is expected.
     pub(super) centre: i32,
+    /// True where counters see the axis from its other end: the vertex that split, or the outside, is upwards for them.
+    pub(super) is_mirrored: bool,
     /// True for the axis along the normal, where little is left open.
     pub(super) is_last: bool,
     /// Which size the surroundings have, below [`SIZES`].
@@ -126,14 +128,20 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             let middle = (low + high) >> 1;
             let below = axis.below(middle);
             let mut inputs = [[0; 8]; VECTORS];
-            weigh(&below_low, &below, &below_high, &mut inputs.as_flattened_mut()[COUNTERS..]);
-            let is_up = self.decide(coder, axis, (node, depth), &mut inputs, actual >= middle);
+            let opinions = &mut inputs.as_flattened_mut()[COUNTERS..];
+            if axis.is_mirrored {
+                weigh(&below_high, &below, &below_low, opinions);
+            } else {
+                weigh(&below_low, &below, &below_high, opinions);
+            }
+            let bit = self.decide(coder, axis, (node, depth), &mut inputs, (actual >= middle) ^ axis.is_mirrored);
+            let is_up = bit ^ axis.is_mirrored;
             if is_up {
                 (low, below_low) = (middle, below);
             } else {
                 (high, below_high) = (middle, below);
             }
-            node = node << 1 | usize::from(is_up);
+            node = node << 1 | usize::from(bit);
             depth = (depth + 1).min(DEPTHS - 1);
         }
         low
@@ -186,7 +194,7 @@ fn weigh<const KINDS: usize, const WIDTHS: usize>(
         for width in 0..WIDTHS {
             let middle = middle[kind][width];
             let [up, down] = [high[kind][width] - middle, middle - low[kind][width]];
-            inputs[kind * WIDTHS + width] = (logarithm(up) - logarithm(down)) as i16;
+            inputs[kind * WIDTHS + width] = (logarithm(up.abs()) - logarithm(down.abs())) as i16;
         }
     }
 }

@@ -28,6 +28,8 @@ pub(super) struct Sight<const USED: usize> {
     guesses: [Guesses; KINDS],
     bumps: [Bumps; USED],
     is_last: bool,
+    /// True where the last axis runs against the normal.
+    is_inward: bool,
     /// By axis, the vertex that split, and the middle of its neighbours in the ring.
     kept: [[i32; 2]; 3],
     /// How much each guess counts, by what is known of the vertex already.
@@ -46,6 +48,7 @@ impl<const USED: usize> Sight<USED> {
             bumps: [Bumps::default(); USED],
             weights: [i16x8::ZERO; USED],
             is_last: false,
+            is_inward: false,
             kept: [[0; 2]; 3],
         }
     }
@@ -63,6 +66,7 @@ impl<const USED: usize> Sight<USED> {
     /// Puts the bumps where the guesses are along an axis, given what is known of the place.
     pub(super) fn aim(&mut self, slot: usize, (normal, axes): ([i64; 3], [usize; 3]), place: [i32; 3]) {
         self.is_last = slot == 2;
+        self.is_inward = normal[axes[2]] < 0;
         if slot == 2 {
             self.move_along(normal, axes, place);
             self.raise_planes(axes, place);
@@ -158,14 +162,17 @@ impl<const USED: usize> Sight<USED> {
         // Guesses are no better than the grid.
         let narrowest = local.shift.clamp(0, 13) as u32;
         let size = 2 * (local.shift + 16) + (local.radius >> 9 & 1);
+        let is_mirrored = if self.is_last { self.is_inward } else { self.kept[axis][0] < expected };
         let spread = log2_q8(features.spread() * 1024 / local.radius as u32 + 16) - 1024;
         Axis {
             local,
             axis,
             bumps: &self.bumps,
             widths: widths.map(|width| Width::new(width.max(narrowest))),
-            centre: local.to_grid(expected, axis),
+            // The cell that is expected is the first upwards, from either end.
+            centre: local.to_grid(expected, axis).wrapping_add(i32::from(is_mirrored)),
             is_last: self.is_last,
+            is_mirrored,
             size: (size as usize).min(SIZES - 1),
             place,
             spread: (spread >> 7).clamp(0, SPREADS as i32 - 1) as usize,
