@@ -15,7 +15,7 @@ type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
 
 /// A model of positions with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
-pub(super) struct MixedModel<const USED: usize, const WIDTHS: usize, const VECTORS: usize> {
+pub(super) struct MixedModel<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTORS: usize> {
     widths: Widths<WIDTHS>,
     sight: Sight<USED>,
     axes: [AxisModel<VECTORS>; 3],
@@ -25,7 +25,7 @@ pub(super) struct MixedModel<const USED: usize, const WIDTHS: usize, const VECTO
     errors: Vec<[u8; 2]>,
 }
 
-impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<USED, WIDTHS, VECTORS> {
+impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<USED, DENSITIES, WIDTHS, VECTORS> {
     /// Knows nothing yet.
     pub(super) fn new(widths: Widths<WIDTHS>) -> Self {
         Self {
@@ -51,7 +51,7 @@ impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<US
             let (base, features) = self.sight.features(a);
             let blend = &mut self.blends[across][valence];
             let expected = base + blend.predict(&features);
-            let axis = self.sight.axis(
+            let axis = self.sight.axis::<DENSITIES, WIDTHS>(
                 a,
                 self.widths[across],
                 expected,

@@ -151,14 +151,14 @@ impl<const USED: usize> Sight<USED> {
     }
 
     /// What one axis is coded with.
-    pub(super) fn axis<const WIDTHS: usize>(
+    pub(super) fn axis<const DENSITIES: usize, const WIDTHS: usize>(
         &self,
         axis: usize,
         widths: [u32; WIDTHS],
         expected: i32,
         place: usize,
         features: &[i32; FEATURES],
-    ) -> Axis<'_, USED, WIDTHS> {
+    ) -> Axis<'_, DENSITIES, WIDTHS> {
         let local = &self.local;
         // Guesses are no better than the grid.
         let narrowest = local.shift.clamp(0, 13) as u32;
