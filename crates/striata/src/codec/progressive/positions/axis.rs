@@ -5,7 +5,7 @@
 //! often it went so at this point of the tree under like circumstances; two mixers weigh them, and their mean counts.
 
 use super::super::super::entropy::{
-    AdaptiveBit, AdaptiveNumber, Coder, WideMixer, Rate, Refiner, log_odds, log2_q16, probability,
+    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q16, probability,
 };
 use super::bumps::{Bumps, Width, below};
 use super::local::Local;
@@ -135,7 +135,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             let (from, to) =
                 if axis.is_mirrored { (&below_high, &below_low) } else { (&below_low, &below_high) };
             weigh(from, &below, to, &mut inputs.as_flattened_mut()[COUNTERS..]);
-            let bit = self.decide(coder, axis, (node, depth), &mut inputs, (actual >= middle) ^ axis.is_mirrored);
+            let bit =
+                self.decide(coder, axis, (node, depth), &mut inputs, (actual >= middle) ^ axis.is_mirrored);
             let is_up = bit ^ axis.is_mirrored;
             if is_up {
                 (low, below_low) = (middle, below);

@@ -35,3 +35,24 @@ impl<const N: usize> Blend<N> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Random;
+
+    #[test]
+    fn a_blend_finds_the_weights_of_what_it_sees() {
+        let mut random = Random::new(1);
+        let mut blend = Blend::new([0; 3]);
+        let mut last = 0;
+        for _ in 0..4000 {
+            let features = [(); 3].map(|()| random.below(2000) as i32 - 1000);
+            let truth = features[0] / 2 - features[1] / 4 + random.below(20) as i32;
+            last = (truth - blend.predict(&features)).abs();
+            blend.learn(&features, truth - blend.predict(&features));
+        }
+        assert!(last < 60, "{last}");
+        assert!((blend.weights[0] - 32_768).abs() < 2500 && (blend.weights[1] + 16_384).abs() < 2500);
+    }
+}

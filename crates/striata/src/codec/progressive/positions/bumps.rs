@@ -45,3 +45,33 @@ pub(super) fn below<const N: usize>(density: &[Bumps], x: i16, widths: &[Width; 
     }
     masses
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mass_grows_from_nothing_to_all() {
+        let bumps = Bumps { at: [-900, 0, 0, 5, 900, 0, 0, 0], weight: [100, 3000, 0, 7, 2000, 0, 0, 0] };
+        for width in 0..=13 {
+            let width = [Width::new(width)];
+            let masses: Vec<i32> =
+                (-20_000..20_000).step_by(7).map(|x| below(&[bumps], x, &width)[0]).collect();
+            assert!(masses.is_sorted());
+            assert_eq!(masses[0], 0);
+            let all = masses[masses.len() - 1];
+            assert!((8190 * 5107..=8192 * 5107).contains(&all), "{all}");
+        }
+    }
+
+    #[test]
+    fn half_of_a_bump_lies_below_its_middle() {
+        let bumps = Bumps { at: [100; LANES], weight: [1000, 0, 0, 0, 0, 0, 0, 0] };
+        let widths = [Width::new(6), Width::new(10)];
+        assert_eq!(below(&[bumps], 100, &widths), [4096 * 1000; 2]);
+        // A triangle: an eighth lies beyond half its reach.
+        let [narrow, wide] = below(&[bumps; 2], 132, &widths);
+        assert!((narrow - 7168 * 2000).abs() <= 4000, "{narrow}");
+        assert!(wide < 5000 * 2000, "{wide}");
+    }
+}

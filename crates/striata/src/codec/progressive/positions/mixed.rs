@@ -15,7 +15,12 @@ type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
 
 /// A model of positions with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
-pub(super) struct MixedModel<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTORS: usize> {
+pub(super) struct MixedModel<
+    const USED: usize,
+    const DENSITIES: usize,
+    const WIDTHS: usize,
+    const VECTORS: usize,
+> {
     widths: Widths<WIDTHS>,
     sight: Sight<USED>,
     axes: [AxisModel<VECTORS>; 3],
@@ -25,7 +30,9 @@ pub(super) struct MixedModel<const USED: usize, const DENSITIES: usize, const WI
     errors: Vec<[u8; 2]>,
 }
 
-impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<USED, DENSITIES, WIDTHS, VECTORS> {
+impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTORS: usize>
+    MixedModel<USED, DENSITIES, WIDTHS, VECTORS>
+{
     /// Knows nothing yet.
     pub(super) fn new(widths: Widths<WIDTHS>) -> Self {
         Self {

@@ -47,3 +47,6 @@ impl PositionModel {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

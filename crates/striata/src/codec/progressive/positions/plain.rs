@@ -44,7 +44,12 @@ impl PlainAxis {
     }
 
     /// Codes how far off the prediction is; `span_log` is what the ring's radius lets expect.
-    fn code<C: Coder>(&mut self, coder: &mut C, (size, spread, span_log): (usize, usize, u32), actual: i32) -> i32 {
+    fn code<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        (size, spread, span_log): (usize, usize, u32),
+        actual: i32,
+    ) -> i32 {
         let half = 1i32 << span_log;
         if self.is_far[spread].code(coder, !(-half..half).contains(&actual)) {
             return self.far.signed(coder, size, actual);
@@ -93,7 +98,8 @@ impl PlainModel {
         let (normal, axes) = normal_order(&self.local);
         let valence = self.local.count.clamp(4, 7) - 4;
         let off = self.features();
-        let size = (2 * (self.local.shift + 16) + (self.local.radius >> 9 & 1)).min(SIZES as i32 - 1) as usize;
+        let size =
+            (2 * (self.local.shift + 16) + (self.local.radius >> 9 & 1)).min(SIZES as i32 - 1) as usize;
         let mut place = [0; 3];
         // What the place found so far adds to the height of the last axis.
         let mut rise = 0;

@@ -91,7 +91,8 @@ impl<const USED: usize> Sight<USED> {
         let [x, y] = [a, b].map(|a| self.local.localise_axis(place[a], a));
         let steep = if normal[c] == 0 { 1 } else { normal[c] };
         for at in 0..4 {
-            let rise = normal[a] * i64::from(x - self.kept[a][at]) + normal[b] * i64::from(y - self.kept[b][at]);
+            let rise =
+                normal[a] * i64::from(x - self.kept[a][at]) + normal[b] * i64::from(y - self.kept[b][at]);
             self.kept[c][at] = (i64::from(self.kept[c][at]) - rise / steep).clamp(-16_000, 16_000) as i32;
         }
         // Slopes of at most 1, in 1/16384; differences of a few radii, times 4.
@@ -164,7 +165,8 @@ impl<const USED: usize> Sight<USED> {
         let narrowest = local.shift.clamp(0, 13) as u32;
         let size = 2 * (local.shift + 16) + (local.radius >> 9 & 1);
         let is_mirrored = if self.is_last { self.is_inward } else { self.kept[axis][0] < expected };
-        let spread = [INSIDE, ACROSS, STRAIGHT].iter().map(|&kind| features[kind].unsigned_abs()).sum::<u32>();
+        let spread =
+            [INSIDE, ACROSS, STRAIGHT].iter().map(|&kind| features[kind].unsigned_abs()).sum::<u32>();
         let spread = log2_q8(spread * 1024 / local.radius as u32 + 16) - 1024;
         Axis {
             local,
