@@ -9,6 +9,7 @@
 use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, log2_q8};
 use super::directions::{Octahedron, scaled};
 use super::layers::{LayerForm, NumberType, Transform};
+use super::mixed_number::MixedNumber;
 use super::ring_fit::{RingFit, WEIGHT_BITS};
 use crate::mesh::Semantic;
 
@@ -175,13 +176,15 @@ fn joints_of(before: &[LayerForm], form: &LayerForm) -> Option<usize> {
 /// Predictions of one integer, and how far those around spread.
 struct Hints {
     predictions: [i64; 4],
+    /// How far two of them are from each other, in 1/16.
+    conflict: u64,
     /// The mean distance of the ring's values from their mean, in 1/16.
     spread: u64,
 }
 
 impl Hints {
     fn alone(value: i64) -> Self {
-        Self { predictions: [value; 4], spread: u64::from(u32::MAX) }
+        Self { predictions: [value; 4], conflict: u64::from(u32::MAX), spread: u64::from(u32::MAX) }
     }
 }
 
@@ -201,7 +204,12 @@ fn plain_hints(values: &LayerValues, hood: &LayerHood<'_>, component: usize) -> 
     let mean = target + (2 * sum + n).div_euclid(2 * n);
     let affine = target + ((weighted + (1 << WEIGHT_BITS >> 1)) >> WEIGHT_BITS);
     let spread: u64 = hood.ring.iter().map(|&v| (value(v) - mean).unsigned_abs()).sum();
-    Hints { predictions: [affine, mean, (affine + mean) >> 1, target], spread: 16 * spread / n as u64 }
+    let conflict = 16 * (affine - mean).unsigned_abs();
+    Hints {
+        conflict,
+        predictions: [affine, mean, (affine + mean) >> 1, target],
+        spread: 16 * spread / n as u64,
+    }
 }
 
 /// Predictions of the weight of a component's joint, by the weights that the vertices around give to that joint.
@@ -221,14 +229,20 @@ fn weight_hints(values: &LayerValues, joints: &LayerValues, hood: &LayerHood<'_>
     let mean = hood.ring.iter().map(|&v| weight(v)).sum::<i64>() / n;
     let spread: u64 = hood.ring.iter().map(|&v| (weight(v) - mean).unsigned_abs()).sum();
     let rest = left.clamp(0, sum.max(0));
-    Hints { predictions: [mean, rest, weight(target), mean.min(rest)], spread: 16 * spread / n as u64 }
+    let conflict = 16 * (mean - rest).unsigned_abs();
+    Hints {
+        conflict,
+        predictions: [mean, rest, weight(target), mean.min(rest)],
+        spread: 16 * spread / n as u64,
+    }
 }
 
 /// Integers on an even scale.
 #[derive(Clone, Debug)]
 struct NumberModel {
     contests: Vec<Contest<4>>,
-    numbers: AdaptiveNumber,
+    numbers: MixedNumber<4>,
+    recent: Vec<u64>,
     /// Smallest and largest value there can be.
     limits: (i64, i64),
     /// The vertex that is being coded.
@@ -246,7 +260,8 @@ impl NumberModel {
         let count = form.integer_count();
         Self {
             contests: vec![Contest::new(); count],
-            numbers: AdaptiveNumber::new(count * SCALES * 3, Rate::Steady),
+            numbers: MixedNumber::new([count * SCALES; 4]),
+            recent: vec![0; count],
             limits,
             coded: Vec::with_capacity(count),
         }
@@ -260,20 +275,21 @@ impl NumberModel {
         hints: impl Fn(&LayerValues, &[i32]) -> Hints,
     ) {
         self.coded.clear();
-        // How the component before compared to what was expected of it: 0 smaller, 1 as expected, 2 larger.
-        let mut surprise = 1;
+        let mut before = 0;
         for component in 0..values.count {
-            let Hints { predictions, spread } = hints(values, &self.coded);
+            let Hints { predictions, conflict, spread } = hints(values, &self.coded);
             let contest = &mut self.contests[component];
             let predicted = predictions[contest.best()].clamp(self.limits.0, self.limits.1) as i32;
-            let scale = scale_of(spread);
-            let context = (component * SCALES + scale) * 3 + surprise;
+            let of = |scale: usize| component * SCALES + scale;
+            let contexts =
+                [scale_of(spread), scale_of(conflict), scale_of(self.recent[component]), before].map(of);
             let off = meant.map_or(0, |m| m[component].wrapping_sub(predicted));
-            let off = self.numbers.signed(coder, context, off);
+            let off = self.numbers.signed(coder, contexts, off);
             let value = predicted.wrapping_add(off);
             contest.learn(predictions.map(|p| (p - i64::from(value)).unsigned_abs()));
             let size = 16 * u64::from(off.unsigned_abs());
-            surprise = if size * 4 < spread { 0 } else { 1 + usize::from(size > spread) };
+            self.recent[component] = (7 * self.recent[component] + size) / 8;
+            before = scale_of(size);
             self.coded.push(value);
         }
         values.integers.extend_from_slice(&self.coded);
@@ -284,8 +300,9 @@ impl NumberModel {
 #[derive(Clone, Debug)]
 struct DirectionModel {
     grid: Octahedron,
-    contest: Contest<6>,
-    numbers: AdaptiveNumber,
+    contests: Vec<Contest<10>>,
+    numbers: MixedNumber<4>,
+    recent: u64,
     /// Whether the sign of a fourth component is as the target's.
     is_same_sign: Option<AdaptiveBit>,
 }
@@ -297,8 +314,9 @@ impl DirectionModel {
     fn new(bits: u32, has_sign: bool) -> Self {
         Self {
             grid: Octahedron::new(bits),
-            contest: Contest::new(),
-            numbers: AdaptiveNumber::new(2 * SCALES * 3, Rate::Steady),
+            contests: vec![Contest::new(); SCALES],
+            numbers: MixedNumber::new([2 * SCALES; 4]),
+            recent: 0,
             is_same_sign: has_sign.then(|| AdaptiveBit::new(Rate::Steady)),
         }
     }
@@ -311,16 +329,23 @@ impl DirectionModel {
         meant: Option<&[i32]>,
     ) {
         let (predictions, spread) = self.predict(values, hood);
+        let conflict = (0..3).map(|a| (predictions[2][a] - predictions[5][a]).unsigned_abs()).sum::<u64>()
+            * 16
+            * self.grid.side() as u64
+            / UNIT as u64;
         let points = predictions.map(|direction| self.grid.point(direction));
-        let predicted = points[self.contest.best()];
+        let contest = &mut self.contests[scale_of(conflict) / 4];
+        let predicted = points[contest.best()];
         let meant_off = meant.map_or([0; 2], |m| self.grid.difference([m[0], m[1]], predicted));
-        let scale = scale_of(spread);
-        let x = self.numbers.signed(coder, scale * 3, meant_off[0]);
+        let first =
+            [scale_of(spread), scale_of(conflict), scale_of(self.recent), hood.ring.len().min(SCALES - 1)];
+        let x = self.numbers.signed(coder, first, meant_off[0]);
         let size = 16 * u64::from(x.unsigned_abs());
-        let surprise = if size * 4 < spread { 0 } else { 1 + usize::from(size > spread) };
-        let y = self.numbers.signed(coder, (SCALES + scale) * 3 + surprise, meant_off[1]);
+        let second = [first[0], first[1], first[2], scale_of(size)].map(|c| c + SCALES);
+        let y = self.numbers.signed(coder, second, meant_off[1]);
+        self.recent = (7 * self.recent + 8 * u64::from(x.unsigned_abs() + y.unsigned_abs())) / 8;
         let point = self.grid.moved(predicted, [x, y]);
-        self.contest.learn(points.map(|p| {
+        contest.learn(points.map(|p| {
             let off = self.grid.difference(point, p);
             u64::from(off[0].unsigned_abs() + off[1].unsigned_abs())
         }));
@@ -333,10 +358,10 @@ impl DirectionModel {
     }
 
     /// Candidates, and how far the ring's directions are from their mean, in 1/16 of the grid.
-    fn predict(&self, values: &LayerValues, hood: &LayerHood<'_>) -> ([[i64; 3]; 6], u64) {
+    fn predict(&self, values: &LayerValues, hood: &LayerHood<'_>) -> ([[i64; 3]; 10], u64) {
         let direction = |vertex: u32| self.grid.direction([values.of(vertex)[0], values.of(vertex)[1]]);
         let geometric = scaled(hood.fit.normal, UNIT);
-        let Some(target) = hood.target.map(direction) else { return ([geometric; 6], u64::from(u32::MAX)) };
+        let Some(target) = hood.target.map(direction) else { return ([geometric; 10], u64::from(u32::MAX)) };
         let (mut mean, mut affine) = ([0i64; 3], [0i64; 3]);
         for (&vertex, &weight) in hood.ring.iter().zip(&hood.fit.weights) {
             for (axis, x) in direction(vertex).into_iter().enumerate() {
@@ -357,8 +382,37 @@ impl DirectionModel {
             })
             .sum();
         let spread = 16 * off / (UNIT as u64 * hood.ring.len().max(1) as u64);
-        let blend = middle(affine, geometric);
-        ([affine, mean, geometric, middle(mean, geometric), blend, target], spread)
+        let (mut mirrored, mut near) = ([0i64; 3], [0i64; 3]);
+        for (&vertex, &arm) in hood.ring.iter().zip(&hood.fit.arms) {
+            let d = scaled(direction(vertex), UNIT);
+            let squared = (arm[0] * arm[0] + arm[1] * arm[1] + arm[2] * arm[2]).max(1);
+            let along = arm[0] * d[0] + arm[1] * d[1] + arm[2] * d[2];
+            for axis in 0..3 {
+                let m = d[axis] - 2 * along * arm[axis] / squared;
+                mirrored[axis] += m;
+                near[axis] += (m << 32) / squared;
+            }
+        }
+        let mirrored = scaled(mirrored, UNIT);
+        let near = scaled(near, UNIT);
+        let mix = |g: i64, m: i64, a: i64| -> [i64; 3] {
+            std::array::from_fn(|i| g * geometric[i] + m * mirrored[i] + a * mean[i])
+        };
+        (
+            [
+                affine,
+                mean,
+                geometric,
+                mix(1, 0, 1),
+                near,
+                mirrored,
+                mix(1, 1, 0),
+                target,
+                mix(4, 4, -1),
+                mix(6, 2, -1),
+            ],
+            spread,
+        )
     }
 }
 

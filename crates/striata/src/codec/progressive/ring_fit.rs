@@ -21,13 +21,20 @@ pub(super) struct RingFit {
     pub(super) weights: Vec<i32>,
     /// The sum of the normals of the triangles between the centre and the ring, by area; zeros where there are none.
     pub(super) normal: [i64; 3],
+    /// From the centre to each ring vertex.
+    pub(super) arms: Vec<[i64; 3]>,
     differences: Vec<[i64; 3]>,
 }
 
 impl RingFit {
     /// Fits a ring of places around a centre; `is_closed` where its last and first vertex share a triangle.
     pub(super) fn measure(&mut self, centre: [i32; 3], ring: &[[i32; 3]], is_closed: bool) {
-        self.normal = normal(centre, ring, is_closed);
+        self.arms.clear();
+        self.arms.extend(
+            ring.iter()
+                .map(|p| -> [i64; 3] { std::array::from_fn(|a| i64::from(p[a]) - i64::from(centre[a])) }),
+        );
+        self.normal = normal(&self.arms, is_closed);
         self.weights.clear();
         if ring.is_empty() {
             return;
@@ -90,18 +97,16 @@ fn solve(differences: &[[i64; 3]], v: [i64; 3]) -> Option<([i64; 3], i64)> {
     (determinant > 0).then(|| ([dot(x), dot(y), dot(z)], determinant))
 }
 
-fn normal(centre: [i32; 3], ring: &[[i32; 3]], is_closed: bool) -> [i64; 3] {
-    let arm = |p: [i32; 3]| -> [i64; 3] { std::array::from_fn(|a| i64::from(p[a]) - i64::from(centre[a])) };
+fn normal(arms: &[[i64; 3]], is_closed: bool) -> [i64; 3] {
     let mut sum = [0i64; 3];
-    let mut add = |p: [i32; 3], q: [i32; 3]| {
-        let (p, q) = (arm(p), arm(q));
+    let mut add = |p: [i64; 3], q: [i64; 3]| {
         for a in 0..3 {
             let (b, c) = ((a + 1) % 3, (a + 2) % 3);
             sum[a] = sum[a].wrapping_add(p[b].wrapping_mul(q[c]).wrapping_sub(p[c].wrapping_mul(q[b])));
         }
     };
-    ring.windows(2).for_each(|w| add(w[0], w[1]));
-    if let (true, [first, .., last]) = (is_closed, ring) {
+    arms.windows(2).for_each(|w| add(w[0], w[1]));
+    if let (true, [first, .., last]) = (is_closed, arms) {
         add(*last, *first);
     }
     sum
