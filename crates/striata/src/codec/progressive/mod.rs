@@ -5,30 +5,30 @@
 //! are told relative to what is around them. The idea of sending fragments coarse to fine is that of \[KG98\] (3.1), with
 //! the batches of \[PR00\]; connectivity is not stored by rules but predicted from the geometry that is there.
 
+mod attributes;
 mod base;
+mod base_coder;
 mod chunks;
 mod connectivity;
 mod cutting;
 mod decode;
-#[cfg_attr(not(test), expect(dead_code, reason = "attributes of streams come next"))]
 mod directions;
 mod encode;
 mod grid;
 mod growth;
 mod head;
 mod hood;
-#[cfg_attr(not(test), expect(dead_code, reason = "attributes of streams come next"))]
 mod layer_model;
-#[cfg_attr(not(test), expect(dead_code, reason = "attributes of streams come next"))]
 mod layers;
 mod positions;
 mod refiner;
-#[cfg_attr(not(test), expect(dead_code, reason = "attributes of streams come next"))]
 mod ring_fit;
+mod shown;
 mod splits;
 mod surface;
 mod truth;
 mod walk;
+mod wedges;
 
 pub use chunks::BatchDefect;
 pub use decode::{StreamDecoder, StreamUpdate};
@@ -56,6 +56,12 @@ pub enum Effort {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StreamDefect {
+    /// There are so many batches of so few splits that reading them would take for ever.
+    #[error("{batch_count} batches were read, and they are too many for so few splits")]
+    Batches {
+        /// Batches read.
+        batch_count: u32,
+    },
     /// The grid is none.
     #[error(transparent)]
     Grid(#[from] GridError),

@@ -1,0 +1,264 @@
+//! Progressive streams: what is read is what was written, from any prefix, and damaged bytes do no harm.
+
+mod meshes;
+mod support;
+
+use proptest::prelude::*;
+use striata::codec::DecodeError;
+use striata::codec::progressive::{
+    Effort, EncodedStream, Precision, StreamDecoder, StreamOptions, encode_stream,
+};
+use striata::mesh::{IndexedMesh, LayerData, RefinableMesh, canonical_triangles, replay, shapes};
+use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
+use support::{Random, soup, with_seams_and_groups};
+
+const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
+
+struct Written {
+    source: RefinableMesh,
+    stream: EncodedStream,
+}
+
+fn write(mesh: &IndexedMesh, options: &StreamOptions) -> Written {
+    let built = build_batches(mesh, &BatchOptions::default(), &mut striata::ignore_progress).unwrap();
+    let stream = encode_stream(&built.built.refinable, &built.batches, options).unwrap();
+    Written { source: built.built.refinable, stream }
+}
+
+fn read(bytes: &[u8]) -> StreamDecoder {
+    let mut decoder = StreamDecoder::new();
+    decoder.push(bytes).unwrap();
+    assert!(decoder.is_complete());
+    decoder
+}
+
+/// The triangles of each group, by the numbers of the mesh that was given.
+fn groups_of(mesh: &IndexedMesh, vertex: impl Fn(u32) -> u32) -> Vec<Vec<[u32; 3]>> {
+    let triangles = |range: std::ops::Range<usize>| {
+        let renamed: Vec<_> = mesh.triangles[range].iter().map(|t| t.map(&vertex)).collect();
+        canonical_triangles(&renamed)
+    };
+    mesh.groups_or_whole().iter().map(|g| triangles(g.range())).collect()
+}
+
+fn check_whole(written: &Written, options: &StreamOptions) -> RefinableMesh {
+    let Written { source, stream } = written;
+    let decoded = read(&stream.bytes).refinable_mesh().unwrap();
+    decoded.mesh.check().unwrap();
+    assert_eq!(decoded.sequence.step_count(), source.sequence.step_count());
+    assert_eq!(decoded.sequence.base_vertex_count(), source.sequence.base_vertex_count());
+    let original = |v: u32| stream.source_vertex[v as usize];
+    assert_eq!(groups_of(&decoded.mesh, original), groups_of(&source.mesh, |v| v));
+    for (v, &from) in stream.source_vertex.iter().enumerate() {
+        let (found, expected) = (decoded.mesh.positions[v], source.mesh.positions[from as usize]);
+        match options.precision {
+            Precision::Lossless => assert_eq!(found.map(f32::to_bits), expected.map(f32::to_bits)),
+            Precision::Tolerance(limit) => {
+                let off: f64 = (0..3).map(|a| (f64::from(found[a]) - f64::from(expected[a])).powi(2)).sum();
+                assert!(off.sqrt() <= limit, "vertex {v}: {found:?} for {expected:?}");
+            }
+            _ => {}
+        }
+        if v >= decoded.sequence.base_vertex_count() {
+            let target = decoded.sequence.target(v as u32);
+            assert_eq!(original(target), source.sequence.target(from));
+        }
+    }
+    check_layers(written, options, &decoded);
+    decoded
+}
+
+fn check_layers(written: &Written, options: &StreamOptions, decoded: &RefinableMesh) {
+    let Written { source, stream } = written;
+    assert_eq!(decoded.mesh.layers.len(), source.mesh.layers.len());
+    for (found, layer) in decoded.mesh.layers.iter().zip(&source.mesh.layers) {
+        let expected = layer.gather(&stream.source_vertex);
+        let kind = (&found.semantic, found.component_count, found.normalized);
+        assert_eq!(kind, (&expected.semantic, expected.component_count, expected.normalized));
+        if options.precision == Precision::Lossless || !matches!(expected.data, LayerData::F32(_)) {
+            assert_eq!(found.data.as_bytes(), expected.data.as_bytes(), "{}", found.semantic);
+            continue;
+        }
+        // Components of one unit share their steps; directions are a thousandth of a circle apart.
+        let n = usize::from(layer.component_count);
+        let number = |v: usize| expected.get(v / n, v % n);
+        let range_of = |component: usize| {
+            let all = || (0..expected.data.len() / n).map(|v| expected.get(v, component));
+            all().fold(f32::MIN, f32::max) - all().fold(f32::MAX, f32::min)
+        };
+        let range = (0..n).map(range_of).fold(2.0, f32::max);
+        for v in 0..expected.data.len() {
+            let off = (found.get(v / n, v % n) - number(v)).abs();
+            assert!(off <= range / 200.0 || !number(v).is_finite(), "{}: {off} of {range}", found.semantic);
+        }
+    }
+}
+
+fn check_prefix(decoder: &StreamDecoder, whole: &RefinableMesh) {
+    let level = decoder.refinable_mesh().unwrap();
+    level.mesh.check().unwrap();
+    let split_count = decoder.split_count();
+    assert_eq!(level.sequence.step_count(), split_count);
+    let expected = replay(whole, split_count);
+    assert_eq!(level.mesh.positions, expected.positions);
+    for (found, expected) in level.mesh.layers.iter().zip(&expected.layers) {
+        // As bytes: there may be NaN among them.
+        assert_eq!(found.data.as_bytes(), expected.data.as_bytes(), "{}", found.semantic);
+    }
+    assert_eq!(groups_of(&level.mesh, |v| v), groups_of(&expected, |v| v));
+    assert_eq!(&level.sequence.targets()[..], &whole.sequence.targets()[..level.sequence.targets().len()]);
+}
+
+/// Reads in slices and from prefixes.
+fn check_parts(bytes: &[u8], whole: &RefinableMesh, random: &mut Random) {
+    let mut decoder = StreamDecoder::new();
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    let mut at = 0;
+    while at < bytes.len() {
+        let end = (at + 1 + random.below(bytes.len() / 7 + 2)).min(bytes.len());
+        let update = decoder.push(&bytes[at..end]).unwrap();
+        // A viewer keeps its own copy and follows the updates.
+        assert_eq!(update.triangles.start, triangles.len());
+        for &t in &update.changed_triangles {
+            triangles[t as usize] = decoder.triangles()[t as usize];
+        }
+        triangles.extend_from_slice(&decoder.triangles()[update.triangles]);
+        assert_eq!(triangles, decoder.triangles());
+        assert_eq!(update.vertices.end, decoder.positions().len());
+        at = end;
+    }
+    assert!(decoder.is_complete());
+    for _ in 0..12 {
+        let cut = random.below(bytes.len());
+        let mut decoder = StreamDecoder::new();
+        decoder.push(&bytes[..cut]).unwrap();
+        let promised = (0..=whole.sequence.step_count())
+            .take_while(|&s| decoder.bytes_for(s).is_some_and(|b| b <= cut as u64));
+        let promised = promised.last();
+        match decoder.finish() {
+            Ok(_) => {
+                check_prefix(&decoder, whole);
+                assert!(Some(decoder.split_count()) >= promised);
+            }
+            Err(_) => assert_eq!(promised, None, "{cut} of {} bytes", bytes.len()),
+        }
+    }
+}
+
+fn check(mesh: &IndexedMesh, options: &StreamOptions, seed: u64) {
+    let written = write(mesh, options);
+    let whole = check_whole(&written, options);
+    check_parts(&written.stream.bytes, &whole, &mut Random::new(seed));
+}
+
+#[test]
+fn streams_of_all_meshes_come_back_whole_and_in_parts() {
+    for (index, (name, mesh)) in meshes::all().into_iter().enumerate() {
+        eprintln!("{name}");
+        for effort in EFFORTS {
+            check(&mesh, &StreamOptions::default().with_effort(effort), index as u64);
+        }
+    }
+}
+
+#[test]
+fn positions_are_as_exact_as_was_asked_for() {
+    for (name, mesh) in meshes::all() {
+        eprintln!("{name}");
+        let options = StreamOptions::default().with_effort(Effort::Fast);
+        check(&mesh, &options.clone().with_precision(Precision::Lossless), 1);
+        let tolerance = (mesh.diagonal() * 1e-3).max(1e-30);
+        // Far from the origin floats themselves are coarser.
+        let size = mesh.positions.iter().flatten().fold(0.0f32, |size, x| size.max(x.abs()));
+        if tolerance > f64::from(size) * 1e-6 {
+            check(&mesh, &options.clone().with_precision(Precision::Tolerance(tolerance)), 2);
+        }
+        for bits in [1, 8, 20, 24] {
+            check(&mesh, &options.clone().with_precision(Precision::Bits(bits)), 3);
+        }
+    }
+}
+
+#[test]
+fn seams_groups_and_layers_come_back() {
+    for (name, mesh) in meshes::all() {
+        eprintln!("{name}");
+        let mesh = with_seams_and_groups(mesh);
+        for effort in EFFORTS {
+            check(&mesh, &StreamOptions::default().with_effort(effort), 4);
+        }
+        check(&mesh, &StreamOptions::default().with_precision(Precision::Lossless), 5);
+    }
+}
+
+/// Nothing is asked of the order of steps where each is a batch of its own.
+#[test]
+fn steps_one_at_a_time_are_batches_too() {
+    for mesh in [shapes::torus(24, 12, 1.0, 0.4), shapes::icosphere(3, 1.0), support::grid(16, true)] {
+        let built =
+            build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap();
+        let batches: Vec<u32> = (0..=built.refinable.sequence.step_count() as u32).collect();
+        let options = StreamOptions::default();
+        let stream = encode_stream(&built.refinable, &batches, &options).unwrap();
+        check_whole(&Written { source: built.refinable, stream }, &options);
+    }
+}
+
+#[test]
+fn damaged_bytes_are_refused_or_give_a_mesh() {
+    let mesh = with_seams_and_groups(support::grid(14, true));
+    for effort in EFFORTS {
+        let bytes = write(&mesh, &StreamOptions::default().with_effort(effort)).stream.bytes;
+        for at in 0..bytes.len() {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= 1 << (at % 8);
+            let mut decoder = StreamDecoder::new();
+            // A head that says that it is longer waits for bytes that never come.
+            let error = decoder.push(&damaged).and_then(|_| decoder.finish());
+            let error = error.expect_err("checksums cover every byte");
+            assert!(!matches!(error, DecodeError::Sequence(_)), "{error}");
+            if let Some(level) = decoder.refinable_mesh() {
+                level.mesh.check().unwrap();
+            }
+        }
+    }
+}
+
+/// A cut chunk is read without its checksum, so what is read may be anything.
+#[test]
+fn nonsense_in_the_last_chunk_gives_a_mesh() {
+    let mut random = Random::new(8);
+    let mesh = with_seams_and_groups(support::grid(20, false));
+    for effort in EFFORTS {
+        let bytes = write(&mesh, &StreamOptions::default().with_effort(effort)).stream.bytes;
+        for _ in 0..300 {
+            let mut damaged = bytes[..bytes.len() - 1].to_vec();
+            for _ in 0..1 + random.below(4) {
+                let from_end = 1 + random.below(damaged.len() / 3);
+                let at = damaged.len() - from_end;
+                damaged[at] = random.below(256) as u8;
+            }
+            let mut decoder = StreamDecoder::new();
+            if decoder.push(&damaged).and_then(|_| decoder.finish()).is_ok() {
+                let level = decoder.refinable_mesh().unwrap();
+                level.mesh.check().unwrap();
+                assert_eq!(
+                    replay(&level, level.sequence.step_count()).triangles.len(),
+                    level.mesh.triangle_count()
+                );
+            }
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn streams_of_soups_come_back(seed in any::<u64>(), vertices in 3usize..40, triangles in 0usize..80, has_seams: bool) {
+        let mut mesh = soup(vertices, triangles, &mut Random::new(seed));
+        if has_seams {
+            mesh = with_seams_and_groups(mesh);
+        }
+        let effort = EFFORTS[seed as usize % 3];
+        check(&mesh, &StreamOptions::default().with_effort(effort), seed);
+    }
+}
