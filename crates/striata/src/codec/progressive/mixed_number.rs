@@ -108,12 +108,17 @@ mod tests {
         let entropy: f64 = numbers.iter().map(|&(bits, _)| bits as f64 + 1.0).sum();
         let mut writer = RangeWriter::new();
         let mut model = MixedNumber::new([1, 8]);
-        numbers.iter().for_each(|&(bits, number)| assert_eq!(model.signed(&mut writer, [0, bits], number), number));
+        numbers
+            .iter()
+            .for_each(|&(bits, number)| assert_eq!(model.signed(&mut writer, [0, bits], number), number));
         let mixed = writer.finish().0.len() as f64 * 8.0;
         let mut writer = RangeWriter::new();
         let mut model = AdaptiveNumber::new(1, Rate::Steady);
         numbers.iter().for_each(|&(_, number)| assert_eq!(model.signed(&mut writer, 0, number), number));
         let alone = writer.finish().0.len() as f64 * 8.0;
-        assert!(mixed < 1.06 * entropy && mixed < 0.85 * alone, "{mixed} bits for {entropy}, {alone} without context");
+        assert!(
+            mixed < 1.06 * entropy && mixed < 0.85 * alone,
+            "{mixed} bits for {entropy}, {alone} without context"
+        );
     }
 }
