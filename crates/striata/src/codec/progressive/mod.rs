@@ -23,6 +23,7 @@ mod layer_model;
 mod layers;
 mod mixed_number;
 mod positions;
+mod quick;
 mod refiner;
 mod residuals;
 mod ring_fit;

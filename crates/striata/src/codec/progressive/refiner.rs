@@ -16,6 +16,7 @@ use super::hood::Hood;
 use super::layer_model::LayerValues;
 use super::layers::LayerForm;
 use super::positions::PositionModel;
+use super::quick::QuickModel;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::Walk;
 use super::wedges::{SplitWedges, WedgeModel};
@@ -138,6 +139,15 @@ pub(super) enum Ended {
     Short,
 }
 
+/// Who is asked which vertices split.
+#[derive(Clone, Debug)]
+enum Connectivity {
+    /// All that is around a vertex is looked at.
+    Thorough(Box<ConnectivityModel>),
+    /// Next to nothing is.
+    Quick(Box<QuickModel>),
+}
+
 /// A surface under refinement, with all models.
 #[derive(Clone, Debug)]
 pub(super) struct Refiner {
@@ -151,7 +161,7 @@ pub(super) struct Refiner {
     visits_left: u64,
     max_patch: u32,
     grid: PositionGrid,
-    connectivity: ConnectivityModel,
+    connectivity: Connectivity,
     positions: PositionModel,
     /// What grid coordinates lack, where positions are exact.
     corrections: Option<CorrectionModel>,
@@ -212,6 +222,10 @@ impl Refiner {
             }
         }
         let Terms { grid, effort, max_patch, .. } = *terms;
+        let connectivity = match effort {
+            Effort::Fast => Connectivity::Quick(Box::new(QuickModel::new(&surface))),
+            _ => Connectivity::Thorough(Box::new(ConnectivityModel::new(effort))),
+        };
         Ok(Self {
             surface,
             places: base.surface_places(),
@@ -221,7 +235,7 @@ impl Refiner {
             visits_left: terms.most_visits(),
             max_patch,
             grid,
-            connectivity: ConnectivityModel::new(effort),
+            connectivity,
             positions: PositionModel::new(effort),
             corrections,
             wedges,
@@ -247,7 +261,10 @@ impl Refiner {
             };
             self.visits_left = left;
             self.walk.begin(&self.surface);
-            self.connectivity.begin_batch(&self.surface, self.walk.end());
+            match &mut self.connectivity {
+                Connectivity::Thorough(model) => model.begin_batch(&self.surface, self.walk.end()),
+                Connectivity::Quick(model) => model.begin_batch(&self.surface),
+            }
             source.begin_batch();
             self.is_in_batch = true;
             self.splits_in_batch = 0;
@@ -275,26 +292,56 @@ impl Refiner {
     fn connectivity<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         self.pending.clear();
         while self.pending.len() < most {
-            let Some(vertex) = self.walk.next_vertex() else {
-                self.is_in_batch = false;
-                return;
+            let asked = match self.connectivity {
+                Connectivity::Thorough(_) => self.ask(coder, source),
+                Connectivity::Quick(_) => self.ask_quickly(coder, source),
             };
-            self.corners.clear();
-            self.corners.extend(self.surface.ring(vertex));
-            let scene = Scene {
-                surface: &self.surface,
-                places: &self.places,
-                walk: &self.walk,
-                max_patch: self.max_patch,
-            };
-            let actual = if C::READS { None } else { source.cut(vertex) };
-            let cut = self.connectivity.code(coder, &scene, &self.corners, actual);
-            self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
-            if let Some(cut) = cut {
-                self.take(cut);
-                self.pending.push(cut);
+            match asked {
+                None => {
+                    self.is_in_batch = false;
+                    return;
+                }
+                Some(Some(cut)) => {
+                    self.take(cut);
+                    self.pending.push(cut);
+                }
+                Some(None) => {}
             }
         }
+    }
+
+    /// Codes what becomes of the next vertex; none where the batch is done.
+    fn ask<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
+        let vertex = self.walk.next_vertex()?;
+        self.corners.clear();
+        self.corners.extend(self.surface.ring(vertex));
+        let scene = Scene {
+            surface: &self.surface,
+            places: &self.places,
+            walk: &self.walk,
+            max_patch: self.max_patch,
+        };
+        let actual = if C::READS { None } else { source.cut(vertex) };
+        let Connectivity::Thorough(model) = &mut self.connectivity else { return None };
+        let cut = model.code(coder, &scene, &self.corners, actual);
+        self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
+        Some(cut)
+    }
+
+    /// Codes what becomes of vertices up to the next one that splits; none where the batch is done.
+    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
+        let Connectivity::Quick(model) = &mut self.connectivity else { return None };
+        let vertex = model.next_split(coder, |vertex| source.cut(vertex).is_some())?;
+        self.corners.clear();
+        self.corners.extend(self.surface.ring(vertex));
+        let scene = Scene {
+            surface: &self.surface,
+            places: &self.places,
+            walk: &self.walk,
+            max_patch: self.max_patch,
+        };
+        let actual = if C::READS { None } else { source.cut(vertex) };
+        Some(model.cut(coder, &scene, &self.corners, actual))
     }
 
     /// Marks the triangles of a patch: no other split of the batch may have them.
@@ -315,6 +362,9 @@ impl Refiner {
                 self.surface.set_mark(triangle, self.walk.batch());
                 // No part of the mesh before the vertex's values are known.
                 self.surface.set_label(triangle, NONE);
+            }
+            if let Connectivity::Quick(model) = &mut self.connectivity {
+                model.split(&self.surface, *cut, kept);
             }
             source.born(vertex, kept);
         }
