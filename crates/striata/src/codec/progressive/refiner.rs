@@ -206,7 +206,7 @@ impl Refiner {
             None => base.show_positions(),
         }
         let mut corrections = terms.is_exact.then(CorrectionModel::new);
-        let mut attributes = Attributes::new(&terms.layers);
+        let mut attributes = Attributes::new(&terms.layers, terms.effort);
         let mut growth = Growth::of_base(&base, &mut surface, terms.group_count);
         for (position, &vertex) in vertex_of_position.iter().enumerate() {
             let place = base.places[position];
