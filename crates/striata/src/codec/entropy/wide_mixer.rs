@@ -31,7 +31,11 @@ impl<const VECTORS: usize> WideMixer<VECTORS> {
     /// As many sets of weights as contexts, each beginning with `first` (in 1/16384).
     pub(crate) fn new(set_count: usize, first: [[i16; 8]; VECTORS]) -> Self {
         let weights = first.map(i16x8::new);
-        Self { sets: vec![Weights { weights, rate: FIRST_RATE }; set_count.max(1)], selected: 0, p_one: 1 << 15 }
+        Self {
+            sets: vec![Weights { weights, rate: FIRST_RATE }; set_count.max(1)],
+            selected: 0,
+            p_one: 1 << 15,
+        }
     }
 
     /// The log-odds, in 1/256, of the decision under the weights of a context, and to be told by

@@ -5,7 +5,7 @@
 //! often it went so at this point of the tree under like circumstances; two mixers weigh them, and their mean counts.
 
 use super::super::super::entropy::{
-    AdaptiveBit, AdaptiveNumber, Coder, WideMixer, Rate, Refiner, log_odds, log2_q16,
+    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q16,
 };
 use super::bumps::{Bumps, Width};
 use super::local::Local;
