@@ -4,12 +4,13 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use striata::codec::progressive::{Effort, Precision, StreamOptions, encode_stream};
 use striata::codec::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
 use striata::model::baseline::SequentialPatterns;
 use striata::model::{FanBounds, Fans, LodStrips, Mts, PatternBounds, Patterns};
-use striata::simplify::{SequenceOptions, build_sequence};
+use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::strip::{StripOptions, stripify};
 use striata_io::Format;
 
@@ -32,11 +33,31 @@ fn main() -> Result<(), Box<dyn Error>> {
         if let Some(bytes) = patterns(mesh)? {
             fs::write(folder("sequential_patterns")?.join(i.to_string()), bytes)?;
         }
+        for (name, bytes) in streams(mesh)? {
+            fs::write(folder("progressive_stream")?.join(format!("{i}-{name}")), bytes)?;
+        }
         for target in ["simplify", "stripify"] {
             fs::write(folder(target)?.join(i.to_string()), as_fuzz_input(mesh))?;
         }
     }
     Ok(())
+}
+
+/// Progressive streams of each effort, and an exact one.
+fn streams(mesh: &IndexedMesh) -> Result<Vec<(&'static str, Vec<u8>)>, Box<dyn Error>> {
+    let built = build_batches(mesh, &BatchOptions::default(), &mut ignore_progress)?;
+    let options = StreamOptions::default().with_precision(Precision::Bits(8));
+    let forms = [
+        ("fast", options.clone().with_effort(Effort::Fast)),
+        ("default", options.clone()),
+        ("small", options.clone().with_effort(Effort::Small)),
+        ("exact", options.with_precision(Precision::Lossless)),
+    ];
+    let write = |(name, options)| {
+        let stream = encode_stream(&built.built.refinable, &built.batches, &options)?;
+        Ok((name, stream.bytes))
+    };
+    forms.into_iter().map(write).collect()
 }
 
 /// Patterns in sequential form, if the mesh is a surface.

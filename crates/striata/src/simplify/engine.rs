@@ -13,34 +13,27 @@ use std::ops::ControlFlow;
 use crate::mesh::Welded;
 use crate::{Cancelled, Progress, ProgressFn};
 
+use super::course::Course;
 use super::finish::Record;
 use super::heap::IndexedHeap;
-use super::judge::{Judge, Memory};
+use super::judge::{Choice, Judge, Memory};
 use super::links::LinkKind;
 use super::options::{SequenceOptions, SimplifyError, StopReason};
-use super::witness::Witnesses;
 
 /// No target chosen yet: the key is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
-/// Squared protrusions under this share of the squared edge are what single precision leaves of flat places.
-const PROTRUSION_NOISE: f32 = 1e-5;
 /// Collapses between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
 
 /// All state of one simplification.
 pub(super) struct Engine<'a> {
     options: &'a SequenceOptions,
-    /// Mesh units of one scaled unit.
-    scale: f64,
     judge: Judge<'a>,
     heap: IndexedHeap,
     target: Vec<u32>,
     distance_squared: Vec<f32>,
     protrusion_squared: Vec<f32>,
-    witnesses: Witnesses,
-    ring: Vec<u32>,
-    triangle_count: usize,
-    record: Record,
+    course: Course,
 }
 
 impl<'a> Engine<'a> {
@@ -49,16 +42,12 @@ impl<'a> Engine<'a> {
         let (position_count, scale) = (scaled.0.len(), scaled.1);
         Self {
             options,
-            scale,
             judge: Judge::new(welded, options, scaled),
             heap: IndexedHeap::new(&[]),
             target: vec![UNDECIDED; position_count],
             distance_squared: vec![0.0; position_count],
             protrusion_squared: vec![0.0; position_count],
-            witnesses: Witnesses::new(position_count),
-            ring: Vec::new(),
-            triangle_count: welded.mesh.triangle_count(),
-            record: Record { targets: vec![0; welded.mesh.vertex_count()], ..Record::default() },
+            course: Course::new(welded, scale),
         }
     }
 
@@ -74,8 +63,8 @@ impl<'a> Engine<'a> {
         let limit = self.options.max_error.unwrap_or(f64::INFINITY);
         let mut error = 0.0f32;
         while let Some((key, v)) = self.heap.first() {
-            if self.triangle_count <= self.options.base_triangle_count {
-                return Ok((self.record, StopReason::TargetReached));
+            if self.course.triangle_count <= self.options.base_triangle_count {
+                return Ok((self.course.record, StopReason::TargetReached));
             }
             if self.target[v as usize] == UNDECIDED {
                 self.decide(v, key);
@@ -91,20 +80,19 @@ impl<'a> Engine<'a> {
             // As it will be reported, rounded and all, so that the limit holds for what is reported.
             let collapse_error = self.collapse(v, u).min(f64::from(f32::MAX)) as f32;
             if f64::from(collapse_error) > limit {
-                self.record.removed.pop();
-                self.record.removed_triangle_counts.pop();
-                return Ok((self.record, StopReason::ErrorLimit));
+                self.course.forget_last();
+                return Ok((self.course.record, StopReason::ErrorLimit));
             }
             error = error.max(collapse_error);
-            self.record.errors.push(error);
-            let done = self.record.removed.len() as u64;
+            self.course.record.errors.push(error);
+            let done = self.course.record.removed.len() as u64;
             let is_report = done.is_multiple_of(REPORT_INTERVAL);
             if is_report && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(()) {
                 return Err(Cancelled.into());
             }
         }
-        let is_met = self.triangle_count <= self.options.base_triangle_count;
-        Ok((self.record, if is_met { StopReason::TargetReached } else { StopReason::BaseReached }))
+        let is_met = self.course.triangle_count <= self.options.base_triangle_count;
+        Ok((self.course.record, if is_met { StopReason::TargetReached } else { StopReason::BaseReached }))
     }
 
     /// Judges `v` in full and puts it back with its true cost, or takes it out where no target is allowed.
@@ -133,88 +121,27 @@ impl<'a> Engine<'a> {
 
     /// Removes `v` into `u` and gives the neighbours new bounds; returns the error after it, mesh units.
     fn collapse(&mut self, v: u32, u: u32) -> f64 {
-        let tracked = self.leave(v, u);
-        let links = &mut self.judge.links;
-        self.ring.clear();
-        self.ring.extend_from_slice(links.entries(v));
-        if links.kind(v) == LinkKind::Edges {
-            self.ring.sort_unstable();
-            self.ring.dedup();
-        }
-        let before = links.triangle_count(v) + links.triangle_count(u);
-        links.collapse(v, u);
-        // Each vanished triangle stood in both links.
-        let removed = (before - links.triangle_count(u)) / 2;
-        self.triangle_count -= removed;
+        let choice = Choice {
+            cost: 0.0,
+            target: u,
+            distance_squared: self.distance_squared[v as usize],
+            protrusion_squared: self.protrusion_squared[v as usize],
+        };
+        let error = self.course.collapse(&mut self.judge, v, &choice);
         self.heap.remove(v);
-        self.record.removed.push(v);
-        self.record.removed_triangle_counts.push(removed as u8);
-        let worst = tracked.unwrap_or_else(|| {
-            let own = self.distance_squared[v as usize];
-            let worst = self.witnesses.collapse(&self.judge.links, &self.judge.positions, (v, u), own);
-            worst.max(self.reported_protrusion(v, u))
-        });
         self.update_neighbours(u);
-        f64::from(worst).sqrt() * self.scale
-    }
-
-    /// How far the surface that replaces the star of `v` sticks out, squared, unless that may be rounding.
-    fn reported_protrusion(&self, v: u32, u: u32) -> f32 {
-        let [from, to] = [v, u].map(|p| self.judge.positions[p as usize]);
-        let edge_squared: f32 = (0..3).map(|a| (from[a] - to[a]) * (from[a] - to[a])).sum();
-        let protrusion = self.protrusion_squared[v as usize];
-        if protrusion > PROTRUSION_NOISE * edge_squared { protrusion } else { 0.0 }
-    }
-
-    /// Does what must be done while the star of `v` still stands: targets of its wedges, memory of the cost function.
-    /// Returns the largest squared distance of tracked vertices, where they are tracked between neighbours.
-    fn leave(&mut self, v: u32, u: u32) -> Option<f32> {
-        let Judge { star, links, positions, wedges, memory, pairs, .. } = &mut self.judge;
-        if let Some(pairs) = pairs {
-            pairs.collapse(v, u);
-        }
-        if let Memory::Accumulated(quadrics) = memory {
-            let own = quadrics[v as usize];
-            quadrics[u as usize].add(&own);
-        }
-        let is_tracked = matches!(memory, Memory::Tracked(_));
-        if wedges.is_none() && !is_tracked {
-            self.record.targets[v as usize] = u;
-            return None;
-        }
-        star.gather(links, positions, v);
-        let neighbour = star.ids.iter().position(|&w| w == u);
-        match neighbour {
-            Some(k) => {
-                if let Some(wedges) = wedges {
-                    wedges.pair(star, v, k);
-                }
-            }
-            None => self.judge.pair_wedges(v, u),
-        }
-        let Judge { star, positions, wedges, memory, .. } = &mut self.judge;
-        match wedges {
-            Some(wedges) => {
-                wedges.write_targets(v, u, &mut self.record.targets);
-                wedges.substitute(star, v, &self.record.targets);
-            }
-            None => self.record.targets[v as usize] = u,
-        }
-        let (Memory::Tracked(tracker), Some(k)) = (memory, neighbour) else { return None };
-        star.mark_vanishing(Some(k));
-        tracker.load(star, positions, v);
-        Some(tracker.collapse(star, v, k))
+        error
     }
 
     /// New bounds for all whose star or whose target has changed.
     fn update_neighbours(&mut self, u: u32) {
-        let ring = std::mem::take(&mut self.ring);
+        let ring = std::mem::take(&mut self.course.ring);
         for &w in &ring {
             self.target[w as usize] = UNDECIDED;
             let bound = self.judge.lower_bound(w);
             self.heap.set(w, bound);
         }
-        self.ring = ring;
+        self.course.ring = ring;
         if matches!(self.judge.memory, Memory::Accumulated(_)) {
             // The quadric of u has grown: collapsing to it now costs more than it seemed.
             for &w in self.judge.links.entries(u) {
@@ -223,7 +150,7 @@ impl<'a> Engine<'a> {
                 }
             }
         }
-        if self.judge.pairs.is_some() && !self.ring.contains(&u) {
+        if self.judge.pairs.is_some() && !self.course.ring.contains(&u) {
             // A contraction of two parts: u was no neighbour.
             self.target[u as usize] = UNDECIDED;
             let bound = self.judge.lower_bound(u);

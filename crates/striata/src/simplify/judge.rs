@@ -177,12 +177,16 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// True where the options or the lack of a triangle forbid to remove `v`.
+    pub(super) fn is_fixed(&self, v: u32) -> bool {
+        self.is_locked[v as usize]
+            || self.links.kind(v) == LinkKind::Empty
+            || (self.locks_boundary && self.links.is_boundary(v))
+    }
+
     /// What collapsing `v` costs at least, as a rule; infinite where it may not be collapsed at all.
     pub(super) fn lower_bound(&mut self, v: u32) -> f32 {
-        if self.is_locked[v as usize] || self.links.kind(v) == LinkKind::Empty {
-            return f32::INFINITY;
-        }
-        if self.locks_boundary && self.links.is_boundary(v) {
+        if self.is_fixed(v) {
             return f32::INFINITY;
         }
         self.load_star(v);
@@ -204,7 +208,18 @@ impl<'a> Judge<'a> {
     /// Costs are refined best first: whichever candidate looks cheapest gets its next, dearer test, until the
     /// cheapest one has passed them all.
     pub(super) fn best_choice(&mut self, v: u32) -> Option<Choice> {
+        self.best_choice_with(v, |_, _| {})
+    }
+
+    /// The same with `adjust` called before any candidate is tested: it may raise the costs in the star, which count as part of
+    /// the quadratic cost from then on, or set them to infinity for targets that are out of the question.
+    pub(super) fn best_choice_with(
+        &mut self,
+        v: u32,
+        adjust: impl FnOnce(&Links, &mut Star),
+    ) -> Option<Choice> {
         self.load_star(v);
+        adjust(&self.links, &mut self.star);
         if let Memory::Tracked(tracker) = &mut self.memory {
             tracker.load(&self.star, &self.positions, v);
         }

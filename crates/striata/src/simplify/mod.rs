@@ -1,6 +1,8 @@
 //! From a mesh to its simplification sequence: half-edge collapses ordered by cost.
 
 mod attributes;
+mod batches;
+mod course;
 mod cover;
 mod engine;
 mod fan;
@@ -20,6 +22,7 @@ mod tracked;
 mod wedges;
 mod witness;
 
+pub use batches::{BatchOptions, BuiltBatches, build_batches, build_welded_batches};
 pub use cover::{certify, certify_collapses, certify_collapses_in_any_state};
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SequenceOptions, Simplified,

@@ -2,6 +2,7 @@
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test file uses its own part")]
 
 mod checksums;
+mod closed_surface;
 mod fragment_oracle;
 mod oracle;
 mod removals;
@@ -10,6 +11,7 @@ mod topology;
 mod whim;
 
 pub use checksums::with_sound_checksums;
+pub use closed_surface::ClosedSurface;
 pub use fragment_oracle::{
     closed_sets, follows_the_fragments, fragment_cases, random_closed_set, shows_a_set, smallest_set,
 };

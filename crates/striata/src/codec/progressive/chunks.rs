@@ -1,8 +1,10 @@
 //! From a sequence in batch order to compressed chunks.
 
 use super::super::entropy::RangeWriter;
+use super::base::Base;
 use super::cutting::{Closed, close};
 use super::refiner::{Refiner, Terms};
+use super::shown::{ShownDown, groups_of_triangles};
 use super::splits::{StepDefect, collapse_all};
 use super::surface::Undo;
 use super::truth::{Points, Truth, base_of};
@@ -76,9 +78,13 @@ pub(super) fn encode_chunks(
     batches: &[u32],
     (points, terms): (&Points, &Terms),
 ) -> Result<Chunks, BatchDefect> {
-    let undo =
-        collapse_all(&mut closed, refinable).map_err(|(step, defect)| BatchDefect::Step { step, defect })?;
-    write(&closed, &undo, (batches, points), terms)
+    let has_more = !refinable.sequence.positions().is_identity() || refinable.mesh.groups.len() > 1;
+    let mut shown = has_more.then(|| ShownDown::new(&refinable.mesh, &closed.surface));
+    let undo = collapse_all(&mut closed, refinable, shown.as_mut())
+        .map_err(|(step, defect)| BatchDefect::Step { step, defect })?;
+    let shown = shown.map(|shown| shown.into_up(&undo, groups_of_triangles(&refinable.mesh)));
+    let (base, truth) = base_of(&closed, &undo, batches, (points, shown));
+    write(&undo, base, truth, terms)
 }
 
 /// # Errors
@@ -91,13 +97,7 @@ pub(super) fn check_batches(batches: &[u32], step_count: usize) -> Result<(), Ba
     Err(BatchDefect::Cover { step_count })
 }
 
-fn write(
-    closed: &Closed,
-    undo: &[Undo],
-    (batches, points): (&[u32], &Points),
-    terms: &Terms,
-) -> Result<Chunks, BatchDefect> {
-    let (base, mut truth) = base_of(closed, undo, batches, points);
+fn write(undo: &[Undo], base: Base, mut truth: Truth<'_>, terms: &Terms) -> Result<Chunks, BatchDefect> {
     let max_patch = undo.iter().map(|u| u.cut.length).max().unwrap_or(0);
     let terms = Terms { max_patch, ..terms.clone() };
     let mut spent = [0.0; 4];
@@ -143,7 +143,6 @@ fn code_chunk(
 #[cfg(test)]
 mod tests {
     use super::super::Effort;
-    use super::super::base::Base;
     use super::super::grid::PositionGrid;
     use super::super::refiner::{Ended, Unknown};
     use super::*;

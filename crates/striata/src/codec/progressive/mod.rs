@@ -19,6 +19,7 @@ mod hood;
 mod order;
 mod positions;
 mod refiner;
+mod shown;
 mod splits;
 mod surface;
 mod truth;

@@ -10,7 +10,7 @@ use super::grid::{CorrectionModel, PositionGrid};
 use super::growth::Growth;
 use super::hood::Hood;
 use super::positions::PositionModel;
-use super::surface::{Cut, Surface, next, triangle_of};
+use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::Walk;
 use super::{Effort, StreamDefect};
 
@@ -47,6 +47,12 @@ pub(super) trait Source {
     fn cut(&self, vertex: u32) -> Option<Cut>;
     /// A vertex has been split off another one.
     fn born(&mut self, vertex: u32, kept: u32);
+    /// What the corners around a new vertex show is asked next: A's, those of its patch, B's.
+    fn refine(&mut self, vertex: u32, corners: &[u32]);
+    /// The vertex of the mesh that is given which a corner shows, where that is not one for each position.
+    fn wedge(&self, corner: u32) -> u32;
+    /// The group of a triangle.
+    fn group(&self, triangle: u32) -> u32;
     /// The grid coordinates of a vertex.
     fn place(&self, vertex: u32) -> [i32; 3];
     /// Where a vertex is exactly, mesh units.
@@ -62,6 +68,13 @@ impl Source for Unknown {
         None
     }
     fn born(&mut self, _: u32, _: u32) {}
+    fn refine(&mut self, _: u32, _: &[u32]) {}
+    fn wedge(&self, _: u32) -> u32 {
+        0
+    }
+    fn group(&self, _: u32) -> u32 {
+        0
+    }
     fn place(&self, _: u32) -> [i32; 3] {
         [0; 3]
     }
@@ -227,8 +240,11 @@ impl Refiner {
             let kept = self.surface.vertex(cut.first);
             let vertex = self.surface.split(*cut);
             let made = self.surface.triangle_count() as u32;
-            self.surface.set_mark(made - 2, self.walk.batch());
-            self.surface.set_mark(made - 1, self.walk.batch());
+            for triangle in [made - 2, made - 1] {
+                self.surface.set_mark(triangle, self.walk.batch());
+                // No part of the mesh before the vertex's values are known.
+                self.surface.set_label(triangle, NONE);
+            }
             source.born(vertex, kept);
         }
     }

@@ -3,6 +3,7 @@
 use crate::mesh::RefinableMesh;
 
 use super::cutting::Closed;
+use super::shown::ShownDown;
 use super::surface::{Surface, Undo, next, previous};
 
 /// What keeps a step from being coded as a vertex split.
@@ -22,13 +23,15 @@ pub enum StepDefect {
     Boundary,
 }
 
-/// Collapses a closed surface down to the base of a mesh's sequence; the undo of each step, coarse to fine.
+/// Collapses a closed surface down to the base of a mesh's sequence; the undo of each step, coarse to fine. What
+/// corners show is followed, if it is given.
 ///
 /// # Errors
 /// The first step, counted from the finest, that is no collapse of a manifold vertex along one edge.
 pub(super) fn collapse_all(
     closed: &mut Closed,
     refinable: &RefinableMesh,
+    mut shown: Option<&mut ShownDown>,
 ) -> Result<Vec<Undo>, (usize, StepDefect)> {
     let sequence = &refinable.sequence;
     let base = sequence.base_position_count() as u32;
@@ -37,7 +40,11 @@ pub(super) fn collapse_all(
         let position = base + step as u32;
         let target = sequence.target(sequence.step_vertices(step).start);
         let target = sequence.positions().position_of(target);
-        undo.push(collapse(closed, position, target).map_err(|defect| (step, defect))?);
+        let step = collapse(closed, position, target).map_err(|defect| (step, defect))?;
+        if let Some(shown) = &mut shown {
+            shown.follow(&closed.surface, &step, refinable);
+        }
+        undo.push(step);
     }
     undo.reverse();
     Ok(undo)

@@ -3,6 +3,7 @@
 use super::base::Base;
 use super::cutting::Closed;
 use super::refiner::Source;
+use super::shown::ShownUp;
 use super::surface::{Cut, NONE, Undo};
 
 /// Where the positions of the mesh are.
@@ -31,6 +32,8 @@ pub(super) struct Truth<'a> {
     /// The step that splits each of the reader's vertices in this batch.
     step_at: Vec<u32>,
     next_triangle: u32,
+    /// Wedges and groups, where the mesh has any to tell.
+    shown: Option<ShownUp>,
     /// Steps in the order of the stream.
     pub(super) order: Vec<u32>,
 }
@@ -40,7 +43,7 @@ pub(super) fn base_of<'a>(
     closed: &Closed,
     undo: &'a [Undo],
     batches: &'a [u32],
-    points: &'a Points,
+    (points, mut shown): (&'a Points, Option<ShownUp>),
 ) -> (Base, Truth<'a>) {
     let surface = &closed.surface;
     let virtual_count = surface.virtual_count();
@@ -61,6 +64,9 @@ pub(super) fn base_of<'a>(
     let mut corners = vec![NONE; surface.triangle_count()];
     for t in (0..surface.triangle_count()).filter(|&t| !is_gone[t]) {
         corners[t] = 4 * base.triangles.len() as u32;
+        if let Some(shown) = &mut shown {
+            shown.push(t as u32, 0);
+        }
         base.triangles.push(surface.triangle(t as u32).map(|v| vertices[v as usize]));
     }
     base.places = points.places[..base_position_count as usize].to_vec();
@@ -76,6 +82,7 @@ pub(super) fn base_of<'a>(
         step_at: vec![NONE; positions.len()],
         positions,
         next_triangle: base.triangles.len() as u32,
+        shown,
         order: Vec::with_capacity(undo.len()),
     };
     (base, truth)
@@ -117,10 +124,29 @@ impl Source for Truth<'_> {
         self.step_at.push(NONE);
         for gone in self.undo[step as usize].gone {
             // The new vertex has the first corner of both new triangles.
-            self.corners[gone as usize / 4] = turned(4 * self.next_triangle, 3 - (gone & 3));
+            let turn = (3 - (gone & 3)) % 3;
+            self.corners[gone as usize / 4] = 4 * self.next_triangle + turn;
+            if let Some(shown) = &mut self.shown {
+                shown.push(gone / 4, turn);
+            }
             self.next_triangle += 1;
         }
         self.order.push(step);
+    }
+
+    fn refine(&mut self, vertex: u32, corners: &[u32]) {
+        let step = self.positions[vertex as usize] - self.base_position_count;
+        if let (Some(shown), [_, patch @ .., _]) = (&mut self.shown, corners) {
+            shown.refine(step, patch);
+        }
+    }
+
+    fn wedge(&self, corner: u32) -> u32 {
+        self.shown.as_ref().map_or(NONE, |shown| shown.wedge(corner))
+    }
+
+    fn group(&self, triangle: u32) -> u32 {
+        self.shown.as_ref().map_or(0, |shown| shown.group(triangle))
     }
 
     fn place(&self, vertex: u32) -> [i32; 3] {

@@ -1,0 +1,82 @@
+//! What a caller may ask of batches.
+
+use crate::simplify::options::{SequenceOptions, SimplifyError};
+
+/// Options of [`build_batches`](super::build_batches).
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct BatchOptions {
+    /// What orders the collapses and what they must respect; `pair_distance` must be none or 0, since parts that do not touch
+    /// cannot be split in batches.
+    pub sequence: SequenceOptions,
+    /// Each batch takes from the cheapest of the removable positions only: this share of them, over 0 and up to 1; default 0.3.
+    /// More makes fewer, larger batches, which are coded in fewer bits, and worse levels.
+    pub share: f64,
+    /// Short edges go first, as if each brought an error of this over its own square, mesh units: what is left is more
+    /// regular, which a coder foretells better. About one step of the grid that positions are rounded to is worth its
+    /// price on scanned surfaces; default none.
+    pub shape_step: Option<f64>,
+    /// Most triangles around a removed position, those to the middle of a closed hole included, at least 3; kept positions
+    /// are discouraged from having more. Default 7.
+    pub max_valence: usize,
+    /// Stop after a batch of fewer steps than this, since tiny batches cost more than they bring; default 4, and 1 goes on
+    /// as far as it goes.
+    pub least_batch: usize,
+}
+
+impl Default for BatchOptions {
+    fn default() -> Self {
+        Self {
+            sequence: SequenceOptions::default(),
+            share: 0.3,
+            shape_step: None,
+            max_valence: 7,
+            least_batch: 4,
+        }
+    }
+}
+
+impl BatchOptions {
+    /// Checks that every option is in its range.
+    ///
+    /// # Errors
+    /// [`SimplifyError::Option`] naming the first that is not.
+    pub fn check(&self) -> Result<(), SimplifyError> {
+        self.sequence.check()?;
+        let fail = |option, value: String, expected| Err(SimplifyError::Option { option, value, expected });
+        if let Some(distance) = self.sequence.pair_distance.filter(|&d| d > 0.0) {
+            return fail("pair_distance", distance.to_string(), "none or 0 where collapses come in batches");
+        }
+        if !(self.share > 0.0 && self.share <= 1.0) {
+            return fail("share", self.share.to_string(), "over 0 and up to 1");
+        }
+        if let Some(step) = self.shape_step.filter(|step| !(*step >= 0.0 && step.is_finite())) {
+            return fail("shape_step", step.to_string(), "a number of at least 0");
+        }
+        if self.max_valence < 3 {
+            return fail("max_valence", self.max_valence.to_string(), "at least 3");
+        }
+        Ok(())
+    }
+
+    /// Sets [`Self::sequence`].
+    pub fn with_sequence(self, sequence: SequenceOptions) -> Self {
+        Self { sequence, ..self }
+    }
+    /// Sets [`Self::share`].
+    pub fn with_share(self, share: f64) -> Self {
+        Self { share, ..self }
+    }
+    /// Sets [`Self::shape_step`].
+    pub fn with_shape_step(self, shape_step: Option<f64>) -> Self {
+        Self { shape_step, ..self }
+    }
+    /// Sets [`Self::max_valence`].
+    pub fn with_max_valence(self, max_valence: usize) -> Self {
+        Self { max_valence, ..self }
+    }
+    /// Sets [`Self::least_batch`].
+    pub fn with_least_batch(self, least_batch: usize) -> Self {
+        Self { least_batch, ..self }
+    }
+}

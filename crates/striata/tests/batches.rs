@@ -1,0 +1,309 @@
+//! Collapses in batches against what a progressive coder relies on, on every mesh of the test set, by a checker that knows
+//! nothing of how they were found.
+
+mod meshes;
+
+mod support;
+
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use meshes::{COSTS, Named, all, closed, open, rough, with_patches};
+use proptest::prelude::*;
+use striata::ignore_progress;
+use striata::mesh::{IndexedMesh, RefinableMesh, Statistics, canonical_triangles, replay, shapes, weld};
+use striata::simplify::{
+    BatchOptions, BoundaryRule, BuiltBatches, SequenceOptions, SimplifyError, StopReason, build_batches,
+    build_welded_batches,
+};
+use support::{ClosedSurface, nasty};
+
+fn build(mesh: &IndexedMesh, options: &BatchOptions) -> BuiltBatches {
+    build_batches(mesh, options, &mut ignore_progress).expect("sound meshes are simplified")
+}
+
+/// As far as it goes.
+fn to_the_end() -> BatchOptions {
+    BatchOptions::default().with_least_batch(1)
+}
+
+fn position_triangles(refinable: &RefinableMesh, mesh: &IndexedMesh) -> Vec<[u32; 3]> {
+    let positions = refinable.sequence.positions();
+    mesh.triangles.iter().map(|t| t.map(|v| positions.position_of(v))).collect()
+}
+
+/// The position that a removed one goes to.
+fn target_of(refinable: &RefinableMesh, position: u32) -> u32 {
+    let positions = refinable.sequence.positions();
+    positions.position_of(refinable.sequence.target(positions.first_vertex(position)))
+}
+
+/// What must hold for `v -> target` on a surface, be the rest of the batch there or not; gives both copies.
+fn check_collapse(surface: &ClosedSurface, v: u32, target: u32, max_valence: usize) -> (u32, u32) {
+    let copies = surface.copies(v);
+    assert_eq!(copies.len(), 1, "position {v} is one copy");
+    let v = *copies.first().expect("one copy");
+    let ring = surface.ring(v);
+    assert!((3..=max_valence).contains(&ring.vertices.len()), "{v} has valence {}", ring.vertices.len());
+    let u = surface.neighbour(v, target);
+    let other = surface.loose_ring(u);
+    let shared = ring.vertices.intersection(&other.vertices).count();
+    assert_eq!(shared, 2, "{v} -> {u}: neighbours in common");
+    assert_eq!(ring.edges.intersection(&other.edges).count(), 0, "{v} -> {u}: ring edges in common");
+    let hole = |vertices: &BTreeSet<u32>| vertices.iter().copied().find(|&w| !surface.is_real(w));
+    if let Some(hole) = hole(&ring.vertices) {
+        assert!(other.vertices.contains(&hole), "{v} -> {u}: leaves the boundary");
+        assert!(ring.edges.contains(&[u.min(hole), u.max(hole)]), "{v} -> {u}: not along the boundary");
+    }
+    (v, u)
+}
+
+/// Each wedge shown at `v` goes to the one that it shares the collapsed edge with.
+fn check_wedges(refinable: &RefinableMesh, level: &IndexedMesh, v: u32, target: u32) {
+    let positions = refinable.sequence.positions();
+    let at = |t: &[u32; 3], p: u32| t.iter().copied().find(|&w| positions.position_of(w) == p);
+    let (mut shown, mut paired) = (BTreeSet::new(), BTreeSet::new());
+    for t in &level.triangles {
+        let Some(from) = at(t, v) else { continue };
+        shown.insert(from);
+        if let Some(to) = at(t, target) {
+            paired.insert(from);
+            assert_eq!(refinable.sequence.target(from), to, "wedge {from} of position {v}");
+        }
+    }
+    assert_eq!(shown, paired, "wedges of position {v} that the edge to {target} does not show");
+}
+
+/// Everything that a coder relies on.
+fn check_batches(name: &str, options: &BatchOptions, built: &BuiltBatches) {
+    eprintln!("{name}");
+    let refinable = &built.built.refinable;
+    let sequence = &refinable.sequence;
+    let batches = &built.batches;
+    assert_eq!((batches[0], batches[batches.len() - 1]), (0, sequence.step_count() as u32));
+    assert!(batches.windows(2).all(|w| w[0] < w[1]), "batches rise: {batches:?}");
+    let base = sequence.base_position_count() as u32;
+    let position_count = sequence.positions().position_count();
+    let mut surface = ClosedSurface::new(position_count, &position_triangles(refinable, &refinable.mesh));
+    let parts = surface.parts();
+    for window in batches.windows(2).rev() {
+        let steps = window[0]..window[1];
+        let errors = &sequence.errors()[steps.start as usize..steps.end as usize];
+        assert!(errors.iter().all(|e| *e == errors[0]), "a batch has one error");
+        let level = replay(refinable, steps.end as usize);
+        let removed: Vec<[u32; 2]> = steps.map(|s| [base + s, target_of(refinable, base + s)]).collect();
+        let gone: BTreeSet<u32> = removed.iter().map(|r| r[0]).collect();
+        let targets: BTreeSet<u32> = removed.iter().map(|r| r[1]).collect();
+        assert_eq!(targets.len(), removed.len(), "a target has one position of a batch");
+        assert!(gone.is_disjoint(&targets), "targets stay");
+        for t in surface.real_triangles() {
+            assert!(t.iter().filter(|p| gone.contains(p)).count() <= 1, "removed neighbours in {t:?}");
+        }
+        for &[v, target] in &removed {
+            assert!(surface.is_manifold(v), "position {v} is manifold in the full mesh");
+            check_collapse(&surface, v, target, options.max_valence);
+            check_wedges(refinable, &level, v, target);
+        }
+        surface = collapse_in_both_orders(&surface, &removed, options.max_valence);
+        check_surface(&surface, refinable, window[0] as usize);
+    }
+    for (part, (triangle_count, is_closed)) in parts {
+        let left = surface.parts().get(&part).map_or(0, |p| p.0);
+        assert!(
+            left >= if is_closed { 4.min(triangle_count) } else { 1 },
+            "part {part} has {left} triangles"
+        );
+    }
+}
+
+fn collapse_in_both_orders(
+    surface: &ClosedSurface,
+    removed: &[[u32; 2]],
+    max_valence: usize,
+) -> ClosedSurface {
+    let collapsed = |order: &mut dyn Iterator<Item = &[u32; 2]>| {
+        let mut surface = surface.clone();
+        for &[v, target] in order {
+            let (v, u) = check_collapse(&surface, v, target, max_valence);
+            surface.collapse(v, u);
+        }
+        surface
+    };
+    let (one, other) = (collapsed(&mut removed.iter().rev()), collapsed(&mut removed.iter()));
+    assert_eq!(canonical_triangles(&one.triangles), canonical_triangles(&other.triangles), "order counts");
+    one
+}
+
+/// The surface is what the oracle shows, and as manifold as the full mesh was.
+fn check_surface(surface: &ClosedSurface, refinable: &RefinableMesh, split_count: usize) {
+    let level = replay(refinable, split_count);
+    let expected = canonical_triangles(&position_triangles(refinable, &level));
+    assert_eq!(canonical_triangles(&surface.real_triangles()), expected, "split count {split_count}");
+    let present = refinable.sequence.base_position_count() + split_count;
+    for p in (0..present as u32).filter(|&p| surface.is_manifold(p)) {
+        let copies = surface.copies(p);
+        assert_eq!(copies.len(), 1, "position {p} is one copy");
+        surface.ring(*copies.first().expect("one copy"));
+        // Copies of one position must not meet here either.
+        let around = expected.iter().filter(|t| t.contains(&p)).flatten().filter(|&&q| q != p);
+        let mut around: Vec<u32> = around.copied().collect();
+        around.sort_unstable();
+        assert!(around.chunk_by(|a, b| a == b).all(|run| run.len() <= 2), "position {p} is not manifold");
+    }
+}
+
+/// Runs a check on each mesh with each of several options and fails with the list of all that failed it.
+fn check_each(meshes: Vec<Named>, ways: &[(&str, BatchOptions)]) {
+    let mut failed = Vec::new();
+    for (name, mesh) in meshes {
+        for (way, options) in ways {
+            let name = format!("{name}, {way}");
+            let check = || check_batches(&name, options, &build(&mesh, options));
+            if catch_unwind(AssertUnwindSafe(check)).is_err() {
+                failed.push(name);
+            }
+        }
+    }
+    assert!(failed.is_empty(), "failed: {failed:#?}");
+}
+
+#[test]
+fn batches_keep_their_promises_on_all_meshes() {
+    let ways = [
+        ("default", BatchOptions::default()),
+        ("to the end", to_the_end()),
+        ("all at once", to_the_end().with_share(1.0).with_max_valence(12)),
+        ("shape", to_the_end().with_shape_step(Some(0.05)).with_max_valence(6)),
+    ];
+    let nasty = nasty().into_iter().map(|(name, mesh)| (name.to_owned(), mesh));
+    check_each(all().into_iter().chain(nasty).collect(), &ways);
+}
+
+#[test]
+fn batches_keep_their_promises_with_every_cost() {
+    let ways = COSTS.map(|cost| ("", to_the_end().with_sequence(SequenceOptions::default().with_cost(cost))));
+    check_each([closed(), open()].concat(), &ways);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    #[test]
+    fn batches_keep_their_promises_on_soups(
+        (seed, triangle_count, has_patches, share) in (any::<u64>(), 1u32..120, any::<bool>(), 0.05f64..1.0)
+    ) {
+        let mut mesh = shapes::random_soup(triangle_count, seed);
+        if has_patches {
+            mesh = with_patches(mesh, 3);
+        }
+        let options = to_the_end().with_share(share);
+        check_batches("soup", &options, &build(&mesh, &options));
+    }
+
+    #[test]
+    fn batches_keep_their_promises_on_surfaces_with_holes(
+        (seed, holes, has_patches) in (any::<u64>(), proptest::collection::vec(0usize..400, 0..40), any::<bool>())
+    ) {
+        let mut mesh = rough(shapes::torus(20, 10, 2.0, 0.8), 0.1, seed);
+        for hole in holes {
+            mesh.triangles.swap_remove(hole % mesh.triangles.len());
+        }
+        if has_patches {
+            mesh = with_patches(mesh, 7);
+        }
+        check_batches("holes", &to_the_end(), &build(&mesh, &to_the_end()));
+    }
+}
+
+#[test]
+fn surfaces_shrink_to_small_bases() {
+    let cases = [
+        (shapes::icosphere(4, 1.0), 40),
+        (shapes::torus(60, 40, 2.0, 0.7), 60),
+        (shapes::terrain(49, 3), 60),
+        (with_patches(shapes::torus(60, 40, 2.0, 0.7), 600), 700),
+    ];
+    for (mesh, most) in cases {
+        let built = build(&mesh, &BatchOptions::default());
+        let sequence = &built.built.refinable.sequence;
+        let left = sequence.base_position_count();
+        assert!(left <= most, "{left} positions are left of {}", sequence.positions().position_count());
+        assert_eq!(built.built.stop_reason, StopReason::BaseReached);
+        // A tenth of what is there in each batch, or so.
+        assert!(built.batches.len() < 80, "{} batches", built.batches.len());
+    }
+}
+
+#[test]
+fn limits_are_kept() {
+    let mesh = rough(shapes::torus(40, 30, 2.0, 0.7), 0.01, 5);
+    let sequence = || SequenceOptions::default();
+    let limited = |sequence| build(&mesh, &BatchOptions::default().with_sequence(sequence)).built;
+    let base = limited(sequence().with_base_triangle_count(500));
+    assert_eq!(base.stop_reason, StopReason::TargetReached);
+    assert!((498..=500).contains(&base.refinable.sequence.triangle_count_at(0)));
+    let error = limited(sequence().with_max_error(0.05));
+    assert_eq!(error.stop_reason, StopReason::ErrorLimit);
+    assert!(error.refinable.sequence.error_at(0) <= 0.05 && error.refinable.sequence.step_count() > 100);
+    let locked: Vec<u32> = (0..1200).step_by(5).collect();
+    let built = limited(sequence().with_locked_vertices(locked.clone()));
+    let base = built.refinable.sequence.base_vertex_count();
+    assert!(locked.iter().all(|v| built.source_vertex[..base].contains(v)), "locked vertices stay");
+    let terrain = shapes::terrain(17, 5);
+    let options = BatchOptions::default().with_sequence(sequence().with_boundary(BoundaryRule::Locked));
+    let built = build(&terrain, &options).built;
+    let boundary = |mesh: &IndexedMesh| Statistics::of(mesh).expect("sound").boundary_edge_count;
+    assert_eq!(boundary(&replay(&built.refinable, 0)), boundary(&terrain), "a locked boundary stays");
+    assert!(built.refinable.sequence.step_count() > 100);
+}
+
+#[test]
+fn options_out_of_range_are_refused() {
+    let mesh = shapes::icosphere(1, 1.0);
+    let cases = [
+        ("share", BatchOptions::default().with_share(0.0)),
+        ("share", BatchOptions::default().with_share(1.5)),
+        ("share", BatchOptions::default().with_share(f64::NAN)),
+        ("shape_step", BatchOptions::default().with_shape_step(Some(-1.0))),
+        ("max_valence", BatchOptions::default().with_max_valence(2)),
+        (
+            "pair_distance",
+            BatchOptions::default().with_sequence(SequenceOptions::default().with_pair_distance(0.1)),
+        ),
+        (
+            "locked_vertices",
+            BatchOptions::default()
+                .with_sequence(SequenceOptions::default().with_locked_vertices(vec![9999])),
+        ),
+    ];
+    for (name, options) in cases {
+        match build_batches(&mesh, &options, &mut ignore_progress) {
+            Err(SimplifyError::Option { option, .. }) => assert_eq!(option, name),
+            other => panic!("{name}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn callback_cancels() {
+    let mesh = shapes::icosphere(3, 1.0);
+    let mut calls = 0;
+    let result = build_batches(&mesh, &BatchOptions::default(), &mut |_| {
+        calls += 1;
+        if calls < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    assert!(matches!(result, Err(SimplifyError::Cancelled(_))));
+    assert_eq!(calls, 3);
+}
+
+#[test]
+fn same_input_gives_same_batches() {
+    let mesh = with_patches(rough(shapes::torus(40, 30, 2.0, 0.7), 0.05, 9), 50);
+    let [one, other] = [(); 2].map(|()| {
+        let welded = weld(&mesh).expect("a sound mesh");
+        build_welded_batches(welded, &BatchOptions::default(), &mut ignore_progress).expect("a sound mesh")
+    });
+    assert_eq!(one.built.refinable, other.built.refinable);
+    assert_eq!(one.batches, other.batches);
+}

@@ -1,0 +1,209 @@
+//! A mesh as the progressive coder sees it, in the plainest way: cut into manifold copies, holes closed by virtual vertices.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Triangles of copies of positions, and of virtual vertices behind them.
+#[derive(Clone)]
+pub struct ClosedSurface {
+    /// All triangles, those that close holes included.
+    pub triangles: Vec<[u32; 3]>,
+    /// The position of each copy.
+    pub position_of: Vec<u32>,
+    /// The part of the surface that each copy belongs to.
+    pub part_of: Vec<u32>,
+    is_manifold: Vec<bool>,
+}
+
+/// The neighbours of a vertex on its ring, and the edges of the ring, both without direction.
+pub struct Ring {
+    pub vertices: BTreeSet<u32>,
+    pub edges: BTreeSet<[u32; 2]>,
+}
+
+impl ClosedSurface {
+    /// Cuts triangles of `position_count` positions.
+    pub fn new(position_count: usize, triangles: &[[u32; 3]]) -> Self {
+        let mut users: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
+        for (t, &[a, b, c]) in triangles.iter().enumerate() {
+            for (side, edge) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
+                users.entry(edge).or_default().push(3 * t + side);
+            }
+        }
+        let across =
+            |edge: [u32; 2]| match (&users[&edge][..], users.get(&[edge[1], edge[0]]).map(|v| &v[..])) {
+                (&[_], Some(&[other])) => Some(other),
+                _ => None,
+            };
+        let next = |corner: usize| corner - corner % 3 + (corner + 1) % 3;
+        let mut corners: Vec<usize> = (0..3 * triangles.len()).collect();
+        let mut parts: Vec<usize> = (0..triangles.len()).collect();
+        for (edge, corner) in
+            users.iter().flat_map(|(edge, corners)| corners.iter().map(move |c| (*edge, *c)))
+        {
+            if let Some(other) = across(edge) {
+                unite(&mut corners, corner, next(other));
+                unite(&mut corners, next(corner), other);
+                unite(&mut parts, corner / 3, other / 3);
+            }
+        }
+        let mut surface = Self {
+            triangles: Vec::new(),
+            position_of: Vec::new(),
+            part_of: Vec::new(),
+            is_manifold: Vec::new(),
+        };
+        let mut copy_of = vec![u32::MAX; corners.len()];
+        let mut copy_counts = vec![0; position_count];
+        for corner in 0..corners.len() {
+            let root = root(&corners, corner);
+            if copy_of[root] == u32::MAX {
+                copy_of[root] = surface.position_of.len() as u32;
+                let position = triangles[corner / 3][corner % 3];
+                surface.position_of.push(position);
+                surface.part_of.push(self::root(&parts, corner / 3) as u32);
+                copy_counts[position as usize] += 1;
+            }
+            copy_of[corner] = copy_of[root];
+        }
+        let copies = |t: usize| [0, 1, 2].map(|k| copy_of[3 * t + k]);
+        surface.triangles = (0..triangles.len()).map(copies).collect();
+        let simple = |p: u32| {
+            let leaving: Vec<_> = users.range([p, 0]..=[p, u32::MAX]).collect();
+            leaving.iter().all(|(_, corners)| corners.len() == 1)
+                && triangles.iter().filter(|t| t.contains(&p)).all(|t| {
+                    t.iter().filter(|&&q| q != p).all(|&q| users.get(&[q, p]).is_none_or(|c| c.len() == 1))
+                })
+        };
+        surface.is_manifold = (0..position_count).map(|p| copy_counts[p] == 1 && simple(p as u32)).collect();
+        surface.close_holes(&users, &copy_of, across);
+        surface
+    }
+
+    fn close_holes(
+        &mut self,
+        users: &BTreeMap<[u32; 2], Vec<usize>>,
+        copy_of: &[u32],
+        across: impl Fn([u32; 2]) -> Option<usize>,
+    ) {
+        let next = |corner: usize| corner - corner % 3 + (corner + 1) % 3;
+        let mut holes: Vec<usize> = (0..self.position_of.len()).collect();
+        let mut rim = Vec::new();
+        for (edge, corners) in users.iter().filter(|(edge, _)| across(**edge).is_none()) {
+            let _ = edge;
+            for &corner in corners {
+                let [a, b] = [copy_of[corner], copy_of[next(corner)]];
+                rim.push([a, b]);
+                unite(&mut holes, a as usize, b as usize);
+            }
+        }
+        let first = self.position_of.len() as u32;
+        // Numbers of virtual vertices may have gaps: one for each copy that stands for a hole.
+        let closing = rim.iter().map(|&[a, b]| [b, a, first + root(&holes, a as usize) as u32]);
+        self.triangles.extend(closing);
+    }
+
+    /// True for copies, false for virtual vertices.
+    pub fn is_real(&self, vertex: u32) -> bool {
+        (vertex as usize) < self.position_of.len()
+    }
+
+    /// True where the triangles of a position were one fan in the mesh that was cut.
+    pub fn is_manifold(&self, position: u32) -> bool {
+        self.is_manifold[position as usize]
+    }
+
+    /// The copies of a position that are there.
+    pub fn copies(&self, position: u32) -> BTreeSet<u32> {
+        let all = self.triangles.iter().flatten().copied();
+        all.filter(|&c| self.is_real(c) && self.position_of[c as usize] == position).collect()
+    }
+
+    /// The ring of a vertex; fails where it is no single cycle of different vertices.
+    pub fn ring(&self, v: u32) -> Ring {
+        let follows: BTreeMap<u32, u32> = self.edges_around(v).collect();
+        assert_eq!(follows.len(), self.edges_around(v).count(), "{v} sees a neighbour twice");
+        let first = *follows.keys().next().unwrap_or_else(|| panic!("{v} has lost all triangles"));
+        let mut at = follows[&first];
+        let mut length = 1;
+        while at != first {
+            at = *follows.get(&at).unwrap_or_else(|| panic!("the ring of {v} is open at {at}"));
+            length += 1;
+            assert!(length <= follows.len(), "the ring of {v} crosses itself");
+        }
+        assert_eq!(length, follows.len(), "{v} has several rings");
+        assert!(length >= 3, "{v} has {length} triangles");
+        Ring {
+            vertices: follows.keys().copied().collect(),
+            edges: follows.iter().map(|(&a, &b)| [a.min(b), a.max(b)]).collect(),
+        }
+    }
+
+    fn edges_around(&self, v: u32) -> impl Iterator<Item = (u32, u32)> {
+        self.triangles.iter().filter_map(move |&[a, b, c]| match v {
+            _ if v == a => Some((b, c)),
+            _ if v == b => Some((c, a)),
+            _ if v == c => Some((a, b)),
+            _ => None,
+        })
+    }
+
+    /// The ring of any vertex, one or not: its vertices and edges.
+    pub fn loose_ring(&self, v: u32) -> Ring {
+        let edges: Vec<_> = self.edges_around(v).collect();
+        Ring {
+            vertices: edges.iter().flat_map(|&(a, b)| [a, b]).collect(),
+            edges: edges.iter().map(|&(a, b)| [a.min(b), a.max(b)]).collect(),
+        }
+    }
+
+    /// The copy of position `target` that is a neighbour of `v`.
+    pub fn neighbour(&self, v: u32, target: u32) -> u32 {
+        let ring = self.ring(v);
+        let mut found =
+            ring.vertices.iter().filter(|&&c| self.is_real(c) && self.position_of[c as usize] == target);
+        let u = *found.next().unwrap_or_else(|| panic!("{v} has no neighbour at position {target}"));
+        assert!(found.next().is_none(), "{v} has two neighbours at position {target}");
+        u
+    }
+
+    /// Puts `u` for `v` and drops what loses a corner.
+    pub fn collapse(&mut self, v: u32, u: u32) {
+        for corner in self.triangles.iter_mut().flatten().filter(|c| **c == v) {
+            *corner = u;
+        }
+        self.triangles.retain(|&[a, b, c]| a != b && b != c && c != a);
+    }
+
+    /// The triangles without those that close holes, of positions.
+    pub fn real_triangles(&self) -> Vec<[u32; 3]> {
+        let real = self.triangles.iter().filter(|t| t.iter().all(|&c| self.is_real(c)));
+        real.map(|t| t.map(|c| self.position_of[c as usize])).collect()
+    }
+
+    /// For each part, how many real triangles it has, and whether it has no hole.
+    pub fn parts(&self) -> BTreeMap<u32, (usize, bool)> {
+        let mut parts: BTreeMap<u32, (usize, bool)> = BTreeMap::new();
+        for t in &self.triangles {
+            let Some(&c) = t.iter().find(|&&c| self.is_real(c)) else { continue };
+            let part = parts.entry(self.part_of[c as usize]).or_insert((0, true));
+            if t.iter().all(|&c| self.is_real(c)) {
+                part.0 += 1;
+            } else {
+                part.1 = false;
+            }
+        }
+        parts
+    }
+}
+
+fn root(links: &[usize], mut i: usize) -> usize {
+    while links[i] != i {
+        i = links[i];
+    }
+    i
+}
+
+fn unite(links: &mut [usize], a: usize, b: usize) {
+    let (a, b) = (root(links, a), root(links, b));
+    links[a.max(b)] = a.min(b);
+}
