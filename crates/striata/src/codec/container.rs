@@ -260,6 +260,13 @@ impl<'a> Container<'a> {
         Ok(container)
     }
 
+    /// A stream of so many bytes as the only section, its chunks checked by themselves.
+    pub(super) fn of_stream(bytes: &'a [u8], length: u64) -> Self {
+        let kind = SectionKind::STREAM;
+        let stream = SectionInfo { kind, offset: 0, bytes: length, is_required: true, checksum: 0 };
+        Self { bytes, sections: vec![stream], is_verified: true, length }
+    }
+
     fn checked_bytes(&self, section: &SectionInfo) -> Result<&'a [u8], DecodeError> {
         // The table was checked against the length in the header: only a stream may reach beyond what is there, which is a usize.
         let there = &self.bytes[section.offset as usize..];

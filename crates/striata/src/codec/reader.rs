@@ -52,7 +52,11 @@ impl<'a> StriataFile<'a> {
 
     fn of_container(container: Container<'a>) -> Result<Self, DecodeError> {
         let summary = Summary::from_bytes(container.get(SectionKind::SUMMARY)?)?;
-        Ok(Self { container, summary, patterns: OnceLock::new(), decoded: OnceLock::new() })
+        Ok(Self::of_parts(container, summary))
+    }
+
+    fn of_parts(container: Container<'a>, summary: Summary) -> Self {
+        Self { container, summary, patterns: OnceLock::new(), decoded: OnceLock::new() }
     }
 
     /// Counts and bounds.
@@ -70,7 +74,10 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] where the section is unsound.
     pub fn metadata(&self) -> Result<Vec<(String, String)>, DecodeError> {
-        self.container.find(SectionKind::METADATA)?.map_or(Ok(Vec::new()), metadata_from_bytes)
+        match self.container.find(SectionKind::METADATA)? {
+            Some(bytes) => metadata_from_bytes(bytes),
+            None => self.metadata_of_stream(),
+        }
     }
 
     /// Positions of all vertices in refinement order.

@@ -106,7 +106,7 @@ pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
 }
 
 fn measure(input: &Input, args: &CompareArgs, output: &Output) -> Result<MeshReport, Failure> {
-    let mesh = input.mesh()?;
+    let mesh = input.mesh(output)?;
     let blamed = |failure: Failure| failure.in_file(&input.name);
     let say = |what: &str| output.say(&format!("{}: {what}", input.name));
     let mut bar = output.bar();

@@ -1,8 +1,8 @@
 //! Files with a stream, whole or cut off.
 
 use super::super::container::{Container, Ending};
-use super::super::progressive::StreamDecoder;
-use super::super::{DecodeError, SectionKind, Verify};
+use super::super::progressive::{StreamDecoder, StreamDefect, StreamFacts};
+use super::super::{DecodeError, SectionKind, Summary, Verify};
 use super::StriataFile;
 use crate::mesh::{IndexedMesh, RefinableMesh, replay};
 
@@ -27,6 +27,40 @@ impl<'a> StriataFile<'a> {
         Self::of_container(Container::parse(bytes, Verify::WhenRead, Ending::Cut)?)
     }
 
+    /// A stream alone, whole or cut off, as if it were all that a file has. Its bounds are not known before it is decoded.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the bytes begin no sound stream, or end before its base mesh does.
+    pub fn from_stream(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+        let Some(facts) = StreamFacts::read(bytes)? else {
+            let found = bytes.len() as u64;
+            return Err(DecodeError::FileLength { found, expected: found + 1 });
+        };
+        if facts.stream_bytes < bytes.len() as u64 {
+            let (found, expected) = (bytes.len() as u64, facts.stream_bytes);
+            return Err(DecodeError::FileLength { found, expected });
+        }
+        let base = usize::try_from(facts.base_bytes).ok().and_then(|length| bytes.get(..length));
+        let Some(base) = base else {
+            return Err(StreamDefect::NoBase.into());
+        };
+        let mut decoder = StreamDecoder::new();
+        decoder.push(base)?;
+        let summary = Summary {
+            vertex_count: facts.vertex_count,
+            position_count: facts.position_count,
+            triangle_count: facts.triangle_count,
+            group_count: facts.group_count,
+            step_count: facts.step_count,
+            base_position_count: facts.position_count - facts.step_count,
+            base_vertex_count: decoder.positions().len(),
+            base_triangle_count: decoder.triangles().len(),
+            error_max: facts.error_max,
+            bounds: None,
+        };
+        Ok(Self::of_parts(Container::of_stream(bytes, facts.stream_bytes), summary))
+    }
+
     /// Whether the file ends before its stream does.
     pub fn is_cut(&self) -> bool {
         self.container.is_cut()
@@ -40,6 +74,15 @@ impl<'a> StriataFile<'a> {
     /// Whether mesh and levels are in a stream, and nowhere else.
     pub fn is_stream_only(&self) -> bool {
         self.has(SectionKind::STREAM) && !self.has(SectionKind::POSITIONS)
+    }
+
+    /// The texts in the head of a stream that is all that the file has.
+    pub(super) fn metadata_of_stream(&self) -> Result<Vec<(String, String)>, DecodeError> {
+        if !self.is_stream_only() {
+            return Ok(Vec::new());
+        }
+        let facts = StreamFacts::read(self.container.get(SectionKind::STREAM)?)?;
+        Ok(facts.map_or(Vec::new(), |facts| facts.metadata))
     }
 
     /// What the stream tells, where the file has nothing else.
