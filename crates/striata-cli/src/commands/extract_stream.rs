@@ -93,7 +93,11 @@ pub(super) fn run(
 /// A share of the way is one of the whole stream's, however much of it is there.
 fn in_splits(target: Target, step_count: usize) -> Target {
     match target {
-        Target::Detail(detail) => Target::SplitCount((detail * step_count as f64) as usize),
+        Target::Detail(detail) => {
+            // The small term keeps `k / step_count` from rounding down to k - 1, as in `Levels`.
+            let exact = detail * step_count as f64;
+            Target::SplitCount(((exact + 1e-9 * exact.max(1.0)) as usize).min(step_count))
+        }
         target => target,
     }
 }

@@ -5,11 +5,14 @@
 //! are told relative to what is around them. The idea of sending fragments coarse to fine is that of \[KG98\] (3.1), with
 //! the batches of \[PR00\]; connectivity is not stored by rules but predicted from the geometry that is there.
 
+mod attributes;
 mod base;
+mod base_coder;
 mod chunks;
 mod connectivity;
 mod cutting;
 mod decode;
+mod directions;
 mod encode;
 mod facts;
 mod grid;
@@ -17,13 +20,17 @@ mod growth;
 mod head;
 mod hood;
 mod order;
+mod layer_model;
+mod layers;
 mod positions;
 mod refiner;
+mod ring_fit;
 mod shown;
 mod splits;
 mod surface;
 mod truth;
 mod walk;
+mod wedges;
 
 pub use chunks::BatchDefect;
 pub use decode::{StreamDecoder, StreamUpdate};
@@ -31,6 +38,7 @@ pub use encode::{EncodedStream, Precision, StreamError, StreamOptions, StreamSiz
 pub use facts::StreamFacts;
 pub use grid::GridError;
 pub use head::STREAM_MAGIC;
+pub use layers::{LayerBitsError, LayerOptions};
 pub use splits::StepDefect;
 pub use surface::SurfaceDefect;
 
