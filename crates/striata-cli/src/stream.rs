@@ -92,7 +92,9 @@ fn end_within(bytes: &[u8], end: Option<u64>) -> usize {
 fn cut_remark(name: &str, [read, whole]: [u64; 2], [split_count, step_count]: [usize; 2]) -> String {
     let [read, whole] = [read, whole].map(|bytes| grouped(usize::try_from(bytes).unwrap_or(usize::MAX)));
     let [split_count, step_count] = [grouped(split_count), grouped(step_count)];
-    format!("{name}: cut off after {read} of {whole} bytes: {split_count} of {step_count} vertex splits are there")
+    format!(
+        "{name}: cut off after {read} of {whole} bytes: {split_count} of {step_count} vertex splits are there"
+    )
 }
 
 /// What is to be said of a file whose mesh is a stream that is cut off, or that has one beside its mesh.

@@ -91,7 +91,8 @@ fn models_and_stream_lie_in_one_file() {
     assert!(!file.is_stream_only());
     assert_eq!(file.mesh().unwrap().positions, made.refinable.mesh.positions);
     assert_eq!(file.lod_strips().unwrap().unwrap().step_count(), model.step_count());
-    let decoded = StriataFile::from_stream(file.stream().unwrap().unwrap()).unwrap().refinable_mesh().unwrap();
+    let decoded =
+        StriataFile::from_stream(file.stream().unwrap().unwrap()).unwrap().refinable_mesh().unwrap();
     let split_count = model.step_count() / 2;
     let [a, b] = [file.level(split_count).unwrap(), replay(&decoded, split_count)];
     assert_eq!(canonical_triangles(&a.triangles), canonical_triangles(&b.triangles));
@@ -112,7 +113,11 @@ fn a_file_that_is_cut_off_has_the_beginning_of_its_stream() {
         let file = match StriataFile::parse_cut(part) {
             Ok(file) => file,
             Err(error) => {
-                assert!(length < offset && matches!(error, DecodeError::FileLength { .. } | DecodeError::Magic { .. }), "{length}: {error}");
+                assert!(
+                    length < offset
+                        && matches!(error, DecodeError::FileLength { .. } | DecodeError::Magic { .. }),
+                    "{length}: {error}"
+                );
                 continue;
             }
         };

@@ -177,7 +177,11 @@ impl Extracted {
 ///
 /// # Errors
 /// Where the mesh's parts do not fit together.
-pub(super) fn drawn(form: TriangleForm, mesh: &IndexedMesh, strips: Option<StripSet>) -> Result<Drawn, Failure> {
+pub(super) fn drawn(
+    form: TriangleForm,
+    mesh: &IndexedMesh,
+    strips: Option<StripSet>,
+) -> Result<Drawn, Failure> {
     Ok(match (form, strips) {
         (TriangleForm::List, _) => Drawn::Triangles,
         (TriangleForm::Strips, Some(strips)) => Drawn::Strips(stitched(&strips)),
@@ -220,7 +224,8 @@ fn run_view(
     output: &Output,
 ) -> Result<(), Failure> {
     let file = input.striata()?;
-    let center = bounds_of(&file, input)?.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
+    let center =
+        bounds_of(&file, input)?.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
     let camera = args.view.camera(eye, center).map_err(|error| {
         Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
     })?;
