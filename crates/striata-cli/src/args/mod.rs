@@ -12,7 +12,7 @@ use std::str::FromStr;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
-pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, StripifierArgs};
+pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs};
 pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
 pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
@@ -75,7 +75,7 @@ pub(crate) enum Verb {
     Distance(DistanceArgs),
     /// Convert between mesh formats
     Convert(ConvertArgs),
-    /// Compress a mesh into a stream that can be shown from its first bytes on
+    /// Compress a mesh into a stream that shows it from the first bytes
     Encode(EncodeArgs),
     /// Write the mesh of a stream, or of as much of it as is there
     Decode(DecodeArgs),

@@ -16,6 +16,7 @@ use super::hood::Hood;
 use super::layer_model::LayerValues;
 use super::layers::LayerForm;
 use super::positions::PositionModel;
+use super::quick::QuickModel;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::Walk;
 use super::wedges::{SplitWedges, WedgeModel};
@@ -138,6 +139,15 @@ pub(super) enum Ended {
     Short,
 }
 
+/// Who is asked which vertices split.
+#[derive(Clone, Debug)]
+enum Connectivity {
+    /// All that is around a vertex is looked at.
+    Thorough(Box<ConnectivityModel>),
+    /// Next to nothing is.
+    Quick(Box<QuickModel>),
+}
+
 /// A surface under refinement, with all models.
 #[derive(Clone, Debug)]
 pub(super) struct Refiner {
@@ -151,7 +161,7 @@ pub(super) struct Refiner {
     visits_left: u64,
     max_patch: u32,
     grid: PositionGrid,
-    connectivity: ConnectivityModel,
+    connectivity: Connectivity,
     positions: PositionModel,
     /// What grid coordinates lack, where positions are exact.
     corrections: Option<CorrectionModel>,
@@ -159,7 +169,9 @@ pub(super) struct Refiner {
     wedges: Option<WedgeModel>,
     told: SplitWedges,
     attributes: Option<Attributes>,
-    pending: Vec<Cut>,
+    /// Corners of the patches of splits that are still to be done, and where each one's end.
+    patches: Vec<u32>,
+    pending: Vec<u32>,
     corners: Vec<u32>,
     pub(super) growth: Growth,
 }
@@ -194,7 +206,7 @@ impl Refiner {
             None => base.show_positions(),
         }
         let mut corrections = terms.is_exact.then(CorrectionModel::new);
-        let mut attributes = Attributes::new(&terms.layers);
+        let mut attributes = Attributes::new(&terms.layers, terms.effort);
         let mut growth = Growth::of_base(&base, &mut surface, terms.group_count);
         for (position, &vertex) in vertex_of_position.iter().enumerate() {
             let place = base.places[position];
@@ -212,6 +224,10 @@ impl Refiner {
             }
         }
         let Terms { grid, effort, max_patch, .. } = *terms;
+        let connectivity = match effort {
+            Effort::Fast => Connectivity::Quick(Box::new(QuickModel::new(&surface))),
+            _ => Connectivity::Thorough(Box::new(ConnectivityModel::new(effort))),
+        };
         Ok(Self {
             surface,
             places: base.surface_places(),
@@ -221,12 +237,13 @@ impl Refiner {
             visits_left: terms.most_visits(),
             max_patch,
             grid,
-            connectivity: ConnectivityModel::new(effort),
+            connectivity,
             positions: PositionModel::new(effort),
             corrections,
             wedges,
             told: SplitWedges::default(),
             attributes,
+            patches: Vec::new(),
             pending: Vec::new(),
             corners: Vec::new(),
             growth,
@@ -247,7 +264,10 @@ impl Refiner {
             };
             self.visits_left = left;
             self.walk.begin(&self.surface);
-            self.connectivity.begin_batch(&self.surface, self.walk.end());
+            match &mut self.connectivity {
+                Connectivity::Thorough(model) => model.begin_batch(&self.surface, self.walk.end()),
+                Connectivity::Quick(model) => model.begin_batch(&self.surface),
+            }
             source.begin_batch();
             self.is_in_batch = true;
             self.splits_in_batch = 0;
@@ -261,9 +281,18 @@ impl Refiner {
         if !self.is_in_batch && self.splits_in_batch == 0 {
             return Err(StreamDefect::EmptyBatch { batch: self.walk.batch() });
         }
-        let first = self.surface.vertex_count() as u32;
+        let (first, mut start) = (self.surface.vertex_count() as u32, 0);
         self.split_pending(source);
-        for vertex in first..self.surface.vertex_count() as u32 {
+        for split in 0..self.pending.len() {
+            let vertex = first + split as u32;
+            let end = self.pending[split] as usize;
+            // The ring of the new vertex: A, its patch, B.
+            let a = self.surface.corner_of(vertex);
+            self.corners.clear();
+            self.corners.push(a);
+            self.corners.extend_from_slice(&self.patches[start..end]);
+            self.corners.push(a + 4);
+            start = end;
             if self.values(coder, source, vertex) == Ended::Short {
                 return Ok(Ended::Short);
             }
@@ -274,47 +303,88 @@ impl Refiner {
     /// Which vertices split and how, until there are `most` or the batch is done.
     fn connectivity<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         self.pending.clear();
+        self.patches.clear();
         while self.pending.len() < most {
-            let Some(vertex) = self.walk.next_vertex() else {
-                self.is_in_batch = false;
-                return;
+            let asked = match self.connectivity {
+                Connectivity::Thorough(_) => self.ask(coder, source),
+                Connectivity::Quick(_) => self.ask_quickly(coder, source),
             };
-            self.corners.clear();
-            self.corners.extend(self.surface.ring(vertex));
-            let scene = Scene {
-                surface: &self.surface,
-                places: &self.places,
-                walk: &self.walk,
-                max_patch: self.max_patch,
-            };
-            let actual = if C::READS { None } else { source.cut(vertex) };
-            let cut = self.connectivity.code(coder, &scene, &self.corners, actual);
-            self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
-            if let Some(cut) = cut {
-                self.take(cut);
-                self.pending.push(cut);
+            match asked {
+                None => {
+                    self.is_in_batch = false;
+                    return;
+                }
+                Some(Some(cut)) => self.take(cut),
+                Some(None) => {}
             }
         }
     }
 
-    /// Marks the triangles of a patch: no other split of the batch may have them.
+    /// Codes what becomes of the next vertex; none where the batch is done.
+    fn ask<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
+        let vertex = self.walk.next_vertex()?;
+        self.corners.clear();
+        self.corners.extend(self.surface.ring(vertex));
+        let scene = Scene {
+            surface: &self.surface,
+            places: &self.places,
+            walk: &self.walk,
+            max_patch: self.max_patch,
+        };
+        let actual = if C::READS { None } else { source.cut(vertex) };
+        let Connectivity::Thorough(model) = &mut self.connectivity else { return None };
+        let cut = model.code(coder, &scene, &self.corners, actual);
+        self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
+        Some(cut)
+    }
+
+    /// Codes what becomes of vertices up to the next one that splits; none where the batch is done.
+    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
+        let Connectivity::Quick(model) = &mut self.connectivity else { return None };
+        let vertex = model.next_split(coder, |vertex| source.cut(vertex).is_some())?;
+        self.corners.clear();
+        self.corners.extend(self.surface.ring(vertex));
+        let scene = Scene {
+            surface: &self.surface,
+            places: &self.places,
+            walk: &self.walk,
+            max_patch: self.max_patch,
+        };
+        let actual = if C::READS { None } else { source.cut(vertex) };
+        Some(model.cut(coder, &scene, &self.corners, actual))
+    }
+
+    /// Notes a split and marks the triangles of its patch: no other split of the batch may have them.
     fn take(&mut self, cut: Cut) {
         let mut corner = cut.first;
-        for _ in 0..cut.length {
+        for at in 0..cut.length {
+            if at > 0 {
+                corner = self.surface.swing(corner);
+            }
             self.surface.set_mark(triangle_of(corner), self.walk.batch());
-            corner = self.surface.swing(corner);
+            self.patches.push(corner);
         }
+        if let Connectivity::Quick(model) = &mut self.connectivity {
+            model.take(&self.surface, &self.patches[self.patches.len() - cut.length as usize..]);
+        }
+        self.pending.push(self.patches.len() as u32);
     }
 
     fn split_pending(&mut self, source: &mut impl Source) {
-        for cut in &self.pending {
-            let kept = self.surface.vertex(cut.first);
-            let vertex = self.surface.split(*cut);
+        let mut start = 0;
+        for &end in &self.pending {
+            let patch = &self.patches[start..end as usize];
+            start = end as usize;
+            let kept = self.surface.vertex(patch[0]);
+            let vertex = self.surface.split(patch);
             let made = self.surface.triangle_count() as u32;
             for triangle in [made - 2, made - 1] {
                 self.surface.set_mark(triangle, self.walk.batch());
                 // No part of the mesh before the vertex's values are known.
                 self.surface.set_label(triangle, NONE);
+            }
+            if let Connectivity::Quick(model) = &mut self.connectivity {
+                model.split(&self.surface, patch.len(), kept);
             }
             source.born(vertex, kept);
         }
@@ -322,8 +392,6 @@ impl Refiner {
 
     /// What the new vertex is; then it is part of the mesh.
     fn values<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) -> Ended {
-        self.corners.clear();
-        self.corners.extend(self.surface.ring(vertex));
         let hood = Hood {
             surface: &self.surface,
             places: &self.places,

@@ -22,6 +22,7 @@ mod engine;
 mod options;
 mod select;
 mod surface;
+mod taste;
 
 pub use options::BatchOptions;
 
