@@ -11,7 +11,7 @@ const NO_MATERIAL: u32 = u32::MAX;
 /// Header of a layer before its name: four bytes and three numbers.
 const LAYER_HEADER_BYTES: usize = 16;
 
-fn semantic_code(semantic: &Semantic) -> (u8, u32, &str) {
+pub(super) fn semantic_code(semantic: &Semantic) -> (u8, u32, &str) {
     match semantic {
         Semantic::Normal => (0, 0, ""),
         Semantic::Tangent => (1, 0, ""),
@@ -26,7 +26,7 @@ fn semantic_code(semantic: &Semantic) -> (u8, u32, &str) {
     }
 }
 
-fn semantic_of(code: u8, set: u32, name: &str) -> Option<Semantic> {
+pub(super) fn semantic_of(code: u8, set: u32, name: &str) -> Option<Semantic> {
     let (small, wide) = (u8::try_from(set).ok(), u16::try_from(set).ok());
     Some(match code {
         0 => Semantic::Normal,

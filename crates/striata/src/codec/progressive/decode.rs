@@ -6,10 +6,14 @@ use super::super::DecodeError;
 use super::super::entropy::RangeReader;
 use super::StreamDefect;
 use super::base::Base;
+use super::base_coder::BaseLimits;
 use super::growth::Growth;
-use super::head::{FIXED_BYTES, Head, Row, head_length};
+use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length};
+use super::layers::LayerForm;
 use super::refiner::{Ended, Refiner, Terms, Unknown};
-use crate::mesh::{CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts};
+use crate::mesh::{
+    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
+};
 
 /// What some bytes have brought.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -156,8 +160,15 @@ impl StreamDecoder {
             is_exact: head.is_exact,
             max_patch: head.max_patch,
             position_count: head.position_count,
+            base: BaseLimits {
+                position_count: head.position_count - head.step_count,
+                triangle_count: head.most_base_triangles(),
+            },
+            vertex_count: head.vertex_count,
+            group_count: head.groups.len() as u32,
+            layers: head.layers.clone(),
         };
-        self.refiner = Some(Box::new(Refiner::begin(reader, Base::default(), &terms, &Unknown)?));
+        self.refiner = Some(Box::new(Refiner::begin(reader, &Base::default(), &terms, &mut Unknown)?));
         Ok(())
     }
 
@@ -205,6 +216,22 @@ impl StreamDecoder {
         self.growth().map_or(&[], |growth| &growth.positions)
     }
 
+    /// The attribute layers of some of the vertices that have come.
+    ///
+    /// # Panics
+    /// If some of the vertices have not.
+    pub fn layers_of(&self, vertices: Range<usize>) -> Vec<AttributeLayer> {
+        let (Some(head), Some(refiner)) = (&self.head, &self.refiner) else { return Vec::new() };
+        let Some(attributes) = refiner.attributes() else { return Vec::new() };
+        let layer = |(index, form): (usize, &LayerForm)| {
+            let mut layer = form.empty_layer();
+            let n = form.integer_count();
+            form.append(&attributes.integers(index)[vertices.start * n..vertices.end * n], &mut layer.data);
+            layer
+        };
+        head.layers.iter().enumerate().map(layer).collect()
+    }
+
     /// Triangles of the level that has come, in the order in which they came.
     pub fn triangles(&self) -> &[[u32; 3]] {
         self.growth().map_or(&[], |growth| &growth.triangles)
@@ -245,11 +272,13 @@ impl StreamDecoder {
     /// None before the base has come.
     pub fn refinable_mesh(&self) -> Option<RefinableMesh> {
         let (head, growth) = (self.head.as_ref()?, self.growth()?);
+        let (triangles, groups) = self.grouped_triangles();
         let mesh = IndexedMesh {
             positions: growth.positions.clone(),
-            triangles: growth.triangles.clone(),
+            triangles,
+            groups,
+            layers: self.layers_of(0..growth.positions.len()),
             appearance: head.appearance.clone(),
-            ..IndexedMesh::default()
         };
         let step_count = growth.added.len();
         let error_of = |step: usize| {
@@ -257,13 +286,39 @@ impl StreamDecoder {
             head.rows.get(chunk).map_or(0.0, |row| row.error)
         };
         let sequence = CollapseSequence::from_parts(SequenceParts {
-            positions: PositionIndex::identity(mesh.vertex_count()),
-            base_position_count: mesh.vertex_count() - step_count,
+            base_position_count: growth.first_vertex.len() - 1 - step_count,
+            positions: PositionIndex::from_first(growth.first_vertex.clone()),
             targets: growth.targets.clone(),
             errors: (0..step_count).map(error_of).collect(),
             removed_triangle_counts: growth.added.clone(),
             triangle_count: mesh.triangle_count(),
         });
         Some(RefinableMesh { mesh, sequence: sequence.ok()? })
+    }
+
+    /// Triangles group after group, and the groups.
+    fn grouped_triangles(&self) -> (Vec<[u32; 3]>, Vec<TriangleGroup>) {
+        let (Some(head), Some(growth)) = (&self.head, self.growth()) else { return Default::default() };
+        if head.groups.len() < 2 {
+            let count = growth.triangles.len() as u32;
+            let group = |name: &GroupName| TriangleGroup {
+                name: name.name.clone(),
+                material: name.material,
+                first: 0,
+                count,
+            };
+            return (growth.triangles.clone(), head.groups.iter().map(group).collect());
+        }
+        let mut counts = vec![0u32; head.groups.len()];
+        growth.groups.iter().for_each(|&g| counts[g as usize] += 1);
+        let mut first = 0;
+        let mut groups = Vec::with_capacity(counts.len());
+        for (name, &count) in head.groups.iter().zip(&counts) {
+            groups.push(TriangleGroup { name: name.name.clone(), material: name.material, first, count });
+            first += count;
+        }
+        let mut order: Vec<u32> = (0..growth.triangles.len() as u32).collect();
+        order.sort_by_key(|&t| growth.groups[t as usize]);
+        (order.iter().map(|&t| growth.triangles[t as usize]).collect(), groups)
     }
 }

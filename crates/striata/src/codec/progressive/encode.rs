@@ -2,10 +2,13 @@
 
 use super::super::EncodeError;
 use super::Effort;
+use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_chunks};
 use super::cutting::Closed;
 use super::grid::{GridError, PositionGrid};
 use super::head::{GroupName, Head, Row};
+use super::layer_model::LayerValues;
+use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
 use super::truth::Points;
 use crate::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
@@ -36,6 +39,8 @@ pub struct StreamOptions {
     pub precision: Precision,
     /// How hard the coder tries; default [`Effort::Default`].
     pub effort: Effort,
+    /// How exactly attribute layers are kept.
+    pub layers: LayerOptions,
     /// Texts about the stream, key and value; default none.
     pub metadata: Vec<(String, String)>,
 }
@@ -49,6 +54,11 @@ impl StreamOptions {
     /// Sets [`Self::effort`].
     pub fn with_effort(self, effort: Effort) -> Self {
         Self { effort, ..self }
+    }
+
+    /// Sets [`Self::layers`].
+    pub fn with_layers(self, layers: LayerOptions) -> Self {
+        Self { layers, ..self }
     }
 
     /// Adds to [`Self::metadata`].
@@ -94,6 +104,9 @@ pub enum StreamError {
     /// There is no grid as asked for.
     #[error(transparent)]
     Grid(#[from] GridError),
+    /// There is no such number of bits for a layer.
+    #[error(transparent)]
+    Layers(#[from] LayerBitsError),
     /// The sequence is not one of batches.
     #[error(transparent)]
     Batches(#[from] BatchDefect),
@@ -116,9 +129,23 @@ pub fn encode_stream(
     check_batches(batches, refinable.sequence.step_count())?;
     let is_exact = options.precision == Precision::Lossless;
     let grid = grid_of(&refinable.mesh, options.precision)?;
-    let points = points_of(refinable, &grid);
+    let layer_options = LayerOptions { lossless: is_exact || options.layers.lossless, ..options.layers };
+    layer_options.check()?;
+    let forms: Vec<_> =
+        refinable.mesh.layers.iter().map(|layer| LayerForm::of(layer, &layer_options)).collect();
+    let points = points_of(refinable, &grid, &forms);
     let position_count = points.places.len() as u32;
-    let terms = Terms { effort: options.effort, grid, is_exact, max_patch: 0, position_count };
+    let terms = Terms {
+        effort: options.effort,
+        grid,
+        is_exact,
+        max_patch: 0,
+        position_count,
+        base: BaseLimits { position_count: 0, triangle_count: 0 },
+        vertex_count: refinable.mesh.vertex_count() as u32,
+        group_count: refinable.mesh.groups.len() as u32,
+        layers: forms,
+    };
     let closed = close_positions(refinable);
     let first = first_batch(&terms, &closed, batches);
     let shortened = (first > 0).then(|| refinable.clone().without_levels_below(batches[first] as usize));
@@ -126,7 +153,7 @@ pub fn encode_stream(
     let batches: Vec<u32> = batches[first..].iter().map(|n| n - batches[first]).collect();
     let batches = batches.as_slice();
     let chunks = encode_chunks(closed, refinable, batches, (&points, &terms))?;
-    let head = head_of(refinable, batches, &chunks, (options, grid)).to_bytes()?;
+    let head = head_of(refinable, batches, &chunks, (options, &terms)).to_bytes()?;
     let mut bytes = head;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
     let [connectivity_bits, position_bits, attribute_bits, _] = chunks.spent;
@@ -164,19 +191,22 @@ fn grid_of(mesh: &IndexedMesh, precision: Precision) -> Result<PositionGrid, Gri
     }
 }
 
-fn points_of(refinable: &RefinableMesh, grid: &PositionGrid) -> Points {
+fn points_of(refinable: &RefinableMesh, grid: &PositionGrid, forms: &[LayerForm]) -> Points {
     let positions = refinable.sequence.positions();
     let exact: Vec<[f32; 3]> = (0..positions.position_count() as u32)
         .map(|p| refinable.mesh.positions[positions.first_vertex(p) as usize])
         .collect();
-    Points { places: exact.iter().map(|&p| grid.quantise(p)).collect(), exact }
+    let layers = refinable.mesh.layers.iter().zip(forms);
+    let layers =
+        layers.map(|(layer, form)| LayerValues::from_integers(form.integers(layer), form.integer_count()));
+    Points { places: exact.iter().map(|&p| grid.quantise(p)).collect(), exact, layers: layers.collect() }
 }
 
 fn head_of(
     refinable: &RefinableMesh,
     batches: &[u32],
     chunks: &Chunks,
-    (options, grid): (&StreamOptions, PositionGrid),
+    (options, terms): (&StreamOptions, &Terms),
 ) -> Head {
     let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
     let group = |g: &crate::mesh::TriangleGroup| GroupName { name: g.name.clone(), material: g.material };
@@ -198,7 +228,8 @@ fn head_of(
         triangle_count: mesh.triangle_count() as u32,
         step_count: sequence.step_count() as u32,
         max_patch: chunks.max_patch,
-        grid,
+        grid: terms.grid,
+        layers: terms.layers.clone(),
         groups: mesh.groups.iter().map(group).collect(),
         appearance: mesh.appearance.clone(),
         metadata: options.metadata.clone(),
@@ -207,8 +238,11 @@ fn head_of(
 }
 
 fn source_vertices(refinable: &RefinableMesh, chunks: &Chunks) -> Vec<u32> {
+    if !chunks.source_vertex.is_empty() {
+        return chunks.source_vertex.clone();
+    }
     let positions = refinable.sequence.positions();
     let base = refinable.sequence.base_position_count() as u32;
     let steps = chunks.order.iter().map(|&step| base + step);
-    (0..base).chain(steps).flat_map(|p| positions.wedges(p)).collect()
+    chunks.base_positions.iter().copied().chain(steps).flat_map(|p| positions.wedges(p)).collect()
 }

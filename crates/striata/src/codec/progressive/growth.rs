@@ -1,7 +1,10 @@
 //! What a stream has given so far: triangles of a level and the sequence that leads to it.
 
+use std::ops::Range;
+
 use super::base::Base;
-use super::surface::{NONE, Surface, triangle_of};
+use super::surface::{NONE, Surface, next, triangle_of};
+use super::wedges::SplitWedges;
 
 /// Triangles and steps, growing with each split. Vertices are numbered as in the mesh: base first, then step by step.
 #[derive(Clone, Debug, Default)]
@@ -10,61 +13,146 @@ pub(super) struct Growth {
     pub(super) positions: Vec<[f32; 3]>,
     /// Corners of each triangle of the level, in the order in which they came.
     pub(super) triangles: Vec<[u32; 3]>,
+    /// The group of each triangle, where there are several.
+    pub(super) groups: Vec<u32>,
+    /// Groups of the mesh.
+    pub(super) group_count: u32,
     /// The vertex that each one beyond the base collapses to.
     pub(super) targets: Vec<u32>,
     /// Triangles that each step brings.
     pub(super) added: Vec<u8>,
     /// Triangles whose corners were changed by the last steps, with repetitions.
     pub(super) changed: Vec<u32>,
-    /// Mesh vertex of each vertex of the surface; virtual ones have none.
-    pub(super) mesh_vertex: Vec<u32>,
-    vertex_count: u32,
+    /// First vertex of each position, closed by the number of vertices.
+    pub(super) first_vertex: Vec<u32>,
+    /// Position of each vertex of the surface; virtual ones have none.
+    position_of: Vec<u32>,
 }
 
 impl Growth {
-    /// Begins with the triangles of a base. `mesh_vertex` names the vertex of the mesh for each of the surface.
-    fn new(surface: &mut Surface, mesh_vertex: Vec<u32>, vertex_count: u32) -> Self {
-        let mut growth = Self { mesh_vertex, vertex_count, ..Self::default() };
-        for t in 0..surface.triangle_count() as u32 {
-            growth.push(surface, t);
+    /// Begins with a base: its triangles in the order of the surface but for virtual ones, with the vertices that their
+    /// corners show and their groups.
+    pub(super) fn of_base(base: &Base, surface: &mut Surface, group_count: u32) -> Self {
+        let virtual_vertices = std::iter::repeat_n(NONE, base.virtual_count as usize);
+        let mut growth = Self {
+            group_count,
+            first_vertex: base.first_vertex.clone(),
+            position_of: virtual_vertices.chain(base.position_of_copy.iter().copied()).collect(),
+            ..Self::default()
+        };
+        for (t, (&shown, &group)) in base.shown.iter().zip(&base.groups).enumerate() {
+            if shown[0] == NONE {
+                surface.set_label(t as u32, NONE);
+            } else {
+                growth.push(surface, t as u32, shown, group);
+            }
         }
         growth
     }
 
-    /// Begins with a base.
-    pub(super) fn of_base(base: &Base, surface: &mut Surface) -> Self {
-        let virtual_vertices = std::iter::repeat_n(NONE, base.virtual_count as usize);
-        let mesh_vertex = virtual_vertices.chain(base.position_of_copy.iter().copied()).collect();
-        Self::new(surface, mesh_vertex, base.places.len() as u32)
+    /// Vertices that are there.
+    pub(super) fn vertex_count(&self) -> u32 {
+        self.first_vertex.last().copied().unwrap_or(0)
     }
 
-    fn push(&mut self, surface: &mut Surface, triangle: u32) -> u8 {
-        let corners = surface.triangle(triangle);
-        if corners.iter().any(|&v| surface.is_virtual(v)) {
-            surface.set_label(triangle, NONE);
-            return 0;
-        }
+    /// The vertices of the position of a vertex of the surface.
+    #[inline]
+    pub(super) fn wedges(&self, surface_vertex: u32) -> Range<u32> {
+        let position = self.position_of[surface_vertex as usize] as usize;
+        self.first_vertex[position]..self.first_vertex[position + 1]
+    }
+
+    /// The vertex that a corner shows; none in virtual triangles, and in those that are not there yet.
+    #[inline]
+    pub(super) fn shown(&self, surface: &Surface, corner: u32) -> Option<u32> {
+        let label = surface.label(triangle_of(corner));
+        (label != NONE).then(|| self.triangles[label as usize][(corner & 3) as usize])
+    }
+
+    /// The group of a triangle; none of virtual ones, and those that are not there yet.
+    pub(super) fn group(&self, surface: &Surface, triangle: u32) -> Option<u32> {
+        let label = surface.label(triangle);
+        (label != NONE).then(|| self.groups.get(label as usize).copied().unwrap_or(0))
+    }
+
+    fn push(&mut self, surface: &mut Surface, triangle: u32, shown: [u32; 3], group: u32) {
         surface.set_label(triangle, self.triangles.len() as u32);
-        self.triangles.push(corners.map(|v| self.mesh_vertex[v as usize]));
-        1
+        self.triangles.push(shown);
+        if self.group_count > 1 {
+            self.groups.push(group);
+        }
     }
 
-    /// Adds a vertex whose corners are those of the surface around `vertex`, A's first and B's last.
-    pub(super) fn add(&mut self, surface: &mut Surface, corners: &[u32], vertex: u32, kept: u32) {
-        debug_assert_eq!(self.mesh_vertex.len(), vertex as usize);
-        let new = self.vertex_count;
-        self.vertex_count += 1;
-        self.mesh_vertex.push(new);
-        self.targets.push(self.mesh_vertex[kept as usize]);
-        let [a, patch @ .., b] = corners else { return };
-        for &corner in patch {
-            let label = surface.label(triangle_of(corner));
-            if label != NONE {
-                self.triangles[label as usize][(corner & 3) as usize] = new;
-                self.changed.push(label);
+    /// Adds a position of one vertex, where all positions have one; `corners` are those around it, A's first and B's
+    /// last.
+    pub(super) fn add(&mut self, surface: &mut Surface, corners: &[u32], position: [f32; 3]) {
+        let new = self.vertex_count();
+        let kept = surface.vertex(next(corners[0]));
+        self.targets.push(self.first_of(kept));
+        self.begin_position(1, position);
+        for &corner in &corners[1..corners.len() - 1] {
+            self.change(surface, corner, new);
+        }
+        let mut added = 0;
+        for corner in [corners[0], corners[corners.len() - 1]] {
+            let triangle = triangle_of(corner);
+            let vertices = surface.triangle(triangle);
+            if vertices.iter().all(|&v| !surface.is_virtual(v)) {
+                self.push(surface, triangle, vertices.map(|v| self.first_of(v)), 0);
+                added += 1;
             }
         }
-        let added = self.push(surface, triangle_of(*a)) + self.push(surface, triangle_of(*b));
+        self.added.push(added);
+    }
+
+    fn first_of(&self, surface_vertex: u32) -> u32 {
+        self.first_vertex[self.position_of[surface_vertex as usize] as usize]
+    }
+
+    fn begin_position(&mut self, vertex_count: u32, position: [f32; 3]) {
+        let first = self.vertex_count();
+        self.position_of.push(self.first_vertex.len() as u32 - 1);
+        self.first_vertex.push(first + vertex_count);
+        self.positions.extend(std::iter::repeat_n(position, vertex_count as usize));
+    }
+
+    fn change(&mut self, surface: &Surface, corner: u32, vertex: u32) {
+        let label = surface.label(triangle_of(corner));
+        if label != NONE {
+            self.triangles[label as usize][(corner & 3) as usize] = vertex;
+            self.changed.push(label);
+        }
+    }
+
+    /// Adds a position with what the corners around it show.
+    pub(super) fn add_wedges(
+        &mut self,
+        surface: &mut Surface,
+        corners: &[u32],
+        position: [f32; 3],
+        told: &SplitWedges,
+    ) {
+        let first = self.vertex_count();
+        self.targets.extend_from_slice(&told.targets);
+        self.begin_position(told.targets.len() as u32, position);
+        let last = corners.len() - 1;
+        for at in 1..last {
+            if told.wedges[at] != NONE {
+                self.change(surface, corners[at], first + told.wedges[at]);
+            }
+        }
+        let mut added = 0;
+        for (side, at) in [0, last].into_iter().enumerate() {
+            if told.wedges[at] == NONE {
+                continue;
+            }
+            // From the corner at the new position on: A is (new, kept, end), B is (new, end, kept).
+            let (new, kept, end) = (first + told.wedges[at], told.kept[side], told.ends[side]);
+            let mut shown = if side == 0 { [new, kept, end] } else { [new, end, kept] };
+            shown.rotate_right((corners[at] & 3) as usize);
+            self.push(surface, triangle_of(corners[at]), shown, told.groups[side]);
+            added += 1;
+        }
         self.added.push(added);
     }
 }

@@ -14,6 +14,7 @@ use super::super::byte_reader::{ByteReader, put_block};
 use super::super::mesh_sections::{appearance_from_bytes, appearance_to_bytes};
 use super::super::{DecodeError, EncodeError, SectionKind};
 use super::grid::PositionGrid;
+use super::layers::LayerForm;
 use super::{Effort, StreamDefect};
 use crate::mesh::Appearance;
 use crate::model::write_varint;
@@ -25,8 +26,15 @@ const VERSION: u8 = 1;
 /// Bytes of the head that are always there.
 pub(super) const FIXED_BYTES: usize = 16;
 const EXACT: u16 = 1;
-/// A chunk may hold so many splits a byte, and so many more.
+/// A chunk may hold so many splits a byte and for one byte more; a writer that needs less appends zeros.
 const MAX_SPLITS_A_BYTE: u64 = 256;
+/// The same of the triangles of the base.
+const MAX_BASE_TRIANGLES_A_BYTE: u32 = 256;
+
+/// The bytes that a chunk must have at least.
+pub(super) fn least_bytes(splits: usize, base_triangles: usize) -> usize {
+    (splits / MAX_SPLITS_A_BYTE as usize).max(base_triangles / MAX_BASE_TRIANGLES_A_BYTE as usize)
+}
 
 /// A group without its triangles.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,6 +70,7 @@ pub(super) struct Head {
     pub(super) step_count: u32,
     pub(super) max_patch: u32,
     pub(super) grid: PositionGrid,
+    pub(super) layers: Vec<LayerForm>,
     pub(super) groups: Vec<GroupName>,
     pub(super) appearance: Appearance,
     pub(super) metadata: Vec<(String, String)>,
@@ -127,6 +136,8 @@ impl Head {
         out.push(self.grid.bits as u8);
         self.grid.origin.iter().for_each(|x| out.extend(x.to_le_bytes()));
         out.extend(self.grid.step.to_le_bytes());
+        write_varint(self.layers.len() as u32, &mut out);
+        self.layers.iter().for_each(|layer| layer.write(&mut out));
         self.names_to_bytes(&mut out)?;
         write_varint(self.rows.len() as u32, &mut out);
         let mut before = 0;
@@ -161,6 +172,12 @@ impl Head {
         Ok(())
     }
 
+    /// The most triangles that a base of the first chunk's bytes may have.
+    pub(super) fn most_base_triangles(&self) -> u32 {
+        let bytes = self.rows.first().map_or(0, |row| row.bytes);
+        bytes.saturating_add(1).saturating_mul(MAX_BASE_TRIANGLES_A_BYTE)
+    }
+
     /// Reads a head of the length that [`head_length`] gave.
     ///
     /// # Errors
@@ -184,6 +201,8 @@ impl Head {
         let [position_count, vertex_count, triangle_count, step_count, max_patch] =
             [reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?];
         let grid = read_grid(&mut reader)?;
+        let layer_count = reader.short_count(5)?;
+        let layers = (0..layer_count).map(|_| LayerForm::read(&mut reader)).collect::<Result<_, _>>()?;
         let groups = read_groups(&mut reader)?;
         let appearance = match reader.block()? {
             [] => Appearance::default(),
@@ -216,6 +235,7 @@ impl Head {
             step_count,
             max_patch,
             grid,
+            layers,
             groups,
             appearance,
             metadata,

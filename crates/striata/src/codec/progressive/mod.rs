@@ -5,29 +5,44 @@
 //! are told relative to what is around them. The idea of sending fragments coarse to fine is that of \[KG98\] (3.1), with
 //! the batches of \[PR00\]; connectivity is not stored by rules but predicted from the geometry that is there.
 
+mod attributes;
 mod base;
+mod base_coder;
 mod chunks;
 mod connectivity;
 mod cutting;
 mod decode;
+mod direction_model;
+mod directions;
 mod encode;
+mod facts;
 mod grid;
 mod growth;
 mod head;
 mod hood;
+mod layer_model;
+mod layers;
+mod mixed_number;
+mod order;
 mod positions;
+mod quick;
 mod refiner;
+mod residuals;
+mod ring_fit;
 mod shown;
 mod splits;
 mod surface;
 mod truth;
 mod walk;
+mod wedges;
 
 pub use chunks::BatchDefect;
 pub use decode::{StreamDecoder, StreamUpdate};
 pub use encode::{EncodedStream, Precision, StreamError, StreamOptions, StreamSizes, encode_stream};
+pub use facts::StreamFacts;
 pub use grid::GridError;
 pub use head::STREAM_MAGIC;
+pub use layers::{LayerBitsError, LayerOptions};
 pub use splits::StepDefect;
 pub use surface::SurfaceDefect;
 

@@ -3,15 +3,23 @@
 //! One generic code over a [`Coder`]: a writer has a [`Source`] that knows what is to come, a reader has none. So the two
 //! cannot disagree, as long as models look only at what has been coded.
 
+use std::ops::Range;
+
 use super::super::entropy::{Coder, Part};
+use super::attributes::{Actual, Around, Attributes};
 use super::base::Base;
+use super::base_coder::{BaseLimits, BaseOrder, code_base};
 use super::connectivity::{ConnectivityModel, Scene};
 use super::grid::{CorrectionModel, PositionGrid};
 use super::growth::Growth;
 use super::hood::Hood;
+use super::layer_model::LayerValues;
+use super::layers::LayerForm;
 use super::positions::PositionModel;
+use super::quick::QuickModel;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::Walk;
+use super::wedges::{SplitWedges, WedgeModel};
 use super::{Effort, StreamDefect};
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.
@@ -30,9 +38,22 @@ pub(super) struct Terms {
     pub(super) max_patch: u32,
     /// Positions of the full mesh.
     pub(super) position_count: u32,
+    /// What the base may be at most.
+    pub(super) base: BaseLimits,
+    /// Vertices of the full mesh.
+    pub(super) vertex_count: u32,
+    /// Groups of the full mesh.
+    pub(super) group_count: u32,
+    /// How attribute layers are told.
+    pub(super) layers: Vec<LayerForm>,
 }
 
 impl Terms {
+    /// Whether what corners show has to be told.
+    pub(super) fn has_wedges(&self) -> bool {
+        self.vertex_count != self.position_count || self.group_count > 1
+    }
+
     /// How often vertices may be asked in all: what real batches need many times over, and a bound for hostile ones.
     pub(super) fn most_visits(&self) -> u64 {
         256 * u64::from(self.position_count) + 65_536
@@ -41,6 +62,8 @@ impl Terms {
 
 /// What a writer knows of what is to come.
 pub(super) trait Source {
+    /// The base is numbered anew.
+    fn order_base(&mut self, base: &Base, order: &BaseOrder);
     /// A batch begins.
     fn begin_batch(&mut self);
     /// How a vertex splits in this batch, if it does.
@@ -51,6 +74,16 @@ pub(super) trait Source {
     fn refine(&mut self, vertex: u32, corners: &[u32]);
     /// The vertex of the mesh that is given which a corner shows, where that is not one for each position.
     fn wedge(&self, corner: u32) -> u32;
+    /// The vertex of the stream that a corner shows.
+    fn vertex_at(&self, corner: u32) -> u32;
+    /// The vertices, of the mesh that is given, of a position.
+    fn wedges(&self, vertex: u32) -> Range<u32>;
+    /// The vertex of the stream that a vertex of the mesh that is given collapses to.
+    fn target(&self, wedge: u32) -> u32;
+    /// The next vertices of the stream are these of the mesh that is given.
+    fn name(&mut self, wedges: impl IntoIterator<Item = u32>);
+    /// All attribute layers, in the order of the mesh that is given.
+    fn layers(&self) -> &[LayerValues];
     /// The group of a triangle.
     fn group(&self, triangle: u32) -> u32;
     /// The grid coordinates of a vertex.
@@ -63,6 +96,7 @@ pub(super) trait Source {
 pub(super) struct Unknown;
 
 impl Source for Unknown {
+    fn order_base(&mut self, _: &Base, _: &BaseOrder) {}
     fn begin_batch(&mut self) {}
     fn cut(&self, _: u32) -> Option<Cut> {
         None
@@ -72,6 +106,19 @@ impl Source for Unknown {
     fn wedge(&self, _: u32) -> u32 {
         0
     }
+    fn vertex_at(&self, _: u32) -> u32 {
+        0
+    }
+    fn wedges(&self, _: u32) -> Range<u32> {
+        0..0
+    }
+    fn target(&self, _: u32) -> u32 {
+        0
+    }
+    fn layers(&self) -> &[LayerValues] {
+        &[]
+    }
+    fn name(&mut self, _: impl IntoIterator<Item = u32>) {}
     fn group(&self, _: u32) -> u32 {
         0
     }
@@ -92,6 +139,15 @@ pub(super) enum Ended {
     Short,
 }
 
+/// Who is asked which vertices split.
+#[derive(Clone, Debug)]
+enum Connectivity {
+    /// All that is around a vertex is looked at.
+    Thorough(Box<ConnectivityModel>),
+    /// Next to nothing is.
+    Quick(Box<QuickModel>),
+}
+
 /// A surface under refinement, with all models.
 #[derive(Clone, Debug)]
 pub(super) struct Refiner {
@@ -105,11 +161,17 @@ pub(super) struct Refiner {
     visits_left: u64,
     max_patch: u32,
     grid: PositionGrid,
-    connectivity: ConnectivityModel,
+    connectivity: Connectivity,
     positions: PositionModel,
     /// What grid coordinates lack, where positions are exact.
     corrections: Option<CorrectionModel>,
-    pending: Vec<Cut>,
+    /// What corners show, where positions have several vertices or triangles several groups.
+    wedges: Option<WedgeModel>,
+    told: SplitWedges,
+    attributes: Option<Attributes>,
+    /// Corners of the patches of splits that are still to be done, and where each one's end.
+    patches: Vec<u32>,
+    pending: Vec<u32>,
     corners: Vec<u32>,
     pub(super) growth: Growth,
 }
@@ -121,29 +183,51 @@ impl Refiner {
     /// Where what was read is no base.
     pub(super) fn begin<C: Coder>(
         coder: &mut C,
-        mut base: Base,
+        known: &Base,
         terms: &Terms,
-        source: &impl Source,
+        source: &mut impl Source,
     ) -> Result<Self, StreamDefect> {
-        base.code(coder);
+        let (mut base, order) = code_base(coder, known, terms.base)?;
+        source.order_base(&base, &order);
         if coder.overran() {
             return Err(StreamDefect::NoBase);
         }
+        let vertex_of_position = base.vertex_of_position()?;
         let mut surface = base.surface()?;
-        let mut corrections = terms.is_exact.then(CorrectionModel::new);
-        let mut growth = Growth::of_base(&base, &mut surface);
-        let mut vertex_of_position = vec![0; base.places.len()];
-        for (copy, &position) in base.position_of_copy.iter().enumerate().rev() {
-            vertex_of_position[position as usize] = base.virtual_count + copy as u32;
+        let mut wedges = terms.has_wedges().then(|| WedgeModel::new(terms.vertex_count));
+        match &mut wedges {
+            Some(model) => {
+                for &vertex in &vertex_of_position {
+                    source.name(source.wedges(vertex));
+                }
+                let counts = (terms.vertex_count, terms.group_count);
+                base.code_wedges(coder, model, source, counts, &vertex_of_position);
+            }
+            None => base.show_positions(),
         }
-        for (&place, &vertex) in base.places.iter().zip(&vertex_of_position) {
-            let exact = source.exact(vertex);
-            growth.positions.push(match &mut corrections {
-                Some(model) => model.code(coder, &terms.grid, place, exact),
+        let mut corrections = terms.is_exact.then(CorrectionModel::new);
+        let mut attributes = Attributes::new(&terms.layers, terms.effort);
+        let mut growth = Growth::of_base(&base, &mut surface, terms.group_count);
+        for (position, &vertex) in vertex_of_position.iter().enumerate() {
+            let place = base.places[position];
+            let exact = match &mut corrections {
+                Some(model) => model.code(coder, &terms.grid, place, source.exact(vertex)),
                 None => terms.grid.place(place),
-            });
+            };
+            let wedges = base.first_vertex[position]..base.first_vertex[position + 1];
+            growth.positions.extend(wedges.clone().map(|_| exact));
+            if let Some(attributes) = &mut attributes {
+                for (wedge, new) in wedges.enumerate() {
+                    let actual = actual_layers::<C>(source, source.wedges(vertex).start + wedge as u32);
+                    attributes.base_vertex(coder, new, actual);
+                }
+            }
         }
         let Terms { grid, effort, max_patch, .. } = *terms;
+        let connectivity = match effort {
+            Effort::Fast => Connectivity::Quick(Box::new(QuickModel::new(&surface))),
+            _ => Connectivity::Thorough(Box::new(ConnectivityModel::new(effort))),
+        };
         Ok(Self {
             surface,
             places: base.surface_places(),
@@ -153,9 +237,13 @@ impl Refiner {
             visits_left: terms.most_visits(),
             max_patch,
             grid,
-            connectivity: ConnectivityModel::new(effort),
+            connectivity,
             positions: PositionModel::new(effort),
             corrections,
+            wedges,
+            told: SplitWedges::default(),
+            attributes,
+            patches: Vec::new(),
             pending: Vec::new(),
             corners: Vec::new(),
             growth,
@@ -176,7 +264,10 @@ impl Refiner {
             };
             self.visits_left = left;
             self.walk.begin(&self.surface);
-            self.connectivity.begin_batch(&self.surface, self.walk.end());
+            match &mut self.connectivity {
+                Connectivity::Thorough(model) => model.begin_batch(&self.surface, self.walk.end()),
+                Connectivity::Quick(model) => model.begin_batch(&self.surface),
+            }
             source.begin_batch();
             self.is_in_batch = true;
             self.splits_in_batch = 0;
@@ -190,9 +281,18 @@ impl Refiner {
         if !self.is_in_batch && self.splits_in_batch == 0 {
             return Err(StreamDefect::EmptyBatch { batch: self.walk.batch() });
         }
-        let first = self.surface.vertex_count() as u32;
+        let (first, mut start) = (self.surface.vertex_count() as u32, 0);
         self.split_pending(source);
-        for vertex in first..self.surface.vertex_count() as u32 {
+        for split in 0..self.pending.len() {
+            let vertex = first + split as u32;
+            let end = self.pending[split] as usize;
+            // The ring of the new vertex: A, its patch, B.
+            let a = self.surface.corner_of(vertex);
+            self.corners.clear();
+            self.corners.push(a);
+            self.corners.extend_from_slice(&self.patches[start..end]);
+            self.corners.push(a + 4);
+            start = end;
             if self.values(coder, source, vertex) == Ended::Short {
                 return Ok(Ended::Short);
             }
@@ -203,56 +303,95 @@ impl Refiner {
     /// Which vertices split and how, until there are `most` or the batch is done.
     fn connectivity<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         self.pending.clear();
+        self.patches.clear();
         while self.pending.len() < most {
-            let Some(vertex) = self.walk.next_vertex() else {
-                self.is_in_batch = false;
-                return;
+            let asked = match self.connectivity {
+                Connectivity::Thorough(_) => self.ask(coder, source),
+                Connectivity::Quick(_) => self.ask_quickly(coder, source),
             };
-            self.corners.clear();
-            self.corners.extend(self.surface.ring(vertex));
-            let scene = Scene {
-                surface: &self.surface,
-                places: &self.places,
-                walk: &self.walk,
-                max_patch: self.max_patch,
-            };
-            let actual = if C::READS { None } else { source.cut(vertex) };
-            let cut = self.connectivity.code(coder, &scene, &self.corners, actual);
-            self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
-            if let Some(cut) = cut {
-                self.take(cut);
-                self.pending.push(cut);
+            match asked {
+                None => {
+                    self.is_in_batch = false;
+                    return;
+                }
+                Some(Some(cut)) => self.take(cut),
+                Some(None) => {}
             }
         }
     }
 
-    /// Marks the triangles of a patch: no other split of the batch may have them.
+    /// Codes what becomes of the next vertex; none where the batch is done.
+    fn ask<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
+        let vertex = self.walk.next_vertex()?;
+        self.corners.clear();
+        self.corners.extend(self.surface.ring(vertex));
+        let scene = Scene {
+            surface: &self.surface,
+            places: &self.places,
+            walk: &self.walk,
+            max_patch: self.max_patch,
+        };
+        let actual = if C::READS { None } else { source.cut(vertex) };
+        let Connectivity::Thorough(model) = &mut self.connectivity else { return None };
+        let cut = model.code(coder, &scene, &self.corners, actual);
+        self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
+        Some(cut)
+    }
+
+    /// Codes what becomes of vertices up to the next one that splits; none where the batch is done.
+    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
+        let Connectivity::Quick(model) = &mut self.connectivity else { return None };
+        let vertex = model.next_split(coder, |vertex| source.cut(vertex).is_some())?;
+        self.corners.clear();
+        self.corners.extend(self.surface.ring(vertex));
+        let scene = Scene {
+            surface: &self.surface,
+            places: &self.places,
+            walk: &self.walk,
+            max_patch: self.max_patch,
+        };
+        let actual = if C::READS { None } else { source.cut(vertex) };
+        Some(model.cut(coder, &scene, &self.corners, actual))
+    }
+
+    /// Notes a split and marks the triangles of its patch: no other split of the batch may have them.
     fn take(&mut self, cut: Cut) {
         let mut corner = cut.first;
-        for _ in 0..cut.length {
+        for at in 0..cut.length {
+            if at > 0 {
+                corner = self.surface.swing(corner);
+            }
             self.surface.set_mark(triangle_of(corner), self.walk.batch());
-            corner = self.surface.swing(corner);
+            self.patches.push(corner);
         }
+        if let Connectivity::Quick(model) = &mut self.connectivity {
+            model.take(&self.surface, &self.patches[self.patches.len() - cut.length as usize..]);
+        }
+        self.pending.push(self.patches.len() as u32);
     }
 
     fn split_pending(&mut self, source: &mut impl Source) {
-        for cut in &self.pending {
-            let kept = self.surface.vertex(cut.first);
-            let vertex = self.surface.split(*cut);
+        let mut start = 0;
+        for &end in &self.pending {
+            let patch = &self.patches[start..end as usize];
+            start = end as usize;
+            let kept = self.surface.vertex(patch[0]);
+            let vertex = self.surface.split(patch);
             let made = self.surface.triangle_count() as u32;
             for triangle in [made - 2, made - 1] {
                 self.surface.set_mark(triangle, self.walk.batch());
                 // No part of the mesh before the vertex's values are known.
                 self.surface.set_label(triangle, NONE);
             }
+            if let Connectivity::Quick(model) = &mut self.connectivity {
+                model.split(&self.surface, patch.len(), kept);
+            }
             source.born(vertex, kept);
         }
     }
 
     /// What the new vertex is; then it is part of the mesh.
-    fn values<C: Coder>(&mut self, coder: &mut C, source: &impl Source, vertex: u32) -> Ended {
-        self.corners.clear();
-        self.corners.extend(self.surface.ring(vertex));
+    fn values<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) -> Ended {
         let hood = Hood {
             surface: &self.surface,
             places: &self.places,
@@ -267,19 +406,60 @@ impl Refiner {
             Some(model) => model.code(coder, &self.grid, place, source.exact(vertex)),
             None => self.grid.place(place),
         };
+        self.places.push(place);
+        coder.part(Part::Attributes);
+        self.shown(coder, source, vertex);
         if coder.overran() {
+            if let Some(attributes) = &mut self.attributes {
+                attributes.truncate(self.growth.positions.len());
+            }
             return Ended::Short;
         }
-        self.places.push(place);
-        self.growth.positions.push(position);
-        let kept = self.surface.vertex(next(self.corners[0]));
-        self.growth.add(&mut self.surface, &self.corners, vertex, kept);
+        match &self.wedges {
+            Some(_) => self.growth.add_wedges(&mut self.surface, &self.corners, position, &self.told),
+            None => self.growth.add(&mut self.surface, &self.corners, position),
+        }
         Ended::Whole
+    }
+
+    /// What corners around a new vertex show, and the attributes of that.
+    fn shown<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) {
+        let mut named = Vec::new();
+        if let Some(model) = &mut self.wedges {
+            source.refine(vertex, &self.corners);
+            let known = (&self.surface, &self.growth);
+            named = model.code(coder, known, &self.corners, source, &mut self.told);
+            source.name(named.iter().copied());
+        }
+        let Some(attributes) = &mut self.attributes else { return };
+        let around = Around {
+            surface: &self.surface,
+            growth: &self.growth,
+            places: &self.places,
+            corners: &self.corners,
+            told: self.wedges.as_ref().map(|_| &self.told),
+        };
+        let place = self.places[vertex as usize];
+        if self.wedges.is_none() {
+            let kept = self.surface.vertex(next(self.corners[0]));
+            let actual = actual_layers::<C>(source, source.wedges(vertex).start);
+            attributes.vertex(coder, around, (place, 0, self.growth.wedges(kept).start), actual);
+            return;
+        }
+        for (wedge, &target) in self.told.targets.iter().enumerate() {
+            let actual = actual_layers::<C>(source, named[wedge]);
+            attributes.vertex(coder, around, (place, wedge as u32, target), actual);
+        }
+    }
+
+    /// The attribute layers, if there are any.
+    pub(super) fn attributes(&self) -> Option<&Attributes> {
+        self.attributes.as_ref()
     }
 
     /// Splits done and told in full.
     pub(super) fn split_count(&self) -> usize {
-        self.growth.targets.len()
+        self.growth.added.len()
     }
 
     /// Batches begun so far.
@@ -291,4 +471,9 @@ impl Refiner {
     pub(super) fn is_in_batch(&self) -> bool {
         self.is_in_batch
     }
+}
+
+/// A writer's layers and the vertex there.
+fn actual_layers<C: Coder>(source: &impl Source, vertex: u32) -> Actual<'_> {
+    (!C::READS).then(|| (source.layers(), vertex))
 }

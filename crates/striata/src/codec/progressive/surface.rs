@@ -73,6 +73,12 @@ pub(super) struct Surface {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SurfaceDefect {
+    /// A triangle names vertices that are not there, or one position twice.
+    #[error("triangle {0} does not have three different corners")]
+    Corners(u32),
+    /// Vertices that are no position, or positions that no vertex is at.
+    #[error("position {0} is at no vertex")]
+    Position(u32),
     /// A half-edge has no partner, or several.
     #[error("triangle {0} has an edge that is not shared by two triangles")]
     Edge(u32),
@@ -102,14 +108,15 @@ impl Surface {
         Self { corners, corner_of, virtual_count }
     }
 
-    /// From the triangles of a closed surface.
+    /// The same, where it is to be seen whether that is a closed surface.
     pub(super) fn from_closed(
         triangles: &[[u32; 3]],
+        opposite: &[u32],
         vertex_count: usize,
         virtual_count: u32,
     ) -> Result<Self, SurfaceDefect> {
-        let opposite = match_edges(triangles)?;
-        let surface = Self::from_opposites(triangles, &opposite, vertex_count, virtual_count);
+        check_edges(triangles, opposite)?;
+        let surface = Self::from_opposites(triangles, opposite, vertex_count, virtual_count);
         surface.check_cycles(triangles.len())?;
         Ok(surface)
     }
@@ -237,26 +244,26 @@ impl Surface {
         self.corners[b as usize].opposite = a;
     }
 
-    /// Gives the triangles of a cut to a new vertex, the next one; A and B become the last two triangles.
+    /// Gives the triangles of a cut, `patch` being its corners, to a new vertex, the next one; A and B become the last two
+    /// triangles.
     ///
     /// The new vertex's [`corner_of`](Self::corner_of) is A's, so its ring begins with A: `u, r0, .., rk`.
-    pub(super) fn split(&mut self, cut: Cut) -> u32 {
-        let kept = self.vertex(cut.first);
+    ///
+    /// # Panics
+    /// If the patch is empty.
+    pub(super) fn split(&mut self, patch: &[u32]) -> u32 {
+        let (first, last) = (patch[0], patch[patch.len() - 1]);
+        let kept = self.vertex(first);
         let v = self.corner_of.len() as u32;
-        let mut last = cut.first;
-        self.corners[last as usize].vertex = v;
-        for _ in 1..cut.length {
-            last = self.swing(last);
-            self.corners[last as usize].vertex = v;
+        for &corner in patch {
+            self.corners[corner as usize].vertex = v;
         }
-        let (before, after) = (previous(cut.first), next(last));
-        let [r0, rk] = [next(cut.first), previous(last)].map(|c| self.vertex(c));
+        let (before, after) = (previous(first), next(last));
+        let [r0, rk] = [next(first), previous(last)].map(|c| self.vertex(c));
         let [outside_a, outside_b] = [self.opposite(before), self.opposite(after)];
         let a = self.corners.len() as u32;
         let b = a + 4;
-        for vertex in [v, kept, r0, 0, v, rk, kept, 0] {
-            self.corners.push(Corner { vertex, opposite: 0 });
-        }
+        self.corners.extend([v, kept, r0, 0, v, rk, kept, 0].map(|vertex| Corner { vertex, opposite: 0 }));
         self.link(a, outside_a);
         self.link(a + 1, before);
         self.link(a + 2, b + 1);
@@ -297,25 +304,20 @@ impl Surface {
     }
 }
 
-/// The corner across each edge, numbered `3 triangle + corner`.
-fn match_edges(triangles: &[[u32; 3]]) -> Result<Vec<u32>, SurfaceDefect> {
-    let mut edges = half_edges(triangles);
-    edges.sort_unstable();
-    let mut opposite = vec![NONE; 3 * triangles.len()];
-    for pair in edges.chunks(2) {
-        let [(one, a), (other, b)] = *pair else { return Err(SurfaceDefect::Edge(pair[0].1 / 3)) };
-        if one != other || is_forward(triangles, a) == is_forward(triangles, b) {
-            return Err(SurfaceDefect::Edge(a / 3));
+/// # Errors
+/// Where the triangles at an edge do not name each other, or do not run along it in opposite directions.
+fn check_edges(triangles: &[[u32; 3]], opposite: &[u32]) -> Result<(), SurfaceDefect> {
+    for (corner, &across) in opposite.iter().enumerate() {
+        let is_mutual = opposite.get(across as usize) == Some(&(corner as u32));
+        if !is_mutual || across as usize == corner {
+            return Err(SurfaceDefect::Edge(corner as u32 / 3));
         }
-        opposite[a as usize] = b;
-        opposite[b as usize] = a;
+        let ((a, b), (c, d)) = (edge_facing(triangles, corner as u32), edge_facing(triangles, across));
+        if (a, b) != (d, c) {
+            return Err(SurfaceDefect::Edge(corner as u32 / 3));
+        }
     }
-    // Three or four triangles at an edge would have passed for pairs.
-    if edges.chunks(2).zip(edges.chunks(2).skip(1)).any(|(a, b)| a[0].0 == b[0].0) {
-        let at = edges.windows(3).find(|w| w[0].0 == w[2].0).map_or(0, |w| w[0].1 / 3);
-        return Err(SurfaceDefect::Edge(at));
-    }
-    Ok(opposite)
+    Ok(())
 }
 
 /// Every half-edge as its two vertices, smaller first, and the corner that faces it.
