@@ -1,6 +1,7 @@
 //! Attributes of new vertices: whom to ask, and where the answers are kept.
 
 use super::super::entropy::Coder;
+use super::Effort;
 use super::growth::Growth;
 use super::layer_model::{LayerHood, LayerModel, LayerValues};
 use super::layers::LayerForm;
@@ -37,9 +38,9 @@ pub(super) type Actual<'a> = Option<(&'a [LayerValues], u32)>;
 
 impl Attributes {
     /// No vertices yet; nothing at all where there are no layers.
-    pub(super) fn new(forms: &[LayerForm]) -> Option<Self> {
+    pub(super) fn new(forms: &[LayerForm], effort: Effort) -> Option<Self> {
         (!forms.is_empty()).then(|| Self {
-            model: LayerModel::new(forms),
+            model: LayerModel::new(forms, effort),
             values: forms.iter().map(|form| LayerValues::new(form.integer_count())).collect(),
             fit: RingFit::default(),
             ring: Vec::new(),

@@ -6,9 +6,11 @@
 //!
 //! Integers only; all that is looked at is what a reader has.
 
-use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, log2_q8};
-use super::directions::{Octahedron, scaled};
+use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
+use super::Effort;
+use super::direction_model::DirectionModel;
 use super::layers::{LayerForm, NumberType, Transform};
+use super::residuals::{Contest, Residuals, scale_of};
 use super::ring_fit::{RingFit, WEIGHT_BITS};
 use crate::mesh::Semantic;
 
@@ -52,7 +54,12 @@ impl LayerValues {
         &self.integers
     }
 
-    /// Vertices there are.
+    /// Appends integers of the next vertex.
+    pub(super) fn push(&mut self, integers: &[i32]) {
+        self.integers.extend_from_slice(integers);
+    }
+
+    /// Vertices that are whole.
     pub(super) fn vertex_count(&self) -> usize {
         self.integers.len() / self.count
     }
@@ -60,39 +67,6 @@ impl LayerValues {
     /// Forgets all but the first vertices.
     pub(super) fn truncate(&mut self, vertex_count: usize) {
         self.integers.truncate(vertex_count * self.count);
-    }
-}
-
-/// Buckets of half octaves for what is expected.
-const SCALES: usize = 36;
-
-/// The bucket of an expected size in 1/16.
-fn scale_of(sixteenths: u64) -> usize {
-    let bounded = sixteenths.min(u64::from(u32::MAX)) as u32;
-    (log2_q8(bounded) / 128).clamp(0, SCALES as i32 - 1) as usize
-}
-
-/// Which of several predictions did best lately.
-#[derive(Clone, Copy, Debug)]
-struct Contest<const N: usize> {
-    /// Fading sums of the logarithms of what each was off.
-    losses: [i32; N],
-}
-
-impl<const N: usize> Contest<N> {
-    fn new() -> Self {
-        Self { losses: [0; N] }
-    }
-
-    fn best(&self) -> usize {
-        (0..N).min_by_key(|&i| self.losses[i]).unwrap_or(0)
-    }
-
-    fn learn(&mut self, off: [u64; N]) {
-        for (loss, off) in self.losses.iter_mut().zip(off) {
-            let bits = log2_q8(off.saturating_add(1).min(u64::from(u32::MAX)) as u32) << 8;
-            *loss += (bits - *loss) >> 5;
-        }
     }
 }
 
@@ -113,15 +87,15 @@ enum OneLayer {
 
 impl LayerModel {
     /// Nothing learned.
-    pub(super) fn new(forms: &[LayerForm]) -> Self {
+    pub(super) fn new(forms: &[LayerForm], effort: Effort) -> Self {
         let layers = forms.iter().enumerate().map(|(index, form)| match form.transform {
             Transform::Octahedral { bits } => {
-                OneLayer::Directions(DirectionModel::new(bits, form.integer_count() > 2))
+                OneLayer::Directions(DirectionModel::new(bits, form.integer_count() > 2, effort))
             }
             _ if is_label(form) => OneLayer::Labels(LabelModel::new(form)),
             _ => match joints_of(&forms[..index], form) {
-                Some(joints) => OneLayer::Weights(NumberModel::new(form), joints),
-                None => OneLayer::Numbers(NumberModel::new(form)),
+                Some(joints) => OneLayer::Weights(NumberModel::new(form, effort), joints),
+                None => OneLayer::Numbers(NumberModel::new(form, effort)),
             },
         });
         Self { layers: layers.collect() }
@@ -175,13 +149,15 @@ fn joints_of(before: &[LayerForm], form: &LayerForm) -> Option<usize> {
 /// Predictions of one integer, and how far those around spread.
 struct Hints {
     predictions: [i64; 4],
+    /// How far two of them are from each other, in 1/16.
+    conflict: u64,
     /// The mean distance of the ring's values from their mean, in 1/16.
     spread: u64,
 }
 
 impl Hints {
     fn alone(value: i64) -> Self {
-        Self { predictions: [value; 4], spread: u64::from(u32::MAX) }
+        Self { predictions: [value; 4], conflict: u64::from(u32::MAX), spread: u64::from(u32::MAX) }
     }
 }
 
@@ -201,7 +177,12 @@ fn plain_hints(values: &LayerValues, hood: &LayerHood<'_>, component: usize) -> 
     let mean = target + (2 * sum + n).div_euclid(2 * n);
     let affine = target + ((weighted + (1 << WEIGHT_BITS >> 1)) >> WEIGHT_BITS);
     let spread: u64 = hood.ring.iter().map(|&v| (value(v) - mean).unsigned_abs()).sum();
-    Hints { predictions: [affine, mean, (affine + mean) >> 1, target], spread: 16 * spread / n as u64 }
+    let conflict = 16 * (affine - mean).unsigned_abs();
+    Hints {
+        conflict,
+        predictions: [affine, mean, (affine + mean) >> 1, target],
+        spread: 16 * spread / n as u64,
+    }
 }
 
 /// Predictions of the weight of a component's joint, by the weights that the vertices around give to that joint.
@@ -221,14 +202,20 @@ fn weight_hints(values: &LayerValues, joints: &LayerValues, hood: &LayerHood<'_>
     let mean = hood.ring.iter().map(|&v| weight(v)).sum::<i64>() / n;
     let spread: u64 = hood.ring.iter().map(|&v| (weight(v) - mean).unsigned_abs()).sum();
     let rest = left.clamp(0, sum.max(0));
-    Hints { predictions: [mean, rest, weight(target), mean.min(rest)], spread: 16 * spread / n as u64 }
+    let conflict = 16 * (mean - rest).unsigned_abs();
+    Hints {
+        conflict,
+        predictions: [mean, rest, weight(target), mean.min(rest)],
+        spread: 16 * spread / n as u64,
+    }
 }
 
 /// Integers on an even scale.
 #[derive(Clone, Debug)]
 struct NumberModel {
     contests: Vec<Contest<4>>,
-    numbers: AdaptiveNumber,
+    residuals: Residuals,
+    recent: Vec<u64>,
     /// Smallest and largest value there can be.
     limits: (i64, i64),
     /// The vertex that is being coded.
@@ -236,7 +223,7 @@ struct NumberModel {
 }
 
 impl NumberModel {
-    fn new(form: &LayerForm) -> Self {
+    fn new(form: &LayerForm, effort: Effort) -> Self {
         let limits = match (&form.transform, form.number_type) {
             (Transform::Uniform { bits, .. }, _) => (0, (1i64 << bits) - 1),
             (_, NumberType::U8) => (0, 0xFF),
@@ -246,7 +233,8 @@ impl NumberModel {
         let count = form.integer_count();
         Self {
             contests: vec![Contest::new(); count],
-            numbers: AdaptiveNumber::new(count * SCALES * 3, Rate::Steady),
+            residuals: Residuals::new(effort, count),
+            recent: vec![0; count],
             limits,
             coded: Vec::with_capacity(count),
         }
@@ -260,105 +248,22 @@ impl NumberModel {
         hints: impl Fn(&LayerValues, &[i32]) -> Hints,
     ) {
         self.coded.clear();
-        // How the component before compared to what was expected of it: 0 smaller, 1 as expected, 2 larger.
-        let mut surprise = 1;
+        let mut before = 0u64;
         for component in 0..values.count {
-            let Hints { predictions, spread } = hints(values, &self.coded);
+            let Hints { predictions, conflict, spread } = hints(values, &self.coded);
             let contest = &mut self.contests[component];
             let predicted = predictions[contest.best()].clamp(self.limits.0, self.limits.1) as i32;
-            let scale = scale_of(spread);
-            let context = (component * SCALES + scale) * 3 + surprise;
+            let scales = [spread, conflict, self.recent[component], before].map(scale_of);
             let off = meant.map_or(0, |m| m[component].wrapping_sub(predicted));
-            let off = self.numbers.signed(coder, context, off);
+            let off = self.residuals.signed(coder, component, scales, off);
             let value = predicted.wrapping_add(off);
             contest.learn(predictions.map(|p| (p - i64::from(value)).unsigned_abs()));
             let size = 16 * u64::from(off.unsigned_abs());
-            surprise = if size * 4 < spread { 0 } else { 1 + usize::from(size > spread) };
+            self.recent[component] = (7 * self.recent[component] + size) / 8;
+            before = size;
             self.coded.push(value);
         }
         values.integers.extend_from_slice(&self.coded);
-    }
-}
-
-/// Unit vectors.
-#[derive(Clone, Debug)]
-struct DirectionModel {
-    grid: Octahedron,
-    contest: Contest<6>,
-    numbers: AdaptiveNumber,
-    /// Whether the sign of a fourth component is as the target's.
-    is_same_sign: Option<AdaptiveBit>,
-}
-
-/// The length that directions are brought to before they are added.
-const UNIT: i64 = 1 << 14;
-
-impl DirectionModel {
-    fn new(bits: u32, has_sign: bool) -> Self {
-        Self {
-            grid: Octahedron::new(bits),
-            contest: Contest::new(),
-            numbers: AdaptiveNumber::new(2 * SCALES * 3, Rate::Steady),
-            is_same_sign: has_sign.then(|| AdaptiveBit::new(Rate::Steady)),
-        }
-    }
-
-    fn code<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        values: &mut LayerValues,
-        hood: &LayerHood<'_>,
-        meant: Option<&[i32]>,
-    ) {
-        let (predictions, spread) = self.predict(values, hood);
-        let points = predictions.map(|direction| self.grid.point(direction));
-        let predicted = points[self.contest.best()];
-        let meant_off = meant.map_or([0; 2], |m| self.grid.difference([m[0], m[1]], predicted));
-        let scale = scale_of(spread);
-        let x = self.numbers.signed(coder, scale * 3, meant_off[0]);
-        let size = 16 * u64::from(x.unsigned_abs());
-        let surprise = if size * 4 < spread { 0 } else { 1 + usize::from(size > spread) };
-        let y = self.numbers.signed(coder, (SCALES + scale) * 3 + surprise, meant_off[1]);
-        let point = self.grid.moved(predicted, [x, y]);
-        self.contest.learn(points.map(|p| {
-            let off = self.grid.difference(point, p);
-            u64::from(off[0].unsigned_abs() + off[1].unsigned_abs())
-        }));
-        let target_sign = hood.target.and_then(|v| values.of(v).get(2).copied()).unwrap_or(1);
-        values.integers.extend(point);
-        if let Some(is_same) = &mut self.is_same_sign {
-            let same = is_same.code(coder, meant.is_none_or(|m| m[2] == target_sign));
-            values.integers.push(if same { target_sign } else { -target_sign });
-        }
-    }
-
-    /// Candidates, and how far the ring's directions are from their mean, in 1/16 of the grid.
-    fn predict(&self, values: &LayerValues, hood: &LayerHood<'_>) -> ([[i64; 3]; 6], u64) {
-        let direction = |vertex: u32| self.grid.direction([values.of(vertex)[0], values.of(vertex)[1]]);
-        let geometric = scaled(hood.fit.normal, UNIT);
-        let Some(target) = hood.target.map(direction) else { return ([geometric; 6], u64::from(u32::MAX)) };
-        let (mut mean, mut affine) = ([0i64; 3], [0i64; 3]);
-        for (&vertex, &weight) in hood.ring.iter().zip(&hood.fit.weights) {
-            for (axis, x) in direction(vertex).into_iter().enumerate() {
-                mean[axis] += x;
-                affine[axis] += x * i64::from(weight);
-            }
-        }
-        let mean = scaled(if mean == [0; 3] { target } else { mean }, UNIT);
-        let affine = scaled(affine, UNIT);
-        let middle = |a: [i64; 3], b: [i64; 3]| -> [i64; 3] { std::array::from_fn(|i| a[i] + b[i]) };
-        let side = self.grid.side();
-        let off: u64 = hood
-            .ring
-            .iter()
-            .map(|&v| {
-                let d = direction(v);
-                (0..3).map(|a| (d[a] * UNIT - mean[a] * side).unsigned_abs()).sum::<u64>()
-            })
-            .sum();
-        let spread = 16 * off / (UNIT as u64 * hood.ring.len().max(1) as u64);
-        let blend = middle(affine, geometric);
-        ([affine, mean, geometric, middle(mean, geometric), blend, target], spread)
     }
 }
 
@@ -529,8 +434,9 @@ mod tests {
         sites: &[Site],
         forms: &[LayerForm],
         actual: Option<&[LayerValues]>,
+        effort: Effort,
     ) -> Vec<LayerValues> {
-        let mut model = LayerModel::new(forms);
+        let mut model = LayerModel::new(forms, effort);
         let mut values: Vec<_> = forms.iter().map(|form| LayerValues::new(form.integer_count())).collect();
         let mut fit = RingFit::default();
         for (vertex, site) in sites.iter().enumerate() {
@@ -543,7 +449,7 @@ mod tests {
     }
 
     /// Bits a vertex of each layer by itself, weights with their joints; what is read must be what was written.
-    fn bits(sites: &[Site], layers: &[AttributeLayer], options: &LayerOptions) -> Vec<f64> {
+    fn bits(sites: &[Site], layers: &[AttributeLayer], options: &LayerOptions, effort: Effort) -> Vec<f64> {
         let forms: Vec<_> = layers.iter().map(|layer| LayerForm::of(layer, options)).collect();
         let whole: Vec<_> = forms
             .iter()
@@ -552,10 +458,10 @@ mod tests {
             .collect();
         let bits_of = |range: std::ops::Range<usize>| {
             let mut writer = RangeWriter::new();
-            code(&mut writer, sites, &forms[range.clone()], Some(&whole[range.clone()]));
+            code(&mut writer, sites, &forms[range.clone()], Some(&whole[range.clone()]), effort);
             let (bytes, _) = writer.finish();
             let mut reader = RangeReader::new(&bytes, true);
-            let read = code(&mut reader, sites, &forms[range.clone()], None);
+            let read = code(&mut reader, sites, &forms[range.clone()], None, effort);
             assert!(
                 read.iter().zip(&whole[range.clone()]).all(|(a, b)| a.integers() == b.integers()),
                 "{range:?}"
@@ -576,28 +482,27 @@ mod tests {
     #[test]
     fn even_layers_take_few_bits() {
         let sites = sites(30, 1);
-        let found = bits(&sites, &even_layers(&sites), &LayerOptions::default());
-        let most = [5.7, 5.9, 10.5, 2.5, 0.3, 5.0, 0.3];
-        assert!(found.iter().zip(most).all(|(found, most)| *found < most), "{found:?}");
+        let layers = even_layers(&sites);
+        let most = [5.8, 6.0, 10.5, 2.6, 0.3, 5.0, 0.3];
+        for effort in [Effort::Fast, Effort::Default, Effort::Small] {
+            let found = bits(&sites, &layers, &LayerOptions::default(), effort);
+            assert!(found.iter().zip(most).all(|(found, most)| *found < most), "{effort:?}: {found:?}");
+        }
     }
 
     #[test]
     fn layers_without_order_come_back_too() {
         let sites = sites(16, 2);
-        let found = bits(&sites, &wild_layers(sites.len()), &LayerOptions::default());
-        let least = [17.0, 88.0, 60.0, 60.0, 30.0];
-        assert!(found.iter().zip(least).all(|(found, least)| *found < 1.2 * least + 8.0), "{found:?}");
-        bits(&sites, &even_layers(&sites), &LayerOptions::default().with_lossless(true));
-        bits(
-            &sites,
-            &even_layers(&sites),
-            &LayerOptions::default().with_normal_bits(16).with_texcoord_bits(24),
-        );
-        bits(
-            &sites,
-            &even_layers(&sites),
-            &LayerOptions::default().with_normal_bits(2).with_texcoord_bits(1),
-        );
+        let options = LayerOptions::default();
+        for effort in [Effort::Fast, Effort::Small] {
+            let found = bits(&sites, &wild_layers(sites.len()), &options, effort);
+            let least = [17.0, 88.0, 60.0, 60.0, 30.0];
+            assert!(found.iter().zip(least).all(|(found, least)| *found < 1.2 * least + 8.0), "{found:?}");
+            let even = even_layers(&sites);
+            bits(&sites, &even, &options.clone().with_lossless(true), effort);
+            bits(&sites, &even, &options.clone().with_normal_bits(16).with_texcoord_bits(24), effort);
+            bits(&sites, &even, &options.clone().with_normal_bits(2).with_texcoord_bits(1), effort);
+        }
     }
 
     #[test]
@@ -610,7 +515,7 @@ mod tests {
             layers.iter().map(|layer| LayerForm::of(layer, &LayerOptions::default())).collect();
         for length in [0, 1, 10, 100, 1000, 5000] {
             let bytes: Vec<u8> = (0..length).map(|_| random.next_u64() as u8).collect();
-            let values = code(&mut RangeReader::new(&bytes, true), &sites, &forms, None);
+            let values = code(&mut RangeReader::new(&bytes, true), &sites, &forms, None, Effort::Default);
             for (form, values) in forms.iter().zip(values) {
                 assert_eq!(values.vertex_count(), sites.len());
                 let mut layer = form.empty_layer();

@@ -11,6 +11,9 @@ pub(super) const WEIGHT_BITS: u32 = 16;
 /// Bits that differences within a ring are brought down to, so that products of six of them fit.
 const DIFFERENCE_BITS: u32 = 7;
 
+/// Bits that the distances from the centre are brought down to, so that products of theirs fit.
+const ARM_BITS: u32 = 12;
+
 /// Ring vertices that take part in a fit.
 const MOST: usize = 24;
 
@@ -21,13 +24,22 @@ pub(super) struct RingFit {
     pub(super) weights: Vec<i32>,
     /// The sum of the normals of the triangles between the centre and the ring, by area; zeros where there are none.
     pub(super) normal: [i64; 3],
+    /// From the centre to each ring vertex; all are halved until they fit 12 bits.
+    pub(super) arms: Vec<[i64; 3]>,
     differences: Vec<[i64; 3]>,
 }
 
 impl RingFit {
     /// Fits a ring of places around a centre; `is_closed` where its last and first vertex share a triangle.
     pub(super) fn measure(&mut self, centre: [i32; 3], ring: &[[i32; 3]], is_closed: bool) {
-        self.normal = normal(centre, ring, is_closed);
+        let arm =
+            |p: &[i32; 3]| -> [i64; 3] { std::array::from_fn(|a| i64::from(p[a]) - i64::from(centre[a])) };
+        self.arms.clear();
+        self.arms.extend(ring.iter().map(arm));
+        let largest = self.arms.iter().flatten().fold(0, |m, x| x.abs().max(m)) as u64;
+        let down = (largest.max(1).ilog2() + 1).saturating_sub(ARM_BITS);
+        self.arms.iter_mut().flatten().for_each(|x| *x >>= down);
+        self.normal = normal(&self.arms, is_closed);
         self.weights.clear();
         if ring.is_empty() {
             return;
@@ -90,18 +102,16 @@ fn solve(differences: &[[i64; 3]], v: [i64; 3]) -> Option<([i64; 3], i64)> {
     (determinant > 0).then(|| ([dot(x), dot(y), dot(z)], determinant))
 }
 
-fn normal(centre: [i32; 3], ring: &[[i32; 3]], is_closed: bool) -> [i64; 3] {
-    let arm = |p: [i32; 3]| -> [i64; 3] { std::array::from_fn(|a| i64::from(p[a]) - i64::from(centre[a])) };
+fn normal(arms: &[[i64; 3]], is_closed: bool) -> [i64; 3] {
     let mut sum = [0i64; 3];
-    let mut add = |p: [i32; 3], q: [i32; 3]| {
-        let (p, q) = (arm(p), arm(q));
+    let mut add = |p: [i64; 3], q: [i64; 3]| {
         for a in 0..3 {
             let (b, c) = ((a + 1) % 3, (a + 2) % 3);
-            sum[a] = sum[a].wrapping_add(p[b].wrapping_mul(q[c]).wrapping_sub(p[c].wrapping_mul(q[b])));
+            sum[a] += p[b] * q[c] - p[c] * q[b];
         }
     };
-    ring.windows(2).for_each(|w| add(w[0], w[1]));
-    if let (true, [first, .., last]) = (is_closed, ring) {
+    arms.windows(2).for_each(|w| add(w[0], w[1]));
+    if let (true, [first, .., last]) = (is_closed, arms) {
         add(*last, *first);
     }
     sum
