@@ -33,6 +33,10 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     pub(super) widths: [Width; WIDTHS],
     /// The grid coordinate that is expected.
     pub(super) centre: i32,
+    /// True where counters see the axis from its other end: the vertex that split, or the outside, is upwards for them.
+    pub(super) is_mirrored: bool,
+    /// True for the axis along the normal, where little is left open.
+    pub(super) is_last: bool,
     /// Which size the surroundings have, below [`SIZES`].
     pub(super) size: usize,
     /// What they are like, below [`PLACES`].
@@ -78,8 +82,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         let mut first = [[(18_000 / VECTORS / 8) as i16; 8]; VECTORS];
         first.as_flattened_mut()[..COUNTERS].fill(3250);
         Self {
-            is_far: vec![AdaptiveBit::new(Rate::Steady); 32],
-            far: AdaptiveNumber::new(1, Rate::Steady),
+            is_far: vec![AdaptiveBit::new(Rate::Steady); SPREADS],
+            far: AdaptiveNumber::new(SIZES, Rate::Steady),
             by_size: bits(SIZES),
             by_place: bits(PLACES),
             by_spread: bits(SPREADS),
@@ -97,12 +101,15 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         actual: i32,
     ) -> i32 {
         const { assert!(8 * VECTORS > KINDS * WIDTHS + COUNTERS, "one opinion each") }
-        let span_log = (11 - axis.local.shift).clamp(1, 29) as u32;
+        let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let half = 1i32 << span_log;
         let actual = actual.wrapping_sub(axis.centre);
-        let is_far = self.is_far[span_log as usize].code(coder, !(-half..half).contains(&actual));
-        let off =
-            if is_far { self.far.signed(coder, 0, actual) } else { self.halve(coder, axis, half, actual) };
+        let context = axis.spread;
+        let off = if !self.is_far[context].code(coder, !(-half..half).contains(&actual)) {
+            self.halve(coder, axis, half, actual)
+        } else {
+            self.far.signed(coder, axis.size, actual)
+        };
         axis.centre.wrapping_add(off)
     }
 
@@ -121,14 +128,21 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             let middle = (low + high) >> 1;
             let below = axis.below(middle);
             let mut inputs = [[0; 8]; VECTORS];
-            weigh(&below_low, &below, &below_high, &mut inputs.as_flattened_mut()[COUNTERS..]);
-            let is_up = self.decide(coder, axis, (node, depth), &mut inputs, actual >= middle);
+            let opinions = &mut inputs.as_flattened_mut()[COUNTERS..];
+            if axis.is_mirrored {
+                weigh(&below_high, &below, &below_low, opinions);
+            } else {
+                weigh(&below_low, &below, &below_high, opinions);
+            }
+            let bit =
+                self.decide(coder, axis, (node, depth), &mut inputs, (actual >= middle) ^ axis.is_mirrored);
+            let is_up = bit ^ axis.is_mirrored;
             if is_up {
                 (low, below_low) = (middle, below);
             } else {
                 (high, below_high) = (middle, below);
             }
-            node = node << 1 | usize::from(is_up);
+            node = node << 1 | usize::from(bit);
             depth = (depth + 1).min(DEPTHS - 1);
         }
         low
@@ -181,7 +195,7 @@ fn weigh<const KINDS: usize, const WIDTHS: usize>(
         for width in 0..WIDTHS {
             let middle = middle[kind][width];
             let [up, down] = [high[kind][width] - middle, middle - low[kind][width]];
-            inputs[kind * WIDTHS + width] = (logarithm(up) - logarithm(down)) as i16;
+            inputs[kind * WIDTHS + width] = (logarithm(up.abs()) - logarithm(down.abs())) as i16;
         }
     }
 }

@@ -2,6 +2,13 @@
 
 use super::guesses::{ACROSS, INSIDE, KINDS, STRAIGHT};
 
+/// What is blended: kinds of guesses, and two more.
+pub(super) const FEATURES: usize = KINDS + 2;
+/// The vertex that split.
+pub(super) const KEPT: usize = KINDS;
+/// The mean of its neighbours in the ring.
+pub(super) const BESIDE: usize = KINDS + 1;
+
 /// Weights in 1/65536 at first.
 const FIRST: i32 = 10_000;
 /// How much of an error the weights take in, in 1/65536.
@@ -12,7 +19,7 @@ const CALM: i64 = 40_000;
 /// Weights of the features.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Blend {
-    weights: [i32; KINDS],
+    weights: [i32; FEATURES],
 }
 
 /// What is blended: how far each kind's mean lies from the middle of the ring; in the place of the
@@ -22,7 +29,7 @@ pub(super) struct Features {
     /// The middle of the ring.
     pub(super) base: i32,
     /// How far others lie from there.
-    pub(super) off: [i32; KINDS],
+    pub(super) off: [i32; FEATURES],
 }
 
 impl Features {
@@ -34,7 +41,7 @@ impl Features {
 
 impl Blend {
     pub(super) fn new() -> Self {
-        Self { weights: [FIRST; KINDS] }
+        Self { weights: [FIRST; FEATURES] }
     }
 
     /// Where the features point to.

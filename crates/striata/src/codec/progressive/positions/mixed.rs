@@ -7,7 +7,7 @@ use super::super::super::entropy::Coder;
 use super::super::hood::Hood;
 use super::axis::AxisModel;
 use super::blend::Blend;
-use super::sight::Sight;
+use super::sight::{Sight, normal_order};
 
 /// Logarithms of half the widths of bumps, along the surface and across it, in local units.
 type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
@@ -39,7 +39,7 @@ impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<US
     /// Codes the place of a new vertex.
     pub(super) fn code<C: Coder>(&mut self, coder: &mut C, hood: &Hood<'_>, actual: [i32; 3]) -> [i32; 3] {
         self.sight.look(hood);
-        let (normal, axes) = self.sight.order();
+        let (normal, axes) = normal_order(&self.sight.local);
         let ring_errors = self.ring_errors();
         let valence = self.sight.local.count.clamp(4, 7) - 4;
         let mut place = [0; 3];
@@ -47,7 +47,7 @@ impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<US
         for (slot, &a) in axes.iter().enumerate() {
             let across = slot / 2;
             self.sight.aim(slot, (normal, axes), place);
-            let features = self.sight.features();
+            let features = self.sight.features(a);
             let expected = self.blends[across][valence].predict(&features);
             let axis = self.sight.axis(
                 a,

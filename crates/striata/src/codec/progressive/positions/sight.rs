@@ -5,7 +5,7 @@ use wide::{CmpLt, i16x8, i32x4};
 use super::super::super::entropy::log2_q8;
 use super::super::hood::Hood;
 use super::axis::{Axis, SIZES, SPREADS};
-use super::blend::Features;
+use super::blend::{BESIDE, FEATURES, Features, KEPT};
 use super::bumps::{Bumps, Width};
 use super::guesses::{Guesses, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
 use super::local::{LANES, Local, Point};
@@ -18,7 +18,7 @@ const FAR_WORTH: i16 = 2800;
 const FULL_WORTH: i16 = 1 << 9;
 const PLANE_WORTH: i16 = 400;
 /// 4096 by each number.
-const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 683, 585, 512];
+pub(super) const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 683, 585, 512];
 
 /// What is known of one new vertex, with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
@@ -27,6 +27,11 @@ pub(super) struct Sight<const USED: usize> {
     pub(super) local: Local,
     guesses: [Guesses; KINDS],
     bumps: [Bumps; USED],
+    is_last: bool,
+    /// True where the last axis runs against the normal.
+    is_inward: bool,
+    /// By axis, the vertex that split, and the middle of its neighbours in the ring.
+    kept: [[i32; 2]; 3],
     /// How much each guess counts, by what is known of the vertex already.
     weights: [i16x8; USED],
 }
@@ -42,6 +47,9 @@ impl<const USED: usize> Sight<USED> {
             guesses: [Guesses::default(); KINDS],
             bumps: [Bumps::default(); USED],
             weights: [i16x8::ZERO; USED],
+            is_last: false,
+            is_inward: false,
+            kept: [[0; 2]; 3],
         }
     }
 
@@ -49,27 +57,16 @@ impl<const USED: usize> Sight<USED> {
     pub(super) fn look(&mut self, hood: &Hood<'_>) {
         self.local.look(hood, Self::LOOKS_BEYOND);
         guess(&self.local, &mut self.guesses);
+        self.kept = kept_and_beside(&self.local);
         for (weights, guesses) in self.weights.iter_mut().zip(&self.guesses) {
             *weights = first_lanes(guesses.count) & i16x8::splat(FULL_WORTH);
         }
     }
 
-    /// The normal of the ring, and the axes from the most tangential to the most normal.
-    pub(super) fn order(&self) -> ([i64; 3], [usize; 3]) {
-        let local = &self.local;
-        let mut normal = [0i64; 3];
-        for i in 0..local.count {
-            let j = if i + 1 == local.count { 0 } else { i + 1 };
-            let (Some(p), Some(q)) = (local.ring[i], local.ring[j]) else { continue };
-            normal.iter_mut().zip(cross(p, q)).for_each(|(sum, x)| *sum += x);
-        }
-        let mut axes = [0, 1, 2];
-        axes.sort_by_key(|&a| normal[a].abs());
-        (normal, axes)
-    }
-
     /// Puts the bumps where the guesses are along an axis, given what is known of the place.
     pub(super) fn aim(&mut self, slot: usize, (normal, axes): ([i64; 3], [usize; 3]), place: [i32; 3]) {
+        self.is_last = slot == 2;
+        self.is_inward = normal[axes[2]] < 0;
         if slot == 2 {
             self.move_along(normal, axes, place);
             self.raise_planes(axes, place);
@@ -92,6 +89,11 @@ impl<const USED: usize> Sight<USED> {
         let [a, b, c] = axes;
         let [x, y] = [a, b].map(|a| self.local.localise_axis(place[a], a));
         let steep = if normal[c] == 0 { 1 } else { normal[c] };
+        for at in [0, 1] {
+            let rise =
+                normal[a] * i64::from(x - self.kept[a][at]) + normal[b] * i64::from(y - self.kept[b][at]);
+            self.kept[c][at] = (i64::from(self.kept[c][at]) - rise / steep).clamp(-16_000, 16_000) as i32;
+        }
         // Slopes of at most 1, in 1/16384; differences of a few radii, times 4.
         let slopes = [a, b].map(|a| i16x8::splat((normal[a] * 16_383 / steep) as i16));
         let known = [x, y].map(|x| i16x8::splat(x as i16));
@@ -129,8 +131,8 @@ impl<const USED: usize> Sight<USED> {
     }
 
     /// What the blends are made of.
-    pub(super) fn features(&self) -> Features {
-        let mut features = Features { base: i32::from(self.bumps[MIDDLE].at[0]), off: [0; KINDS] };
+    pub(super) fn features(&self, axis: usize) -> Features {
+        let mut features = Features { base: i32::from(self.bumps[MIDDLE].at[0]), off: [0; FEATURES] };
         let (mut all, mut total) = (0, 0);
         for (kind, (bumps, guesses)) in self.bumps.iter().zip(&self.guesses).enumerate() {
             let (at, weight) = (i16x8::new(bumps.at), i16x8::new(bumps.weight));
@@ -141,6 +143,9 @@ impl<const USED: usize> Sight<USED> {
             all += sum(at.dot(weight)) >> 4;
             total += sum(weight.dot(i16x8::ONE));
         }
+        let [kept, beside] = self.kept[axis];
+        features.off[KEPT] = kept;
+        features.off[BESIDE] = beside;
         features.off[MIDDLE] = all / (total >> 4).max(1) - features.base;
         features
     }
@@ -158,13 +163,17 @@ impl<const USED: usize> Sight<USED> {
         // Guesses are no better than the grid.
         let narrowest = local.shift.clamp(0, 13) as u32;
         let size = 2 * (local.shift + 16) + (local.radius >> 9 & 1);
+        let is_mirrored = if self.is_last { self.is_inward } else { self.kept[axis][0] < expected };
         let spread = log2_q8(features.spread() * 1024 / local.radius as u32 + 16) - 1024;
         Axis {
             local,
             axis,
             bumps: &self.bumps,
             widths: widths.map(|width| Width::new(width.max(narrowest))),
-            centre: local.to_grid(expected, axis),
+            // The cell that is expected is the first upwards, from either end.
+            centre: local.to_grid(expected, axis).wrapping_add(i32::from(is_mirrored)),
+            is_last: self.is_last,
+            is_mirrored,
             size: (size as usize).min(SIZES - 1),
             place,
             spread: (spread >> 7).clamp(0, SPREADS as i32 - 1) as usize,
@@ -192,6 +201,30 @@ impl<const USED: usize> Sight<USED> {
             *weights = weights.mul_keep_high(worth);
         }
     }
+}
+
+/// The normal of the ring, and the axes from the most tangential to the most normal.
+pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
+    let mut normal = [0i64; 3];
+    for i in 0..local.count {
+        let j = if i + 1 == local.count { 0 } else { i + 1 };
+        let (Some(p), Some(q)) = (local.ring[i], local.ring[j]) else { continue };
+        normal.iter_mut().zip(cross(p, q)).for_each(|(sum, x)| *sum += x);
+    }
+    let mut axes = [0, 1, 2];
+    axes.sort_by_key(|&a| normal[a].abs());
+    (normal, axes)
+}
+
+/// By axis, where the vertex that split is, and the middle of its neighbours in the ring.
+pub(super) fn kept_and_beside(local: &Local) -> [[i32; 2]; 3] {
+    let n = local.count;
+    let kept = local.ring[0].unwrap_or_default();
+    let beside = match (local.ring[1 % n], local.ring[n - 1]) {
+        (Some(p), Some(q)) => [0, 1, 2].map(|a| (p[a] + q[a]) >> 1),
+        (p, q) => p.or(q).unwrap_or_default(),
+    };
+    [0, 1, 2].map(|a| [kept[a], beside[a]])
 }
 
 fn minus(p: Point, q: Point) -> Point {
