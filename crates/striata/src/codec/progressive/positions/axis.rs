@@ -132,18 +132,9 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             let middle = (low + high) >> 1;
             let below = axis.below(middle);
             let mut inputs = [[0; 8]; VECTORS];
-<<<<<<< HEAD
             let (from, to) =
                 if axis.is_mirrored { (&below_high, &below_low) } else { (&below_low, &below_high) };
             weigh(from, &below, to, &mut inputs.as_flattened_mut()[COUNTERS..]);
-=======
-            let opinions = &mut inputs.as_flattened_mut()[COUNTERS..];
-            if axis.is_mirrored {
-                weigh(&below_high, &below, &below_low, opinions);
-            } else {
-                weigh(&below_low, &below, &below_high, opinions);
-            }
->>>>>>> p7-cli
             let bit =
                 self.decide(coder, axis, (node, depth), &mut inputs, (actual >= middle) ^ axis.is_mirrored);
             let is_up = bit ^ axis.is_mirrored;
