@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use striata::codec::progressive::StreamError;
 use striata::codec::{DecodeError, EncodeError};
 use striata::mesh::MeshError;
 use striata::model::ModelError;
@@ -155,6 +156,18 @@ impl From<EncodeError> for Failure {
         match error {
             EncodeError::Unstorable { .. } => {
                 Self::user(error.to_string()).with_hint("store another model with --models")
+            }
+            error => Self::internal(error.to_string()),
+        }
+    }
+}
+
+impl From<StreamError> for Failure {
+    fn from(error: StreamError) -> Self {
+        match error {
+            StreamError::Mesh(error) => error.into(),
+            StreamError::Grid(_) => {
+                Self::user(error.to_string()).with_hint("say --bits, 1 to 24, or --lossless")
             }
             error => Self::internal(error.to_string()),
         }

@@ -11,7 +11,9 @@ use striata::mesh::IndexedMesh;
 use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes};
 
 use crate::failure::{Excerpt, Failure};
+use crate::output::Output;
 use crate::shapes::Shape;
+use crate::stream::remark_on;
 
 /// A file whose bytes are at hand and whose kind is known, or a shape.
 #[derive(Debug)]
@@ -85,9 +87,9 @@ impl Input {
         }
     }
 
-    /// Whether it is a .striata file.
-    pub(crate) fn is_striata(&self) -> bool {
-        matches!(&self.content, Content::File(file) if file.format == Format::Striata)
+    /// Whether it is a .striata file or a stream.
+    pub(crate) fn has_levels(&self) -> bool {
+        matches!(&self.content, Content::File(file) if has_levels(file.format))
     }
 
     /// Bytes as they lie on disk; none of a shape.
@@ -104,17 +106,21 @@ impl Input {
         name.map_or_else(|| self.name.clone(), |name| name.to_string_lossy().into_owned())
     }
 
-    /// The mesh of a mesh file or a shape, or the full level of a .striata file.
+    /// The mesh of a mesh file or a shape, or the full level of a .striata file or stream; where that is cut off, what is
+    /// there of it, which the user is told.
     ///
     /// # Errors
     /// Where the bytes are no such thing; the message names the place.
-    pub(crate) fn mesh(&self) -> Result<IndexedMesh, Failure> {
+    pub(crate) fn mesh(&self, output: &Output) -> Result<IndexedMesh, Failure> {
         let file = match &self.content {
             Content::File(file) => file,
             Content::Shape(shape) => return Ok(shape.mesh()),
         };
-        if file.format == Format::Striata {
-            return self.striata()?.mesh().map_err(|error| self.damaged(&error));
+        if has_levels(file.format) {
+            let striata = self.striata()?;
+            let mesh = striata.mesh().map_err(|error| self.damaged(&error))?;
+            self.remark_on(&striata, output)?;
+            return Ok(mesh);
         }
         let mut source = Source::new(&self.name);
         if let Some(folder) = &file.folder {
@@ -126,21 +132,38 @@ impl Input {
         })
     }
 
-    /// The container, its tables read and checked.
+    /// Tells the user where a file ends within its stream.
+    ///
+    /// # Errors
+    /// Where what is there of the stream is unsound.
+    pub(crate) fn remark_on(&self, file: &StriataFile<'_>, output: &Output) -> Result<(), Failure> {
+        if let Some(remark) = remark_on(file, &self.name).map_err(|error| self.damaged(&error))? {
+            output.say(&remark);
+        }
+        Ok(())
+    }
+
+    /// The container, its tables read and checked; a stream stands for one that holds nothing else.
+    ///
+    /// Either may be cut off within its stream.
     ///
     /// # Errors
     /// Where the file is a mesh, or a container that is damaged or too new.
     pub(crate) fn striata(&self) -> Result<StriataFile<'_>, Failure> {
-        match &self.content {
+        let parsed = match &self.content {
             Content::File(file) if file.format == Format::Striata => {
-                StriataFile::parse(file.bytes.as_slice()).map_err(|error| self.damaged(&error))
+                StriataFile::parse_cut(file.bytes.as_slice())
+            }
+            Content::File(file) if file.format == Format::Stream => {
+                StriataFile::from_stream(file.bytes.as_slice())
             }
             _ => {
                 let message = format!("{}: this is a mesh ({}), not a .striata file", self.name, self.kind());
-                Err(Failure::user(message)
-                    .with_hint("make one with `striata build`, or use `striata simplify` on the mesh"))
+                return Err(Failure::user(message)
+                    .with_hint("make one with `striata build`, or use `striata simplify` on the mesh"));
             }
-        }
+        };
+        parsed.map_err(|error| self.damaged(&error))
     }
 
     /// A failure to decode this file.
@@ -148,6 +171,10 @@ impl Input {
         Failure::user(format!("{}: {error}", self.name))
             .with_hint("the file is damaged or cut off; build it again, or copy it again")
     }
+}
+
+fn has_levels(format: Format) -> bool {
+    matches!(format, Format::Striata | Format::Stream)
 }
 
 /// The line to blame, where the file is text and the error knows its line.

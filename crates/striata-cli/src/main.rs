@@ -15,6 +15,7 @@ mod picture;
 mod save;
 mod sequence;
 mod shapes;
+mod stream;
 mod strip_chain;
 mod strip_report;
 

@@ -27,6 +27,10 @@ pub(crate) fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failur
                 .with_hint("end the name in .ply .obj .stl .off .gltf or .glb, or add --to FORMAT")
         })?,
     };
+    if format == Format::Stream {
+        return Err(Failure::user(format!("{}: one level is no stream", path.display()))
+            .with_hint("`striata encode MESH -o OUT.stri` makes one from a mesh"));
+    }
     if format == Format::Striata {
         return Err(Failure::user(format!("{}: one level is no .striata file", path.display()))
             .with_hint("`striata build MESH -o OUT.striata` makes one from a mesh"));

@@ -5,9 +5,9 @@ use std::borrow::Cow;
 use striata::ProgressFn;
 use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
 use striata::simplify::{
-    BoundaryRule, CollapseCost, RemovalOptions, Retriangulation, SequenceOptions, SimplifyError, StopReason,
-    build_welded_fragments, build_welded_sequence, certify, certify_collapses,
-    certify_collapses_in_any_state,
+    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, RemovalOptions, Retriangulation,
+    SequenceOptions, SimplifyError, StopReason, build_welded_batches, build_welded_fragments,
+    build_welded_sequence, certify, certify_collapses, certify_collapses_in_any_state,
 };
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
@@ -22,6 +22,8 @@ pub(crate) enum SequencePlan {
         options: SequenceOptions,
         /// Which states errors are to hold for.
         promise: Promise,
+        /// Where they come in batches, as a stream needs them: the share of vertices that a batch takes from.
+        share: Option<f64>,
     },
     /// By removing vertices in the order of the distance that is left.
     Hausdorff(RemovalOptions),
@@ -38,7 +40,7 @@ pub(crate) struct Limits {
 
 impl Default for SequencePlan {
     fn default() -> Self {
-        Self::Quadric { options: SequenceOptions::default(), promise: Promise::Estimates }
+        Self::Quadric { options: SequenceOptions::default(), promise: Promise::Estimates, share: None }
     }
 }
 
@@ -86,6 +88,8 @@ pub(crate) struct Sequenced {
     pub(crate) stop_reason: StopReason,
     /// Whether no point of the original is farther from a level than its error.
     pub(crate) error_is_guaranteed: bool,
+    /// Split counts at which batches begin, closed by the number of steps; where there are batches.
+    pub(crate) batches: Option<Vec<u32>>,
     /// The same steps as fragments, where they are known beside collapses: with the errors of single floors.
     floors: Option<FragmentedMesh>,
 }
@@ -134,6 +138,19 @@ impl SequencePlan {
         }
     }
 
+    /// Lets collapses come in batches, each from so large a share of the vertices; from the usual one where none is named.
+    ///
+    /// # Errors
+    /// Where there are no such collapses.
+    pub(crate) fn come_in_batches(&mut self, share_of_batches: Option<f64>) -> Result<(), Failure> {
+        let Self::Quadric { share, .. } = self else {
+            return Err(Failure::user("a stream is made of collapses in quadric order")
+                .with_hint("leave --order hausdorff out, or the stream"));
+        };
+        *share = Some(share_of_batches.unwrap_or_else(|| BatchOptions::default().share));
+        Ok(())
+    }
+
     /// What goes first.
     pub(crate) fn order(&self) -> OrderArg {
         match self {
@@ -157,12 +174,18 @@ impl SequencePlan {
         progress: &mut ProgressFn<'_>,
     ) -> Result<Sequenced, SimplifyError> {
         match self {
-            Self::Quadric { options, promise: Promise::Estimates } => {
-                let built = build_welded_sequence(welded, options, progress)?;
+            Self::Quadric { options, promise: Promise::Estimates, share } => {
+                let (built, batches) = collapses(welded, options.clone(), *share, progress)?;
                 let (steps, stop_reason) = (Steps::Collapses(built.refinable), built.stop_reason);
-                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false, floors: None })
+                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false, batches, floors: None })
             }
-            Self::Quadric { options, promise } => certified(welded, options, *promise, progress),
+            Self::Quadric { options, promise, share } => {
+                // Estimates would stop it elsewhere.
+                let mut unlimited = options.clone();
+                unlimited.max_error = None;
+                let made = collapses(welded, unlimited, *share, progress)?;
+                certified(made, options.max_error, *promise, progress)
+            }
             Self::Hausdorff(options) => {
                 let built = build_welded_fragments(welded, options, progress)?;
                 let (steps, floors) = match built.refinable {
@@ -170,31 +193,50 @@ impl SequencePlan {
                     None => (Steps::Fragments(built.fragmented), None),
                 };
                 let stop_reason = built.stop_reason;
-                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, floors })
+                Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, batches: None, floors })
             }
         }
     }
 }
 
-/// Collapses in the order of quadrics, as far as a guaranteed error stays within the limit.
-fn certified(
+/// Collapses in the order of quadrics, one by one or in batches.
+fn collapses(
     welded: Welded,
-    options: &SequenceOptions,
+    options: SequenceOptions,
+    share: Option<f64>,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Made, SimplifyError> {
+    let Some(share) = share else {
+        return Ok((build_welded_sequence(welded, &options, progress)?, None));
+    };
+    let options = BatchOptions::default().with_sequence(options).with_share(share);
+    let made = build_welded_batches(welded, &options, progress)?;
+    Ok((made.built, Some(made.batches)))
+}
+
+/// A sequence, and its batches where it has any.
+type Made = (BuiltSequence, Option<Vec<u32>>);
+
+/// Collapses whose errors hold, as far as they stay within the limit.
+fn certified(
+    (built, mut batches): Made,
+    max_error: Option<f64>,
     promise: Promise,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Sequenced, SimplifyError> {
-    // Estimates would stop it elsewhere.
-    let mut unlimited = options.clone();
-    unlimited.max_error = None;
-    let built = build_welded_sequence(welded, &unlimited, progress)?;
     let refinable = match promise {
         Promise::AnyState => certify_collapses_in_any_state(&built.refinable, progress)?,
         _ => certify_collapses(&built.refinable, progress)?,
     };
-    let first = options.max_error.map_or(0, |error| refinable.sequence.split_count_for_error(error));
+    let first = max_error.map_or(0, |error| refinable.sequence.split_count_for_error(error));
+    if let Some(batches) = &mut batches {
+        // What is left of the first batch is one, too.
+        let later = batches.iter().filter(|&&begin| begin as usize > first).map(|begin| begin - first as u32);
+        *batches = std::iter::once(0).chain(later).collect();
+    }
     let stop_reason = if first > 0 { StopReason::ErrorLimit } else { built.stop_reason };
     let steps = Steps::Collapses(refinable.without_levels_below(first));
-    Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, floors: None })
+    Ok(Sequenced { steps, stop_reason, error_is_guaranteed: true, batches, floors: None })
 }
 
 impl SequenceArgs {
@@ -226,7 +268,7 @@ impl SequenceArgs {
                 options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
                 let is_certified = self.certify || max_error.is_some();
                 let promise = if is_certified { Promise::Levels } else { Promise::Estimates };
-                Ok(SequencePlan::Quadric { options, promise })
+                Ok(SequencePlan::Quadric { options, promise, share: None })
             }
             OrderArg::Hausdorff => {
                 let mut options = RemovalOptions::default().with_boundary(boundary);

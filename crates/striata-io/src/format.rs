@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::Path;
 
+use striata::codec::progressive::STREAM_MAGIC;
+
 /// A kind of file that striata knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -21,6 +23,8 @@ pub enum Format {
     Glb,
     /// striata's own container: recognised, but not read by this crate.
     Striata,
+    /// A progressive stream alone: recognised, but not read by this crate.
+    Stream,
 }
 
 /// First bytes of striata's own container.
@@ -50,6 +54,7 @@ impl Format {
                 "gltf" => Self::Gltf,
                 "glb" => Self::Glb,
                 "striata" => Self::Striata,
+                "stri" => Self::Stream,
                 "gz" | "zst" => {
                     path = Path::new(path.file_stem()?);
                     continue;
@@ -69,12 +74,16 @@ impl Format {
             Self::Gltf => "gltf",
             Self::Glb => "glb",
             Self::Striata => "striata",
+            Self::Stream => "stri",
         }
     }
 
     fn from_content(bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(STRIATA_MAGIC) {
             return Some(Self::Striata);
+        }
+        if bytes.starts_with(&STREAM_MAGIC) {
+            return Some(Self::Stream);
         }
         if bytes.starts_with(b"glTF") {
             return Some(Self::Glb);
@@ -127,6 +136,7 @@ impl fmt::Display for Format {
             Self::Gltf => "glTF",
             Self::Glb => "GLB",
             Self::Striata => "striata",
+            Self::Stream => "striata stream",
         })
     }
 }
@@ -137,7 +147,7 @@ mod tests {
 
     #[test]
     fn content_wins_over_the_name() {
-        let cases: [(&[u8], &str, Option<Format>); 12] = [
+        let cases: [(&[u8], &str, Option<Format>); 14] = [
             (b"ply\nformat ascii 1.0\n", "x.obj", Some(Format::Ply)),
             (b"plywood", "x.txt", None),
             (b"glTF\x02\0\0\0", "x", Some(Format::Glb)),
@@ -147,6 +157,8 @@ mod tests {
             (b"STCOFF\n", "x", Some(Format::Off)),
             (b"OFF 8 6 12\n", "x", Some(Format::Off)),
             (b"STRIATA\0....", "x.ply", Some(Format::Striata)),
+            (b"\x89STR\x01", "x.ply", Some(Format::Stream)),
+            (b"hello", "x.stri", Some(Format::Stream)),
             (b"hello", "x.PLY", Some(Format::Ply)),
             (b"hello", "a.b/x.off.gz", Some(Format::Off)),
             (b"", "x.png", None),

@@ -70,7 +70,7 @@ pub fn read_bytes(bytes: &[u8], source: &Source<'_>) -> Result<IndexedMesh, Read
         Format::Off => crate::off::read(&bytes),
         #[cfg(feature = "gltf")]
         Format::Gltf | Format::Glb => crate::gltf::read(&bytes, format, source),
-        Format::Striata => return Err(ReadError::StriataContainer { file: file() }),
+        Format::Striata | Format::Stream => return Err(ReadError::StriataContainer { file: file() }),
         #[cfg(not(all(
             feature = "ply",
             feature = "obj",

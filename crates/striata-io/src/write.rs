@@ -91,7 +91,9 @@ fn named_bytes(
         Format::Gltf => crate::gltf::to_json_bytes(mesh, options),
         #[cfg(feature = "gltf")]
         Format::Glb => crate::gltf::to_glb_bytes(mesh, options),
-        Format::Striata => return Err(WriteError::UnknownFormat { file: file.to_owned() }),
+        Format::Striata | Format::Stream => {
+            return Err(WriteError::UnknownFormat { file: file.to_owned() });
+        }
         #[cfg(not(all(
             feature = "ply",
             feature = "obj",
@@ -129,7 +131,7 @@ pub(crate) fn feature_of(format: Format) -> (&'static str, &'static str) {
         Format::Stl => ("STL", "stl"),
         Format::Off => ("OFF", "off"),
         Format::Gltf | Format::Glb => ("glTF", "gltf"),
-        Format::Striata => ("striata container", ""),
+        Format::Striata | Format::Stream => ("striata container", ""),
     }
 }
 

@@ -266,6 +266,7 @@ fn options_out_of_range_are_refused() {
         ("share", BatchOptions::default().with_share(1.5)),
         ("share", BatchOptions::default().with_share(f64::NAN)),
         ("shape_step", BatchOptions::default().with_shape_step(Some(-1.0))),
+        ("valence_weight", BatchOptions::default().with_valence_weight(f64::INFINITY)),
         ("max_valence", BatchOptions::default().with_max_valence(2)),
         (
             "pair_distance",

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use striata::codec::progressive::Effort;
 
+use super::EffortArg;
 use super::strips::{BUILD_STRIPS, STRIPS, parse_at_least_zero};
 use crate::commands::compared_models;
 use crate::strip_chain::{StripChain, StripPlan};
@@ -19,7 +21,7 @@ const MODELS: &str = "Models";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata compare cow.obj bunny.ply shape:sphere --html compared.html\n  \
-    striata compare bunny.ply --parts strips --strips stripe,cheapest --json")]
+    striata compare bunny.ply --rate --html rate.html --json")]
 pub(crate) struct CompareArgs {
     /// Meshes, .striata files (their full level), or shapes such as shape:sphere
     #[arg(value_name = "INPUT", required = true)]
@@ -27,7 +29,7 @@ pub(crate) struct CompareArgs {
     /// Write a page with charts too; it opens without a network
     #[arg(long, value_name = "OUT")]
     pub(crate) html: Option<PathBuf>,
-    /// What to measure, separated by commas: strips, models, views, patterns
+    /// What to measure, separated by commas: strips, models, views, patterns, rate
     #[arg(
         long,
         value_name = "PARTS",
@@ -35,7 +37,10 @@ pub(crate) struct CompareArgs {
         default_value = "strips,models,views,patterns",
         hide_possible_values = true
     )]
-    pub(crate) parts: Vec<Part>,
+    parts: Vec<Part>,
+    /// Measure only how near the mesh is after so many bytes, of streams, of levels and of other coders: --parts rate
+    #[arg(long, conflicts_with = "parts")]
+    rate: bool,
     /// Let models go by errors that hold at every point of the mesh, not by estimates
     #[arg(long)]
     pub(crate) certify: bool,
@@ -45,6 +50,9 @@ pub(crate) struct CompareArgs {
     /// How stripifiers are compared.
     #[command(flatten)]
     pub(crate) strips: StripifierArgs,
+    /// How bytes are compared.
+    #[command(flatten)]
+    pub(crate) rates: RateArgs,
 }
 
 /// What can be measured.
@@ -58,6 +66,8 @@ pub(crate) enum Part {
     Views,
     /// Patterns and what they replace, of several simplifiers.
     Patterns,
+    /// Distances after so many bytes, of streams and of what else is sent.
+    Rate,
 }
 
 /// How models are compared.
@@ -72,6 +82,31 @@ pub(crate) struct ModelArgs {
     /// The stripifiers whose strips models are built from, as in --strips
     #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into())]
     model_strips: StripChain,
+}
+
+/// How bytes are compared.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Rate")]
+pub(crate) struct RateArgs {
+    /// Bits of a coordinate in streams and levels
+    #[arg(long = "rate-bits", value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(4..=16))]
+    pub(crate) bits: u32,
+    /// Efforts of streams, separated by commas
+    #[arg(
+        long = "rate-efforts",
+        value_name = "EFFORTS",
+        value_delimiter = ',',
+        default_value = "fast,default,small",
+        hide_possible_values = true
+    )]
+    efforts: Vec<EffortArg>,
+}
+
+impl RateArgs {
+    /// The efforts asked for.
+    pub(crate) fn efforts(&self) -> impl Iterator<Item = Effort> {
+        self.efforts.iter().map(|&effort| effort.into())
+    }
 }
 
 /// How stripifiers are compared.
@@ -98,7 +133,7 @@ pub(crate) struct StripifierArgs {
 impl CompareArgs {
     /// Whether a part is asked for.
     pub(crate) fn has(&self, part: Part) -> bool {
-        self.parts.contains(&part)
+        if self.rate { part == Part::Rate } else { self.parts.contains(&part) }
     }
 }
 

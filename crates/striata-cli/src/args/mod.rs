@@ -2,6 +2,7 @@
 
 mod compare;
 mod sequence;
+mod stream;
 mod strips;
 mod view;
 
@@ -11,8 +12,9 @@ use std::str::FromStr;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
-pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, StripifierArgs};
+pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs};
 pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
+pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
 pub(crate) use self::view::{Corners, Point, ViewArgs, tan};
@@ -24,10 +26,9 @@ use crate::strip_chain::{StripChain, StripPlan};
     name = "striata",
     version,
     about = "Continuous level of detail for triangle meshes",
-    after_help = "Meshes: .ply .obj .stl .off .gltf .glb, .gz, .zst; `-` is stdin or stdout.\n\
-                  `striata VERB --help` tells all of a verb, with examples.",
+    after_help = "Meshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
     subcommand_value_name = "VERB",
-    subcommand_help_heading = "Verbs",
+    subcommand_help_heading = "Verbs (`striata VERB --help` tells all of one, with examples)",
     disable_help_subcommand = true,
     disable_help_flag = true,
     max_term_width = 100
@@ -74,9 +75,14 @@ pub(crate) enum Verb {
     Distance(DistanceArgs),
     /// Convert between mesh formats
     Convert(ConvertArgs),
+    /// Compress a mesh into a stream that shows it from the first bytes
+    Encode(EncodeArgs),
+    /// Write the mesh of a stream, or of as much of it as is there
+    Decode(DecodeArgs),
     /// Show it all on a mesh that the command carries
     Demo(DemoArgs),
     /// Print a completion script for a shell
+    #[command(hide = true)]
     Completions(CompletionsArgs),
 }
 
@@ -96,9 +102,12 @@ pub(crate) struct BuildArgs {
     pub(crate) output: PathBuf,
     /// Models to store, separated by commas: lodstrips (small, steps fast), mts (walks strips anew), fans (finer
     /// where a view asks for it; without them `extract --eye` builds them each time), patterns (the same for views and boxes,
-    /// in less memory, of any order)
+    /// in less memory, of any order), progressive (a compressed stream, last in the file; alone it is the file)
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "lodstrips")]
-    pub(crate) models: Vec<String>,
+    models: Vec<String>,
+    /// Store a stream alone, as --models progressive does: the mesh is compressed, as exact as --bits says
+    #[arg(long, conflicts_with = "models")]
+    stream: bool,
     /// Stop when no more than this many triangles are left [default: as far as it goes]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) base: Option<usize>,
@@ -114,13 +123,16 @@ pub(crate) struct BuildArgs {
     /// How long, and with which chances, strips are searched.
     #[command(flatten)]
     pub(crate) search: StripSearchArgs,
+    /// How the stream is coded.
+    #[command(flatten)]
+    pub(crate) stream_terms: StreamArgs,
 }
 
 /// Arguments of `info`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  striata info bunny.striata\n  striata info scan.ply.gz --json")]
 pub(crate) struct InfoArgs {
-    /// A mesh or a .striata file, or - for stdin
+    /// A mesh, a .striata file or a stream, or - for stdin
     pub(crate) input: PathBuf,
 }
 
@@ -133,10 +145,10 @@ pub(crate) struct InfoArgs {
     striata extract bunny.striata -o seen.glb --eye 0,0.1,0.3 --pixels 2"
 )]
 pub(crate) struct ExtractArgs {
-    /// A .striata file, or - for stdin
+    /// A .striata file or a stream, which may be cut off, or - for stdin
     pub(crate) input: PathBuf,
-    /// Which model of the file to use: lodstrips, mts, fans, patterns [default: for a view fans or patterns, for a box
-    /// patterns, else the first of these that the file has]
+    /// Which model of the file to use: lodstrips, mts, fans, patterns, progressive [default: for a view fans or patterns, for a
+    /// box patterns, else the first of these that the file has]
     #[arg(long, value_name = "NAME")]
     pub(crate) model: Option<String>,
     /// How triangles are written; strips and fans need .glb or .gltf, where each fan is a primitive of its own: a
@@ -350,6 +362,11 @@ impl BuildArgs {
     /// The strips asked for.
     pub(crate) fn strip_plan(&self) -> StripPlan {
         StripPlan { chain: self.strips.clone(), search: self.search }
+    }
+
+    /// The models asked for, as they were spelled.
+    pub(crate) fn model_names(&self) -> Vec<String> {
+        if self.stream { vec!["progressive".to_owned()] } else { self.models.clone() }
     }
 
     /// The strips that are made where nothing is asked for.

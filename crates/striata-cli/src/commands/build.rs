@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
+use striata::codec::progressive::{EncodedStream, StreamFacts, StreamOptions, encode_stream};
 use striata::codec::{DecodeError, FileModel, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes, PatternBounds, Patterns};
@@ -18,6 +19,7 @@ use crate::input::Input;
 use crate::output::{Bar, Output, Table, grouped, lasted, measured, sized, to_stdout};
 use crate::save::is_stdout;
 use crate::sequence::{Limits, SequencePlan, Sequenced, Steps, limit_in_units};
+use crate::stream::facts_in_json;
 use crate::strip_chain::StripPlan;
 use crate::strip_report::StripReport;
 
@@ -38,7 +40,7 @@ pub(crate) fn errors_are_guaranteed(file: &StriataFile<'_>) -> Result<bool, Deco
 }
 
 /// Models that this version has.
-pub(crate) const MODELS: [&str; 4] = ["lodstrips", "mts", FANS, PATTERNS];
+pub(crate) const MODELS: [&str; 5] = ["lodstrips", "mts", FANS, PATTERNS, PROGRESSIVE];
 
 /// The model that follows views by the errors of collapses.
 const FANS: &str = "fans";
@@ -46,20 +48,24 @@ const FANS: &str = "fans";
 /// The only model that takes any steps.
 const PATTERNS: &str = "patterns";
 
+/// The stream.
+pub(crate) const PROGRESSIVE: &str = "progressive";
+
 /// Reads, builds, writes, reports.
 ///
 /// # Errors
 /// Where any of it fails; the output is then as it was.
 pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(&args.output))?;
-    let models = model_names(&args.models)?;
+    let models = model_names(&args.model_names())?;
+    check_stream_terms(args, &models)?;
     check_output_name(&args.output)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    let (mesh, source) = (input.mesh()?, input.file_name());
+    let (mesh, source) = (input.mesh(output)?, input.file_name());
     let diagonal = mesh.diagonal();
     let limits = Limits {
         base_triangle_count: args.base.unwrap_or(0),
@@ -72,7 +78,11 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     if models.iter().any(|model| model == FANS) {
         sequence.hold_in_any_state();
     }
-    let plan = BuildPlan { sequence, strips: args.strip_plan(), models };
+    if models.iter().any(|model| model == PROGRESSIVE) {
+        sequence.come_in_batches(args.stream_terms.share)?;
+    }
+    let stream = args.stream_terms.options(diagonal);
+    let plan = BuildPlan { sequence, strips: args.strip_plan(), models, stream };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     phases.enter("write");
     bar.phase("write");
@@ -97,6 +107,8 @@ pub(crate) struct BuildPlan {
     pub(crate) strips: StripPlan,
     /// The models, by name.
     pub(crate) models: Vec<String>,
+    /// How a stream is coded, where one is among them.
+    pub(crate) stream: StreamOptions,
 }
 
 impl BuildPlan {
@@ -106,6 +118,7 @@ impl BuildPlan {
             sequence: SequencePlan::default(),
             strips: BuildArgs::usual_strip_plan(),
             models: vec![MODELS[0].to_owned()],
+            stream: StreamOptions::default(),
         }
     }
 }
@@ -129,6 +142,8 @@ struct Models {
     mts: Option<Mts<'static>>,
     fans: Option<(Fans, FanBounds)>,
     patterns: Option<(Patterns, PatternBounds)>,
+    /// The mesh is in its order.
+    stream: Option<EncodedStream>,
 }
 
 impl Models {
@@ -139,11 +154,11 @@ impl Models {
     fn build(
         names: &[String],
         sequenced: &Sequenced,
-        strips: Option<&StripSet>,
+        (strips, stream): (Option<&StripSet>, Option<EncodedStream>),
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
         let is_wanted = |name: &str| names.iter().any(|n| n == name);
-        let mut models = Self { lod_strips: None, mts: None, fans: None, patterns: None };
+        let mut models = Self { lod_strips: None, mts: None, fans: None, patterns: None, stream };
         if let Steps::Collapses(refinable) = &sequenced.steps {
             let strips_for = |name: &str| strips.filter(|_| is_wanted(name));
             models.lod_strips =
@@ -166,7 +181,9 @@ impl Models {
         let lod_strips = self.lod_strips.iter().map(FileModel::LodStrips);
         let fans = self.fans.iter().map(|(fans, bounds)| FileModel::Fans(fans, bounds));
         let patterns = self.patterns.iter().map(|(patterns, bounds)| FileModel::Patterns(patterns, bounds));
-        lod_strips.chain(self.mts.iter().map(FileModel::Mts)).chain(fans).chain(patterns).collect()
+        let streams = self.stream.iter().map(|stream| FileModel::Progressive(&stream.bytes));
+        let of_strips = lod_strips.chain(self.mts.iter().map(FileModel::Mts));
+        of_strips.chain(fans).chain(patterns).chain(streams).collect()
     }
 
     /// Each model's name and parts.
@@ -176,7 +193,9 @@ impl Models {
         let fans = self.fans.iter().map(|(fans, bounds)| ("fans", parts_of_fans(fans, bounds)));
         let patterns =
             self.patterns.iter().map(|(patterns, bounds)| (PATTERNS, parts_of_patterns(patterns, bounds)));
-        lod_strips.chain(mts).chain(fans).chain(patterns).collect()
+        let parts_of_stream = |s: &EncodedStream| vec![PartBytes { name: "stream", bytes: s.bytes.len() }];
+        let streams = self.stream.iter().map(|stream| (PROGRESSIVE, parts_of_stream(stream)));
+        lod_strips.chain(mts).chain(fans).chain(patterns).chain(streams).collect()
     }
 }
 
@@ -208,9 +227,12 @@ pub(crate) fn build(
     bar.phase("weld");
     let welded = weld(mesh)?;
     phases.enter("simplify");
-    let sequenced = plan.sequence.run(welded, &mut |progress| bar.show(progress))?;
+    let mut sequenced = plan.sequence.run(welded, &mut |progress| bar.show(progress))?;
+    phases.enter("models");
+    bar.phase("models");
+    let stream = stream_of(&mut sequenced, plan)?;
     phases.enter("strip");
-    let has_strips = plan.models.iter().any(|name| name != "fans" && name != PATTERNS);
+    let has_strips = plan.models.iter().any(|name| ["lodstrips", "mts"].contains(&name.as_str()));
     let full = sequenced.steps.mesh();
     let mut strip = || plan.strips.run(full, &mut |share| bar.share("strip", share));
     let stripped = if has_strips { Some(strip()?) } else { None };
@@ -222,10 +244,20 @@ pub(crate) fn build(
     phases.enter("models");
     bar.phase("models");
     let strips = stripped.as_ref().map(|stripped| &stripped.strips);
-    let models = Models::build(&plan.models, &sequenced, strips, bar)?;
+    let models = Models::build(&plan.models, &sequenced, (strips, stream), bar)?;
     let order = plan.sequence.order();
     let Sequenced { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
     Ok(Built { steps, models, order, stop_reason, error_is_guaranteed, strip_report })
+}
+
+/// The stream, where it is asked for; the mesh is in its order afterwards, so that all models number levels as it does.
+fn stream_of(sequenced: &mut Sequenced, plan: &BuildPlan) -> Result<Option<EncodedStream>, Failure> {
+    let (Steps::Collapses(refinable), Some(batches)) = (&mut sequenced.steps, &sequenced.batches) else {
+        return Ok(None);
+    };
+    let stream = encode_stream(refinable, batches, &plan.stream)?;
+    *refinable = stream.reorder(refinable);
+    Ok(Some(stream))
 }
 
 impl Built {
@@ -281,6 +313,8 @@ struct Report {
     stop_reason: &'static str,
     models: Map<String, Value>,
     strips: Value,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stream: Option<Value>,
     output_bytes: usize,
     phases: Phases,
     secs: f64,
@@ -301,7 +335,9 @@ impl Report {
         if !strips.is_null() {
             strips["secs"] = json!(phases.secs_of("strip"));
         }
+        let facts = built.models.stream.as_ref().and_then(|s| StreamFacts::read(&s.bytes).ok().flatten());
         Self {
+            stream: facts.as_ref().map(facts_in_json),
             input: json!({
                 "vertex_count": mesh.vertex_count(),
                 "triangle_count": mesh.triangle_count(),
@@ -383,6 +419,18 @@ fn model_names(names: &[String]) -> Result<Vec<String>, Failure> {
     match names.iter().find(|name| !MODELS.contains(&name.as_str())) {
         Some(unknown) => Err(unknown_name("model", unknown, &MODELS)),
         None => Ok(names),
+    }
+}
+
+/// # Errors
+/// Where a stream is described and none is made.
+fn check_stream_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure> {
+    match args.stream_terms.given() {
+        Some(flag) if !models.iter().any(|model| model == PROGRESSIVE) => {
+            Err(Failure::user(format!("{flag} is for streams, and none is made"))
+                .with_hint(format!("say --models progressive too, or leave {flag} out")))
+        }
+        _ => Ok(()),
     }
 }
 

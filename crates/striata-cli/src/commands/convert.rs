@@ -23,7 +23,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(&args.output))?;
     let format = format_of(&args.output, &args.format)?;
     let input = Input::open(&args.input)?;
-    let mesh = input.mesh()?;
+    let mesh = input.mesh(output)?;
     save(&mesh, Drawn::Triangles, &args.output, &args.format)?;
     let report = Report {
         vertex_count: mesh.vertex_count(),

@@ -40,7 +40,7 @@ pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
     let inputs = [Input::open(&args.a)?, Input::open(&args.b)?];
-    let (a, b) = (inputs[0].mesh()?, inputs[1].mesh()?);
+    let (a, b) = (inputs[0].mesh(output)?, inputs[1].mesh(output)?);
     let of = |which| if which == "first" { &inputs[0] } else { &inputs[1] };
     let mut options = DistanceOptions::default();
     if let Some(samples) = args.samples {

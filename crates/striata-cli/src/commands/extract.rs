@@ -4,15 +4,16 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::codec::{DecodeError, StriataFile};
-use striata::mesh::IndexedMesh;
+use striata::mesh::{Bounds, IndexedMesh};
 use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, Patterns, StoredModel, StripModel};
 use striata::strip::{RESTART, StripOptions, StripSet, stripify};
 
 use super::extract_patterns::{Budget, PatternsOfFile};
+use super::extract_stream;
 use super::extract_view::{ViewLevel, level_of_view};
 use super::strip::check_form_fits;
-use crate::args::{Corners, ExtractArgs, Point, TriangleForm};
-use crate::commands::build::{MODELS, errors_are_guaranteed, unknown_name};
+use crate::args::{Corners, ExtractArgs, Length, Point, TriangleForm};
+use crate::commands::build::{MODELS, PROGRESSIVE, errors_are_guaranteed, unknown_name};
 use crate::failure::Failure;
 use crate::fan_cover::fans_of;
 use crate::input::Input;
@@ -52,6 +53,12 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     check_form(args)?;
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
+    let is_named = args.model.as_deref() == Some(PROGRESSIVE);
+    let is_place = args.level.eye.is_some() || args.detail_box.is_some();
+    if !is_place && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only()) {
+        return extract_stream::run(args, (&file, &input), started, output);
+    }
+    input.remark_on(&file, output)?;
     if args.view.is_given() && args.level.eye.is_none() {
         return Err(Failure::user("a view was described, but no level is asked for it")
             .with_hint("say --eye instead of the other level, or leave the view out"));
@@ -63,7 +70,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
         return run_box(args, corners, &input, started, output);
     }
     let levels = file.levels().map_err(|error| input.damaged(&error))?;
-    let target = args.level.target(file.summary().bounds.map_or(0.0, |b| b.diagonal()))?;
+    let target = args.level.target(diagonal_of(args, &file, &input)?)?;
     let (split_count, stop_reason) = target.resolve_in(&levels);
     let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let extracted = match pick_model(&file, args.model.as_deref(), &input)? {
@@ -170,13 +177,39 @@ impl Extracted {
 ///
 /// # Errors
 /// Where the mesh's parts do not fit together.
-fn drawn(form: TriangleForm, mesh: &IndexedMesh, strips: Option<StripSet>) -> Result<Drawn, Failure> {
+pub(super) fn drawn(
+    form: TriangleForm,
+    mesh: &IndexedMesh,
+    strips: Option<StripSet>,
+) -> Result<Drawn, Failure> {
     Ok(match (form, strips) {
         (TriangleForm::List, _) => Drawn::Triangles,
         (TriangleForm::Strips, Some(strips)) => Drawn::Strips(stitched(&strips)),
         (TriangleForm::Strips, None) => Drawn::Strips(stitched(&stripify(mesh, &StripOptions::default())?)),
         (TriangleForm::Fans, _) => Drawn::Fans(fans_of(mesh)),
     })
+}
+
+/// The bounds of the full mesh; of a stream without a file around it, those of what is there.
+///
+/// # Errors
+/// Where the stream is unsound.
+fn bounds_of(file: &StriataFile<'_>, input: &Input) -> Result<Option<Bounds>, Failure> {
+    match file.summary().bounds {
+        Some(bounds) => Ok(Some(bounds)),
+        None => Ok(file.mesh().map_err(|error| input.damaged(&error))?.bounds()),
+    }
+}
+
+/// The diagonal that an error is a share of; 0 where none is.
+///
+/// # Errors
+/// Where the stream is unsound.
+pub(super) fn diagonal_of(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<f64, Failure> {
+    match args.level.error {
+        Some(Length::OfDiagonal(_)) => Ok(bounds_of(file, input)?.map_or(0.0, |b| b.diagonal())),
+        _ => Ok(0.0),
+    }
 }
 
 /// The same for a view.
@@ -191,7 +224,8 @@ fn run_view(
     output: &Output,
 ) -> Result<(), Failure> {
     let file = input.striata()?;
-    let center = file.summary().bounds.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
+    let center =
+        bounds_of(&file, input)?.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
     let camera = args.view.camera(eye, center).map_err(|error| {
         Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
     })?;
@@ -251,7 +285,7 @@ fn run_box(
             .with_hint("a box takes --model patterns"));
     }
     let file = input.striata()?;
-    let diagonal = file.summary().bounds.map_or(0.0, |b| b.diagonal());
+    let diagonal = diagonal_of(args, &file, input)?;
     let triangle_limit = args.level.triangles;
     // What is nowhere in the box weighs its error: all of it may be left out, or none of what is over the limit.
     let threshold = match (args.level.error, triangle_limit) {

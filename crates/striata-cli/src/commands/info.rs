@@ -2,15 +2,17 @@
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
-use striata::codec::FORMAT_VERSION;
+use striata::codec::progressive::{StreamDefect, StreamFacts};
+use striata::codec::{DecodeError, FORMAT_VERSION, StriataFile};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, validate};
 use striata::model::{LodModel, PartBytes, StripModel};
 
 use crate::args::InfoArgs;
-use crate::commands::build::{errors_are_guaranteed, parts_of_fans, parts_of_patterns};
+use crate::commands::build::{PROGRESSIVE, errors_are_guaranteed, parts_of_fans, parts_of_patterns};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, Table, grouped, measured, sized};
+use crate::stream::{Received, facts_in_json};
 
 /// Defects that the text names one by one; JSON lists more of them.
 const SPELLED_OUT: usize = 5;
@@ -47,6 +49,9 @@ struct Report {
     base: Option<Value>,
     error_max: Option<f32>,
     error_is_guaranteed: Option<bool>,
+    /// Of a file with a stream.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stream: Option<Value>,
     sections: Vec<Value>,
     defect_counts: Map<String, Value>,
     defects: Vec<String>,
@@ -58,15 +63,20 @@ struct Report {
 /// Where the file cannot be read.
 pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
-    let report = if input.is_striata() { of_container(&input)? } else { Report::new(&input, &input.mesh()?) };
+    let report = if input.has_levels() {
+        of_container(&input, output)?
+    } else {
+        Report::new(&input, &input.mesh(output)?)
+    };
     output.data(&report, &report.to_text(&input.name))
 }
 
-fn of_container(input: &Input) -> Result<Report, Failure> {
+fn of_container(input: &Input, output: &Output) -> Result<Report, Failure> {
     let file = input.striata()?;
+    input.remark_on(&file, output)?;
     let mesh = file.mesh().map_err(|error| input.damaged(&error))?;
     let mut report = Report::new(input, &mesh);
-    report.format_version = Some(FORMAT_VERSION);
+    report.format_version = (input.kind() == "striata").then_some(FORMAT_VERSION);
     report.add_levels(&file.levels().map_err(|error| input.damaged(&error))?);
     let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     report.error_is_guaranteed = Some(is_guaranteed);
@@ -89,12 +99,34 @@ fn of_container(input: &Input) -> Result<Report, Failure> {
         model["rule_count"] = json!(patterns.rule_count());
         model["overlap_count"] = json!(patterns.overlap_count());
     }
+    if let Some(stream) = file.stream() {
+        report.add_stream(&file, stream.map_err(|error| input.damaged(&error))?, input)?;
+    }
     report.sections =
         file.sections().iter().map(|s| json!({ "kind": s.kind.to_string(), "bytes": s.bytes })).collect();
     Ok(report)
 }
 
 impl Report {
+    /// What the head of the stream says, and how far the bytes go.
+    fn add_stream(&mut self, file: &StriataFile<'_>, stream: &[u8], input: &Input) -> Result<(), Failure> {
+        let damaged = |error: DecodeError| input.damaged(&error);
+        let facts = StreamFacts::read(stream).map_err(damaged)?.ok_or(StreamDefect::NoBase);
+        let facts = facts.map_err(|error| damaged(error.into()))?;
+        self.add_model(PROGRESSIVE, &[PartBytes { name: "stream", bytes: stream.len() }], None);
+        let split_count = match (file.is_stream_only(), file.is_cut()) {
+            (true, _) => file.levels().map_err(damaged)?.step_count(),
+            (false, false) => facts.step_count,
+            (false, true) => Received::read_all(stream).map_err(damaged)?.decoder.split_count(),
+        };
+        let mut described = facts_in_json(&facts);
+        described["read_bytes"] = json!(stream.len());
+        described["split_count"] = json!(split_count);
+        described["is_complete"] = json!(!file.is_cut());
+        self.stream = Some(described);
+        Ok(())
+    }
+
     fn add_model(&mut self, name: &str, parts: &[PartBytes], strip_count: Option<usize>) {
         let bytes: usize = parts.iter().map(|part| part.bytes).sum();
         let by_part: Map<String, Value> = parts.iter().map(|p| (p.name.to_owned(), p.bytes.into())).collect();
@@ -139,6 +171,7 @@ impl Report {
             base: None,
             error_max: None,
             error_is_guaranteed: None,
+            stream: None,
             sections: Vec::new(),
             defect_counts: defects
                 .counts()
@@ -188,6 +221,17 @@ impl Report {
         for (model, facts) in &self.models {
             let bytes_per_vertex = facts["bytes_per_vertex"].as_f64().unwrap_or(0.0);
             row(model, format!("{bytes_per_vertex:.1} bytes a vertex"));
+        }
+        if let Some(stream) = &self.stream {
+            let number = |key: &str| grouped(stream[key].as_u64().unwrap_or(0) as usize);
+            let effort = stream["effort"].as_str().unwrap_or_default();
+            let exact = if stream["is_lossless"] == true { ", lossless" } else { "" };
+            let [bits, chunks] = [number("grid_bits"), number("chunk_count")];
+            let step = measured(stream["grid_step"].as_f64().unwrap_or(0.0));
+            row("stream", format!("{effort} effort, {bits} bits (step {step}){exact}, {chunks} chunks"));
+            let [read, whole] = [number("read_bytes"), number("bytes")];
+            let [split_count, step_count] = [number("split_count"), number("step_count")];
+            row("of the stream", format!("{read} of {whole} bytes, split {split_count} of {step_count}"));
         }
         for (kind, count) in &self.defect_counts {
             row("defects", format!("{count} {kind}"));

@@ -4,10 +4,13 @@ mod build;
 mod compare;
 mod completions;
 mod convert;
+mod decode;
 mod demo;
 mod distance;
+mod encode;
 mod extract;
 mod extract_patterns;
+mod extract_stream;
 mod extract_view;
 mod info;
 mod simplify;
@@ -34,6 +37,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Compare(args) => compare::run(args, &output),
         Verb::Distance(args) => distance::run(args, &output),
         Verb::Convert(args) => convert::run(args, &output),
+        Verb::Encode(args) => encode::run(args, &output),
+        Verb::Decode(args) => decode::run(args, &output),
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }

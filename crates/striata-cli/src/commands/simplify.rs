@@ -46,13 +46,13 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    let mesh = input.mesh()?;
+    let mesh = input.mesh(output)?;
     let diagonal = mesh.diagonal();
     let target = args.level.target_if_given(diagonal)?;
     let plan = plan(args, target, diagonal)?;
     let simplify_started = Instant::now();
     let made = match &plan {
-        SequencePlan::Quadric { options, promise: Promise::Estimates } => {
+        SequencePlan::Quadric { options, promise: Promise::Estimates, .. } => {
             let target = target.ok_or_else(|| Failure::internal("no level was given"))?;
             let options = SimplifyOptions::default()
                 .with_target(target)

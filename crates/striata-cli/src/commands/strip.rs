@@ -42,7 +42,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("read");
     let input = Input::open(&args.input)?;
     let blamed = |failure: Failure| failure.in_file(&input.name);
-    let mut mesh = input.mesh()?;
+    let mut mesh = input.mesh(output)?;
     if args.weld {
         bar.phase("weld");
         mesh = weld(&mesh).map_err(|error| blamed(error.into()))?.mesh;

@@ -27,6 +27,8 @@ fn every_verb_ends_with_two_examples() {
         "compare",
         "distance",
         "convert",
+        "encode",
+        "decode",
         "demo",
         "completions",
     ] {

@@ -8,6 +8,7 @@ mod help;
 mod orders;
 mod patterns;
 mod refusals;
+mod streams;
 mod strip_blocks;
 mod strips;
 mod verbs;

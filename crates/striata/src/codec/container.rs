@@ -178,12 +178,23 @@ pub enum Verify {
     All,
 }
 
+/// Whether the end of a file may be missing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ending {
+    /// The file has the length that its header says.
+    Whole,
+    /// It may end anywhere within its stream.
+    Cut,
+}
+
 /// The bytes of a file with its checked table.
 #[derive(Clone, Debug)]
 pub(super) struct Container<'a> {
     bytes: &'a [u8],
     pub(super) sections: Vec<SectionInfo>,
     is_verified: bool,
+    /// The length that the header says.
+    length: u64,
 }
 
 fn u32_at(bytes: &[u8], at: usize) -> u32 {
@@ -204,7 +215,7 @@ pub(super) fn header_checksum(head: &[u8]) -> u32 {
 }
 
 impl<'a> Container<'a> {
-    pub(super) fn parse(bytes: &'a [u8], verify: Verify) -> Result<Self, DecodeError> {
+    pub(super) fn parse(bytes: &'a [u8], verify: Verify, ending: Ending) -> Result<Self, DecodeError> {
         if !bytes.starts_with(&MAGIC) {
             return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
         }
@@ -216,9 +227,9 @@ impl<'a> Container<'a> {
         if version != VERSION {
             return Err(DecodeError::Version { found: version, supported: VERSION });
         }
-        let expected = u64_at(bytes, 16);
-        if found != expected {
-            return Err(DecodeError::FileLength { found, expected });
+        let length = u64_at(bytes, 16);
+        if found != length && (ending == Ending::Whole || found > length) {
+            return Err(DecodeError::FileLength { found, expected: length });
         }
         let count = u32_at(bytes, 12) as usize;
         let head_bytes = HEADER_BYTES + ENTRY_BYTES * count.min(MAX_SECTIONS + 1);
@@ -226,12 +237,20 @@ impl<'a> Container<'a> {
             return Err(DecodeError::FileLength { found, expected: head_bytes as u64 });
         }
         let head = &bytes[..head_bytes];
-        let (found, expected) = (header_checksum(head), u32_at(head, 24));
-        if found != expected {
-            return Err(DecodeError::HeaderChecksum { found, expected });
+        let (checksum, expected) = (header_checksum(head), u32_at(head, 24));
+        if checksum != expected {
+            return Err(DecodeError::HeaderChecksum { found: checksum, expected });
         }
-        let sections = read_table(head, bytes.len() as u64)?;
-        let mut container = Self { bytes, sections, is_verified: false };
+        let sections = read_table(head, length)?;
+        if found < length {
+            // All but the stream has to be there.
+            let stream = sections.last().filter(|last| last.kind == SectionKind::STREAM);
+            let expected = stream.map_or(length, |stream| stream.offset);
+            if found < expected {
+                return Err(DecodeError::FileLength { found, expected });
+            }
+        }
+        let mut container = Self { bytes, sections, is_verified: false, length };
         if verify == Verify::All {
             for section in &container.sections {
                 container.checked_bytes(section)?;
@@ -241,10 +260,20 @@ impl<'a> Container<'a> {
         Ok(container)
     }
 
+    /// A stream of so many bytes as the only section, its chunks checked by themselves.
+    pub(super) fn of_stream(bytes: &'a [u8], length: u64) -> Self {
+        let kind = SectionKind::STREAM;
+        let stream = SectionInfo { kind, offset: 0, bytes: length, is_required: true, checksum: 0 };
+        Self { bytes, sections: vec![stream], is_verified: true, length }
+    }
+
     fn checked_bytes(&self, section: &SectionInfo) -> Result<&'a [u8], DecodeError> {
-        // The table was checked against the file's length, which is a usize.
-        let bytes = &self.bytes[section.offset as usize..][..section.bytes as usize];
-        if !self.is_verified {
+        // The table was checked against the length in the header: only a stream may reach beyond what is there, which is a usize.
+        let there = &self.bytes[section.offset as usize..];
+        let length = section.bytes.min(there.len() as u64);
+        let bytes = &there[..length as usize];
+        let is_whole = length == section.bytes;
+        if is_whole && !self.is_verified {
             let (found, expected) = (crc32fast::hash(bytes), section.checksum);
             if found != expected {
                 let (kind, offset) = (section.kind, section.offset);
@@ -252,6 +281,11 @@ impl<'a> Container<'a> {
             }
         }
         Ok(bytes)
+    }
+
+    /// Whether the file ends before its header says.
+    pub(super) fn is_cut(&self) -> bool {
+        (self.bytes.len() as u64) < self.length
     }
 
     /// The sections of a kind, in the order of the file.

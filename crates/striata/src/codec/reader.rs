@@ -1,11 +1,13 @@
 //! Reading a file: typed views of its sections, the whole mesh, single levels.
 
 mod patterns;
+mod stream;
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-use super::container::Container;
+use self::stream::DecodedStream;
+use super::container::{Container, Ending};
 use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes, metadata_from_bytes};
 use super::{DecodeError, SectionInfo, SectionKind, Summary, Verify};
 use crate::mesh::{
@@ -27,6 +29,8 @@ pub struct StriataFile<'a> {
     summary: Summary,
     /// The patterns, once they have been checked: that takes as long as building them.
     patterns: OnceLock<(Patterns, PatternBounds)>,
+    /// The mesh of a stream, once it has been decoded, where the file has nothing else.
+    decoded: OnceLock<DecodedStream>,
 }
 
 impl<'a> StriataFile<'a> {
@@ -43,9 +47,16 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// As [`parse`](Self::parse).
     pub fn parse_with(bytes: &'a [u8], verify: Verify) -> Result<Self, DecodeError> {
-        let container = Container::parse(bytes, verify)?;
+        Self::of_container(Container::parse(bytes, verify, Ending::Whole)?)
+    }
+
+    fn of_container(container: Container<'a>) -> Result<Self, DecodeError> {
         let summary = Summary::from_bytes(container.get(SectionKind::SUMMARY)?)?;
-        Ok(Self { container, summary, patterns: OnceLock::new() })
+        Ok(Self::of_parts(container, summary))
+    }
+
+    fn of_parts(container: Container<'a>, summary: Summary) -> Self {
+        Self { container, summary, patterns: OnceLock::new(), decoded: OnceLock::new() }
     }
 
     /// Counts and bounds.
@@ -63,7 +74,10 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] where the section is unsound.
     pub fn metadata(&self) -> Result<Vec<(String, String)>, DecodeError> {
-        self.container.find(SectionKind::METADATA)?.map_or(Ok(Vec::new()), metadata_from_bytes)
+        match self.container.find(SectionKind::METADATA)? {
+            Some(bytes) => metadata_from_bytes(bytes),
+            None => self.metadata_of_stream(),
+        }
     }
 
     /// Positions of all vertices in refinement order.
@@ -71,6 +85,9 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] where the section is unsound.
     pub fn positions(&self) -> Result<Cow<'a, [[f32; 3]]>, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.mesh.positions.clone().into());
+        }
         let kind = SectionKind::POSITIONS;
         let positions = self.container.numbers::<[f32; 3]>(kind)?;
         self.expect(kind, "vertices", positions.len(), self.summary.vertex_count)?;
@@ -82,6 +99,9 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] where a section is unsound.
     pub fn layers(&self) -> Result<Vec<AttributeLayer>, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.mesh.layers.clone());
+        }
         self.layers_of_first(self.positions()?.len())
     }
 
@@ -99,6 +119,9 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] where the section is unsound.
     pub fn groups(&self) -> Result<Vec<TriangleGroup>, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.mesh.groups.clone());
+        }
         let kind = SectionKind::GROUPS;
         let groups = groups_from_bytes(self.container.get(kind)?)?;
         self.expect(kind, "groups", groups.len(), self.summary.group_count)?;
@@ -110,6 +133,9 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] where the section is unsound.
     pub fn errors(&self) -> Result<Cow<'a, [f32]>, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.sequence.errors().to_vec().into());
+        }
         let errors = self.container.numbers::<f32>(SectionKind::ERRORS)?;
         self.expect(SectionKind::ERRORS, "errors", errors.len(), self.summary.step_count)?;
         Ok(errors)
@@ -136,6 +162,9 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] where a section is unsound, or there are no collapses.
     pub fn sequence(&self) -> Result<CollapseSequence, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.sequence.clone());
+        }
         if !self.has_collapses() {
             return Err(DecodeError::NoCollapses);
         }
@@ -299,7 +328,7 @@ impl<'a> StriataFile<'a> {
         self.expect(SectionKind::STRIP_GROUPS, "groups", model.group_count(), group_count)
     }
 
-    /// The whole mesh with its sequence, checked and in memory of its own.
+    /// The whole mesh with its sequence, checked and in memory of its own. Of a stream alone, what is there of it.
     ///
     /// In files with strips the triangles come in the order of the strips, in files without them in that of the fans or patterns.
     ///
@@ -310,11 +339,14 @@ impl<'a> StriataFile<'a> {
         Ok(RefinableMesh { mesh: self.mesh()?, sequence })
     }
 
-    /// The whole mesh, checked and in memory of its own, its triangles in the order of [`refinable_mesh`](Self::refinable_mesh).
+    /// The whole mesh, checked and in memory of its own (of a stream alone, what is there of it), its triangles in the order of [`refinable_mesh`](Self::refinable_mesh).
     ///
     /// # Errors
     /// [`DecodeError`] where any part is unsound or parts do not fit together.
     pub fn mesh(&self) -> Result<IndexedMesh, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.mesh.clone());
+        }
         let mut mesh = IndexedMesh {
             positions: self.positions()?.into_owned(),
             triangles: Vec::new(),
@@ -350,6 +382,9 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] where the file has no model, no such level, or any part is unsound.
     pub fn level(&self, split_count: usize) -> Result<IndexedMesh, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return stream::level(refinable, split_count);
+        }
         let step_count = self.summary.step_count;
         if split_count > step_count {
             return Err(DecodeError::SplitCount { split_count, step_count });

@@ -5,6 +5,7 @@ use std::io::Write;
 
 use super::container::{ENTRY_BYTES, HEADER_BYTES, MAGIC, REQUIRED, VERSION, header_checksum, padding};
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
+use super::progressive::StreamFacts;
 use super::{EncodeError, SectionKind, Summary};
 use crate::mesh::{CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
 use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StoredModel};
@@ -21,6 +22,10 @@ pub enum FileModel<'m> {
     Fans(&'m Fans, &'m FanBounds),
     /// Patterns, for levels that differ from place to place, and the bounds of their fragments.
     Patterns(&'m Patterns, &'m PatternBounds),
+    /// The progressive stream of the mesh, which is in the stream's order
+    /// ([`EncodedStream::reorder`](super::progressive::EncodedStream::reorder)). Alone it is all that the file
+    /// has: mesh and levels are decoded from it.
+    Progressive(&'m [u8]),
 }
 
 impl<'m> FileModel<'m> {
@@ -31,6 +36,7 @@ impl<'m> FileModel<'m> {
             Self::Mts(_) => "mts",
             Self::Fans(..) => "fans",
             Self::Patterns(..) => "patterns",
+            Self::Progressive(_) => "progressive",
         }
     }
 
@@ -41,7 +47,7 @@ impl<'m> FileModel<'m> {
             Self::Mts(model) => {
                 Some([&model.parts.group_offsets, &model.parts.offsets, &model.parts.indices])
             }
-            Self::Fans(..) | Self::Patterns(..) => None,
+            Self::Fans(..) | Self::Patterns(..) | Self::Progressive(_) => None,
         }
     }
 
@@ -87,6 +93,8 @@ impl<'m> FileModel<'m> {
                     (SectionKind::PATTERN_BOUNDS, bounds.as_bytes().into()),
                 ]
             }
+            // It goes last, where a file that is cut off still has its beginning.
+            Self::Progressive(_) => Vec::new(),
         }
     }
 }
@@ -121,7 +129,8 @@ struct Section<'m> {
 /// Writes a mesh, its sequence and its models as one `.striata` file.
 ///
 /// The same input gives the same bytes on every machine. With models of strips the triangles are stored as strips only,
-/// once for all models, and come back in the strips' order; with fans alone they come back from these.
+/// once for all models, and come back in the strips' order; with fans alone they come back from these, with a stream alone
+/// from that, as exact as it is. A stream is the last section, so that a file that is cut off has its beginning.
 ///
 /// # Errors
 /// [`EncodeError`] where the mesh is unsound, a model was built from another mesh, or the writer fails.
@@ -214,11 +223,18 @@ fn lay_out<'m>(
 ) -> Result<Vec<Section<'m>>, EncodeError> {
     let Source { mesh, levels, collapses } = source;
     mesh.check()?;
+    for (i, model) in models.iter().enumerate() {
+        check_model(model, &models[..i], source)?;
+    }
     let mut sections = Vec::new();
     let mut add = |kind, flags, bytes: Cow<'m, [u8]>| sections.push(Section { kind, flags, bytes });
     add(SectionKind::SUMMARY, REQUIRED, Summary::of_levels(mesh, levels).to_bytes().into());
     if !options.metadata.is_empty() {
         add(SectionKind::METADATA, 0, metadata_to_bytes(&options.metadata)?.into());
+    }
+    if let [FileModel::Progressive(stream)] = models {
+        add(SectionKind::STREAM, REQUIRED, (*stream).into());
+        return Ok(sections);
     }
     add(SectionKind::GROUPS, REQUIRED, groups_to_bytes(&mesh.groups)?.into());
     if !levels.positions().is_identity() {
@@ -241,8 +257,7 @@ fn lay_out<'m>(
         add(SectionKind::STRIP_OFFSETS, 0, bytes_of(offsets));
         add(SectionKind::STRIP_INDICES, 0, bytes_of(indices));
     }
-    for (i, model) in models.iter().enumerate() {
-        check_model(model, &models[..i], source)?;
+    for model in models {
         model.sections().into_iter().for_each(|(kind, bytes)| add(kind, 0, bytes));
     }
     if models.is_empty() {
@@ -251,6 +266,11 @@ fn lay_out<'m>(
     // Images are large and needed last.
     if !mesh.appearance.is_empty() {
         add(SectionKind::APPEARANCE, REQUIRED, appearance_to_bytes(&mesh.appearance)?.into());
+    }
+    for model in models {
+        if let FileModel::Progressive(stream) = model {
+            add(SectionKind::STREAM, 0, (*stream).into());
+        }
     }
     Ok(sections)
 }
@@ -283,6 +303,14 @@ fn check_model(
             expect(name, "triangles", counts[counts.len() - 1] as usize, triangle_count)?;
             expect(name, "triangles of the base", counts[0] as usize, base_triangle_count)?;
             patterns.check_size().map_err(|reason| EncodeError::Unstorable { model: name, reason })?;
+        }
+        FileModel::Progressive(stream) => {
+            let facts = StreamFacts::read(stream).ok().flatten().unwrap_or_default();
+            expect(name, "bytes", stream.len(), facts.stream_bytes as usize)?;
+            expect(name, "vertices", facts.vertex_count, source.mesh.vertex_count())?;
+            expect(name, "triangles", facts.triangle_count, triangle_count)?;
+            expect(name, "steps", facts.step_count, source.levels.step_count())?;
+            expect(name, "groups", facts.group_count, source.mesh.groups.len())?;
         }
     }
     if before.iter().any(|other| other.name() == name) {

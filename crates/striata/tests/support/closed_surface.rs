@@ -76,6 +76,12 @@ impl ClosedSurface {
         };
         surface.is_manifold = (0..position_count).map(|p| copy_counts[p] == 1 && simple(p as u32)).collect();
         surface.close_holes(&users, &copy_of, across);
+        // A triangle and its reverse are one fan, but no ring.
+        for copy in 0..surface.position_of.len() as u32 {
+            if surface.edges_around(copy).count() < 3 {
+                surface.is_manifold[surface.position_of[copy as usize] as usize] = false;
+            }
+        }
         surface
     }
 
@@ -88,8 +94,7 @@ impl ClosedSurface {
         let next = |corner: usize| corner - corner % 3 + (corner + 1) % 3;
         let mut holes: Vec<usize> = (0..self.position_of.len()).collect();
         let mut rim = Vec::new();
-        for (edge, corners) in users.iter().filter(|(edge, _)| across(**edge).is_none()) {
-            let _ = edge;
+        for (_, corners) in users.iter().filter(|(edge, _)| across(**edge).is_none()) {
             for &corner in corners {
                 let [a, b] = [copy_of[corner], copy_of[next(corner)]];
                 rim.push([a, b]);

@@ -16,6 +16,7 @@ mod patterns;
 #[cfg(feature = "peers")]
 mod peers;
 mod plot;
+mod rate;
 mod scale;
 mod stripifiers;
 mod sweep;
@@ -36,6 +37,7 @@ use self::models::{ModelsReport, Sequenced};
 use self::page::MeshPart;
 use self::papers::PaperRow;
 use self::patterns::PatternsReport;
+use self::rate::RateReport;
 use self::stripifiers::StripifierRow;
 use self::tunnels::TunnelRow;
 use self::views::ViewsReport;
@@ -67,6 +69,8 @@ struct MeshReport {
     views: Option<ViewsReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     patterns: Option<PatternsReport>,
+    #[serde(flatten)]
+    rate: Option<RateReport>,
     /// Empty where no paper measured this mesh.
     papers: Vec<PaperRow>,
 }
@@ -106,7 +110,7 @@ pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
 }
 
 fn measure(input: &Input, args: &CompareArgs, output: &Output) -> Result<MeshReport, Failure> {
-    let mesh = input.mesh()?;
+    let mesh = input.mesh(output)?;
     let blamed = |failure: Failure| failure.in_file(&input.name);
     let say = |what: &str| output.say(&format!("{}: {what}", input.name));
     let mut bar = output.bar();
@@ -134,6 +138,7 @@ fn measure_mesh(
     let patterns = sequenced_for(Part::Patterns)
         .map(|sequenced| patterns::measure(&mesh, (&sequenced.refinable, sequenced.secs), bar, say));
     let patterns = patterns.transpose()?;
+    let rate = args.has(Part::Rate).then(|| rate::measure(&mesh, &args.rates, bar, say)).transpose()?;
     Ok(MeshReport {
         name,
         vertex_count: mesh.vertex_count(),
@@ -144,6 +149,7 @@ fn measure_mesh(
         models,
         views,
         patterns,
+        rate,
     })
 }
 
@@ -216,6 +222,10 @@ impl MeshReport {
             text.push_str(&patterns::to_text(patterns, text_of));
             text.push('\n');
         }
+        if let Some(rate) = &self.rate {
+            text.push_str(&rate::to_text(rate, text_of));
+            text.push('\n');
+        }
         if let Some(strips) = &self.strips {
             text.push_str(
                 "Strips by the longest tunnel: mean, lowest to highest, standard deviation of the sample\n",
@@ -240,6 +250,9 @@ impl MeshReport {
         }
         if let Some(patterns) = &self.patterns {
             sections.extend(patterns::sections(patterns)?);
+        }
+        if let Some(rate) = &self.rate {
+            sections.push(rate::section(rate)?);
         }
         if let Some(strips) = &self.strips {
             sections.push(tunnels::section(&strips.tunnel_lengths)?);

@@ -90,6 +90,22 @@ pub(crate) fn log2_q8(number: u32) -> i32 {
     (whole << 8) as i32 + i32::from(FRACTIONS[mantissa as usize & 255])
 }
 
+/// The logarithm to base 2 of a number above 0, in 1/65536, by squaring.
+pub(crate) const fn log2_q16(number: u64) -> u32 {
+    let whole = number.ilog2();
+    let mut mantissa = (number << (63 - whole)) as u128;
+    let mut logarithm = whole;
+    let mut bit = 0;
+    while bit < 16 {
+        bit += 1;
+        mantissa = (mantissa * mantissa) >> 63;
+        let is_over = mantissa >> 64 != 0;
+        mantissa >>= is_over as u32;
+        logarithm = logarithm << 1 | is_over as u32;
+    }
+    logarithm
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -120,6 +136,16 @@ mod tests {
             assert!((f64::from(log2_q8(number)) - expected).abs() < 1.6, "{number}");
         }
         assert_eq!(log2_q8(0), log2_q8(1));
+    }
+
+    #[test]
+    fn fine_logarithms_are_right() {
+        for number in [1, 2, 3, 1000, u64::MAX, 1 << 63, (1 << 40) + 12345] {
+            assert!(
+                (f64::from(log2_q16(number)) / 65536.0 - (number as f64).log2()).abs() < 2e-5,
+                "{number}"
+            );
+        }
     }
 
     #[test]

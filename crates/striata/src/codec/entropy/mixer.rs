@@ -14,8 +14,10 @@ const WEIGHT_LIMIT: i32 = 8 * WEIGHT_ONE;
 /// Probabilities stay this far from certainty, in 1/65536.
 const CAUTION: u32 = 24;
 /// How fast a set of weights learns at first, and how fast in the end; a decision moves from the one to the other.
-const FIRST_RATE: i32 = 14 * 32;
-const LAST_RATE: i32 = 2 * 32;
+const FIRST_RATE: i32 = 30 * 32;
+const LAST_RATE: i32 = 4 * 32;
+/// A set's rate falls by one part in 2 to this each time.
+const RATE_FALL: u32 = 8;
 
 /// A set of weights.
 #[derive(Clone, Copy, Debug)]
@@ -71,7 +73,7 @@ impl<const N: usize> Mixer<N> {
             let step = (i64::from(input) * i64::from(push) + (1 << 13)) >> 14;
             *weight = (*weight + step as i32).clamp(-WEIGHT_LIMIT, WEIGHT_LIMIT);
         }
-        set.rate -= (set.rate - LAST_RATE + 31) >> 5;
+        set.rate -= (set.rate - LAST_RATE + (1 << RATE_FALL) - 1) >> RATE_FALL;
     }
 }
 

@@ -12,6 +12,7 @@
 //! | `adaptive.rs` | [`AdaptiveBit`]: the probability of one decision, learned quickly at first |
 //! | `logistic.rs` | probabilities as log-odds and back, tables made by integer arithmetic |
 //! | `mixer.rs` | [`Mixer`]: many opinions about one decision weighted online; [`Refiner`]: what is left to learn |
+//! | `wide_mixer.rs` | [`WideMixer`]: the same in 16-bit lanes |
 //! | `number.rs` | [`AdaptiveNumber`]: integers of any size |
 
 mod adaptive;
@@ -19,12 +20,14 @@ mod logistic;
 mod mixer;
 mod number;
 mod range;
+mod wide_mixer;
 
 pub(crate) use adaptive::{AdaptiveBit, Rate};
-pub(crate) use logistic::{LOG_ODDS_LIMIT, LOG_ODDS_ONE, log_odds, log2_q8, probability};
+pub(crate) use logistic::{LOG_ODDS_LIMIT, LOG_ODDS_ONE, log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixer::{Mixer, Refiner};
 pub(crate) use number::AdaptiveNumber;
 pub(crate) use range::{RangeReader, RangeWriter};
+pub(crate) use wide_mixer::WideMixer;
 
 /// What a bit belongs to, for statistics of the writer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,6 +9,7 @@
 //! interval allows, and these are not written. So a reader must be told whether its bytes are all there are. Where they
 //! are, zeros follow; where they are cut off, it says so at the first decision that the missing bytes might have turned.
 
+use super::logistic::log2_q16;
 use super::{Coder, Part};
 
 /// Below this width the interval moves on.
@@ -236,20 +237,6 @@ impl Coder for RangeReader<'_> {
     fn part(&mut self, _: Part) {}
 }
 
-/// The logarithm to base 2 of a number above 0, in 1/65536, by squaring.
-fn log2_q16(number: u64) -> u32 {
-    let whole = number.ilog2();
-    let mut mantissa = u128::from(number << (63 - whole));
-    let mut logarithm = whole;
-    for _ in 0..16 {
-        mantissa = (mantissa * mantissa) >> 63;
-        let is_over = mantissa >> 64 != 0;
-        mantissa >>= u32::from(is_over);
-        logarithm = logarithm << 1 | u32::from(is_over);
-    }
-    logarithm
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -394,15 +381,5 @@ mod tests {
     fn a_fixed_message_has_fixed_bytes() {
         let (bytes, _) = write(&message(1, 1000, false));
         assert_eq!((bytes.len(), crc32fast::hash(&bytes)), (184, 3_424_878_432));
-    }
-
-    #[test]
-    fn logarithms_are_right() {
-        for number in [1, 2, 3, 1000, u64::MAX, 1 << 63, (1 << 40) + 12345] {
-            assert!(
-                (f64::from(log2_q16(number)) / 65536.0 - (number as f64).log2()).abs() < 2e-5,
-                "{number}"
-            );
-        }
     }
 }

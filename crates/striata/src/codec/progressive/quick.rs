@@ -37,7 +37,17 @@ pub(super) struct QuickModel {
     lengths: Vec<AdaptiveBit>,
     ranks: Vec<AdaptiveBit>,
     starts: Vec<(i64, u32)>,
-    squares: Vec<i64>,
+    spokes: Vec<Spoke>,
+}
+
+/// An edge from a vertex that splits, and the triangle behind it.
+#[derive(Clone, Copy, Debug)]
+struct Spoke {
+    /// Its squared length.
+    square: i64,
+    is_virtual: bool,
+    /// Whether the triangle counter-clockwise of it is free.
+    is_free: bool,
 }
 
 impl QuickModel {
@@ -56,7 +66,7 @@ impl QuickModel {
             lengths: vec![bit; MOST * MOST],
             ranks: vec![bit; MOST * MOST * MOST],
             starts: Vec::new(),
-            squares: Vec::new(),
+            spokes: Vec::new(),
         }
     }
 
@@ -117,69 +127,65 @@ impl QuickModel {
         self.find_starts(scene, corners, length);
         let first = actual.map_or(0, |cut| cut.first);
         let key = (n.min(MOST - 1) * MOST + length.min(MOST - 1)) * MOST;
-        let last = self.starts.len().checked_sub(1)?;
         let mut rank = 0;
-        while rank < last {
-            let is_it = self.starts[rank].1 == first;
-            if self.ranks[key + rank.min(MOST - 1)].code(coder, is_it) {
-                break;
+        loop {
+            let best = (0..self.starts.len()).max_by_key(|&at| self.starts[at])?;
+            let (_, start) = self.starts.swap_remove(best);
+            let is_last = self.starts.is_empty();
+            if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, start == first) {
+                return Some(Cut { first: start, length: length as u32 });
             }
             rank += 1;
         }
-        let cut = Cut { first: self.starts[rank].1, length: length as u32 };
-        self.take(scene.surface, cut);
-        Some(cut)
     }
 
-    /// The corners where a run of free triangles can begin, those with the longest edges first.
+    /// The corners where a run of free triangles can begin, and how long its edges are.
     fn find_starts(&mut self, scene: &Scene<'_>, corners: &[u32], length: usize) {
         let Scene { surface, places, .. } = *scene;
         let n = corners.len();
         let kept = places[surface.vertex(corners[0]) as usize];
-        self.squares.clear();
-        self.squares.extend(corners.iter().map(|&corner| {
+        self.spokes.clear();
+        self.spokes.extend(corners.iter().map(|&corner| {
             let vertex = surface.vertex(next(corner));
-            if surface.is_virtual(vertex) {
-                return -1;
-            }
-            let place = places[vertex as usize];
-            (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum()
+            let is_virtual = surface.is_virtual(vertex);
+            let place = if is_virtual { kept } else { places[vertex as usize] };
+            let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum();
+            Spoke { square, is_virtual, is_free: !scene.is_taken(triangle_of(corner)) }
         }));
         self.starts.clear();
         'starts: for start in 0..n {
-            let mut sum = self.squares[start].max(0);
-            for at in start..start + length {
-                let square = self.squares[(at + 1) % n];
-                let is_inside = at + 1 < start + length;
-                if scene.is_taken(triangle_of(corners[at % n])) || (is_inside && square < 0) {
+            let mut at = start;
+            let mut sum = self.spokes[start].square;
+            for left in (0..length).rev() {
+                let is_free = self.spokes[at].is_free;
+                at = if at + 1 == n { 0 } else { at + 1 };
+                let spoke = self.spokes[at];
+                // What is inside the run leaves the vertex: it counts twice, and is no boundary.
+                if !is_free || (left > 0 && spoke.is_virtual) {
                     continue 'starts;
                 }
-                // What is inside the run counts twice: it leaves the vertex.
-                sum += square.max(0) << u32::from(is_inside);
+                sum += spoke.square << u32::from(left > 0);
             }
-            self.starts.push((-sum, corners[start]));
+            self.starts.push((sum, corners[start]));
         }
-        self.starts.sort_unstable();
     }
 
-    /// The triangles of a cut are taken.
-    fn take(&mut self, surface: &Surface, cut: Cut) {
-        let mut corner = cut.first;
-        let mut take = |vertex: u32, count: u8| {
+    /// The triangles of a patch are taken.
+    pub(super) fn take(&mut self, surface: &Surface, patch: &[u32]) {
+        let mut take = |vertex: u32, count: usize| {
             let kept = &mut self.kept[vertex as usize];
-            kept.taken = kept.taken.saturating_add(count);
+            kept.taken = kept.taken.saturating_add(count.min(255) as u8);
         };
-        take(surface.vertex(cut.first), cut.length.min(255) as u8);
-        for _ in 0..cut.length {
+        take(surface.vertex(patch[0]), patch.len());
+        for &corner in patch {
             take(surface.vertex(next(corner)), 1);
             take(surface.vertex(previous(corner)), 1);
-            corner = surface.swing(corner);
         }
     }
 
     /// A split has been done: `vertex` is new, with A and B as the last two triangles.
-    pub(super) fn split(&mut self, surface: &Surface, cut: Cut, kept: u32) {
-        let triangles = cut.length.saturating_add(2).min(255) as u8;
+    pub(super) fn split(&mut self, surface: &Surface, length: usize, kept: u32) {
+        let triangles = (length + 2).min(255) as u8;
         self.kept.push(Kept { triangles, taken: triangles, made: self.batch, split: self.batch });
         let last = surface.triangle_count() as u32 - 1;
         let ends = [surface.vertex(4 * (last - 1) + 2), surface.vertex(4 * last + 1)];
@@ -189,7 +195,7 @@ impl QuickModel {
             end.taken = end.taken.saturating_add(1);
         }
         let kept = &mut self.kept[kept as usize];
-        let gone = cut.length.min(255) as u8;
+        let gone = length.min(255) as u8;
         if kept.triangles < 255 {
             kept.triangles = kept.triangles.saturating_sub(gone).saturating_add(2);
         }

@@ -169,7 +169,9 @@ pub(super) struct Refiner {
     wedges: Option<WedgeModel>,
     told: SplitWedges,
     attributes: Option<Attributes>,
-    pending: Vec<Cut>,
+    /// Corners of the patches of splits that are still to be done, and where each one's end.
+    patches: Vec<u32>,
+    pending: Vec<u32>,
     corners: Vec<u32>,
     pub(super) growth: Growth,
 }
@@ -241,6 +243,7 @@ impl Refiner {
             wedges,
             told: SplitWedges::default(),
             attributes,
+            patches: Vec::new(),
             pending: Vec::new(),
             corners: Vec::new(),
             growth,
@@ -278,9 +281,18 @@ impl Refiner {
         if !self.is_in_batch && self.splits_in_batch == 0 {
             return Err(StreamDefect::EmptyBatch { batch: self.walk.batch() });
         }
-        let first = self.surface.vertex_count() as u32;
+        let (first, mut start) = (self.surface.vertex_count() as u32, 0);
         self.split_pending(source);
-        for vertex in first..self.surface.vertex_count() as u32 {
+        for split in 0..self.pending.len() {
+            let vertex = first + split as u32;
+            let end = self.pending[split] as usize;
+            // The ring of the new vertex: A, its patch, B.
+            let a = self.surface.corner_of(vertex);
+            self.corners.clear();
+            self.corners.push(a);
+            self.corners.extend_from_slice(&self.patches[start..end]);
+            self.corners.push(a + 4);
+            start = end;
             if self.values(coder, source, vertex) == Ended::Short {
                 return Ok(Ended::Short);
             }
@@ -291,6 +303,7 @@ impl Refiner {
     /// Which vertices split and how, until there are `most` or the batch is done.
     fn connectivity<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         self.pending.clear();
+        self.patches.clear();
         while self.pending.len() < most {
             let asked = match self.connectivity {
                 Connectivity::Thorough(_) => self.ask(coder, source),
@@ -301,10 +314,7 @@ impl Refiner {
                     self.is_in_batch = false;
                     return;
                 }
-                Some(Some(cut)) => {
-                    self.take(cut);
-                    self.pending.push(cut);
-                }
+                Some(Some(cut)) => self.take(cut),
                 Some(None) => {}
             }
         }
@@ -344,19 +354,29 @@ impl Refiner {
         Some(model.cut(coder, &scene, &self.corners, actual))
     }
 
-    /// Marks the triangles of a patch: no other split of the batch may have them.
+    /// Notes a split and marks the triangles of its patch: no other split of the batch may have them.
     fn take(&mut self, cut: Cut) {
         let mut corner = cut.first;
-        for _ in 0..cut.length {
+        for at in 0..cut.length {
+            if at > 0 {
+                corner = self.surface.swing(corner);
+            }
             self.surface.set_mark(triangle_of(corner), self.walk.batch());
-            corner = self.surface.swing(corner);
+            self.patches.push(corner);
         }
+        if let Connectivity::Quick(model) = &mut self.connectivity {
+            model.take(&self.surface, &self.patches[self.patches.len() - cut.length as usize..]);
+        }
+        self.pending.push(self.patches.len() as u32);
     }
 
     fn split_pending(&mut self, source: &mut impl Source) {
-        for cut in &self.pending {
-            let kept = self.surface.vertex(cut.first);
-            let vertex = self.surface.split(*cut);
+        let mut start = 0;
+        for &end in &self.pending {
+            let patch = &self.patches[start..end as usize];
+            start = end as usize;
+            let kept = self.surface.vertex(patch[0]);
+            let vertex = self.surface.split(patch);
             let made = self.surface.triangle_count() as u32;
             for triangle in [made - 2, made - 1] {
                 self.surface.set_mark(triangle, self.walk.batch());
@@ -364,7 +384,7 @@ impl Refiner {
                 self.surface.set_label(triangle, NONE);
             }
             if let Connectivity::Quick(model) = &mut self.connectivity {
-                model.split(&self.surface, *cut, kept);
+                model.split(&self.surface, patch.len(), kept);
             }
             source.born(vertex, kept);
         }
@@ -372,8 +392,6 @@ impl Refiner {
 
     /// What the new vertex is; then it is part of the mesh.
     fn values<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) -> Ended {
-        self.corners.clear();
-        self.corners.extend(self.surface.ring(vertex));
         let hood = Hood {
             surface: &self.surface,
             places: &self.places,

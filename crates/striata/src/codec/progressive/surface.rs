@@ -244,26 +244,26 @@ impl Surface {
         self.corners[b as usize].opposite = a;
     }
 
-    /// Gives the triangles of a cut to a new vertex, the next one; A and B become the last two triangles.
+    /// Gives the triangles of a cut, `patch` being its corners, to a new vertex, the next one; A and B become the last two
+    /// triangles.
     ///
     /// The new vertex's [`corner_of`](Self::corner_of) is A's, so its ring begins with A: `u, r0, .., rk`.
-    pub(super) fn split(&mut self, cut: Cut) -> u32 {
-        let kept = self.vertex(cut.first);
+    ///
+    /// # Panics
+    /// If the patch is empty.
+    pub(super) fn split(&mut self, patch: &[u32]) -> u32 {
+        let (first, last) = (patch[0], patch[patch.len() - 1]);
+        let kept = self.vertex(first);
         let v = self.corner_of.len() as u32;
-        let mut last = cut.first;
-        self.corners[last as usize].vertex = v;
-        for _ in 1..cut.length {
-            last = self.swing(last);
-            self.corners[last as usize].vertex = v;
+        for &corner in patch {
+            self.corners[corner as usize].vertex = v;
         }
-        let (before, after) = (previous(cut.first), next(last));
-        let [r0, rk] = [next(cut.first), previous(last)].map(|c| self.vertex(c));
+        let (before, after) = (previous(first), next(last));
+        let [r0, rk] = [next(first), previous(last)].map(|c| self.vertex(c));
         let [outside_a, outside_b] = [self.opposite(before), self.opposite(after)];
         let a = self.corners.len() as u32;
         let b = a + 4;
-        for vertex in [v, kept, r0, 0, v, rk, kept, 0] {
-            self.corners.push(Corner { vertex, opposite: 0 });
-        }
+        self.corners.extend([v, kept, r0, 0, v, rk, kept, 0].map(|vertex| Corner { vertex, opposite: 0 }));
         self.link(a, outside_a);
         self.link(a + 1, before);
         self.link(a + 2, b + 1);

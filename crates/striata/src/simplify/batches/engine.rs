@@ -12,17 +12,13 @@ use crate::simplify::course::Course;
 use crate::simplify::engine::scaled_positions;
 use crate::simplify::finish::Record;
 use crate::simplify::judge::{Choice, Judge, Memory};
-use crate::simplify::links::Links;
 use crate::simplify::options::{SimplifyError, StopReason};
-use crate::simplify::star::Star;
 use crate::{Cancelled, Progress, ProgressFn};
 
 use super::options::BatchOptions;
 use super::select::{Selection, keep_cheapest};
 use super::surface;
-
-/// What each triangle of a target beyond the largest valence adds to the cost, as a share of it.
-const VALENCE_WEIGHT: f32 = 0.5;
+use super::taste::Taste;
 
 /// All batches of a mesh.
 pub(super) struct Outcome {
@@ -54,41 +50,17 @@ pub(super) struct Engine<'a> {
     error: f32,
 }
 
-/// What makes a target better or worse beyond its error.
-#[derive(Clone, Copy, Debug)]
-struct Taste {
-    /// Square of the shape step in scaled units.
-    shape: f32,
-    max_valence: usize,
-}
-
-impl Taste {
-    /// Raises the costs of the targets of `v`.
-    fn adjust(self, links: &Links, star: &mut Star, v: u32) {
-        let own = surface::valence(links, v);
-        for k in 0..star.ids.len() {
-            let u = star.ids[k];
-            // Where u is not manifold this counts its other parts too, which does no harm to a preference.
-            let valence = (surface::valence(links, u) + own).saturating_sub(4);
-            let excess = valence.saturating_sub(self.max_valence) as f32;
-            let shape = self.shape * star.offset(k).length_squared();
-            star.costs[k] = (star.costs[k] + shape) * (1.0 + VALENCE_WEIGHT * excess);
-        }
-    }
-}
-
 impl<'a> Engine<'a> {
     pub(super) fn new(welded: &'a Welded, options: &'a BatchOptions) -> Self {
         let scaled = scaled_positions(welded);
         let (position_count, scale) = (scaled.0.len(), scaled.1);
         let judge = Judge::new(welded, &options.sequence, scaled);
-        let step = (options.shape_step.unwrap_or(0.0) / scale) as f32;
         let removable = |v: u32| surface::is_manifold(&judge.links, v) && !judge.is_fixed(v);
         let is_removable = (0..position_count as u32).map(removable).collect();
         Self {
             options,
             course: Course::new(welded, scale),
-            taste: Taste { shape: step * step, max_valence: options.max_valence },
+            taste: Taste::new(options, scale),
             choices: vec![None; position_count],
             is_removable,
             changed: (0..position_count as u32).collect(),
@@ -110,6 +82,8 @@ impl<'a> Engine<'a> {
             if self.is_base_reached() {
                 break StopReason::TargetReached;
             }
+            let all = self.choices.len();
+            self.taste.fade(all - self.course.record.removed.len(), all);
             self.judge_changed();
             let before = self.course.record.removed.len();
             let stopped = self.do_batch();
@@ -151,7 +125,7 @@ impl<'a> Engine<'a> {
     /// The cheapest target of `v` among those that `is_free` admits.
     fn choice_of(&mut self, v: u32, is_free: impl Fn(u32) -> bool) -> Option<Choice> {
         if !self.is_removable[v as usize]
-            || surface::valence(&self.judge.links, v) > self.taste.max_valence
+            || surface::valence(&self.judge.links, v) > self.options.max_valence
             || self.judge.is_fixed(v)
         {
             return None;
@@ -179,6 +153,7 @@ impl<'a> Engine<'a> {
         keep_cheapest(&mut candidates, self.options.share);
         let dearest = candidates.last().map_or(0.0, |last| last.0);
         self.selection.begin();
+        self.selection.bring_forward_lonely(&mut candidates, &self.judge.links);
         self.was_out_of_date = false;
         let mut stopped = None;
         for &(_, v) in &candidates {

@@ -2,13 +2,12 @@
 //!
 //! A batch removes positions no two of which are neighbours, each into a target of its own. The stars of the removed
 //! positions are then disjoint and stay as they are while the batch is carried out, so its steps may be undone in any order, and
-//! whether a vertex splits can be read off the coarse mesh, vertex by vertex. Each batch takes greedily, in the order of
-//! cost, from the cheapest part of the mesh only (\[CR00\]; \[PR00\] has the batches, by independent edges).
+//! whether a vertex splits can be read off the coarse mesh, vertex by vertex (independent sets \[CLR99\], batches of splits
+//! \[PR00\]). Each batch takes greedily, in the order of cost, from the cheapest part of the mesh only.
 //!
 //! ```text
-//!      x --- x --- x           x --- x --- x        o: removed, to the target that the arrow names
-//!     / \   / \   / \         / \   /   _/ \        x: kept; may lie on the rings of several
-//!    x - o>x - x - o>x  ->   x --- x --- x ---x
+//! fine     a --- o --- b --- o --- c      each o goes to the position on its left;
+//! coarse   a --------- b --------- c      b is on the rings of both, and a target: it stays
 //! ```
 //!
 //! What is removed is manifold, and stays so with every boundary closed by a virtual vertex: the link condition holds on
@@ -16,12 +15,14 @@
 //! What is not manifold in the full mesh is never removed.
 //!
 //! Differs: removed positions must not be neighbours, but their stars may touch, which makes batches twice as large as
-//! disjoint stars do. Time O(n log n), about six times 1 / share batches for each factor e in size.
+//! disjoint stars do. Levels lie 3 to 8 % farther off in RMS than those of one collapse at a time. Time O(n log n), 1.5 times
+//! that of one at a time; at the default share five or six batches for each factor e in size.
 
 mod engine;
 mod options;
 mod select;
 mod surface;
+mod taste;
 
 pub use options::BatchOptions;
 

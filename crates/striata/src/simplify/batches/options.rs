@@ -9,16 +9,20 @@ pub struct BatchOptions {
     /// What orders the collapses and what they must respect; `pair_distance` must be none or 0, since parts that do not touch
     /// cannot be split in batches.
     pub sequence: SequenceOptions,
-    /// Each batch takes from the cheapest of the removable positions only: this share of them, over 0 and up to 1; default 0.3.
+    /// Each batch takes from the cheapest of the removable positions only: this share of them, over 0 and up to 1; default 0.35.
     /// More makes fewer, larger batches, which are coded in fewer bits, and worse levels.
     pub share: f64,
     /// Short edges go first, as if each brought an error of this over its own square, mesh units: what is left is more
-    /// regular, which a coder foretells better. About one step of the grid that positions are rounded to is worth its
-    /// price on scanned surfaces; default none.
+    /// regular, which a coder foretells better. Default none. One to two steps of the grid that positions will be rounded
+    /// to cost next to no error beside the rounding, on flat parts too, and save a twentieth of a stream.
     pub shape_step: Option<f64>,
-    /// Most triangles around a removed position, those to the middle of a closed hole included, at least 3; kept positions
-    /// are discouraged from having more. Default 7.
+    /// Most triangles around a removed position, those to the middle of a closed hole included, at least 3; default 7.
     pub max_valence: usize,
+    /// Kept positions are discouraged from having more triangles than this; default 6.
+    pub fair_valence: usize,
+    /// What each triangle beyond [`Self::fair_valence`] adds to the cost of a collapse, as a share of it, at the full mesh;
+    /// the share falls with the positions that are left. Default 1.5, and 0 lets valences be.
+    pub valence_weight: f64,
     /// Stop after a batch of fewer steps than this, since tiny batches cost more than they bring; default 4, and 1 goes on
     /// as far as it goes.
     pub least_batch: usize,
@@ -28,9 +32,11 @@ impl Default for BatchOptions {
     fn default() -> Self {
         Self {
             sequence: SequenceOptions::default(),
-            share: 0.3,
+            share: 0.35,
             shape_step: None,
             max_valence: 7,
+            fair_valence: 6,
+            valence_weight: 1.5,
             least_batch: 4,
         }
     }
@@ -53,6 +59,9 @@ impl BatchOptions {
         if let Some(step) = self.shape_step.filter(|step| !(*step >= 0.0 && step.is_finite())) {
             return fail("shape_step", step.to_string(), "a number of at least 0");
         }
+        if !(self.valence_weight >= 0.0 && self.valence_weight.is_finite()) {
+            return fail("valence_weight", self.valence_weight.to_string(), "a number of at least 0");
+        }
         if self.max_valence < 3 {
             return fail("max_valence", self.max_valence.to_string(), "at least 3");
         }
@@ -74,6 +83,14 @@ impl BatchOptions {
     /// Sets [`Self::max_valence`].
     pub fn with_max_valence(self, max_valence: usize) -> Self {
         Self { max_valence, ..self }
+    }
+    /// Sets [`Self::fair_valence`].
+    pub fn with_fair_valence(self, fair_valence: usize) -> Self {
+        Self { fair_valence, ..self }
+    }
+    /// Sets [`Self::valence_weight`].
+    pub fn with_valence_weight(self, valence_weight: f64) -> Self {
+        Self { valence_weight, ..self }
     }
     /// Sets [`Self::least_batch`].
     pub fn with_least_batch(self, least_batch: usize) -> Self {

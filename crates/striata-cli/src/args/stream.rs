@@ -1,0 +1,114 @@
+//! The arguments of verbs that write and read streams.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use striata::codec::progressive::{Precision, StreamOptions};
+
+use super::{Length, OutputArgs};
+
+/// Heading of the flags about streams.
+const STREAM: &str = "Stream";
+
+/// Arguments of `encode`.
+#[derive(Debug, Args)]
+#[command(
+    override_usage = "striata encode [OPTIONS] <INPUT> -o <OUT.stri>",
+    after_help = "Examples:\n  \
+    striata encode bunny.ply -o bunny.stri\n  \
+    striata encode scan.obj -o scan.striata --bits 16 --effort small"
+)]
+pub(crate) struct EncodeArgs {
+    /// The mesh, or - for stdin
+    pub(crate) input: PathBuf,
+    /// The file to write, or - for stdout: a stream (.stri), or a .striata file with nothing else
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: PathBuf,
+    /// How it is coded.
+    #[command(flatten)]
+    pub(crate) stream: StreamArgs,
+}
+
+/// Arguments of `decode`.
+#[derive(Debug, Args)]
+#[command(
+    override_usage = "striata decode [OPTIONS] <INPUT> -o <OUT>",
+    after_help = "Examples:\n  \
+    striata decode bunny.stri -o bunny.ply\n  \
+    striata decode - -o so-far.glb < unfinished-download.stri"
+)]
+pub(crate) struct DecodeArgs {
+    /// A stream, or a .striata file that has one, whole or cut off anywhere; or - for stdin
+    pub(crate) input: PathBuf,
+    /// Where the mesh goes.
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+/// How a stream is coded.
+#[derive(Clone, Copy, Debug, Args)]
+#[command(next_help_heading = STREAM)]
+pub(crate) struct StreamArgs {
+    /// Bits of a coordinate along the longest side of the bounding box, 1 to 24 [default: 14]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=24), conflicts_with_all = ["tolerance", "lossless"])]
+    bits: Option<u32>,
+    /// Let no vertex move farther than this, instead: mesh units, or `1%` of the diagonal
+    #[arg(long, value_name = "E", allow_negative_numbers = true, conflicts_with = "lossless")]
+    tolerance: Option<Length>,
+    /// Keep the very numbers of the mesh, instead
+    #[arg(long)]
+    lossless: bool,
+    /// How hard the coder tries: fast (read quickest), default, small (fewest bytes)
+    #[arg(long, value_name = "EFFORT", hide_possible_values = true)]
+    effort: Option<EffortArg>,
+    /// Let each batch of splits take from this share of the vertices, the cheapest ones, over 0 and up to 1: more makes smaller
+    /// streams and worse levels [default: 0.3]
+    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_share)]
+    pub(crate) share: Option<f64>,
+}
+
+/// How hard the coder tries.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EffortArg {
+    /// Read quickest
+    Fast,
+    /// Good models
+    #[default]
+    Default,
+    /// Fewest bytes
+    Small,
+}
+
+impl StreamArgs {
+    /// The first flag that was given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let Self { bits, tolerance, lossless, effort, share } = self;
+        let flags = [
+            ("--bits", bits.is_some()),
+            ("--tolerance", tolerance.is_some()),
+            ("--lossless", *lossless),
+            ("--effort", effort.is_some()),
+            ("--share", share.is_some()),
+        ];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
+
+    /// What was asked for, in mesh units.
+    pub(crate) fn options(&self, diagonal: f64) -> StreamOptions {
+        let precision = match (self.bits, self.tolerance) {
+            _ if self.lossless => Precision::Lossless,
+            (Some(bits), _) => Precision::Bits(bits),
+            (None, Some(tolerance)) => Precision::Tolerance(tolerance.in_units(diagonal)),
+            (None, None) => Precision::default(),
+        };
+        let effort = self.effort.unwrap_or_default();
+        StreamOptions::default().with_precision(precision).with_effort(effort.into())
+    }
+}
+
+fn parse_share(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(share) if share > 0.0 && share <= 1.0 => Ok(share),
+        _ => Err("must be over 0 and up to 1".to_owned()),
+    }
+}

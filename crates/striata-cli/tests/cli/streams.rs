@@ -1,0 +1,361 @@
+//! Streams: there and back by every route, cut off anywhere, damaged, through pipes.
+
+use serde_json::Value;
+
+use crate::workbench::{Workbench, assert_keys, asset, sphere};
+
+/// A folder with `sphere.obj`, a ball of 2,240 triangles, and its stream `ball.stri`.
+fn with_stream() -> Workbench {
+    let bench = Workbench::new();
+    bench.write("sphere.obj", sphere(35, 32));
+    bench.run("encode sphere.obj -o ball.stri --quiet").success();
+    bench
+}
+
+fn number(report: &Value, key: &str) -> f64 {
+    report[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {report}"))
+}
+
+fn distance(bench: &Workbench, a: &str, b: &str) -> f64 {
+    number(&bench.json(&format!("distance {a} {b} --samples 20000")), "max")
+}
+
+#[test]
+fn encode_and_decode_report_what_they_did() {
+    let bench = with_stream();
+    let report = bench.json("encode sphere.obj -o ball.stri");
+    assert_keys(
+        &report,
+        &[
+            "vertex_count",
+            "triangle_count",
+            "position_count",
+            "step_count",
+            "batch_count",
+            "base.triangle_count",
+            "error_max",
+            "effort",
+            "stream.grid_bits",
+            "stream.grid_step",
+            "stream.chunk_count",
+            "stream.base_bytes",
+            "bits_per_vertex",
+            "connectivity_bits_per_vertex",
+            "position_bits_per_vertex",
+            "attribute_bits_per_vertex",
+            "other_bits_per_vertex",
+            "output_bytes",
+            "phases.simplify",
+            "phases.encode",
+            "secs",
+        ],
+    );
+    let bytes = bench.read("ball.stri").len();
+    let vertex_count = number(&report, "vertex_count");
+    assert_eq!(report["output_bytes"], bytes);
+    assert_eq!(report["effort"], "default");
+    assert_eq!(report["stream"]["grid_bits"], 14);
+    let bits = number(&report, "bits_per_vertex");
+    assert!((bits - 8.0 * bytes as f64 / vertex_count).abs() < 1e-9, "{report}");
+    let parts = ["connectivity", "position", "attribute", "other"];
+    let sum: f64 = parts.iter().map(|part| number(&report, &format!("{part}_bits_per_vertex"))).sum();
+    assert!((sum - bits).abs() < 1e-6, "{report}");
+    let decoded = bench.json("decode ball.stri -o back.ply");
+    assert_keys(
+        &decoded,
+        &["split_count", "error", "secs", "decode_secs", "triangles_per_sec", "stream_bytes"],
+    );
+    assert_eq!(decoded["vertex_count"], report["vertex_count"]);
+    assert_eq!(decoded["triangle_count"], 2240);
+    assert_eq!(decoded["step_count"], report["step_count"]);
+    assert_eq!(decoded["split_count"], report["step_count"]);
+    assert_eq!(decoded["is_complete"], true);
+    assert_eq!(decoded["read_bytes"], bytes);
+    assert_eq!(decoded["error"], 0.0);
+    // A step of the grid is 2 / 16383.
+    assert!(distance(&bench, "sphere.obj", "back.ply") < 3e-4);
+}
+
+#[test]
+fn flags_say_how_exact_and_how_small_a_stream_is() {
+    let bench = with_stream();
+    let encode = |flags: &str| {
+        let report = bench.json(&format!("encode sphere.obj -o x.stri {flags}"));
+        let decoded = bench.json("decode x.stri -o x.ply");
+        assert_eq!(decoded["triangle_count"], 2240, "{flags}");
+        (report, distance(&bench, "sphere.obj", "x.ply"))
+    };
+    let (rough, far) = encode("--bits 8");
+    let (fine, near) = encode("--bits 18");
+    assert!(number(&rough, "output_bytes") < number(&fine, "output_bytes"));
+    assert!(far > 10.0 * near && far < 0.02, "{far} {near}");
+    let (_, off) = encode("--tolerance 0.01");
+    assert!(off <= 0.01, "{off}");
+    let (_, off) = encode("--tolerance 0.1%");
+    assert!(off <= 0.001 * 12f64.sqrt(), "{off}");
+    let (exact, off) = encode("--lossless");
+    assert_eq!(exact["stream"]["is_lossless"], true);
+    assert!(off < 1e-12, "{off}");
+    for effort in ["fast", "default", "small"] {
+        assert_eq!(encode(&format!("--effort {effort}")).0["effort"], effort);
+    }
+    let [few, many] = ["0.1", "1"].map(|share| encode(&format!("--share {share}")).0["batch_count"].clone());
+    assert!(many.as_u64() < few.as_u64(), "{many} {few}");
+}
+
+#[test]
+fn every_verb_takes_a_stream() {
+    let bench = with_stream();
+    bench.run("encode sphere.obj -o ball.striata --quiet").success();
+    for file in ["ball.stri", "ball.striata"] {
+        let info = bench.json(&format!("info {file}"));
+        assert_eq!(info["triangle_count"], 2240);
+        assert_eq!(info["is_closed"], true);
+        assert_keys(
+            &info,
+            &["step_count", "base.triangle_count", "models.progressive.bytes", "stream.effort"],
+        );
+        assert_eq!(info["stream"]["is_complete"], true);
+        assert_eq!(info["stream"]["split_count"], info["step_count"]);
+        bench.run(&format!("convert {file} x.glb")).success();
+        assert_eq!(bench.json(&format!("simplify {file} -o y.ply --triangles 500"))["triangle_count"], 500);
+        assert_eq!(bench.json(&format!("strip {file}"))["triangle_count"], 2240);
+        assert_eq!(bench.json(&format!("build {file} -o z.striata"))["input"]["triangle_count"], 2240);
+        assert!(distance(&bench, file, "sphere.obj") < 3e-4);
+        let seen = bench.json(&format!("extract {file} -o seen.ply --eye 0,0,4 --pixels 4"));
+        assert!(number(&seen, "triangle_count") < 2240.0);
+        bench.run(&format!("encode {file} -o again.stri")).success();
+    }
+    assert_eq!(bench.json("info ball.stri")["kind"], "stri");
+    let text = bench.run("info ball.stri").success();
+    let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
+    assert!(text.contains("default effort, 14 bits") && text.contains("of the stream"), "{text}");
+    // What is written to a container is the stream and no mesh.
+    let sections = bench.json("info ball.striata")["sections"].to_string();
+    assert!(sections.contains("STRM") && !sections.contains("POSN"), "{sections}");
+    bench.run("build sphere.obj -o alone.striata --stream").success();
+    assert!(bench.json("info alone.striata")["sections"].as_array().is_some_and(|s| s.len() == 3));
+}
+
+#[test]
+fn models_beside_a_stream_have_its_levels() {
+    let bench = Workbench::new();
+    bench.write("sphere.obj", sphere(35, 32));
+    let report = bench.json("build sphere.obj -o all.striata --models lodstrips,fans,progressive --bits 16");
+    assert_keys(
+        &report,
+        &["models.progressive.bytes_per_vertex", "models.lodstrips.bytes", "stream.chunk_count"],
+    );
+    let step_count = report["step_count"].as_u64().expect("a number");
+    for at in [0, step_count / 7, step_count / 2, step_count] {
+        let extract = |model: &str| {
+            let to = format!("{model}.ply");
+            let line = format!("extract all.striata -o {to} --split-count {at} --model {model}");
+            let report = bench.json(&line);
+            assert_eq!(report["model"], model);
+            report
+        };
+        let [strips, fans, stream] = ["lodstrips", "fans", "progressive"].map(extract);
+        for key in ["triangle_count", "vertex_count", "split_count"] {
+            assert_eq!(strips[key], stream[key], "{key} at {at}");
+            assert_eq!(strips[key], fans[key], "{key} at {at}");
+        }
+        assert!(distance(&bench, "lodstrips.ply", "progressive.ply") < 1e-4);
+    }
+    // The mesh beside a stream is as exact as ever.
+    assert!(distance(&bench, "sphere.obj", "all.striata") < 1e-12);
+    // Damage to the stream harms nobody else; nor does a file that is cut off within it.
+    let mut bytes = bench.read("all.striata");
+    let whole = bytes.clone();
+    let at = bytes.len() - 50;
+    bytes[at] ^= 1;
+    bench.write("hurt.striata", &bytes);
+    bench.run("extract hurt.striata -o x.ply --detail 0.5").success();
+    assert!(
+        bench.refused("extract hurt.striata -o x.ply --detail 0.5 --model progressive").contains("damaged")
+    );
+    bench.write("cut.striata", &whole[..whole.len() - 50]);
+    bench
+        .run("extract cut.striata -o x.ply --detail 1")
+        .success()
+        .stderr(predicates::str::contains("cut off"));
+    let report = bench.json("extract cut.striata -o x.ply --detail 1 --model progressive");
+    assert_eq!(report["is_complete"], false);
+    assert_eq!(report["stop_reason"], "input_ended");
+    let info = bench.json("info cut.striata");
+    assert_eq!(info["stream"]["is_complete"], false);
+    assert!(info["stream"]["split_count"].as_u64() < Some(step_count));
+}
+
+#[test]
+fn levels_of_a_stream_meet_their_targets() {
+    let bench = with_stream();
+    let extract = |target: &str| {
+        let report = bench.json(&format!("extract ball.stri -o x.ply {target}"));
+        assert_eq!(report["model"], "progressive");
+        assert_keys(
+            &report,
+            &["is_complete", "read_bytes", "file_bytes", "level_bytes", "error", "seek_secs"],
+        );
+        let info = bench.json("info x.ply");
+        assert_eq!(info["triangle_count"], report["triangle_count"], "{target}");
+        report
+    };
+    let step_count = extract("--detail 1")["step_count"].as_u64().expect("a number");
+    let report = extract("--triangles 700");
+    let count = number(&report, "triangle_count");
+    assert!((698.0..=700.0).contains(&count), "{report}");
+    assert_eq!(report["stop_reason"], "target_reached");
+    assert!(number(&report, "level_bytes") <= number(&report, "read_bytes"));
+    assert!(number(&report, "read_bytes") < number(&report, "file_bytes"), "{report}");
+    assert_eq!(extract("--vertices 300")["vertex_count"], 300);
+    assert_eq!(extract("--split-count 100")["split_count"], 100);
+    assert_eq!(extract("--detail 0.5")["split_count"], step_count / 2);
+    assert_eq!(extract("--detail 0")["split_count"], 0);
+    assert_eq!(extract("--triangles 99999")["stop_reason"], "full_mesh");
+    assert_eq!(extract("--triangles 2")["stop_reason"], "base_reached");
+    let report = extract("--error 1%");
+    assert!(number(&report, "error") <= 0.01 * 12f64.sqrt(), "{report}");
+    assert!(number(&report, "split_count") < step_count as f64);
+    bench.run("extract ball.stri -o x.glb --triangles 700 --as strips").success();
+    bench.run("extract ball.stri -o x.glb --triangles 700 --as fans").success();
+    assert!(bench.refused("extract ball.stri -o x.ply --detail 1 --model mts").contains("no model mts"));
+    assert!(
+        bench.refused("extract ball.stri -o x.ply --eye 0,0,3 --model progressive").contains("whole levels")
+    );
+}
+
+#[test]
+fn a_stream_that_is_cut_off_shows_what_is_there() {
+    let bench = with_stream();
+    bench.run("encode sphere.obj -o ball.striata --quiet").success();
+    for (whole, part) in [("ball.stri", "part.stri"), ("ball.striata", "part.striata")] {
+        let bytes = bench.read(whole);
+        let facts = bench.json(&format!("info {whole}"));
+        let step_count = number(&facts, "step_count");
+        let before = bytes.len() - number(&facts["stream"], "bytes") as usize;
+        let base = before + number(&facts["stream"], "base_bytes") as usize;
+        let mut last = -1.0;
+        for i in 0..12 {
+            let length = base + (bytes.len() - base) * i / 12;
+            bench.write(part, &bytes[..length]);
+            let report = bench.json(&format!("decode {part} -o x.ply"));
+            assert_eq!(report["is_complete"], false);
+            assert_eq!(report["read_bytes"], length - before);
+            let split_count = number(&report, "split_count");
+            assert!(split_count >= last && split_count < step_count, "{report}");
+            last = split_count;
+            let info = bench.json("info x.ply");
+            assert_eq!(info["triangle_count"], report["triangle_count"]);
+            assert_eq!(info["is_closed"], true, "{length}");
+            let level = bench.json(&format!("extract {part} -o x.ply --detail 1"));
+            assert_eq!(level["split_count"], report["split_count"]);
+            assert_eq!(level["stop_reason"], "input_ended");
+            assert_eq!(level["is_complete"], false);
+            assert_eq!(level["error"], report["error"]);
+            assert_eq!(
+                bench.json(&format!("extract {part} -o x.ply --detail 0"))["stop_reason"],
+                "target_reached"
+            );
+            let info = bench.json(&format!("info {part}"));
+            assert_eq!(info["stream"]["split_count"], report["split_count"]);
+            assert_eq!(info["stream"]["is_complete"], false);
+        }
+        assert!(last > 0.5 * step_count, "eleven twelfths of the bytes gave {last} of {step_count}");
+        // Verbs that take meshes take what is there, and say so.
+        for line in
+            ["convert {} x.ply", "strip {}", "simplify {} -o x.ply --detail 1", "distance {} sphere.obj"]
+        {
+            let assert = bench.run(&line.replace("{}", part)).success();
+            let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+            assert!(stderr.contains("cut off after"), "{line}: {stderr}");
+        }
+        for length in [base - 1, before + 20, before + 3] {
+            bench.write(part, &bytes[..length]);
+            for verb in
+                ["decode {} -o y.ply", "info {}", "extract {} -o y.ply --detail 1", "convert {} y.ply"]
+            {
+                let said = bench.refused(&verb.replace("{}", part));
+                assert!(said.contains(part) && said.contains("hint: "), "{verb} of {length} bytes: {said}");
+            }
+        }
+    }
+    assert!(!bench.names().contains(&"y.ply".to_owned()), "nothing was to be written");
+}
+
+#[test]
+fn damaged_streams_are_refused() {
+    let bench = with_stream();
+    let bytes = bench.read("ball.stri");
+    for i in 0..40 {
+        let at = bytes.len() * i / 40;
+        let mut hurt = bytes.clone();
+        hurt[at] ^= 0x10;
+        bench.write("hurt.stri", &hurt);
+        let said = bench.refused("decode hurt.stri -o y.ply");
+        assert!(said.contains("hurt.stri"), "{at}: {said}");
+    }
+    let mut long = bytes.clone();
+    long.push(0);
+    bench.write("long.stri", &long);
+    assert!(bench.refused("decode long.stri -o y.ply").contains("bytes, expected"));
+    bench.write("empty.stri", "");
+    assert!(bench.refused("decode empty.stri -o y.ply").contains("empty.stri"));
+    assert!(!bench.names().contains(&"y.ply".to_owned()), "nothing was to be written");
+}
+
+#[test]
+fn streams_go_through_pipes() {
+    let bench = with_stream();
+    let stream = bench.run("encode sphere.obj -o - --quiet").success().get_output().stdout.clone();
+    assert_eq!(stream, bench.read("ball.stri"));
+    let mesh = bench.command("decode - -o - --quiet").write_stdin(stream.clone()).assert().success();
+    bench.run("decode ball.stri -o x.ply").success();
+    assert_eq!(mesh.get_output().stdout, bench.read("x.ply"));
+    let half = &stream[..stream.len() / 2];
+    let mesh = bench.command("decode - -o half.ply").write_stdin(half).assert().success();
+    assert!(String::from_utf8_lossy(&mesh.get_output().stderr).contains("stdin: cut off after"));
+    let mesh = bench.command("extract - -o some.ply --triangles 500").write_stdin(half).assert().success();
+    assert!(String::from_utf8_lossy(&mesh.get_output().stderr).contains("target reached"));
+    assert!(bench.refused("encode sphere.obj -o - --json").contains("cannot both go to stdout"));
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    let bench = with_stream();
+    let said = |line: &str, expected: &str| {
+        let said = bench.refused(line);
+        assert!(said.contains(expected), "{line}: {said}");
+    };
+    said("decode sphere.obj -o x.ply", "not a .striata file");
+    said("encode sphere.obj -o x.ply", "`encode` writes streams");
+    said("convert sphere.obj x.stri", "striata encode");
+    said("encode sphere.obj -o x.stri --bits 25", "--bits");
+    said("encode sphere.obj -o x.stri --bits 12 --lossless", "--lossless");
+    said("encode sphere.obj -o x.stri --share 0", "over 0");
+    said("build sphere.obj -o x.striata --bits 12", "--models progressive");
+    said("build sphere.obj -o x.striata --stream --order hausdorff", "quadric");
+    said("build sphere.obj -o x.striata --stream --models mts", "--models");
+    bench.run("build sphere.obj -o strips.striata --quiet").success();
+    said("decode strips.striata -o x.ply", "no model progressive");
+}
+
+#[test]
+fn attributes_and_boundaries_survive() {
+    let bench = Workbench::new();
+    let spot = asset("spot.obj.zst");
+    let Some(spot) = spot.to_str().filter(|_| spot.exists()) else { panic!("assets/spot.obj.zst is there") };
+    let full = bench.json(&format!("info {spot}"));
+    let report = bench.json(&format!("build {spot} -o spot.striata --stream --max-error 2%"));
+    assert_eq!(report["error_is_guaranteed"], true);
+    let info = bench.json("info spot.striata");
+    assert_eq!(info["triangle_count"], full["triangle_count"]);
+    assert_eq!(info["boundary_edge_count"], full["boundary_edge_count"]);
+    assert_eq!(info["error_is_guaranteed"], true);
+    let level = bench.json("extract spot.striata -o x.ply --error 1%");
+    assert_eq!(level["error_is_guaranteed"], true);
+    let off = bench.json(&format!("distance {spot} x.ply --samples 100000"));
+    let allowed = number(&level, "error") + 2e-4 * number(&full, "diagonal");
+    let found = off["a_to_b"]["max"].as_f64().expect("a number");
+    assert!(found <= allowed, "{found} is over {allowed}");
+}

@@ -1,0 +1,103 @@
+//! Where a new vertex might be: many guesses from what is around it.
+//!
+//! On a surface that was sampled with some regularity, one or other of these is often nearly right, though nobody can
+//! tell which. So they are not averaged: each is a bump of a density, and what a kind of guesses is worth is learned.
+//!
+//! ```text
+//!         apex -- left
+//!        /    \  /  \          inside:  r0 + r2 - r1        moved:     r2 + left - apex
+//!      r0 ---- r1 -- beyond    across:  r0 + r1 - apex      straight:  2 r1 - beyond
+//!        \    /  \  /          middle:  (r0 + r3) / 2
+//!          v --- r2
+//! ```
+
+use super::local::{LANES, Local, Point};
+
+/// Kinds of guesses.
+pub(super) const KINDS: usize = 5;
+/// Parallelograms of three consecutive ring vertices.
+pub(super) const INSIDE: usize = 0;
+/// Parallelograms across ring edges.
+pub(super) const ACROSS: usize = 1;
+/// Middles of the ring and of opposite ring vertices.
+pub(super) const MIDDLE: usize = 2;
+/// Ring vertices moved along edges of the second ring; heights of planes instead where the other two axes are known.
+pub(super) const MOVED: usize = 3;
+/// As far from a ring vertex as what lies beyond it.
+pub(super) const STRAIGHT: usize = 4;
+
+/// Guesses of one kind, a lane for each.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Guesses {
+    /// By axis.
+    pub(super) at: [[i16; LANES]; 3],
+    /// Lanes in use.
+    pub(super) count: usize,
+}
+
+impl Guesses {
+    #[inline]
+    fn push(&mut self, point: Point) {
+        if self.count < LANES {
+            for (at, x) in self.at.iter_mut().zip(point) {
+                at[self.count] = x.clamp(-16_000, 16_000) as i16;
+            }
+            self.count += 1;
+        }
+    }
+}
+
+/// Three points as `a + b - c`.
+fn corner(a: Point, b: Point, c: Point) -> Point {
+    [0, 1, 2].map(|i| a[i] + b[i] - c[i])
+}
+
+fn middle(a: Point, b: Point) -> Point {
+    [0, 1, 2].map(|i| (a[i] + b[i]) >> 1)
+}
+
+/// Makes guesses of all kinds.
+pub(super) fn guess(local: &Local, guesses: &mut [Guesses; KINDS]) {
+    guesses.iter_mut().for_each(|g| g.count = 0);
+    let n = local.count;
+    let wrap = |i: usize| if i >= n { i - n } else { i };
+    guesses[MIDDLE].push([0; 3]);
+    for i in 0..n {
+        let [here, next, after] = [0, 1, 2].map(|k| local.ring[wrap(i + k)]);
+        let Some(here) = here else { continue };
+        if let (Some(next), Some(apex)) = (next, local.apexes[i]) {
+            guesses[ACROSS].push(corner(here, next, apex));
+        }
+        if let Some(beyond) = opposite(local, i) {
+            guesses[STRAIGHT].push(corner(here, here, beyond));
+        }
+        if n < 4 {
+            continue;
+        }
+        if let (Some(next), Some(after)) = (next, after) {
+            guesses[INSIDE].push(corner(here, after, next));
+        }
+        if let (true, Some(there)) = (n % 2 == 1 || 2 * i < n, local.ring[wrap(i + n / 2)]) {
+            guesses[MIDDLE].push(middle(here, there));
+        }
+        if let (true, Some(apex), [Some(left), _], Some(after)) =
+            (n >= 5, local.apexes[i], local.beyond[i], after)
+        {
+            guesses[MOVED].push(corner(after, left, apex));
+        }
+    }
+}
+
+/// What lies opposite of the new vertex, seen from a ring vertex.
+fn opposite(local: &Local, i: usize) -> Option<Point> {
+    let before = if i == 0 { local.count - 1 } else { i - 1 };
+    let pair = if local.is_narrow[i] {
+        [local.apexes[i], local.apexes[before]]
+    } else {
+        [local.beyond[i][0], local.beyond[before][1]]
+    };
+    match pair {
+        [Some(p), Some(q)] => Some(middle(p, q)),
+        [p, q] => p.or(q),
+    }
+}

@@ -1,0 +1,125 @@
+//! What is known around a new vertex, in units of its own size.
+//!
+//! All coordinates are taken from the middle of the ring and shifted until the ring's radius has eleven bits. They then
+//! fit 16 bits, and widths of densities are constants.
+
+use super::super::hood::Hood;
+use super::super::surface::{next, previous};
+
+/// Ring vertices that are looked at: a lane for each.
+pub(super) const LANES: usize = 8;
+/// Local coordinates stay within this.
+const REACH: i64 = 12_000;
+
+/// A point in local units.
+pub(super) type Point = [i32; 3];
+
+/// The surroundings of a new vertex in local units.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Local {
+    /// Grid coordinates of the middle of the ring: the local zero.
+    pub(super) origin: [i32; 3],
+    /// Local units are grid units times 2 to this, -16 at least.
+    pub(super) shift: i32,
+    /// The same as a factor, in 1/65536.
+    factor: i64,
+    /// Root of the mean squared distance of the ring from its middle, in local units: 1024 to 2047.
+    pub(super) radius: i32,
+    /// Vertices of the ring.
+    pub(super) ids: [u32; LANES],
+    /// Their places; none where virtual.
+    pub(super) ring: [Option<Point>; LANES],
+    /// The vertex beyond each ring edge, where it is known.
+    pub(super) apexes: [Option<Point>; LANES],
+    /// What lies beyond each apex, across its edge with the ring vertex, and with the next ring vertex.
+    pub(super) beyond: [[Option<Point>; 2]; LANES],
+    /// True where the triangle beyond the first of these edges is that of the apex before.
+    pub(super) is_narrow: [bool; LANES],
+    /// Length of these lists.
+    pub(super) count: usize,
+}
+
+impl Local {
+    /// Looks around; two rings further `with_beyond`.
+    pub(super) fn look(&mut self, hood: &Hood<'_>, with_beyond: bool) {
+        self.count = hood.corners.len().min(LANES);
+        let mut known = [[0; 3]; LANES];
+        let mut known_count = 0;
+        let mut places = [None; LANES];
+        for (i, &corner) in hood.corners[..self.count].iter().enumerate() {
+            self.ids[i] = hood.surface.vertex(next(corner));
+            places[i] = hood.place(self.ids[i]);
+            if let Some(place) = places[i] {
+                known[known_count] = place;
+                known_count += 1;
+            }
+        }
+        self.measure(&known[..known_count]);
+        for (i, &place) in places[..self.count].iter().enumerate() {
+            self.ring[i] = place.map(|p| self.localise(p));
+        }
+        let mut apex_ids = [0; LANES];
+        for (i, &corner) in hood.corners[..self.count].iter().enumerate() {
+            let across = hood.surface.opposite(corner);
+            apex_ids[i] = hood.surface.vertex(across);
+            self.apexes[i] = self.find(hood, apex_ids[i]);
+            if with_beyond {
+                let ids =
+                    [next(across), previous(across)].map(|c| hood.surface.vertex(hood.surface.opposite(c)));
+                self.beyond[i] = ids.map(|v| self.find(hood, v));
+                let before = hood.corners[if i == 0 { self.count - 1 } else { i - 1 }];
+                self.is_narrow[i] = ids[0] == hood.surface.vertex(hood.surface.opposite(before));
+            }
+        }
+    }
+
+    fn find(&self, hood: &Hood<'_>, vertex: u32) -> Option<Point> {
+        hood.place(vertex).map(|p| self.localise(p))
+    }
+
+    fn measure(&mut self, known: &[[i32; 3]]) {
+        let inverse = 65_536 / known.len().max(1) as i64;
+        let first = known.first().copied().unwrap_or_default();
+        let off = |p: &[i32; 3], from: &[i32; 3], a: usize| i64::from(p[a].wrapping_sub(from[a]));
+        self.origin = std::array::from_fn(|a| {
+            let sum: i64 = known.iter().map(|p| off(p, &first, a)).sum();
+            first[a].wrapping_add(((sum * inverse + 32_768) >> 16) as i32)
+        });
+        // Grids have fewer bits than what is cut off here, and squares can be summed.
+        let square = |p: &[i32; 3], a: usize| off(p, &self.origin, a).clamp(-1 << 24, 1 << 24).pow(2);
+        let sum: i64 = known.iter().map(|p| square(p, 0) + square(p, 1) + square(p, 2)).sum();
+        // In 1/16 grid units. Square roots are rounded the same everywhere.
+        let radius = (((sum * inverse) >> 8) as f64).sqrt().max(8.0) as u32;
+        self.shift = 14 - radius.ilog2() as i32;
+        self.factor = 1 << (16 + self.shift);
+        self.radius = ((i64::from(radius) * self.factor) >> 20) as i32;
+    }
+
+    /// A grid place in local units.
+    #[inline]
+    pub(super) fn localise(&self, place: [i32; 3]) -> Point {
+        [0, 1, 2].map(|a| self.localise_axis(place[a], a))
+    }
+
+    /// A grid coordinate in local units.
+    #[inline]
+    pub(super) fn localise_axis(&self, coordinate: i32, axis: usize) -> i32 {
+        let off = i64::from(coordinate.wrapping_sub(self.origin[axis]));
+        ((off * self.factor) >> 16).clamp(-REACH, REACH) as i32
+    }
+
+    /// The grid coordinate nearest to a local one.
+    #[inline]
+    pub(super) fn to_grid(&self, local: i32, axis: usize) -> i32 {
+        let shift = self.shift;
+        let off = if shift > 0 { (local + (1 << (shift - 1))) >> shift } else { local << -shift };
+        self.origin[axis].wrapping_add(off)
+    }
+
+    /// The border between a grid coordinate and the one below, in local units.
+    #[inline]
+    pub(super) fn border(&self, coordinate: i32, axis: usize) -> i16 {
+        let twice = 2 * i64::from(coordinate.wrapping_sub(self.origin[axis])) - 1;
+        ((twice * self.factor) >> 17).clamp(-20_000, 20_000) as i16
+    }
+}

@@ -1,0 +1,91 @@
+//! Positions under a mixture of guesses.
+//!
+//! The two axes along which the surface runs most are coded first. After each, guesses that were near count more
+//! for the next one; for the last, all guesses are moved along the surface to where the vertex now must be.
+
+use super::super::super::entropy::Coder;
+use super::super::hood::Hood;
+use super::axis::AxisModel;
+use super::blend::Blend;
+use super::sight::{Sight, normal_order};
+
+/// Logarithms of half the widths of bumps, along the surface and across it, in local units.
+type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
+
+/// A model of positions with the first `USED` kinds of guesses.
+#[derive(Clone, Debug)]
+pub(super) struct MixedModel<const USED: usize, const WIDTHS: usize, const VECTORS: usize> {
+    widths: Widths<WIDTHS>,
+    sight: Sight<USED>,
+    axes: [AxisModel<VECTORS>; 3],
+    /// Along the surface and across it, by valence.
+    blends: [[Blend; 4]; 2],
+    /// How large the error was at each vertex, along the surface and across it.
+    errors: Vec<[u8; 2]>,
+}
+
+impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<USED, WIDTHS, VECTORS> {
+    /// Knows nothing yet.
+    pub(super) fn new(widths: Widths<WIDTHS>) -> Self {
+        Self {
+            widths,
+            sight: Sight::new(),
+            axes: std::array::from_fn(|_| AxisModel::new(Sight::<USED>::LOOKS_BEYOND)),
+            blends: [[Blend::new(); 4]; 2],
+            errors: Vec::new(),
+        }
+    }
+
+    /// Codes the place of a new vertex.
+    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, hood: &Hood<'_>, actual: [i32; 3]) -> [i32; 3] {
+        self.sight.look(hood);
+        let (normal, axes) = normal_order(&self.sight.local);
+        let ring_errors = self.ring_errors();
+        let valence = self.sight.local.count.clamp(4, 7) - 4;
+        let mut place = [0; 3];
+        let mut errors = [0u32; 2];
+        for (slot, &a) in axes.iter().enumerate() {
+            let across = slot / 2;
+            self.sight.aim(slot, (normal, axes), place);
+            let features = self.sight.features(a);
+            let expected = self.blends[across][valence].predict(&features);
+            let axis = self.sight.axis(
+                a,
+                self.widths[across],
+                expected,
+                ring_errors[across] * 4 + valence,
+                &features,
+            );
+            place[a] = self.axes[slot].code(coder, &axis, actual[a]);
+            let found = self.sight.local.localise_axis(place[a], a);
+            let error = (found - expected).clamp(-self.sight.local.radius, self.sight.local.radius);
+            self.blends[across][valence].learn(&features, error);
+            errors[across] = errors[across].max(error.unsigned_abs());
+            if slot < 2 {
+                self.sight.reweigh(slot, found);
+            }
+        }
+        self.note(hood.vertex, errors);
+        place
+    }
+
+    /// How well the vertices of the ring could be foretold, along the surface and across it: 0 to 3.
+    fn ring_errors(&self) -> [usize; 2] {
+        let (mut sums, mut count) = ([0; 2], 0);
+        for &id in &self.sight.local.ids[..self.sight.local.count] {
+            if let Some(errors) = self.errors.get(id as usize) {
+                sums[0] += usize::from(errors[0]);
+                sums[1] += usize::from(errors[1]);
+                count += 1;
+            }
+        }
+        let class = |sum: usize, first: usize| (sum / count.max(1)).saturating_sub(first).min(3);
+        [class(sums[0], 5), class(sums[1], 4)]
+    }
+
+    fn note(&mut self, vertex: u32, errors: [u32; 2]) {
+        self.errors.resize(vertex as usize, [7; 2]);
+        self.errors
+            .push(errors.map(|error| (error * 1024 / self.sight.local.radius as u32 + 1).ilog2() as u8));
+    }
+}

@@ -1,0 +1,188 @@
+//! Files with streams: alone and beside models, whole and cut off.
+
+mod meshes;
+mod support;
+
+use striata::codec::progressive::{EncodedStream, StreamOptions, encode_stream};
+use striata::codec::{DecodeError, FileModel, SectionKind, StriataFile, WriteOptions, to_striata};
+use striata::mesh::{RefinableMesh, canonical_triangles, replay, shapes};
+use striata::model::{LodModel, LodStrips};
+use striata::simplify::{BatchOptions, build_batches};
+use striata::strip::{StripOptions, stripify};
+
+struct Made {
+    /// In the order of the stream.
+    refinable: RefinableMesh,
+    stream: EncodedStream,
+}
+
+fn make(mesh: &striata::mesh::IndexedMesh) -> Made {
+    let built = build_batches(mesh, &BatchOptions::default(), &mut striata::ignore_progress).unwrap();
+    let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap();
+    Made { refinable: stream.reorder(&built.built.refinable), stream }
+}
+
+fn alone(made: &Made) -> Vec<u8> {
+    let options = WriteOptions::default().with_metadata("source", "torus");
+    to_striata(&made.refinable, &[FileModel::Progressive(&made.stream.bytes)], &options).unwrap()
+}
+
+#[test]
+fn a_mesh_in_the_order_of_its_stream_has_its_levels() {
+    for mesh in [shapes::torus(40, 20, 1.0, 0.4), shapes::grid(21, 17), shapes::icosphere(3, 1.0)] {
+        let made = make(&mesh);
+        let bytes = alone(&made);
+        let decoded = StriataFile::parse(&bytes).unwrap().refinable_mesh().unwrap();
+        let (ours, theirs) = (&made.refinable, &decoded);
+        assert_eq!(ours.sequence.targets(), theirs.sequence.targets());
+        assert_eq!(ours.sequence.removed_triangle_counts(), theirs.sequence.removed_triangle_counts());
+        for split_count in (0..=ours.sequence.step_count()).step_by(17) {
+            let [a, b] = [ours, theirs].map(|m| canonical_triangles(&replay(m, split_count).triangles));
+            assert_eq!(a, b, "{split_count}");
+        }
+        let step = mesh.diagonal() / 16383.0;
+        for (a, b) in ours.mesh.positions.iter().zip(&theirs.mesh.positions) {
+            assert!((0..3).all(|i| f64::from((a[i] - b[i]).abs()) <= step), "{a:?} became {b:?}");
+        }
+    }
+}
+
+#[test]
+fn a_stream_alone_is_all_that_a_file_needs() {
+    let made = make(&shapes::torus(40, 20, 1.0, 0.4));
+    let bytes = alone(&made);
+    let file = StriataFile::parse(&bytes).unwrap();
+    let kinds: Vec<_> = file.sections().iter().map(|s| s.kind).collect();
+    assert_eq!(kinds, [SectionKind::SUMMARY, SectionKind::METADATA, SectionKind::STREAM]);
+    assert!(file.is_stream_only() && !file.is_cut() && file.has_collapses());
+    assert_eq!(file.stream().unwrap().unwrap(), made.stream.bytes);
+    assert_eq!(file.metadata().unwrap(), [("source".to_owned(), "torus".to_owned())]);
+    let refinable = file.refinable_mesh().unwrap();
+    assert_eq!(file.mesh().unwrap(), refinable.mesh);
+    assert_eq!(file.sequence().unwrap(), refinable.sequence);
+    assert_eq!(file.positions().unwrap(), refinable.mesh.positions);
+    assert_eq!(file.errors().unwrap(), refinable.sequence.errors());
+    assert_eq!(file.groups().unwrap(), refinable.mesh.groups);
+    assert_eq!(file.layers().unwrap(), refinable.mesh.layers);
+    let step_count = refinable.sequence.step_count();
+    assert_eq!(file.summary().step_count, step_count);
+    assert_eq!(file.summary().base_triangle_count, refinable.sequence.triangle_count_at(0));
+    assert_eq!(file.level(step_count / 3).unwrap(), replay(&refinable, step_count / 3));
+    assert!(matches!(file.level(step_count + 1), Err(DecodeError::SplitCount { .. })));
+    assert!(file.lod_strips().is_none() && file.fans().is_none() && file.strips().is_none());
+    // The bare stream stands for the same.
+    let bare = StriataFile::from_stream(&made.stream.bytes).unwrap();
+    assert_eq!(bare.refinable_mesh().unwrap(), refinable);
+    let (mut a, b) = (file.summary(), bare.summary());
+    assert!(a.bounds.take().is_some());
+    a.error_max = b.error_max;
+    assert_eq!(a, b);
+}
+
+#[test]
+fn models_and_stream_lie_in_one_file() {
+    let made = make(&shapes::torus(40, 20, 1.0, 0.4));
+    let strips = stripify(&made.refinable.mesh, &StripOptions::default()).unwrap();
+    let model = LodStrips::build(&made.refinable, &strips).unwrap();
+    let models = [FileModel::Progressive(&made.stream.bytes), FileModel::LodStrips(&model)];
+    let bytes = to_striata(&made.refinable, &models, &WriteOptions::default()).unwrap();
+    let file = StriataFile::parse(&bytes).unwrap();
+    assert_eq!(file.sections().last().map(|s| s.kind), Some(SectionKind::STREAM));
+    assert!(!file.is_stream_only());
+    assert_eq!(file.mesh().unwrap().positions, made.refinable.mesh.positions);
+    assert_eq!(file.lod_strips().unwrap().unwrap().step_count(), model.step_count());
+    let decoded =
+        StriataFile::from_stream(file.stream().unwrap().unwrap()).unwrap().refinable_mesh().unwrap();
+    let split_count = model.step_count() / 2;
+    let [a, b] = [file.level(split_count).unwrap(), replay(&decoded, split_count)];
+    assert_eq!(canonical_triangles(&a.triangles), canonical_triangles(&b.triangles));
+}
+
+#[test]
+fn a_file_that_is_cut_off_has_the_beginning_of_its_stream() {
+    let made = make(&shapes::torus(40, 20, 1.0, 0.4));
+    let bytes = alone(&made);
+    let whole = StriataFile::parse(&bytes).unwrap();
+    let full = whole.refinable_mesh().unwrap();
+    let stream = *whole.sections().last().unwrap();
+    let offset = stream.offset as usize;
+    let mut counts = Vec::new();
+    for length in 0..bytes.len() {
+        let part = &bytes[..length];
+        assert!(StriataFile::parse(part).is_err(), "{length}");
+        let file = match StriataFile::parse_cut(part) {
+            Ok(file) => file,
+            Err(error) => {
+                assert!(
+                    length < offset
+                        && matches!(error, DecodeError::FileLength { .. } | DecodeError::Magic { .. }),
+                    "{length}: {error}"
+                );
+                continue;
+            }
+        };
+        assert!(file.is_cut() && length >= offset);
+        assert_eq!(file.stream().unwrap().unwrap(), &made.stream.bytes[..length - offset]);
+        if length % 23 != 0 {
+            continue;
+        }
+        match file.refinable_mesh() {
+            Ok(part) => {
+                let split_count = part.sequence.step_count();
+                counts.push(split_count);
+                let expected = canonical_triangles(&replay(&full, split_count).triangles);
+                assert_eq!(canonical_triangles(&part.mesh.triangles), expected);
+                assert_eq!(file.level(split_count).unwrap().vertex_count(), part.mesh.vertex_count());
+                assert!(file.level(split_count + 1).is_err());
+            }
+            Err(error) => assert!(counts.is_empty(), "{length}: {error}"),
+        }
+    }
+    assert!(counts.len() > 20 && counts.is_sorted(), "{counts:?}");
+    assert!(StriataFile::parse_cut(&bytes).is_ok_and(|file| !file.is_cut()));
+    // No file is longer than it says, and none without a stream may be cut off.
+    let longer = [&bytes[..], &[0]].concat();
+    assert!(matches!(StriataFile::parse_cut(&longer), Err(DecodeError::FileLength { .. })));
+    let plain = to_striata(&made.refinable, &[], &WriteOptions::default()).unwrap();
+    assert!(matches!(StriataFile::parse_cut(&plain[..plain.len() - 1]), Err(DecodeError::FileLength { .. })));
+}
+
+#[test]
+fn damaged_files_do_no_harm() {
+    let made = make(&shapes::torus(24, 12, 1.0, 0.4));
+    let bytes = alone(&made);
+    for at in (0..bytes.len()).step_by(3) {
+        let mut hurt = bytes.clone();
+        hurt[at] ^= 0x20;
+        if let Ok(file) = StriataFile::parse(&hurt) {
+            // What lies between sections is not looked at.
+            if let Ok(mesh) = file.mesh() {
+                assert_eq!(mesh.triangle_count(), made.refinable.mesh.triangle_count());
+            }
+        }
+        // The end of a file that is cut off is not checked: any sound mesh may come.
+        if let Ok(file) = StriataFile::parse_cut(&hurt[..hurt.len() - 1]) {
+            if let Ok(mesh) = file.mesh() {
+                mesh.check().unwrap();
+            }
+        }
+    }
+}
+
+#[test]
+fn streams_of_other_meshes_are_refused() {
+    let made = make(&shapes::torus(24, 12, 1.0, 0.4));
+    let other = make(&shapes::torus(24, 11, 1.0, 0.4));
+    let refused = |stream: &[u8]| {
+        to_striata(&made.refinable, &[FileModel::Progressive(stream)], &WriteOptions::default()).unwrap_err()
+    };
+    assert_eq!(
+        refused(&other.stream.bytes).to_string(),
+        "the progressive model has 264 vertices, the mesh has 288"
+    );
+    assert!(refused(&made.stream.bytes[..100]).to_string().contains("bytes"));
+    assert!(refused(b"no stream").to_string().contains("bytes"));
+    let twice = [FileModel::Progressive(&made.stream.bytes); 2];
+    let error = to_striata(&made.refinable, &twice, &WriteOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("more than once"), "{error}");
+}
