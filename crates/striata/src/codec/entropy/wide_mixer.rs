@@ -69,3 +69,52 @@ impl<const VECTORS: usize> WideMixer<VECTORS> {
         set.rate -= (set.rate - LAST_RATE + (1 << RATE_FALL) - 1) >> RATE_FALL;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::logistic::log_odds;
+    use super::*;
+    use crate::mesh::Random;
+
+    fn cost(p_one: i32, bit: bool) -> f64 {
+        -(f64::from(if bit { p_one } else { 65536 - p_one }) / 65536.0).log2()
+    }
+
+    #[test]
+    fn a_mixer_finds_out_whom_to_trust() {
+        let mut random = Random::new(8);
+        let mut mixer = WideMixer::new(2, [[2000; 8]; 2]);
+        let (mut spent, mut ideal) = (0.0, 0.0);
+        for at in 0..20_000 {
+            let p = 3000 + random.below(59_000);
+            let bit = random.below(65536) < p;
+            // In context 0 an opinion of the first vector is right, in context 1 one of the last says the contrary.
+            let context = at % 2;
+            let mut inputs = [[0; 8]; 2].map(|lanes| lanes.map(|_: i16| random.below(1000) as i16 - 500));
+            if context == 0 {
+                inputs[0][3] = log_odds(p) as i16;
+            } else {
+                inputs[1][7] = -log_odds(p) as i16;
+            }
+            mixer.mix(&inputs, context);
+            if at >= 4000 {
+                spent += cost(mixer.p_one, bit);
+                ideal += cost(p as i32, bit);
+            }
+            mixer.update(&inputs, bit);
+        }
+        assert!(spent < ideal * 1.05, "{spent} bits for {ideal}");
+    }
+
+    #[test]
+    fn extreme_opinions_stay_in_range() {
+        let mut mixer = WideMixer::new(1, [[0x7FFF; 8]; 3]);
+        for at in 0..3000 {
+            let sign = if at % 3 == 0 { -1 } else { 1 };
+            let inputs = [[LOG_ODDS_LIMIT as i16 * sign; 8]; 3];
+            let mixed = mixer.mix(&inputs, 0);
+            assert!((-LOG_ODDS_LIMIT..=LOG_ODDS_LIMIT).contains(&mixed));
+            mixer.update(&inputs, at % 2 == 0);
+        }
+    }
+}

@@ -5,9 +5,9 @@
 //! often it went so at this point of the tree under like circumstances; two mixers weigh them, and their mean counts.
 
 use super::super::super::entropy::{
-    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q16,
+    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q16, probability,
 };
-use super::bumps::{Bumps, Width};
+use super::bumps::{Bumps, Width, below};
 use super::local::Local;
 
 const COUNTERS: usize = 3;
@@ -28,7 +28,7 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     /// Which axis.
     pub(super) axis: usize,
     /// The density of each kind of guess.
-    pub(super) bumps: &'a [Bumps; KINDS],
+    pub(super) bumps: &'a [Bumps],
     /// How far bumps reach.
     pub(super) widths: [Width; WIDTHS],
     /// The grid coordinate that is expected.
@@ -53,8 +53,12 @@ impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
     fn below(&self, off: i32) -> Masses<KINDS, WIDTHS> {
         let x = self.local.border(self.centre.wrapping_add(off), self.axis);
         let mut masses = [[0; WIDTHS]; KINDS];
-        for (masses, bumps) in masses.iter_mut().zip(self.bumps) {
-            *masses = bumps.below(x, &self.widths);
+        if KINDS == 1 {
+            masses[0] = below(self.bumps, x, &self.widths);
+        } else {
+            for (masses, bumps) in masses.iter_mut().zip(self.bumps) {
+                *masses = below(std::slice::from_ref(bumps), x, &self.widths);
+            }
         }
         masses
     }
@@ -72,7 +76,7 @@ pub(super) struct AxisModel<const VECTORS: usize> {
     mixer: WideMixer<VECTORS>,
     /// A second one where there is time for it.
     other: Option<WideMixer<VECTORS>>,
-    refiner: Refiner,
+    refiner: Option<Refiner>,
 }
 
 impl<const VECTORS: usize> AxisModel<VECTORS> {
@@ -89,7 +93,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             by_spread: bits(SPREADS),
             mixer: WideMixer::new(DEPTHS * PLACES, first),
             other: is_thorough.then(|| WideMixer::new(SIZES, first)),
-            refiner: Refiner::new(DEPTHS),
+            refiner: is_thorough.then(|| Refiner::new(DEPTHS)),
         }
     }
 
@@ -128,12 +132,9 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             let middle = (low + high) >> 1;
             let below = axis.below(middle);
             let mut inputs = [[0; 8]; VECTORS];
-            let opinions = &mut inputs.as_flattened_mut()[COUNTERS..];
-            if axis.is_mirrored {
-                weigh(&below_high, &below, &below_low, opinions);
-            } else {
-                weigh(&below_low, &below, &below_high, opinions);
-            }
+            let (from, to) =
+                if axis.is_mirrored { (&below_high, &below_low) } else { (&below_low, &below_high) };
+            weigh(from, &below, to, &mut inputs.as_flattened_mut()[COUNTERS..]);
             let bit =
                 self.decide(coder, axis, (node, depth), &mut inputs, (actual >= middle) ^ axis.is_mirrored);
             let is_up = bit ^ axis.is_mirrored;
@@ -172,12 +173,18 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         if let Some(other) = &mut self.other {
             odds = (odds + other.mix(inputs, axis.size)) >> 1;
         }
-        let is_up = coder.bit(is_up, self.refiner.refine(odds, depth));
+        let p_one = match &mut self.refiner {
+            Some(refiner) => refiner.refine(odds, depth),
+            None => probability(odds).clamp(24, 65_512),
+        };
+        let is_up = coder.bit(is_up, p_one);
         self.mixer.update(inputs, is_up);
         if let Some(other) = &mut self.other {
             other.update(inputs, is_up);
         }
-        self.refiner.update(is_up);
+        if let Some(refiner) = &mut self.refiner {
+            refiner.update(is_up);
+        }
         counters.into_iter().for_each(|counter| counter.update(is_up));
         is_up
     }

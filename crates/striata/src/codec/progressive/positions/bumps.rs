@@ -1,6 +1,6 @@
 //! Densities along an axis, as sums of bumps in 16-bit lanes.
 
-use wide::i16x8;
+use wide::{i16x8, i32x4};
 
 use super::local::LANES;
 
@@ -28,19 +28,50 @@ impl Width {
     }
 }
 
-impl Bumps {
-    /// How much lies below `x`, in 1/8192 of weights, with bumps of each of these widths.
-    #[inline]
-    pub(super) fn below<const N: usize>(&self, x: i16, widths: &[Width; N]) -> [i32; N] {
-        let off = i16x8::splat(x).saturating_sub(i16x8::new(self.at));
-        let weight = i16x8::new(self.weight);
-        let mut masses = [0; N];
-        for (mass, width) in masses.iter_mut().zip(widths) {
+/// How much of a density lies below `x`, in 1/8192 of weights, with bumps of each of these widths.
+#[inline]
+pub(super) fn below<const N: usize>(density: &[Bumps], x: i16, widths: &[Width; N]) -> [i32; N] {
+    let mut masses = [0; N];
+    for (mass, width) in masses.iter_mut().zip(widths) {
+        let mut sum = i32x4::ZERO;
+        for bumps in density {
             // With one as 2^14: of a triangle over -1..1, 1/2 + t (2 - |t|) / 2 lies below t.
+            let off = i16x8::splat(x).saturating_sub(i16x8::new(bumps.at));
             let t = off.max(-width.width).min(width.width) << width.lift;
             let below = t.mul_keep_high(i16x8::splat(i16::MAX) - t.abs()) + i16x8::splat(4096);
-            *mass = weight.dot(below).to_array().iter().sum();
+            sum += i16x8::new(bumps.weight).dot(below);
         }
-        masses
+        *mass = sum.to_array().iter().sum();
+    }
+    masses
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mass_grows_from_nothing_to_all() {
+        let bumps = Bumps { at: [-900, 0, 0, 5, 900, 0, 0, 0], weight: [100, 3000, 0, 7, 2000, 0, 0, 0] };
+        for width in 0..=13 {
+            let width = [Width::new(width)];
+            let masses: Vec<i32> =
+                (-20_000..20_000).step_by(7).map(|x| below(&[bumps], x, &width)[0]).collect();
+            assert!(masses.is_sorted());
+            assert_eq!(masses[0], 0);
+            let all = masses[masses.len() - 1];
+            assert!((8190 * 5107..=8192 * 5107).contains(&all), "{all}");
+        }
+    }
+
+    #[test]
+    fn half_of_a_bump_lies_below_its_middle() {
+        let bumps = Bumps { at: [100; LANES], weight: [1000, 0, 0, 0, 0, 0, 0, 0] };
+        let widths = [Width::new(6), Width::new(10)];
+        assert_eq!(below(&[bumps], 100, &widths), [4096 * 1000; 2]);
+        // A triangle: an eighth lies beyond half its reach.
+        let [narrow, wide] = below(&[bumps; 2], 132, &widths);
+        assert!((narrow - 7168 * 2000).abs() <= 4000, "{narrow}");
+        assert!(wide < 5000 * 2000, "{wide}");
     }
 }

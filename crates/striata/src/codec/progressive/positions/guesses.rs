@@ -101,3 +101,58 @@ fn opposite(local: &Local, i: usize) -> Option<Point> {
         [p, q] => p.or(q),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The corners of a regular hexagon with `times` the radius of the ring.
+    fn hexagon(times: i32) -> [Option<Point>; LANES] {
+        let [x, y] = [500 * times, 866 * times];
+        let mut ring = [None; LANES];
+        for (at, [px, py]) in
+            [[2 * x, 0], [x, y], [-x, y], [-2 * x, 0], [-x, -y], [x, -y]].into_iter().enumerate()
+        {
+            ring[at] = Some([px, py, 0]);
+        }
+        ring
+    }
+
+    fn regular() -> Local {
+        let ring = hexagon(1);
+        let sum = |i: usize, j: usize| {
+            let (p, q) = (ring[i % 6].unwrap(), ring[j % 6].unwrap());
+            [0, 1, 2].map(|a| p[a] + q[a])
+        };
+        let mut local = Local { count: 6, ring, ..Local::default() };
+        for i in 0..6 {
+            local.apexes[i] = Some(sum(i, i + 1));
+            local.beyond[i] = [Some(sum(i, i)), Some(sum(i + 1, i + 1))];
+        }
+        local
+    }
+
+    #[test]
+    fn all_guesses_hit_the_middle_of_a_regular_lattice() {
+        let mut guesses = [Guesses::default(); KINDS];
+        guess(&regular(), &mut guesses);
+        assert_eq!(guesses.map(|g| g.count), [6, 6, 4, 6, 6]);
+        for guesses in guesses {
+            for at in guesses.at.as_flattened() {
+                assert!(at.abs() <= 1, "{at}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_known_is_not_guessed_from() {
+        let mut local = regular();
+        local.ring[2] = None;
+        local.apexes[4] = None;
+        local.beyond[5] = [None; 2];
+        let mut guesses = [Guesses::default(); KINDS];
+        guess(&local, &mut guesses);
+        // Three parallelograms within the ring need the missing vertex, two across edges, one middle.
+        assert_eq!(guesses.map(|g| g.count), [3, 3, 3, 3, 5]);
+    }
+}

@@ -22,7 +22,7 @@ pub(super) struct Local {
     /// Local units are grid units times 2 to this, -16 at least.
     pub(super) shift: i32,
     /// The same as a factor, in 1/65536.
-    factor: i64,
+    pub(super) factor: i64,
     /// Root of the mean squared distance of the ring from its middle, in local units: 1024 to 2047.
     pub(super) radius: i32,
     /// Vertices of the ring.
@@ -86,7 +86,7 @@ impl Local {
             first[a].wrapping_add(((sum * inverse + 32_768) >> 16) as i32)
         });
         // Grids have fewer bits than what is cut off here, and squares can be summed.
-        let square = |p: &[i32; 3], a: usize| off(p, &self.origin, a).clamp(-1 << 24, 1 << 24).pow(2);
+        let square = |p: &[i32; 3], a: usize| off(p, &self.origin, a).clamp(-1 << 21, 1 << 21).pow(2);
         let sum: i64 = known.iter().map(|p| square(p, 0) + square(p, 1) + square(p, 2)).sum();
         // In 1/16 grid units. Square roots are rounded the same everywhere.
         let radius = (((sum * inverse) >> 8) as f64).sqrt().max(8.0) as u32;

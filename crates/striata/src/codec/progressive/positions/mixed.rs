@@ -7,31 +7,39 @@ use super::super::super::entropy::Coder;
 use super::super::hood::Hood;
 use super::axis::AxisModel;
 use super::blend::Blend;
-use super::sight::{Sight, normal_order};
+use super::guesses::KINDS;
+use super::sight::{FEATURES, Sight, normal_order};
 
 /// Logarithms of half the widths of bumps, along the surface and across it, in local units.
 type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
 
 /// A model of positions with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
-pub(super) struct MixedModel<const USED: usize, const WIDTHS: usize, const VECTORS: usize> {
+pub(super) struct MixedModel<
+    const USED: usize,
+    const DENSITIES: usize,
+    const WIDTHS: usize,
+    const VECTORS: usize,
+> {
     widths: Widths<WIDTHS>,
     sight: Sight<USED>,
     axes: [AxisModel<VECTORS>; 3],
     /// Along the surface and across it, by valence.
-    blends: [[Blend; 4]; 2],
+    blends: [[Blend<FEATURES>; 4]; 2],
     /// How large the error was at each vertex, along the surface and across it.
     errors: Vec<[u8; 2]>,
 }
 
-impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<USED, WIDTHS, VECTORS> {
+impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTORS: usize>
+    MixedModel<USED, DENSITIES, WIDTHS, VECTORS>
+{
     /// Knows nothing yet.
     pub(super) fn new(widths: Widths<WIDTHS>) -> Self {
         Self {
             widths,
             sight: Sight::new(),
             axes: std::array::from_fn(|_| AxisModel::new(Sight::<USED>::LOOKS_BEYOND)),
-            blends: [[Blend::new(); 4]; 2],
+            blends: [[Blend::new(std::array::from_fn(|k| if k < KINDS { 10_000 } else { 0 })); 4]; 2],
             errors: Vec::new(),
         }
     }
@@ -47,9 +55,10 @@ impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<US
         for (slot, &a) in axes.iter().enumerate() {
             let across = slot / 2;
             self.sight.aim(slot, (normal, axes), place);
-            let features = self.sight.features(a);
-            let expected = self.blends[across][valence].predict(&features);
-            let axis = self.sight.axis(
+            let (base, features) = self.sight.features(a);
+            let blend = &mut self.blends[across][valence];
+            let expected = base + blend.predict(&features);
+            let axis = self.sight.axis::<DENSITIES, WIDTHS>(
                 a,
                 self.widths[across],
                 expected,
@@ -59,7 +68,7 @@ impl<const USED: usize, const WIDTHS: usize, const VECTORS: usize> MixedModel<US
             place[a] = self.axes[slot].code(coder, &axis, actual[a]);
             let found = self.sight.local.localise_axis(place[a], a);
             let error = (found - expected).clamp(-self.sight.local.radius, self.sight.local.radius);
-            self.blends[across][valence].learn(&features, error);
+            blend.learn(&features, error);
             errors[across] = errors[across].max(error.unsigned_abs());
             if slot < 2 {
                 self.sight.reweigh(slot, found);

@@ -24,9 +24,9 @@ enum Model {
     /// One prediction.
     One(Box<PlainModel>),
     /// Guesses from the ring and the triangles around it.
-    Some(Box<MixedModel<4, 1, 1>>),
+    Some(Box<MixedModel<4, 1, 1, 1>>),
     /// Guesses from two rings, under several widths.
-    All(Box<MixedModel<5, 3, 3>>),
+    All(Box<MixedModel<5, 5, 3, 3>>),
 }
 
 impl PositionModel {
@@ -47,3 +47,6 @@ impl PositionModel {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,10 +5,9 @@
 
 use super::super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, log2_q8};
 use super::super::hood::Hood;
-use super::blend::{BESIDE, Blend, FEATURES, Features, KEPT};
-use super::guesses::ACROSS;
+use super::blend::Blend;
 use super::local::Local;
-use super::sight::{INVERSES, kept_and_beside, normal_order};
+use super::sight::{INVERSES, mean, normal_order};
 
 /// Nodes of the tree that have counters.
 const NODES: usize = 64;
@@ -21,7 +20,7 @@ const SPREADS: usize = 16;
 pub(super) struct PlainModel {
     local: Local,
     /// Along the surface and across it, by valence.
-    blends: [[Blend; 4]; 2],
+    blends: [[Blend<3>; 4]; 2],
     axes: [PlainAxis; 3],
 }
 
@@ -88,7 +87,7 @@ impl PlainModel {
     pub(super) fn new() -> Self {
         Self {
             local: Local::default(),
-            blends: [[Blend::new(); 4]; 2],
+            blends: [[Blend::new([16_000, 0, 0]); 4]; 2],
             axes: [PlainAxis::new(), PlainAxis::new(), PlainAxis::new()],
         }
     }
@@ -105,12 +104,12 @@ impl PlainModel {
         // What the place found so far adds to the height of the last axis.
         let mut rise = 0;
         for (slot, &a) in axes.iter().enumerate() {
-            let features = Features { base: 0, off: off[a] };
+            let features = off[a];
             let blend = &mut self.blends[slot / 2][valence];
             let expected = blend.predict(&features);
             let lifted = if slot < 2 { expected } else { (expected - rise).clamp(-12_000, 12_000) };
             let centre = self.local.to_grid(lifted, a);
-            let spread = features.spread() * 1024 / self.local.radius as u32;
+            let spread = features[0].unsigned_abs() * 1024 / self.local.radius as u32;
             let spread = ((log2_q8(spread + 16) - 1024) >> 7).clamp(0, SPREADS as i32 - 1) as usize;
             let span_log = (11 - self.local.shift - slot as i32 / 2).clamp(1, 29) as u32;
             let residual = actual[a].wrapping_sub(centre);
@@ -126,8 +125,8 @@ impl PlainModel {
     }
 
     /// By axis, how far from the middle of the ring others lie: the mean of parallelograms across ring edges, the vertex that
-    /// split, and the mean of its neighbours in the ring.
-    fn features(&self) -> [[i32; FEATURES]; 3] {
+    /// split, and the middle of its neighbours in the ring.
+    fn features(&self) -> [[i32; 3]; 3] {
         let local = &self.local;
         let n = local.count;
         let (mut sum, mut count) = ([0; 3], 0);
@@ -138,12 +137,8 @@ impl PlainModel {
                 count += 1;
             }
         }
-        let kept = kept_and_beside(local);
-        let mut off = [[0; FEATURES]; 3];
-        for a in 0..3 {
-            off[a][ACROSS] = (sum[a] * INVERSES[count]) >> 12;
-            [off[a][KEPT], off[a][BESIDE]] = kept[a];
-        }
-        off
+        let kept = local.ring[0].unwrap_or_default();
+        let beside = mean(local.ring[1 % n], local.ring[n - 1]);
+        [0, 1, 2].map(|a| [(sum[a] * INVERSES[count]) >> 12, kept[a], beside[a]])
     }
 }

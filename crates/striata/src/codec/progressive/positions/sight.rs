@@ -5,9 +5,8 @@ use wide::{CmpLt, i16x8, i32x4};
 use super::super::super::entropy::log2_q8;
 use super::super::hood::Hood;
 use super::axis::{Axis, SIZES, SPREADS};
-use super::blend::{BESIDE, FEATURES, Features, KEPT};
 use super::bumps::{Bumps, Width};
-use super::guesses::{Guesses, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
+use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
 use super::local::{LANES, Local, Point};
 
 /// Within which distance, in 1/256 of the radius, a guess of the first and of the second axis counts for more: widely, narrowly.
@@ -17,6 +16,8 @@ const FAR_WORTH: i16 = 2800;
 /// What guesses count at first, and planes where they come in.
 const FULL_WORTH: i16 = 1 << 9;
 const PLANE_WORTH: i16 = 400;
+/// What a coordinate is blended of.
+pub(super) const FEATURES: usize = KINDS + 4;
 /// 4096 by each number.
 pub(super) const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 683, 585, 512];
 
@@ -31,7 +32,7 @@ pub(super) struct Sight<const USED: usize> {
     /// True where the last axis runs against the normal.
     is_inward: bool,
     /// By axis, the vertex that split, and the middle of its neighbours in the ring.
-    kept: [[i32; 2]; 3],
+    kept: [[i32; 4]; 3],
     /// How much each guess counts, by what is known of the vertex already.
     weights: [i16x8; USED],
 }
@@ -49,7 +50,7 @@ impl<const USED: usize> Sight<USED> {
             weights: [i16x8::ZERO; USED],
             is_last: false,
             is_inward: false,
-            kept: [[0; 2]; 3],
+            kept: [[0; 4]; 3],
         }
     }
 
@@ -89,7 +90,7 @@ impl<const USED: usize> Sight<USED> {
         let [a, b, c] = axes;
         let [x, y] = [a, b].map(|a| self.local.localise_axis(place[a], a));
         let steep = if normal[c] == 0 { 1 } else { normal[c] };
-        for at in [0, 1] {
+        for at in 0..4 {
             let rise =
                 normal[a] * i64::from(x - self.kept[a][at]) + normal[b] * i64::from(y - self.kept[b][at]);
             self.kept[c][at] = (i64::from(self.kept[c][at]) - rise / steep).clamp(-16_000, 16_000) as i32;
@@ -130,41 +131,43 @@ impl<const USED: usize> Sight<USED> {
         self.weights[MOVED] = first_lanes(count) & i16x8::splat(PLANE_WORTH);
     }
 
-    /// What the blends are made of.
-    pub(super) fn features(&self, axis: usize) -> Features {
-        let mut features = Features { base: i32::from(self.bumps[MIDDLE].at[0]), off: [0; FEATURES] };
+    /// What a coordinate is blended of: the middle of the ring, and how far from there others are: the mean of each kind of
+    /// guesses, in the place of the middles that of all guesses by weight, and what depends on the vertex that split.
+    pub(super) fn features(&self, axis: usize) -> (i32, [i32; FEATURES]) {
+        let base = i32::from(self.bumps[MIDDLE].at[0]);
+        let mut features = [0; FEATURES];
         let (mut all, mut total) = (0, 0);
         for (kind, (bumps, guesses)) in self.bumps.iter().zip(&self.guesses).enumerate() {
             let (at, weight) = (i16x8::new(bumps.at), i16x8::new(bumps.weight));
             if guesses.count > 0 {
                 let sum = sum(at.dot(first_lanes(guesses.count) & i16x8::ONE));
-                features.off[kind] = ((sum * INVERSES[guesses.count]) >> 12) - features.base;
+                features[kind] = ((sum * INVERSES[guesses.count]) >> 12) - base;
             }
             all += sum(at.dot(weight)) >> 4;
             total += sum(weight.dot(i16x8::ONE));
         }
-        let [kept, beside] = self.kept[axis];
-        features.off[KEPT] = kept;
-        features.off[BESIDE] = beside;
-        features.off[MIDDLE] = all / (total >> 4).max(1) - features.base;
-        features
+        features[MIDDLE] = all / (total >> 4).max(1) - base;
+        features[KINDS..].copy_from_slice(&self.kept[axis].map(|x| x - base));
+        (base, features)
     }
 
     /// What one axis is coded with.
-    pub(super) fn axis<const WIDTHS: usize>(
+    pub(super) fn axis<const DENSITIES: usize, const WIDTHS: usize>(
         &self,
         axis: usize,
         widths: [u32; WIDTHS],
         expected: i32,
         place: usize,
-        features: &Features,
-    ) -> Axis<'_, USED, WIDTHS> {
+        features: &[i32; FEATURES],
+    ) -> Axis<'_, DENSITIES, WIDTHS> {
         let local = &self.local;
         // Guesses are no better than the grid.
         let narrowest = local.shift.clamp(0, 13) as u32;
         let size = 2 * (local.shift + 16) + (local.radius >> 9 & 1);
         let is_mirrored = if self.is_last { self.is_inward } else { self.kept[axis][0] < expected };
-        let spread = log2_q8(features.spread() * 1024 / local.radius as u32 + 16) - 1024;
+        let spread =
+            [INSIDE, ACROSS, STRAIGHT].iter().map(|&kind| features[kind].unsigned_abs()).sum::<u32>();
+        let spread = log2_q8(spread * 1024 / local.radius as u32 + 16) - 1024;
         Axis {
             local,
             axis,
@@ -217,14 +220,21 @@ pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
 }
 
 /// By axis, where the vertex that split is, and the middle of its neighbours in the ring.
-pub(super) fn kept_and_beside(local: &Local) -> [[i32; 2]; 3] {
+fn kept_and_beside(local: &Local) -> [[i32; 4]; 3] {
     let n = local.count;
     let kept = local.ring[0].unwrap_or_default();
-    let beside = match (local.ring[1 % n], local.ring[n - 1]) {
+    let beside = mean(local.ring[1 % n], local.ring[n - 1]);
+    let further = mean(local.ring[2 % n], local.ring[(2 * n - 2) % n]);
+    let behind = mean(local.apexes[0], local.apexes[n - 1]);
+    [0, 1, 2].map(|a| [kept[a], beside[a], further[a], behind[a]])
+}
+
+/// The middle of two points, or the one that there is.
+pub(super) fn mean(p: Option<Point>, q: Option<Point>) -> Point {
+    match (p, q) {
         (Some(p), Some(q)) => [0, 1, 2].map(|a| (p[a] + q[a]) >> 1),
         (p, q) => p.or(q).unwrap_or_default(),
-    };
-    [0, 1, 2].map(|a| [kept[a], beside[a]])
+    }
 }
 
 fn minus(p: Point, q: Point) -> Point {
