@@ -58,7 +58,7 @@ impl World {
             let patch = run(&self.surface, cut);
             let v = self.surface.split(&patch);
             let made = self.surface.triangle_count() as u32;
-            [made - 2, made - 1].map(|t| self.surface.set_mark(t, self.walk.batch()));
+            (made - 2..made).for_each(|t| self.surface.set_mark(t, self.walk.batch()));
             // Somewhere between two of its neighbours.
             let known = |w: &u32| *w < v && !self.surface.is_virtual(*w);
             let ring: Vec<u32> =
