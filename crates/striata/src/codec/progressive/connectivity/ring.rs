@@ -244,8 +244,8 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::surface::Surface;
     use super::super::super::walk::Walk;
+    use super::super::tests::surface_of;
     use super::*;
 
     #[test]
@@ -254,7 +254,7 @@ mod tests {
         let rim = |i: u32| 2 + i % 6;
         let triangles: Vec<[u32; 3]> =
             (0..6).flat_map(|i| [[1, rim(i), rim(i + 1)], [0, rim(i + 1), rim(i)]]).collect();
-        let mut surface = Surface::from_closed(&triangles, 8, 1).unwrap();
+        let mut surface = surface_of(&triangles, 8, 1);
         let [x, y] = [500, 866];
         let hexagon = [[2 * x, 0], [x, y], [-x, y], [-2 * x, 0], [-x, -y], [x, -y]];
         let places: Vec<[i32; 3]> =
