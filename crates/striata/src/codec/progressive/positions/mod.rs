@@ -26,7 +26,7 @@ enum Model {
     /// Guesses from the ring and the triangles around it.
     Some(Box<MixedModel<4, 1, 1, 1>>),
     /// Guesses from two rings, under several widths.
-    All(Box<MixedModel<5, 5, 3, 3>>),
+    All(Box<MixedModel<6, 6, 3, 3>>),
 }
 
 impl PositionModel {
