@@ -10,7 +10,7 @@ use super::super::super::entropy::{
 use super::bumps::{Bumps, Width, below};
 use super::local::Local;
 
-const COUNTERS: usize = 3;
+const COUNTERS: usize = 4;
 const DEPTHS: usize = 6;
 /// Nodes of the tree that have counters; all others share one.
 const NODES: usize = 64;
@@ -18,6 +18,8 @@ const NODES: usize = 64;
 pub(super) const SIZES: usize = 64;
 /// Kinds of circumstances.
 pub(super) const PLACES: usize = 16;
+/// Kinds of distances.
+pub(super) const DISTANCES: usize = 32;
 /// Kinds of disagreement.
 pub(super) const SPREADS: usize = 32;
 
@@ -41,6 +43,8 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     pub(super) size: usize,
     /// What they are like, below [`PLACES`].
     pub(super) place: usize,
+    /// How far the vertex that split is from what is expected, below [`DISTANCES`].
+    pub(super) distance: usize,
     /// How much the guesses disagree, below [`SPREADS`].
     pub(super) spread: usize,
 }
@@ -73,6 +77,7 @@ pub(super) struct AxisModel<const VECTORS: usize> {
     by_size: Vec<AdaptiveBit>,
     by_place: Vec<AdaptiveBit>,
     by_spread: Vec<AdaptiveBit>,
+    by_distance: Vec<AdaptiveBit>,
     mixer: WideMixer<VECTORS>,
     /// A second one where there is time for it.
     other: Option<WideMixer<VECTORS>>,
@@ -91,6 +96,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             by_size: bits(SIZES),
             by_place: bits(PLACES),
             by_spread: bits(SPREADS),
+            by_distance: bits(DISTANCES),
             mixer: WideMixer::new(DEPTHS * PLACES, first),
             other: is_thorough.then(|| WideMixer::new(SIZES, first)),
             refiner: is_thorough.then(|| Refiner::new(DEPTHS)),
@@ -163,6 +169,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             &mut self.by_size[axis.size * NODES + node],
             &mut self.by_place[axis.place * NODES + node],
             &mut self.by_spread[axis.spread * NODES + node],
+            &mut self.by_distance[axis.distance * NODES + node],
         ];
         let all = inputs.as_flattened_mut();
         for (input, counter) in all.iter_mut().zip(&counters) {

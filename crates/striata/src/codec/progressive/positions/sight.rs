@@ -4,7 +4,7 @@ use wide::{CmpLt, i16x8, i32x4};
 
 use super::super::super::entropy::log2_q8;
 use super::super::hood::Hood;
-use super::axis::{Axis, SIZES, SPREADS};
+use super::axis::{Axis, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width};
 use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
 use super::local::{LANES, Local, Point};
@@ -164,6 +164,7 @@ impl<const USED: usize> Sight<USED> {
         // Guesses are no better than the grid.
         let narrowest = local.shift.clamp(0, 13) as u32;
         let size = 2 * (local.shift + 16) + (local.radius >> 9 & 1);
+        let distance = (self.kept[axis][0] - expected).abs();
         let is_mirrored = if self.is_last { self.is_inward } else { self.kept[axis][0] < expected };
         let spread =
             [INSIDE, ACROSS, STRAIGHT].iter().map(|&kind| features[kind].unsigned_abs()).sum::<u32>();
@@ -179,6 +180,7 @@ impl<const USED: usize> Sight<USED> {
             is_mirrored,
             size: (size as usize).min(SIZES - 1),
             place,
+            distance: (distance * 16 / local.radius).min(DISTANCES as i32 - 1) as usize,
             spread: (spread >> 7).clamp(0, SPREADS as i32 - 1) as usize,
         }
     }
