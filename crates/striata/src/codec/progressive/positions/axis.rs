@@ -141,8 +141,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             let (from, to) =
                 if axis.is_mirrored { (&below_high, &below_low) } else { (&below_low, &below_high) };
             weigh(from, &below, to, &mut inputs.as_flattened_mut()[COUNTERS..]);
-            let bit =
-                self.decide(coder, axis, (node, depth), &mut inputs, (actual >= middle) ^ axis.is_mirrored);
+            let bit = (actual >= middle) ^ axis.is_mirrored;
+            let bit = self.decide(coder, axis, (node, depth, bit), &mut inputs);
             let is_up = bit ^ axis.is_mirrored;
             if is_up {
                 (low, below_low) = (middle, below);
@@ -160,9 +160,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         &mut self,
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
-        (node, depth): (usize, usize),
+        (node, depth, bit): (usize, usize, bool),
         inputs: &mut [[i16; 8]; VECTORS],
-        is_up: bool,
     ) -> bool {
         let node = if node < NODES { node } else { 0 };
         let counters = [
@@ -184,16 +183,16 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             Some(refiner) => refiner.refine(odds, depth),
             None => probability(odds).clamp(24, 65_512),
         };
-        let is_up = coder.bit(is_up, p_one);
-        self.mixer.update(inputs, is_up);
+        let bit = coder.bit(bit, p_one);
+        self.mixer.update(inputs, bit);
         if let Some(other) = &mut self.other {
-            other.update(inputs, is_up);
+            other.update(inputs, bit);
         }
         if let Some(refiner) = &mut self.refiner {
-            refiner.update(is_up);
+            refiner.update(bit);
         }
-        counters.into_iter().for_each(|counter| counter.update(is_up));
-        is_up
+        counters.into_iter().for_each(|counter| counter.update(bit));
+        bit
     }
 }
 

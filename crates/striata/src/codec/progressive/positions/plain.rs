@@ -13,7 +13,7 @@ use super::sight::{INVERSES, mean, normal_order};
 const NODES: usize = 64;
 /// Kinds of sizes, and kinds of disagreement.
 const SIZES: usize = 64;
-const SPREADS: usize = 16;
+const SPREADS: usize = 128;
 
 /// A model of positions with one prediction.
 #[derive(Clone, Debug)]
@@ -68,7 +68,7 @@ impl PlainAxis {
             step >>= 1;
             node = node << 1 | usize::from(is_up);
             if node >= NODES {
-                return low + self::rest(coder, actual.wrapping_sub(low), step);
+                return low + rest(coder, actual.wrapping_sub(low), step);
             }
         }
     }
@@ -108,12 +108,18 @@ impl PlainModel {
             let blend = &mut self.blends[slot / 2][valence];
             let expected = blend.predict(&features);
             let lifted = if slot < 2 { expected } else { (expected - rise).clamp(-12_000, 12_000) };
-            let centre = self.local.to_grid(lifted, a);
+            // As in the thorough models: counters see the vertex that split, or the outside, upwards.
+            let is_mirrored = if slot < 2 { features[1] < expected } else { normal[a] < 0 };
+            let flip = if is_mirrored { -1 } else { 0 };
+            let centre = self.local.to_grid(lifted, a).wrapping_sub(flip);
+            let distance = (features[1] - expected).unsigned_abs() * 8 / self.local.radius as u32;
             let spread = features[0].unsigned_abs() * 1024 / self.local.radius as u32;
-            let spread = ((log2_q8(spread + 16) - 1024) >> 7).clamp(0, SPREADS as i32 - 1) as usize;
+            let spread =
+                ((log2_q8(spread + 16) - 1024) >> 8).clamp(0, 7) as usize * 16 + distance.min(15) as usize;
             let span_log = (11 - self.local.shift - slot as i32 / 2).clamp(1, 29) as u32;
-            let residual = actual[a].wrapping_sub(centre);
-            place[a] = centre.wrapping_add(self.axes[slot].code(coder, (size, spread, span_log), residual));
+            let residual = actual[a].wrapping_sub(centre) ^ flip;
+            let coded = self.axes[slot].code(coder, (size, spread, span_log), residual);
+            place[a] = centre.wrapping_add(coded ^ flip);
             let found = self.local.localise_axis(place[a], a);
             let error = (found - lifted).clamp(-self.local.radius, self.local.radius);
             blend.learn(&features, error);

@@ -1,6 +1,6 @@
 //! The densities of a new vertex's place, axis by axis.
 
-use wide::{CmpLt, i16x8, i32x4};
+use wide::{i16x8, i32x4};
 
 use super::super::super::entropy::log2_q8;
 use super::super::hood::Hood;
@@ -31,7 +31,7 @@ pub(super) struct Sight<const USED: usize> {
     is_last: bool,
     /// True where the last axis runs against the normal.
     is_inward: bool,
-    /// By axis, the vertex that split, and the middle of its neighbours in the ring.
+    /// By axis, the vertex that split and what is seen from there.
     kept: [[i32; 4]; 3],
     /// How much each guess counts, by what is known of the vertex already.
     weights: [i16x8; USED],
@@ -151,13 +151,12 @@ impl<const USED: usize> Sight<USED> {
         (base, features)
     }
 
-    /// What one axis is coded with.
+    /// What one axis is coded with: what is expected there, and what the surroundings are like.
     pub(super) fn axis<const DENSITIES: usize, const WIDTHS: usize>(
         &self,
         axis: usize,
         widths: [u32; WIDTHS],
-        expected: i32,
-        place: usize,
+        (expected, place): (i32, usize),
         features: &[i32; FEATURES],
     ) -> Axis<'_, DENSITIES, WIDTHS> {
         let local = &self.local;
@@ -221,7 +220,8 @@ pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
     (normal, axes)
 }
 
-/// By axis, where the vertex that split is, and the middle of its neighbours in the ring.
+/// By axis, where the vertex that split is, the middle of its neighbours in the ring, that of the next ones, and that of what
+/// lies across its edges to its neighbours.
 fn kept_and_beside(local: &Local) -> [[i32; 4]; 3] {
     let n = local.count;
     let kept = local.ring[0].unwrap_or_default();
