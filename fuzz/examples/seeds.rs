@@ -93,8 +93,8 @@ fn write_formats(i: usize, mesh: &IndexedMesh, folder: &Path) -> Result<(), Box<
 /// A file by the name of what is in it.
 type Container = (&'static str, Vec<u8>);
 
-/// Files with models of strips, with fans alone, and with patterns: beside collapses and without any.
-fn containers(mesh: &IndexedMesh) -> Result<[Container; 4], Box<dyn Error>> {
+/// Files with models of strips, with fans alone, with patterns, beside collapses and without any, and with a stream alone.
+fn containers(mesh: &IndexedMesh) -> Result<[Container; 5], Box<dyn Error>> {
     let refinable = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
     let strips = stripify(&refinable.mesh, &StripOptions::default())?;
     let (lod_strips, mts) = (LodStrips::build(&refinable, &strips)?, Mts::build(&refinable, &strips)?);
@@ -111,7 +111,16 @@ fn containers(mesh: &IndexedMesh) -> Result<[Container; 4], Box<dyn Error>> {
         ("fans", written(&[FileModel::Fans(&fans, &bounds)])?),
         ("patterns", written(&[FileModel::Patterns(patterns.0, patterns.1)])?),
         ("fragments", fragments),
+        ("stream", stream_in_file(mesh)?),
     ])
+}
+
+fn stream_in_file(mesh: &IndexedMesh) -> Result<Vec<u8>, Box<dyn Error>> {
+    let made = build_batches(mesh, &BatchOptions::default(), &mut ignore_progress)?;
+    let refinable = &made.built.refinable;
+    let stream = encode_stream(refinable, &made.batches, &StreamOptions::default())?;
+    let models = [FileModel::Progressive(&stream.bytes)];
+    Ok(to_striata(&stream.reorder(refinable), &models, &WriteOptions::default())?)
 }
 
 /// Options, shape, vertices on whole numbers, cuts, triangles: what `Bytes::mesh` takes apart.

@@ -306,7 +306,8 @@ fn check_model(
         }
         FileModel::Progressive(stream) => {
             let facts = StreamFacts::read(stream).ok().flatten().unwrap_or_default();
-            expect(name, "bytes", stream.len(), facts.stream_bytes as usize)?;
+            let length = usize::try_from(facts.stream_bytes).unwrap_or(usize::MAX);
+            expect(name, "bytes", stream.len(), length)?;
             expect(name, "vertices", facts.vertex_count, source.mesh.vertex_count())?;
             expect(name, "triangles", facts.triangle_count, triangle_count)?;
             expect(name, "steps", facts.step_count, source.levels.step_count())?;

@@ -74,13 +74,14 @@ impl Octahedron {
 /// A direction scaled so that its absolute coordinates sum to `length` or nearly; zeros stay zeros.
 pub(super) fn scaled(direction: [i64; 3], length: i64) -> [i64; 3] {
     let spare = direction.iter().fold(0u64, |m, x| m.max(x.unsigned_abs())).max(1).ilog2().saturating_sub(40);
-    let direction = direction.map(|x| x >> spare);
-    let sum: i64 = direction.iter().map(|x| x.abs()).sum();
+    let direction = [direction[0] >> spare, direction[1] >> spare, direction[2] >> spare];
+    let sum = direction[0].abs() + direction[1].abs() + direction[2].abs();
     if sum == 0 {
         return [0; 3];
     }
     let half = sum / 2;
-    direction.map(|x| if x < 0 { -((half - x * length) / sum) } else { (half + x * length) / sum })
+    let part = |x: i64| if x < 0 { -((half - x * length) / sum) } else { (half + x * length) / sum };
+    [part(direction[0]), part(direction[1]), part(direction[2])]
 }
 
 #[cfg(test)]

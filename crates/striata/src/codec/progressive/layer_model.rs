@@ -8,7 +8,7 @@
 
 use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
 use super::Effort;
-use super::direction_model::DirectionModel;
+use super::direction_model::{DirectionModel, TangentSources};
 use super::layers::{LayerForm, NumberType, Transform};
 use super::residuals::{Contest, Residuals, scale_of};
 use super::ring_fit::{RingFit, WEIGHT_BITS};
@@ -26,7 +26,7 @@ pub(super) struct LayerHood<'a> {
 }
 
 /// The integers of a layer, vertex by vertex.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct LayerValues {
     integers: Vec<i32>,
     count: usize,
@@ -74,31 +74,46 @@ impl LayerValues {
 #[derive(Clone, Debug)]
 pub(super) struct LayerModel {
     layers: Vec<OneLayer>,
+    /// The order in which layers are coded: what others are predicted from goes first.
+    order: Vec<usize>,
 }
 
 #[derive(Clone, Debug)]
 enum OneLayer {
+    /// Normals, and other directions of which the geometry tells nothing.
     Directions(DirectionModel),
+    Tangents(DirectionModel, Option<TangentSources>),
     Numbers(NumberModel),
     Labels(LabelModel),
-    /// Weights of the joints of an earlier layer.
+    /// Weights of the joints of another layer.
     Weights(NumberModel, usize),
 }
 
 impl LayerModel {
     /// Nothing learned.
     pub(super) fn new(forms: &[LayerForm], effort: Effort) -> Self {
-        let layers = forms.iter().enumerate().map(|(index, form)| match form.transform {
-            Transform::Octahedral { bits } => {
-                OneLayer::Directions(DirectionModel::new(bits, form.integer_count() > 2, effort))
-            }
-            _ if is_label(form) => OneLayer::Labels(LabelModel::new(form)),
-            _ => match joints_of(&forms[..index], form) {
-                Some(joints) => OneLayer::Weights(NumberModel::new(form, effort), joints),
-                None => OneLayer::Numbers(NumberModel::new(form, effort)),
-            },
-        });
-        Self { layers: layers.collect() }
+        let layers: Vec<_> = forms
+            .iter()
+            .map(|form| match form.transform {
+                Transform::Octahedral { bits } => {
+                    let model = DirectionModel::new(bits, form.integer_count() > 2, effort);
+                    match form.semantic {
+                        Semantic::Tangent => OneLayer::Tangents(model, TangentSources::of(forms)),
+                        _ => OneLayer::Directions(model),
+                    }
+                }
+                _ if is_label(form) => OneLayer::Labels(LabelModel::new(form)),
+                _ => match joints_of(forms, form) {
+                    Some(joints) => OneLayer::Weights(NumberModel::new(form, effort), joints),
+                    None => OneLayer::Numbers(NumberModel::new(form, effort)),
+                },
+            })
+            .collect();
+        let is_last =
+            |index: &usize| matches!(layers[*index], OneLayer::Tangents(..) | OneLayer::Weights(..));
+        let mut order: Vec<usize> = (0..layers.len()).collect();
+        order.sort_by_key(is_last);
+        Self { layers, order }
     }
 
     /// Codes the integers of the next vertex in all layers; `actual` are all layers of the writer and the vertex there.
@@ -111,23 +126,26 @@ impl LayerModel {
         hood: &LayerHood<'_>,
         actual: Option<(&[LayerValues], u32)>,
     ) {
-        for index in 0..self.layers.len() {
+        for &index in &self.order {
             let meant = actual.map(|(layers, vertex)| layers[index].of(vertex));
-            let (before, rest) = values.split_at_mut(index);
-            let values = &mut rest[0];
+            let mut own = std::mem::take(&mut values[index]);
             match &mut self.layers[index] {
-                OneLayer::Directions(model) => model.code(coder, values, hood, meant),
-                OneLayer::Labels(model) => model.code(coder, values, hood, meant),
+                OneLayer::Directions(model) => model.code(coder, &mut own, (hood, hood.fit.normal), meant),
+                OneLayer::Tangents(model, sources) => {
+                    let vertex = own.vertex_count() as u32;
+                    let tangent = sources.as_ref().map(|sources| sources.tangent(values, hood, vertex));
+                    model.code(coder, &mut own, (hood, tangent.unwrap_or_default()), meant);
+                }
+                OneLayer::Labels(model) => model.code(coder, &mut own, hood, meant),
                 OneLayer::Numbers(model) => {
-                    model.code(coder, values, meant, |values, coded| plain_hints(values, hood, coded.len()));
+                    model.code(coder, &mut own, meant, |own, coded| plain_hints(own, hood, coded.len()));
                 }
                 OneLayer::Weights(model, joints) => {
-                    let joints = &before[*joints];
-                    model.code(coder, values, meant, |values, coded| {
-                        weight_hints(values, joints, hood, coded)
-                    });
+                    let joints = &values[*joints];
+                    model.code(coder, &mut own, meant, |own, coded| weight_hints(own, joints, hood, coded));
                 }
             }
+            values[index] = own;
         }
     }
 }
@@ -138,12 +156,12 @@ fn is_label(form: &LayerForm) -> bool {
     is_name && form.number_type != NumberType::F32 && !form.normalized
 }
 
-/// The layer with the joints that weights belong to, if it comes before them.
-fn joints_of(before: &[LayerForm], form: &LayerForm) -> Option<usize> {
+/// The layer with the joints that weights belong to.
+fn joints_of(forms: &[LayerForm], form: &LayerForm) -> Option<usize> {
     let Semantic::Weights(set) = form.semantic else { return None };
     let matches =
         |f: &LayerForm| f.semantic == Semantic::Joints(set) && f.component_count == form.component_count;
-    before.iter().position(matches)
+    forms.iter().position(|f| is_label(f) && matches(f))
 }
 
 /// Predictions of one integer, and how far those around spread.
@@ -450,33 +468,40 @@ mod tests {
 
     /// Bits a vertex of each layer by itself, weights with their joints; what is read must be what was written.
     fn bits(sites: &[Site], layers: &[AttributeLayer], options: &LayerOptions, effort: Effort) -> Vec<f64> {
+        let each: Vec<f64> = (0..layers.len())
+            .map(|i| {
+                let of = |layers| bits_together(sites, layers, options, effort);
+                match layers[i].semantic {
+                    Semantic::Weights(_) => of(&layers[i - 1..=i]) - of(&layers[i - 1..i]),
+                    _ => of(&layers[i..=i]),
+                }
+            })
+            .collect();
+        // Together they may only gain.
+        let all = bits_together(sites, layers, options, effort);
+        assert!(all < each.iter().sum::<f64>() + 0.5, "{all} for {each:?}");
+        each
+    }
+
+    /// Bits a vertex of all layers; what is read must be what was written.
+    fn bits_together(
+        sites: &[Site],
+        layers: &[AttributeLayer],
+        options: &LayerOptions,
+        effort: Effort,
+    ) -> f64 {
         let forms: Vec<_> = layers.iter().map(|layer| LayerForm::of(layer, options)).collect();
         let whole: Vec<_> = forms
             .iter()
             .zip(layers)
             .map(|(form, layer)| LayerValues::from_integers(form.integers(layer), form.integer_count()))
             .collect();
-        let bits_of = |range: std::ops::Range<usize>| {
-            let mut writer = RangeWriter::new();
-            code(&mut writer, sites, &forms[range.clone()], Some(&whole[range.clone()]), effort);
-            let (bytes, _) = writer.finish();
-            let mut reader = RangeReader::new(&bytes, true);
-            let read = code(&mut reader, sites, &forms[range.clone()], None, effort);
-            assert!(
-                read.iter().zip(&whole[range.clone()]).all(|(a, b)| a.integers() == b.integers()),
-                "{range:?}"
-            );
-            bytes.len() as f64 * 8.0 / sites.len() as f64
-        };
-        let all = bits_of(0..layers.len());
-        let each: Vec<f64> = (0..layers.len())
-            .map(|i| match layers[i].semantic {
-                Semantic::Weights(_) => bits_of(i - 1..i + 1) - bits_of(i - 1..i),
-                _ => bits_of(i..i + 1),
-            })
-            .collect();
-        assert!((each.iter().sum::<f64>() - all).abs() < 1.0);
-        each
+        let mut writer = RangeWriter::new();
+        code(&mut writer, sites, &forms, Some(&whole), effort);
+        let (bytes, _) = writer.finish();
+        let read = code(&mut RangeReader::new(&bytes, true), sites, &forms, None, effort);
+        assert!(read.iter().zip(&whole).all(|(a, b)| a.integers() == b.integers()));
+        bytes.len() as f64 * 8.0 / sites.len() as f64
     }
 
     #[test]
@@ -488,6 +513,18 @@ mod tests {
             let found = bits(&sites, &layers, &LayerOptions::default(), effort);
             assert!(found.iter().zip(most).all(|(found, most)| *found < most), "{effort:?}: {found:?}");
         }
+    }
+
+    #[test]
+    fn layers_may_come_in_any_order() {
+        let sites = sites(20, 4);
+        let mut layers = even_layers(&sites);
+        let options = LayerOptions::default();
+        let before = bits_together(&sites, &layers, &options, Effort::Default);
+        layers.reverse();
+        // Weights are before their joints now, tangents before what they are told from.
+        let after = bits_together(&sites, &layers, &options, Effort::Default);
+        assert!((before - after).abs() < 0.05, "{before} became {after}");
     }
 
     #[test]

@@ -209,11 +209,6 @@ impl LayerForm {
         }
     }
 
-    /// True where a decoded layer has every bit of the original.
-    pub(crate) fn is_exact(&self) -> bool {
-        self.transform == Transform::Exact
-    }
-
     /// The integers of all vertices of a layer that has this form.
     pub(crate) fn integers(&self, layer: &AttributeLayer) -> Vec<i32> {
         let n = self.component_count as usize;
@@ -487,7 +482,7 @@ mod tests {
                 let again = decoded(&form, &integers);
                 assert_eq!(again.data.len(), layer.data.len(), "{form:?}");
                 assert_eq!(form.integers(&again), integers, "{form:?}");
-                if form.is_exact() {
+                if form.transform == Transform::Exact {
                     assert_eq!(again.data.as_bytes(), layer.data.as_bytes(), "{form:?}");
                 }
             }
@@ -564,7 +559,10 @@ mod tests {
                     let layer = decoded(&form, &integers);
                     assert_eq!(layer.data.len(), 3 * layer.component_count as usize);
                     let LayerData::F32(numbers) = &layer.data else { continue };
-                    assert!(form.is_exact() || numbers.iter().all(|x| x.is_finite()), "{form:?}");
+                    assert!(
+                        form.transform == Transform::Exact || numbers.iter().all(|x| x.is_finite()),
+                        "{form:?}"
+                    );
                 }
             }
         }

@@ -231,7 +231,7 @@ impl Refiner {
         Ok(Self {
             surface,
             places: base.surface_places(),
-            walk: Walk::default(),
+            walk: Walk::new(effort == Effort::Small),
             is_in_batch: false,
             splits_in_batch: 0,
             visits_left: terms.most_visits(),
@@ -323,8 +323,6 @@ impl Refiner {
     /// Codes what becomes of the next vertex; none where the batch is done.
     fn ask<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
         let vertex = self.walk.next_vertex()?;
-        self.corners.clear();
-        self.corners.extend(self.surface.ring(vertex));
         let scene = Scene {
             surface: &self.surface,
             places: &self.places,
@@ -333,7 +331,7 @@ impl Refiner {
         };
         let actual = if C::READS { None } else { source.cut(vertex) };
         let Connectivity::Thorough(model) = &mut self.connectivity else { return None };
-        let cut = model.code(coder, &scene, &self.corners, actual);
+        let cut = model.code(coder, &scene, (vertex, &mut self.corners), actual);
         self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
         Some(cut)
     }

@@ -26,6 +26,8 @@ pub(super) struct RingFit {
     pub(super) normal: [i64; 3],
     /// From the centre to each ring vertex; all are halved until they fit 12 bits.
     pub(super) arms: Vec<[i64; 3]>,
+    /// True where the last and the first vertex of the ring share a triangle.
+    pub(super) is_closed: bool,
     differences: Vec<[i64; 3]>,
 }
 
@@ -39,6 +41,7 @@ impl RingFit {
         let largest = self.arms.iter().flatten().fold(0, |m, x| x.abs().max(m)) as u64;
         let down = (largest.max(1).ilog2() + 1).saturating_sub(ARM_BITS);
         self.arms.iter_mut().flatten().for_each(|x| *x >>= down);
+        self.is_closed = is_closed;
         self.normal = normal(&self.arms, is_closed);
         self.weights.clear();
         if ring.is_empty() {
@@ -105,9 +108,9 @@ fn solve(differences: &[[i64; 3]], v: [i64; 3]) -> Option<([i64; 3], i64)> {
 fn normal(arms: &[[i64; 3]], is_closed: bool) -> [i64; 3] {
     let mut sum = [0i64; 3];
     let mut add = |p: [i64; 3], q: [i64; 3]| {
-        for a in 0..3 {
+        for (a, sum) in sum.iter_mut().enumerate() {
             let (b, c) = ((a + 1) % 3, (a + 2) % 3);
-            sum[a] += p[b] * q[c] - p[c] * q[b];
+            *sum += p[b] * q[c] - p[c] * q[b];
         }
     };
     arms.windows(2).for_each(|w| add(w[0], w[1]));

@@ -1,4 +1,5 @@
-//! The order in which both sides of a stream ask the vertices of a surface whether they split: breadth first.
+//! The order in which both sides of a stream ask the vertices of a surface whether they split: breadth first, or in the order of
+//! their numbers, for which nobody has to walk around a vertex that does not split.
 //!
 //! Vertices made within the batch are passed over. A vertex is asked once a batch; its neighbours wait in a queue. Since
 //! a vertex's own split happens after it was asked, all that was around it before the batch is found, whatever has
@@ -31,6 +32,8 @@ pub(super) struct Walk {
     seed: u32,
     /// Vertices at the beginning of the batch.
     end: u32,
+    /// Whether vertices are asked breadth first, not in the order of their numbers.
+    is_near: bool,
 }
 
 const QUEUED: u32 = 0;
@@ -38,6 +41,11 @@ const STAYS: u32 = 1;
 const SPLITS: u32 = 2;
 
 impl Walk {
+    /// No batch yet. `is_near` says whether vertices are asked breadth first, not in the order of their numbers.
+    pub(super) fn new(is_near: bool) -> Self {
+        Self { is_near, ..Self::default() }
+    }
+
     /// Begins a batch.
     pub(super) fn begin(&mut self, surface: &Surface) {
         self.batch += 1;
@@ -86,12 +94,16 @@ impl Walk {
         self.seen[self.seed as usize] = 4 * self.batch + QUEUED;
         self.queue.clear();
         self.head = 0;
-        Some(self.seed)
+        self.seed += 1;
+        Some(self.seed - 1)
     }
 
     /// Notes what became of a vertex, and queues its neighbours: the vertices after the corners around it.
     pub(super) fn settle(&mut self, surface: &Surface, vertex: u32, corners: &[u32], splits: bool) {
         self.seen[vertex as usize] = 4 * self.batch + if splits { SPLITS } else { STAYS };
+        if !self.is_near {
+            return;
+        }
         for &corner in corners {
             let neighbour = surface.vertex(next(corner));
             if neighbour < self.end

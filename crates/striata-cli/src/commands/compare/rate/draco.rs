@@ -6,7 +6,7 @@ use std::process::Command;
 use striata::mesh::IndexedMesh;
 use tempfile::TempDir;
 
-use super::{Coded, RUNS, median};
+use super::{Coded, quickest};
 use crate::failure::Failure;
 
 /// What its files are called.
@@ -42,8 +42,7 @@ impl Draco {
         striata_io::write(&plain, mesh, &striata_io::WriteOptions::default())?;
         let bits = bits.to_string();
         let encode_secs = run("draco_encoder", (&plain, &packed), &["-cl", "10", "-qp", &bits])?;
-        let decode = |_| run("draco_decoder", (&packed, &back), &[]);
-        let decode_secs = median((0..RUNS).map(decode).collect::<Result<_, Failure>>()?);
+        let decode_secs = quickest(|| run("draco_decoder", (&packed, &back), &[]))?;
         let bytes =
             std::fs::metadata(&packed).map_err(|error| failed("draco_encoder", &error.to_string()))?;
         let mesh = striata_io::read(&back)?;

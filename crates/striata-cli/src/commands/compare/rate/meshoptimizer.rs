@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use striata::mesh::{Bounds, IndexedMesh};
 
-use super::{Coded, RUNS, median};
+use super::{Coded, quickest};
 use crate::failure::Failure;
 
 /// What its files are called.
@@ -48,11 +48,10 @@ pub(super) fn code(mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
         let corners = meshopt::decode_index_buffer(&unpacked(&corners)?, indices.len()).map_err(failed)?;
         Ok((points, corners))
     };
-    let timed = |_| {
+    let decode_secs = quickest(|| {
         let started = Instant::now();
         decode().map(|_| started.elapsed().as_secs_f64())
-    };
-    let decode_secs = median((0..RUNS).map(timed).collect::<Result<_, Failure>>()?);
+    })?;
     let (vertices, indices) = decode()?;
     let place =
         |v: &Vertex| std::array::from_fn(|i| (f64::from(bounds.min[i]) + f64::from(v[i]) * step) as f32);

@@ -2,11 +2,12 @@
 
 use std::time::Instant;
 
+use striata::ProgressFn;
 use striata::codec::progressive::{Effort, Precision, StreamFacts, StreamOptions, encode_stream};
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{BatchOptions, build_batches};
 
-use super::{Coded, RUNS, RateRow, Ruler, median, stream_name};
+use super::{Coded, RateRow, Ruler, quickest, stream_name};
 use crate::failure::Failure;
 use crate::output::Bar;
 use crate::stream::Received;
@@ -18,14 +19,21 @@ const PREFIXES: i32 = 12;
 pub(super) struct Streams {
     refinable: RefinableMesh,
     batches: Vec<u32>,
+    simplify_secs: f64,
 }
 
 impl Streams {
     /// # Errors
     /// Where the mesh does not hang together.
     pub(super) fn build(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Self, Failure> {
-        let made = build_batches(mesh, &BatchOptions::default(), &mut |progress| bar.show(progress))?;
-        Ok(Self { refinable: made.built.refinable, batches: made.batches })
+        Self::with_progress(mesh, &mut |progress| bar.show(progress))
+    }
+
+    fn with_progress(mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Self, Failure> {
+        let started = Instant::now();
+        let made = build_batches(mesh, &BatchOptions::default(), progress)?;
+        let simplify_secs = started.elapsed().as_secs_f64();
+        Ok(Self { refinable: made.built.refinable, batches: made.batches, simplify_secs })
     }
 
     /// The mesh, welded, in the order of the collapses.
@@ -38,16 +46,15 @@ impl Streams {
         Ok(encode_stream(&self.refinable, &self.batches, &options)?.bytes)
     }
 
-    /// A whole stream. Building the collapses is not in its time.
+    /// A whole stream; simplification is in the time of encoding.
     ///
     /// # Errors
     /// Where it cannot be coded, or not decoded.
     pub(super) fn code(&self, bits: u32, effort: Effort) -> Result<Coded, Failure> {
         let started = Instant::now();
         let bytes = self.encode(bits, effort)?;
-        let encode_secs = started.elapsed().as_secs_f64();
-        let decode = |_| Ok(Received::read_all(&bytes)?.decode_secs);
-        let decode_secs = median((0..RUNS).map(decode).collect::<Result<_, Failure>>()?);
+        let encode_secs = self.simplify_secs + started.elapsed().as_secs_f64();
+        let decode_secs = quickest(|| Ok(Received::read_all(&bytes)?.decode_secs))?;
         let mesh = Received::read_all(&bytes)?.refinable()?.mesh;
         Ok(Coded { bytes: bytes.len(), mesh, encode_secs, decode_secs })
     }
@@ -82,6 +89,5 @@ impl Streams {
 /// # Errors
 /// Where it cannot be coded, or not decoded.
 pub(super) fn code_level(mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
-    let made = build_batches(mesh, &BatchOptions::default(), &mut striata::ignore_progress)?;
-    Streams { refinable: made.built.refinable, batches: made.batches }.code(bits, Effort::Default)
+    Streams::with_progress(mesh, &mut striata::ignore_progress)?.code(bits, Effort::Default)
 }
