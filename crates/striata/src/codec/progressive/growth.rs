@@ -50,6 +50,16 @@ impl Growth {
         growth
     }
 
+    /// Makes room for so many steps of one vertex.
+    pub(super) fn reserve(&mut self, steps: usize) {
+        self.positions.reserve(steps);
+        self.triangles.reserve(2 * steps);
+        self.targets.reserve(steps);
+        self.added.reserve(steps);
+        self.first_vertex.reserve(steps);
+        self.position_of.reserve(steps);
+    }
+
     /// Vertices that are there.
     pub(super) fn vertex_count(&self) -> u32 {
         self.first_vertex.last().copied().unwrap_or(0)

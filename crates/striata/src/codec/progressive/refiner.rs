@@ -304,12 +304,12 @@ impl Refiner {
     fn connectivity<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         self.pending.clear();
         self.patches.clear();
+        if let Connectivity::Quick(_) = self.connectivity {
+            self.ask_quickly(coder, source, most);
+            return;
+        }
         while self.pending.len() < most {
-            let asked = match self.connectivity {
-                Connectivity::Thorough(_) => self.ask(coder, source),
-                Connectivity::Quick(_) => self.ask_quickly(coder, source),
-            };
-            match asked {
+            match self.ask(coder, source) {
                 None => {
                     self.is_in_batch = false;
                     return;
@@ -336,20 +336,28 @@ impl Refiner {
         Some(cut)
     }
 
-    /// Codes what becomes of vertices up to the next one that splits; none where the batch is done.
-    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
-        let Connectivity::Quick(model) = &mut self.connectivity else { return None };
-        let vertex = model.next_split(coder, |vertex| source.cut(vertex).is_some())?;
-        self.corners.clear();
-        self.corners.extend(self.surface.ring(vertex));
-        let scene = Scene {
-            surface: &self.surface,
-            places: &self.places,
-            walk: &self.walk,
-            max_patch: self.max_patch,
-        };
-        let actual = if C::READS { None } else { source.cut(vertex) };
-        Some(model.cut(coder, &scene, &self.corners, actual))
+    /// The same for the quick model: all flags, then all cuts.
+    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+        let Connectivity::Quick(model) = &mut self.connectivity else { return };
+        self.is_in_batch = !model.flags(coder, most, |vertex| source.cut(vertex).is_some());
+        model.find_rings(&self.surface);
+        for split in 0..model.split_count() {
+            let scene = Scene {
+                surface: &self.surface,
+                places: &self.places,
+                walk: &self.walk,
+                max_patch: self.max_patch,
+            };
+            let actual = if C::READS { None } else { source.cut(model.vertex(split)) };
+            if !model.cut(coder, &scene, split, actual, &mut self.patches) {
+                continue;
+            }
+            let start = self.pending.last().map_or(0, |&end| end as usize);
+            for &corner in &self.patches[start..] {
+                self.surface.set_mark(triangle_of(corner), self.walk.batch());
+            }
+            self.pending.push(self.patches.len() as u32);
+        }
     }
 
     /// Notes a split and marks the triangles of its patch: no other split of the batch may have them.
@@ -361,9 +369,6 @@ impl Refiner {
             }
             self.surface.set_mark(triangle_of(corner), self.walk.batch());
             self.patches.push(corner);
-        }
-        if let Connectivity::Quick(model) = &mut self.connectivity {
-            model.take(&self.surface, &self.patches[self.patches.len() - cut.length as usize..]);
         }
         self.pending.push(self.patches.len() as u32);
     }
@@ -453,6 +458,13 @@ impl Refiner {
     /// The attribute layers, if there are any.
     pub(super) fn attributes(&self) -> Option<&Attributes> {
         self.attributes.as_ref()
+    }
+
+    /// Makes room for what is to come.
+    pub(super) fn reserve(&mut self, steps: usize) {
+        self.surface.reserve(steps);
+        self.places.reserve(steps);
+        self.growth.reserve(steps);
     }
 
     /// Splits done and told in full.

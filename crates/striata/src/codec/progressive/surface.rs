@@ -141,6 +141,12 @@ impl Surface {
         Err(SurfaceDefect::Vertex(self.corners[missed].vertex))
     }
 
+    /// Makes room for so many splits.
+    pub(super) fn reserve(&mut self, splits: usize) {
+        self.corners.reserve(8 * splits);
+        self.corner_of.reserve(splits);
+    }
+
     /// Vertices, virtual ones first.
     pub(super) fn vertex_count(&self) -> usize {
         self.corner_of.len()
