@@ -25,7 +25,7 @@ mod symbol;
 mod wide_mixer;
 
 pub(crate) use adaptive::{AdaptiveBit, Rate};
-pub(crate) use logistic::{LOG_ODDS_LIMIT, LOG_ODDS_ONE, log_odds, log2_q8, log2_q16, probability};
+pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixer::{Mixer, Refiner};
 pub(crate) use number::AdaptiveNumber;
 pub(crate) use range::{RangeReader, RangeWriter};
