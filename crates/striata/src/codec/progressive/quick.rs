@@ -165,8 +165,7 @@ impl QuickModel {
         &mut self,
         coder: &mut C,
         scene: &Scene<'_>,
-        split: usize,
-        actual: Option<Cut>,
+        (split, actual): (usize, Option<Cut>),
         patch: &mut Vec<u32>,
     ) -> bool {
         let first = split.checked_sub(1).map_or(0, |before| self.ends[before] as usize);

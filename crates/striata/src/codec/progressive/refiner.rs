@@ -19,7 +19,7 @@ use super::positions::PositionModel;
 use super::quick::QuickModel;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::Walk;
-use super::wedges::{SplitWedges, WedgeModel};
+use super::wedges::{Split, SplitWedges, WedgeModel};
 use super::{Effort, StreamDefect};
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.
@@ -201,7 +201,7 @@ impl Refiner {
                     source.name(source.wedges(vertex));
                 }
                 let counts = (terms.vertex_count, terms.group_count);
-                base.code_wedges(coder, model, source, counts, &vertex_of_position);
+                base.code_wedges(coder, model, source, (counts, &vertex_of_position));
             }
             None => base.show_positions(),
         }
@@ -349,7 +349,7 @@ impl Refiner {
                 max_patch: self.max_patch,
             };
             let actual = if C::READS { None } else { source.cut(model.vertex(split)) };
-            if !model.cut(coder, &scene, split, actual, &mut self.patches) {
+            if !model.cut(coder, &scene, (split, actual), &mut self.patches) {
                 continue;
             }
             let start = self.pending.last().map_or(0, |&end| end as usize);
@@ -395,13 +395,7 @@ impl Refiner {
 
     /// What the new vertex is; then it is part of the mesh.
     fn values<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) -> Ended {
-        let hood = Hood {
-            surface: &self.surface,
-            places: &self.places,
-            vertex,
-            corners: &self.corners,
-            batch: self.walk.batch(),
-        };
+        let hood = Hood { surface: &self.surface, places: &self.places, vertex, corners: &self.corners };
         coder.part(Part::Positions);
         let actual = if C::READS { [0; 3] } else { source.place(vertex) };
         let place = self.positions.code(coder, &hood, actual);
@@ -427,12 +421,16 @@ impl Refiner {
 
     /// What corners around a new vertex show, and the attributes of that.
     fn shown<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) {
-        let mut named = Vec::new();
         if let Some(model) = &mut self.wedges {
             source.refine(vertex, &self.corners);
-            let known = (&self.surface, &self.growth);
-            named = model.code(coder, known, &self.corners, source, &mut self.told);
-            source.name(named.iter().copied());
+            let split = Split {
+                surface: &self.surface,
+                growth: &self.growth,
+                corners: &self.corners,
+                source: &*source,
+            };
+            model.code(coder, &split, &mut self.told);
+            source.name(self.told.named.iter().copied());
         }
         let Some(attributes) = &mut self.attributes else { return };
         let around = Around {
@@ -450,7 +448,7 @@ impl Refiner {
             return;
         }
         for (wedge, &target) in self.told.targets.iter().enumerate() {
-            let actual = actual_layers::<C>(source, named[wedge]);
+            let actual = actual_layers::<C>(source, self.told.named[wedge]);
             attributes.vertex(coder, around, (place, wedge as u32, target), actual);
         }
     }
