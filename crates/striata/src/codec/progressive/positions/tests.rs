@@ -58,7 +58,6 @@ fn code<C: Coder>(coder: &mut C, sample: &Sample, effort: Effort, unseen: [i32; 
             places: &places,
             vertex: vertex as u32,
             corners: &corners,
-            batch: 1,
         };
         let actual = if C::READS { [0; 3] } else { sample.places[vertex] };
         places[vertex] = model.code(coder, &hood, actual);
