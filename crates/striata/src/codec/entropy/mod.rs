@@ -13,6 +13,7 @@
 //! | `logistic.rs` | probabilities as log-odds and back, tables made by integer arithmetic |
 //! | `mixer.rs` | [`Mixer`]: many opinions about one decision weighted online; [`Refiner`]: what is left to learn |
 //! | `wide_mixer.rs` | [`WideMixer`]: the same in 16-bit lanes |
+//! | `symbol.rs` | [`AdaptiveSymbol`]: one of sixteen at once |
 //! | `number.rs` | [`AdaptiveNumber`]: integers of any size |
 
 mod adaptive;
@@ -20,13 +21,15 @@ mod logistic;
 mod mixer;
 mod number;
 mod range;
+mod symbol;
 mod wide_mixer;
 
 pub(crate) use adaptive::{AdaptiveBit, Rate};
-pub(crate) use logistic::{LOG_ODDS_LIMIT, LOG_ODDS_ONE, log_odds, log2_q8, log2_q16, probability};
+pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixer::{Mixer, Refiner};
 pub(crate) use number::AdaptiveNumber;
 pub(crate) use range::{RangeReader, RangeWriter};
+pub(crate) use symbol::{AdaptiveSymbol, Shares, code_symbol};
 pub(crate) use wide_mixer::WideMixer;
 
 /// What a bit belongs to, for statistics of the writer.
@@ -53,6 +56,9 @@ pub(crate) trait Coder {
 
     /// Codes `bits` (at most 24) equally likely bits, the lowest of `value`.
     fn raw(&mut self, value: u32, bits: u32) -> u32;
+
+    /// Codes one of sixteen symbols by where their shares begin, in rising order.
+    fn symbol(&mut self, meant: usize, begins: &Shares) -> usize;
 
     /// True where a reader needed bytes beyond the end: what it returned last means nothing.
     fn overran(&self) -> bool;

@@ -10,6 +10,7 @@
 //! are, zeros follow; where they are cut off, it says so at the first decision that the missing bytes might have turned.
 
 use super::logistic::log2_q16;
+use super::symbol::Shares;
 use super::{Coder, Part};
 
 /// Below this width the interval moves on.
@@ -116,6 +117,17 @@ impl Coder for RangeWriter {
         self.raise(self.range * u64::from(value));
         self.move_on();
         value
+    }
+
+    #[inline]
+    fn symbol(&mut self, meant: usize, begins: &Shares) -> usize {
+        let unit = self.range >> 16;
+        let low = unit * begins[meant] as u64;
+        let high = begins.get(meant + 1).map_or(self.range, |&end| unit * end as u64);
+        self.raise(low);
+        self.range = high - low;
+        self.move_on();
+        meant
     }
 
     fn overran(&self) -> bool {
@@ -228,6 +240,24 @@ impl Coder for RangeReader<'_> {
         self.value = (self.value - value * self.range).min(self.range - 1);
         self.move_on();
         value as u32
+    }
+
+    #[inline]
+    fn symbol(&mut self, _: usize, begins: &Shares) -> usize {
+        let unit = self.range >> 16;
+        // What rounding leaves above belongs to the last symbol.
+        let place = (self.value / unit).min(65_535) as i32;
+        let above = begins.iter().map(|&begin| i32::from(begin <= place)).sum::<i32>() as usize;
+        let symbol = above.saturating_sub(1);
+        let low = unit * begins[symbol] as u64;
+        let high = begins.get(symbol + 1).map_or(self.range, |&end| unit * end as u64);
+        if self.doubt != 0 {
+            self.look_out(high);
+        }
+        self.value = self.value.saturating_sub(low);
+        self.range = high - low;
+        self.move_on();
+        symbol
     }
 
     fn overran(&self) -> bool {

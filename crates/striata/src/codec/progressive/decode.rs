@@ -168,7 +168,11 @@ impl StreamDecoder {
             group_count: head.groups.len() as u32,
             layers: head.layers.clone(),
         };
-        self.refiner = Some(Box::new(Refiner::begin(reader, &Base::default(), &terms, &mut Unknown)?));
+        // As much as real streams need; what lies about its size gets no more than its bytes are worth.
+        let worth = head.rows.iter().map(|row| row.bytes as usize).sum::<usize>();
+        let mut refiner = Refiner::begin(reader, &Base::default(), &terms, &mut Unknown)?;
+        refiner.reserve((head.step_count as usize).min(worth));
+        self.refiner = Some(Box::new(refiner));
         Ok(())
     }
 

@@ -6,7 +6,7 @@ use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_chunks};
 use super::cutting::Closed;
 use super::grid::{GridError, PositionGrid};
-use super::head::{GroupName, Head, Row};
+use super::head::{GroupName, Head, Row, least_bytes_in_all};
 use super::layer_model::LayerValues;
 use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
@@ -152,7 +152,8 @@ pub fn encode_stream(
     let refinable = shortened.as_ref().unwrap_or(refinable);
     let batches: Vec<u32> = batches[first..].iter().map(|n| n - batches[first]).collect();
     let batches = batches.as_slice();
-    let chunks = encode_chunks(closed, refinable, batches, (&points, &terms))?;
+    let mut chunks = encode_chunks(closed, refinable, batches, (&points, &terms))?;
+    chunks.pad(least_bytes_in_all(refinable.mesh.vertex_count() - points.places.len()));
     let head = head_of(refinable, batches, &chunks, (options, &terms)).to_bytes()?;
     let mut bytes = head;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));

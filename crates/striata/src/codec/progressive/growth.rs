@@ -50,6 +50,16 @@ impl Growth {
         growth
     }
 
+    /// Makes room for so many steps of one vertex.
+    pub(super) fn reserve(&mut self, steps: usize) {
+        self.positions.reserve(steps);
+        self.triangles.reserve(2 * steps);
+        self.targets.reserve(steps);
+        self.added.reserve(steps);
+        self.first_vertex.reserve(steps);
+        self.position_of.reserve(steps);
+    }
+
     /// Vertices that are there.
     pub(super) fn vertex_count(&self) -> u32 {
         self.first_vertex.last().copied().unwrap_or(0)
@@ -136,9 +146,9 @@ impl Growth {
         self.targets.extend_from_slice(&told.targets);
         self.begin_position(told.targets.len() as u32, position);
         let last = corners.len() - 1;
-        for at in 1..last {
-            if told.wedges[at] != NONE {
-                self.change(surface, corners[at], first + told.wedges[at]);
+        for (&corner, &wedge) in corners[1..last].iter().zip(&told.wedges[1..last]) {
+            if wedge != NONE {
+                self.change(surface, corner, first + wedge);
             }
         }
         let mut added = 0;

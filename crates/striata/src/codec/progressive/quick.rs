@@ -1,20 +1,19 @@
 //! Connectivity for those who cannot wait: what is asked of every vertex depends on numbers that are kept with it.
 //!
 //! Vertices are asked in the order of their numbers, and a vertex that does not split costs one look at four bytes: its
-//! triangles, how many of them are taken, and how long ago it came and split. Only where one does is the surface walked:
-//! the length of its cut is told, and then which of the runs of that length, the ones with the longest edges
-//! first, since that is where a vertex is missing.
+//! triangles, and how long ago it came and split. Only around those that split the surface is walked, many at a time, so that no
+//! walk waits for memory alone. Then the length of each cut is told, and which of the free runs of that length, the
+//! ones with the longest edges first, since that is where a vertex is missing.
 
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::connectivity::Scene;
-use super::surface::{Cut, Surface, next, previous, triangle_of};
+use super::surface::{Cut, NONE, Surface, next, triangle_of};
 
-/// What is kept with a vertex; counts stop at 255.
+/// What is kept with a vertex.
 #[derive(Clone, Copy, Debug, Default)]
 struct Kept {
+    /// Triangles around it, at most 255.
     triangles: u8,
-    /// Triangles that no other split of the batch may have.
-    taken: u8,
     /// The batch that made it, and the last one that split it, modulo 256.
     made: u8,
     split: u8,
@@ -22,12 +21,16 @@ struct Kept {
 
 /// Lengths and ranks that are told apart.
 const MOST: usize = 16;
+/// Walks around vertices that go on side by side.
+const WALKS: usize = 8;
+/// Flags that make up the history.
+const HISTORY: usize = 0xff;
 
 /// Flags and cuts by small contexts.
 #[derive(Clone, Debug)]
 pub(super) struct QuickModel {
     kept: Vec<Kept>,
-    /// The next vertex to be asked, and the last one of the batch.
+    /// The next vertex to be asked, and one past the last one of the batch.
     next: u32,
     end: u32,
     batch: u8,
@@ -36,8 +39,12 @@ pub(super) struct QuickModel {
     flags: Vec<AdaptiveBit>,
     lengths: Vec<AdaptiveBit>,
     ranks: Vec<AdaptiveBit>,
-    starts: Vec<(i64, u32)>,
+    /// Vertices that split, the corners around them, and where each one's end.
+    splits: Vec<u32>,
+    corners: Vec<u32>,
+    ends: Vec<u32>,
     spokes: Vec<Spoke>,
+    starts: Vec<(i64, u32)>,
 }
 
 /// An edge from a vertex that splits, and the triangle behind it.
@@ -54,7 +61,7 @@ impl QuickModel {
     /// Nothing learned; counts the triangles around the vertices of a base.
     pub(super) fn new(surface: &Surface) -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
-        let triangles = |v: u32| surface.ring(v).count().min(255) as u8;
+        let triangles = |v: u32| surface.ring(v).take(255).count() as u8;
         let kept = |v: u32| Kept { triangles: triangles(v), ..Kept::default() };
         Self {
             kept: (0..surface.vertex_count() as u32).map(kept).collect(),
@@ -62,11 +69,14 @@ impl QuickModel {
             end: 0,
             batch: 0,
             history: 0,
-            flags: vec![bit; 16 * 8 * 4 * 4 * 4],
+            flags: vec![bit; 16 * 4 * 4 * 8],
             lengths: vec![bit; MOST * MOST],
             ranks: vec![bit; MOST * MOST * MOST],
-            starts: Vec::new(),
+            splits: Vec::new(),
+            corners: Vec::new(),
+            ends: Vec::new(),
             spokes: Vec::new(),
+            starts: Vec::new(),
         }
     }
 
@@ -75,44 +85,91 @@ impl QuickModel {
         self.batch = self.batch.wrapping_add(1);
         self.next = surface.virtual_count();
         self.end = surface.vertex_count() as u32;
-        self.kept.iter_mut().for_each(|kept| kept.taken = 0);
     }
 
-    /// Codes up to the next vertex that splits: that vertex, or none where the batch is done.
-    pub(super) fn next_split<C: Coder>(
+    /// Vertices that split, as far as flags have been coded.
+    pub(super) fn split_count(&self) -> usize {
+        self.splits.len()
+    }
+
+    /// One of them.
+    pub(super) fn vertex(&self, split: usize) -> u32 {
+        self.splits[split]
+    }
+
+    /// Codes which vertices split, until there are `most`; true where the batch is done.
+    pub(super) fn flags<C: Coder>(
         &mut self,
         coder: &mut C,
-        mut splits: impl FnMut(u32) -> bool,
-    ) -> Option<u32> {
-        while self.next < self.end {
-            let vertex = self.next;
-            self.next += 1;
-            let kept = self.kept[vertex as usize];
-            if kept.taken >= kept.triangles && kept.triangles < 255 {
-                continue;
+        most: usize,
+        does_split: impl Fn(u32) -> bool,
+    ) -> bool {
+        self.splits.clear();
+        let mut history = self.history;
+        for vertex in self.next..self.end {
+            if self.splits.len() == most {
+                self.next = vertex;
+                self.history = history;
+                return false;
             }
+            let kept = self.kept[vertex as usize];
             let age = usize::from(self.batch.wrapping_sub(kept.made) - 1).min(3);
             let rest = usize::from(self.batch.wrapping_sub(kept.split) - 1).min(3);
-            let recent = (self.history & 0xff).count_ones().min(3) as usize;
-            let counts = usize::from(kept.triangles.min(15)) * 8 + usize::from(kept.taken.min(7));
-            let context = ((counts * 4 + age) * 4 + rest) * 4 + recent;
-            let does = self.flags[context].code(coder, !C::READS && splits(vertex));
-            self.history = self.history << 1 | usize::from(does);
-            if does {
-                return Some(vertex);
+            let recent = (history & HISTORY).count_ones().min(7) as usize;
+            let context = ((usize::from(kept.triangles.min(15)) * 4 + age) * 4 + rest) * 8 + recent;
+            let splits = self.flags[context].code(coder, !C::READS && does_split(vertex));
+            history = history << 1 | usize::from(splits);
+            if splits {
+                self.splits.push(vertex);
             }
         }
-        None
+        self.next = self.end;
+        self.history = history;
+        true
     }
 
-    /// Codes the cut of a vertex that splits; `corners` are all around it. None where no cut is left.
+    /// Finds the corners around the vertices that split.
+    pub(super) fn find_rings(&mut self, surface: &Surface) {
+        self.corners.clear();
+        self.ends.clear();
+        for splits in self.splits.chunks(WALKS) {
+            let mut here = [NONE; WALKS];
+            let (mut at, mut end) = ([0; WALKS], [0; WALKS]);
+            let mut longest = 0;
+            for (walk, &vertex) in splits.iter().enumerate() {
+                let mut count = usize::from(self.kept[vertex as usize].triangles);
+                if count == 255 {
+                    count = surface.ring(vertex).count();
+                }
+                here[walk] = surface.corner_of(vertex);
+                at[walk] = self.corners.len();
+                end[walk] = at[walk] + count;
+                longest = longest.max(count);
+                self.corners.resize(end[walk], NONE);
+                self.ends.push(end[walk] as u32);
+            }
+            for _ in 0..longest {
+                for walk in 0..splits.len() {
+                    if at[walk] < end[walk] {
+                        self.corners[at[walk]] = here[walk];
+                        here[walk] = surface.swing(here[walk]);
+                        at[walk] += 1;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Codes the cut of a vertex that splits, and appends the corners of its patch; false where no cut is left.
     pub(super) fn cut<C: Coder>(
         &mut self,
         coder: &mut C,
         scene: &Scene<'_>,
-        corners: &[u32],
-        actual: Option<Cut>,
-    ) -> Option<Cut> {
+        (split, actual): (usize, Option<Cut>),
+        patch: &mut Vec<u32>,
+    ) -> bool {
+        let first = split.checked_sub(1).map_or(0, |before| self.ends[before] as usize);
+        let corners = first..self.ends[split] as usize;
         let n = corners.len();
         let most = (scene.max_patch as usize).min(n - 1);
         let meant = actual.map_or(0, |cut| cut.length as usize);
@@ -124,33 +181,42 @@ impl QuickModel {
             }
             length += 1;
         }
-        self.find_starts(scene, corners, length);
-        let first = actual.map_or(0, |cut| cut.first);
+        self.find_starts(scene, corners.clone(), length);
+        let meant = actual.map_or(NONE, |cut| cut.first);
         let key = (n.min(MOST - 1) * MOST + length.min(MOST - 1)) * MOST;
         let mut rank = 0;
-        loop {
-            let best = (0..self.starts.len()).max_by_key(|&at| self.starts[at])?;
+        let start = loop {
+            let Some(best) = (0..self.starts.len()).max_by_key(|&at| self.starts[at]) else { return false };
             let (_, start) = self.starts.swap_remove(best);
+            let is_meant = self.corners[corners.start + start as usize] == meant;
             let is_last = self.starts.is_empty();
-            if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, start == first) {
-                return Some(Cut { first: start, length: length as u32 });
+            if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, is_meant) {
+                break start as usize;
             }
             rank += 1;
-        }
+        };
+        let ring = &self.corners[corners];
+        patch.extend((start..start + length).map(|at| ring[if at < n { at } else { at - n }]));
+        true
     }
 
-    /// The corners where a run of free triangles can begin, and how long its edges are.
-    fn find_starts(&mut self, scene: &Scene<'_>, corners: &[u32], length: usize) {
+    /// Where in a ring a run of free triangles can begin, and how long its edges are.
+    fn find_starts(&mut self, scene: &Scene<'_>, corners: std::ops::Range<usize>, length: usize) {
         let Scene { surface, places, .. } = *scene;
+        let corners = &self.corners[corners];
         let n = corners.len();
         let kept = places[surface.vertex(corners[0]) as usize];
         self.spokes.clear();
         self.spokes.extend(corners.iter().map(|&corner| {
             let vertex = surface.vertex(next(corner));
             let is_virtual = surface.is_virtual(vertex);
-            let place = if is_virtual { kept } else { places[vertex as usize] };
-            let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum();
-            Spoke { square, is_virtual, is_free: !scene.is_taken(triangle_of(corner)) }
+            let place = places[vertex as usize];
+            let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum::<i64>();
+            Spoke {
+                square: if is_virtual { 0 } else { square },
+                is_virtual,
+                is_free: !scene.is_taken(triangle_of(corner)),
+            }
         }));
         self.starts.clear();
         'starts: for start in 0..n {
@@ -166,40 +232,25 @@ impl QuickModel {
                 }
                 sum += spoke.square << u32::from(left > 0);
             }
-            self.starts.push((sum, corners[start]));
+            self.starts.push((sum, start as u32));
         }
     }
 
-    /// The triangles of a patch are taken.
-    pub(super) fn take(&mut self, surface: &Surface, patch: &[u32]) {
-        let mut take = |vertex: u32, count: usize| {
-            let kept = &mut self.kept[vertex as usize];
-            kept.taken = kept.taken.saturating_add(count.min(255) as u8);
-        };
-        take(surface.vertex(patch[0]), patch.len());
-        for &corner in patch {
-            take(surface.vertex(next(corner)), 1);
-            take(surface.vertex(previous(corner)), 1);
-        }
-    }
-
-    /// A split has been done: `vertex` is new, with A and B as the last two triangles.
+    /// A split has been done: the new vertex has A and B, the last two triangles, and so many others.
     pub(super) fn split(&mut self, surface: &Surface, length: usize, kept: u32) {
         let triangles = (length + 2).min(255) as u8;
-        self.kept.push(Kept { triangles, taken: triangles, made: self.batch, split: self.batch });
+        self.kept.push(Kept { triangles, made: self.batch, split: self.batch });
         let last = surface.triangle_count() as u32 - 1;
         let ends = [surface.vertex(4 * (last - 1) + 2), surface.vertex(4 * last + 1)];
         for end in ends {
             let end = &mut self.kept[end as usize];
             end.triangles = end.triangles.saturating_add(1);
-            end.taken = end.taken.saturating_add(1);
         }
         let kept = &mut self.kept[kept as usize];
-        let gone = length.min(255) as u8;
         if kept.triangles < 255 {
-            kept.triangles = kept.triangles.saturating_sub(gone).saturating_add(2);
+            // Two of them are new.
+            kept.triangles = (usize::from(kept.triangles) + 2).saturating_sub(length).min(255) as u8;
         }
-        kept.taken = kept.taken.saturating_sub(gone).saturating_add(2);
         kept.split = self.batch;
     }
 }

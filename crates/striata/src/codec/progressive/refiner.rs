@@ -19,7 +19,7 @@ use super::positions::PositionModel;
 use super::quick::QuickModel;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::Walk;
-use super::wedges::{SplitWedges, WedgeModel};
+use super::wedges::{Split, SplitWedges, WedgeModel};
 use super::{Effort, StreamDefect};
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.
@@ -201,7 +201,7 @@ impl Refiner {
                     source.name(source.wedges(vertex));
                 }
                 let counts = (terms.vertex_count, terms.group_count);
-                base.code_wedges(coder, model, source, counts, &vertex_of_position);
+                base.code_wedges(coder, model, source, (counts, &vertex_of_position));
             }
             None => base.show_positions(),
         }
@@ -304,12 +304,12 @@ impl Refiner {
     fn connectivity<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         self.pending.clear();
         self.patches.clear();
+        if let Connectivity::Quick(_) = self.connectivity {
+            self.ask_quickly(coder, source, most);
+            return;
+        }
         while self.pending.len() < most {
-            let asked = match self.connectivity {
-                Connectivity::Thorough(_) => self.ask(coder, source),
-                Connectivity::Quick(_) => self.ask_quickly(coder, source),
-            };
-            match asked {
+            match self.ask(coder, source) {
                 None => {
                     self.is_in_batch = false;
                     return;
@@ -336,20 +336,28 @@ impl Refiner {
         Some(cut)
     }
 
-    /// Codes what becomes of vertices up to the next one that splits; none where the batch is done.
-    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
-        let Connectivity::Quick(model) = &mut self.connectivity else { return None };
-        let vertex = model.next_split(coder, |vertex| source.cut(vertex).is_some())?;
-        self.corners.clear();
-        self.corners.extend(self.surface.ring(vertex));
-        let scene = Scene {
-            surface: &self.surface,
-            places: &self.places,
-            walk: &self.walk,
-            max_patch: self.max_patch,
-        };
-        let actual = if C::READS { None } else { source.cut(vertex) };
-        Some(model.cut(coder, &scene, &self.corners, actual))
+    /// The same for the quick model: all flags, then all cuts.
+    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+        let Connectivity::Quick(model) = &mut self.connectivity else { return };
+        self.is_in_batch = !model.flags(coder, most, |vertex| source.cut(vertex).is_some());
+        model.find_rings(&self.surface);
+        for split in 0..model.split_count() {
+            let scene = Scene {
+                surface: &self.surface,
+                places: &self.places,
+                walk: &self.walk,
+                max_patch: self.max_patch,
+            };
+            let actual = if C::READS { None } else { source.cut(model.vertex(split)) };
+            if !model.cut(coder, &scene, (split, actual), &mut self.patches) {
+                continue;
+            }
+            let start = self.pending.last().map_or(0, |&end| end as usize);
+            for &corner in &self.patches[start..] {
+                self.surface.set_mark(triangle_of(corner), self.walk.batch());
+            }
+            self.pending.push(self.patches.len() as u32);
+        }
     }
 
     /// Notes a split and marks the triangles of its patch: no other split of the batch may have them.
@@ -361,9 +369,6 @@ impl Refiner {
             }
             self.surface.set_mark(triangle_of(corner), self.walk.batch());
             self.patches.push(corner);
-        }
-        if let Connectivity::Quick(model) = &mut self.connectivity {
-            model.take(&self.surface, &self.patches[self.patches.len() - cut.length as usize..]);
         }
         self.pending.push(self.patches.len() as u32);
     }
@@ -390,13 +395,7 @@ impl Refiner {
 
     /// What the new vertex is; then it is part of the mesh.
     fn values<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) -> Ended {
-        let hood = Hood {
-            surface: &self.surface,
-            places: &self.places,
-            vertex,
-            corners: &self.corners,
-            batch: self.walk.batch(),
-        };
+        let hood = Hood { surface: &self.surface, places: &self.places, vertex, corners: &self.corners };
         coder.part(Part::Positions);
         let actual = if C::READS { [0; 3] } else { source.place(vertex) };
         let place = self.positions.code(coder, &hood, actual);
@@ -422,12 +421,16 @@ impl Refiner {
 
     /// What corners around a new vertex show, and the attributes of that.
     fn shown<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) {
-        let mut named = Vec::new();
         if let Some(model) = &mut self.wedges {
             source.refine(vertex, &self.corners);
-            let known = (&self.surface, &self.growth);
-            named = model.code(coder, known, &self.corners, source, &mut self.told);
-            source.name(named.iter().copied());
+            let split = Split {
+                surface: &self.surface,
+                growth: &self.growth,
+                corners: &self.corners,
+                source: &*source,
+            };
+            model.code(coder, &split, &mut self.told);
+            source.name(self.told.named.iter().copied());
         }
         let Some(attributes) = &mut self.attributes else { return };
         let around = Around {
@@ -445,7 +448,7 @@ impl Refiner {
             return;
         }
         for (wedge, &target) in self.told.targets.iter().enumerate() {
-            let actual = actual_layers::<C>(source, named[wedge]);
+            let actual = actual_layers::<C>(source, self.told.named[wedge]);
             attributes.vertex(coder, around, (place, wedge as u32, target), actual);
         }
     }
@@ -453,6 +456,13 @@ impl Refiner {
     /// The attribute layers, if there are any.
     pub(super) fn attributes(&self) -> Option<&Attributes> {
         self.attributes.as_ref()
+    }
+
+    /// Makes room for what is to come.
+    pub(super) fn reserve(&mut self, steps: usize) {
+        self.surface.reserve(steps);
+        self.places.reserve(steps);
+        self.growth.reserve(steps);
     }
 
     /// Splits done and told in full.

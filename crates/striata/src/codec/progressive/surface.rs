@@ -141,6 +141,12 @@ impl Surface {
         Err(SurfaceDefect::Vertex(self.corners[missed].vertex))
     }
 
+    /// Makes room for so many splits.
+    pub(super) fn reserve(&mut self, splits: usize) {
+        self.corners.reserve(8 * splits);
+        self.corner_of.reserve(splits);
+    }
+
     /// Vertices, virtual ones first.
     pub(super) fn vertex_count(&self) -> usize {
         self.corner_of.len()
@@ -191,12 +197,6 @@ impl Surface {
     #[inline]
     pub(super) fn swing(&self, corner: u32) -> u32 {
         next(self.opposite(next(corner)))
-    }
-
-    /// The corner of the triangle before, around the same vertex.
-    #[inline]
-    pub(super) fn swing_back(&self, corner: u32) -> u32 {
-        previous(self.opposite(previous(corner)))
     }
 
     /// The corners at a vertex, counter-clockwise from [`Self::corner_of`].

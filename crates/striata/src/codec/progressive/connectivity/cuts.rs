@@ -123,9 +123,9 @@ impl CutModel {
         }
         let most = max_patch.min(n.saturating_sub(1)).min(LONGEST);
         let mut by_length = [0; LONGEST + 1];
-        for length in 1..=most {
-            self.counts[length] = count_keys(n, planned, length);
-            by_length[length] = self.counts[length].iter().map(|&key| self.wholes[key as usize]).sum();
+        for (length, (sum, keys)) in by_length.iter_mut().zip(&mut self.counts).enumerate().take(most + 1) {
+            *keys = count_keys(n, planned, length);
+            *sum = keys.iter().map(|&key| self.wholes[key as usize]).sum();
         }
         self.runs.clear();
         let sides = &self.sides[..n];
@@ -133,7 +133,7 @@ impl CutModel {
         for first in 0..n {
             let mut score = sides[first].end;
             let mut at = first;
-            for length in 1..=most {
+            for (length, &sum) in by_length.iter().enumerate().take(most + 1).skip(1) {
                 let spoke = &spokes[at];
                 if spoke.is_taken || length > 1 && spoke.is_virtual {
                     break;
@@ -141,7 +141,7 @@ impl CutModel {
                 let side = &sides[at];
                 score += side.area + if length > 1 { side.inner } else { 0 };
                 at = if at + 1 < n { at + 1 } else { 0 };
-                let whole = score + sides[at].end + by_length[length];
+                let whole = score + sides[at].end + sum;
                 self.runs.push(Run {
                     first: first as u32,
                     end: at as u32,
@@ -231,7 +231,7 @@ impl CutModel {
         self.splits = (self.splits + 1).min(1 << 20);
         let inverse = (1 << 36) / self.total.max(1);
         let push_of = |powers: &[u32], at: usize| {
-            let p = (u64::from(powers[at]) * inverse >> 20) as i32;
+            let p = ((u64::from(powers[at]) * inverse) >> 20) as i32;
             if at == chosen { 65536 - p } else { -p }
         };
         for look in &self.looks {
@@ -273,7 +273,7 @@ impl CutModel {
 /// Moves a weight.
 #[inline]
 fn turn(weight: &mut i32, push: i32, rate: i32) {
-    *weight = (*weight + (push * rate >> 14)).clamp(-8 * SCORE_ONE, 8 * SCORE_ONE);
+    *weight = (*weight + ((push * rate) >> 14)).clamp(-8 * SCORE_ONE, 8 * SCORE_ONE);
 }
 
 fn edge_keys(spoke: &Spoke, ring: &Ring, height: i32) -> [u8; 4] {

@@ -57,7 +57,7 @@ fn byte(logarithm: i32) -> u8 {
 
 #[inline]
 fn middle(a: u8, b: u8) -> u8 {
-    ((u16::from(a) + u16::from(b) + 1) / 2) as u8
+    (u16::from(a) + u16::from(b)).div_ceil(2) as u8
 }
 
 impl Memory {

@@ -249,9 +249,8 @@ fn long_run<C: Coder>(
     // A run ends at the latest where the vertex has no free triangle more.
     let is_free = |k: &usize| {
         let corner = corners[(first + k) % n];
-        let is_inner = *k > 0;
-        !scene.is_taken(triangle_of(corner))
-            && !(is_inner && scene.surface.is_virtual(scene.surface.vertex(next(corner))))
+        let is_outside = scene.surface.is_virtual(scene.surface.vertex(next(corner)));
+        !scene.is_taken(triangle_of(corner)) && (*k == 0 || !is_outside)
     };
     let length = (0..length).take_while(is_free).count();
     (length > 0).then_some((first, length))

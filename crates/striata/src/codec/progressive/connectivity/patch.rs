@@ -44,10 +44,8 @@ impl Patch {
         self.end = if self.end + 1 < ring.spokes.len() { self.end + 1 } else { 0 };
         self.length += 1;
         let step = ring.spokes[self.end].step;
-        for a in 0..3 {
-            self.steps[a] += step[a];
-            self.normal[a] += i64::from(last.normal[a]);
-        }
+        self.steps = std::array::from_fn(|a| self.steps[a] + step[a]);
+        self.normal = std::array::from_fn(|a| self.normal[a] + i64::from(last.normal[a]));
         self.squares = self.squares.saturating_add(dot(step, step) as u32);
     }
 

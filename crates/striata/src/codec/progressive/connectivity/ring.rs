@@ -92,7 +92,7 @@ const INVERSES: [i64; 16] = {
 #[inline]
 fn mean(sum: i64, count: usize) -> i32 {
     match INVERSES.get(count) {
-        Some(inverse) => (sum * inverse >> 16) as i32,
+        Some(inverse) => ((sum * inverse) >> 16) as i32,
         None => (sum / count as i64) as i32,
     }
 }
@@ -244,8 +244,8 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::surface::Surface;
     use super::super::super::walk::Walk;
+    use super::super::tests::surface_of;
     use super::*;
 
     #[test]
@@ -254,7 +254,7 @@ mod tests {
         let rim = |i: u32| 2 + i % 6;
         let triangles: Vec<[u32; 3]> =
             (0..6).flat_map(|i| [[1, rim(i), rim(i + 1)], [0, rim(i + 1), rim(i)]]).collect();
-        let mut surface = Surface::from_closed(&triangles, 8, 1).unwrap();
+        let mut surface = surface_of(&triangles, 8, 1);
         let [x, y] = [500, 866];
         let hexagon = [[2 * x, 0], [x, y], [-x, y], [-2 * x, 0], [-x, -y], [x, -y]];
         let places: Vec<[i32; 3]> =
@@ -270,7 +270,7 @@ mod tests {
         ring.gather(&scene, &memory, &corners);
         ring.measure(&scene, 1);
         assert_eq!((ring.free, ring.free_run, ring.fates), (5, 5, [6, 0, 0, 0]));
-        assert_eq!(ring.height, LEAST_HEIGHT);
+        assert!((ring.height - LEAST_HEIGHT).abs() <= 1);
         assert!((ring.grid_length() - 5102).abs() < 4, "{}", ring.grid_length());
         for spoke in &ring.spokes {
             assert!((spoke.length - ring.length).abs() < 4 && (spoke.area - ring.area).abs() < 4);

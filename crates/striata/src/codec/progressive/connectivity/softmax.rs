@@ -19,7 +19,7 @@ static EXPONENTIALS: [u32; STEPS] = {
     let mut at = 0;
     while at < STEPS {
         table[at] = ((decay + (1 << 41)) >> 42) as u32;
-        decay = decay * DECAY >> 62;
+        decay = (decay * DECAY) >> 62;
         at += 1;
     }
     table
@@ -37,7 +37,8 @@ pub(super) fn exponential(below: i32) -> u32 {
 pub(super) fn log_sum(sum: u64) -> i32 {
     let spare = (64 - sum.leading_zeros()).saturating_sub(32);
     let log2 = log2_q8((sum >> spare) as u32) + ((spare as i32 - 20) << 8);
-    log2 * 177 >> 8
+    // ln 2 in 1/65536.
+    (log2 * 45_426) >> 16
 }
 
 /// How often the likeliest is asked for by itself before the rest is halved.

@@ -10,7 +10,7 @@ use super::super::super::entropy::{
 use super::bumps::{Bumps, Width, below};
 use super::local::Local;
 
-const COUNTERS: usize = 3;
+const COUNTERS: usize = 4;
 const DEPTHS: usize = 6;
 /// Nodes of the tree that have counters; all others share one.
 const NODES: usize = 64;
@@ -18,6 +18,8 @@ const NODES: usize = 64;
 pub(super) const SIZES: usize = 64;
 /// Kinds of circumstances.
 pub(super) const PLACES: usize = 16;
+/// Kinds of distances.
+pub(super) const DISTANCES: usize = 32;
 /// Kinds of disagreement.
 pub(super) const SPREADS: usize = 32;
 
@@ -41,6 +43,8 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     pub(super) size: usize,
     /// What they are like, below [`PLACES`].
     pub(super) place: usize,
+    /// How far the vertex that split is from what is expected, below [`DISTANCES`].
+    pub(super) distance: usize,
     /// How much the guesses disagree, below [`SPREADS`].
     pub(super) spread: usize,
 }
@@ -73,6 +77,7 @@ pub(super) struct AxisModel<const VECTORS: usize> {
     by_size: Vec<AdaptiveBit>,
     by_place: Vec<AdaptiveBit>,
     by_spread: Vec<AdaptiveBit>,
+    by_distance: Vec<AdaptiveBit>,
     mixer: WideMixer<VECTORS>,
     /// A second one where there is time for it.
     other: Option<WideMixer<VECTORS>>,
@@ -91,6 +96,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             by_size: bits(SIZES),
             by_place: bits(PLACES),
             by_spread: bits(SPREADS),
+            by_distance: bits(DISTANCES),
             mixer: WideMixer::new(DEPTHS * PLACES, first),
             other: is_thorough.then(|| WideMixer::new(SIZES, first)),
             refiner: is_thorough.then(|| Refiner::new(DEPTHS)),
@@ -135,8 +141,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             let (from, to) =
                 if axis.is_mirrored { (&below_high, &below_low) } else { (&below_low, &below_high) };
             weigh(from, &below, to, &mut inputs.as_flattened_mut()[COUNTERS..]);
-            let bit =
-                self.decide(coder, axis, (node, depth), &mut inputs, (actual >= middle) ^ axis.is_mirrored);
+            let bit = (actual >= middle) ^ axis.is_mirrored;
+            let bit = self.decide(coder, axis, (node, depth, bit), &mut inputs);
             let is_up = bit ^ axis.is_mirrored;
             if is_up {
                 (low, below_low) = (middle, below);
@@ -154,15 +160,15 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         &mut self,
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
-        (node, depth): (usize, usize),
+        (node, depth, bit): (usize, usize, bool),
         inputs: &mut [[i16; 8]; VECTORS],
-        is_up: bool,
     ) -> bool {
         let node = if node < NODES { node } else { 0 };
         let counters = [
             &mut self.by_size[axis.size * NODES + node],
             &mut self.by_place[axis.place * NODES + node],
             &mut self.by_spread[axis.spread * NODES + node],
+            &mut self.by_distance[axis.distance * NODES + node],
         ];
         let all = inputs.as_flattened_mut();
         for (input, counter) in all.iter_mut().zip(&counters) {
@@ -177,16 +183,16 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             Some(refiner) => refiner.refine(odds, depth),
             None => probability(odds).clamp(24, 65_512),
         };
-        let is_up = coder.bit(is_up, p_one);
-        self.mixer.update(inputs, is_up);
+        let bit = coder.bit(bit, p_one);
+        self.mixer.update(inputs, bit);
         if let Some(other) = &mut self.other {
-            other.update(inputs, is_up);
+            other.update(inputs, bit);
         }
         if let Some(refiner) = &mut self.refiner {
-            refiner.update(is_up);
+            refiner.update(bit);
         }
-        counters.into_iter().for_each(|counter| counter.update(is_up));
-        is_up
+        counters.into_iter().for_each(|counter| counter.update(bit));
+        bit
     }
 }
 

@@ -14,7 +14,7 @@
 use super::local::{LANES, Local, Point};
 
 /// Kinds of guesses.
-pub(super) const KINDS: usize = 5;
+pub(super) const KINDS: usize = 6;
 /// Parallelograms of three consecutive ring vertices.
 pub(super) const INSIDE: usize = 0;
 /// Parallelograms across ring edges.
@@ -25,6 +25,8 @@ pub(super) const MIDDLE: usize = 2;
 pub(super) const MOVED: usize = 3;
 /// As far from a ring vertex as what lies beyond it.
 pub(super) const STRAIGHT: usize = 4;
+/// Ring vertices moved along the edges of the second ring, the other way round.
+pub(super) const TURNED: usize = 5;
 
 /// Guesses of one kind, a lane for each.
 #[derive(Clone, Copy, Debug, Default)]
@@ -80,10 +82,14 @@ pub(super) fn guess(local: &Local, guesses: &mut [Guesses; KINDS]) {
         if let (true, Some(there)) = (n % 2 == 1 || 2 * i < n, local.ring[wrap(i + n / 2)]) {
             guesses[MIDDLE].push(middle(here, there));
         }
-        if let (true, Some(apex), [Some(left), _], Some(after)) =
-            (n >= 5, local.apexes[i], local.beyond[i], after)
-        {
-            guesses[MOVED].push(corner(after, left, apex));
+        if let (true, Some(apex)) = (n >= 5, local.apexes[i]) {
+            let [left, right] = local.beyond[i];
+            if let (Some(left), Some(after)) = (left, after) {
+                guesses[MOVED].push(corner(after, left, apex));
+            }
+            if let (Some(right), Some(before)) = (right, local.ring[wrap(i + n - 1)]) {
+                guesses[TURNED].push(corner(before, right, apex));
+            }
         }
     }
 }
@@ -136,7 +142,7 @@ mod tests {
     fn all_guesses_hit_the_middle_of_a_regular_lattice() {
         let mut guesses = [Guesses::default(); KINDS];
         guess(&regular(), &mut guesses);
-        assert_eq!(guesses.map(|g| g.count), [6, 6, 4, 6, 6]);
+        assert_eq!(guesses.map(|g| g.count), [6, 6, 4, 6, 6, 6]);
         for guesses in guesses {
             for at in guesses.at.as_flattened() {
                 assert!(at.abs() <= 1, "{at}");
@@ -152,7 +158,7 @@ mod tests {
         local.beyond[5] = [None; 2];
         let mut guesses = [Guesses::default(); KINDS];
         guess(&local, &mut guesses);
-        // Three parallelograms within the ring need the missing vertex, two across edges, one middle.
-        assert_eq!(guesses.map(|g| g.count), [3, 3, 3, 3, 5]);
+        // Of six each, those are missing that the unknown places take part in.
+        assert_eq!(guesses.map(|g| g.count), [3, 3, 3, 2, 5, 2]);
     }
 }

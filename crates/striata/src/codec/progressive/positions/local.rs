@@ -40,7 +40,7 @@ pub(super) struct Local {
 }
 
 impl Local {
-    /// Looks around; two rings further `with_beyond`.
+    /// Looks around; a ring further `with_beyond`.
     pub(super) fn look(&mut self, hood: &Hood<'_>, with_beyond: bool) {
         self.count = hood.corners.len().min(LANES);
         let mut known = [[0; 3]; LANES];

@@ -61,8 +61,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTO
             let axis = self.sight.axis::<DENSITIES, WIDTHS>(
                 a,
                 self.widths[across],
-                expected,
-                ring_errors[across] * 4 + valence,
+                (expected, ring_errors[across] * 4 + valence),
                 &features,
             );
             place[a] = self.axes[slot].code(coder, &axis, actual[a]);

@@ -1,4 +1,23 @@
 //! Where the new vertices are.
+//!
+//! A vertex is coded once its ring and what lies beyond are known. Its place is guessed from there, and each of its three
+//! coordinates is found by halving an interval around what is expected, where each answer has a probability. Most of a
+//! surface is sampled with some regularity, so that one of many simple guesses is often nearly right: their mixture as a
+//! density, not their mean, is what makes streams small \[Mah05\].
+//!
+//! | file | what it does |
+//! | --- | --- |
+//! | `local.rs` | what is known around a vertex, in units of its ring's size |
+//! | `guesses.rs` | where the vertex might be, in six kinds |
+//! | `bumps.rs` | densities made of guesses |
+//! | `blend.rs` | the one place that is expected |
+//! | `sight.rs` | what of this goes into each axis, given the axes before |
+//! | `axis.rs` | a coordinate as a chain of mixed decisions |
+//! | `mixed.rs` | the thorough models: these together |
+//! | `plain.rs` | the quick model: one prediction, counters alone |
+//!
+//! All of it is integers, but for one square root, which is rounded the same everywhere. Time a vertex on one core:
+//! 0.4 microseconds with one prediction, 1.4 with one density, 3.3 with eighteen.
 
 mod axis;
 mod blend;
@@ -26,10 +45,11 @@ enum Model {
     /// Guesses from the ring and the triangles around it.
     Some(Box<MixedModel<4, 1, 1, 1>>),
     /// Guesses from two rings, under several widths.
-    All(Box<MixedModel<5, 5, 3, 3>>),
+    All(Box<MixedModel<6, 6, 3, 3>>),
 }
 
 impl PositionModel {
+    /// Knows nothing yet.
     pub(super) fn new(effort: Effort) -> Self {
         Self(match effort {
             Effort::Fast => Model::One(Box::new(PlainModel::new())),

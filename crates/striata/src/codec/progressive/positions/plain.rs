@@ -1,16 +1,14 @@
 //! Positions from one prediction: quick to read.
 //!
 //! The prediction blends the middle of the ring, what the triangles around it point to, and the vertex that split, by learned
-//! weights. What is left is coded by halvings with counters alone.
+//! weights. What is left is one symbol an axis, and the bits below.
 
-use super::super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, log2_q8};
+use super::super::super::entropy::{AdaptiveNumber, AdaptiveSymbol, Coder, Rate, code_symbol, log2_q8};
 use super::super::hood::Hood;
 use super::blend::Blend;
 use super::local::Local;
 use super::sight::{INVERSES, mean, normal_order};
 
-/// Nodes of the tree that have counters.
-const NODES: usize = 64;
 /// Kinds of sizes, and kinds of disagreement.
 const SIZES: usize = 64;
 const SPREADS: usize = 16;
@@ -24,22 +22,25 @@ pub(super) struct PlainModel {
     axes: [PlainAxis; 3],
 }
 
+/// How far off predictions are along an axis: zero, or a sign and a bucket (1, 2 to 3, ..), all else being noise.
 #[derive(Clone, Debug)]
 struct PlainAxis {
-    is_far: Vec<AdaptiveBit>,
+    by_size: Vec<AdaptiveSymbol>,
+    by_spread: Vec<AdaptiveSymbol>,
     far: AdaptiveNumber,
-    by_size: Vec<[AdaptiveBit; NODES]>,
-    by_spread: Vec<[AdaptiveBit; NODES]>,
 }
+
+/// The symbol of what lies in no bucket.
+const FAR: usize = 15;
+/// The buckets that have symbols, and the number that lies beyond them.
+const NEAR: u32 = 1 << 7;
 
 impl PlainAxis {
     fn new() -> Self {
-        let bit = AdaptiveBit::new(Rate::Steady);
         Self {
-            is_far: vec![bit; SPREADS],
+            by_size: vec![AdaptiveSymbol::new(); SIZES],
+            by_spread: vec![AdaptiveSymbol::new(); SPREADS],
             far: AdaptiveNumber::new(SIZES, Rate::Steady),
-            by_size: vec![[bit; NODES]; SIZES],
-            by_spread: vec![[bit; NODES]; SPREADS],
         }
     }
 
@@ -50,36 +51,29 @@ impl PlainAxis {
         (size, spread, span_log): (usize, usize, u32),
         actual: i32,
     ) -> i32 {
-        let half = 1i32 << span_log;
-        if self.is_far[spread].code(coder, !(-half..half).contains(&actual)) {
-            return self.far.signed(coder, size, actual);
-        }
-        let (by_size, by_spread) = (&mut self.by_size[size], &mut self.by_spread[spread]);
-        let (mut low, mut step, mut node) = (-half, half, 1);
-        loop {
-            let [one, other] = [&mut by_size[node & (NODES - 1)], &mut by_spread[node & (NODES - 1)]];
-            let is_up = coder.bit(actual >= low + step, (one.p_one() + other.p_one()) >> 1);
-            one.update(is_up);
-            other.update(is_up);
-            low += if is_up { step } else { 0 };
-            if step == 1 {
-                return low;
+        // Where rings are wide the lowest bits tell nothing.
+        let noise = span_log.saturating_sub(6);
+        let high = actual >> noise;
+        let distance = high.unsigned_abs();
+        let bucket = distance.max(1).ilog2();
+        let meant = match distance {
+            0 => 0,
+            NEAR.. => FAR,
+            _ => 1 + 2 * bucket as usize + usize::from(high < 0),
+        };
+        let symbol = code_symbol(coder, &mut self.by_size[size], &mut self.by_spread[spread], meant);
+        let high = match symbol {
+            0 => 0,
+            FAR => self.far.signed(coder, size, high),
+            _ => {
+                let bucket = (symbol as u32 - 1) / 2;
+                let distance = 1 << bucket | coder.raw(distance, bucket) as i32;
+                if symbol % 2 == 0 { -distance } else { distance }
             }
-            step >>= 1;
-            node = node << 1 | usize::from(is_up);
-            if node >= NODES {
-                return low + self::rest(coder, actual.wrapping_sub(low), step);
-            }
-        }
+        };
+        let low = coder.raw(actual as u32, noise.min(24)) as i32;
+        high.wrapping_shl(noise) | low
     }
-}
-
-/// The lowest bits, all values alike.
-fn rest<C: Coder>(coder: &mut C, actual: i32, step: i32) -> i32 {
-    let bits = step.ilog2() + 1;
-    let low = bits.min(16);
-    let high = coder.raw(actual as u32 >> low, bits - low);
-    (high << low | coder.raw(actual as u32, low)) as i32
 }
 
 impl PlainModel {

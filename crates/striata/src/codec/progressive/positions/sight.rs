@@ -1,10 +1,10 @@
 //! The densities of a new vertex's place, axis by axis.
 
-use wide::{CmpLt, i16x8, i32x4};
+use wide::{i16x8, i32x4};
 
 use super::super::super::entropy::log2_q8;
 use super::super::hood::Hood;
-use super::axis::{Axis, SIZES, SPREADS};
+use super::axis::{Axis, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width};
 use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
 use super::local::{LANES, Local, Point};
@@ -31,7 +31,7 @@ pub(super) struct Sight<const USED: usize> {
     is_last: bool,
     /// True where the last axis runs against the normal.
     is_inward: bool,
-    /// By axis, the vertex that split, and the middle of its neighbours in the ring.
+    /// By axis, the vertex that split and what is seen from there.
     kept: [[i32; 4]; 3],
     /// How much each guess counts, by what is known of the vertex already.
     weights: [i16x8; USED],
@@ -151,19 +151,19 @@ impl<const USED: usize> Sight<USED> {
         (base, features)
     }
 
-    /// What one axis is coded with.
+    /// What one axis is coded with: what is expected there, and what the surroundings are like.
     pub(super) fn axis<const DENSITIES: usize, const WIDTHS: usize>(
         &self,
         axis: usize,
         widths: [u32; WIDTHS],
-        expected: i32,
-        place: usize,
+        (expected, place): (i32, usize),
         features: &[i32; FEATURES],
     ) -> Axis<'_, DENSITIES, WIDTHS> {
         let local = &self.local;
         // Guesses are no better than the grid.
         let narrowest = local.shift.clamp(0, 13) as u32;
         let size = 2 * (local.shift + 16) + (local.radius >> 9 & 1);
+        let distance = (self.kept[axis][0] - expected).abs();
         let is_mirrored = if self.is_last { self.is_inward } else { self.kept[axis][0] < expected };
         let spread =
             [INSIDE, ACROSS, STRAIGHT].iter().map(|&kind| features[kind].unsigned_abs()).sum::<u32>();
@@ -179,6 +179,7 @@ impl<const USED: usize> Sight<USED> {
             is_mirrored,
             size: (size as usize).min(SIZES - 1),
             place,
+            distance: (distance * 16 / local.radius).min(DISTANCES as i32 - 1) as usize,
             spread: (spread >> 7).clamp(0, SPREADS as i32 - 1) as usize,
         }
     }
@@ -219,7 +220,8 @@ pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
     (normal, axes)
 }
 
-/// By axis, where the vertex that split is, and the middle of its neighbours in the ring.
+/// By axis, where the vertex that split is, the middle of its neighbours in the ring, that of the next ones, and that of what
+/// lies across its edges to its neighbours.
 fn kept_and_beside(local: &Local) -> [[i32; 4]; 3] {
     let n = local.count;
     let kept = local.ring[0].unwrap_or_default();

@@ -53,13 +53,8 @@ fn code<C: Coder>(coder: &mut C, sample: &Sample, effort: Effort, unseen: [i32; 
     let mut model = PositionModel::new(effort);
     for vertex in first..places.len() {
         let corners: Vec<u32> = sample.surface.ring(vertex as u32).collect();
-        let hood = Hood {
-            surface: &sample.surface,
-            places: &places,
-            vertex: vertex as u32,
-            corners: &corners,
-            batch: 1,
-        };
+        let hood =
+            Hood { surface: &sample.surface, places: &places, vertex: vertex as u32, corners: &corners };
         let actual = if C::READS { [0; 3] } else { sample.places[vertex] };
         places[vertex] = model.code(coder, &hood, actual);
     }
@@ -129,5 +124,5 @@ fn more_effort_takes_fewer_bytes() {
 fn bytes_are_the_same_everywhere() {
     let samples = samples();
     let found = EFFORTS.map(|effort| crc32fast::hash(&write(&samples[0], effort, [0; 3])));
-    assert_eq!(found, [0, 0, 0]);
+    assert_eq!(found, [2_177_276_284, 748_092_491, 1_320_633_414]);
 }
