@@ -113,7 +113,8 @@ impl Simplifier {
             Self::Batches => {
                 let step =
                     StreamOptions::default().with_precision(Precision::Bits(12)).grid_step(&welded.mesh);
-                let options = BatchOptions::default().with_shape_step(step.ok().map(|step| SHAPE_STEPS * step));
+                let options =
+                    BatchOptions::default().with_shape_step(step.ok().map(|step| SHAPE_STEPS * step));
                 let built = build_welded_batches(welded, &options, &mut ignore_progress)?;
                 Ok(Built::Collapses(Box::new(built.built.refinable)))
             }
