@@ -61,12 +61,24 @@ impl StreamOptions {
         Self { layers, ..self }
     }
 
+    /// From one point of the grid to the next, mesh units.
+    ///
+    /// # Errors
+    /// [`GridError`] where there is no such grid.
+    pub fn grid_step(&self, mesh: &IndexedMesh) -> Result<f64, GridError> {
+        grid_of(mesh, self.precision).map(|grid| grid.step)
+    }
+
     /// Adds to [`Self::metadata`].
     pub fn with_metadata(mut self, key: impl Into<String>, value: impl Into<String>) -> Self {
         self.metadata.push((key.into(), value.into()));
         self
     }
 }
+
+/// How many steps of the grid an edge's shape should weigh in the batches of a stream
+/// ([`BatchOptions::shape_step`](crate::simplify::BatchOptions::shape_step)): regular leftovers are cheap to foretell.
+pub const SHAPE_STEPS: f64 = 1.5;
 
 /// What the bytes of a stream are spent on; the sum is all of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

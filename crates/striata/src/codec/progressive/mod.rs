@@ -38,7 +38,9 @@ mod wedges;
 
 pub use chunks::BatchDefect;
 pub use decode::{StreamDecoder, StreamUpdate};
-pub use encode::{EncodedStream, Precision, StreamError, StreamOptions, StreamSizes, encode_stream};
+pub use encode::{
+    EncodedStream, Precision, SHAPE_STEPS, StreamError, StreamOptions, StreamSizes, encode_stream,
+};
 pub use facts::StreamFacts;
 pub use grid::GridError;
 pub use head::STREAM_MAGIC;
