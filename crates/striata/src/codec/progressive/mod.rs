@@ -29,6 +29,7 @@ mod quick;
 mod refiner;
 mod residuals;
 mod ring_fit;
+mod rings;
 mod shown;
 mod splits;
 mod surface;
