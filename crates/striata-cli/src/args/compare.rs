@@ -100,6 +100,9 @@ pub(crate) struct RateArgs {
         hide_possible_values = true
     )]
     efforts: Vec<EffortArg>,
+    /// Measure sizes and times of whole files only: no distances, no levels
+    #[arg(long = "rate-sizes")]
+    pub(crate) sizes_only: bool,
 }
 
 impl RateArgs {

@@ -397,5 +397,12 @@ fn compare_tells_the_distance_after_so_many_bytes() {
     }
     let page = String::from_utf8(bench.read("rate.html")).expect("text");
     assert!(page.contains("Distance after so many bytes") && page.contains("RMS, % of the diagonal"));
+    let line = "compare sphere.obj --rate --rate-sizes --rate-efforts fast --json";
+    let assert = bench.command(line).env("PATH", "").assert().success();
+    let report: Value = serde_json::from_slice(&assert.get_output().stdout).expect("JSON on stdout");
+    let mesh = &report["meshes"][0];
+    assert!(mesh["rate"].as_array().is_some_and(Vec::is_empty));
+    let fast = |row: &&Value| row["name"] == "striata fast";
+    assert_eq!(mesh["sizes"].as_array().map(|rows| rows.iter().filter(fast).count()), Some(2));
     assert!(bench.refused("compare sphere.obj --rate --parts strips").contains("--parts"));
 }

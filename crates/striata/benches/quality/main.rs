@@ -5,8 +5,9 @@
 //! levels are measured against the welded original with the same samples. Attributes are left out on both sides.
 //!
 //! ```text
-//! --cost memoryless|accumulated|tracked|hausdorff|all
-//!                                             what orders our collapses, or (hausdorff) removals; default memoryless
+//! --cost memoryless|accumulated|tracked|batches|hausdorff|all
+//!                                             what orders our collapses (batches: as a stream of 12 bits has them), or
+//!                                             (hausdorff) removals; default memoryless; several with commas
 //! --placement optimal                         adds our one-level simplifier that places vertices freely
 //! --promises                                  instead: guaranteed errors against measured ones
 //! --samples N                                 samples a surface; default 500000, 0 measures no distances
@@ -22,11 +23,12 @@ mod table;
 use std::error::Error;
 use std::io::Write;
 
+use striata::codec::progressive::{Precision, SHAPE_STEPS, StreamOptions};
 use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, Welded, weld};
 use striata::simplify::{
-    CollapseCost, RemovalOptions, SequenceOptions, SimplifyError, build_welded_fragments,
-    build_welded_sequence,
+    BatchOptions, CollapseCost, RemovalOptions, SequenceOptions, SimplifyError, build_welded_batches,
+    build_welded_fragments, build_welded_sequence,
 };
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
@@ -77,21 +79,25 @@ impl Request {
 enum Simplifier {
     /// Half-edge collapses in the order of a cost.
     Collapses(CollapseCost),
+    /// The first of these, in batches as a progressive stream of 12 bits has them.
+    Batches,
     /// Removals of vertices, holes filled freely, in the order of the Hausdorff distance.
     Removal,
 }
 
 impl Simplifier {
-    const ALL: [Self; 4] = [
+    const ALL: [Self; 5] = [
         Self::Collapses(CollapseCost::Memoryless),
         Self::Collapses(CollapseCost::Accumulated),
         Self::Collapses(CollapseCost::Tracked),
+        Self::Batches,
         Self::Removal,
     ];
 
     fn name(self) -> String {
         match self {
             Self::Collapses(cost) => format!("{cost:?}").to_lowercase(),
+            Self::Batches => "batches".to_owned(),
             Self::Removal => "hausdorff".to_owned(),
         }
     }
@@ -103,6 +109,14 @@ impl Simplifier {
                 let options = SequenceOptions::default().with_cost(cost);
                 let built = build_welded_sequence(welded, &options, &mut ignore_progress)?;
                 Ok(Built::Collapses(Box::new(built.refinable)))
+            }
+            Self::Batches => {
+                let step =
+                    StreamOptions::default().with_precision(Precision::Bits(12)).grid_step(&welded.mesh);
+                let options =
+                    BatchOptions::default().with_shape_step(step.ok().map(|step| SHAPE_STEPS * step));
+                let built = build_welded_batches(welded, &options, &mut ignore_progress)?;
+                Ok(Built::Collapses(Box::new(built.built.refinable)))
             }
             Self::Removal => {
                 let options = RemovalOptions::default();
@@ -120,8 +134,9 @@ enum Built {
 }
 
 fn simplifiers_of(name: &str) -> Fallible<Vec<Simplifier>> {
-    let chosen: Vec<_> =
-        Simplifier::ALL.into_iter().filter(|simplifier| name == "all" || simplifier.name() == name).collect();
+    let is_chosen =
+        |simplifier: &Simplifier| name == "all" || name.split(',').any(|n| simplifier.name() == n);
+    let chosen: Vec<_> = Simplifier::ALL.into_iter().filter(is_chosen).collect();
     if chosen.is_empty() { Err(format!("unknown cost {name}").into()) } else { Ok(chosen) }
 }
 

@@ -58,13 +58,6 @@ impl<'a> ByteReader<'a> {
         Ok(f64::from_bits(u64::from(low) | u64::from(high) << 32))
     }
 
-    /// What is left.
-    pub(super) fn rest(&mut self) -> &'a [u8] {
-        let rest = &self.bytes[self.at..];
-        self.at = self.bytes.len();
-        rest
-    }
-
     pub(super) fn f32(&mut self) -> Result<f32, DecodeError> {
         Ok(f32::from_bits(self.u32()?))
     }

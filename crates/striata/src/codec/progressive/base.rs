@@ -90,8 +90,7 @@ impl Base {
         coder: &mut C,
         model: &mut WedgeModel,
         source: &impl Source,
-        (vertex_count, group_count): (u32, u32),
-        vertex_of_position: &[u32],
+        ((vertex_count, group_count), vertex_of_position): ((u32, u32), &[u32]),
     ) {
         let mut counts = AdaptiveNumber::new(1, Rate::Steady);
         self.first_vertex = vec![0];

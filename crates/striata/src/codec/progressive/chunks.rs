@@ -43,6 +43,16 @@ pub(super) struct Chunks {
     pub(super) spent: [f64; 4],
 }
 
+impl Chunks {
+    /// Appends zeros, which change nothing, until all chunks together have so many bytes.
+    pub(super) fn pad(&mut self, least: usize) {
+        let bytes: usize = self.chunks.iter().map(|chunk| chunk.bytes.len()).sum();
+        if let Some(last) = self.chunks.last_mut().filter(|_| bytes < least) {
+            last.bytes.resize(last.bytes.len() + least - bytes, 0);
+        }
+    }
+}
+
 /// Why a sequence is not one of batches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]

@@ -6,7 +6,7 @@ use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_chunks};
 use super::cutting::Closed;
 use super::grid::{GridError, PositionGrid};
-use super::head::{GroupName, Head, Row};
+use super::head::{GroupName, Head, Row, least_bytes_in_all};
 use super::layer_model::LayerValues;
 use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
@@ -61,12 +61,24 @@ impl StreamOptions {
         Self { layers, ..self }
     }
 
+    /// From one point of the grid to the next, mesh units.
+    ///
+    /// # Errors
+    /// [`GridError`] where there is no such grid.
+    pub fn grid_step(&self, mesh: &IndexedMesh) -> Result<f64, GridError> {
+        grid_of(mesh, self.precision).map(|grid| grid.step)
+    }
+
     /// Adds to [`Self::metadata`].
     pub fn with_metadata(mut self, key: impl Into<String>, value: impl Into<String>) -> Self {
         self.metadata.push((key.into(), value.into()));
         self
     }
 }
+
+/// How many steps of the grid an edge's shape should weigh in the batches of a stream
+/// ([`BatchOptions::shape_step`](crate::simplify::BatchOptions::shape_step)): regular leftovers are cheap to foretell.
+pub const SHAPE_STEPS: f64 = 1.5;
 
 /// What the bytes of a stream are spent on; the sum is all of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -152,7 +164,8 @@ pub fn encode_stream(
     let refinable = shortened.as_ref().unwrap_or(refinable);
     let batches: Vec<u32> = batches[first..].iter().map(|n| n - batches[first]).collect();
     let batches = batches.as_slice();
-    let chunks = encode_chunks(closed, refinable, batches, (&points, &terms))?;
+    let mut chunks = encode_chunks(closed, refinable, batches, (&points, &terms))?;
+    chunks.pad(least_bytes_in_all(refinable.mesh.vertex_count() - points.places.len()));
     let head = head_of(refinable, batches, &chunks, (options, &terms)).to_bytes()?;
     let mut bytes = head;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));

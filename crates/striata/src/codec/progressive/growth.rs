@@ -152,9 +152,9 @@ impl Growth {
         self.targets.extend_from_slice(&told.targets);
         self.begin_position(told.targets.len() as u32, position);
         let last = corners.len() - 1;
-        for at in 1..last {
-            if told.wedges[at] != NONE {
-                self.change(surface, corners[at], first + told.wedges[at]);
+        for (&corner, &wedge) in corners[1..last].iter().zip(&told.wedges[1..last]) {
+            if wedge != NONE {
+                self.change(surface, corner, first + wedge);
             }
         }
         let mut added = 0;

@@ -31,6 +31,14 @@ const MAX_SPLITS_A_BYTE: u64 = 256;
 /// The same of the triangles of the base.
 const MAX_BASE_TRIANGLES_A_BYTE: u32 = 256;
 
+/// The same of vertices beyond one a position, in all chunks.
+const MAX_WEDGES_A_BYTE: u64 = 256;
+
+/// The bytes that all chunks must have at least.
+pub(super) fn least_bytes_in_all(wedges_beyond: usize) -> usize {
+    wedges_beyond / MAX_WEDGES_A_BYTE as usize
+}
+
 /// The bytes that a chunk must have at least.
 pub(super) fn least_bytes(splits: usize, base_triangles: usize) -> usize {
     (splits / MAX_SPLITS_A_BYTE as usize).max(base_triangles / MAX_BASE_TRIANGLES_A_BYTE as usize)
@@ -220,6 +228,10 @@ impl Head {
             return Err(
                 reader.malformed("there are fewer positions than steps, or fewer vertices than positions")
             );
+        }
+        let told: u64 = rows.iter().map(|row| u64::from(row.bytes)).sum();
+        if u64::from(vertex_count - position_count) > MAX_WEDGES_A_BYTE * (told + 1) {
+            return Err(reader.malformed("there are more vertices than the chunks can tell"));
         }
         if groups.iter().filter_map(|g| g.material).any(|m| m as usize >= appearance.materials.len()) {
             return Err(reader.malformed("a group has a material that is not there"));

@@ -13,8 +13,6 @@ pub(super) struct Hood<'a> {
     /// The corners at the vertex, counter-clockwise: first that of A, whose next vertex is the one that split; then
     /// those of the patch; last that of B.
     pub(super) corners: &'a [u32],
-    /// Batches so far, the current one included.
-    pub(super) batch: u32,
 }
 
 impl Hood<'_> {

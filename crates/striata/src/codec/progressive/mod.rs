@@ -29,6 +29,7 @@ mod quick;
 mod refiner;
 mod residuals;
 mod ring_fit;
+mod rings;
 mod shown;
 mod splits;
 mod surface;
@@ -38,7 +39,9 @@ mod wedges;
 
 pub use chunks::BatchDefect;
 pub use decode::{StreamDecoder, StreamUpdate};
-pub use encode::{EncodedStream, Precision, StreamError, StreamOptions, StreamSizes, encode_stream};
+pub use encode::{
+    EncodedStream, Precision, SHAPE_STEPS, StreamError, StreamOptions, StreamSizes, encode_stream,
+};
 pub use facts::StreamFacts;
 pub use grid::GridError;
 pub use head::STREAM_MAGIC;

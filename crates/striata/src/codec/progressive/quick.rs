@@ -7,7 +7,8 @@
 
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::connectivity::Scene;
-use super::surface::{Cut, NONE, Surface, next, triangle_of};
+use super::rings::Rings;
+use super::surface::{Cut, NONE, Surface, triangle_of};
 
 /// What is kept with a vertex.
 #[derive(Clone, Copy, Debug, Default)]
@@ -21,8 +22,6 @@ struct Kept {
 
 /// Lengths and ranks that are told apart.
 const MOST: usize = 16;
-/// Walks around vertices that go on side by side.
-const WALKS: usize = 8;
 /// Flags that make up the history.
 const HISTORY: usize = 0xff;
 
@@ -39,10 +38,9 @@ pub(super) struct QuickModel {
     flags: Vec<AdaptiveBit>,
     lengths: Vec<AdaptiveBit>,
     ranks: Vec<AdaptiveBit>,
-    /// Vertices that split, the corners around them, and where each one's end.
+    /// Vertices that split, and the corners around them.
     splits: Vec<u32>,
-    corners: Vec<u32>,
-    ends: Vec<u32>,
+    rings: Rings,
     spokes: Vec<Spoke>,
     starts: Vec<(i64, u32)>,
 }
@@ -73,8 +71,7 @@ impl QuickModel {
             lengths: vec![bit; MOST * MOST],
             ranks: vec![bit; MOST * MOST * MOST],
             splits: Vec::new(),
-            corners: Vec::new(),
-            ends: Vec::new(),
+            rings: Rings::default(),
             spokes: Vec::new(),
             starts: Vec::new(),
         }
@@ -129,35 +126,9 @@ impl QuickModel {
     }
 
     /// Finds the corners around the vertices that split.
-    pub(super) fn find_rings(&mut self, surface: &Surface) {
-        self.corners.clear();
-        self.ends.clear();
-        for splits in self.splits.chunks(WALKS) {
-            let mut here = [NONE; WALKS];
-            let (mut at, mut end) = ([0; WALKS], [0; WALKS]);
-            let mut longest = 0;
-            for (walk, &vertex) in splits.iter().enumerate() {
-                let mut count = usize::from(self.kept[vertex as usize].triangles);
-                if count == 255 {
-                    count = surface.ring(vertex).count();
-                }
-                here[walk] = surface.corner_of(vertex);
-                at[walk] = self.corners.len();
-                end[walk] = at[walk] + count;
-                longest = longest.max(count);
-                self.corners.resize(end[walk], NONE);
-                self.ends.push(end[walk] as u32);
-            }
-            for _ in 0..longest {
-                for walk in 0..splits.len() {
-                    if at[walk] < end[walk] {
-                        self.corners[at[walk]] = here[walk];
-                        here[walk] = surface.swing(here[walk]);
-                        at[walk] += 1;
-                    }
-                }
-            }
-        }
+    pub(super) fn find_rings(&mut self, surface: &Surface, places: &[[i32; 3]]) {
+        self.rings.find(surface, &self.splits);
+        self.rings.look(surface, places);
     }
 
     /// Codes the cut of a vertex that splits, and appends the corners of its patch; false where no cut is left.
@@ -165,13 +136,10 @@ impl QuickModel {
         &mut self,
         coder: &mut C,
         scene: &Scene<'_>,
-        split: usize,
-        actual: Option<Cut>,
+        (split, actual): (usize, Option<Cut>),
         patch: &mut Vec<u32>,
     ) -> bool {
-        let first = split.checked_sub(1).map_or(0, |before| self.ends[before] as usize);
-        let corners = first..self.ends[split] as usize;
-        let n = corners.len();
+        let n = self.rings.of(split).len();
         let most = (scene.max_patch as usize).min(n - 1);
         let meant = actual.map_or(0, |cut| cut.length as usize);
         let mut length = 1;
@@ -182,36 +150,34 @@ impl QuickModel {
             }
             length += 1;
         }
-        self.find_starts(scene, corners.clone(), length);
+        self.find_starts(scene, split, length);
         let meant = actual.map_or(NONE, |cut| cut.first);
         let key = (n.min(MOST - 1) * MOST + length.min(MOST - 1)) * MOST;
         let mut rank = 0;
         let start = loop {
             let Some(best) = (0..self.starts.len()).max_by_key(|&at| self.starts[at]) else { return false };
             let (_, start) = self.starts.swap_remove(best);
-            let is_meant = self.corners[corners.start + start as usize] == meant;
+            let is_meant = self.rings.of(split)[start as usize] == meant;
             let is_last = self.starts.is_empty();
             if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, is_meant) {
                 break start as usize;
             }
             rank += 1;
         };
-        let ring = &self.corners[corners];
+        let ring = self.rings.of(split);
         patch.extend((start..start + length).map(|at| ring[if at < n { at } else { at - n }]));
         true
     }
 
     /// Where in a ring a run of free triangles can begin, and how long its edges are.
-    fn find_starts(&mut self, scene: &Scene<'_>, corners: std::ops::Range<usize>, length: usize) {
-        let Scene { surface, places, .. } = *scene;
-        let corners = &self.corners[corners];
+    fn find_starts(&mut self, scene: &Scene<'_>, split: usize, length: usize) {
+        let corners = self.rings.of(split);
         let n = corners.len();
-        let kept = places[surface.vertex(corners[0]) as usize];
+        let kept = scene.places[self.splits[split] as usize];
         self.spokes.clear();
-        self.spokes.extend(corners.iter().map(|&corner| {
-            let vertex = surface.vertex(next(corner));
-            let is_virtual = surface.is_virtual(vertex);
-            let place = places[vertex as usize];
+        self.spokes.extend(corners.iter().zip(self.rings.neighbours(split)).map(|(&corner, neighbour)| {
+            let is_virtual = scene.surface.is_virtual(neighbour.vertex);
+            let place = neighbour.place;
             let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum::<i64>();
             Spoke {
                 square: if is_virtual { 0 } else { square },

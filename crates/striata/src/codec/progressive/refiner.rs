@@ -17,13 +17,16 @@ use super::layer_model::LayerValues;
 use super::layers::LayerForm;
 use super::positions::PositionModel;
 use super::quick::QuickModel;
+use super::rings::Rings;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::Walk;
-use super::wedges::{SplitWedges, WedgeModel};
+use super::wedges::{Split, SplitWedges, WedgeModel};
 use super::{Effort, StreamDefect};
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.
 const STRETCH: usize = 1024;
+/// Flags that say yes before the cuts of their vertices are coded.
+const GROUP: usize = 24;
 
 /// What both sides agree on before the first bit.
 #[derive(Clone, Debug)]
@@ -173,6 +176,9 @@ pub(super) struct Refiner {
     patches: Vec<u32>,
     pending: Vec<u32>,
     corners: Vec<u32>,
+    /// Vertices that split and whose cuts are next, and the corners around them.
+    group: Vec<u32>,
+    rings: Rings,
     pub(super) growth: Growth,
 }
 
@@ -201,7 +207,7 @@ impl Refiner {
                     source.name(source.wedges(vertex));
                 }
                 let counts = (terms.vertex_count, terms.group_count);
-                base.code_wedges(coder, model, source, counts, &vertex_of_position);
+                base.code_wedges(coder, model, source, (counts, &vertex_of_position));
             }
             None => base.show_positions(),
         }
@@ -246,6 +252,8 @@ impl Refiner {
             patches: Vec::new(),
             pending: Vec::new(),
             corners: Vec::new(),
+            group: Vec::new(),
+            rings: Rings::default(),
             growth,
         })
     }
@@ -305,43 +313,77 @@ impl Refiner {
     fn connectivity<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         self.pending.clear();
         self.patches.clear();
-        if let Connectivity::Quick(_) = self.connectivity {
-            self.ask_quickly(coder, source, most);
-            return;
+        match &self.connectivity {
+            Connectivity::Quick(_) => self.ask_quickly(coder, source, most),
+            Connectivity::Thorough(model) if model.is_thorough() => self.ask_thoroughly(coder, source, most),
+            Connectivity::Thorough(_) => self.ask_in_groups(coder, source, most),
         }
+    }
+
+    /// Vertex by vertex.
+    fn ask_thoroughly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+        let Connectivity::Thorough(model) = &mut self.connectivity else { return };
         while self.pending.len() < most {
-            match self.ask(coder, source) {
-                None => {
-                    self.is_in_batch = false;
-                    return;
-                }
-                Some(Some(cut)) => self.take(cut),
-                Some(None) => {}
+            let Some(vertex) = self.walk.next_vertex() else {
+                self.is_in_batch = false;
+                return;
+            };
+            self.corners.clear();
+            self.corners.extend(self.surface.ring(vertex));
+            let scene = Scene {
+                surface: &self.surface,
+                places: &self.places,
+                walk: &self.walk,
+                max_patch: self.max_patch,
+            };
+            let actual = if C::READS { None } else { source.cut(vertex) };
+            let cut = model.code(coder, &scene, (vertex, &self.corners), actual);
+            self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
+            if let Some(cut) = cut {
+                take(&mut self.surface, (&mut self.patches, &mut self.pending), cut, self.walk.batch());
             }
         }
     }
 
-    /// Codes what becomes of the next vertex; none where the batch is done.
-    fn ask<C: Coder>(&mut self, coder: &mut C, source: &impl Source) -> Option<Option<Cut>> {
-        let vertex = self.walk.next_vertex()?;
-        let scene = Scene {
-            surface: &self.surface,
-            places: &self.places,
-            walk: &self.walk,
-            max_patch: self.max_patch,
-        };
-        let actual = if C::READS { None } else { source.cut(vertex) };
-        let Connectivity::Thorough(model) = &mut self.connectivity else { return None };
-        let cut = model.code(coder, &scene, (vertex, &mut self.corners), actual);
-        self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
-        Some(cut)
+    /// Flags until some vertices split, then the cuts of these, so that rings can be found side by side.
+    fn ask_in_groups<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+        let Connectivity::Thorough(model) = &mut self.connectivity else { return };
+        while self.is_in_batch && self.pending.len() < most {
+            let room = GROUP.min(most - self.pending.len());
+            self.group.clear();
+            while self.group.len() < room {
+                let Some(vertex) = self.walk.next_vertex() else {
+                    self.is_in_batch = false;
+                    break;
+                };
+                let splits = model.flag(coder, vertex, !C::READS && source.cut(vertex).is_some());
+                self.walk.settle(&self.surface, vertex, &[], splits);
+                if splits {
+                    self.group.push(vertex);
+                }
+            }
+            self.rings.find(&self.surface, &self.group);
+            for (at, &vertex) in self.group.iter().enumerate() {
+                let scene = Scene {
+                    surface: &self.surface,
+                    places: &self.places,
+                    walk: &self.walk,
+                    max_patch: self.max_patch,
+                };
+                let actual = if C::READS { None } else { source.cut(vertex) };
+                let Some(cut) = model.cut(coder, &scene, (vertex, self.rings.of(at)), actual) else {
+                    continue;
+                };
+                take(&mut self.surface, (&mut self.patches, &mut self.pending), cut, self.walk.batch());
+            }
+        }
     }
 
     /// The same for the quick model: all flags, then all cuts.
     fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         let Connectivity::Quick(model) = &mut self.connectivity else { return };
         self.is_in_batch = !model.flags(coder, most, |vertex| source.cut(vertex).is_some());
-        model.find_rings(&self.surface);
+        model.find_rings(&self.surface, &self.places);
         for split in 0..model.split_count() {
             let scene = Scene {
                 surface: &self.surface,
@@ -350,7 +392,7 @@ impl Refiner {
                 max_patch: self.max_patch,
             };
             let actual = if C::READS { None } else { source.cut(model.vertex(split)) };
-            if !model.cut(coder, &scene, split, actual, &mut self.patches) {
+            if !model.cut(coder, &scene, (split, actual), &mut self.patches) {
                 continue;
             }
             let start = self.pending.last().map_or(0, |&end| end as usize);
@@ -359,19 +401,6 @@ impl Refiner {
             }
             self.pending.push(self.patches.len() as u32);
         }
-    }
-
-    /// Notes a split and marks the triangles of its patch: no other split of the batch may have them.
-    fn take(&mut self, cut: Cut) {
-        let mut corner = cut.first;
-        for at in 0..cut.length {
-            if at > 0 {
-                corner = self.surface.swing(corner);
-            }
-            self.surface.set_mark(triangle_of(corner), self.walk.batch());
-            self.patches.push(corner);
-        }
-        self.pending.push(self.patches.len() as u32);
     }
 
     fn split_pending(&mut self, source: &mut impl Source) {
@@ -418,13 +447,7 @@ impl Refiner {
 
     /// What the new vertex is; then it is part of the mesh.
     fn values<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) -> Ended {
-        let hood = Hood {
-            surface: &self.surface,
-            places: &self.places,
-            vertex,
-            corners: &self.corners,
-            batch: self.walk.batch(),
-        };
+        let hood = Hood { surface: &self.surface, places: &self.places, vertex, corners: &self.corners };
         coder.part(Part::Positions);
         let actual = if C::READS { [0; 3] } else { source.place(vertex) };
         let place = self.positions.code(coder, &hood, actual);
@@ -450,12 +473,16 @@ impl Refiner {
 
     /// What corners around a new vertex show, and the attributes of that.
     fn shown<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) {
-        let mut named = Vec::new();
         if let Some(model) = &mut self.wedges {
             source.refine(vertex, &self.corners);
-            let known = (&self.surface, &self.growth);
-            named = model.code(coder, known, &self.corners, source, &mut self.told);
-            source.name(named.iter().copied());
+            let split = Split {
+                surface: &self.surface,
+                growth: &self.growth,
+                corners: &self.corners,
+                source: &*source,
+            };
+            model.code(coder, &split, &mut self.told);
+            source.name(self.told.named.iter().copied());
         }
         let Some(attributes) = &mut self.attributes else { return };
         let around = Around {
@@ -473,7 +500,7 @@ impl Refiner {
             return;
         }
         for (wedge, &target) in self.told.targets.iter().enumerate() {
-            let actual = actual_layers::<C>(source, named[wedge]);
+            let actual = actual_layers::<C>(source, self.told.named[wedge]);
             attributes.vertex(coder, around, (place, wedge as u32, target), actual);
         }
     }
@@ -504,6 +531,19 @@ impl Refiner {
     pub(super) fn is_in_batch(&self) -> bool {
         self.is_in_batch
     }
+}
+
+/// Notes a split and marks the triangles of its patch: no other split of the batch may have them.
+fn take(surface: &mut Surface, (patches, ends): (&mut Vec<u32>, &mut Vec<u32>), cut: Cut, batch: u32) {
+    let mut corner = cut.first;
+    for at in 0..cut.length {
+        if at > 0 {
+            corner = surface.swing(corner);
+        }
+        surface.set_mark(triangle_of(corner), batch);
+        patches.push(corner);
+    }
+    ends.push(patches.len() as u32);
 }
 
 /// A writer's layers and the vertex there.

@@ -199,12 +199,6 @@ impl Surface {
         next(self.opposite(next(corner)))
     }
 
-    /// The corner of the triangle before, around the same vertex.
-    #[inline]
-    pub(super) fn swing_back(&self, corner: u32) -> u32 {
-        previous(self.opposite(previous(corner)))
-    }
-
     /// The corners at a vertex, counter-clockwise from [`Self::corner_of`].
     pub(super) fn ring(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
         let first = self.corner_of[vertex as usize];

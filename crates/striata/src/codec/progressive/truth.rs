@@ -127,7 +127,7 @@ fn base_triangles(surface: &Surface, undo: &[Undo]) -> (Vec<u32>, Vec<u32>) {
 
 /// The corner `turn` places on in the same triangle.
 fn turned(corner: u32, turn: u32) -> u32 {
-    (corner & !3) | ((corner & 3) + turn) % 3
+    (corner & !3) | (((corner & 3) + turn) % 3)
 }
 
 impl Truth<'_> {

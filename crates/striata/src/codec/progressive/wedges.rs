@@ -48,6 +48,17 @@ pub(super) struct SplitWedges {
     pub(super) ends: [u32; 2],
     /// Groups of A and B.
     pub(super) groups: [u32; 2],
+    /// What a writer calls the wedges.
+    pub(super) named: Vec<u32>,
+}
+
+/// What is known at a split.
+pub(super) struct Split<'a, S> {
+    pub(super) surface: &'a Surface,
+    pub(super) growth: &'a Growth,
+    /// Corners at the new position, A's first and B's last.
+    pub(super) corners: &'a [u32],
+    pub(super) source: &'a S,
 }
 
 impl WedgeModel {
@@ -80,27 +91,26 @@ impl WedgeModel {
         uniform(coder, all, meant)
     }
 
-    /// Codes what the corners around a new position show: A's first, then the patch's, B's last. Returns what a writer
-    /// calls the new wedges.
-    pub(super) fn code<C: Coder>(
+    /// Codes what the corners around a new position show.
+    pub(super) fn code<C: Coder, S: Source>(
         &mut self,
         coder: &mut C,
-        (surface, growth): (&Surface, &Growth),
-        corners: &[u32],
-        source: &impl Source,
+        split: &Split<'_, S>,
         out: &mut SplitWedges,
-    ) -> Vec<u32> {
+    ) {
+        let Split { surface, growth, corners, source } = *split;
         out.targets.clear();
+        out.named.clear();
         out.wedges.clear();
         out.wedges.resize(corners.len(), NONE);
-        let mut named = Vec::with_capacity(2);
-        self.patch(coder, (surface, growth), corners, source, &mut named, out);
+        self.patch(coder, split, out);
         for side in 0..2 {
-            self.side(coder, (surface, growth), (corners, side), source, &mut named, out);
+            self.side(coder, split, side, out);
         }
         let kept = growth.wedges(surface.vertex(next(corners[0])));
         let vertex = surface.vertex(corners[0]);
-        let mut meant = source.wedges(vertex).filter(|w| !named.contains(w)).collect::<Vec<_>>().into_iter();
+        let left = source.wedges(vertex).filter(|wedge| !out.named.contains(wedge));
+        let mut meant = left.collect::<Vec<_>>().into_iter();
         loop {
             let more = meant.next();
             let count = out.targets.len();
@@ -112,24 +122,15 @@ impl WedgeModel {
             let target = more.map_or(NONE, |wedge| source.target(wedge));
             let guesses = [out.targets.last().copied(), None];
             out.targets.push(self.choose(coder, Asked::Target, (guesses, kept.clone()), target));
-            named.push(more.unwrap_or(NONE));
+            out.named.push(more.unwrap_or(NONE));
         }
-        named
     }
 
     /// The corners of the patch.
-    fn patch<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        (surface, growth): (&Surface, &Growth),
-        corners: &[u32],
-        source: &impl Source,
-        named: &mut Vec<u32>,
-        out: &mut SplitWedges,
-    ) {
+    fn patch<C: Coder, S: Source>(&mut self, coder: &mut C, split: &Split<'_, S>, out: &mut SplitWedges) {
+        let Split { surface, growth, corners, source } = *split;
         let mut before: Option<(u32, u32, u32)> = None;
-        for at in 1..corners.len() - 1 {
-            let corner = corners[at];
+        for (at, &corner) in corners.iter().enumerate().take(corners.len() - 1).skip(1) {
             let Some(old) = growth.shown(surface, corner) else {
                 before = None;
                 continue;
@@ -139,13 +140,13 @@ impl WedgeModel {
             let wedge = match before {
                 Some((wedge, old_before, ring_before)) if old_before == old => {
                     let context = usize::from(ring != ring_before);
-                    if self.goes_on[context].code(coder, named[wedge as usize] == meant) {
+                    if self.goes_on[context].code(coder, out.named[wedge as usize] == meant) {
                         wedge
                     } else {
-                        self.other_wedge(coder, (meant, old), Some(wedge), named, out)
+                        self.other_wedge(coder, (meant, old), Some(wedge), out)
                     }
                 }
-                _ => self.other_wedge(coder, (meant, old), None, named, out),
+                _ => self.other_wedge(coder, (meant, old), None, out),
             };
             out.wedges[at] = wedge;
             before = Some((wedge, old, growth.shown(surface, previous(corner)).unwrap_or(NONE)));
@@ -158,30 +159,28 @@ impl WedgeModel {
         coder: &mut C,
         (meant, target): (u32, u32),
         besides: Option<u32>,
-        named: &mut Vec<u32>,
         out: &mut SplitWedges,
     ) -> u32 {
-        for wedge in 0..out.targets.len() {
-            let is_candidate = out.targets[wedge] == target && besides != Some(wedge as u32);
-            if is_candidate && self.goes_on[2].code(coder, named[wedge] == meant) {
-                return wedge as u32;
+        for (wedge, (&its_target, &name)) in (0..).zip(out.targets.iter().zip(&out.named)) {
+            let is_candidate = its_target == target && besides != Some(wedge);
+            if is_candidate && self.goes_on[2].code(coder, name == meant) {
+                return wedge;
             }
         }
         out.targets.push(target);
-        named.push(meant);
+        out.named.push(meant);
         out.targets.len() as u32 - 1
     }
 
     /// The corners of A (side 0) or B, and its group.
-    fn side<C: Coder>(
+    fn side<C: Coder, S: Source>(
         &mut self,
         coder: &mut C,
-        (surface, growth): (&Surface, &Growth),
-        (corners, side): (&[u32], usize),
-        source: &impl Source,
-        named: &mut Vec<u32>,
+        split: &Split<'_, S>,
+        side: usize,
         out: &mut SplitWedges,
     ) {
+        let Split { surface, growth, corners, source } = *split;
         let (at, beside) = if side == 0 { (0, 1) } else { (corners.len() - 1, corners.len() - 2) };
         let corner = corners[at];
         let (kept, end) =
@@ -204,7 +203,7 @@ impl WedgeModel {
         let offer = (guesses, growth.wedges(positions[2]));
         out.ends[side] = self.choose(coder, Asked::RingCorner, offer, source.vertex_at(end));
         let new = New { meant: source.wedge(corner), beside: out.wedges[beside], kept: out.kept[side] };
-        out.wedges[at] = self.new_corner(coder, new, growth.wedges(positions[1]), source, (named, out));
+        out.wedges[at] = self.new_corner(coder, new, (growth.wedges(positions[1]), source), out);
         let guesses = [across, inside].map(|c| growth.group(surface, triangle_of(c)));
         let offer = (guesses, 0..growth.group_count.max(1));
         out.groups[side] = self.choose(coder, Asked::Group, offer, source.group(triangle_of(corner)));
@@ -215,18 +214,17 @@ impl WedgeModel {
         &mut self,
         coder: &mut C,
         new: New,
-        targets: Range<u32>,
-        source: &impl Source,
-        (named, out): (&mut Vec<u32>, &mut SplitWedges),
+        (targets, source): (Range<u32>, &impl Source),
+        out: &mut SplitWedges,
     ) -> u32 {
         let count = out.targets.len() as u32;
-        let meant = named.iter().position(|&w| w == new.meant).map_or(count, |at| at as u32);
+        let meant = out.named.iter().position(|&w| w == new.meant).map_or(count, |at| at as u32);
         let guesses = [(new.beside != NONE).then_some(new.beside), Some(count)];
         let wedge = self.choose(coder, Asked::NewCorner, (guesses, 0..count + 1), meant);
         if wedge == count {
             let target = source.target(new.meant);
             out.targets.push(self.choose(coder, Asked::Target, ([Some(new.kept), None], targets), target));
-            named.push(new.meant);
+            out.named.push(new.meant);
         }
         wedge
     }

@@ -101,23 +101,23 @@ mod tests {
 
     #[test]
     fn crowded_candidates_come_later() {
-        // A strip 0 1 2 .. 7 where 2 has the neighbours 0 1 3 4.
+        // A strip 0 1 2 .. 39 where 2 has the neighbours 0 1 3 4.
         let strip: Vec<[u32; 3]> =
-            (0..6).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] }).collect();
-        let links = Links::new(8, &strip, false);
-        let mut selection = Selection::new(8);
+            (0..38).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] }).collect();
+        let links = Links::new(40, &strip, false);
+        let mut selection = Selection::new(40);
         selection.begin();
-        let mut candidates = vec![(0.5, 2), (0.6, 3), (0.7, 1), (0.8, 7)];
+        let mut candidates = vec![(0.5, 2), (0.6, 3), (0.7, 1), (0.8, 39)];
         selection.bring_forward_lonely(&mut candidates, &links);
         let order: Vec<u32> = candidates.iter().map(|c| c.1).collect();
-        assert_eq!(order, [2, 3, 1, 7], "a crowd of two weighs less than a place of four");
-        let mut many: Vec<(f32, u32)> = (0..8).map(|v| (v as f32, v)).collect();
+        assert_eq!(order, [2, 3, 1, 39], "a crowd of two weighs less than a place of four");
+        let mut many: Vec<(f32, u32)> = (0..40).map(|v| (v as f32, v)).collect();
         selection.begin();
         selection.bring_forward_lonely(&mut many, &links);
         assert_eq!(many[0].1, 0);
         assert!(
-            many.iter().position(|c| c.1 == 7) < many.iter().position(|c| c.1 == 5),
-            "7 has two neighbours, 5 four"
+            many.iter().position(|c| c.1 == 39) < many.iter().position(|c| c.1 == 37),
+            "39 has two neighbours, 37 four"
         );
     }
 

@@ -30,7 +30,7 @@ const PATCHES: usize = 2 * patch::VALUES;
 const RUN_WEIGHTS: usize = PATCHES + patch::FEATURES * patch::VALUES;
 
 /// Runs of less than this, of a million for the best, are not worth a closer look.
-const WORTH_A_LOOK: u32 = 4000;
+const WORTH_A_LOOK: u32 = 9000;
 /// How fast weights learn, in 1/16384: at first, and in the end.
 const FIRST_RATE: i32 = 750;
 const LAST_RATE: i32 = 120;

@@ -61,6 +61,10 @@ impl Scene<'_> {
 const REMEMBERED: usize = 7;
 const SEEN: usize = 9;
 
+/// Contexts of whether a vertex is worth a look, and the probability, in 1/65536, of a split below which it is not.
+const GATES: usize = 8 * 8 * 4 * 4 * 4;
+const HARDLY: u32 = 1500;
+
 /// Adaptive models of flags and cuts.
 #[derive(Clone, Debug)]
 pub(super) struct ConnectivityModel {
@@ -71,6 +75,7 @@ pub(super) struct ConnectivityModel {
     cuts: CutModel,
     remembered: FlagModel<REMEMBERED>,
     seen: FlagModel<SEEN>,
+    gates: Vec<AdaptiveBit>,
     is_long: AdaptiveBit,
     /// Mean length and height around vertices that were asked, on the scale of what is looked at.
     length: i32,
@@ -88,6 +93,7 @@ impl ConnectivityModel {
             cuts: CutModel::new(),
             remembered: FlagModel::new(),
             seen: FlagModel::new(),
+            gates: vec![AdaptiveBit::new(Rate::Steady); GATES],
             is_long: AdaptiveBit::new(Rate::Steady),
             length: 0,
             height: 0,
@@ -101,43 +107,84 @@ impl ConnectivityModel {
         self.memory.begin_batch(surface);
     }
 
-    /// Codes whether a vertex splits, and how. `corners` are filled with those around the vertex, counter-clockwise, where it
-    /// splits or is looked at in any case.
+    /// Whether every ring is looked at: then [`code`](Self::code) tells all of a vertex at once; else flags come first,
+    /// by [`flag`](Self::flag), and [`cut`](Self::cut) tells how those vertices split.
+    pub(super) fn is_thorough(&self) -> bool {
+        self.is_thorough
+    }
+
+    /// Codes whether a vertex splits, and how; `corners` are those around it, counter-clockwise.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
         scene: &Scene<'_>,
-        (vertex, corners): (u32, &mut Vec<u32>),
+        (vertex, corners): (u32, &[u32]),
         actual: Option<Cut>,
     ) -> Option<Cut> {
         let trace = self.memory.trace(vertex);
-        let (density, splits) = if self.is_thorough {
-            self.look(scene, vertex, corners, trace);
-            let splits = self.cuts.run_count() > 0 && self.flag_seen(coder, vertex, trace, actual.is_some());
-            (self.ring.density, splits)
-        } else {
-            (i32::from(trace.density), self.flag_remembered(coder, vertex, trace, actual.is_some()))
-        };
-        self.memory.settle(vertex, density, splits);
-        if !splits {
-            return None;
+        let gate = self.gate_of(vertex, trace);
+        let p_one = self.gates[gate].p_one();
+        if p_one < HARDLY {
+            // Not worth a look.
+            let splits = coder.bit(actual.is_some(), p_one);
+            self.gates[gate].update(splits);
+            self.history = self.history << 1 | usize::from(splits);
+            self.memory.settle(vertex, i32::from(trace.density), splits);
+            return if splits { self.cut(coder, scene, (vertex, corners), actual) } else { None };
         }
-        if !self.is_thorough {
-            self.look(scene, vertex, corners, trace);
-        }
+        self.look(scene, vertex, corners, trace);
+        let splits = self.cuts.run_count() > 0 && self.flag_seen(coder, vertex, trace, actual.is_some());
+        self.gates[gate].update(splits);
+        self.memory.settle(vertex, self.ring.density, splits);
+        splits.then(|| self.told(coder, scene, (vertex, corners), actual)).flatten()
+    }
+
+    /// Codes whether a vertex splits by what is remembered of it.
+    pub(super) fn flag<C: Coder>(&mut self, coder: &mut C, vertex: u32, actual: bool) -> bool {
+        let trace = self.memory.trace(vertex);
+        let splits = self.flag_remembered(coder, vertex, trace, actual);
+        self.memory.settle(vertex, i32::from(trace.density), splits);
+        splits
+    }
+
+    /// The context of whether a vertex is worth a look.
+    fn gate_of(&self, vertex: u32, trace: Trace) -> usize {
+        let [free, splits, rest] = [trace.free.min(7), trace.splits.min(3), trace.rest].map(usize::from);
+        let age = usize::from(self.memory.age(vertex));
+        (((usize::from(trace.density >> 5) * 8 + free) * 4 + splits) * 4 + rest) * 4 + age
+    }
+
+    /// Codes how a vertex splits that is said to; none where a damaged stream says so of one that cannot.
+    pub(super) fn cut<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        scene: &Scene<'_>,
+        (vertex, corners): (u32, &[u32]),
+        actual: Option<Cut>,
+    ) -> Option<Cut> {
+        self.look(scene, vertex, corners, self.memory.trace(vertex));
+        self.told(coder, scene, (vertex, corners), actual)
+    }
+
+    /// Codes how a vertex splits that has been looked at.
+    fn told<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        scene: &Scene<'_>,
+        (vertex, corners): (u32, &[u32]),
+        actual: Option<Cut>,
+    ) -> Option<Cut> {
         let (first, length) = self.run(coder, scene, corners, actual)?;
         let cut = Cut { first: corners[first], length: length as u32 };
         self.memory.split(vertex, &self.ring, (first, length));
         Some(cut)
     }
 
-    /// Walks around a vertex and scores its runs.
-    fn look(&mut self, scene: &Scene<'_>, vertex: u32, corners: &mut Vec<u32>, trace: Trace) {
-        corners.clear();
-        corners.extend(scene.surface.ring(vertex));
-        self.ring.gather(scene, &self.memory, corners);
+    /// Looks around a vertex and scores its runs.
+    fn look(&mut self, scene: &Scene<'_>, vertex: u32, corners: &[u32], trace: Trace) {
+        self.ring.gather(scene, &self.memory, (vertex, corners));
         if self.ring.free > 0 {
-            self.ring.measure(scene, vertex);
+            self.ring.measure();
         }
         self.cuts.score(&self.ring, trace.valence.into(), scene.max_patch as usize);
     }

@@ -61,6 +61,8 @@ pub(super) struct Ring {
     pub(super) area: i32,
     /// Mean of the heights.
     pub(super) height: i32,
+    /// All bits of the steps, as long as they are not shifted.
+    reach: u32,
     /// Bits by which steps were shifted down.
     shift: i32,
 }
@@ -113,8 +115,10 @@ pub(super) fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
 }
 
 impl Ring {
-    /// Looks who is around a vertex.
-    pub(super) fn gather(&mut self, scene: &Scene<'_>, memory: &Memory, corners: &[u32]) {
+    /// Looks who is around a vertex, and where: all that has to be waited for, in one go.
+    pub(super) fn gather(&mut self, scene: &Scene<'_>, memory: &Memory, (vertex, corners): (u32, &[u32])) {
+        let here = scene.places[vertex as usize];
+        self.reach = 0;
         self.spokes.clear();
         self.fates = [0; 4];
         self.young = 0;
@@ -138,6 +142,10 @@ impl Ring {
                 };
                 spoke.age = memory.age(vertex);
                 spoke.valence = trace.valence;
+                // Vertices made in this stretch have no place yet, and are not met.
+                let place = scene.places.get(vertex as usize).copied().unwrap_or(here);
+                spoke.step = std::array::from_fn(|a| place[a].wrapping_sub(here[a]));
+                self.reach |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());
                 self.fates[usize::from(spoke.fate & 3)] += 1;
                 self.young += usize::from(spoke.age == 1);
                 if matches!(fate, Fate::Stays | Fate::Splits) {
@@ -169,17 +177,9 @@ impl Ring {
         longest.max(run + first.unwrap_or(0))
     }
 
-    /// Measures what [`gather`](Self::gather) found; `vertex` is in the middle.
-    pub(super) fn measure(&mut self, scene: &Scene<'_>, vertex: u32) {
-        let here = scene.places[vertex as usize];
-        let mut reach = 0;
-        for spoke in self.spokes.iter_mut().filter(|spoke| !spoke.is_virtual) {
-            // Vertices made in this stretch have no place yet, and are not met.
-            let place = scene.places.get(spoke.vertex as usize).copied().unwrap_or(here);
-            spoke.step = std::array::from_fn(|a| place[a].wrapping_sub(here[a]));
-            reach |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());
-        }
-        self.shift = (32 - STEP_BITS - reach.leading_zeros() as i32).max(0);
+    /// Measures what [`gather`](Self::gather) found.
+    pub(super) fn measure(&mut self) {
+        self.shift = (32 - STEP_BITS - self.reach.leading_zeros() as i32).max(0);
         if self.shift > 0 {
             let shift = self.shift;
             self.spokes.iter_mut().for_each(|spoke| spoke.step = spoke.step.map(|x| x >> shift));
@@ -267,8 +267,8 @@ mod tests {
         surface.set_mark(triangle_of(corners[2]), walk.batch());
         let scene = Scene { surface: &surface, places: &places, walk: &walk, max_patch: 5 };
         let mut ring = Ring::default();
-        ring.gather(&scene, &memory, &corners);
-        ring.measure(&scene, 1);
+        ring.gather(&scene, &memory, (1, &corners));
+        ring.measure();
         assert_eq!((ring.free, ring.free_run, ring.fates), (5, 5, [6, 0, 0, 0]));
         assert!((ring.height - LEAST_HEIGHT).abs() <= 1);
         assert!((ring.grid_length() - 5102).abs() < 4, "{}", ring.grid_length());
@@ -279,8 +279,8 @@ mod tests {
         }
         // From the rim, the hole is no place.
         let corners: Vec<u32> = surface.ring(2).collect();
-        ring.gather(&scene, &memory, &corners);
-        ring.measure(&scene, 2);
+        ring.gather(&scene, &memory, (2, &corners));
+        ring.measure();
         let open: Vec<_> = ring.spokes.iter().filter(|s| s.is_virtual).collect();
         assert!(open.len() == 1 && open[0].step == [0; 3] && open[0].area == 0);
         assert_eq!(ring.spokes.iter().filter(|s| s.area > 0).count(), 2);

@@ -43,7 +43,15 @@ impl World {
             let (surface, places, walk) = (&self.surface, self.places.as_slice(), &self.walk);
             let scene = Scene { surface, places, walk, max_patch: MAX_PATCH };
             let actual = choose(&scene, vertex);
-            let cut = self.model.code(coder, &scene, (vertex, &mut self.corners), actual);
+            self.corners = self.surface.ring(vertex).collect();
+            let known = (vertex, self.corners.as_slice());
+            let cut = if self.model.is_thorough() {
+                self.model.code(coder, &scene, known, actual)
+            } else if self.model.flag(coder, vertex, actual.is_some()) {
+                self.model.cut(coder, &scene, known, actual)
+            } else {
+                None
+            };
             self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
             self.asked += 1;
             for corner in cut.into_iter().flat_map(|cut| run(&self.surface, cut)).collect::<Vec<_>>() {

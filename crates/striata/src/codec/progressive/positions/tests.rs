@@ -53,13 +53,8 @@ fn code<C: Coder>(coder: &mut C, sample: &Sample, effort: Effort, unseen: [i32; 
     let mut model = PositionModel::new(effort);
     for vertex in first..places.len() {
         let corners: Vec<u32> = sample.surface.ring(vertex as u32).collect();
-        let hood = Hood {
-            surface: &sample.surface,
-            places: &places,
-            vertex: vertex as u32,
-            corners: &corners,
-            batch: 1,
-        };
+        let hood =
+            Hood { surface: &sample.surface, places: &places, vertex: vertex as u32, corners: &corners };
         let actual = if C::READS { [0; 3] } else { sample.places[vertex] };
         places[vertex] = model.code(coder, &hood, actual);
     }
