@@ -22,8 +22,8 @@ pub(crate) enum SequencePlan {
         options: SequenceOptions,
         /// Which states errors are to hold for.
         promise: Promise,
-        /// Where they come in batches, as a stream needs them: the share of vertices that a batch takes from.
-        share: Option<f64>,
+        /// Where they come in batches, as a stream needs them.
+        batches: Option<BatchTerms>,
     },
     /// By removing vertices in the order of the distance that is left.
     Hausdorff(RemovalOptions),
@@ -40,7 +40,7 @@ pub(crate) struct Limits {
 
 impl Default for SequencePlan {
     fn default() -> Self {
-        Self::Quadric { options: SequenceOptions::default(), promise: Promise::Estimates, share: None }
+        Self::Quadric { options: SequenceOptions::default(), promise: Promise::Estimates, batches: None }
     }
 }
 
@@ -117,6 +117,15 @@ impl Sequenced {
     }
 }
 
+/// What batches of collapses are made of.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct BatchTerms {
+    /// The share of vertices that a batch takes from; the usual one where none is named.
+    pub(crate) share: Option<f64>,
+    /// What the shape of what is left should weigh, mesh units.
+    pub(crate) shape_step: Option<f64>,
+}
+
 /// What errors of collapses hold for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Promise {
@@ -138,16 +147,16 @@ impl SequencePlan {
         }
     }
 
-    /// Lets collapses come in batches, each from so large a share of the vertices; from the usual one where none is named.
+    /// Lets collapses come in batches.
     ///
     /// # Errors
     /// Where there are no such collapses.
-    pub(crate) fn come_in_batches(&mut self, share_of_batches: Option<f64>) -> Result<(), Failure> {
-        let Self::Quadric { share, .. } = self else {
+    pub(crate) fn come_in_batches(&mut self, terms: BatchTerms) -> Result<(), Failure> {
+        let Self::Quadric { batches, .. } = self else {
             return Err(Failure::user("a stream is made of collapses in quadric order")
                 .with_hint("leave --order hausdorff out, or the stream"));
         };
-        *share = Some(share_of_batches.unwrap_or_else(|| BatchOptions::default().share));
+        *batches = Some(terms);
         Ok(())
     }
 
@@ -174,16 +183,16 @@ impl SequencePlan {
         progress: &mut ProgressFn<'_>,
     ) -> Result<Sequenced, SimplifyError> {
         match self {
-            Self::Quadric { options, promise: Promise::Estimates, share } => {
-                let (built, batches) = collapses(welded, options.clone(), *share, progress)?;
+            Self::Quadric { options, promise: Promise::Estimates, batches } => {
+                let (built, batches) = collapses(welded, options.clone(), *batches, progress)?;
                 let (steps, stop_reason) = (Steps::Collapses(built.refinable), built.stop_reason);
                 Ok(Sequenced { steps, stop_reason, error_is_guaranteed: false, batches, floors: None })
             }
-            Self::Quadric { options, promise, share } => {
+            Self::Quadric { options, promise, batches } => {
                 // Estimates would stop it elsewhere.
                 let mut unlimited = options.clone();
                 unlimited.max_error = None;
-                let made = collapses(welded, unlimited, *share, progress)?;
+                let made = collapses(welded, unlimited, *batches, progress)?;
                 certified(made, options.max_error, *promise, progress)
             }
             Self::Hausdorff(options) => {
@@ -203,13 +212,14 @@ impl SequencePlan {
 fn collapses(
     welded: Welded,
     options: SequenceOptions,
-    share: Option<f64>,
+    batches: Option<BatchTerms>,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Made, SimplifyError> {
-    let Some(share) = share else {
+    let Some(BatchTerms { share, shape_step }) = batches else {
         return Ok((build_welded_sequence(welded, &options, progress)?, None));
     };
-    let options = BatchOptions::default().with_sequence(options).with_share(share);
+    let mut options = BatchOptions::default().with_sequence(options).with_shape_step(shape_step);
+    options.share = share.unwrap_or(options.share);
     let made = build_welded_batches(welded, &options, progress)?;
     Ok((made.built, Some(made.batches)))
 }
@@ -268,7 +278,7 @@ impl SequenceArgs {
                 options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
                 let is_certified = self.certify || max_error.is_some();
                 let promise = if is_certified { Promise::Levels } else { Promise::Estimates };
-                Ok(SequencePlan::Quadric { options, promise, share: None })
+                Ok(SequencePlan::Quadric { options, promise, batches: None })
             }
             OrderArg::Hausdorff => {
                 let mut options = RemovalOptions::default().with_boundary(boundary);

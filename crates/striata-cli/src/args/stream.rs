@@ -3,9 +3,13 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use striata::codec::progressive::{Precision, StreamOptions};
+use striata::codec::progressive::{Precision, SHAPE_STEPS, StreamError, StreamOptions};
+
+use striata::mesh::IndexedMesh;
 
 use super::{Length, OutputArgs};
+use crate::failure::Failure;
+use crate::sequence::BatchTerms;
 
 /// Heading of the flags about streams.
 const STREAM: &str = "Stream";
@@ -62,7 +66,7 @@ pub(crate) struct StreamArgs {
     #[arg(long, value_name = "EFFORT", hide_possible_values = true)]
     effort: Option<EffortArg>,
     /// Let each batch of splits take from this share of the vertices, the cheapest ones, over 0 and up to 1: more makes smaller
-    /// streams and worse levels [default: 0.3]
+    /// streams and worse levels [default: 0.35]
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_share)]
     pub(crate) share: Option<f64>,
 }
@@ -103,6 +107,15 @@ impl StreamArgs {
         };
         let effort = self.effort.unwrap_or_default();
         StreamOptions::default().with_precision(precision).with_effort(effort.into())
+    }
+
+    /// The batches that suit a stream of this precision.
+    ///
+    /// # Errors
+    /// Where there is no grid as asked for.
+    pub(crate) fn batches(&self, mesh: &IndexedMesh) -> Result<BatchTerms, Failure> {
+        let step = self.options(mesh.diagonal()).grid_step(mesh).map_err(StreamError::Grid)?;
+        Ok(BatchTerms { share: self.share, shape_step: Some(SHAPE_STEPS * step) })
     }
 }
 

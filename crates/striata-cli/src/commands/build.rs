@@ -79,7 +79,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         sequence.hold_in_any_state();
     }
     if models.iter().any(|model| model == PROGRESSIVE) {
-        sequence.come_in_batches(args.stream_terms.share)?;
+        sequence.come_in_batches(args.stream_terms.batches(&mesh)?)?;
     }
     let stream = args.stream_terms.options(diagonal);
     let plan = BuildPlan { sequence, strips: args.strip_plan(), models, stream };

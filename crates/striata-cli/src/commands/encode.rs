@@ -38,7 +38,7 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let welded = weld(&mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     phases.enter("simplify");
     let mut plan = SequencePlan::default();
-    plan.come_in_batches(args.stream.share)?;
+    plan.come_in_batches(args.stream.batches(&mesh)?)?;
     let sequenced = plan.run(welded, &mut |progress| bar.show(progress));
     let sequenced = sequenced.map_err(|error| Failure::from(error).in_file(&input.name))?;
     let (Steps::Collapses(refinable), Some(batches)) = (&sequenced.steps, &sequenced.batches) else {

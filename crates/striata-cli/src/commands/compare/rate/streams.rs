@@ -3,7 +3,9 @@
 use std::time::Instant;
 
 use striata::ProgressFn;
-use striata::codec::progressive::{Effort, Precision, StreamFacts, StreamOptions, encode_stream};
+use striata::codec::progressive::{
+    Effort, Precision, SHAPE_STEPS, StreamError, StreamFacts, StreamOptions, encode_stream,
+};
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{BatchOptions, build_batches};
 
@@ -22,6 +24,9 @@ pub(super) struct Streams {
     simplify_secs: f64,
 }
 
+/// Bits of the streams that batches are made for; others are coded from the same batches.
+const BATCH_BITS: u32 = 12;
+
 impl Streams {
     /// # Errors
     /// Where the mesh does not hang together.
@@ -31,7 +36,10 @@ impl Streams {
 
     fn with_progress(mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Self, Failure> {
         let started = Instant::now();
-        let made = build_batches(mesh, &BatchOptions::default(), progress)?;
+        let options = StreamOptions::default().with_precision(Precision::Bits(BATCH_BITS));
+        let step = options.grid_step(mesh).map_err(StreamError::Grid)?;
+        let options = BatchOptions::default().with_shape_step(Some(SHAPE_STEPS * step));
+        let made = build_batches(mesh, &options, progress)?;
         let simplify_secs = started.elapsed().as_secs_f64();
         Ok(Self { refinable: made.built.refinable, batches: made.batches, simplify_secs })
     }
