@@ -251,6 +251,47 @@ fn nonsense_in_the_last_chunk_gives_a_mesh() {
     }
 }
 
+/// A mesh with a boundary, seams, groups and layers, and the streams of it that are kept beside the tests.
+fn kept_streams() -> (IndexedMesh, Vec<(&'static str, StreamOptions)>) {
+    let mesh = meshes::with_patches(meshes::rough(shapes::terrain(24, 3), 0.01, 7), 140);
+    let options = StreamOptions::default().with_precision(Precision::Bits(12));
+    let kept = vec![
+        ("fast", options.clone().with_effort(Effort::Fast)),
+        ("default", options.clone()),
+        ("small", options.clone().with_effort(Effort::Small)),
+        ("exact", options.with_precision(Precision::Lossless)),
+    ];
+    (mesh, kept)
+}
+
+fn path_of_kept(name: &str) -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/kept_streams/{name}.stri"))
+}
+
+/// The files were written by another build, of other optimisation and on another machine than most that run this.
+#[test]
+fn streams_have_the_same_bits_on_every_machine() {
+    let (mesh, kept) = kept_streams();
+    for (name, options) in kept {
+        let bytes = std::fs::read(path_of_kept(name)).expect("a stream that is kept");
+        let written = write(&mesh, &options);
+        assert!(written.stream.bytes == bytes, "{name}: this build writes another stream");
+        check_whole(&written, &options);
+        let decoded = read(&bytes).refinable_mesh().unwrap();
+        assert_eq!(decoded.mesh.triangle_count(), mesh.triangle_count());
+    }
+}
+
+/// Run by hand after a change of what streams mean: `cargo test --release --test streams -- --ignored`.
+#[test]
+#[ignore = "writes the streams that are kept"]
+fn streams_are_written_anew() {
+    let (mesh, kept) = kept_streams();
+    for (name, options) in kept {
+        std::fs::write(path_of_kept(name), write(&mesh, &options).stream.bytes).unwrap();
+    }
+}
+
 proptest! {
     #[test]
     fn streams_of_soups_come_back(seed in any::<u64>(), vertices in 3usize..40, triangles in 0usize..80, has_seams: bool) {

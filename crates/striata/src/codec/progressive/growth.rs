@@ -103,7 +103,7 @@ impl Growth {
     pub(super) fn add(&mut self, surface: &mut Surface, corners: &[u32], position: [f32; 3]) {
         let new = self.vertex_count();
         let kept = surface.vertex(next(corners[0]));
-        self.targets.push(self.first_of(kept));
+        self.targets.push(self.vertex_of(kept));
         self.begin_position(1, position);
         for &corner in &corners[1..corners.len() - 1] {
             self.change(surface, corner, new);
@@ -113,15 +113,21 @@ impl Growth {
             let triangle = triangle_of(corner);
             let vertices = surface.triangle(triangle);
             if vertices.iter().all(|&v| !surface.is_virtual(v)) {
-                self.push(surface, triangle, vertices.map(|v| self.first_of(v)), 0);
+                self.push(surface, triangle, vertices.map(|v| self.vertex_of(v)), 0);
                 added += 1;
             }
         }
         self.added.push(added);
     }
 
-    fn first_of(&self, surface_vertex: u32) -> u32 {
-        self.first_vertex[self.position_of[surface_vertex as usize] as usize]
+    /// The vertex of a position, where all positions have one: it has the same number.
+    fn vertex_of(&self, surface_vertex: u32) -> u32 {
+        self.position_of[surface_vertex as usize]
+    }
+
+    /// The first corner that a triangle shows; 0 for those that show none.
+    pub(super) fn first_shown(&self, surface: &Surface, corner: u32) -> u32 {
+        self.triangles.get(surface.label(triangle_of(corner)) as usize).map_or(0, |shown| shown[0])
     }
 
     fn begin_position(&mut self, vertex_count: u32, position: [f32; 3]) {

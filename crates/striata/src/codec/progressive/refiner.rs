@@ -298,6 +298,7 @@ impl Refiner {
         }
         let (first, mut start) = (self.surface.vertex_count() as u32, 0);
         self.split_pending(source);
+        self.fetch(first);
         for split in 0..self.pending.len() {
             let vertex = first + split as u32;
             let end = self.pending[split] as usize;
@@ -427,6 +428,28 @@ impl Refiner {
             }
             source.born(vertex, kept);
         }
+    }
+
+    /// Touches what the values of new vertices are foretold from, so that waiting for memory overlaps between vertices.
+    fn fetch(&self, first: u32) {
+        let surface = &self.surface;
+        let place = |vertex: u32| self.places.get(vertex as usize).map_or(0, |place| place[0]);
+        let (mut sum, mut start) = (0, 0);
+        for (vertex, &end) in (first..).zip(&self.pending) {
+            let a = surface.corner_of(vertex);
+            let patch = &self.patches[start..end as usize];
+            start = end as usize;
+            for &corner in patch {
+                sum ^= place(surface.vertex(next(corner)));
+                sum ^= place(surface.vertex(surface.opposite(corner)));
+                sum ^= self.growth.first_shown(surface, corner) as i32;
+            }
+            for corner in [a, a + 4] {
+                sum ^= place(surface.vertex(next(corner)));
+                sum ^= place(surface.vertex(surface.opposite(corner)));
+            }
+        }
+        std::hint::black_box(sum);
     }
 
     /// What the new vertex is; then it is part of the mesh.

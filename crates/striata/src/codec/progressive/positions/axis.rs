@@ -1,11 +1,12 @@
 //! One coordinate as a chain of halvings.
 //!
 //! Around the expected place lies an interval as wide as the ring; whether the coordinate is in its upper or its lower half
-//! is asked until one is left. Each answer has a probability under every density, and one from counters for how
+//! is asked until one is left. Most coordinates lie in the middle of it: whether this one does is asked first, and spares
+//! three questions after that for the side. Each answer has a probability under every density, and one from counters for how
 //! often it went so at this point of the tree under like circumstances; two mixers weigh them, and their mean counts.
 
 use super::super::super::entropy::{
-    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q16, probability,
+    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q8, log2_q16, probability,
 };
 use super::bumps::{Bumps, Width, below};
 use super::local::Local;
@@ -14,6 +15,10 @@ const COUNTERS: usize = 4;
 const DEPTHS: usize = 6;
 /// Nodes of the tree that have counters; all others share one.
 const NODES: usize = 64;
+/// Near is what lies within this part of the interval, as a power of two.
+const NEAR_LOG: u32 = 3;
+/// Kinds of chances to lie outside.
+const CHANCES: usize = 24;
 /// Kinds of sizes.
 pub(super) const SIZES: usize = 64;
 /// Kinds of circumstances.
@@ -52,6 +57,18 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
 type Masses<const KINDS: usize, const WIDTHS: usize> = [[i32; WIDTHS]; KINDS];
 
 impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
+    /// How much each density comes to.
+    #[inline]
+    fn all(&self) -> Masses<KINDS, WIDTHS> {
+        let weigh =
+            |bumps: &[Bumps]| bumps.iter().flat_map(|bumps| bumps.weight).map(|w| i32::from(w) << 13).sum();
+        if KINDS == 1 {
+            [[weigh(self.bumps); WIDTHS]; KINDS]
+        } else {
+            std::array::from_fn(|kind| [weigh(&self.bumps[kind..=kind]); WIDTHS])
+        }
+    }
+
     /// How much of each density lies below a coordinate `off` from the centre.
     #[inline]
     fn below(&self, off: i32) -> Masses<KINDS, WIDTHS> {
@@ -72,7 +89,9 @@ impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
 /// changes, in vectors of 8.
 #[derive(Clone, Debug)]
 pub(super) struct AxisModel<const VECTORS: usize> {
-    is_far: Vec<AdaptiveBit>,
+    /// Whether a coordinate does not lie near, by disagreement and by what the densities say.
+    is_outside: [Vec<AdaptiveBit>; 2],
+    is_beyond: Vec<AdaptiveBit>,
     far: AdaptiveNumber,
     by_size: Vec<AdaptiveBit>,
     by_place: Vec<AdaptiveBit>,
@@ -91,7 +110,8 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         let mut first = [[(18_000 / VECTORS / 8) as i16; 8]; VECTORS];
         first.as_flattened_mut()[..COUNTERS].fill(3250);
         Self {
-            is_far: vec![AdaptiveBit::new(Rate::Steady); SPREADS],
+            is_outside: [SPREADS, CHANCES].map(|count| vec![AdaptiveBit::new(Rate::Steady); count]),
+            is_beyond: vec![AdaptiveBit::new(Rate::Steady); SPREADS],
             far: AdaptiveNumber::new(SIZES, Rate::Steady),
             by_size: bits(SIZES),
             by_place: bits(PLACES),
@@ -114,24 +134,47 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let half = 1i32 << span_log;
         let actual = actual.wrapping_sub(axis.centre);
-        let context = axis.spread;
-        let off = if !self.is_far[context].code(coder, !(-half..half).contains(&actual)) {
-            self.halve(coder, axis, half, actual)
+        let near = half >> NEAR_LOG;
+        let masses = [axis.below(-near), axis.below(near)];
+        let off = if near > 0 && !self.is_outside(coder, axis, (near, &masses), actual) {
+            self.halve(coder, axis, (near, masses, true), actual)
+        } else if !self.is_beyond[axis.spread].code(coder, !(-half..half).contains(&actual)) {
+            self.halve(coder, axis, (half, [axis.below(-half), axis.below(half)], false), actual)
         } else {
             self.far.signed(coder, axis.size, actual)
         };
         axis.centre.wrapping_add(off)
     }
 
+    #[inline]
+    fn is_outside<C: Coder, const KINDS: usize, const WIDTHS: usize>(
+        &mut self,
+        coder: &mut C,
+        axis: &Axis<'_, KINDS, WIDTHS>,
+        (near, masses): (i32, &[Masses<KINDS, WIDTHS>; 2]),
+        actual: i32,
+    ) -> bool {
+        let [all, low, high] = [&axis.all(), &masses[0], &masses[1]]
+            .map(|masses| masses.iter().map(|masses| masses[WIDTHS / 2] >> 4).sum::<i32>());
+        let outside = (all - (high - low)).max(1) as u32;
+        // In half bits.
+        let chance = (log2_q8(all.max(1) as u32) - log2_q8(outside)) >> 7;
+        let [one, other] = &mut self.is_outside;
+        let counters = [&mut one[axis.spread], &mut other[chance.clamp(0, CHANCES as i32 - 1) as usize]];
+        let p_one = (counters[0].p_one() + counters[1].p_one()) >> 1;
+        let bit = coder.bit(!(-near..near).contains(&actual), p_one);
+        counters.into_iter().for_each(|counter| counter.update(bit));
+        bit
+    }
+
     fn halve<C: Coder, const KINDS: usize, const WIDTHS: usize>(
         &mut self,
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
-        half: i32,
+        (half, [mut below_low, mut below_high], is_near): (i32, [Masses<KINDS, WIDTHS>; 2], bool),
         actual: i32,
     ) -> i32 {
         let (mut low, mut high) = (-half, half);
-        let (mut below_low, mut below_high) = (axis.below(low), axis.below(high));
         let mut node = 1;
         let mut depth = 0;
         while high - low > 1 {
@@ -150,6 +193,11 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
                 (high, below_high) = (middle, below);
             }
             node = node << 1 | usize::from(bit);
+            if depth == 0 && is_near {
+                // As if the inner half had been chosen each time.
+                node = (0..NEAR_LOG).fold(node, |node, _| node << 1 | usize::from(!bit));
+                depth = NEAR_LOG as usize;
+            }
             depth = (depth + 1).min(DEPTHS - 1);
         }
         low

@@ -88,8 +88,10 @@ impl Local {
         // Grids have fewer bits than what is cut off here, and squares can be summed.
         let square = |p: &[i32; 3], a: usize| off(p, &self.origin, a).clamp(-1 << 21, 1 << 21).pow(2);
         let sum: i64 = known.iter().map(|p| square(p, 0) + square(p, 1) + square(p, 2)).sum();
-        // In 1/16 grid units. Square roots are rounded the same everywhere.
-        let radius = (((sum * inverse) >> 8) as f64).sqrt().max(8.0) as u32;
+        // In 1/16 grid units, to 15 bits at least.
+        let mean = ((sum * inverse) >> 8).max(64) as u64;
+        let spare = mean.ilog2().saturating_sub(30).div_ceil(2);
+        let radius = ((mean >> (2 * spare)) as u32).isqrt() << spare;
         self.shift = 14 - radius.ilog2() as i32;
         self.factor = 1 << (16 + self.shift);
         self.radius = ((i64::from(radius) * self.factor) >> 20) as i32;
