@@ -38,7 +38,9 @@ impl Base {
         for (t, triangle) in self.triangles.iter().enumerate() {
             let is_vertex = triangle.iter().all(|&v| v < vertex_count);
             let [a, b, c] = triangle.map(|v| self.position_of(v));
-            if !is_vertex || [(a, b), (b, c), (c, a)].iter().any(|&(x, y)| x == y && x != NONE) {
+            // Two virtual corners count as one position as well: no boundary loops meet at an edge, and around a vertex
+            // there are at least two triangles then.
+            if !is_vertex || a == b || b == c || c == a {
                 return Err(SurfaceDefect::Corners(t as u32));
             }
         }
@@ -125,5 +127,33 @@ impl Base {
             }
             self.shown.push(shown);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_virtual_corners_of_a_triangle_are_no_surface() {
+        // Two cones over an edge from the virtual vertex to itself: one triangle around each tip.
+        let cones = Base {
+            virtual_count: 1,
+            position_of_copy: vec![0, 1],
+            triangles: vec![[1, 0, 0], [2, 0, 0]],
+            opposite: vec![3, 2, 1, 0, 5, 4],
+            places: vec![[0; 3], [9; 3]],
+            ..Base::default()
+        };
+        assert_eq!(cones.surface().map(|_| ()), Err(SurfaceDefect::Corners(0)));
+        let pillow = Base {
+            virtual_count: 1,
+            position_of_copy: vec![0, 1],
+            triangles: vec![[1, 2, 0], [2, 1, 0]],
+            opposite: vec![4, 3, 5, 1, 0, 2],
+            places: vec![[0; 3], [9; 3]],
+            ..Base::default()
+        };
+        assert_eq!(pillow.surface().map(|s| s.vertex_count()), Ok(3));
     }
 }

@@ -27,6 +27,8 @@ pub(super) struct BaseOrder {
 pub(super) struct BaseLimits {
     pub(super) position_count: u32,
     pub(super) triangle_count: u32,
+    /// Vertices beyond one a position.
+    pub(super) wedges_beyond: u32,
 }
 
 /// A vertex that has been met.
@@ -199,7 +201,7 @@ impl<C: Coder> BaseCoder<'_, C> {
     /// Codes whether a triangle that is there already lies behind an edge, and joins it.
     fn join(&mut self, gate: u32, across: u32) -> bool {
         let edge = (self.vertex_at(previous(gate)), self.vertex_at(next(gate)));
-        let Some(open) = self.open.get(&edge).filter(|open| !open.is_empty()).cloned() else { return false };
+        let Some(open) = self.open.get(&edge).filter(|open| !open.is_empty()) else { return false };
         let first = self.first_corner.get(across as usize / 3).copied().unwrap_or(NONE);
         let meant = if first == NONE { NONE } else { first / 3 * 3 + (first % 3 + across % 3) % 3 };
         let place = open.iter().position(|&c| c == meant);
@@ -208,7 +210,8 @@ impl<C: Coder> BaseCoder<'_, C> {
             return false;
         }
         let place = uniform(self.coder, open.len() as u32, place.unwrap_or(0) as u32);
-        self.link(gate, open[place as usize]);
+        let partner = open[place as usize];
+        self.link(gate, partner);
         true
     }
 

@@ -4,7 +4,8 @@ use super::super::entropy::RangeWriter;
 use super::base::Base;
 use super::base_coder::BaseLimits;
 use super::cutting::{Closed, close};
-use super::head::least_bytes;
+use super::growth::Growth;
+use super::head::{least_bytes, least_bytes_in_all};
 use super::refiner::{Refiner, Terms};
 use super::shown::{ShownDown, groups_of_triangles};
 use super::splits::{StepDefect, collapse_all};
@@ -41,16 +42,6 @@ pub(super) struct Chunks {
     pub(super) source_vertex: Vec<u32>,
     /// Bits by part.
     pub(super) spent: [f64; 4],
-}
-
-impl Chunks {
-    /// Appends zeros, which change nothing, until all chunks together have so many bytes.
-    pub(super) fn pad(&mut self, least: usize) {
-        let bytes: usize = self.chunks.iter().map(|chunk| chunk.bytes.len()).sum();
-        if let Some(last) = self.chunks.last_mut().filter(|_| bytes < least) {
-            last.bytes.resize(last.bytes.len() + least - bytes, 0);
-        }
-    }
 }
 
 /// Why a sequence is not one of batches.
@@ -115,8 +106,11 @@ pub(super) fn check_batches(batches: &[u32], step_count: usize) -> Result<(), Ba
 
 fn write(undo: &[Undo], base: Base, mut truth: Truth<'_>, terms: &Terms) -> Result<Chunks, BatchDefect> {
     let max_patch = undo.iter().map(|u| u.cut.length).max().unwrap_or(0);
-    let limits =
-        BaseLimits { triangle_count: base.triangles.len() as u32, position_count: base.places.len() as u32 };
+    let limits = BaseLimits {
+        triangle_count: base.triangles.len() as u32,
+        position_count: base.places.len() as u32,
+        wedges_beyond: u32::MAX,
+    };
     let terms = Terms { max_patch, base: limits, ..terms.clone() };
     let mut spent = [0.0; 4];
     let mut chunks = Vec::new();
@@ -124,11 +118,11 @@ fn write(undo: &[Undo], base: Base, mut truth: Truth<'_>, terms: &Terms) -> Resu
     // A surface that was collapsed to is closed.
     let mut refiner = Refiner::begin(&mut writer, &base, &terms, &mut truth)
         .unwrap_or_else(|defect| panic!("collapses keep a surface closed: {defect}"));
-    push(&mut chunks, writer, (0, base.triangles.len()), &mut spent);
+    push(&mut chunks, writer, (&refiner.growth, base.triangles.len()), &mut spent);
     while truth.order.len() < undo.len() {
         let mut writer = RangeWriter::new();
         code_chunk(&mut refiner, &mut writer, &mut truth, undo.len())?;
-        push(&mut chunks, writer, (truth.order.len(), 0), &mut spent);
+        push(&mut chunks, writer, (&refiner.growth, 0), &mut spent);
     }
     let Truth { order, source_vertex, base_positions, .. } = truth;
     Ok(Chunks { chunks, max_patch, order, base_positions, source_vertex, spent })
@@ -137,13 +131,16 @@ fn write(undo: &[Undo], base: Base, mut truth: Truth<'_>, terms: &Terms) -> Resu
 fn push(
     chunks: &mut Vec<Chunk>,
     writer: RangeWriter,
-    (split_count, base_triangles): (usize, usize),
+    (growth, base_triangles): (&Growth, usize),
     spent: &mut [f64; 4],
 ) {
     let (mut bytes, bits) = writer.finish();
+    let split_count = growth.added.len();
     let splits = split_count - chunks.last().map_or(0, |chunk| chunk.split_count as usize);
     // The reader takes what is beyond the end for zeros, so zeros change nothing.
-    bytes.resize(bytes.len().max(least_bytes(splits, base_triangles)), 0);
+    let told: usize = chunks.iter().map(|chunk| chunk.bytes.len()).sum();
+    let least = least_bytes_in_all(growth.wedges_beyond()).saturating_sub(told);
+    bytes.resize(bytes.len().max(least).max(least_bytes(splits, base_triangles)), 0);
     spent.iter_mut().zip(bits).for_each(|(sum, bits)| *sum += bits);
     chunks.push(Chunk { bytes, split_count: split_count as u32 });
 }

@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
-use super::super::DecodeError;
 use super::super::entropy::RangeReader;
+use super::super::{DecodeError, SectionKind};
 use super::StreamDefect;
 use super::base::Base;
 use super::base_coder::BaseLimits;
 use super::growth::Growth;
-use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length};
+use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length, most_wedges_beyond};
 use super::layers::LayerForm;
 use super::refiner::{Ended, Refiner, Terms, Unknown};
 use crate::mesh::{
@@ -58,8 +58,8 @@ pub struct StreamDecoder {
     refiner: Option<Box<Refiner>>,
     /// Chunks read.
     chunk_count: usize,
-    /// Splits within a chunk that was cut off.
-    is_cut: bool,
+    /// No more bytes are of use.
+    is_over: bool,
 }
 
 impl StreamDecoder {
@@ -73,26 +73,50 @@ impl StreamDecoder {
     /// # Errors
     /// [`DecodeError`] where the bytes are no sound stream; what came before stays, more bytes are of no use.
     pub fn push(&mut self, bytes: &[u8]) -> Result<StreamUpdate, DecodeError> {
-        self.waiting.extend_from_slice(bytes);
+        self.check_open()?;
         let before = self.sizes();
+        let mut waiting = std::mem::take(&mut self.waiting);
+        waiting.extend_from_slice(bytes);
+        let start = self.read;
+        let result = self.read_all(&waiting);
+        self.is_over = result.is_err();
+        // Once for all chunks, since what follows them moves.
+        waiting.drain(..(self.read - start) as usize);
+        self.waiting = waiting;
+        result?;
+        Ok(self.update_since(before))
+    }
+
+    /// Reads the head and the chunks that are whole.
+    fn read_all(&mut self, mut bytes: &[u8]) -> Result<(), DecodeError> {
         if self.head.is_none() {
-            let Some(length) = head_length(&self.waiting)?.filter(|&n| n <= self.waiting.len()) else {
-                return Ok(self.update_since(before));
-            };
-            self.head = Some(Head::from_bytes(&self.waiting[..length])?);
-            self.consume(length);
+            let Some(length) = head_length(bytes)?.filter(|&n| n <= bytes.len()) else { return Ok(()) };
+            self.head = Some(Head::from_bytes(&bytes[..length])?);
+            self.read += length as u64;
+            bytes = &bytes[length..];
         }
-        while let Some(row) = self.next_row().filter(|row| row.bytes as usize <= self.waiting.len()) {
-            let chunk: Vec<u8> = self.waiting[..row.bytes as usize].to_vec();
-            self.check_chunk(&chunk, row)?;
-            self.read_chunk(&chunk, row, true)?;
-            self.consume(row.bytes as usize);
+        while let Some(row) = self.next_row().filter(|row| row.bytes as usize <= bytes.len()) {
+            let (chunk, rest) = bytes.split_at(row.bytes as usize);
+            self.check_chunk(chunk, row)?;
+            self.read_chunk(chunk, row, (rest.len(), true))?;
+            self.read += u64::from(row.bytes);
             self.chunk_count += 1;
+            bytes = rest;
         }
         if self.next_row().is_none() {
             self.check_counts()?;
         }
-        Ok(self.update_since(before))
+        Ok(())
+    }
+
+    /// # Errors
+    /// Where what came before was no sound stream, or was said to be all.
+    fn check_open(&self) -> Result<(), DecodeError> {
+        if !self.is_over {
+            return Ok(());
+        }
+        let (kind, offset) = (SectionKind::STREAM, self.read as usize);
+        Err(DecodeError::Malformed { kind, offset, reason: "reading has ended here" })
     }
 
     /// Reads what a last, incomplete chunk tells, its checksum unknown. No more bytes can follow.
@@ -100,6 +124,7 @@ impl StreamDecoder {
     /// # Errors
     /// [`DecodeError`] where the stream ends before its base mesh does, or what is there makes no sense.
     pub fn finish(&mut self) -> Result<StreamUpdate, DecodeError> {
+        self.check_open()?;
         let before = self.sizes();
         if self.head.is_none() {
             let (found, expected) = (self.waiting.len() as u64, FIXED_BYTES as u64);
@@ -108,21 +133,16 @@ impl StreamDecoder {
         if self.chunk_count == 0 {
             return Err(StreamDefect::NoBase.into());
         }
-        if let Some(row) = self.next_row().filter(|_| !self.is_cut) {
+        self.is_over = true;
+        if let Some(row) = self.next_row() {
             let rest = std::mem::take(&mut self.waiting);
-            self.is_cut = true;
-            self.read_chunk(&rest, row, false)?;
+            self.read_chunk(&rest, row, (0, false))?;
         }
         Ok(self.update_since(before))
     }
 
     fn next_row(&self) -> Option<Row> {
         self.head.as_ref()?.rows.get(self.chunk_count).copied()
-    }
-
-    fn consume(&mut self, count: usize) {
-        self.waiting.drain(..count);
-        self.read += count as u64;
     }
 
     fn check_chunk(&self, chunk: &[u8], row: Row) -> Result<(), StreamDefect> {
@@ -138,21 +158,40 @@ impl StreamDecoder {
         })
     }
 
-    fn read_chunk(&mut self, bytes: &[u8], row: Row, is_complete: bool) -> Result<(), StreamDefect> {
+    /// Reads a chunk, whole or cut off; so many bytes behind it are there.
+    fn read_chunk(
+        &mut self,
+        bytes: &[u8],
+        row: Row,
+        (more, is_complete): (usize, bool),
+    ) -> Result<(), StreamDefect> {
         let mut reader = RangeReader::new(bytes, is_complete);
+        let most_wedges = most_wedges_beyond(self.body_bytes() + bytes.len() as u64);
         let Some(refiner) = &mut self.refiner else {
-            return self.read_base(&mut reader);
+            return self.read_base(&mut reader, (most_wedges, more));
         };
+        refiner.limit_wedges(most_wedges);
         while refiner.split_count() < row.split_count as usize {
             let most = row.split_count as usize - refiner.split_count();
-            if refiner.stretch(&mut reader, &mut Unknown, most)? == Ended::Short {
-                break;
+            if refiner.stretch(&mut reader, &mut Unknown, most)? == Ended::Whole {
+                continue;
             }
+            // The bytes of a whole chunk do not end.
+            return if is_complete { Err(StreamDefect::Wedges { chunk: self.chunk_count }) } else { Ok(()) };
         }
         Ok(())
     }
 
-    fn read_base(&mut self, reader: &mut RangeReader<'_>) -> Result<(), StreamDefect> {
+    /// Bytes of the chunks that have been read.
+    fn body_bytes(&self) -> u64 {
+        self.head.as_ref().map_or(0, |head| self.read - head.length)
+    }
+
+    fn read_base(
+        &mut self,
+        reader: &mut RangeReader<'_>,
+        (most_wedges, more): (u64, usize),
+    ) -> Result<(), StreamDefect> {
         let Some(head) = &self.head else { return Ok(()) };
         let terms = Terms {
             effort: head.effort,
@@ -163,15 +202,15 @@ impl StreamDecoder {
             base: BaseLimits {
                 position_count: head.position_count - head.step_count,
                 triangle_count: head.most_base_triangles(),
+                wedges_beyond: u32::try_from(most_wedges).unwrap_or(u32::MAX),
             },
             vertex_count: head.vertex_count,
             group_count: head.groups.len() as u32,
             layers: head.layers.clone(),
         };
-        // As much as real streams need; what lies about its size gets no more than its bytes are worth.
-        let worth = head.rows.iter().map(|row| row.bytes as usize).sum::<usize>();
         let mut refiner = Refiner::begin(reader, &Base::default(), &terms, &mut Unknown)?;
-        refiner.reserve((head.step_count as usize).min(worth));
+        // As much as real streams need; what lies about its size gets no more than the bytes that are there are worth.
+        refiner.reserve((head.step_count as usize).min(more));
         self.refiner = Some(Box::new(refiner));
         Ok(())
     }
@@ -182,6 +221,7 @@ impl StreamDecoder {
         let counts = [
             ("vertices", growth.positions.len(), head.vertex_count),
             ("triangles", growth.triangles.len(), head.triangle_count),
+            ("steps", growth.added.len(), head.step_count),
         ];
         for (what, found, expected) in counts {
             if found != expected as usize {

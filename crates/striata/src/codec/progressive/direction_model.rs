@@ -79,7 +79,8 @@ impl Outlook {
                 mean[axis] += d[axis];
                 affine[axis] += d[axis] * i64::from(weight);
                 mirrored[axis] += mirror;
-                near[axis] += mirror * (reciprocal >> 12);
+                // Thousands of neighbours at the very place are too many for the sum.
+                near[axis] = near[axis].saturating_add(mirror * (reciprocal >> 12));
             }
         }
         let mean = scaled(if mean == [0; 3] { target } else { mean }, unit);

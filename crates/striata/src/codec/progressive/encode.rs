@@ -6,7 +6,7 @@ use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_chunks};
 use super::cutting::Closed;
 use super::grid::{GridError, PositionGrid};
-use super::head::{GroupName, Head, Row, least_bytes_in_all};
+use super::head::{GroupName, Head, MOST_NUMBERS, Row};
 use super::layer_model::LayerValues;
 use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
@@ -122,6 +122,12 @@ pub enum StreamError {
     /// The sequence is not one of batches.
     #[error(transparent)]
     Batches(#[from] BatchDefect),
+    /// Layers have too many numbers.
+    #[error("a vertex has {number_count} numbers in all layers, but streams have room for {}", MOST_NUMBERS)]
+    Numbers {
+        /// Numbers that a stream would hold for each vertex.
+        number_count: usize,
+    },
     /// A text is too long.
     #[error(transparent)]
     Text(#[from] EncodeError),
@@ -145,6 +151,10 @@ pub fn encode_stream(
     layer_options.check()?;
     let forms: Vec<_> =
         refinable.mesh.layers.iter().map(|layer| LayerForm::of(layer, &layer_options)).collect();
+    let number_count = forms.iter().map(LayerForm::integer_count).sum();
+    if number_count > MOST_NUMBERS {
+        return Err(StreamError::Numbers { number_count });
+    }
     let points = points_of(refinable, &grid, &forms);
     let position_count = points.places.len() as u32;
     let terms = Terms {
@@ -153,7 +163,7 @@ pub fn encode_stream(
         is_exact,
         max_patch: 0,
         position_count,
-        base: BaseLimits { position_count: 0, triangle_count: 0 },
+        base: BaseLimits { position_count: 0, triangle_count: 0, wedges_beyond: u32::MAX },
         vertex_count: refinable.mesh.vertex_count() as u32,
         group_count: refinable.mesh.groups.len() as u32,
         layers: forms,
@@ -164,8 +174,7 @@ pub fn encode_stream(
     let refinable = shortened.as_ref().unwrap_or(refinable);
     let batches: Vec<u32> = batches[first..].iter().map(|n| n - batches[first]).collect();
     let batches = batches.as_slice();
-    let mut chunks = encode_chunks(closed, refinable, batches, (&points, &terms))?;
-    chunks.pad(least_bytes_in_all(refinable.mesh.vertex_count() - points.places.len()));
+    let chunks = encode_chunks(closed, refinable, batches, (&points, &terms))?;
     let head = head_of(refinable, batches, &chunks, (options, &terms)).to_bytes()?;
     let mut bytes = head;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));

@@ -184,6 +184,12 @@ impl PositionGrid {
         [0, 1, 2].map(|a| self.axis(a).place(point[a]))
     }
 
+    /// Whether a point is one of the grid's.
+    #[inline]
+    pub(crate) fn holds(&self, point: [i32; 3]) -> bool {
+        (point[0] | point[1] | point[2]) as u32 >> self.bits == 0
+    }
+
     /// The grid, if its numbers are such as a grid can have: for what was read.
     ///
     /// # Errors

@@ -65,6 +65,11 @@ impl Growth {
         self.first_vertex.last().copied().unwrap_or(0)
     }
 
+    /// Vertices beyond one a position.
+    pub(super) fn wedges_beyond(&self) -> usize {
+        self.vertex_count() as usize - (self.first_vertex.len() - 1)
+    }
+
     /// The vertices of the position of a vertex of the surface.
     #[inline]
     pub(super) fn wedges(&self, surface_vertex: u32) -> Range<u32> {

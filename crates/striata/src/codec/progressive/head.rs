@@ -31,12 +31,20 @@ const MAX_SPLITS_A_BYTE: u64 = 256;
 /// The same of the triangles of the base.
 const MAX_BASE_TRIANGLES_A_BYTE: u32 = 256;
 
-/// The same of vertices beyond one a position, in all chunks.
+/// The same of vertices beyond one a position, in a chunk and all before it.
 const MAX_WEDGES_A_BYTE: u64 = 256;
 
-/// The bytes that all chunks must have at least.
+/// Numbers that a vertex may have in all layers: models are made for each of them.
+pub(super) const MOST_NUMBERS: usize = 4096;
+
+/// The bytes that a chunk and all before it must have at least.
 pub(super) fn least_bytes_in_all(wedges_beyond: usize) -> usize {
     wedges_beyond / MAX_WEDGES_A_BYTE as usize
+}
+
+/// Vertices beyond one a position that so many bytes can tell.
+pub(super) fn most_wedges_beyond(bytes: u64) -> u64 {
+    (bytes + 1) * MAX_WEDGES_A_BYTE
 }
 
 /// The bytes that a chunk must have at least.
@@ -205,12 +213,19 @@ impl Head {
             _ => return Err(reader.malformed("unknown effort")),
         };
         let flags = reader.bytes(2)?;
+        if flags[0] > 1 || flags[1] != 0 {
+            return Err(reader.malformed("unknown flags"));
+        }
         reader.bytes(8)?;
         let [position_count, vertex_count, triangle_count, step_count, max_patch] =
             [reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?];
         let grid = read_grid(&mut reader)?;
         let layer_count = reader.short_count(5)?;
-        let layers = (0..layer_count).map(|_| LayerForm::read(&mut reader)).collect::<Result<_, _>>()?;
+        let layers: Vec<LayerForm> =
+            (0..layer_count).map(|_| LayerForm::read(&mut reader)).collect::<Result<_, _>>()?;
+        if layers.iter().map(LayerForm::integer_count).sum::<usize>() > MOST_NUMBERS {
+            return Err(reader.malformed("the layers have more numbers a vertex than streams can have"));
+        }
         let groups = read_groups(&mut reader)?;
         let appearance = match reader.block()? {
             [] => Appearance::default(),
@@ -230,7 +245,7 @@ impl Head {
             );
         }
         let told: u64 = rows.iter().map(|row| u64::from(row.bytes)).sum();
-        if u64::from(vertex_count - position_count) > MAX_WEDGES_A_BYTE * (told + 1) {
+        if u64::from(vertex_count - position_count) > most_wedges_beyond(told) {
             return Err(reader.malformed("there are more vertices than the chunks can tell"));
         }
         if groups.iter().filter_map(|g| g.material).any(|m| m as usize >= appearance.materials.len()) {

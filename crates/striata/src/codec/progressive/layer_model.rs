@@ -285,6 +285,9 @@ impl NumberModel {
     }
 }
 
+/// Kinds of labels around a vertex that are asked for.
+const MOST_KNOWN: usize = 32;
+
 /// Integers that name something.
 #[derive(Clone, Debug)]
 struct LabelModel {
@@ -312,6 +315,9 @@ impl LabelModel {
     ) {
         self.known.clear();
         for vertex in hood.target.into_iter().chain(hood.ring.iter().copied()) {
+            if self.known.len() == MOST_KNOWN {
+                break;
+            }
             if !self.known.iter().any(|&k| values.of(k) == values.of(vertex)) {
                 self.known.push(vertex);
             }

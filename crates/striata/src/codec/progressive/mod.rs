@@ -81,6 +81,18 @@ pub enum StreamDefect {
     /// The base is no closed surface.
     #[error("the base mesh is no surface: {0}")]
     Base(#[from] SurfaceDefect),
+    /// A position lies off the grid.
+    #[error("position {position} lies off the grid")]
+    Place {
+        /// The position, in the order of the stream.
+        position: usize,
+    },
+    /// Positions have more vertices than so few bytes can tell.
+    #[error("chunk {chunk} tells of more vertices than its bytes can")]
+    Wedges {
+        /// The chunk, from 0, which holds the base.
+        chunk: usize,
+    },
     /// A chunk's bytes are damaged.
     #[error("chunk {chunk} at byte {offset} is damaged: checksum {found:08x}, expected {expected:08x}")]
     Checksum {

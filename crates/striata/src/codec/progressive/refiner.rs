@@ -171,6 +171,8 @@ pub(super) struct Refiner {
     /// What corners show, where positions have several vertices or triangles several groups.
     wedges: Option<WedgeModel>,
     told: SplitWedges,
+    /// Vertices beyond one a position that there may be; a reader's bytes cannot tell more.
+    most_wedges: u64,
     attributes: Option<Attributes>,
     /// Corners of the patches of splits that are still to be done, and where each one's end.
     patches: Vec<u32>,
@@ -198,6 +200,9 @@ impl Refiner {
         if coder.overran() {
             return Err(StreamDefect::NoBase);
         }
+        if let Some(position) = base.places.iter().position(|&place| !terms.grid.holds(place)) {
+            return Err(StreamDefect::Place { position });
+        }
         let vertex_of_position = base.vertex_of_position()?;
         let mut surface = base.surface()?;
         let mut wedges = terms.has_wedges().then(|| WedgeModel::new(terms.vertex_count));
@@ -206,7 +211,8 @@ impl Refiner {
                 for &vertex in &vertex_of_position {
                     source.name(source.wedges(vertex));
                 }
-                let counts = (terms.vertex_count, terms.group_count);
+                let most = terms.base.position_count.saturating_add(terms.base.wedges_beyond);
+                let counts = (terms.vertex_count.min(most), terms.group_count);
                 base.code_wedges(coder, model, source, (counts, &vertex_of_position));
             }
             None => base.show_positions(),
@@ -248,6 +254,7 @@ impl Refiner {
             corrections,
             wedges,
             told: SplitWedges::default(),
+            most_wedges: terms.base.wedges_beyond.into(),
             attributes,
             patches: Vec::new(),
             pending: Vec::new(),
@@ -302,7 +309,7 @@ impl Refiner {
             self.corners.extend_from_slice(&self.patches[start..end]);
             self.corners.push(a + 4);
             start = end;
-            if self.values(coder, source, vertex) == Ended::Short {
+            if self.values(coder, source, vertex)? == Ended::Short {
                 return Ok(Ended::Short);
             }
         }
@@ -446,11 +453,20 @@ impl Refiner {
     }
 
     /// What the new vertex is; then it is part of the mesh.
-    fn values<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) -> Ended {
+    fn values<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        source: &mut impl Source,
+        vertex: u32,
+    ) -> Result<Ended, StreamDefect> {
         let hood = Hood { surface: &self.surface, places: &self.places, vertex, corners: &self.corners };
         coder.part(Part::Positions);
         let actual = if C::READS { [0; 3] } else { source.place(vertex) };
         let place = self.positions.code(coder, &hood, actual);
+        if !self.grid.holds(place) {
+            let position = self.growth.first_vertex.len() - 1;
+            return if coder.overran() { Ok(Ended::Short) } else { Err(StreamDefect::Place { position }) };
+        }
         let position = match &mut self.corrections {
             Some(model) => model.code(coder, &self.grid, place, source.exact(vertex)),
             None => self.grid.place(place),
@@ -458,17 +474,19 @@ impl Refiner {
         self.places.push(place);
         coder.part(Part::Attributes);
         self.shown(coder, source, vertex);
-        if coder.overran() {
+        let is_full =
+            self.growth.wedges_beyond() as u64 + self.told.targets.len() as u64 > self.most_wedges + 1;
+        if coder.overran() || is_full {
             if let Some(attributes) = &mut self.attributes {
                 attributes.truncate(self.growth.positions.len());
             }
-            return Ended::Short;
+            return Ok(Ended::Short);
         }
         match &self.wedges {
             Some(_) => self.growth.add_wedges(&mut self.surface, &self.corners, position, &self.told),
             None => self.growth.add(&mut self.surface, &self.corners, position),
         }
-        Ended::Whole
+        Ok(Ended::Whole)
     }
 
     /// What corners around a new vertex show, and the attributes of that.
@@ -480,6 +498,7 @@ impl Refiner {
                 growth: &self.growth,
                 corners: &self.corners,
                 source: &*source,
+                most_beyond: self.most_wedges.saturating_sub(self.growth.wedges_beyond() as u64),
             };
             model.code(coder, &split, &mut self.told);
             source.name(self.told.named.iter().copied());
@@ -508,6 +527,11 @@ impl Refiner {
     /// The attribute layers, if there are any.
     pub(super) fn attributes(&self) -> Option<&Attributes> {
         self.attributes.as_ref()
+    }
+
+    /// A reader has bytes for so many vertices beyond one a position.
+    pub(super) fn limit_wedges(&mut self, most: u64) {
+        self.most_wedges = most;
     }
 
     /// Makes room for what is to come.

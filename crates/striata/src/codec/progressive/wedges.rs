@@ -59,6 +59,8 @@ pub(super) struct Split<'a, S> {
     /// Corners at the new position, A's first and B's last.
     pub(super) corners: &'a [u32],
     pub(super) source: &'a S,
+    /// Vertices beyond the first that the position may have: what a reader's bytes can tell.
+    pub(super) most_beyond: u64,
 }
 
 impl WedgeModel {
@@ -98,7 +100,7 @@ impl WedgeModel {
         split: &Split<'_, S>,
         out: &mut SplitWedges,
     ) {
-        let Split { surface, growth, corners, source } = *split;
+        let Split { surface, growth, corners, source, .. } = *split;
         out.targets.clear();
         out.named.clear();
         out.wedges.clear();
@@ -116,6 +118,7 @@ impl WedgeModel {
             let count = out.targets.len();
             // Where all vertices of the mesh are there, nothing is left to be asked.
             let is_full = growth.vertex_count() as usize + count >= self.vertex_count as usize;
+            let is_full = is_full || count as u64 > split.most_beyond.saturating_add(1);
             if count > 0 && (is_full || !self.has_more[usize::from(count > 1)].code(coder, more.is_some())) {
                 break;
             }
@@ -128,7 +131,7 @@ impl WedgeModel {
 
     /// The corners of the patch.
     fn patch<C: Coder, S: Source>(&mut self, coder: &mut C, split: &Split<'_, S>, out: &mut SplitWedges) {
-        let Split { surface, growth, corners, source } = *split;
+        let Split { surface, growth, corners, source, .. } = *split;
         let mut before: Option<(u32, u32, u32)> = None;
         for (at, &corner) in corners.iter().enumerate().take(corners.len() - 1).skip(1) {
             let Some(old) = growth.shown(surface, corner) else {
@@ -180,7 +183,7 @@ impl WedgeModel {
         side: usize,
         out: &mut SplitWedges,
     ) {
-        let Split { surface, growth, corners, source } = *split;
+        let Split { surface, growth, corners, source, .. } = *split;
         let (at, beside) = if side == 0 { (0, 1) } else { (corners.len() - 1, corners.len() - 2) };
         let corner = corners[at];
         let (kept, end) =
