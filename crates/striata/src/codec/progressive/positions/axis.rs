@@ -2,7 +2,7 @@
 //!
 //! Around the expected place lies an interval as wide as the ring; whether the coordinate is in its upper or its lower half
 //! is asked until one is left. Most coordinates lie in the middle of it: whether this one does is asked first, and spares
-//! three questions after that for the side. Each answer has a probability under every density, and one from counters for how
+//! two questions after that for the side. Each answer has a probability under every density, and one from counters for how
 //! often it went so at this point of the tree under like circumstances; two mixers weigh them, and their mean counts.
 
 use super::super::super::entropy::{
@@ -16,7 +16,7 @@ const DEPTHS: usize = 6;
 /// Nodes of the tree that have counters; all others share one.
 const NODES: usize = 64;
 /// Near is what lies within this part of the interval, as a power of two.
-const NEAR_LOG: u32 = 3;
+const NEAR_LOG: u32 = 2;
 /// Kinds of chances to lie outside.
 const CHANCES: usize = 24;
 /// Kinds of sizes.

@@ -16,7 +16,7 @@
 //! | `mixed.rs` | the thorough models: these together |
 //! | `plain.rs` | the quick model: one prediction, counters alone |
 //!
-//! All of it is integers. Time a vertex on one core: 0.25 microseconds with one prediction, 1.0 with one density, 2.6 with
+//! All of it is integers. Time a vertex on one core: 0.3 microseconds with one prediction, 1.1 with one density, 2.7 with
 //! eighteen.
 
 mod axis;

@@ -124,5 +124,5 @@ fn more_effort_takes_fewer_bytes() {
 fn bytes_are_the_same_everywhere() {
     let samples = samples();
     let found = EFFORTS.map(|effort| crc32fast::hash(&write(&samples[0], effort, [0; 3])));
-    assert_eq!(found, [2_177_276_284, 748_092_491, 1_320_633_414]);
+    assert_eq!(found, [541_360_663, 4_176_046_866, 815_267_749]);
 }
