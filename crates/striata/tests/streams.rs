@@ -106,7 +106,7 @@ fn check_prefix(decoder: &StreamDecoder, whole: &RefinableMesh) {
         assert_eq!(found.data.as_bytes(), expected.data.as_bytes(), "{}", found.semantic);
     }
     assert_eq!(groups_of(&level.mesh, |v| v), groups_of(&expected, |v| v));
-    assert_eq!(&level.sequence.targets()[..], &whole.sequence.targets()[..level.sequence.targets().len()]);
+    assert_eq!(level.sequence.targets(), &whole.sequence.targets()[..level.sequence.targets().len()]);
 }
 
 /// Reads in slices and from prefixes.

@@ -1,6 +1,6 @@
 //! What both sides know around a vertex when its position is coded.
 
-use super::surface::{Surface, next};
+use super::surface::Surface;
 
 /// The surroundings of a new vertex.
 pub(super) struct Hood<'a> {
@@ -16,18 +16,6 @@ pub(super) struct Hood<'a> {
 }
 
 impl Hood<'_> {
-    /// Vertices around the new one: the one that split, then `r0` to `rk`. At most one of them is virtual.
-    #[cfg_attr(not(test), expect(dead_code, reason = "for the models of positions"))]
-    pub(super) fn ring(&self) -> impl ExactSizeIterator<Item = u32> + '_ {
-        self.corners.iter().map(|&c| self.surface.vertex(next(c)))
-    }
-
-    /// The vertex beyond the edge from ring vertex `i` to the next one.
-    #[cfg_attr(not(test), expect(dead_code, reason = "for the models of positions"))]
-    pub(super) fn apex(&self, i: usize) -> u32 {
-        self.surface.vertex(self.surface.opposite(self.corners[i]))
-    }
-
     /// The grid coordinates of a vertex, where both sides know them.
     #[inline]
     pub(super) fn place(&self, vertex: u32) -> Option<[i32; 3]> {

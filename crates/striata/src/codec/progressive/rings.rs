@@ -45,9 +45,9 @@ impl Rings {
         let first = here;
         let mut open = vertices.len();
         for step in 0..SHORT {
-            for walk in 0..vertices.len() {
+            for (walk, ring) in walks.iter_mut().enumerate().take(vertices.len()) {
                 if counts[walk] == 0 {
-                    walks[walk][step] = here[walk];
+                    ring[step] = here[walk];
                     here[walk] = surface.swing(here[walk]);
                     if here[walk] == first[walk] {
                         counts[walk] = step + 1;

@@ -176,7 +176,7 @@ impl Around {
 
     /// How far a grid coordinate lies from the middle, in local units.
     #[inline]
-    fn from_grid(&self, coordinate: i32, axis: usize) -> i32 {
+    fn off_middle(&self, coordinate: i32, axis: usize) -> i32 {
         let off = coordinate.wrapping_sub(self.base[axis]);
         self.localise(16 * i64::from(off) - i64::from(self.middle[axis]))
     }
@@ -230,7 +230,7 @@ impl PlainModel {
             let residual = actual[a].wrapping_sub(centre);
             place[a] =
                 centre.wrapping_add(self.axes[slot].code(coder, (size, spread as usize, noise), residual));
-            let found = around.from_grid(place[a], a);
+            let found = around.off_middle(place[a], a);
             let error = (found - lifted).clamp(-around.radius, around.radius);
             blend.learn(features, error);
             if slot < 2 && normal[axes[2]] != 0 {
