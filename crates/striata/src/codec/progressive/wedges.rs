@@ -17,9 +17,9 @@ use super::surface::{NONE, Surface, next, previous, triangle_of};
 pub(super) struct WedgeModel {
     vertex_count: u32,
     /// Whether a corner of the patch shows what the one before does: where that is so at the ring, and where not.
-    goes_on: [AdaptiveBit; 3],
+    goes_on: [AdaptiveBit; 4],
     /// Whether a guess is right, by who asks, whether both guesses agree, and which it is.
-    is_meant: [AdaptiveBit; 28],
+    is_meant: [AdaptiveBit; 24],
     has_more: [AdaptiveBit; 2],
 }
 
@@ -28,7 +28,6 @@ pub(super) struct WedgeModel {
 enum Asked {
     KeptCorner,
     RingCorner,
-    NewCorner,
     Target,
     Group,
     BaseCorner,
@@ -67,7 +66,7 @@ impl WedgeModel {
     /// Nothing learned; `vertex_count` is that of the full mesh.
     pub(super) fn new(vertex_count: u32) -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
-        Self { vertex_count, goes_on: [bit; 3], is_meant: [bit; 28], has_more: [bit; 2] }
+        Self { vertex_count, goes_on: [bit; 4], is_meant: [bit; 24], has_more: [bit; 2] }
     }
 
     /// Codes which number of a range is meant: one of the guesses, or any.
@@ -206,30 +205,24 @@ impl WedgeModel {
         let offer = (guesses, growth.wedges(positions[2]));
         out.ends[side] = self.choose(coder, Asked::RingCorner, offer, source.vertex_at(end));
         let new = New { meant: source.wedge(corner), beside: out.wedges[beside], kept: out.kept[side] };
-        out.wedges[at] = self.new_corner(coder, new, (growth.wedges(positions[1]), source), out);
+        out.wedges[at] = self.new_corner(coder, new, out);
         let guesses = [across, inside].map(|c| growth.group(surface, triangle_of(c)));
         let offer = (guesses, 0..growth.group_count.max(1));
         out.groups[side] = self.choose(coder, Asked::Group, offer, source.group(triangle_of(corner)));
     }
 
-    /// The wedge at the corner of A or B: that of the patch beside it, another one, or a new one.
-    fn new_corner<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        new: New,
-        (targets, source): (Range<u32>, &impl Source),
-        out: &mut SplitWedges,
-    ) -> u32 {
-        let count = out.targets.len() as u32;
-        let meant = out.named.iter().position(|&w| w == new.meant).map_or(count, |at| at as u32);
-        let guesses = [(new.beside != NONE).then_some(new.beside), Some(count)];
-        let wedge = self.choose(coder, Asked::NewCorner, (guesses, 0..count + 1), meant);
-        if wedge == count {
-            let target = source.target(new.meant);
-            out.targets.push(self.choose(coder, Asked::Target, ([Some(new.kept), None], targets), target));
-            out.named.push(new.meant);
+    /// The wedge at the corner of A or B: that of the patch beside it, another one, or a new one. It collapses to what the
+    /// kept position shows there, or the triangle would not vanish.
+    fn new_corner<C: Coder>(&mut self, coder: &mut C, new: New, out: &mut SplitWedges) -> u32 {
+        let New { meant, beside, kept } = new;
+        if beside == NONE || out.targets[beside as usize] != kept {
+            return self.other_wedge(coder, (meant, kept), None, out);
         }
-        wedge
+        let is_beside = out.named[beside as usize] == meant;
+        if self.goes_on[3].code(coder, is_beside) {
+            return beside;
+        }
+        self.other_wedge(coder, (meant, kept), Some(beside), out)
     }
 
     /// Codes what the corners of a base triangle show, and its group; `last` is what each position showed before.
