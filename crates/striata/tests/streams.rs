@@ -191,6 +191,16 @@ fn seams_groups_and_layers_come_back() {
     }
 }
 
+/// Rings so large that runs are told by sums.
+#[test]
+fn hubs_of_thousands_of_triangles_come_back() {
+    for mesh in [shapes::closed_fan(5000), shapes::uv_sphere(3, 3000, 1.0)] {
+        for effort in EFFORTS {
+            check(&mesh, &StreamOptions::default().with_effort(effort), 9);
+        }
+    }
+}
+
 /// Nothing is asked of the order of steps where each is a batch of its own.
 #[test]
 fn steps_one_at_a_time_are_batches_too() {
@@ -242,10 +252,12 @@ fn nonsense_in_the_last_chunk_gives_a_mesh() {
             if decoder.push(&damaged).and_then(|_| decoder.finish()).is_ok() {
                 let level = decoder.refinable_mesh().unwrap();
                 level.mesh.check().unwrap();
-                assert_eq!(
-                    replay(&level, level.sequence.step_count()).triangles.len(),
-                    level.mesh.triangle_count()
-                );
+                let step_count = level.sequence.step_count();
+                assert_eq!(replay(&level, step_count).triangles.len(), level.mesh.triangle_count());
+                for split_count in [0, step_count / 2] {
+                    let expected = level.sequence.triangle_count_at(split_count);
+                    assert_eq!(replay(&level, split_count).triangles.len(), expected);
+                }
             }
         }
     }

@@ -253,7 +253,9 @@ impl CorrectionModel {
             // As many floats as lie within half a step: where coordinates are small there are more.
             let floats = (grid.step / float_step(decoded[a])).min(f64::from(i32::MAX)) as u32;
             let context = floats.max(1).ilog2() as usize;
-            corrected(decoded[a], self.numbers.signed(coder, context, exact_correction(exact[a], decoded[a])))
+            let correction = self.numbers.signed(coder, context, exact_correction(exact[a], decoded[a]));
+            // Only damaged streams lead beyond the numbers.
+            Some(corrected(decoded[a], correction)).filter(|x| x.is_finite()).unwrap_or(decoded[a])
         })
     }
 }

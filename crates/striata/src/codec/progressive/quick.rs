@@ -25,6 +25,9 @@ const MOST: usize = 16;
 /// Flags that make up the history.
 const HISTORY: usize = 0xff;
 
+/// Runs are looked at triangle by triangle as long as that takes no more steps.
+const MOST_STEPS: usize = 4096;
+
 /// Flags and cuts by small contexts.
 #[derive(Clone, Debug)]
 pub(super) struct QuickModel {
@@ -155,8 +158,7 @@ impl QuickModel {
         let key = (n.min(MOST - 1) * MOST + length.min(MOST - 1)) * MOST;
         let mut rank = 0;
         let start = loop {
-            let Some(best) = (0..self.starts.len()).max_by_key(|&at| self.starts[at]) else { return false };
-            let (_, start) = self.starts.swap_remove(best);
+            let Some(start) = self.next_start(n * length > MOST_STEPS) else { return false };
             let is_meant = self.rings.of(split)[start as usize] == meant;
             let is_last = self.starts.is_empty();
             if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, is_meant) {
@@ -186,6 +188,10 @@ impl QuickModel {
             }
         }));
         self.starts.clear();
+        if n * length > MOST_STEPS {
+            self.find_far_starts(corners.len(), length);
+            return;
+        }
         'starts: for start in 0..n {
             let mut at = start;
             let mut sum = self.spokes[start].square;
@@ -201,6 +207,38 @@ impl QuickModel {
             }
             self.starts.push((sum, start as u32));
         }
+    }
+
+    /// The start with the longest edges of those that are left, which are perhaps in order.
+    fn next_start(&mut self, in_order: bool) -> Option<u32> {
+        if in_order {
+            return self.starts.pop().map(|(_, start)| start);
+        }
+        let best = (0..self.starts.len()).max_by_key(|&at| self.starts[at])?;
+        Some(self.starts.swap_remove(best).1)
+    }
+
+    /// The same where runs are so long, or so many, that each had better be the difference of two sums.
+    fn find_far_starts(&mut self, n: usize, length: usize) {
+        let mut sums = Vec::with_capacity(2 * n + 1);
+        let mut sum = (0i64, 0u32, 0u32);
+        sums.push(sum);
+        for spoke in self.spokes.iter().chain(&self.spokes) {
+            sum.0 = sum.0.wrapping_add(spoke.square);
+            sum.1 += u32::from(!spoke.is_free);
+            sum.2 += u32::from(spoke.is_virtual);
+            sums.push(sum);
+        }
+        for start in 0..n {
+            let (first, end) = (start + 1, start + length);
+            let is_free = sums[end].1 == sums[start].1;
+            if is_free && sums[end].2 == sums[first].2 {
+                let inside = sums[end].0.wrapping_sub(sums[first].0);
+                let ends = self.spokes[start].square.wrapping_add(self.spokes[end % n].square);
+                self.starts.push((ends.wrapping_add(inside).wrapping_add(inside), start as u32));
+            }
+        }
+        self.starts.sort_unstable();
     }
 
     /// A split has been done: the new vertex has A and B, the last two triangles, and so many others.

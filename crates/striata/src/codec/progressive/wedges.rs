@@ -16,7 +16,8 @@ use super::surface::{NONE, Surface, next, previous, triangle_of};
 #[derive(Clone, Debug)]
 pub(super) struct WedgeModel {
     vertex_count: u32,
-    /// Whether a corner of the patch shows what the one before does: where that is so at the ring, and where not.
+    /// Whether a corner of the patch shows what the one before does: where that is so at the ring, and where not; whether
+    /// it shows another wedge that is there; and whether A's and B's show what the patch beside them does.
     goes_on: [AdaptiveBit; 4],
     /// Whether a guess is right, by who asks, whether both guesses agree, and which it is.
     is_meant: [AdaptiveBit; 24],
