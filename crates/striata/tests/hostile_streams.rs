@@ -26,6 +26,21 @@ fn check(decoder: &StreamDecoder) {
     level.mesh.check().unwrap();
     let full = replay(&level, level.sequence.step_count());
     assert_eq!(full.triangle_count(), level.mesh.triangle_count());
+    let half = level.sequence.step_count() / 2;
+    assert_eq!(replay(&level, half).triangle_count(), level.sequence.triangle_count_at(half));
+}
+
+/// What fuzzing found worth keeping, faults that it found among them.
+#[test]
+fn what_fuzzing_kept_does_no_harm() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/kept/progressive_stream");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let mut bytes = std::fs::read(entry.unwrap().path()).unwrap();
+        let _ = read_set_right(&mut bytes);
+        count += 1;
+    }
+    assert!(count > 50, "only {count} streams are kept");
 }
 
 /// Reads bytes whose checksums are set right as they are met.
