@@ -27,7 +27,7 @@ mod wide_mixer;
 pub(crate) use adaptive::{AdaptiveBit, Rate};
 pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixer::{Mixer, Refiner};
-pub(crate) use number::AdaptiveNumber;
+pub(crate) use number::{AdaptiveNumber, code_uniform};
 pub(crate) use range::{RangeReader, RangeWriter};
 pub(crate) use symbol::{AdaptiveSymbol, Shares, code_symbol};
 pub(crate) use wide_mixer::WideMixer;

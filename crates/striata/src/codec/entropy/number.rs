@@ -75,6 +75,17 @@ impl Learned {
     }
 }
 
+/// Codes a number below `count`, all being equally likely.
+pub(crate) fn code_uniform<C: Coder>(coder: &mut C, count: u32, meant: u32) -> u32 {
+    let (mut low, mut high) = (0, count.max(1));
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        let share = (u64::from(high - middle) * 65_536 / u64::from(high - low)) as u32;
+        if coder.bit(meant >= middle, share) { low = middle } else { high = middle }
+    }
+    low
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::{RangeReader, RangeWriter};

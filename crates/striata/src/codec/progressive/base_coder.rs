@@ -7,7 +7,7 @@
 
 use std::collections::HashMap;
 
-use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
+use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
 use super::base::Base;
 use super::surface::{NONE, SurfaceDefect};
 
@@ -209,7 +209,7 @@ impl<C: Coder> BaseCoder<'_, C> {
         if !bit.code(self.coder, place.is_some()) {
             return false;
         }
-        let place = uniform(self.coder, open.len() as u32, place.unwrap_or(0) as u32);
+        let place = code_uniform(self.coder, open.len() as u32, place.unwrap_or(0) as u32);
         let partner = open[place as usize];
         self.link(gate, partner);
         true
@@ -239,7 +239,7 @@ impl<C: Coder> BaseCoder<'_, C> {
                 return guess;
             }
         }
-        uniform(self.coder, self.met.len() as u32, meant)
+        code_uniform(self.coder, self.met.len() as u32, meant)
     }
 
     /// The far end of the next open edge around one end of a gate.
@@ -265,7 +265,7 @@ impl<C: Coder> BaseCoder<'_, C> {
         let meant_position = self.position_of.get(known as usize).copied().unwrap_or(NONE);
         let count = self.positions.len() as u32;
         if count > 0 && self.bits.is_copy.code(self.coder, meant_position != NONE) {
-            return Ok(uniform(self.coder, count, meant_position));
+            return Ok(code_uniform(self.coder, count, meant_position));
         }
         if count == self.limits.position_count {
             return Err(SurfaceDefect::Position(count));
@@ -327,15 +327,4 @@ impl<C: Coder> BaseCoder<'_, C> {
         let vertices = first.iter().chain(&rest).map(|met| met.known).collect();
         (base, BaseOrder { positions: self.positions, vertices, corners: self.corners })
     }
-}
-
-/// Codes a number below `count`, all being equally likely.
-fn uniform<C: Coder>(coder: &mut C, count: u32, meant: u32) -> u32 {
-    let (mut low, mut high) = (0, count.max(1));
-    while high - low > 1 {
-        let middle = low + (high - low) / 2;
-        let share = (u64::from(high - middle) * 65_536 / u64::from(high - low)) as u32;
-        if coder.bit(meant >= middle, share) { low = middle } else { high = middle }
-    }
-    low
 }

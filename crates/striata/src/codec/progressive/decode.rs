@@ -15,7 +15,8 @@ use crate::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
 };
 
-/// What some bytes have brought.
+/// What some bytes have brought: append [`vertices`](Self::vertices) to a vertex buffer, write
+/// [`changed_triangles`](Self::changed_triangles) of an index buffer anew, append [`triangles`](Self::triangles).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct StreamUpdate {

@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use super::super::entropy::{AdaptiveBit, Coder, Rate};
+use super::super::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
 use super::growth::Growth;
 use super::refiner::Source;
 use super::surface::{NONE, Surface, next, previous, triangle_of};
@@ -90,7 +90,7 @@ impl WedgeModel {
             }
             tried = guess;
         }
-        uniform(coder, all, meant)
+        all.start + code_uniform(coder, all.len() as u32, meant.wrapping_sub(all.start))
     }
 
     /// Codes what the corners around a new position show.
@@ -255,15 +255,4 @@ struct New {
     beside: u32,
     /// What the kept position shows in the same triangle.
     kept: u32,
-}
-
-/// Codes a number of a range, all being equally likely.
-fn uniform<C: Coder>(coder: &mut C, all: Range<u32>, meant: u32) -> u32 {
-    let (mut low, mut high) = (all.start, all.end);
-    while high - low > 1 {
-        let middle = low + (high - low) / 2;
-        let share = (u64::from(high - middle) * 65_536 / u64::from(high - low)) as u32;
-        if coder.bit(meant >= middle, share) { low = middle } else { high = middle }
-    }
-    low
 }
