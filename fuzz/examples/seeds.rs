@@ -43,8 +43,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// A file's name and its bytes.
+type NamedBytes = (&'static str, Vec<u8>);
+
 /// Progressive streams of each effort, and an exact one.
-fn streams(mesh: &IndexedMesh) -> Result<Vec<(&'static str, Vec<u8>)>, Box<dyn Error>> {
+fn streams(mesh: &IndexedMesh) -> Result<Vec<NamedBytes>, Box<dyn Error>> {
     let built = build_batches(mesh, &BatchOptions::default(), &mut ignore_progress)?;
     let options = StreamOptions::default().with_precision(Precision::Bits(8));
     let forms = [

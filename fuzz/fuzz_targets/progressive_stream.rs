@@ -42,7 +42,10 @@ fn check(decoder: &StreamDecoder) {
     let step_count = level.sequence.step_count();
     assert_eq!(replay(&level, step_count).triangle_count(), level.mesh.triangle_count());
     for split_count in [0, step_count / 2] {
-        assert_eq!(replay(&level, split_count).triangle_count(), level.sequence.triangle_count_at(split_count));
+        assert_eq!(
+            replay(&level, split_count).triangle_count(),
+            level.sequence.triangle_count_at(split_count)
+        );
     }
 }
 
