@@ -128,6 +128,11 @@ fn check_parts(bytes: &[u8], whole: &RefinableMesh, random: &mut Random) {
         at = end;
     }
     assert!(decoder.is_complete());
+    let groups = decoder.triangle_groups();
+    for (group, expected) in whole.mesh.groups.iter().enumerate().filter(|_| !groups.is_empty()) {
+        let count = groups.iter().filter(|&&g| g as usize == group).count();
+        assert_eq!(count, expected.count as usize);
+    }
     for _ in 0..12 {
         let cut = random.below(bytes.len());
         let mut decoder = StreamDecoder::new();

@@ -282,6 +282,11 @@ impl StreamDecoder {
         self.growth().map_or(&[], |growth| &growth.triangles)
     }
 
+    /// The group of each of these triangles; empty where the mesh has no more than one.
+    pub fn triangle_groups(&self) -> &[u32] {
+        self.growth().map_or(&[], |growth| &growth.groups)
+    }
+
     /// Vertex splits that have come.
     pub fn split_count(&self) -> usize {
         self.refiner.as_ref().map_or(0, |refiner| refiner.split_count())
