@@ -1,0 +1,1 @@
+//! Draws striata's levels of detail with wgpu.
