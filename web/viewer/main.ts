@@ -65,7 +65,8 @@ class Page {
       element('to-gallery').hidden = !this.#hasGallery;
       if (!asked && only) return this.#open(fromUrl(only.url));
     }
-    if (!asked) this.#showStart();
+    // Also where what was asked for has failed by now.
+    if (!this.#viewer.isBusy) this.#showStart();
   }
 
   #open(opened: Opened): void {
@@ -111,12 +112,16 @@ class Page {
     document.title = 'striata viewer';
     element('welcome').hidden = this.#hasGallery;
     this.#showGallery(this.#hasGallery);
+    this.#showControls(false);
   }
 
   #showGallery(isShown: boolean): void {
     element('gallery').hidden = !isShown;
-    element('panel').hidden = isShown;
-    element('fold').hidden = isShown;
+    this.#showControls(!isShown);
+  }
+
+  #showControls(isShown: boolean): void {
+    for (const id of ['panel', 'fold']) element(id).hidden = !isShown;
   }
 
   #help(): void {
@@ -185,7 +190,7 @@ function raiseStage(): Stage | null {
       hint: 'Turn on hardware acceleration in its settings, or try another browser.',
     });
     followTheme(() => {});
-    element('app').classList.add('folded');
+    for (const id of ['panel', 'fold']) element(id).hidden = true;
     return null;
   }
 }

@@ -15,7 +15,9 @@ const SMALLEST_BUDGET = 100;
 export const detailAt = (position: number): number => (position / LAST) ** 3;
 export const positionOfDetail = (detail: number): number => Math.round(LAST * Math.cbrt(detail));
 
-export const pixelsAt = (position: number): number => FINEST_PX * (COARSEST_PX / FINEST_PX) ** (position / LAST);
+/** Two digits are enough, and are what is shown. */
+export const pixelsAt = (position: number): number =>
+  Number((FINEST_PX * (COARSEST_PX / FINEST_PX) ** (position / LAST)).toPrecision(2));
 
 /** Triangles at a place of the budget's slider, for a mesh of so many. */
 export function budgetAt(position: number, full: number): number {

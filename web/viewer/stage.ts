@@ -45,7 +45,7 @@ export class Stage {
     this.controls.autoRotateSpeed = 1.6;
     this.controls.addEventListener('change', () => this.invalidate());
     this.controls.addEventListener('start', () => this.invalidate());
-    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement ?? canvas);
+    new ResizeObserver(() => this.#resize()).observe(canvas);
     document.addEventListener('visibilitychange', () => this.invalidate());
   }
 
@@ -98,9 +98,8 @@ export class Stage {
   }
 
   #resize(): void {
-    const box = this.renderer.domElement.parentElement ?? this.renderer.domElement;
-    const width = Math.max(box.clientWidth, 1);
-    const height = Math.max(box.clientHeight, 1);
+    const { clientWidth, clientHeight } = this.renderer.domElement;
+    const [width, height] = [Math.max(clientWidth, 1), Math.max(clientHeight, 1)];
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, MOST_PIXEL_RATIO));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -114,6 +113,6 @@ export class Stage {
     const rim = new DirectionalLight(0xbfd4ff, 0.7);
     rim.position.set(1, -0.2, -0.35);
     this.camera.add(key, key.target, rim, rim.target);
-    this.scene.add(new HemisphereLight(0xf4f0ff, 0x8a7763, 1.05));
+    this.scene.add(new HemisphereLight(0xf4f0ff, 0x9c8a78, 1.3));
   }
 }

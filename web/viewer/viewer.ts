@@ -44,6 +44,7 @@ export class Viewer {
   readonly #frozen: FrozenView;
   #opened: Opened | null = null;
   #abort = new AbortController();
+  #isOpening = false;
 
   constructor(stage: Stage) {
     this.stage = stage;
@@ -58,6 +59,7 @@ export class Viewer {
     this.#abort.abort();
     const abort = new AbortController();
     this.#abort = abort;
+    this.#isOpening = true;
     dismissAll();
     this.#figures.progress({ bytesReceived: 0, bytesTotal: null, triangleCount: 0, vertexCount: 0, complete: false, phase: 'download' });
     say(`Opening ${opened.name}`);
@@ -71,6 +73,7 @@ export class Viewer {
       this.#show(mesh, opened, keepsCamera);
     } catch (error) {
       if (abort.signal.aborted) return;
+      this.#isOpening = false;
       this.#figures.progress(null);
       notify(noticeOf(error, `Cannot open ${opened.name}`, opened, () => void this.open(opened, keepsCamera)));
       if (this.mesh) this.#update(this.mesh);
@@ -104,11 +107,17 @@ export class Viewer {
   /** Leaves the model: the stage is empty, the download ends. */
   close(): void {
     this.#abort.abort();
+    this.#isOpening = false;
     this.#figures.progress(null);
     this.#figures.hide();
     this.#remove();
     this.detail.take(null);
     this.stage.invalidate();
+  }
+
+  /** Whether a model is shown or being opened. */
+  get isBusy(): boolean {
+    return this.mesh !== null || this.#isOpening;
   }
 
   /** The address of the model, where it has one. */
@@ -121,6 +130,7 @@ export class Viewer {
   }
 
   #show(mesh: StriataMesh, opened: Opened, keepsCamera: boolean): void {
+    this.#isOpening = false;
     this.#remove();
     this.mesh = mesh;
     this.#opened = opened;
