@@ -80,12 +80,13 @@ impl Gpu {
     /// # Errors
     /// [`GpuError::NoAdapter`] or [`GpuError::NoDevice`].
     pub fn new(options: &GpuOptions) -> Result<Self, GpuError> {
-        let wanted = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-        let mut first = wanted.clone();
-        first.backends &= wgpu::Backends::PRIMARY;
+        let find = |backends| {
+            let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+            descriptor.backends &= backends;
+            pollster::block_on(find_adapter(&Instance::new(descriptor), options))
+        };
         // OpenGL is looked at only where there is nothing better: without a display its libraries complain aloud.
-        let found = pollster::block_on(find_adapter(&Instance::new(first), options))
-            .or_else(|_| pollster::block_on(find_adapter(&Instance::new(wanted), options)));
+        let found = find(wgpu::Backends::PRIMARY).or_else(|_| find(wgpu::Backends::all()));
         Self::open(&found?)
     }
 

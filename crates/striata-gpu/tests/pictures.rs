@@ -11,7 +11,7 @@ use striata::simplify::build_sequence;
 use striata::strip::{StripOptions, stripify};
 use striata_gpu::{
     Canvas, Drawing, Gpu, GpuIndices, GpuMultiDraw, GpuVertices, Inspection, Look, Painter, Picture, Scene,
-    Viewpoint,
+    Viewpoint, wgpu,
 };
 use support::{differing_pixels, drawn_pixels, gpu};
 
@@ -46,11 +46,10 @@ impl Studio {
 
     fn list(&self, triangles: &[[u32; 3]]) -> Picture {
         let indices = GpuIndices::upload(&self.gpu, cast_slice(triangles)).unwrap();
-        self.draw(Drawing::List { indices: &indices, groups: &[0..3 * triangles.len() as u32] })
+        let whole = 0..3 * triangles.len() as u32;
+        self.draw(Drawing::List { indices: &indices, groups: std::slice::from_ref(&whole) })
     }
 }
-
-use striata_gpu::wgpu;
 
 fn refinable(mesh: &IndexedMesh) -> RefinableMesh {
     build_sequence(mesh, &Default::default(), &mut striata::ignore_progress).unwrap().refinable
@@ -172,7 +171,7 @@ fn nothing_to_draw_and_impossible_sizes() {
     let canvas = Canvas::new(&gpu, [65, 3], 4).unwrap();
     let scene = painter.scene(&gpu, &vertices, (&view, [65, 3]), &Look::default()).unwrap();
     let indices = GpuIndices::upload(&gpu, &[]).unwrap();
-    let nothing = Drawing::List { indices: &indices, groups: &[0..0] };
+    let nothing = Drawing::List { indices: &indices, groups: &[] };
     let picture = canvas.paint(&gpu, [1.0, 0.0, 0.0, 1.0], |p| painter.draw(p, &scene, &vertices, nothing));
     let picture = picture.unwrap();
     assert_eq!((picture.width, picture.height, picture.rgba.len()), (65, 3, 4 * 65 * 3));
