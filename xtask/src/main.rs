@@ -1,5 +1,6 @@
 //! Chores of the workspace; `cargo xtask test` is what continuous integration runs.
 
+mod browser;
 mod golden;
 mod machine;
 mod steps;
@@ -20,16 +21,19 @@ struct Chores {
 
 #[derive(Debug, Subcommand)]
 enum Chore {
-    /// Format, lints, tests, docs, features, wasm32 and golden files: all that must pass
+    /// Format, lints, tests, docs, features, wasm32, golden files and browser: all that must pass
     Test,
     /// The golden part alone: run the demo and check what it writes
     Golden,
+    /// The browser part alone: the viewer page in Chromium, over `striata serve`
+    Browser,
 }
 
 fn main() -> ExitCode {
     let outcome = match Chores::parse().chore {
         Chore::Test => test::run(),
         Chore::Golden => golden::run(),
+        Chore::Browser => browser::run(),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
