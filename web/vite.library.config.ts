@@ -5,7 +5,8 @@ export default defineConfig({
   publicDir: false,
   worker: { format: 'iife' },
   build: {
-    outDir: 'dist',
+    // The check builds beside what is committed.
+    outDir: process.env['STRIATA_WEB_DIST'] ?? 'dist',
     // striata.wasm lies there already.
     emptyOutDir: false,
     target: 'es2022',

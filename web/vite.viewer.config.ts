@@ -1,8 +1,11 @@
 // The viewer page: web/viewer -> crates/striata-cli/viewer, which the command embeds. One script, plain names.
 import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 
-const wasm = new URL('dist/striata.wasm', import.meta.url);
+// The check builds beside what is committed.
+const dist = process.env['STRIATA_WEB_DIST'] ?? fileURLToPath(new URL('dist', import.meta.url));
+const wasm = `${dist}/striata.wasm`;
 
 /** Puts striata.wasm beside the script, as the built page has it, also while developing. */
 function wasmBesideScript(): Plugin {
@@ -28,7 +31,7 @@ export default defineConfig({
   plugins: [wasmBesideScript()],
   worker: { format: 'iife' },
   build: {
-    outDir: '../../crates/striata-cli/viewer',
+    outDir: process.env['STRIATA_WEB_VIEWER'] ?? '../../crates/striata-cli/viewer',
     emptyOutDir: true,
     target: 'es2022',
     minify: 'esbuild',

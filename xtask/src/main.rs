@@ -5,6 +5,7 @@ mod golden;
 mod machine;
 mod steps;
 mod test;
+mod web;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -27,6 +28,10 @@ enum Chore {
     Golden,
     /// The browser part alone: the viewer page in Chromium, over `striata serve`
     Browser,
+    /// Builds the wasm, the npm package and the viewer page into their places
+    Web,
+    /// The web part alone: check that these are what the sources make, and run their tests
+    WebCheck,
 }
 
 fn main() -> ExitCode {
@@ -34,6 +39,8 @@ fn main() -> ExitCode {
         Chore::Test => test::run(),
         Chore::Golden => golden::run(),
         Chore::Browser => browser::run(),
+        Chore::Web => web::build(),
+        Chore::WebCheck => web::check(),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
