@@ -40,8 +40,8 @@ export function makeModels(folder) {
   run('encode', '-q', 'shape:icosphere', '-o', at('icosphere.stri'));
   run('encode', '-q', 'shape:terrain', '-o', at('sub', 'terrain.stri'));
   run('build', '-q', asset('spot.obj.zst'), '-o', at('spot.striata'));
-  run('convert', '-q', 'shape:torus', '-o', at('torus.obj'));
-  run('convert', '-q', 'shape:tetrahedron', '-o', at('tetrahedron.obj'));
+  run('convert', '-q', 'shape:torus', at('torus.obj'));
+  run('convert', '-q', 'shape:tetrahedron', at('tetrahedron.obj'));
   const whole = readFileSync(at('icosphere.stri'));
   const damaged = Buffer.from(whole);
   for (let index = whole.length >> 1; index < whole.length; index += 7) damaged[index] ^= 0x5a;

@@ -92,7 +92,7 @@ export default function views(world) {
     await page.locator('#view').focus();
     for (let press = 0; press < 3; press += 1) await page.keyboard.press('ArrowRight');
     await settled(page);
-    assert.deepEqual((await drawn(page)).triangles, before.triangles, 'the same triangles');
+    assert.equal(String((await drawn(page)).triangles) === String(before.triangles), true, 'the same triangles');
     assert.equal(await page.evaluate(() => window.striataViewer.stage.scene.children.some((child) => child.isLineSegments)), true);
     await page.locator('#wireframe').check();
     await shot(page, 'frozen');
@@ -104,6 +104,6 @@ export default function views(world) {
     await page.keyboard.press('ArrowUp');
     for (let press = 0; press < 10; press += 1) await page.keyboard.press('ArrowRight');
     await settled(page);
-    assert.notDeepEqual((await drawn(page)).triangles, before.triangles, 'a free view follows the camera');
+    assert.equal(String((await drawn(page)).triangles) === String(before.triangles), false, 'a free view follows the camera');
   });
 }

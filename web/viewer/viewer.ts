@@ -6,7 +6,7 @@
  */
 
 import type { Material } from 'three';
-import { type Colouring, type Progress, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
+import { type Colouring, type Progress, type StriataDispatcher, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
 import { Detail } from './detail.ts';
 import { Figures, words } from './figures.ts';
 import { Framing } from './framing.ts';
@@ -20,6 +20,8 @@ import { themeColour } from './theme.ts';
 
 /** What a plain model is made of, where the file gives it no colours. */
 const CLAY = 0xcfc4b4;
+
+type SurfaceMaterial = Material & { flatShading?: boolean; color?: unknown };
 
 /** How every model is to look. */
 export interface Look {
@@ -45,6 +47,8 @@ export class Viewer {
   #opened: Opened | null = null;
   #abort = new AbortController();
   #isOpening = false;
+  /** Of the surface; other colourings have their own. */
+  #materials: SurfaceMaterial[] = [];
 
   constructor(stage: Stage) {
     this.stage = stage;
@@ -64,11 +68,11 @@ export class Viewer {
     this.#figures.progress({ bytesReceived: 0, bytesTotal: null, triangleCount: 0, vertexCount: 0, complete: false, phase: 'download' });
     say(`Opening ${opened.name}`);
     try {
-      const mesh = (await this.#loader.load(opened.source, {
+      const mesh = await this.#loader.load(opened.source, {
         name: opened.name,
         signal: abort.signal,
         onProgress: (progress) => this.#came(abort, progress, opened),
-      })) as StriataMesh;
+      });
       if (abort.signal.aborted) return mesh.dispose();
       this.#show(mesh, opened, keepsCamera);
     } catch (error) {
@@ -87,7 +91,7 @@ export class Viewer {
     if (!mesh) return;
     mesh.colouring = look.colouring;
     mesh.wireframe = look.wireframe;
-    for (const material of materialsOf(mesh)) {
+    for (const material of this.#materials) {
       if ('flatShading' in material && material.flatShading !== look.flat) {
         material.flatShading = look.flat;
         material.needsUpdate = true;
@@ -134,7 +138,8 @@ export class Viewer {
     this.#remove();
     this.mesh = mesh;
     this.#opened = opened;
-    for (const material of materialsOf(mesh)) {
+    this.#materials = materialsOf(mesh);
+    for (const material of this.#materials) {
       if ('color' in material && !material.vertexColors) (material.color as { setHex(hex: number): void }).setHex(CLAY);
     }
     this.stage.pivot.add(mesh);
@@ -148,8 +153,10 @@ export class Viewer {
 
   #listen(mesh: StriataMesh, opened: Opened): void {
     const update = (): void => this.#update(mesh);
-    mesh.addEventListener('change', update);
-    mesh.addEventListener('progress', update);
+    // three's types know no events but their own.
+    const events = mesh as unknown as StriataDispatcher;
+    events.addEventListener('change', update);
+    events.addEventListener('progress', update);
     mesh.finished.then(
       () => {
         if (this.mesh !== mesh) return;
@@ -205,7 +212,6 @@ export class Viewer {
     this.mesh = null;
     mesh.removeFromParent();
     mesh.dispose();
-    for (const material of materialsOf(mesh)) material.dispose();
   }
 }
 
@@ -216,14 +222,14 @@ function noticeOf(error: unknown, title: string, opened: Opened, retry: () => vo
   const isNetwork = known?.code === 'network';
   let hint = known?.hint;
   if (isNetwork && opened.url && isElsewhere(opened.url)) {
-    hint = 'The file lies on another server, which must allow this page to read it (CORS); or download it and drop it here.';
+    hint = 'The file lies on another server, which this page may not read unless both allow it; download it and drop it here.';
   } else if (isNetwork && !navigator.onLine) {
     hint = 'This machine is offline.';
   }
   return { title, reason, hint, retry: isNetwork || known?.code === 'not-found' ? retry : undefined };
 }
 
-function materialsOf(mesh: StriataMesh): (Material & { flatShading?: boolean; color?: unknown })[] {
+function materialsOf(mesh: StriataMesh): SurfaceMaterial[] {
   return Array.isArray(mesh.material) ? mesh.material : [mesh.material];
 }
 

@@ -2,6 +2,8 @@
 
 mod compare;
 mod sequence;
+#[cfg(feature = "serve")]
+mod serve;
 mod stream;
 mod strips;
 mod view;
@@ -14,6 +16,8 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs};
 pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
+#[cfg(feature = "serve")]
+pub(crate) use self::serve::{ServeArgs, ThumbnailArgs};
 pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
@@ -79,8 +83,15 @@ pub(crate) enum Verb {
     Encode(EncodeArgs),
     /// Write the mesh of a stream, or of as much of it as is there
     Decode(DecodeArgs),
+    /// Serve a folder of models and the viewer over HTTP
+    #[cfg(feature = "serve")]
+    Serve(ServeArgs),
     /// Show it all on a mesh that the command carries
     Demo(DemoArgs),
+    /// Draw a small picture of a mesh, without a GPU
+    #[cfg(feature = "serve")]
+    #[command(hide = true)]
+    Thumbnail(ThumbnailArgs),
     /// Print a completion script for a shell
     #[command(hide = true)]
     Completions(CompletionsArgs),

@@ -1,8 +1,14 @@
 //! Pictures without a GPU: a canvas in linear light, text on it, and PNG out of it.
 
 mod font;
+mod normals;
+#[cfg(feature = "serve")]
+mod portrait;
 mod raster;
 
+pub(crate) use normals::vertex_normals;
+#[cfg(feature = "serve")]
+pub(crate) use portrait::{nobody, portrait};
 pub(crate) use raster::{Camera, Paint, Surface, draw};
 
 /// A colour in linear light, 0 to 1 a channel.

@@ -2,7 +2,7 @@
 
 use striata::mesh::IndexedMesh;
 
-use crate::picture::{Camera, Canvas, Paint, Rgb, Surface, draw};
+use crate::picture::{Camera, Canvas, Paint, Rgb, Surface, draw, vertex_normals};
 
 /// One level as the picture needs it.
 pub(super) struct Shot {
@@ -81,29 +81,6 @@ fn strip_colour(strip: u32) -> Rgb {
         shade * (0.24 + 0.60 * amount)
     };
     [channel(3.0), channel(1.0), channel(5.0)]
-}
-
-/// Normals of the full mesh, weighted by area; they serve every level, since no vertex is ever moved.
-fn vertex_normals(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
-    let mut normals = vec![[0.0f32; 3]; mesh.vertex_count()];
-    for &corners in &mesh.triangles {
-        let [a, b, c] = corners.map(|v| mesh.positions[v as usize]);
-        let (e, f): ([f32; 3], [f32; 3]) =
-            (std::array::from_fn(|k| b[k] - a[k]), std::array::from_fn(|k| c[k] - a[k]));
-        let normal = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
-        for v in corners {
-            for (sum, part) in normals[v as usize].iter_mut().zip(normal) {
-                *sum += part;
-            }
-        }
-    }
-    for normal in &mut normals {
-        let length = normal.iter().map(|x| x * x).sum::<f32>().sqrt();
-        if length > 0.0 {
-            *normal = normal.map(|x| x / length);
-        }
-    }
-    normals
 }
 
 #[cfg(test)]
