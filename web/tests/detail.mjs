@@ -85,7 +85,7 @@ export default function detail(world) {
     await settled(page);
     assert.equal((await state(page)).triangleCount, full.triangleCount, '] brings it back');
     await page.keyboard.press('w');
-    assert.equal(await page.evaluate(() => window.striataViewer.mesh.wireframe), true);
+    assert.equal(await page.evaluate(() => window.striataViewer.mesh.children.some((child) => child.visible && child.material.wireframe)), true);
     await page.keyboard.press('w');
     await page.keyboard.press('s');
     assert.equal(await page.evaluate(() => window.striataViewer.mesh.colouring), 'strips');

@@ -71,11 +71,10 @@ export default function errors(world) {
     }
   });
 
-  pageTest(world, 'a browser without WebGL is told', {}, async (page) => {
+  pageTest(world, 'a browser without WebGL is told', { expected: [/WebGL/] }, async (page) => {
     await page.addInitScript(() => {
       HTMLCanvasElement.prototype.getContext = () => null;
     });
-    page.faults.push = () => 0;
     await page.goto(world.url);
     assert.match(await noticeText(page), /shows no 3D[^]*WebGL/);
     await shot(page, 'no-webgl');

@@ -120,7 +120,7 @@ export async function world() {
 }
 
 /** A page whose errors fail the test: nothing may be thrown or logged as an error that the test did not expect. */
-async function newPage(context, { expected = [], width = 1200, height = 760, scheme = 'light', still = true } = {}) {
+async function newPage(context, { expected = [], width = 900, height = 600, scheme = 'light', still = true } = {}) {
   const page = await context.newPage();
   await page.setViewportSize({ width, height });
   await page.emulateMedia({ colorScheme: scheme, reducedMotion: still ? 'reduce' : 'no-preference' });
@@ -160,7 +160,7 @@ export async function settled(page) {
     mesh.addEventListener('change', note);
     let frames = 0;
     let last = '';
-    while (frames < 8 || performance.now() - changed < 250) {
+    while (frames < 4 || performance.now() - changed < 250) {
       stage.invalidate();
       await frame();
       frames += 1;

@@ -5,6 +5,8 @@ import { readFileSync } from 'node:fs';
 import { drawnPixels, settled, shot, slide, state, untilWhole } from './harness.mjs';
 import { openModel, pageTest } from './pages.mjs';
 
+const DESKTOP = { width: 1200, height: 760 };
+
 /** A narrow phone. */
 const PHONE = { width: 360, height: 720 };
 
@@ -32,7 +34,7 @@ const eyeOf = (page) => page.evaluate(() => window.striataViewer.stage.camera.po
 const colourOf = (page) => page.evaluate(() => getComputedStyle(document.body).color);
 
 export default function looks(world) {
-  pageTest(world, 'the gallery shows all models with pictures, and goes back to itself', {}, async (page) => {
+  pageTest(world, 'the gallery shows all models with pictures, and goes back to itself', DESKTOP, async (page) => {
     await page.goto(world.url);
     await page.locator('#cards a').first().waitFor();
     const names = await page.locator('#cards strong').allInnerTexts();
@@ -56,7 +58,7 @@ export default function looks(world) {
     assert.equal(await page.evaluate(() => window.striataViewer.mesh), null);
   });
 
-  pageTest(world, 'light, dark, and a switch between them', { scheme: 'dark' }, async (page) => {
+  pageTest(world, 'light, dark, and a switch between them', { scheme: 'dark', ...DESKTOP }, async (page) => {
     await openModel(world, page, 'nefertiti.stri');
     await settled(page);
     await shot(page, 'desktop-dark');

@@ -7,7 +7,7 @@ import { shot, untilWhole } from './harness.mjs';
 
 /** A test with a page; a page that threw or logged an error fails it. */
 export function pageTest(world, name, options, work) {
-  test(name, { timeout: 120_000 }, async (context) => {
+  test(name, { timeout: 180_000 }, async (context) => {
     const page = await world.page(options);
     try {
       await work(page, context);

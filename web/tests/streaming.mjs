@@ -1,21 +1,14 @@
-// A model over a slow line: seen early, refined while it comes, whole in the end; and a line that breaks.
+// A model that comes in bit by bit: seen early, refined while it comes, whole in the end; and a line that breaks.
 
 import assert from 'node:assert/strict';
 import { statSync } from 'node:fs';
 import { join } from 'node:path';
+import { Gate } from './gate.mjs';
 import { run, shot, state, untilWhole } from './harness.mjs';
 import { note, openModel, pageTest } from './pages.mjs';
 
-/** Bytes a second; the model takes some seconds over it. */
-const SLOW = 60_000;
-
-/** Lets so many bytes through a second; 0 is no limit. */
-async function line(page, bytesPerSecond, offline = false) {
-  page.wire ??= await page.context().newCDPSession(page);
-  await page.wire.send('Network.enable');
-  const downloadThroughput = bytesPerSecond > 0 ? bytesPerSecond : -1;
-  await page.wire.send('Network.emulateNetworkConditions', { offline, latency: 0, downloadThroughput, uploadThroughput: -1 });
-}
+/** A small window: a processor draws it, for every picture that is looked at. */
+const SMALL = { width: 700, height: 500 };
 
 /** Watches every frame: what has come, and whether anything but background is drawn. */
 function watch(page) {
@@ -32,65 +25,77 @@ function watch(page) {
       gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(pixels.buffer));
       let drawn = 0;
       for (const pixel of pixels) if (pixel !== pixels[0]) drawn += 1;
-      const box = stage.camera.position.toArray();
-      seen.push({ triangles: mesh.triangleCount, bytes: mesh.bytesReceived, drawn, share: drawn / pixels.length, camera: box });
+      if (drawn === 0) return;
+      const hasLine = !document.getElementById('progress').hidden;
+      seen.push({ triangles: mesh.triangleCount, bytes: mesh.bytesReceived, drawn, hasLine });
     };
     look();
   });
 }
 
-/** A page that is ready, on a slow line, and then asked for a model as a click in the gallery would. */
-async function openSlowly(world, page, name) {
-  await page.goto(world.url);
-  await page.locator('#cards a').first().waitFor();
-  await line(page, SLOW);
-  await watch(page);
-  await page.locator(`#cards a[href*="${name}"]`).click();
+/** A test with a line of its own, a page that watches, and a model asked for as by a click in the gallery. */
+function gatedTest(world, name, model, options, work) {
+  pageTest(world, name, { ...SMALL, ...options }, async (page) => {
+    const gate = await Gate.to(world.url);
+    try {
+      await page.goto(gate.url);
+      await page.locator('#cards a').first().waitFor();
+      await watch(page);
+      await page.locator(`#cards a[href*="${model}"]`).click();
+      await work(page, gate, statSync(join(world.folder, model)).size);
+    } finally {
+      gate.close();
+    }
+  });
 }
 
 export default function streaming(world) {
-  pageTest(world, 'a stream over a slow line is seen before a tenth of its bytes, and refines', {}, async (page) => {
-    const file = join(world.folder, 'nefertiti.stri');
-    const total = statSync(file).size;
-    await openSlowly(world, page, 'nefertiti.stri');
-    await page.waitForFunction((half) => window.striataViewer.mesh?.bytesReceived > half, total * 0.4);
-    await shot(page, 'loading');
-    assert.equal(await page.locator('#progress').isVisible(), true, 'a line shows how far loading has come');
+  gatedTest(world, 'a stream is seen before a tenth of its bytes, and refines as they come', 'nefertiti.stri', {}, async (page, gate, total) => {
+    gate.allow(Math.floor(total / 10) - 1);
+    await page.waitForFunction(() => window.seen.some(({ drawn, triangles }) => drawn > 500 && triangles > 0));
+    for (const tenths of [2, 3, 4, 6, 8]) {
+      const before = await page.evaluate(() => window.seen.length);
+      gate.allow(Math.floor((total * tenths) / 10));
+      await page.waitForFunction((before) => window.seen.length > before, before);
+      if (tenths === 2) await shot(page, 'loading');
+    }
+    assert.equal((await state(page)).complete, false);
+    gate.allow(total);
     await untilWhole(page);
     await page.waitForFunction(() => window.seen.at(-1)?.triangles === window.striataViewer.mesh.triangleCount);
     const seen = await page.evaluate(() => window.seen);
-    const first = seen.find(({ drawn, triangles }) => drawn > 500 && triangles > 0);
-    assert.ok(first, 'something was drawn');
-    assert.ok(first.bytes < total / 10, `the first picture came with byte ${first.bytes} of ${total}`);
-    assert.ok(seen.length >= 6, `it refined in ${seen.length} pictures`);
+    assert.ok(seen[0].bytes < total / 10, `the first picture came with byte ${seen[0].bytes} of ${total}`);
+    assert.ok(seen.slice(0, -2).every(({ hasLine }) => hasLine), 'a line shows how far loading has come');
     for (const [index, now] of seen.entries()) {
       if (index > 0) assert.ok(now.triangles > seen[index - 1].triangles, 'each picture has more triangles than the last');
     }
+    const file = join(world.folder, 'nefertiti.stri');
     const { triangle_count: expected } = JSON.parse(run('decode', file, '-o', join(world.folder, 'whole.ply'), '--json'));
     const now = await state(page);
     assert.equal(now.triangleCount, expected, 'all triangles in the end');
     assert.equal(now.fullTriangleCount, expected);
     assert.equal(now.bytesReceived, total);
     await page.locator('#progress').waitFor({ state: 'hidden' });
-    note(`first picture with ${first.bytes} of ${total} bytes (${((100 * first.bytes) / total).toFixed(1)} %), ${first.triangles} triangles; ${seen.length} pictures on the way`);
+    const steps = seen.map(({ triangles, bytes }) => `${triangles} (${((100 * bytes) / total).toFixed(0)} %)`);
+    note(`triangles while ${total} bytes come in: ${steps.join(', ')}`);
   });
 
-  pageTest(world, 'the camera keeps still while a model refines', {}, async (page) => {
-    await openSlowly(world, page, 'terrain.stri');
+  gatedTest(world, 'a camera that was taken hold of keeps still while the model refines', 'sub/terrain.stri', {}, async (page, gate, total) => {
+    gate.allow(total / 10);
     await page.waitForFunction(() => window.seen.length > 0);
-    await line(page, 0);
     await page.locator('#view').press('ArrowRight');
-    const before = await page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
+    const eye = () => page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
+    const before = await eye();
+    gate.allow(total);
     await untilWhole(page);
-    const after = await page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
-    assert.deepEqual(after, before, 'a camera that was taken hold of stays');
+    assert.deepEqual(await eye(), before);
   });
 
-  const expected = [/ERR_INTERNET_DISCONNECTED|Failed to load resource/];
-  pageTest(world, 'a line that breaks leaves what came, and can be tried again', { expected }, async (page) => {
-    await openSlowly(world, page, 'nefertiti.stri');
-    await page.waitForFunction(() => window.striataViewer.mesh?.bytesReceived > 20_000);
-    await line(page, SLOW, true);
+  const expected = [/Failed to load resource|ERR_/];
+  gatedTest(world, 'a line that breaks leaves what came, and can be tried again', 'nefertiti.stri', { expected }, async (page, gate, total) => {
+    gate.allow(total / 4);
+    await page.waitForFunction(() => window.seen.length > 0);
+    gate.cut();
     const notice = page.locator('.notice');
     await notice.waitFor();
     assert.match(await notice.innerText(), /nefertiti\.stri did not come in whole[^]*What came is kept: [\d,]+ of/);
@@ -98,8 +103,9 @@ export default function streaming(world) {
     assert.ok(cut.triangleCount > 0 && !cut.complete, 'what came is there');
     assert.ok(cut.triangleCount < cut.fullTriangleCount);
     await shot(page, 'broken-line');
-    await line(page, 0);
+    gate.allow(3 * total);
     await notice.locator('.retry').click();
+    await page.waitForFunction(() => window.striataViewer.mesh.complete);
     await untilWhole(page);
     assert.equal((await state(page)).triangleCount, cut.fullTriangleCount, 'the second try brings all of it');
     assert.equal(await notice.count(), 0);

@@ -101,6 +101,7 @@ export default function views(world) {
     await settled(page);
     const back = await page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
     assert.deepEqual(back.map((x) => x.toFixed(3)), eye.map((x) => x.toFixed(3)), 'back where the view was frozen');
+    await page.locator('#view').focus();
     await page.keyboard.press('ArrowUp');
     for (let press = 0; press < 10; press += 1) await page.keyboard.press('ArrowRight');
     await settled(page);

@@ -6,7 +6,7 @@
  */
 
 import type { Material } from 'three';
-import { type Colouring, type Progress, type StriataDispatcher, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
+import { type Colouring, type ErrorCode, type Progress, type StriataDispatcher, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
 import { Detail } from './detail.ts';
 import { Figures, words } from './figures.ts';
 import { Framing } from './framing.ts';
@@ -17,6 +17,7 @@ import { element, say } from './page.ts';
 import { isElsewhere, type Opened } from './sources.ts';
 import type { Stage } from './stage.ts';
 import { themeColour } from './theme.ts';
+import { Wires } from './wires.ts';
 
 /** What a plain model is made of, where the file gives it no colours. */
 const CLAY = 0xcfc4b4;
@@ -44,9 +45,12 @@ export class Viewer {
   readonly #loader = StriataLoader();
   readonly #figures: Figures;
   readonly #frozen: FrozenView;
+  readonly #wires = new Wires();
   #opened: Opened | null = null;
   #abort = new AbortController();
   #isOpening = false;
+  /** The rest of the model that is shown does not come. */
+  #isCut = false;
   /** Of the surface; other colourings have their own. */
   #materials: SurfaceMaterial[] = [];
 
@@ -90,7 +94,7 @@ export class Viewer {
     const { mesh, look } = this;
     if (!mesh) return;
     mesh.colouring = look.colouring;
-    mesh.wireframe = look.wireframe;
+    this.#wires.show(mesh, look.wireframe);
     for (const material of this.#materials) {
       if ('flatShading' in material && material.flatShading !== look.flat) {
         material.flatShading = look.flat;
@@ -135,6 +139,7 @@ export class Viewer {
 
   #show(mesh: StriataMesh, opened: Opened, keepsCamera: boolean): void {
     this.#isOpening = false;
+    this.#isCut = false;
     this.#remove();
     this.mesh = mesh;
     this.#opened = opened;
@@ -167,6 +172,7 @@ export class Viewer {
       },
       (error: unknown) => {
         if (this.mesh !== mesh || (error instanceof StriataError && error.code === 'aborted')) return;
+        this.#isCut = true;
         update();
         this.#figures.progress(null);
         this.#sayCut(mesh, opened, error);
@@ -191,8 +197,10 @@ export class Viewer {
   #update(mesh: StriataMesh): void {
     if (this.mesh !== mesh) return;
     if (!this.#frozen.isFrozen) this.framing.follow(mesh, mesh.vertexCount, mesh.complete);
+    this.#wires.show(mesh, this.look.wireframe);
     this.#figures.show(mesh);
-    element('subtitle').textContent = `${count(mesh.fullTriangleCount)} triangles, ${mesh.complete ? kindOf(mesh) : 'coming in'}`;
+    const kind = mesh.complete ? kindOf(mesh) : this.#isCut ? 'not all there' : 'coming in';
+    element('subtitle').textContent = `${count(mesh.fullTriangleCount)} triangles, ${kind}`;
     this.stage.invalidate();
   }
 
@@ -215,18 +223,31 @@ export class Viewer {
   }
 }
 
+/** What may help where the library does not say. */
+const HINTS: Partial<Record<ErrorCode, string>> = {
+  format: 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, also with .gz or .zst.',
+  unsupported: 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, also with .gz or .zst.',
+  corrupt: 'Copy or download the file once more.',
+};
+
+/** Begins large and ends with a full stop. */
+function sentence(text: string): string {
+  const whole = /[.!?]$/.test(text) ? text : `${text}.`;
+  return whole.charAt(0).toUpperCase() + whole.slice(1);
+}
+
 /** An error as a notice: what the library says, and what this page knows beside it. */
 function noticeOf(error: unknown, title: string, opened: Opened, retry: () => void) {
   const known = error instanceof StriataError ? error : null;
-  const reason = known?.message ?? (error instanceof Error ? error.message : String(error));
+  const reason = sentence(known?.message ?? (error instanceof Error ? error.message : String(error)));
   const isNetwork = known?.code === 'network';
-  let hint = known?.hint;
+  let hint = known?.hint ?? (known ? HINTS[known.code] : undefined);
   if (isNetwork && opened.url && isElsewhere(opened.url)) {
     hint = 'The file lies on another server, which this page may not read unless both allow it; download it and drop it here.';
   } else if (isNetwork && !navigator.onLine) {
     hint = 'This machine is offline.';
   }
-  return { title, reason, hint, retry: isNetwork || known?.code === 'not-found' ? retry : undefined };
+  return { title, reason, hint: hint && sentence(hint), retry: isNetwork || known?.code === 'not-found' ? retry : undefined };
 }
 
 function materialsOf(mesh: StriataMesh): SurfaceMaterial[] {
