@@ -9,7 +9,10 @@
 
 mod canvas;
 mod drawing;
+mod fan_extractor;
 mod gpu;
+mod gpu_fan_words;
+mod gpu_fans;
 mod indices;
 mod inspection;
 mod look;
@@ -19,7 +22,9 @@ mod viewpoint;
 
 pub use canvas::{Canvas, Picture};
 pub use drawing::Drawing;
+pub use fan_extractor::FanExtractor;
 pub use gpu::{Gpu, GpuError, GpuOptions};
+pub use gpu_fans::{GpuFanInstance, GpuFans};
 pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;
 pub use look::{Look, Shading, linear_to_srgb, palette_colour};

@@ -24,9 +24,8 @@ impl Fans {
     pub fn table_fans(&self) -> impl Iterator<Item = TableFan<'_>> {
         let base = (0..self.vertices.base_vertex_count).map(|vertex| (vertex, None));
         let steps = 0..self.step_count as u32;
-        let above = steps.flat_map(|step| {
-            self.vertices.of_step(step as usize).map(move |vertex| (vertex, Some(step)))
-        });
+        let above = steps
+            .flat_map(|step| self.vertices.of_step(step as usize).map(move |vertex| (vertex, Some(step))));
         base.chain(above).flat_map(|(vertex, own_step)| {
             let entry = self.table.entry(vertex, own_step.map_or(0, |step| step + 1));
             entry.map(move |view| TableFan { view, own_step })
@@ -85,7 +84,8 @@ mod tests {
 
     #[test]
     fn the_fans_of_the_table_tell_all_that_an_instance_shows() {
-        for mesh in [shapes::icosphere(2, 1.0), shapes::uv_cylinder(9, 4), shapes::two_material_sphere(6, 8)] {
+        for mesh in [shapes::icosphere(2, 1.0), shapes::uv_cylinder(9, 4), shapes::two_material_sphere(6, 8)]
+        {
             let built = build_sequence(&mesh, &Default::default(), &mut crate::ignore_progress).unwrap();
             let fans = Fans::build(&built.refinable);
             for split_count in 0..=fans.step_count {
