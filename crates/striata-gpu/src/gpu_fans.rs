@@ -21,9 +21,9 @@ use std::ops::Range;
 
 use bytemuck::cast_slice;
 use striata::model::{FanIndices, FanInstance, Fans, LodModel};
-use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder};
+use wgpu::{BindGroup, Buffer, BufferUsages};
 
-use crate::canvas::read_buffer;
+use crate::canvas::copy_back;
 use crate::drawing::Drawing;
 use crate::fan_extractor::{Bindings, FanExtractor};
 use crate::gpu::{Gpu, GpuError};
@@ -184,17 +184,6 @@ impl GpuFanInstance {
     pub(crate) fn passes(&self) -> (&[BindGroup; 3], u32) {
         (&self.passes, self.block_count)
     }
-}
-
-/// The words of a buffer on the GPU.
-pub(crate) fn copy_back(gpu: &Gpu, buffer: &Buffer) -> Result<Vec<u32>, GpuError> {
-    let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
-    let copy = gpu.empty_buffer("copy", buffer.size(), usage)?;
-    let mut encoder: CommandEncoder = gpu.device.create_command_encoder(&Default::default());
-    encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, buffer.size());
-    gpu.queue.submit([encoder.finish()]);
-    let bytes = read_buffer(gpu, &copy)?;
-    Ok(bytes.as_chunks().0.iter().map(|&word| u32::from_le_bytes(word)).collect())
 }
 
 /// Where two lists of the same length differ, with small gaps filled.
