@@ -3,8 +3,6 @@
 //!
 //! `cargo run --release -p striata-cli --example load [SECS]`, once the command itself is built.
 
-#![cfg_attr(not(unix), expect(dead_code, reason = "only Unix tells a process's memory in /proc"))]
-
 #[path = "../tests/cli/serve_client.rs"]
 mod serve_client;
 #[path = "../tests/cli/serve_load.rs"]

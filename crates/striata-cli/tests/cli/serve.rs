@@ -241,7 +241,8 @@ fn only_text_is_compressed_and_never_in_parts() {
     );
     for name in ["ball.striata", "ball.stri", "binary.ply"] {
         let answer = ask(&format!("/models/{name}"), "");
-        assert_eq!((answer.header("content-encoding"), answer.body), ("", bench.read(name)), "{name}");
+        assert_eq!(answer.header("content-encoding"), "", "{name}");
+        assert_eq!(answer.body, bench.read(name), "{name}");
     }
 }
 
@@ -365,7 +366,7 @@ fn nothing_is_taken_and_sites_get_in_only_when_asked() {
     }
     let mut connection = connect(&server);
     let _ =
-        connection.say(&format!("GET / HTTP/1.1\r\nhost: localhost\r\nx: {}\r\n\r\n", "y".repeat(100_000)));
+        connection.say(&format!("GET / HTTP/1.1\r\nhost: localhost\r\nx: {}\r\n\r\n", "y".repeat(300_000)));
     assert!(connection.answer(true).map_or(true, |answer| answer.status == 431), "a head without end");
 }
 
