@@ -4,6 +4,8 @@ mod compare;
 #[cfg(feature = "gpu")]
 mod render;
 mod sequence;
+#[cfg(feature = "serve")]
+mod serve;
 mod stream;
 mod strips;
 mod view;
@@ -18,6 +20,8 @@ pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, Stripifie
 #[cfg(feature = "gpu")]
 pub(crate) use self::render::{Background, Colouring, DrawnModel, LevelShare, RenderArgs};
 pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
+#[cfg(feature = "serve")]
+pub(crate) use self::serve::{ServeArgs, ThumbnailArgs};
 pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
@@ -31,6 +35,8 @@ use crate::strip_chain::{StripChain, StripPlan};
     version,
     about = "Continuous level of detail for triangle meshes",
     after_help = "Meshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
+    // One line less than usual: all of it fits one screen.
+    help_template = "{about}\n{usage-heading} {usage}\n\n{all-args}{after-help}",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs (`striata VERB --help` tells all of one, with examples)",
     disable_help_subcommand = true,
@@ -86,8 +92,15 @@ pub(crate) enum Verb {
     /// Draw a picture of a mesh, of some of its levels, or of a view
     #[cfg(feature = "gpu")]
     Render(Box<RenderArgs>),
+    /// Serve a folder of models and the viewer over HTTP
+    #[cfg(feature = "serve")]
+    Serve(ServeArgs),
     /// Show it all on a mesh that the command carries
     Demo(DemoArgs),
+    /// Draw a small picture of a mesh, without a GPU
+    #[cfg(feature = "serve")]
+    #[command(hide = true)]
+    Thumbnail(ThumbnailArgs),
     /// Print a completion script for a shell
     #[command(hide = true)]
     Completions(CompletionsArgs),

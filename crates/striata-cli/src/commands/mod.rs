@@ -15,6 +15,8 @@ mod extract_view;
 mod info;
 #[cfg(feature = "gpu")]
 mod render;
+#[cfg(feature = "serve")]
+pub(crate) mod serve;
 mod simplify;
 mod strip;
 mod strip_blocks;
@@ -43,6 +45,10 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Decode(args) => decode::run(args, &output),
         #[cfg(feature = "gpu")]
         Verb::Render(args) => render::run(args, &output),
+        #[cfg(feature = "serve")]
+        Verb::Serve(args) => serve::run(args, &output),
+        #[cfg(feature = "serve")]
+        Verb::Thumbnail(args) => serve::thumbnail(args, &output),
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }
