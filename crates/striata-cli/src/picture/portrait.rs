@@ -2,29 +2,30 @@
 
 use striata::mesh::IndexedMesh;
 
-use super::{Camera, Canvas, Paint, Rgb, Surface, draw, vertex_normals};
+use super::{Angles, Artist, Camera, Canvas, Paint, Rgba, Shot, with_normals};
+use crate::failure::Failure;
 
-const BACKGROUND: Rgb = [0.012, 0.013, 0.017];
-const STONE: Rgb = [0.72, 0.58, 0.44];
-const FAINT: Rgb = [0.05, 0.052, 0.06];
-/// Each pixel is the mean of so many squared.
-const SAMPLES: usize = 3;
-/// Share of the picture that the mesh may fill.
-const FILLED: f32 = 0.88;
+const BACKGROUND: Rgba = [0.012, 0.013, 0.017, 1.0];
+const FAINT: [u8; 4] = [13, 13, 15, 255];
 /// Height of the view, radians.
 const FOV: f32 = 0.45;
 /// An axis along which a mesh is flatter than this is up: it is a terrain.
 const FLAT: f32 = 0.3;
 
 /// A mesh from in front, a little from the left and above.
-pub(crate) fn portrait(mesh: &IndexedMesh, width: usize, height: usize) -> Canvas {
-    let normals = vertex_normals(mesh);
-    let aspect = width as f32 / height as f32;
-    painted(mesh, Paint::Smooth(STONE, &normals), aspect, [width, height])
+///
+/// # Errors
+/// What the artist reports.
+pub(crate) fn portrait(mesh: IndexedMesh, size: [usize; 2]) -> Result<Canvas, Failure> {
+    let mesh = with_normals(mesh);
+    painted(&mesh, Paint::Surface, size)
 }
 
 /// A picture for what cannot be drawn: a faint shape that is nobody's.
-pub(crate) fn nobody(width: usize, height: usize) -> Canvas {
+///
+/// # Errors
+/// What the artist reports.
+pub(crate) fn nobody(size: [usize; 2]) -> Result<Canvas, Failure> {
     let positions = [
         [1.0, 0.0, 0.0],
         [-1.0, 0.0, 0.0],
@@ -38,51 +39,34 @@ pub(crate) fn nobody(width: usize, height: usize) -> Canvas {
         [corner(0), corner(1), corner(2)]
     });
     let mesh = IndexedMesh::new(positions.to_vec(), triangles.collect());
-    // Twice the width asked for leaves room around the shape.
-    painted(&mesh, Paint::Flat(&[FAINT; 8]), width as f32 / height as f32 / 2.0, [width, height])
+    let room = size.map(|side| side / 2);
+    let mut canvas = Canvas::filled(size[0], size[1], BACKGROUND);
+    canvas.lay(&painted(&mesh, Paint::Triangles(vec![FAINT; 8]), room)?, room[0] / 2, room[1] / 2);
+    Ok(canvas)
 }
 
-fn painted(mesh: &IndexedMesh, paint: Paint<'_>, aspect: f32, [width, height]: [usize; 2]) -> Canvas {
-    let mut large = Canvas::filled(width * SAMPLES, height * SAMPLES, BACKGROUND);
-    if let Some(camera) = camera(mesh, aspect) {
-        let surface = Surface { positions: &mesh.positions, triangles: &mesh.triangles, paint };
-        draw(&mut large, &camera, &surface);
+/// Drawn without a GPU: a server draws in the background, wherever it runs.
+fn painted(mesh: &IndexedMesh, paint: Paint, [width, height]: [usize; 2]) -> Result<Canvas, Failure> {
+    let mut canvas = Canvas::filled(width, height, BACKGROUND);
+    if let Some(camera) = camera(mesh, width as f32 / height as f32) {
+        let is_flat = matches!(paint, Paint::Triangles(_));
+        let shot = Shot::of(mesh, paint, (false, is_flat));
+        canvas.lay(&Artist::Software.draw(&shot, &camera, [width, height])?.canvas, 0, 0);
     }
-    large.shrunk(SAMPLES)
+    Ok(canvas)
 }
 
 /// A camera that sees all of the mesh and little else; none where there is nothing to see.
 fn camera(mesh: &IndexedMesh, aspect: f32) -> Option<Camera> {
     let bounds = mesh.bounds()?;
-    let centre: [f32; 3] = std::array::from_fn(|axis| bounds.min[axis] / 2.0 + bounds.max[axis] / 2.0);
     let size: [f32; 3] = std::array::from_fn(|axis| bounds.max[axis] - bounds.min[axis]);
     let longest = size.into_iter().fold(0.0f32, f32::max);
     if !longest.is_finite() || longest <= 0.0 {
         return None;
     }
     let lies_flat = size[2] < FLAT * size[0].min(size[1]);
-    let (turn, rise) = if lies_flat { (-0.5f32, 0.75f32) } else { (-0.5, 0.22) };
-    // Unit vectors: towards the eye, to the right, up in the picture.
-    let across = [turn.sin() * rise.cos(), rise.sin(), turn.cos() * rise.cos()];
-    let right = [turn.cos(), 0.0, -turn.sin()];
-    let above = [-turn.sin() * rise.sin(), rise.cos(), -turn.cos() * rise.sin()];
-    // What lies flat has z up: y goes to the back.
-    let placed = |v: [f32; 3]| if lies_flat { [v[0], -v[2], v[1]] } else { v };
-    let [across, right, above] = [across, right, above].map(placed);
-    let tan_y = (FOV / 2.0).tan() * FILLED;
-    let tan_x = tan_y * aspect;
-    let distance = mesh.positions.iter().fold(0.0f32, |distance, p| {
-        let p: [f32; 3] = std::array::from_fn(|axis| p[axis] - centre[axis]);
-        let near = dot(p, across);
-        // Comparisons with NaN are false: such a vertex asks for nothing.
-        distance.max(dot(p, right).abs() / tan_x + near).max(dot(p, above).abs() / tan_y + near)
-    });
-    let eye = std::array::from_fn(|axis| centre[axis] + distance * across[axis]);
-    Some(Camera { eye, look_at: centre, up: above, fov: FOV })
-}
-
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    let (rise, up) = if lies_flat { (0.75, [0.0, 0.0, 1.0]) } else { (0.22, [0.0, 1.0, 0.0]) };
+    Some(Camera::around(&mesh.positions, &Angles { turn: -0.5, rise, up, fov: FOV }, aspect))
 }
 
 #[cfg(test)]
@@ -114,7 +98,7 @@ mod tests {
             for p in &mut mesh.positions {
                 *p = p.map(|x| x * scale);
             }
-            let [[left, right], [top, bottom]] = extent(portrait(&mesh, 160, 120));
+            let [[left, right], [top, bottom]] = extent(portrait(mesh, [160, 120]).expect("a picture"));
             assert!(top >= 4 && bottom < 116 && bottom - top > 90, "rows {top} to {bottom} at {scale}");
             assert!(left >= 20 && right < 140, "columns {left} to {right} at {scale}");
         }
@@ -123,7 +107,7 @@ mod tests {
     #[test]
     fn nothing_and_a_single_point_are_drawn_as_nothing() {
         for mesh in [IndexedMesh::default(), IndexedMesh::new(vec![[1.0; 3]; 3], vec![[0, 1, 2]])] {
-            assert_eq!(extent(portrait(&mesh, 32, 24)), [[usize::MAX, 0]; 2]);
+            assert_eq!(extent(portrait(mesh, [32, 24]).expect("a picture")), [[usize::MAX, 0]; 2]);
         }
     }
 
@@ -138,7 +122,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_drawn_gets_a_faint_shape() {
-        let [[left, right], [top, bottom]] = extent(nobody(160, 120));
+        let [[left, right], [top, bottom]] = extent(nobody([160, 120]).expect("a picture"));
         assert!(left > 30 && right < 130 && top > 20 && bottom < 100 && right - left > 30);
     }
 }

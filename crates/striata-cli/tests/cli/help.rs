@@ -29,6 +29,8 @@ fn every_verb_ends_with_two_examples() {
         "convert",
         "encode",
         "decode",
+        "serve",
+        "thumbnail",
         "demo",
         "completions",
     ] {

@@ -8,6 +8,12 @@ mod help;
 mod orders;
 mod patterns;
 mod refusals;
+#[cfg(all(unix, feature = "serve"))]
+mod serve;
+#[cfg(all(unix, feature = "serve"))]
+mod serve_client;
+#[cfg(all(unix, feature = "serve"))]
+mod serve_load;
 mod streams;
 mod strip_blocks;
 mod strips;
