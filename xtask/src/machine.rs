@@ -7,23 +7,65 @@ use anyhow::{Result, bail};
 
 use crate::steps::{run, run_twice, say};
 
+/// What one package brings, and how to tell that it is there.
+struct Wanted {
+    sign: Sign,
+    package: &'static str,
+}
+
+enum Sign {
+    /// One of these programs starts.
+    Program(&'static [&'static str]),
+    /// One of these programs is in the path; those that know no `--version`.
+    InPath(&'static [&'static str]),
+    /// The linker knows a library of this name.
+    Library(&'static str),
+    /// A folder of this name holds a file.
+    Filled(&'static str),
+}
+
+const WANTED: [Wanted; 12] = [
+    // The simplifier's yardstick, a dev-dependency, is C++.
+    Wanted { sign: Sign::Program(&["c++", "g++", "clang++"]), package: "g++" },
+    // The glTF validator and the browser tests run on Node.js.
+    Wanted { sign: Sign::Program(&["node"]), package: "nodejs" },
+    Wanted { sign: Sign::Program(&["npm"]), package: "npm" },
+    // The viewer page is tested in a browser.
+    Wanted { sign: Sign::InPath(&["chromium"]), package: "chromium" },
+    // Pictures are tested on a graphics driver that draws on the processor.
+    Wanted { sign: Sign::Library("libvulkan.so.1"), package: "libvulkan1" },
+    Wanted { sign: Sign::Filled("/usr/share/vulkan/icd.d"), package: "mesa-vulkan-drivers" },
+    // The window is tested on a display without a screen, with the libraries that every desktop has.
+    Wanted { sign: Sign::InPath(&["xvfb-run"]), package: "xvfb" },
+    Wanted { sign: Sign::InPath(&["xauth"]), package: "xauth" },
+    Wanted { sign: Sign::Library("libxkbcommon-x11.so.0"), package: "libxkbcommon-x11-0" },
+    Wanted { sign: Sign::Library("libXcursor.so.1"), package: "libxcursor1" },
+    Wanted { sign: Sign::Library("libXi.so.6"), package: "libxi6" },
+    Wanted { sign: Sign::Library("libXrandr.so.2"), package: "libxrandr2" },
+];
+
+impl Wanted {
+    fn is_there(&self) -> bool {
+        match self.sign {
+            Sign::Program(programs) => programs.iter().any(|program| starts(program)),
+            Sign::InPath(programs) => programs.iter().any(|program| is_in_path(program)),
+            Sign::Library(name) => {
+                let known = Command::new("ldconfig").arg("-p").env("PATH", "/usr/sbin:/sbin").output();
+                known.is_ok_and(|o| String::from_utf8_lossy(&o.stdout).contains(name))
+            }
+            Sign::Filled(folder) => std::fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some()),
+        }
+    }
+}
+
 /// Installs what is missing.
 ///
 /// # Errors
 /// Where something is missing and cannot be installed.
 pub(crate) fn prepare() -> Result<()> {
-    let wanted: [(&[&str], &str); 3] = [
-        // The simplifier's yardstick, a dev-dependency, is C++.
-        (&["c++", "g++", "clang++"], "g++"),
-        // The glTF validator runs on Node.js.
-        (&["node"], "nodejs"),
-        (&["npm"], "npm"),
-    ];
-    let is_missing = |programs: &[&str]| !programs.iter().any(|&program| starts(program));
-    let missing: Vec<&str> =
-        wanted.iter().filter(|(p, _)| is_missing(p)).map(|&(_, package)| package).collect();
+    let missing: Vec<&str> = WANTED.iter().filter(|w| !w.is_there()).map(|w| w.package).collect();
     if missing.is_empty() {
-        say("a C++ compiler, node and npm are there");
+        say("compilers, node, chromium, a display and a graphics driver are there");
         return Ok(());
     }
     if !starts("apt-get") {
@@ -99,6 +141,11 @@ fn as_root(program: &str) -> Command {
     let mut command = Command::new("sudo");
     command.args(["DEBIAN_FRONTEND=noninteractive", program]);
     command
+}
+
+fn is_in_path(program: &str) -> bool {
+    std::env::var_os("PATH")
+        .is_some_and(|path| std::env::split_paths(&path).any(|folder| folder.join(program).is_file()))
 }
 
 fn starts(program: &str) -> bool {

@@ -1,0 +1,175 @@
+//! Pictures without a window: drawn into a texture, read back.
+
+use wgpu::{
+    BufferUsages, CommandEncoder, Extent3d, RenderPass, Texture, TextureFormat, TextureUsages, TextureView,
+};
+
+use crate::gpu::{Gpu, GpuError};
+use crate::painter::DEPTH_FORMAT;
+
+/// A picture in memory, row by row from the top, 4 bytes a pixel: red, green, blue in sRGB, and opacity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// The pixels.
+    pub rgba: Vec<u8>,
+}
+
+/// Where pictures are drawn: colour, depth and their samples.
+#[derive(Debug)]
+pub struct Canvas {
+    colour: Texture,
+    colour_view: TextureView,
+    /// What is drawn to, where a pixel has several samples.
+    samples_view: Option<TextureView>,
+    depth_view: TextureView,
+    samples: u32,
+}
+
+impl Canvas {
+    /// The colour format of all canvases.
+    pub const FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
+
+    /// A canvas of `[width, height]` pixels with 1 or 4 samples a pixel.
+    ///
+    /// # Errors
+    /// [`GpuError::PictureSize`].
+    pub fn new(gpu: &Gpu, [width, height]: [u32; 2], samples: u32) -> Result<Self, GpuError> {
+        let limit = gpu.device.limits().max_texture_dimension_2d;
+        if width == 0 || height == 0 || width > limit || height > limit {
+            return Err(GpuError::PictureSize { width, height, limit });
+        }
+        let make = |format, sample_count, usage| {
+            gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some("canvas"),
+                size: Extent3d { width, height, depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage,
+                view_formats: &[],
+            })
+        };
+        let drawn = TextureUsages::RENDER_ATTACHMENT;
+        let colour = make(Self::FORMAT, 1, drawn | TextureUsages::COPY_SRC);
+        let view = |texture: &Texture| texture.create_view(&Default::default());
+        Ok(Self {
+            colour_view: view(&colour),
+            samples_view: (samples > 1).then(|| view(&make(Self::FORMAT, samples, drawn))),
+            depth_view: view(&make(DEPTH_FORMAT, samples, drawn)),
+            colour,
+            samples,
+        })
+    }
+
+    /// Samples a pixel.
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// Begins to draw on a background, linear light and opacity.
+    pub fn begin<'e>(&self, encoder: &'e mut CommandEncoder, background: [f32; 4]) -> RenderPass<'e> {
+        let [r, g, b, a] = background.map(f64::from);
+        let (view, resolve_target) = match &self.samples_view {
+            Some(samples) => (samples, Some(&self.colour_view)),
+            None => (&self.colour_view, None),
+        };
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("canvas"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view,
+                depth_slice: None,
+                resolve_target,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth_view,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        })
+    }
+
+    /// Draws one picture on a background and waits for it.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    pub fn paint(
+        &self,
+        gpu: &Gpu,
+        background: [f32; 4],
+        draw: impl FnOnce(&mut RenderPass<'_>),
+    ) -> Result<Picture, GpuError> {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        draw(&mut self.begin(&mut encoder, background));
+        gpu.queue.submit([encoder.finish()]);
+        self.read(gpu)
+    }
+
+    /// What is on the canvas.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    pub fn read(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
+        let size = self.colour.size();
+        let row_bytes = 4 * size.width;
+        let stride = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let bytes = u64::from(stride) * u64::from(size.height);
+        let buffer = gpu.empty_buffer("picture", bytes, BufferUsages::COPY_DST | BufferUsages::MAP_READ)?;
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        encoder.copy_texture_to_buffer(
+            self.colour.as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &buffer,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(stride),
+                    rows_per_image: None,
+                },
+            },
+            size,
+        );
+        gpu.queue.submit([encoder.finish()]);
+        let mapped = read_buffer(gpu, &buffer)?;
+        let rows = mapped.chunks_exact(stride as usize).take(size.height as usize);
+        let rgba = rows.flat_map(|row| &row[..row_bytes as usize]).copied().collect();
+        Ok(Picture { width: size.width, height: size.height, rgba })
+    }
+}
+
+/// The bytes of a buffer that can be mapped for reading.
+pub(crate) fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
+    let failed = |e: &dyn std::fmt::Display| GpuError::Failed(e.to_string());
+    let (sender, receiver) = std::sync::mpsc::channel();
+    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+        // Nobody listens only where the wait below has failed, which is reported there.
+        let _ = sender.send(result);
+    });
+    gpu.wait()?;
+    receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
+    let bytes = buffer.get_mapped_range(..).map_err(|e| failed(&e))?.to_vec();
+    buffer.unmap();
+    Ok(bytes)
+}
+
+/// The words of a buffer on the GPU.
+pub(crate) fn copy_back(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u32>, GpuError> {
+    let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
+    let copy = gpu.empty_buffer("copy", buffer.size(), usage)?;
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, buffer.size());
+    gpu.queue.submit([encoder.finish()]);
+    let bytes = read_buffer(gpu, &copy)?;
+    Ok(bytes.as_chunks().0.iter().map(|&word| u32::from_le_bytes(word)).collect())
+}

@@ -1,0 +1,223 @@
+//! The device: found once, shared by all that is drawn.
+
+use wgpu::{Adapter, AdapterInfo, Device, Features, Instance, Queue};
+
+/// Nothing to draw with.
+#[derive(Clone, Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GpuError {
+    /// No adapter that fits.
+    #[error("found no graphics adapter{}: {reason}", if *.is_fallback { " that draws on the processor" } else { "" })]
+    NoAdapter {
+        /// Whether one that draws on the processor was asked for.
+        is_fallback: bool,
+        /// What the search reported.
+        reason: String,
+    },
+    /// The adapter gave no device.
+    #[error("the adapter {adapter} gave no device: {reason}")]
+    NoDevice {
+        /// Its name.
+        adapter: String,
+        /// What it reported.
+        reason: String,
+    },
+    /// More than the device can hold in one piece.
+    #[error("{what} takes {needed_bytes} bytes, and {adapter} has at most {limit_bytes} for one buffer")]
+    TooLarge {
+        /// What was to be uploaded.
+        what: &'static str,
+        /// Its size.
+        needed_bytes: u64,
+        /// The device's limit.
+        limit_bytes: u64,
+        /// The adapter's name.
+        adapter: String,
+    },
+    /// A picture of no pixels, or of more in a row than the device draws.
+    #[error("cannot draw {width} x {height} pixels: each side must be 1 to {limit}")]
+    PictureSize {
+        /// Asked width.
+        width: u32,
+        /// Asked height.
+        height: u32,
+        /// The longest side.
+        limit: u32,
+    },
+    /// The device was lost, or a result could not be read back.
+    #[error("the graphics device failed: {0}")]
+    Failed(String),
+}
+
+/// Which adapter to take.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct GpuOptions {
+    /// Only one that draws on the processor (llvmpipe, WARP, SwiftShader). Default: false, the quickest there is.
+    pub is_fallback: bool,
+    /// Only one whose name holds this, in any letters. Default: what `WGPU_ADAPTER_NAME` says, or else any.
+    pub adapter_name: Option<String>,
+}
+
+impl GpuOptions {
+    /// Sets [`is_fallback`](Self::is_fallback).
+    #[must_use]
+    pub fn with_fallback(mut self, is_fallback: bool) -> Self {
+        self.is_fallback = is_fallback;
+        self
+    }
+
+    /// Sets [`adapter_name`](Self::adapter_name).
+    #[must_use]
+    pub fn with_adapter_name(mut self, adapter_name: Option<String>) -> Self {
+        self.adapter_name = adapter_name;
+        self
+    }
+}
+
+/// A device and the queue that feeds it.
+#[derive(Clone, Debug)]
+pub struct Gpu {
+    pub(crate) device: Device,
+    pub(crate) queue: Queue,
+    info: AdapterInfo,
+}
+
+impl Gpu {
+    /// Looks for an adapter and opens it. The environment may choose: `WGPU_BACKEND`, `WGPU_ADAPTER_NAME`.
+    ///
+    /// # Errors
+    /// [`GpuError::NoAdapter`] or [`GpuError::NoDevice`].
+    pub fn new(options: &GpuOptions) -> Result<Self, GpuError> {
+        let find = |backends| {
+            let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+            descriptor.backends &= backends;
+            pollster::block_on(find_adapter(&Instance::new(descriptor), options))
+        };
+        // OpenGL is looked at only where there is nothing better: without a display its libraries complain aloud.
+        let found = find(wgpu::Backends::PRIMARY).or_else(|_| find(wgpu::Backends::all()));
+        Self::open(&found?)
+    }
+
+    /// Opens an adapter, with those of the [`optional features`](Self::optional_features) that it has.
+    ///
+    /// # Errors
+    /// [`GpuError::NoDevice`].
+    pub fn open(adapter: &Adapter) -> Result<Self, GpuError> {
+        let info = adapter.get_info();
+        let descriptor = Self::device_descriptor(adapter);
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|e| GpuError::NoDevice { adapter: info.name.clone(), reason: e.to_string() })?;
+        Ok(Self { device, queue, info })
+    }
+
+    /// A device that a window has opened already, best by [`device_descriptor`](Self::device_descriptor).
+    pub fn from_device(info: AdapterInfo, device: Device, queue: Queue) -> Self {
+        Self { device, queue, info }
+    }
+
+    /// What to ask an adapter for: its own limits, so that large models fit, and the optional features that it has.
+    pub fn device_descriptor(adapter: &Adapter) -> wgpu::DeviceDescriptor<'static> {
+        wgpu::DeviceDescriptor {
+            label: Some("striata"),
+            required_features: adapter.features() & Self::optional_features(),
+            required_limits: adapter.limits(),
+            ..Default::default()
+        }
+    }
+
+    /// Features that are used where they are there.
+    pub fn optional_features() -> Features {
+        Features::INDIRECT_FIRST_INSTANCE | Features::TIMESTAMP_QUERY
+    }
+
+    /// The device.
+    pub fn device(&self) -> &Device {
+        &self.device
+    }
+
+    /// Its queue.
+    pub fn queue(&self) -> &Queue {
+        &self.queue
+    }
+
+    /// The adapter: its name, backend and kind.
+    pub fn info(&self) -> &AdapterInfo {
+        &self.info
+    }
+
+    /// The adapter in one line: its name and its backend.
+    pub fn name(&self) -> String {
+        format!("{} ({})", self.info.name, self.info.backend)
+    }
+
+    /// Waits until all that was submitted is done.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`] where the device is lost.
+    pub fn wait(&self) -> Result<(), GpuError> {
+        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| GpuError::Failed(e.to_string()))?;
+        Ok(())
+    }
+
+    /// A buffer that holds a slice; an empty one holds four unused bytes, since a GPU knows no empty buffers.
+    pub(crate) fn buffer_of(
+        &self,
+        what: &'static str,
+        data: &[u8],
+        usage: wgpu::BufferUsages,
+    ) -> Result<wgpu::Buffer, GpuError> {
+        let buffer = self.empty_buffer(what, data.len() as u64, usage | wgpu::BufferUsages::COPY_DST)?;
+        if !data.is_empty() {
+            self.queue.write_buffer(&buffer, 0, data);
+        }
+        Ok(buffer)
+    }
+
+    /// A buffer of zeros.
+    pub(crate) fn empty_buffer(
+        &self,
+        what: &'static str,
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+    ) -> Result<wgpu::Buffer, GpuError> {
+        let limits = self.device.limits();
+        let limit_bytes = if usage.contains(wgpu::BufferUsages::STORAGE) {
+            limits.max_buffer_size.min(limits.max_storage_buffer_binding_size)
+        } else {
+            limits.max_buffer_size
+        };
+        if bytes > limit_bytes {
+            let adapter = self.info.name.clone();
+            return Err(GpuError::TooLarge { what, needed_bytes: bytes, limit_bytes, adapter });
+        }
+        Ok(self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(what),
+            size: bytes.max(4).next_multiple_of(4),
+            usage,
+            mapped_at_creation: false,
+        }))
+    }
+}
+
+async fn find_adapter(instance: &Instance, options: &GpuOptions) -> Result<Adapter, GpuError> {
+    let named = options.adapter_name.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok());
+    let wanted = named.unwrap_or_default().to_lowercase();
+    if !wanted.is_empty() && !options.is_fallback {
+        let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
+        let names: Vec<String> = all.iter().map(|adapter| adapter.get_info().name).collect();
+        let named = all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted));
+        return named.ok_or_else(|| {
+            let others =
+                if names.is_empty() { String::new() } else { format!("; there are: {}", names.join(", ")) };
+            GpuError::NoAdapter { is_fallback: false, reason: format!("none is called {wanted:?}{others}") }
+        });
+    }
+    let request = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        force_fallback_adapter: options.is_fallback,
+        ..Default::default()
+    };
+    let found = instance.request_adapter(&request).await;
+    found.map_err(|e| GpuError::NoAdapter { is_fallback: options.is_fallback, reason: e.to_string() })
+}

@@ -1,0 +1,50 @@
+//! Single triangles with colours of their own and visible edges.
+
+use bytemuck::cast_slice;
+use wgpu::{BindGroup, BufferUsages};
+
+use crate::gpu::{Gpu, GpuError};
+use crate::indices::GpuIndices;
+use crate::painter::{Painter, bind};
+use crate::vertices::GpuVertices;
+
+/// A level as single triangles: what strip or fan each belongs to, and where its edges are.
+///
+/// Shaders read the vertices themselves, so that no vertex has to be copied for each triangle; 16 bytes a triangle.
+#[derive(Debug)]
+pub struct Inspection {
+    bindings: BindGroup,
+    triangle_count: u32,
+}
+
+impl Inspection {
+    /// Uploads the triangles and a colour for each, linear light as bytes.
+    ///
+    /// # Panics
+    /// If there are not as many colours as triangles.
+    ///
+    /// # Errors
+    /// [`GpuError::TooLarge`].
+    pub fn new(
+        gpu: &Gpu,
+        painter: &Painter,
+        vertices: &GpuVertices,
+        (triangles, colours): (&[[u32; 3]], &[[u8; 4]]),
+    ) -> Result<Self, GpuError> {
+        assert_eq!(colours.len(), triangles.len(), "a colour for each triangle");
+        let indices = GpuIndices::upload(gpu, cast_slice(triangles))?;
+        let colours = gpu.buffer_of("triangle colours", cast_slice(colours), BufferUsages::STORAGE)?;
+        let buffers = [&vertices.positions, &vertices.normals, &vertices.colours, &indices.buffer, &colours];
+        let bindings = bind(gpu, painter.triangles_layout(), &buffers);
+        Ok(Self { bindings, triangle_count: triangles.len() as u32 })
+    }
+
+    /// Triangles that it draws.
+    pub fn triangle_count(&self) -> u32 {
+        self.triangle_count
+    }
+
+    pub(crate) fn bindings(&self) -> &BindGroup {
+        &self.bindings
+    }
+}

@@ -1,0 +1,149 @@
+//! How a surface looks: its light, its colours, its edges.
+
+/// Where the normals come from that light is reckoned with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shading {
+    /// From the vertices, blended over each triangle.
+    #[default]
+    Smooth,
+    /// One a triangle.
+    Flat,
+}
+
+/// How a surface is painted. Colours are linear light, 0 to 1 a channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Look {
+    /// Colour of what has no other. Default: warm stone.
+    pub base: [f32; 3],
+    /// Colour of the background, with its opacity.
+    pub background: [f32; 4],
+    /// Where normals come from. Default: the vertices.
+    pub shading: Shading,
+    /// Whether the vertices' own colours are shown, where there are some. Default: true.
+    pub shows_vertex_colours: bool,
+    /// Whether groups of triangles are shown in colours of their own. Default: false.
+    pub shows_groups: bool,
+    /// Colour of edges, with their opacity; 0 draws none. Only an [`Inspection`](crate::Inspection) has edges.
+    pub edges: [f32; 4],
+    /// Width of edges, pixels. Default: 1.
+    pub edge_width_px: f32,
+    /// Whether triangles seen from behind are left out. Default: false.
+    pub hides_back: bool,
+    /// How much light counts: 0 paints the colours as they are, 1 lights them fully. Default: 1.
+    pub light: f32,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self {
+            base: [0.72, 0.58, 0.44],
+            background: [0.012, 0.013, 0.017, 1.0],
+            shading: Shading::Smooth,
+            shows_vertex_colours: true,
+            shows_groups: false,
+            edges: [0.0, 0.0, 0.0, 0.0],
+            edge_width_px: 1.0,
+            hides_back: false,
+            light: 1.0,
+        }
+    }
+}
+
+impl Look {
+    /// Sets [`base`](Self::base).
+    #[must_use]
+    pub fn with_base(mut self, base: [f32; 3]) -> Self {
+        self.base = base;
+        self
+    }
+
+    /// Sets [`background`](Self::background).
+    #[must_use]
+    pub fn with_background(mut self, background: [f32; 4]) -> Self {
+        self.background = background;
+        self
+    }
+
+    /// Sets [`shading`](Self::shading).
+    #[must_use]
+    pub fn with_shading(mut self, shading: Shading) -> Self {
+        self.shading = shading;
+        self
+    }
+
+    /// Sets [`edges`](Self::edges).
+    #[must_use]
+    pub fn with_edges(mut self, edges: [f32; 4]) -> Self {
+        self.edges = edges;
+        self
+    }
+
+    /// Sets [`edge_width_px`](Self::edge_width_px).
+    #[must_use]
+    pub fn with_edge_width_px(mut self, edge_width_px: f32) -> Self {
+        self.edge_width_px = edge_width_px;
+        self
+    }
+
+    /// Sets [`shows_vertex_colours`](Self::shows_vertex_colours).
+    #[must_use]
+    pub fn with_vertex_colours(mut self, shows: bool) -> Self {
+        self.shows_vertex_colours = shows;
+        self
+    }
+
+    /// Sets [`shows_groups`](Self::shows_groups).
+    #[must_use]
+    pub fn with_groups(mut self, shows: bool) -> Self {
+        self.shows_groups = shows;
+        self
+    }
+
+    /// Sets [`hides_back`](Self::hides_back).
+    #[must_use]
+    pub fn with_back_hidden(mut self, hides_back: bool) -> Self {
+        self.hides_back = hides_back;
+        self
+    }
+
+    /// Sets [`light`](Self::light).
+    #[must_use]
+    pub fn with_light(mut self, light: f32) -> Self {
+        self.light = light;
+        self
+    }
+}
+
+/// A colour for the n-th strip, fan or group: neighbours differ much, by hues along the golden ratio in two shades.
+/// Linear light, as bytes, opaque.
+pub fn palette_colour(number: u32) -> [u8; 4] {
+    let hue = (f64::from(number) * 0.618_033_988_749_895).fract() as f32 * 6.0;
+    let shade = if number.is_multiple_of(2) { 0.85 } else { 0.60 };
+    // Each channel rises and falls along the circle of hues.
+    let channel = |shift: f32| {
+        let amount = (2.0 - ((hue + shift) % 6.0 - 3.0).abs()).clamp(0.0, 1.0);
+        (255.0 * shade * (0.24 + 0.60 * amount) + 0.5) as u8
+    };
+    [channel(3.0), channel(1.0), channel(5.0), 255]
+}
+
+/// Linear light, 0 to 1, as a screen encodes it.
+pub fn linear_to_srgb(light: f32) -> f32 {
+    let x = light.clamp(0.0, 1.0);
+    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_differ_in_colour() {
+        for number in (0..50).chain(1_000_000..1_000_050) {
+            let (a, b) = (palette_colour(number), palette_colour(number + 1));
+            let difference: u32 = a.iter().zip(b).map(|(&x, y)| u32::from(x.abs_diff(y))).sum();
+            assert!(difference > 40, "{number}: {a:?} {b:?}");
+        }
+    }
+}

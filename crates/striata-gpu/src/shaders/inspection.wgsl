@@ -1,0 +1,45 @@
+// Single triangles, read from storage buffers: each may have a colour, and its edges are known to the pixel.
+
+@group(1) @binding(0) var<storage, read> positions: array<f32>;
+@group(1) @binding(1) var<storage, read> normals: array<f32>;
+@group(1) @binding(2) var<storage, read> colours: array<u32>;
+@group(1) @binding(3) var<storage, read> indices: array<u32>;
+@group(1) @binding(4) var<storage, read> triangle_colours: array<u32>;
+
+struct Corner {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) place: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) colour: vec3<f32>,
+    @location(3) weights: vec3<f32>,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) number: u32) -> Corner {
+    let v = indices[number];
+    let position = vec3(positions[3u * v], positions[3u * v + 1u], positions[3u * v + 2u]);
+    var out: Corner;
+    out.clip = scene.clip_from_model * vec4(position, 1.0);
+    out.place = position;
+    out.normal = vec3(normals[3u * v], normals[3u * v + 1u], normals[3u * v + 2u]);
+    out.colour = scene.base.rgb;
+    if scene.flags.y == 1u {
+        out.colour = unpack4x8unorm(colours[v]).rgb;
+    }
+    if scene.flags.w == 1u {
+        out.colour = unpack4x8unorm(triangle_colours[number / 3u]).rgb;
+    }
+    let corner = number % 3u;
+    out.weights = vec3(f32(corner == 0u), f32(corner == 1u), f32(corner == 2u));
+    return out;
+}
+
+@fragment
+fn fragment(in: Corner) -> @location(0) vec4<f32> {
+    let colour = lit(in.colour, in.place, in.normal);
+    // Pixels to each edge; half a width on each side of it belongs to a line.
+    let distance = in.weights / max(fwidth(in.weights), vec3(1e-12));
+    let nearest = min(distance.x, min(distance.y, distance.z));
+    let line = 1.0 - smoothstep(0.0, 1.0, nearest - 0.5 * scene.numbers.x + 0.5);
+    return vec4(mix(colour, scene.edges.rgb, line * scene.edges.a), 1.0);
+}

@@ -1,0 +1,38 @@
+// Surfaces from vertex and index buffers. The instance is the group of triangles.
+
+struct Corner {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) place: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) colour: vec3<f32>,
+}
+
+fn corner(position: vec3<f32>, normal: vec3<f32>, colour: vec4<f32>, group: u32) -> Corner {
+    var out: Corner;
+    out.clip = scene.clip_from_model * vec4(position, 1.0);
+    out.place = position;
+    out.normal = normal;
+    out.colour = scene.base.rgb;
+    if scene.flags.y == 1u {
+        out.colour = colour.rgb;
+    }
+    if scene.flags.z == 1u {
+        out.colour = palette(group);
+    }
+    return out;
+}
+
+@vertex
+fn vertex(
+    @location(0) position: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) colour: vec4<f32>,
+    @builtin(instance_index) group: u32,
+) -> Corner {
+    return corner(position, normal, colour, group);
+}
+
+@fragment
+fn fragment(in: Corner) -> @location(0) vec4<f32> {
+    return vec4(lit(in.colour, in.place, in.normal), 1.0);
+}
