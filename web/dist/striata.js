@@ -1,142 +1,31 @@
-import { a as u, S as V, d as P, s as W, E as q, e as v, c as Q, w as Y, f as J } from "./wasm.js";
-import { BufferGeometry as z, Vector3 as d, Box3 as K, Sphere as X, BufferAttribute as b, Color as Z, SRGBColorSpace as tt, Matrix4 as et, Mesh as rt, MeshStandardMaterial as j, DoubleSide as D, Vector2 as nt } from "three";
-const k = 65536;
-async function it(n, t, e) {
-  if (typeof n == "string" || n instanceof URL) return st(n, t, e);
-  if (n instanceof Blob) {
-    const r = (s, i) => C(n.slice(s, i).stream(), e);
-    return {
-      name: t ?? (n instanceof File ? n.name : ""),
-      length: n.size,
-      pieces: r(0, n.size),
-      range: (s, i) => Promise.resolve(r(s, i))
-    };
-  }
-  if (n instanceof ArrayBuffer) {
-    const r = (s, i) => $(new Uint8Array(n.slice(s, i)));
-    return {
-      name: t ?? "",
-      length: n.byteLength,
-      pieces: r(0, n.byteLength),
-      range: (s, i) => Promise.resolve(r(s, i))
-    };
-  }
-  if (n instanceof ReadableStream)
-    return { name: t ?? "", length: null, pieces: C(n, e), range: null };
-  throw new u("unsupported", "a model is loaded from a URL, a File, a Blob, an ArrayBuffer or a ReadableStream");
-}
-async function st(n, t, e) {
-  const r = new URL(n, typeof document > "u" ? void 0 : document.baseURI), i = /\.striata$/i.test(r.pathname) ? { Range: `bytes=0-${k - 1}` } : {}, o = await E(r, i, e), a = /\/(\d+)$/.exec(o.headers.get("Content-Range") ?? "")?.[1], _ = o.headers.has("Content-Encoding"), l = a ?? (_ ? null : o.headers.get("Content-Length")), h = o.status === 206, c = async (g, m) => {
-    const A = await E(r, { Range: `bytes=${g}-${m - 1}` }, e), R = x(A, e);
-    return A.status === 206 ? R : N(R, g);
-  };
-  return {
-    name: t ?? decodeURIComponent(r.pathname.split("/").pop() ?? ""),
-    length: l === null ? null : Number(l),
-    pieces: h && Number(a) > k ? ot(x(o, e), () => c(k, Number(a))) : x(o, e),
-    range: h ? c : null
-  };
-}
-async function E(n, t, e) {
-  let r;
-  try {
-    r = await fetch(n, { headers: t, signal: e });
-  } catch (i) {
-    throw e.aborted ? i : new u(
-      "network",
-      `${n.href} could not be fetched: ${i instanceof Error ? i.message : String(i)}`,
-      "is the server reachable, and does it allow this page to read (CORS)?"
-    );
-  }
-  if (r.ok) return r;
-  await r.body?.cancel();
-  const s = r.status === 404 || r.status === 410 ? "not-found" : "network";
-  throw new u(s, `${n.href}: the server says ${r.status} ${r.statusText}`.trim());
-}
-function x(n, t) {
-  return n.body ? C(n.body, t) : $(new Uint8Array());
-}
-async function* $(n) {
-  yield n;
-}
-async function* C(n, t) {
-  const e = n.getReader(), r = () => void e.cancel(t.reason).catch(() => {
-  });
-  t.addEventListener("abort", r, { once: !0 });
-  let s = !1;
-  try {
-    for (; ; ) {
-      t.throwIfAborted();
-      const { done: i, value: o } = await e.read();
-      if (t.throwIfAborted(), i) break;
-      yield o;
-    }
-    s = !0;
-  } catch (i) {
-    throw t.aborted || i instanceof u ? i : new u("network", `the connection broke: ${i instanceof Error ? i.message : String(i)}`);
-  } finally {
-    t.removeEventListener("abort", r), s || await e.cancel().catch(() => {
-    });
-  }
-}
-async function* N(n, t) {
-  try {
-    for (let e = await n.next(); !e.done; e = await n.next()) {
-      const r = e.value.subarray(t);
-      t = Math.max(0, t - e.value.length), r.length > 0 && (yield r);
-    }
-  } finally {
-    await n.return?.();
-  }
-}
-async function* ot(n, t) {
-  for (let e = await n.next(); !e.done; e = await n.next()) yield e.value;
-  yield* y(await t());
-}
-async function* at(n, t) {
-  n.length > 0 && (yield n), yield* y(t);
-}
-async function* _t(n, t) {
-  for await (const e of y(n))
-    if (yield e.subarray(0, t), t -= e.length, t <= 0) return;
-}
-function y(n) {
-  return { [Symbol.asyncIterator]: () => n };
-}
-function G(n) {
-  if (n.length === 1) return n[0];
-  const t = new Uint8Array(n.reduce((r, s) => r + s.length, 0));
-  let e = 0;
-  for (const r of n)
-    t.set(r, e), e += r.length;
-  return t;
-}
-const lt = [137, 83, 84, 82], U = [..."STRIATA\0"].map((n) => n.charCodeAt(0)), ht = 65536;
-async function ct(n) {
-  const t = new gt(n.pieces);
-  if (await t.grow(U.length), t.startsWith(lt))
+import { d as A, p as O, S as W, l as P, e as j, a as E, f as C, s as R, E as D, g as w, c as $, w as N, o as G, i as V, h as H } from "./wasm.js";
+import { BufferGeometry as z, Vector3 as u, Box3 as q, Sphere as Q, BufferAttribute as p, Color as Y, SRGBColorSpace as J, Matrix4 as K, Mesh as X, MeshStandardMaterial as U, DoubleSide as B, Vector2 as Z } from "three";
+const tt = [137, 83, 84, 82], v = [..."STRIATA\0"].map((n) => n.charCodeAt(0)), et = 65536;
+async function rt(n) {
+  const t = new st(n.pieces);
+  if (await t.grow(v.length), t.startsWith(tt))
     return { isStream: !0, pieces: t.all(), byteCount: n.length };
-  if (t.startsWith(U)) {
-    const e = await dt(t);
-    if (e) return ut(n, t, e);
+  if (t.startsWith(v)) {
+    const e = await it(t);
+    if (e) return nt(n, t, e);
   }
   return { isStream: !1, pieces: t.all(), byteCount: n.length };
 }
-async function ut(n, t, { offset: e, length: r }) {
-  const s = t.bytes.length;
-  return s < e && n.range && e - s > ht ? (await t.drop(), { isStream: !0, pieces: await n.range(e, e + r), byteCount: r }) : { isStream: !0, pieces: _t(N(t.all(), e), r), byteCount: r };
+async function nt(n, t, { offset: e, length: r }) {
+  const i = t.bytes.length;
+  return i < e && n.range && e - i > et ? (await t.drop(), { isStream: !0, pieces: await n.range(e, e + r), byteCount: r }) : { isStream: !0, pieces: P(j(t.all(), e), r), byteCount: r };
 }
-async function dt(n) {
+async function it(n) {
   for (; ; ) {
-    const t = V.find(n.bytes), { needed: e, offset: r, length: s } = t;
+    const t = W.find(n.bytes), { needed: e, offset: r, length: i } = t;
     if (t.free(), e > n.bytes.length) {
       if (!await n.grow(e)) return;
       continue;
     }
-    return s > 0 ? { offset: r, length: s } : void 0;
+    return i > 0 ? { offset: r, length: i } : void 0;
   }
 }
-class gt {
+class st {
   bytes = new Uint8Array();
   #t;
   constructor(t) {
@@ -147,7 +36,7 @@ class gt {
     for (; this.bytes.length < t; ) {
       const e = await this.#t.next();
       if (e.done) return !1;
-      this.bytes = G([this.bytes, e.value]);
+      this.bytes = A([this.bytes, e.value]);
     }
     return !0;
   }
@@ -155,17 +44,17 @@ class gt {
     return t.every((e, r) => this.bytes[r] === e);
   }
   all() {
-    return at(this.bytes, this.#t);
+    return O(this.bytes, this.#t);
   }
   async drop() {
     await this.#t.return?.();
   }
 }
-const H = '(function(){"use strict";class b{static __wrap(t){const e=Object.create(b.prototype);return e.__wbg_ptr=t,U.register(e,e.__wbg_ptr,e),e}__destroy_into_raw(){const t=this.__wbg_ptr;return this.__wbg_ptr=0,U.unregister(this),t}free(){const t=this.__destroy_into_raw();r.__wbg_failure_free(t,0)}get code(){let t,e;try{const o=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.failure_code(o,this.__wbg_ptr);var _=s().getInt32(o+0,!0),i=s().getInt32(o+4,!0);return t=_,e=i,y(_,i)}finally{r.__wbindgen_add_to_stack_pointer(16),r.__wbindgen_export(t,e,1)}}get hint(){try{const _=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.failure_hint(_,this.__wbg_ptr);var t=s().getInt32(_+0,!0),e=s().getInt32(_+4,!0);let i;return t!==0&&(i=y(t,e),r.__wbindgen_export(t,e*1,1)),i}finally{r.__wbindgen_add_to_stack_pointer(16)}}get message(){let t,e;try{const o=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.failure_message(o,this.__wbg_ptr);var _=s().getInt32(o+0,!0),i=s().getInt32(o+4,!0);return t=_,e=i,y(_,i)}finally{r.__wbindgen_add_to_stack_pointer(16),r.__wbindgen_export(t,e,1)}}}Symbol.dispose&&(b.prototype[Symbol.dispose]=b.prototype.free);class d{static __wrap(t){const e=Object.create(d.prototype);return e.__wbg_ptr=t,z.register(e,e.__wbg_ptr,e),e}__destroy_into_raw(){const t=this.__wbg_ptr;return this.__wbg_ptr=0,z.unregister(this),t}free(){const t=this.__destroy_into_raw();r.__wbg_model_free(t,0)}bounds(){try{const i=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.model_bounds(i,this.__wbg_ptr);var t=s().getInt32(i+0,!0),e=s().getInt32(i+4,!0),_=x(t,e).slice();return r.__wbindgen_export(t,e*4,4),_}finally{r.__wbindgen_add_to_stack_pointer(16)}}build(){try{const _=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.model_build(_,this.__wbg_ptr);var t=s().getInt32(_+0,!0),e=s().getInt32(_+4,!0);if(e)throw p(t)}finally{r.__wbindgen_add_to_stack_pointer(16)}}color_fans(){try{const i=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.model_color_fans(i,this.__wbg_ptr);var t=s().getInt32(i+0,!0),e=s().getInt32(i+4,!0),_=C(t,e).slice();return r.__wbindgen_export(t,e*4,4),_}finally{r.__wbindgen_add_to_stack_pointer(16)}}color_strips(){try{const a=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.model_color_strips(a,this.__wbg_ptr);var t=s().getInt32(a+0,!0),e=s().getInt32(a+4,!0),_=s().getInt32(a+8,!0),i=s().getInt32(a+12,!0);if(i)throw p(_);var o=C(t,e).slice();return r.__wbindgen_export(t,e*4,4),o}finally{r.__wbindgen_add_to_stack_pointer(16)}}get diagonal(){return r.model_diagonal(this.__wbg_ptr)}finish(){try{const _=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.model_finish(_,this.__wbg_ptr);var t=s().getInt32(_+0,!0),e=s().getInt32(_+4,!0);if(e)throw p(t)}finally{r.__wbindgen_add_to_stack_pointer(16)}}static from_file(t,e,_){try{const c=r.__wbindgen_add_to_stack_pointer(-16)>>>0;let l,h,f,w;try{l=P(t,r.__wbindgen_export3),h=u,f=J(e,r.__wbindgen_export3,r.__wbindgen_export4),w=u}catch(at){throw f&&r.__wbindgen_export(f,w*1,1),l&&r.__wbindgen_export(l,h*1,1),at}r.model_from_file(c,l,h,f,w,_);var i=s().getInt32(c+0,!0),o=s().getInt32(c+4,!0),a=s().getInt32(c+8,!0);if(a)throw p(o);return d.__wrap(i)}finally{r.__wbindgen_add_to_stack_pointer(16)}}get full_triangle_count(){return r.model_full_triangle_count(this.__wbg_ptr)>>>0}get full_vertex_count(){return r.model_full_vertex_count(this.__wbg_ptr)>>>0}get group_count(){return r.model_group_count(this.__wbg_ptr)>>>0}group_counts(){try{const i=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.model_group_counts(i,this.__wbg_ptr);var t=s().getInt32(i+0,!0),e=s().getInt32(i+4,!0),_=C(t,e).slice();return r.__wbindgen_export(t,e*4,4),_}finally{r.__wbindgen_add_to_stack_pointer(16)}}indices(){try{const i=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.model_indices(i,this.__wbg_ptr);var t=s().getInt32(i+0,!0),e=s().getInt32(i+4,!0),_=C(t,e).slice();return r.__wbindgen_export(t,e*4,4),_}finally{r.__wbindgen_add_to_stack_pointer(16)}}get is_built(){return r.model_is_built(this.__wbg_ptr)!==0}get is_complete(){return r.model_is_complete(this.__wbg_ptr)!==0}get is_ready(){return r.model_is_ready(this.__wbg_ptr)!==0}get kind(){let t,e;try{const o=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.model_kind(o,this.__wbg_ptr);var _=s().getInt32(o+0,!0),i=s().getInt32(o+4,!0);return t=_,e=i,y(_,i)}finally{r.__wbindgen_add_to_stack_pointer(16),r.__wbindgen_export(t,e,1)}}constructor(){const t=r.model_new();return this.__wbg_ptr=t,z.register(this,this.__wbg_ptr,this),this}push(t){try{const i=r.__wbindgen_add_to_stack_pointer(-16)>>>0,o=P(t,r.__wbindgen_export3),a=u;r.model_push(i,this.__wbg_ptr,o,a);var e=s().getInt32(i+0,!0),_=s().getInt32(i+4,!0);if(_)throw p(e)}finally{r.__wbindgen_add_to_stack_pointer(16)}}show_detail(t){r.model_show_detail(this.__wbg_ptr,t)}show_error(t){r.model_show_error(this.__wbg_ptr,t)}show_triangles(t){r.model_show_triangles(this.__wbg_ptr,t)}show_view(t){try{const o=r.__wbindgen_add_to_stack_pointer(-16)>>>0;Y(t,S),r.model_show_view(o,this.__wbg_ptr,t.__wbg_ptr);var e=s().getInt32(o+0,!0),_=s().getInt32(o+4,!0),i=s().getInt32(o+8,!0);if(i)throw p(_);return e!==0}finally{r.__wbindgen_add_to_stack_pointer(16)}}get shown_error(){return r.model_shown_error(this.__wbg_ptr)}get shown_split_count(){return r.model_shown_split_count(this.__wbg_ptr)>>>0}smooth_normals(){try{const i=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.model_smooth_normals(i,this.__wbg_ptr);var t=s().getInt32(i+0,!0),e=s().getInt32(i+4,!0),_=x(t,e).slice();return r.__wbindgen_export(t,e*4,4),_}finally{r.__wbindgen_add_to_stack_pointer(16)}}get step_count(){return r.model_step_count(this.__wbg_ptr)>>>0}get stream_bytes(){return r.model_stream_bytes(this.__wbg_ptr)}get triangle_count(){return r.model_triangle_count(this.__wbg_ptr)>>>0}get vertex_count(){return r.model_vertex_count(this.__wbg_ptr)>>>0}vertices(t){const e=r.model_vertices(this.__wbg_ptr,t);return k.__wrap(e)}}Symbol.dispose&&(d.prototype[Symbol.dispose]=d.prototype.free);class k{static __wrap(t){const e=Object.create(k.prototype);return e.__wbg_ptr=t,j.register(e,e.__wbg_ptr,e),e}__destroy_into_raw(){const t=this.__wbg_ptr;return this.__wbg_ptr=0,j.unregister(this),t}free(){const t=this.__destroy_into_raw();r.__wbg_vertices_free(t,0)}take_colors(){try{const _=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.vertices_take_colors(_,this.__wbg_ptr);var t=s().getInt32(_+0,!0),e=s().getInt32(_+4,!0);let i;return t!==0&&(i=q(t,e).slice(),r.__wbindgen_export(t,e*1,1)),i}finally{r.__wbindgen_add_to_stack_pointer(16)}}take_normals(){try{const _=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.vertices_take_normals(_,this.__wbg_ptr);var t=s().getInt32(_+0,!0),e=s().getInt32(_+4,!0);let i;return t!==0&&(i=x(t,e).slice(),r.__wbindgen_export(t,e*4,4)),i}finally{r.__wbindgen_add_to_stack_pointer(16)}}take_positions(){try{const i=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.vertices_take_positions(i,this.__wbg_ptr);var t=s().getInt32(i+0,!0),e=s().getInt32(i+4,!0),_=x(t,e).slice();return r.__wbindgen_export(t,e*4,4),_}finally{r.__wbindgen_add_to_stack_pointer(16)}}take_uvs(){try{const _=r.__wbindgen_add_to_stack_pointer(-16)>>>0;r.vertices_take_uvs(_,this.__wbg_ptr);var t=s().getInt32(_+0,!0),e=s().getInt32(_+4,!0);let i;return t!==0&&(i=x(t,e).slice(),r.__wbindgen_export(t,e*4,4)),i}finally{r.__wbindgen_add_to_stack_pointer(16)}}}Symbol.dispose&&(k.prototype[Symbol.dispose]=k.prototype.free);class S{__destroy_into_raw(){const t=this.__wbg_ptr;return this.__wbg_ptr=0,V.unregister(this),t}free(){const t=this.__destroy_into_raw();r.__wbg_view_free(t,0)}get pixels(){return r.__wbg_get_view_pixels(this.__wbg_ptr)}get triangle_limit(){return r.__wbg_get_view_triangle_limit(this.__wbg_ptr)>>>0}set pixels(t){r.__wbg_set_view_pixels(this.__wbg_ptr,t)}set triangle_limit(t){r.__wbg_set_view_triangle_limit(this.__wbg_ptr,t)}constructor(t,e,_){try{const c=r.__wbindgen_add_to_stack_pointer(-16)>>>0,l=+e,h=+_,f=G(t,r.__wbindgen_export3),w=u;r.view_new(c,f,w,l,h);var i=s().getInt32(c+0,!0),o=s().getInt32(c+4,!0),a=s().getInt32(c+8,!0);if(a)throw p(o);return this.__wbg_ptr=i,V.register(this,this.__wbg_ptr,this),this}finally{r.__wbindgen_add_to_stack_pointer(16)}}}Symbol.dispose&&(S.prototype[Symbol.dispose]=S.prototype.free);function N(){return{__proto__:null,"./striata_web_bg.js":{__proto__:null,__wbg___wbindgen_throw_4c88d8bf264fd984:function(t,e){throw new Error(y(t,e))},__wbg_failure_new:function(t){return b.__wrap(t)},__wbg_report_581358a93077c908:function(t,e,_,i){t.report(y(e,_),i)},__wbindgen_init_externref_table:function(){const t=r.__wbindgen_externrefs;t.set(0,void 0),t.set(1024,void 0),t.set(1025,null),t.set(1026,!0),t.set(1027,!1)}}}}const U=typeof FinalizationRegistry>"u"?{register:()=>{},unregister:()=>{}}:new FinalizationRegistry(n=>r.__wbg_failure_free(n,1)),z=typeof FinalizationRegistry>"u"?{register:()=>{},unregister:()=>{}}:new FinalizationRegistry(n=>r.__wbg_model_free(n,1));typeof FinalizationRegistry>"u"||new FinalizationRegistry(n=>r.__wbg_streamplace_free(n,1));const j=typeof FinalizationRegistry>"u"?{register:()=>{},unregister:()=>{}}:new FinalizationRegistry(n=>r.__wbg_vertices_free(n,1)),V=typeof FinalizationRegistry>"u"?{register:()=>{},unregister:()=>{}}:new FinalizationRegistry(n=>r.__wbg_view_free(n,1));function Y(n,t){if(!(n instanceof t))throw new Error(`expected instance of ${t.name}`)}function x(n,t){return n=n>>>0,H().subarray(n/4,n/4+t)}function C(n,t){return n=n>>>0,$().subarray(n/4,n/4+t)}function q(n,t){return n=n>>>0,m().subarray(n/1,n/1+t)}let g=null;function s(){return(g===null||g.buffer.detached===!0||g.buffer.detached===void 0&&g.buffer!==r.memory.buffer)&&(g=new DataView(r.memory.buffer)),g}let I=null;function H(){return(I===null||I.byteLength===0)&&(I=new Float32Array(r.memory.buffer)),I}let A=null;function X(){return(A===null||A.byteLength===0)&&(A=new Float64Array(r.memory.buffer)),A}function y(n,t){return n=n>>>0,Q(m().subarray(n,n+t))}let M=null;function $(){return(M===null||M.byteLength===0)&&(M=new Uint32Array(r.memory.buffer)),M}let F=null;function m(){return(F===null||F.byteLength===0)&&(F=new Uint8Array(r.memory.buffer)),F}function P(n,t){const e=t(n.length*1,1)>>>0;return m().set(n,e/1),u=n.length,e}function G(n,t){const e=t(n.length*8,8)>>>0;return X().set(n,e/8),u=n.length,e}function J(n,t,e){if(e===void 0){const c=E.encode(n),l=t(c.length,1)>>>0;return m().subarray(l,l+c.length).set(c),u=c.length,l}let _=n.length,i=t(_,1)>>>0;const o=m();let a=0;for(;a<_;a++){const c=n.charCodeAt(a);if(c>127)break;o[i+a]=c}if(a!==_){a!==0&&(n=n.slice(a)),i=e(i,_,_=a+n.length*3,1)>>>0;const c=m().subarray(i+a,i+_),l=E.encodeInto(n,c);a+=l.written,i=e(i,_,a,1)>>>0}return u=a,i}function p(n){const t=r.__wbindgen_externrefs.get(n);return r.__wbindgen_export2(n),t}let T=new TextDecoder("utf-8",{ignoreBOM:!0});T.decode();const K=2146435072;let R=0;function Q(n){return R+=n.length,R>=K&&(T=new TextDecoder("utf-8",{ignoreBOM:!0}),T.decode(),R=n.length),T.decode(n)}const E=new TextEncoder;"encodeInto"in E||(E.encodeInto=function(n,t){const e=E.encode(n);return t.set(e),{read:n.length,written:e.length}});let u=0,r;function Z(n,t){return r=n.exports,g=null,I=null,A=null,M=null,F=null,r.__wbindgen_start(),r}function tt(n){if(r!==void 0)return r;n!==void 0&&(Object.getPrototypeOf(n)===Object.prototype?{module:n}=n:console.warn("using deprecated parameters for `initSync()`; pass a single object instead"));const t=N();n instanceof WebAssembly.Module||(n=new WebAssembly.Module(n));const e=new WebAssembly.Instance(n,t);return Z(e)}class v extends Error{code;hint;constructor(t,e,_){super(e),this.name="StriataError",this.code=t,this.hint=_}}function D(n){if(n instanceof v)return n;if(n instanceof b){const e=new v(n.code,n.message,n.hint);return n.free(),e}if(n instanceof WebAssembly.RuntimeError||n instanceof RangeError)return new v("too-large","the model took more memory than the page has","close other pages, or load a stream with fewer triangles");if(n instanceof DOMException&&n.name==="AbortError")return et();const t=n instanceof Error?n.message:String(n);return new v("network",t)}function et(){return new v("aborted","loading was aborted")}function O(n){return{code:n.code,message:n.message,hint:n.hint}}const W=8192,rt=60,nt=4;function _t(){return new Promise(n=>{const{port1:t,port2:e}=new MessageChannel;t.onmessage=()=>{t.close(),n()},e.postMessage(null)})}class it{#e;#p;#t=new d;#r=[];#_;#c=!1;#i=!1;#h={by:"detail",value:1,limit:0};#a="surface";#n="download";#f=0;#w=!1;#b=-1;#l=0;#u=0;#d=0;#y=0;#s={vertices:0,triangles:0,steps:0,bytes:0};constructor(t,e){this.#e=t,this.#p=e}take(t){if(!this.#i)switch(t.type){case"bytes":this.#r.push(t.bytes),this.#m();break;case"end":this.#_=t.error?{error:t.error}:{},this.#m();break;case"file":this.#I(t.bytes,t.name);break;case"show":this.#h=t.wish,this.#a=t.colouring,this.#t.is_ready&&this.#g(()=>this.#o(t.ticket));break}}dispose(){this.#i=!0,this.#r=[],this.#t.free()}async#m(){if(!this.#c){for(this.#c=!0;this.#r.length>0&&!this.#i;){this.#n="decode";const t=this.#v();if(t){this.#r=[],this.#_={error:O(t)};break}this.#t.is_ready&&performance.now()>=this.#y&&this.#g(()=>this.#o(0)),await _t()}this.#c=!1,this.#_&&!this.#i&&this.#k(this.#_.error)}}#v(){const t=performance.now();try{for(;performance.now()-t<this.#p;){const e=this.#r.shift();if(!e)break;this.#t.push(e.subarray(0,W)),e.length>W&&this.#r.unshift(e.subarray(W))}return}catch(e){return D(e)}finally{this.#l+=performance.now()-t}}#k(t){let e=t;try{if(!e&&!this.#t.is_complete&&(e={code:"corrupt",message:"the stream ends before the mesh does",hint:"was the file copied whole?"}),(e?.code!=="corrupt"||!t)&&this.#x(),!this.#t.is_ready)throw new v("corrupt","the stream ends before there is anything to draw");this.#A(),this.#n="build",this.#o(0),this.#e({type:"building",share:0});const _=performance.now();this.#t.build(),this.#u=performance.now()-_,this.#n="done",this.#o(0)}catch(_){e??=O(D(_))}this.#_=void 0,this.#e(e?{type:"failed",error:e}:{type:"finished"})}#x(){const t=performance.now();try{this.#t.finish()}finally{this.#l+=performance.now()-t}}#I(t,e){this.#n="build";const _=performance.now(),i={report:(o,a)=>this.#e({type:"building",share:a})};this.#g(()=>{const o=d.from_file(t,e,i);this.#t.free(),this.#t=o,this.#u=performance.now()-_,this.#n="done",this.#o(0),this.#e({type:"finished"})})}#g(t){try{t()}catch(e){this.#i=!0,this.#e({type:"failed",error:O(D(e))})}}#A(){const t=this.#t;this.#s={vertices:t.full_vertex_count,triangles:t.full_triangle_count,steps:t.step_count,bytes:t.stream_bytes}}#o(t){const e=performance.now(),_=this.#M(),i=this.#F(),o=this.#E(),a=this.#S(),c=this.#t,[l,h]=[c.indices(),c.group_counts()];this.#d=performance.now()-e,this.#y=performance.now()+Math.max(rt,nt*this.#d);const w={type:"update",state:this.#C(),vertices:o,smoothNormals:a,indices:l,groupCounts:h,numbers:i,settled:_,ticket:t};this.#e(w)}#M(){const{by:t,value:e,limit:_,camera:i}=this.#h,o=this.#t;if(t==="view"&&o.is_built&&i){const c=new S(Float64Array.from(i),e,_);try{return o.show_view(c)}finally{c.free()}}t==="triangles"?o.show_triangles(e):t==="error"?o.show_error(e):o.show_detail(t==="detail"?e:1);const a=o.group_counts().reduce((c,l)=>c+l,0);return _>0&&a>_&&o.show_triangles(_),!0}#F(){if(this.#a==="strips")return this.#t.color_strips();if(this.#a==="fans")return this.#t.color_fans();if(this.#a==="surface")return;const t=this.#t.group_counts().reduce((e,_)=>e+_,0);return Uint32Array.from({length:t},(e,_)=>_)}#E(){const t=this.#f;if(this.#t.vertex_count===t)return;const e=this.#t.vertices(t);try{const _=e.take_normals();return this.#w=_!==void 0,this.#f=this.#t.vertex_count,{first:t,positions:e.take_positions(),normals:_,colors:e.take_colors(),uvs:e.take_uvs()}}finally{e.free()}}#S(){if(!(this.#w||this.#b===this.#t.vertex_count))return this.#b=this.#t.vertex_count,this.#t.smooth_normals()}#C(){const t=this.#t;return{kind:t.kind,phase:this.#n,complete:t.is_complete,built:t.is_built,vertexCount:t.vertex_count,triangleCount:t.triangle_count,fullVertexCount:this.#s.vertices||t.full_vertex_count,fullTriangleCount:this.#s.triangles||t.full_triangle_count,stepCount:this.#s.steps||t.step_count,streamBytes:this.#s.bytes||t.stream_bytes,bounds:t.bounds(),diagonal:t.diagonal,shownSplitCount:t.shown_split_count,shownError:t.shown_error,decodeMs:this.#l,buildMs:this.#u,updateMs:this.#d}}}function st(n){if(n.type!=="update")return[];const{vertices:t,indices:e,groupCounts:_,numbers:i,smoothNormals:o}=n,a=[e,_,i,o];return t&&a.push(t.positions,t.normals,t.colors,t.uvs),a.flatMap(c=>c?[c.buffer]:[])}const ot=30,B=self;let L;B.onmessage=({data:n})=>{n instanceof WebAssembly.Module?(tt({module:n}),L=new it(t=>B.postMessage(t,st(t)),ot)):L?.take(n)}})();\n', L = typeof self < "u" && self.Blob && new Blob([H], { type: "text/javascript;charset=utf-8" });
-function ft(n) {
+const F = '(function(){"use strict";class N{static __wrap(e){const r=Object.create(N.prototype);return r.__wbg_ptr=e,Me.register(r,r.__wbg_ptr,r),r}__destroy_into_raw(){const e=this.__wbg_ptr;return this.__wbg_ptr=0,Me.unregister(this),e}free(){const e=this.__destroy_into_raw();s.__wbg_failure_free(e,0)}get code(){let e,r;try{const o=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.failure_code(o,this.__wbg_ptr);var n=c().getInt32(o+0,!0),i=c().getInt32(o+4,!0);return e=n,r=i,Y(n,i)}finally{s.__wbindgen_add_to_stack_pointer(16),s.__wbindgen_export(e,r,1)}}get hint(){try{const n=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.failure_hint(n,this.__wbg_ptr);var e=c().getInt32(n+0,!0),r=c().getInt32(n+4,!0);let i;return e!==0&&(i=Y(e,r),s.__wbindgen_export(e,r*1,1)),i}finally{s.__wbindgen_add_to_stack_pointer(16)}}get message(){let e,r;try{const o=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.failure_message(o,this.__wbg_ptr);var n=c().getInt32(o+0,!0),i=c().getInt32(o+4,!0);return e=n,r=i,Y(n,i)}finally{s.__wbindgen_add_to_stack_pointer(16),s.__wbindgen_export(e,r,1)}}}Symbol.dispose&&(N.prototype[Symbol.dispose]=N.prototype.free);class j{static __wrap(e){const r=Object.create(j.prototype);return r.__wbg_ptr=e,we.register(r,r.__wbg_ptr,r),r}__destroy_into_raw(){const e=this.__wbg_ptr;return this.__wbg_ptr=0,we.unregister(this),e}free(){const e=this.__destroy_into_raw();s.__wbg_model_free(e,0)}bounds(){try{const i=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.model_bounds(i,this.__wbg_ptr);var e=c().getInt32(i+0,!0),r=c().getInt32(i+4,!0),n=X(e,r).slice();return s.__wbindgen_export(e,r*4,4),n}finally{s.__wbindgen_add_to_stack_pointer(16)}}build(){try{const n=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.model_build(n,this.__wbg_ptr);var e=c().getInt32(n+0,!0),r=c().getInt32(n+4,!0);if(r)throw P(e)}finally{s.__wbindgen_add_to_stack_pointer(16)}}color_fans(){try{const i=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.model_color_fans(i,this.__wbg_ptr);var e=c().getInt32(i+0,!0),r=c().getInt32(i+4,!0),n=oe(e,r).slice();return s.__wbindgen_export(e,r*4,4),n}finally{s.__wbindgen_add_to_stack_pointer(16)}}color_strips(){try{const _=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.model_color_strips(_,this.__wbg_ptr);var e=c().getInt32(_+0,!0),r=c().getInt32(_+4,!0),n=c().getInt32(_+8,!0),i=c().getInt32(_+12,!0);if(i)throw P(n);var o=oe(e,r).slice();return s.__wbindgen_export(e,r*4,4),o}finally{s.__wbindgen_add_to_stack_pointer(16)}}get diagonal(){return s.model_diagonal(this.__wbg_ptr)}finish(){try{const n=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.model_finish(n,this.__wbg_ptr);var e=c().getInt32(n+0,!0),r=c().getInt32(n+4,!0);if(r)throw P(e)}finally{s.__wbindgen_add_to_stack_pointer(16)}}static from_file(e,r,n){try{const a=s.__wbindgen_add_to_stack_pointer(-16)>>>0;let l,p,d,h;try{l=Fe(e,s.__wbindgen_export3),p=W,d=He(r,s.__wbindgen_export3,s.__wbindgen_export4),h=W}catch(b){throw d&&s.__wbindgen_export(d,h*1,1),l&&s.__wbindgen_export(l,p*1,1),b}s.model_from_file(a,l,p,d,h,n);var i=c().getInt32(a+0,!0),o=c().getInt32(a+4,!0),_=c().getInt32(a+8,!0);if(_)throw P(o);return j.__wrap(i)}finally{s.__wbindgen_add_to_stack_pointer(16)}}get full_triangle_count(){return s.model_full_triangle_count(this.__wbg_ptr)>>>0}get full_vertex_count(){return s.model_full_vertex_count(this.__wbg_ptr)>>>0}get group_count(){return s.model_group_count(this.__wbg_ptr)>>>0}group_counts(){try{const i=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.model_group_counts(i,this.__wbg_ptr);var e=c().getInt32(i+0,!0),r=c().getInt32(i+4,!0),n=oe(e,r).slice();return s.__wbindgen_export(e,r*4,4),n}finally{s.__wbindgen_add_to_stack_pointer(16)}}indices(){try{const i=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.model_indices(i,this.__wbg_ptr);var e=c().getInt32(i+0,!0),r=c().getInt32(i+4,!0),n=oe(e,r).slice();return s.__wbindgen_export(e,r*4,4),n}finally{s.__wbindgen_add_to_stack_pointer(16)}}get is_built(){return s.model_is_built(this.__wbg_ptr)!==0}get is_complete(){return s.model_is_complete(this.__wbg_ptr)!==0}get is_ready(){return s.model_is_ready(this.__wbg_ptr)!==0}get kind(){let e,r;try{const o=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.model_kind(o,this.__wbg_ptr);var n=c().getInt32(o+0,!0),i=c().getInt32(o+4,!0);return e=n,r=i,Y(n,i)}finally{s.__wbindgen_add_to_stack_pointer(16),s.__wbindgen_export(e,r,1)}}constructor(){const e=s.model_new();return this.__wbg_ptr=e,we.register(this,this.__wbg_ptr,this),this}push(e){try{const i=s.__wbindgen_add_to_stack_pointer(-16)>>>0,o=Fe(e,s.__wbindgen_export3),_=W;s.model_push(i,this.__wbg_ptr,o,_);var r=c().getInt32(i+0,!0),n=c().getInt32(i+4,!0);if(n)throw P(r)}finally{s.__wbindgen_add_to_stack_pointer(16)}}show_detail(e){s.model_show_detail(this.__wbg_ptr,e)}show_error(e){s.model_show_error(this.__wbg_ptr,e)}show_triangles(e){s.model_show_triangles(this.__wbg_ptr,e)}show_view(e){try{const o=s.__wbindgen_add_to_stack_pointer(-16)>>>0;Pe(e,se),s.model_show_view(o,this.__wbg_ptr,e.__wbg_ptr);var r=c().getInt32(o+0,!0),n=c().getInt32(o+4,!0),i=c().getInt32(o+8,!0);if(i)throw P(n);return r!==0}finally{s.__wbindgen_add_to_stack_pointer(16)}}get shown_error(){return s.model_shown_error(this.__wbg_ptr)}get shown_split_count(){return s.model_shown_split_count(this.__wbg_ptr)>>>0}smooth_normals(){try{const i=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.model_smooth_normals(i,this.__wbg_ptr);var e=c().getInt32(i+0,!0),r=c().getInt32(i+4,!0),n=X(e,r).slice();return s.__wbindgen_export(e,r*4,4),n}finally{s.__wbindgen_add_to_stack_pointer(16)}}get step_count(){return s.model_step_count(this.__wbg_ptr)>>>0}get stream_bytes(){return s.model_stream_bytes(this.__wbg_ptr)}get triangle_count(){return s.model_triangle_count(this.__wbg_ptr)>>>0}get vertex_count(){return s.model_vertex_count(this.__wbg_ptr)>>>0}vertices(e){const r=s.model_vertices(this.__wbg_ptr,e);return H.__wrap(r)}}Symbol.dispose&&(j.prototype[Symbol.dispose]=j.prototype.free);class H{static __wrap(e){const r=Object.create(H.prototype);return r.__wbg_ptr=e,ze.register(r,r.__wbg_ptr,r),r}__destroy_into_raw(){const e=this.__wbg_ptr;return this.__wbg_ptr=0,ze.unregister(this),e}free(){const e=this.__destroy_into_raw();s.__wbg_vertices_free(e,0)}take_colors(){try{const n=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.vertices_take_colors(n,this.__wbg_ptr);var e=c().getInt32(n+0,!0),r=c().getInt32(n+4,!0);let i;return e!==0&&(i=Le(e,r).slice(),s.__wbindgen_export(e,r*1,1)),i}finally{s.__wbindgen_add_to_stack_pointer(16)}}take_normals(){try{const n=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.vertices_take_normals(n,this.__wbg_ptr);var e=c().getInt32(n+0,!0),r=c().getInt32(n+4,!0);let i;return e!==0&&(i=X(e,r).slice(),s.__wbindgen_export(e,r*4,4)),i}finally{s.__wbindgen_add_to_stack_pointer(16)}}take_positions(){try{const i=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.vertices_take_positions(i,this.__wbg_ptr);var e=c().getInt32(i+0,!0),r=c().getInt32(i+4,!0),n=X(e,r).slice();return s.__wbindgen_export(e,r*4,4),n}finally{s.__wbindgen_add_to_stack_pointer(16)}}take_uvs(){try{const n=s.__wbindgen_add_to_stack_pointer(-16)>>>0;s.vertices_take_uvs(n,this.__wbg_ptr);var e=c().getInt32(n+0,!0),r=c().getInt32(n+4,!0);let i;return e!==0&&(i=X(e,r).slice(),s.__wbindgen_export(e,r*4,4)),i}finally{s.__wbindgen_add_to_stack_pointer(16)}}}Symbol.dispose&&(H.prototype[Symbol.dispose]=H.prototype.free);class se{__destroy_into_raw(){const e=this.__wbg_ptr;return this.__wbg_ptr=0,Ee.unregister(this),e}free(){const e=this.__destroy_into_raw();s.__wbg_view_free(e,0)}get pixels(){return s.__wbg_get_view_pixels(this.__wbg_ptr)}get triangle_limit(){return s.__wbg_get_view_triangle_limit(this.__wbg_ptr)>>>0}set pixels(e){s.__wbg_set_view_pixels(this.__wbg_ptr,e)}set triangle_limit(e){s.__wbg_set_view_triangle_limit(this.__wbg_ptr,e)}constructor(e,r,n){try{const a=s.__wbindgen_add_to_stack_pointer(-16)>>>0,l=+r,p=+n,d=qe(e,s.__wbindgen_export3),h=W;s.view_new(a,d,h,l,p);var i=c().getInt32(a+0,!0),o=c().getInt32(a+4,!0),_=c().getInt32(a+8,!0);if(_)throw P(o);return this.__wbg_ptr=i,Ee.register(this,this.__wbg_ptr,this),this}finally{s.__wbindgen_add_to_stack_pointer(16)}}}Symbol.dispose&&(se.prototype[Symbol.dispose]=se.prototype.free);function Ve(){return{__proto__:null,"./striata_web_bg.js":{__proto__:null,__wbg___wbindgen_throw_4c88d8bf264fd984:function(e,r){throw new Error(Y(e,r))},__wbg_failure_new:function(e){return N.__wrap(e)},__wbg_report_581358a93077c908:function(e,r,n,i){e.report(Y(r,n),i)},__wbindgen_init_externref_table:function(){const e=s.__wbindgen_externrefs;e.set(0,void 0),e.set(1024,void 0),e.set(1025,null),e.set(1026,!0),e.set(1027,!1)}}}}const Me=typeof FinalizationRegistry>"u"?{register:()=>{},unregister:()=>{}}:new FinalizationRegistry(t=>s.__wbg_failure_free(t,1)),we=typeof FinalizationRegistry>"u"?{register:()=>{},unregister:()=>{}}:new FinalizationRegistry(t=>s.__wbg_model_free(t,1));typeof FinalizationRegistry>"u"||new FinalizationRegistry(t=>s.__wbg_streamplace_free(t,1));const ze=typeof FinalizationRegistry>"u"?{register:()=>{},unregister:()=>{}}:new FinalizationRegistry(t=>s.__wbg_vertices_free(t,1)),Ee=typeof FinalizationRegistry>"u"?{register:()=>{},unregister:()=>{}}:new FinalizationRegistry(t=>s.__wbg_view_free(t,1));function Pe(t,e){if(!(t instanceof e))throw new Error(`expected instance of ${e.name}`)}function X(t,e){return t=t>>>0,$e().subarray(t/4,t/4+e)}function oe(t,e){return t=t>>>0,Ye().subarray(t/4,t/4+e)}function Le(t,e){return t=t>>>0,q().subarray(t/1,t/1+e)}let V=null;function c(){return(V===null||V.buffer.detached===!0||V.buffer.detached===void 0&&V.buffer!==s.memory.buffer)&&(V=new DataView(s.memory.buffer)),V}let G=null;function $e(){return(G===null||G.byteLength===0)&&(G=new Float32Array(s.memory.buffer)),G}let J=null;function Ne(){return(J===null||J.byteLength===0)&&(J=new Float64Array(s.memory.buffer)),J}function Y(t,e){return t=t>>>0,Ge(q().subarray(t,t+e))}let K=null;function Ye(){return(K===null||K.byteLength===0)&&(K=new Uint32Array(s.memory.buffer)),K}let Q=null;function q(){return(Q===null||Q.byteLength===0)&&(Q=new Uint8Array(s.memory.buffer)),Q}function Fe(t,e){const r=e(t.length*1,1)>>>0;return q().set(t,r/1),W=t.length,r}function qe(t,e){const r=e(t.length*8,8)>>>0;return Ne().set(t,r/8),W=t.length,r}function He(t,e,r){if(r===void 0){const a=Z.encode(t),l=e(a.length,1)>>>0;return q().subarray(l,l+a.length).set(a),W=a.length,l}let n=t.length,i=e(n,1)>>>0;const o=q();let _=0;for(;_<n;_++){const a=t.charCodeAt(_);if(a>127)break;o[i+_]=a}if(_!==n){_!==0&&(t=t.slice(_)),i=r(i,n,n=_+t.length*3,1)>>>0;const a=q().subarray(i+_,i+n),l=Z.encodeInto(t,a);_+=l.written,i=r(i,n,_,1)>>>0}return W=_,i}function P(t){const e=s.__wbindgen_externrefs.get(t);return s.__wbindgen_export2(t),e}let _e=new TextDecoder("utf-8",{ignoreBOM:!0});_e.decode();const Xe=2146435072;let de=0;function Ge(t){return de+=t.length,de>=Xe&&(_e=new TextDecoder("utf-8",{ignoreBOM:!0}),_e.decode(),de=t.length),_e.decode(t)}const Z=new TextEncoder;"encodeInto"in Z||(Z.encodeInto=function(t,e){const r=Z.encode(t);return e.set(r),{read:t.length,written:r.length}});let W=0,s;function Je(t,e){return s=t.exports,V=null,G=null,J=null,K=null,Q=null,s.__wbindgen_start(),s}function Ke(t){if(s!==void 0)return s;t!==void 0&&(Object.getPrototypeOf(t)===Object.prototype?{module:t}=t:console.warn("using deprecated parameters for `initSync()`; pass a single object instead"));const e=Ve();t instanceof WebAssembly.Module||(t=new WebAssembly.Module(t));const r=new WebAssembly.Instance(t,e);return Je(r)}class U extends Error{code;hint;constructor(e,r,n){super(r),this.name="StriataError",this.code=e,this.hint=n}}function ve(t){if(t instanceof U)return t;if(t instanceof N){const r=new U(t.code,t.message,t.hint);return t.free(),r}if(t instanceof WebAssembly.RuntimeError||t instanceof RangeError)return new U("too-large","the model took more memory than the page has","close other pages, or load a stream with fewer triangles");if(t instanceof DOMException&&t.name==="AbortError")return Qe();const e=t instanceof Error?t.message:String(t);return new U("network",e)}function Qe(){return new U("aborted","loading was aborted")}function ye(t){return{code:t.code,message:t.message,hint:t.hint}}var Ze=ArrayBuffer,y=Uint8Array,ae=Uint16Array,et=Int16Array,le=Int32Array,be=function(t,e,r){if(y.prototype.slice)return y.prototype.slice.call(t,e,r);(e==null||e<0)&&(e=0),(r==null||r>t.length)&&(r=t.length);var n=new y(r-e);return n.set(t.subarray(e,r)),n},ce=function(t,e,r,n){if(y.prototype.fill)return y.prototype.fill.call(t,e,r,n);for((r==null||r<0)&&(r=0),(n==null||n>t.length)&&(n=t.length);r<n;++r)t[r]=e;return t},tt=function(t,e,r,n){if(y.prototype.copyWithin)return y.prototype.copyWithin.call(t,e,r,n);for((r==null||r<0)&&(r=0),(n==null||n>t.length)&&(n=t.length);r<n;)t[e++]=t[r++]},rt=["invalid zstd data","window size too large (>2046MB)","invalid block type","FSE accuracy too high","match distance too far back","unexpected EOF"],v=function(t,e,r){var n=new Error(e||rt[t]);if(n.code=t,Error.captureStackTrace&&Error.captureStackTrace(n,v),!r)throw n;return n},Se=function(t,e,r){for(var n=0,i=0;n<r;++n)i|=t[e++]<<(n<<3);return i},nt=function(t,e){return(t[e]|t[e+1]<<8|t[e+2]<<16|t[e+3]<<24)>>>0},it=function(t,e){var r=t[0]|t[1]<<8|t[2]<<16;if(r==3126568&&t[3]==253){var n=t[4],i=n>>5&1,o=n>>2&1,_=n&3,a=n>>6;n&8&&v(0);var l=6-i,p=_==3?4:_,d=Se(t,l,p);l+=p;var h=a?1<<a:i,b=Se(t,l,h)+(a==1&&256),x=b;if(!i){var M=1<<10+(t[5]>>3);x=M+(M>>3)*(t[5]&7)}x>2145386496&&v(1);var g=new y(x+12);return g[0]=1,g[4]=4,g[8]=8,{b:l+h,y:0,l:0,d,w:e&&e!=1?e:g.subarray(12),e:x,o:new le(g.buffer,0,3),u:b,c:o,m:Math.min(131072,x)}}else if((r>>4|t[3]<<20)==25481893)return nt(t,4)+8;v(0)},L=function(t){for(var e=0;1<<e<=t;++e);return e-1},ee=function(t,e,r){var n=(e<<3)+4,i=(t[e]&15)+5;i>r&&v(3);for(var o=1<<i,_=o,a=-1,l=-1,p=-1,d=o,h=new Ze(512+(o<<2)),b=new et(h,0,256),x=new ae(h,0,256),M=new ae(h,512,o),g=512+(o<<1),m=new y(h,g,o),O=new y(h,g+o);a<255&&_>0;){var A=L(_+1),I=n>>3,B=(1<<A+1)-1,k=(t[I]|t[I+1]<<8|t[I+2]<<16)>>(n&7)&B,f=(1<<A)-1,z=B-_-1,S=k&f;if(S<z?(n+=A,k=S):(n+=A+1,k>f&&(k-=z)),b[++a]=--k,k==-1?(_+=k,m[--d]=a):_-=k,!k)do{var R=n>>3;l=(t[R]|t[R+1]<<8)>>(n&7)&3,n+=2,a+=l}while(l==3)}(a>255||_)&&v(0);for(var E=0,C=(o>>1)+(o>>3)+3,D=o-1,T=0;T<=a;++T){var w=b[T];if(w<1){x[T]=-w;continue}for(p=0;p<w;++p){m[E]=T;do E=E+C&D;while(E>=d)}}for(E&&v(0),p=0;p<o;++p){var u=x[m[p]]++,F=O[p]=i-L(u);M[p]=(u<<F)-o}return[n+7>>3,{b:i,s:m,n:O,t:M}]},st=function(t,e){var r=0,n=-1,i=new y(292),o=t[e],_=i.subarray(0,256),a=i.subarray(256,268),l=new ae(i.buffer,268);if(o<128){var p=ee(t,e+1,6),d=p[0],h=p[1];e+=o;var b=d<<3,x=t[e];x||v(0);for(var M=0,g=0,m=h.b,O=m,A=(++e<<3)-8+L(x);A-=m,!(A<b);){var I=A>>3;if(M+=(t[I]|t[I+1]<<8)>>(A&7)&(1<<m)-1,_[++n]=h.s[M],A-=O,A<b)break;I=A>>3,g+=(t[I]|t[I+1]<<8)>>(A&7)&(1<<O)-1,_[++n]=h.s[g],m=h.n[M],M=h.t[M],O=h.n[g],g=h.t[g]}++n>255&&v(0)}else{for(n=o-127;r<n;r+=2){var B=t[++e];_[r]=B>>4,_[r+1]=B&15}++e}var k=0;for(r=0;r<n;++r){var f=_[r];f>11&&v(0),k+=f&&1<<f-1}var z=L(k)+1,S=1<<z,R=S-k;for(R&R-1&&v(0),_[n++]=L(R)+1,r=0;r<n;++r){var f=_[r];++a[_[r]=f&&z+1-f]}var E=new y(S<<1),C=E.subarray(0,S),D=E.subarray(S);for(l[z]=0,r=z;r>0;--r){var T=l[r];ce(D,r,T,l[r-1]=T+a[r]*(1<<z-r))}for(l[0]!=S&&v(0),r=0;r<n;++r){var w=_[r];if(w){var u=l[w];ce(C,r,u,l[w]=u+(1<<z-w))}}return[e,{n:D,b:z,s:C}]},ot=ee(new y([81,16,99,140,49,198,24,99,12,33,196,24,99,102,102,134,70,146,4]),0,6)[1],_t=ee(new y([33,20,196,24,99,140,33,132,16,66,8,33,132,16,66,8,33,68,68,68,68,68,68,68,68,36,9]),0,6)[1],at=ee(new y([32,132,16,66,102,70,68,68,68,68,36,73,2]),0,5)[1],Te=function(t,e){for(var r=t.length,n=new le(r),i=0;i<r;++i)n[i]=e,e+=1<<t[i];return n},me=new y(new le([0,0,0,0,16843009,50528770,134678020,202050057,269422093]).buffer,0,36),lt=Te(me,0),xe=new y(new le([0,0,0,0,0,0,0,0,16843009,50528770,117769220,185207048,252579084,16]).buffer,0,53),ct=Te(xe,3),te=function(t,e,r){var n=t.length,i=e.length,o=t[n-1],_=(1<<r.b)-1,a=-r.b;o||v(0);for(var l=0,p=r.b,d=(n<<3)-8+L(o)-p,h=-1;d>a&&h<i;){var b=d>>3,x=(t[b]|t[b+1]<<8|t[b+2]<<16)>>(d&7);l=(l<<p|x)&_,e[++h]=r.s[l],d-=p=r.n[l]}(d!=a||h+1!=i)&&v(0)},ut=function(t,e,r){var n=6,i=e.length,o=i+3>>2,_=o<<1,a=o+_;te(t.subarray(n,n+=t[0]|t[1]<<8),e.subarray(0,o),r),te(t.subarray(n,n+=t[2]|t[3]<<8),e.subarray(o,_),r),te(t.subarray(n,n+=t[4]|t[5]<<8),e.subarray(_,a),r),te(t.subarray(n),e.subarray(a),r)},ht=function(t,e,r){var n,i=e.b,o=t[i],_=o>>1&3;e.l=o&1;var a=o>>3|t[i+1]<<5|t[i+2]<<13,l=(i+=3)+a;if(_==1)return i>=t.length?void 0:(e.b=i+1,ce(new y(a),t[i]));if(!(l>t.length)){if(_==0)return e.b=l,be(t,i,l);if(_==2){var p=t[i],d=p&3,h=p>>2&3,b=p>>4,x=0,M=0;d<2?h&1?b|=t[++i]<<4|(h&2&&t[++i]<<12):b=p>>3:(M=h,h<2?(b|=(t[++i]&63)<<4,x=t[i]>>6|t[++i]<<2):h==2?(b|=t[++i]<<4|(t[++i]&3)<<12,x=t[i]>>2|t[++i]<<6):(b|=t[++i]<<4|(t[++i]&63)<<12,x=t[i]>>6|t[++i]<<2|t[++i]<<10)),++i;var g=new y(e.m),m=g.length-b;if(d==0)g.set(t.subarray(i,i+=b),m);else if(d==1)ce(g,t[i++],m);else{var O=e.h;if(d==2){var A=st(t,i);x+=i-(i=A[0]),e.h=O=A[1]}else O||v(0);(M?ut:te)(t.subarray(i,i+=x),g.subarray(m),O)}var I=t[i++];if(I){I==255?I=(t[i++]|t[i++]<<8)+32512:I>127&&(I=I-128<<8|t[i++]);var B=t[i++];B&3&&v(0);for(var k=[_t,at,ot],f=2;f>-1;--f){var z=B>>(f<<1)+2&3;if(z==1){var S=new y([0,0,t[i++]]);k[f]={s:S.subarray(2,3),n:S.subarray(0,1),t:new ae(S.buffer,0,1),b:0}}else z==2?(n=ee(t,i,9-(f&1)),i=n[0],k[f]=n[1]):z==3&&(e.t||v(0),k[f]=e.t[f])}var R=e.t=k,E=R[0],C=R[1],D=R[2],T=t[l-1];T||v(0);var w=(l<<3)-8+L(T)-D.b,u=w>>3,F=0,ue=(t[u]|t[u+1]<<8)>>(w&7)&(1<<D.b)-1;u=(w-=C.b)>>3;var he=(t[u]|t[u+1]<<8)>>(w&7)&(1<<C.b)-1;u=(w-=E.b)>>3;var fe=(t[u]|t[u+1]<<8)>>(w&7)&(1<<E.b)-1;for(++I;--I;){var ke=D.s[ue],De=D.n[ue],Ae=E.s[fe],Ue=E.n[fe],We=C.s[he],Be=C.n[he];u=(w-=We)>>3;var je=1<<We,$=je+((t[u]|t[u+1]<<8|t[u+2]<<16|t[u+3]<<24)>>>(w&7)&je-1);u=(w-=xe[Ae])>>3;var re=ct[Ae]+((t[u]|t[u+1]<<8|t[u+2]<<16)>>(w&7)&(1<<xe[Ae])-1);u=(w-=me[ke])>>3;var ge=lt[ke]+((t[u]|t[u+1]<<8|t[u+2]<<16)>>(w&7)&(1<<me[ke])-1);if(u=(w-=De)>>3,ue=D.t[ue]+((t[u]|t[u+1]<<8)>>(w&7)&(1<<De)-1),u=(w-=Ue)>>3,fe=E.t[fe]+((t[u]|t[u+1]<<8)>>(w&7)&(1<<Ue)-1),u=(w-=Be)>>3,he=C.t[he]+((t[u]|t[u+1]<<8)>>(w&7)&(1<<Be)-1),$>3)e.o[2]=e.o[1],e.o[1]=e.o[0],e.o[0]=$-=3;else{var pe=$-(ge!=0);pe?($=pe==3?e.o[0]-1:e.o[pe],pe>1&&(e.o[2]=e.o[1]),e.o[1]=e.o[0],e.o[0]=$):$=e.o[0]}for(var f=0;f<ge;++f)g[F+f]=g[m+f];F+=ge,m+=ge;var ne=F-$;if(ne<0){var ie=-ne,St=e.e+ne;ie>re&&(ie=re);for(var f=0;f<ie;++f)g[F+f]=e.w[St+f];F+=ie,re-=ie,ne=0}for(var f=0;f<re;++f)g[F+f]=g[ne+f];F+=re}if(F!=m)for(;m<g.length;)g[F++]=g[m++];else F=g.length;g=be(g,0,F)}else{var f;m&&(g=be(g,m))}return e.b=l,g}v(2)}},Oe=function(t,e){if(t.length==1)return t[0];for(var r=new y(e),n=0,i=0;n<t.length;++n){var o=t[n];r.set(o,i),i+=o.length}return r},ft=(function(){function t(e){this.ondata=e,this.c=[],this.l=0,this.z=0}return t.prototype.push=function(e,r){if(typeof this.s=="number"){var n=Math.min(e.length,this.s);e=e.subarray(n),this.s-=n}var i=e.length,o=i+this.l;if(!this.s){if(r){if(!o){this.ondata(new y(0),!0);return}o<5&&v(5)}else if(o<18){this.c.push(e),this.l=o;return}if(this.l&&(this.c.push(e),e=Oe(this.c,o),this.c=[],this.l=0),typeof(this.s=it(e))=="number")return this.push(e,r)}if(typeof this.s!="number"){if(o<(this.z||3)){r&&v(5),this.c.push(e),this.l=o;return}if(this.l&&(this.c.push(e),e=Oe(this.c,o),this.c=[],this.l=0),!this.z&&o<(this.z=e[this.s.b]&2?4:3+(e[this.s.b]>>3|e[this.s.b+1]<<5|e[this.s.b+2]<<13))){r&&v(5),this.c.push(e),this.l=o;return}else this.z=0;for(;;){var _=ht(e,this.s);if(_)this.ondata(_,!1),tt(this.s.w,0,_.length),this.s.w.set(_,this.s.w.length-_.length);else{r&&v(5);var a=e.subarray(this.s.b);this.s.b=0,this.c.push(a),this.l+=a.length;return}if(this.s.l){var l=e.subarray(this.s.b);this.s=this.s.c*4,this.push(l,r);return}}}else r&&v(5)},t})();function gt(t){if(t.length===1)return t[0];const e=new Uint8Array(t.reduce((n,i)=>n+i.length,0));let r=0;for(const n of t)e.set(n,r),r+=n.length;return e}const pt=3,wt=1<<30,dt=64<<20,vt=2e3;async function yt(t,e){for(let r=0;r<pt;r++){const n=bt(t);if(!n)break;const i=new It(Math.min(wt,Math.max(dt,t.length*vt)),e);try{await(n==="gzip"?mt(t,i):xt(t,i))}catch(o){throw o instanceof U?o:new U("corrupt",`${e}: the ${n} data are damaged or cut off: ${o instanceof Error?o.message:String(o)}`)}t=gt(i.all),e=e.replace(/\\.(gz|zst)$/i,"")}return{bytes:t,name:e}}function bt(t){const e=(...r)=>r.every((n,i)=>t[i]===n);return e(31,139,8)?"gzip":e(40,181,47,253)?"zstd":void 0}async function mt(t,e){const n=new Blob([t]).stream().pipeThrough(new DecompressionStream("gzip")).getReader();for(;;){const{done:i,value:o}=await n.read();if(i)return;e.push(o)}}function xt(t,e){let r=!1;const n=new ft((o,_)=>{e.push(o),r||=_===!0}),i=1<<20;for(let o=0;o<t.length;o+=i)n.push(t.subarray(o,o+i),o+i>=t.length);if(!r)throw new Error("they end too early")}class It{constructor(e,r){this.most=e,this.name=r}all=[];#t=0;push(e){if(this.#t+=e.length,this.#t>this.most)throw new U("too-large",`${this.name}: grows past ${this.most} bytes, more than a mesh can`);this.all.push(e.slice())}}const Ie=8192,kt=60,At=4;function Mt(){return new Promise(t=>{const{port1:e,port2:r}=new MessageChannel;e.onmessage=()=>{e.close(),t()},r.postMessage(null)})}class zt{#t;#g;#e=new j;#r=[];#s;#l=!1;#n=!1;#p={by:"detail",value:1,limit:0};#a="surface";#i="download";#w=0;#d=!1;#v=-1;#c=0;#u=0;#h=0;#y=0;#o={vertices:0,triangles:0,steps:0,bytes:0};constructor(e,r){this.#t=e,this.#g=r}take(e){if(!this.#n)switch(e.type){case"bytes":this.#r.push(e.bytes),this.#b();break;case"end":this.#s=e.error?{error:e.error}:{},this.#b();break;case"file":this.#k(e.bytes,e.name);break;case"show":this.#p=e.wish,this.#a=e.colouring,this.#e.is_ready&&this.#f(()=>this.#_(e.ticket));break}}dispose(){this.#n=!0,this.#r=[],this.#e.free()}async#b(){if(!this.#l){for(this.#l=!0;this.#r.length>0&&!this.#n;){this.#i="decode";const e=this.#m();if(e){this.#r=[],this.#s={error:ye(e)};break}this.#e.is_ready&&performance.now()>=this.#y&&this.#f(()=>this.#_(0)),await Mt()}this.#l=!1,this.#s&&!this.#n&&this.#x(this.#s.error)}}#m(){const e=performance.now();try{for(;performance.now()-e<this.#g;){const r=this.#r.shift();if(!r)break;this.#e.push(r.subarray(0,Ie)),r.length>Ie&&this.#r.unshift(r.subarray(Ie))}return}catch(r){return ve(r)}finally{this.#c+=performance.now()-e}}#x(e){let r=e;try{if(!r&&!this.#e.is_complete&&(r={code:"corrupt",message:"the stream ends before the mesh does",hint:"was the file copied whole?"}),(r?.code!=="corrupt"||!e)&&this.#I(),!this.#e.is_ready)throw new U("corrupt","the stream ends before there is anything to draw");this.#A(),this.#i="build",this.#_(0),this.#t({type:"building",share:0});const n=performance.now();this.#e.build(),this.#u=performance.now()-n,this.#i="done",this.#_(0)}catch(n){r??=ye(ve(n))}this.#s=void 0,this.#t(r?{type:"failed",error:r}:{type:"finished"})}#I(){const e=performance.now();try{this.#e.finish()}finally{this.#c+=performance.now()-e}}async#k(e,r){this.#i="build";const n=performance.now(),i={report:(a,l)=>this.#t({type:"building",share:l})};let o,_;try{o=await yt(e,r)}catch(a){_=a}this.#n||this.#f(()=>{if(!o)throw _;const a=j.from_file(o.bytes,o.name,i);this.#e.free(),this.#e=a,this.#u=performance.now()-n,this.#i="done",this.#_(0),this.#t({type:"finished"})})}#f(e){try{e()}catch(r){this.#n=!0,this.#t({type:"failed",error:ye(ve(r))})}}#A(){const e=this.#e;this.#o={vertices:e.full_vertex_count,triangles:e.full_triangle_count,steps:e.step_count,bytes:e.stream_bytes}}#_(e){const r=performance.now(),n=this.#M(),i=this.#z(),o=this.#E(),_=this.#F(),a=this.#e,[l,p]=[a.indices(),a.group_counts()];this.#h=performance.now()-r,this.#y=performance.now()+Math.max(kt,At*this.#h);const h={type:"update",state:this.#S(),vertices:o,smoothNormals:_,indices:l,groupCounts:p,numbers:i,settled:n,ticket:e};this.#t(h)}#M(){const{by:e,value:r,limit:n,camera:i}=this.#p,o=this.#e;if(e==="view"&&o.is_built&&i){const a=new se(Float64Array.from(i),r,n);try{return o.show_view(a)}finally{a.free()}}e==="triangles"?o.show_triangles(r):e==="error"?o.show_error(r):o.show_detail(e==="detail"?r:1);const _=o.group_counts().reduce((a,l)=>a+l,0);return n>0&&_>n&&o.show_triangles(n),!0}#z(){if(this.#a==="strips")return this.#e.color_strips();if(this.#a==="fans")return this.#e.color_fans();if(this.#a==="surface")return;const e=this.#e.group_counts().reduce((r,n)=>r+n,0);return Uint32Array.from({length:e},(r,n)=>n)}#E(){const e=this.#w;if(this.#e.vertex_count===e)return;const r=this.#e.vertices(e);try{const n=r.take_normals();return this.#d=n!==void 0,this.#w=this.#e.vertex_count,{first:e,positions:r.take_positions(),normals:n,colors:r.take_colors(),uvs:r.take_uvs()}}finally{r.free()}}#F(){if(!(this.#d||this.#v===this.#e.vertex_count))return this.#v=this.#e.vertex_count,this.#e.smooth_normals()}#S(){const e=this.#e;return{kind:e.kind,phase:this.#i,complete:e.is_complete,built:e.is_built,vertexCount:e.vertex_count,triangleCount:e.triangle_count,fullVertexCount:this.#o.vertices||e.full_vertex_count,fullTriangleCount:this.#o.triangles||e.full_triangle_count,stepCount:this.#o.steps||e.step_count,streamBytes:this.#o.bytes||e.stream_bytes,bounds:e.bounds(),diagonal:e.diagonal,shownSplitCount:e.shown_split_count,shownError:e.shown_error,decodeMs:this.#c,buildMs:this.#u,updateMs:this.#h}}}function Et(t){if(t.type!=="update")return[];const{vertices:e,indices:r,groupCounts:n,numbers:i,smoothNormals:o}=t,_=[r,n,i,o];return e&&_.push(e.positions,e.normals,e.colors,e.uvs),_.flatMap(a=>a?[a.buffer]:[])}const Ft=30,Re=self;let Ce;Re.onmessage=({data:t})=>{t instanceof WebAssembly.Module?(Ke({module:t}),Ce=new zt(e=>Re.postMessage(e,Et(e)),Ft)):Ce?.take(t)}})();\n', k = typeof self < "u" && self.Blob && new Blob([F], { type: "text/javascript;charset=utf-8" });
+function ot(n) {
   let t;
   try {
-    if (t = L && (self.URL || self.webkitURL).createObjectURL(L), !t) throw "";
+    if (t = k && (self.URL || self.webkitURL).createObjectURL(k), !t) throw "";
     const e = new Worker(t, {
       name: n?.name
     });
@@ -174,7 +63,7 @@ function ft(n) {
     }), e;
   } catch {
     return new Worker(
-      "data:text/javascript;charset=utf-8," + encodeURIComponent(H),
+      "data:text/javascript;charset=utf-8," + encodeURIComponent(F),
       {
         name: n?.name
       }
@@ -183,129 +72,129 @@ function ft(n) {
     t && (self.URL || self.webkitURL).revokeObjectURL(t);
   }
 }
-const pt = 6;
-function wt(n, t, e) {
-  return t && bt(n, e) || yt(n, e);
+const at = 6;
+function _t(n, t, e) {
+  return t && ht(n, e) || lt(n, e);
 }
-function bt(n, t) {
+function ht(n, t) {
   let e;
   try {
-    e = new ft(), e.postMessage(n);
+    e = new ot(), e.postMessage(n);
   } catch {
     return;
   }
   return e.onmessage = ({ data: r }) => t(r), e.onerror = (r) => {
     r.preventDefault();
-    const s = r.message || "the worker could not start", i = new u("unsupported", `the worker failed: ${s}`, "try the option worker: false");
-    t({ type: "failed", error: P(i) });
+    const i = r.message || "the worker could not start", s = new E("unsupported", `the worker failed: ${i}`, "try the option worker: false");
+    t({ type: "failed", error: C(s) });
   }, {
     // Bytes are copied: a piece may be a part of a buffer that others still read.
     order: (r) => e.postMessage(r),
     dispose: () => e.terminate()
   };
 }
-function yt(n, t) {
-  W(n);
+function lt(n, t) {
+  R(n);
   let e = !1;
-  const r = (i) => queueMicrotask(() => void (e || i())), s = new q((i) => r(() => t(i)), pt);
+  const r = (s) => queueMicrotask(() => void (e || s())), i = new D((s) => r(() => t(s)), at);
   return {
-    order: (i) => r(() => s.take(i)),
+    order: (s) => r(() => i.take(s)),
     dispose: () => {
-      e = !0, s.dispose();
+      e = !0, i.dispose();
     }
   };
 }
-const mt = 1024;
-class vt extends z {
+const ut = 1024;
+class ct extends z {
   /** Smallest and largest coordinates. */
   bounds = [];
   #t = 0;
   #e = !1;
   computeBoundingBox() {
-    const [t, e] = [0, 3].map((r) => new d().fromArray(this.bounds.length === 6 ? Array.from(this.bounds) : new Array(6).fill(0), r));
-    this.boundingBox = new K(t, e);
+    const [t, e] = [0, 3].map((r) => new u().fromArray(this.bounds.length === 6 ? Array.from(this.bounds) : new Array(6).fill(0), r));
+    this.boundingBox = new q(t, e);
   }
   computeBoundingSphere() {
-    this.computeBoundingBox(), this.boundingSphere = this.boundingBox.getBoundingSphere(new X());
+    this.computeBoundingBox(), this.boundingSphere = this.boundingBox.getBoundingSphere(new Q());
   }
   /** Takes what an update brings. */
-  take({ state: t, vertices: e, smoothNormals: r, indices: s, groupCounts: i }, o) {
+  take({ state: t, vertices: e, smoothNormals: r, indices: i, groupCounts: s }, o) {
     if (this.bounds = t.bounds, this.#i(t.vertexCount, t.fullVertexCount), e) {
-      const { first: a, positions: _, normals: l, colors: h, uvs: c } = e;
-      this.#r("position", _, 3, a), l && this.#r("normal", l, 3, a), h && this.#r("color", h, 4, a), c && this.#r("uv", c, 2, a);
+      const { first: a, positions: _, normals: h, colors: l, uvs: c } = e;
+      this.#r("position", _, 3, a), h && this.#r("normal", h, 3, a), l && this.#r("color", l, 4, a), c && this.#r("uv", c, 2, a);
     }
-    if (r && this.#r("normal", r, 3, 0), this.#n(s, 3 * t.fullTriangleCount), this.clearGroups(), o) {
+    if (r && this.#r("normal", r, 3, 0), this.#n(i, 3 * t.fullTriangleCount), this.clearGroups(), o) {
       let a = 0;
-      i.forEach((_, l) => {
-        this.addGroup(a, 3 * _, l), a += 3 * _;
+      s.forEach((_, h) => {
+        this.addGroup(a, 3 * _, h), a += 3 * _;
       });
     }
     this.computeBoundingSphere(), this.#e = !1;
   }
   #i(t, e) {
-    t <= this.#t || (this.#t = B(this.#t, t, e), this.#e = !0, this.dispose());
+    t <= this.#t || (this.#t = x(this.#t, t, e), this.#e = !0, this.dispose());
   }
   /** Writes numbers of vertices from one on. */
-  #r(t, e, r, s) {
-    let i = this.getAttribute(t);
-    if (!i || this.#e && i.count !== this.#t) {
+  #r(t, e, r, i) {
+    let s = this.getAttribute(t);
+    if (!s || this.#e && s.count !== this.#t) {
       const o = e instanceof Uint8Array ? new Uint8Array(this.#t * r) : new Float32Array(this.#t * r);
-      i && o.set(i.array.subarray(0, s * r)), i = new b(o, r, e instanceof Uint8Array), this.setAttribute(t, i);
+      s && o.set(s.array.subarray(0, i * r)), s = new p(o, r, e instanceof Uint8Array), this.setAttribute(t, s);
     } else
-      i.addUpdateRange(s * r, e.length);
-    i.array.set(e, s * r), i.needsUpdate = !0;
+      s.addUpdateRange(i * r, e.length);
+    s.array.set(e, i * r), s.needsUpdate = !0;
   }
   #n(t, e) {
     let r = this.index;
     if (!r || r.count < t.length) {
       r && this.dispose();
-      const s = new Uint32Array(B(r?.count ?? 0, t.length, e));
-      r = new b(s, 1), this.setIndex(r);
+      const i = new Uint32Array(x(r?.count ?? 0, t.length, e));
+      r = new p(i, 1), this.setIndex(r);
     } else
       r.addUpdateRange(0, t.length);
     r.array.set(t), r.needsUpdate = !0, this.setDrawRange(0, t.length);
   }
 }
-function B(n, t, e) {
-  const r = Math.max(mt, 2 * n, t);
+function x(n, t, e) {
+  const r = Math.max(ut, 2 * n, t);
   return e >= t ? Math.min(r, e) : r;
 }
-const S = 1024, kt = 2654435761, xt = Mt();
-function St(n, t, e) {
+const b = 1024, dt = 2654435761, gt = pt();
+function ft(n, t, e) {
   const r = { positions: new Float32Array(3 * t.length), colors: new Uint8Array(4 * t.length) };
-  for (let i = 0; i < t.length; i++) {
-    const o = 3 * t[i], a = 3 * (Math.imul(e[i / 3 | 0], kt) >>> 22);
+  for (let s = 0; s < t.length; s++) {
+    const o = 3 * t[s], a = 3 * (Math.imul(e[s / 3 | 0], dt) >>> 22);
     for (let _ = 0; _ < 3; _++)
-      r.positions[3 * i + _] = n[o + _], r.colors[4 * i + _] = xt[a + _];
-    r.colors[4 * i + 3] = 255;
+      r.positions[3 * s + _] = n[o + _], r.colors[4 * s + _] = gt[a + _];
+    r.colors[4 * s + 3] = 255;
   }
-  const s = new z();
-  return s.setAttribute("position", new b(r.positions, 3)), s.setAttribute("color", new b(r.colors, 4, !0)), s;
+  const i = new z();
+  return i.setAttribute("position", new p(r.positions, 3)), i.setAttribute("color", new p(r.colors, 4, !0)), i;
 }
-function Mt() {
-  const n = new Uint8Array(3 * S), t = new Z();
-  for (let e = 0; e < S; e++)
-    t.setHSL(e / S, 0.62, 0.5 + 0.1 * (e % 3), tt), [t.r, t.g, t.b].forEach((r, s) => n[3 * e + s] = Math.round(255 * r));
+function pt() {
+  const n = new Uint8Array(3 * b), t = new Y();
+  for (let e = 0; e < b; e++)
+    t.setHSL(e / b, 0.62, 0.5 + 0.1 * (e % 3), J), [t.r, t.g, t.b].forEach((r, i) => n[3 * e + i] = Math.round(255 * r));
   return n;
 }
-const f = new et(), [F, T, O, M] = [new d(), new d(), new d(), new d()];
-function It(n, t, e, r) {
+const d = new K(), [M, I, S, y] = [new u(), new u(), new u(), new u()];
+function wt(n, t, e, r) {
   if (!(e >= 1 && r >= 1)) return;
-  M.setFromMatrixScale(n.matrixWorld);
-  const [s, i] = [Math.min(...M.toArray()), Math.max(...M.toArray())];
-  if (!(s > 0)) return;
+  y.setFromMatrixScale(n.matrixWorld);
+  const [i, s] = [Math.min(...y.toArray()), Math.max(...y.toArray())];
+  if (!(i > 0)) return;
   if (t.isOrthographicCamera) {
-    const { top: c, bottom: g, zoom: m } = t;
-    return { kind: "orthographic", unitsPerPixel: Math.abs(c - g) / (m * r * i) };
+    const { top: c, bottom: T, zoom: L } = t;
+    return { kind: "orthographic", unitsPerPixel: Math.abs(c - T) / (L * r * s) };
   }
   if (!t.isPerspectiveCamera) return;
-  f.copy(n.matrixWorld).invert(), F.setFromMatrixPosition(t.matrixWorld).applyMatrix4(f), T.set(0, 0, -1).applyMatrix4(t.matrixWorld).applyMatrix4(f), O.setFromMatrixColumn(t.matrixWorld, 1).transformDirection(f);
-  const o = t.projectionMatrix.elements, a = [(1 + Math.abs(o[8])) / o[0], (1 + Math.abs(o[9])) / o[5]], _ = r * o[5] * a[1], l = [Math.max(1, Math.round(_ * a[0] / a[1])), Math.max(1, Math.round(_))], h = [...F.toArray(), ...T.toArray(), ...O.toArray(), a[1], ...l];
-  if (h.every(Number.isFinite))
-    return { kind: "perspective", numbers: h, stretch: i / s };
+  d.copy(n.matrixWorld).invert(), M.setFromMatrixPosition(t.matrixWorld).applyMatrix4(d), I.set(0, 0, -1).applyMatrix4(t.matrixWorld).applyMatrix4(d), S.setFromMatrixColumn(t.matrixWorld, 1).transformDirection(d);
+  const o = t.projectionMatrix.elements, a = [(1 + Math.abs(o[8])) / o[0], (1 + Math.abs(o[9])) / o[5]], _ = r * o[5] * a[1], h = [Math.max(1, Math.round(_ * a[0] / a[1])), Math.max(1, Math.round(_))], l = [...M.toArray(), ...I.toArray(), ...S.toArray(), a[1], ...h];
+  if (l.every(Number.isFinite))
+    return { kind: "perspective", numbers: l, stretch: s / i };
 }
-const p = new nt();
-class Ct extends rt {
+const g = new Z();
+class bt extends X {
   isStriataMesh = !0;
   finished;
   state;
@@ -315,43 +204,43 @@ class Ct extends rt {
   #i;
   #r;
   #n;
-  #h;
+  #l;
   #a = 1;
   #s = null;
   #_ = null;
   #o = null;
   #f = !1;
-  #l = "surface";
+  #h = "surface";
   #g = !1;
   /** The request that has not been answered yet, and whether another has to follow it. */
-  #c = 0;
-  #u = !1;
+  #u = 0;
+  #c = !1;
   #d = !1;
   #p = { by: "detail", value: 1, limit: 0 };
   /** The last camera, as a wish; for views a wish is made when the mesh is drawn. */
   #w;
   #x = !0;
   #b = !1;
-  #S;
+  #M;
   #v;
   constructor(t, e, r) {
-    const s = new vt(), i = e ? void 0 : Rt(t);
-    super(s, e ?? i), this.#e = s, this.#r = this.material, this.#i = i, this.#t = r, this.state = t.state, this.#h = t, this.finished = new Promise((o, a) => {
-      this.#S = o, this.#v = a;
+    const i = new ct(), s = e ? void 0 : mt(t);
+    super(i, e ?? s), this.#e = i, this.#r = this.material, this.#i = s, this.#t = r, this.state = t.state, this.#l = t, this.finished = new Promise((o, a) => {
+      this.#M = o, this.#v = a;
     }), this.finished.catch(() => {
-    }), this.onBeforeRender = (o, a, _) => this.#C(o, a, _), this.update(t);
+    }), this.onBeforeRender = (o, a, _) => this.#A(o, a, _), this.update(t);
   }
   get detail() {
     return this.#a ?? (this.stepCount > 0 ? this.splitCount / this.stepCount : 1);
   }
   set detail(t) {
-    this.#a = Math.min(1, Math.max(0, w(t, "detail"))), [this.#s, this.#_, this.#o] = [null, null, null], this.#y();
+    this.#a = Math.min(1, Math.max(0, f(t, "detail"))), [this.#s, this.#_, this.#o] = [null, null, null], this.#y();
   }
   get triangleBudget() {
     return this.#s;
   }
   set triangleBudget(t) {
-    this.#s = t === null ? null : Math.max(1, Math.floor(w(t, "triangleBudget"))), this.#k(), this.#y();
+    this.#s = t === null ? null : Math.max(1, Math.floor(f(t, "triangleBudget"))), this.#k(), this.#y();
   }
   get error() {
     return this.state.shownError;
@@ -360,13 +249,13 @@ class Ct extends rt {
     return this.#_;
   }
   set maxError(t) {
-    this.#_ = t === null ? null : Math.max(0, w(t, "maxError")), t !== null && (this.#o = null), this.#k(), this.#y();
+    this.#_ = t === null ? null : Math.max(0, f(t, "maxError")), t !== null && (this.#o = null), this.#k(), this.#y();
   }
   get pixelError() {
     return this.#o;
   }
   set pixelError(t) {
-    this.#o = t === null ? null : Math.max(0, w(t, "pixelError")), t !== null && (this.#_ = null), this.#k(), this.#y(), this.dispatchStriata({ type: "change" });
+    this.#o = t === null ? null : Math.max(0, f(t, "pixelError")), t !== null && (this.#_ = null), this.#k(), this.#y(), this.dispatchStriata({ type: "change" });
   }
   get frozen() {
     return this.#f;
@@ -375,21 +264,21 @@ class Ct extends rt {
     this.#f = t, this.dispatchStriata({ type: "change" });
   }
   get colouring() {
-    return this.#l;
+    return this.#h;
   }
   set colouring(t) {
-    t !== this.#l && (this.#l === "surface" && (this.#r = this.material), this.#l = t, this.#d = !0, this.#m());
+    t !== this.#h && (this.#h === "surface" && (this.#r = this.material), this.#h = t, this.#d = !0, this.#m());
   }
   get wireframe() {
     return this.#g;
   }
   set wireframe(t) {
     this.#g = t;
-    for (const e of [this.material].flat()) I(e, t);
+    for (const e of [this.material].flat()) m(e, t);
     this.dispatchStriata({ type: "change" });
   }
   get triangleCount() {
-    return this.#h.indices.length / 3;
+    return this.#l.indices.length / 3;
   }
   get fullTriangleCount() {
     return this.state.fullTriangleCount;
@@ -423,28 +312,28 @@ class Ct extends rt {
     return { decodeMs: t, buildMs: e, updateMs: r };
   }
   dispose() {
-    this.#b || (this.#b = !0, this.#t.dispose(), this.#e.dispose(), this.geometry !== this.#e && this.geometry.dispose(), this.#i?.dispose(), this.#n?.dispose(), this.#v(new u("aborted", "the mesh was disposed of")));
+    this.#b || (this.#b = !0, this.#t.dispose(), this.#e.dispose(), this.geometry !== this.#e && this.geometry.dispose(), this.#i?.dispose(), this.#n?.dispose(), this.#v(new E("aborted", "the mesh was disposed of")));
   }
   /** Takes another level; called by the loader. */
   update(t) {
-    this.#b || (this.state = t.state, this.#h = t, this.#e.take(t, Array.isArray(this.#r)), this.#M(t), t.ticket === this.#c && (this.#u = !1, this.#x = t.settled), this.#d && this.#m(), this.dispatchStriata({ type: "change" }));
+    this.#b || (this.state = t.state, this.#l = t, this.#e.take(t, Array.isArray(this.#r)), this.#I(t), t.ticket === this.#u && (this.#c = !1, this.#x = t.settled), this.#d && this.#m(), this.dispatchStriata({ type: "change" }));
   }
   /** Nothing more comes; called by the loader. */
   end(t) {
     if (!t) {
-      this.#S();
+      this.#M();
       return;
     }
     this.#v(t), this.dispatchStriata({ type: "error", error: t });
   }
   /** Shows the surface, or triangles in the colours of what draws them. */
-  #M({ numbers: t, indices: e }) {
+  #I({ numbers: t, indices: e }) {
     const r = this.geometry;
-    if (t && this.#l !== "surface")
-      this.#n ??= new j({ vertexColors: !0, flatShading: !0, side: D, roughness: 0.9 }), I(this.#n, this.#g), this.geometry = St(this.#e.getAttribute("position").array, e, t), this.geometry.boundingSphere = this.#e.boundingSphere, this.geometry.boundingBox = this.#e.boundingBox, this.material = this.#n;
-    else if (this.geometry !== this.#e && this.#l === "surface") {
+    if (t && this.#h !== "surface")
+      this.#n ??= new U({ vertexColors: !0, flatShading: !0, side: B, roughness: 0.9 }), m(this.#n, this.#g), this.geometry = ft(this.#e.getAttribute("position").array, e, t), this.geometry.boundingSphere = this.#e.boundingSphere, this.geometry.boundingBox = this.#e.boundingBox, this.material = this.#n;
+    else if (this.geometry !== this.#e && this.#h === "surface") {
       this.geometry = this.#e, this.material = this.#r;
-      for (const s of [this.material].flat()) I(s, this.#g);
+      for (const i of [this.material].flat()) m(i, this.#g);
     }
     r !== this.geometry && r !== this.#e && r.dispose();
   }
@@ -457,56 +346,56 @@ class Ct extends rt {
     this.#d = !0, this.#m();
   }
   #m() {
-    this.#u || this.#b || (this.#d = !1, this.#u = !0, this.#p = this.#I(), this.#t.order({ type: "show", wish: this.#p, colouring: this.#l, ticket: ++this.#c }));
+    this.#c || this.#b || (this.#d = !1, this.#c = !0, this.#p = this.#S(), this.#t.order({ type: "show", wish: this.#p, colouring: this.#h, ticket: ++this.#u }));
   }
-  #I() {
+  #S() {
     const t = this.#s ?? 0;
     return this.#o !== null ? this.#w ?? { by: "detail", value: t > 0 ? 1 : 0, limit: t } : this.#_ !== null ? { by: "error", value: this.#_, limit: t } : this.#s !== null ? { by: "triangles", value: this.#s, limit: t } : { by: "detail", value: this.#a ?? 1, limit: 0 };
   }
   /** Follows the camera that the mesh is about to be drawn for. */
-  #C(t, e, r) {
+  #A(t, e, r) {
     if (this.#o === null || this.#f) return;
-    const s = t.getRenderTarget();
-    s ? p.set(s.width, s.height) : t.getDrawingBufferSize(p);
-    const i = It(this, r, p.x, p.y);
-    if (!i) return;
+    const i = t.getRenderTarget();
+    i ? g.set(i.width, i.height) : t.getDrawingBufferSize(g);
+    const s = wt(this, r, g.x, g.y);
+    if (!s) return;
     const o = this.#s ?? 0;
-    this.#w = i.kind === "perspective" ? { by: "view", value: this.#o / i.stretch, limit: o, camera: i.numbers } : { by: "error", value: this.#o * i.unitsPerPixel, limit: o }, !(!this.state.built && this.#p.by === this.#w.by) && (this.#x && At(this.#w, this.#p) || this.#m());
+    this.#w = s.kind === "perspective" ? { by: "view", value: this.#o / s.stretch, limit: o, camera: s.numbers } : { by: "error", value: this.#o * s.unitsPerPixel, limit: o }, !(!this.state.built && this.#p.by === this.#w.by) && (this.#x && yt(this.#w, this.#p) || this.#m());
   }
   /** three's types know no events but their own. */
   dispatchStriata(t) {
     this.dispatchEvent(t);
   }
 }
-function w(n, t) {
+function f(n, t) {
   if (Number.isNaN(Number(n))) throw new TypeError(`${t} has to be a number, not ${String(n)}`);
   return Number(n);
 }
-function At(n, t) {
-  const e = n.camera?.length === t.camera?.length && (n.camera ?? []).every((r, s) => r === t.camera?.[s]);
+function yt(n, t) {
+  const e = n.camera?.length === t.camera?.length && (n.camera ?? []).every((r, i) => r === t.camera?.[i]);
   return n.by === t.by && n.value === t.value && n.limit === t.limit && e;
 }
-function I(n, t) {
+function m(n, t) {
   "wireframe" in n && (n.wireframe = t);
 }
-function Rt({ vertices: n }) {
-  return new j({ vertexColors: n?.colors !== void 0, side: D, roughness: 0.8, metalness: 0 });
+function mt({ vertices: n }) {
+  return new U({ vertexColors: n?.colors !== void 0, side: B, roughness: 0.8, metalness: 0 });
 }
-function Et(n = {}) {
+function vt(n = {}) {
   return {
-    load: (t, e = {}) => new Ut(n, e).run(t)
+    load: (t, e = {}) => new kt(n, e).run(t)
   };
 }
-const Ft = function(n) {
-  return Et(n);
+const It = function(n) {
+  return vt(n);
 };
-class Ut {
+class kt {
   #t;
   #e;
   #i = new AbortController();
   #r;
   #n;
-  #h = 0;
+  #l = 0;
   #a = null;
   #s;
   #_;
@@ -515,47 +404,47 @@ class Ut {
   }
   run(t) {
     const { signal: e } = this.#e;
-    if (e?.aborted) return Promise.reject(v());
-    const r = new Promise((i, o) => {
-      this.#s = i, this.#_ = o;
-    }), s = () => this.#u(v());
-    return e?.addEventListener("abort", s, { once: !0 }), this.#i.signal.addEventListener("abort", () => e?.removeEventListener("abort", s)), this.#o(t).catch((i) => this.#f(Q(i))), r;
+    if (e?.aborted) return Promise.reject(w());
+    const r = new Promise((s, o) => {
+      this.#s = s, this.#_ = o;
+    }), i = () => this.#c(w());
+    return e?.addEventListener("abort", i, { once: !0 }), this.#i.signal.addEventListener("abort", () => e?.removeEventListener("abort", i)), this.#o(t).catch((s) => this.#f($(s))), r;
   }
   async #o(t) {
     const [e, r] = await Promise.all([
-      Y(this.#t.wasm),
-      it(t, this.#e.name, this.#i.signal)
+      N(this.#t.wasm),
+      G(t, this.#e.name, this.#i.signal)
     ]);
     if (this.#i.signal.aborted) return;
-    W(e), this.#a = r.length;
-    const s = await ct(r);
+    R(e), this.#a = r.length;
+    const i = await rt(r);
     if (this.#i.signal.aborted) return;
-    this.#a = s.byteCount, this.#r = wt(e, this.#t.worker ?? !0, (o) => this.#l(o));
-    const i = [];
-    for await (const o of y(s.pieces)) {
+    this.#a = i.byteCount, this.#r = _t(e, this.#t.worker ?? !0, (o) => this.#h(o));
+    const s = [];
+    for await (const o of V(i.pieces)) {
       if (this.#i.signal.aborted) return;
-      this.#h += o.length, s.isStream ? this.#r.order({ type: "bytes", bytes: o }) : i.push(o), this.#c();
+      this.#l += o.length, i.isStream ? this.#r.order({ type: "bytes", bytes: o }) : s.push(o), this.#u();
     }
-    this.#i.signal.aborted || (this.#a = this.#h, s.isStream ? this.#r.order({ type: "end" }) : this.#r.order({ type: "file", bytes: G(i), name: r.name }), this.#c());
+    this.#i.signal.aborted || (this.#a = this.#l, i.isStream ? this.#r.order({ type: "end" }) : this.#r.order({ type: "file", bytes: A(s), name: r.name }), this.#u());
   }
   /** The source failed: what has come of it may be something nevertheless. */
   #f(t) {
-    this.#r && t.code !== "aborted" ? this.#r.order({ type: "end", error: P(t) }) : this.#u(t);
+    this.#r && t.code !== "aborted" ? this.#r.order({ type: "end", error: C(t) }) : this.#c(t);
   }
-  #l(t) {
+  #h(t) {
     if (!this.#i.signal.aborted)
       switch (t.type) {
         case "update":
-          this.#n ? this.#n.update(t) : (t.indices.length > 0 || t.state.complete) && (this.#n = new Ct(t, this.#e.material, this.#g()), this.#n.name = this.#e.name ?? "", this.#s(this.#n)), this.#c();
+          this.#n ? this.#n.update(t) : (t.indices.length > 0 || t.state.complete) && (this.#n = new bt(t, this.#e.material, this.#g()), this.#n.name = this.#e.name ?? "", this.#s(this.#n)), this.#u();
           break;
         case "building":
-          this.#c("build");
+          this.#u("build");
           break;
         case "failed":
-          this.#u(J(t.error));
+          this.#c(H(t.error));
           break;
         case "finished":
-          this.#n?.end(), this.#c();
+          this.#n?.end(), this.#u();
           break;
       }
   }
@@ -563,13 +452,13 @@ class Ut {
   #g() {
     return {
       order: (t) => this.#r?.order(t),
-      bytes: () => ({ received: this.#h, total: this.#a }),
+      bytes: () => ({ received: this.#l, total: this.#a }),
       dispose: () => this.#d()
     };
   }
-  #c(t) {
+  #u(t) {
     const e = this.#n?.state, r = {
-      bytesReceived: this.#h,
+      bytesReceived: this.#l,
       bytesTotal: this.#a ?? (e?.streamBytes || null),
       triangleCount: e?.triangleCount ?? 0,
       vertexCount: e?.vertexCount ?? 0,
@@ -579,7 +468,7 @@ class Ut {
     this.#e.onProgress?.(r), this.#n?.dispatchStriata({ type: "progress", progress: r });
   }
   /** Ends loading; a mesh that is there stays, with what it has. */
-  #u(t) {
+  #c(t) {
     if (!this.#i.signal.aborted) {
       if (this.#n && t.code !== "aborted") {
         this.#n.end(t);
@@ -589,11 +478,11 @@ class Ut {
     }
   }
   #d() {
-    this.#i.abort(v()), this.#r?.dispose();
+    this.#i.abort(w()), this.#r?.dispose();
   }
 }
 export {
-  u as StriataError,
-  Ft as StriataLoader,
-  Ct as StriataMesh
+  E as StriataError,
+  It as StriataLoader,
+  bt as StriataMesh
 };

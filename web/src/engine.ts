@@ -9,6 +9,7 @@ import { Model, View } from './wasm/striata_web.js';
 import { asPlain, asStriataError, StriataError, type PlainError } from './error.ts';
 import type { NewVertices, Order, Report, State, Update, Wish } from './protocol.ts';
 import type { Colouring, Kind, Phase } from './types.ts';
+import { unpacked } from './unpack.ts';
 
 /** Bytes that are decoded between two looks at the clock. */
 const PIECE_BYTES = 1 << 13;
@@ -71,7 +72,7 @@ export class Engine {
         void this.#pump();
         break;
       case 'file':
-        this.#read(order.bytes, order.name);
+        void this.#read(order.bytes, order.name);
         break;
       case 'show':
         this.#wish = order.wish;
@@ -160,12 +161,21 @@ export class Engine {
   }
 
   /** Reads a whole file and builds its model. */
-  #read(bytes: Uint8Array, name: string): void {
+  async #read(bytes: Uint8Array, name: string): Promise<void> {
     this.#phase = 'build';
     const start = performance.now();
     const sink = { report: (_: string, share: number) => this.#report({ type: 'building', share }) };
+    let file: { bytes: Uint8Array; name: string } | undefined;
+    let failure: unknown;
+    try {
+      file = await unpacked(bytes, name);
+    } catch (thrown) {
+      failure = thrown;
+    }
+    if (this.#isOver) return;
     this.#attempt(() => {
-      const model = Model.from_file(bytes, name, sink);
+      if (!file) throw failure;
+      const model = Model.from_file(file.bytes, file.name, sink);
       this.#model.free();
       this.#model = model;
       this.#buildMs = performance.now() - start;

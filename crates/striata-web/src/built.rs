@@ -6,12 +6,13 @@ use striata::mesh::{Bounds, IndexedMesh, RefinableMesh};
 use striata::model::{FanBounds, FanForm, FanFront, FanIndices, FanScene, Fans, LodModel};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::view::{ScreenError, Sphere};
-use striata_io::{Format, Source, decompressed, read_bytes};
+use striata_io::{Format, Source, read_bytes};
 
 use crate::camera::View;
 use crate::shown::{Shown, Wish};
+use crate::streaming::Streaming;
 use crate::vertices::Vertices;
-use crate::{Failure, colouring, limits};
+use crate::{Failure, colouring, limits, stored};
 
 /// What the bytes of a file were.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,14 +61,14 @@ impl Built {
         Self::of_parts(refinable, fans, bounds, rest_error)
     }
 
-    fn of_parts(refinable: RefinableMesh, fans: Fans, bounds: FanBounds, rest_error: f32) -> Self {
+    pub(crate) fn of_parts(refinable: RefinableMesh, fans: Fans, bounds: FanBounds, rest_error: f32) -> Self {
         let sphere = FanScene::new(&fans, &bounds, &refinable).sphere();
         let last = Last::Uniform(refinable.sequence.step_count());
         let indices = FanIndices::default();
         Self { refinable, fans, bounds, sphere, front: None, last, indices, rest_error }
     }
 
-    /// Reads a whole file of any kind; plain meshes are simplified.
+    /// Reads a whole file of any kind, not packed; plain meshes are simplified.
     ///
     /// # Errors
     /// Where the bytes are damaged, of no kind that is known, or too much for a page.
@@ -77,41 +78,33 @@ impl Built {
         progress: &mut ProgressFn<'_>,
     ) -> Result<(Self, Kind), Failure> {
         limits::check_file(bytes.len())?;
-        let (bytes, inner_name) = decompressed(bytes.into(), name)?;
-        limits::check_file(bytes.len())?;
-        match Format::detect(&bytes, &inner_name) {
-            Some(Format::Stream) => {
-                Ok((Self::from_striata(&StriataFile::from_stream(&bytes)?)?, Kind::Stream))
-            }
+        match Format::detect(&bytes, name) {
+            Some(Format::Stream) => Ok((Self::from_stream(&bytes)?, Kind::Stream)),
             Some(Format::Striata) => {
                 let file = StriataFile::parse_cut(&bytes)?;
-                if file.has_collapses() {
-                    return Ok((Self::from_striata(&file)?, Kind::Striata));
-                }
-                // Its steps are not collapses, which fans are made of; the mesh is simplified again.
-                Ok((Self::simplified(file.mesh()?, progress)?, Kind::Striata))
+                limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
+                let built = match file.stream() {
+                    Some(stream) => Self::from_stream(stream?)?,
+                    None => stored::read(&file)?,
+                };
+                Ok((built, Kind::Striata))
             }
             _ => {
-                let mesh = read_bytes(&bytes, &Source::new(&inner_name))?;
+                let mesh = read_bytes(&bytes, &Source::new(name))?;
                 drop(bytes);
                 Ok((Self::simplified(mesh, progress)?, Kind::Mesh))
             }
         }
     }
 
-    fn from_striata(file: &StriataFile<'_>) -> Result<Self, Failure> {
-        let summary = file.summary();
-        limits::check_counts(summary.vertex_count, summary.triangle_count)?;
-        let refinable = file.refinable_mesh()?;
-        // What a stream that is cut off lacks is not told here.
-        let rest_error = 0.0;
-        Ok(match file.fans() {
-            Some(stored) => {
-                let (fans, bounds) = stored?;
-                Self::of_parts(refinable, fans, bounds, rest_error)
-            }
-            None => Self::new(refinable, rest_error),
-        })
+    /// Decodes a stream that is there already.
+    fn from_stream(bytes: &[u8]) -> Result<Self, Failure> {
+        let mut streaming = Streaming::default();
+        streaming.push(bytes)?;
+        if !streaming.decoder().is_complete() {
+            return Err(Failure::corrupt("the stream ends before the mesh does"));
+        }
+        streaming.into_built()
     }
 
     fn simplified(mesh: IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Self, Failure> {

@@ -5,7 +5,7 @@
 
 use striata::mesh::{IndexedMesh, TriangleGroup};
 use striata::model::{FanIndices, fan_triangles_into};
-use striata::strip::{RESTART, StripOptions, Stripifier, strip_triangles, stripify};
+use striata::strip::{RESTART, strip_triangles, stripify_greedily};
 
 use crate::Failure;
 use crate::shown::Shown;
@@ -22,8 +22,7 @@ pub(crate) fn by_strips(shown: &mut Shown, vertex_count: usize) -> Result<Vec<u3
         mesh.groups.push(TriangleGroup { name: String::new(), material: None, first, count });
         first += count;
     }
-    let options = StripOptions::default().with_stripifier(Stripifier::Greedy);
-    let strips = stripify(&mesh, &options).map_err(Failure::corrupt)?;
+    let strips = stripify_greedily(&mesh).map_err(Failure::corrupt)?;
     let mut numbers = Vec::with_capacity(mesh.triangles.len());
     for group in 0..strips.group_count() {
         let before = shown.triangles.len();

@@ -21,6 +21,7 @@ mod model;
 mod normals;
 mod progress;
 mod shown;
+mod stored;
 mod streaming;
 mod vertices;
 

@@ -41,7 +41,7 @@ impl Model {
         Self { stage, kind: Kind::Stream, shown: Shown::default(), is_complete: false }
     }
 
-    /// Reads a whole file and builds its model; plain meshes are simplified, which takes a second or two for each 100,000
+    /// Reads a whole file, unpacked, and builds its model; plain meshes are simplified, which takes a second or two for each 100,000
     /// triangles. What is shown is all of it.
     ///
     /// # Errors
@@ -79,15 +79,12 @@ impl Model {
     /// # Errors
     /// Where too little has come.
     pub fn build(&mut self) -> Result<(), Failure> {
-        let Stage::Streaming(streaming) = &self.stage else { return Ok(()) };
-        let decoder = streaming.decoder();
-        let Some(refinable) = decoder.refinable_mesh() else {
+        let Stage::Streaming(streaming) = &mut self.stage else { return Ok(()) };
+        if streaming.decoder().positions().is_empty() {
             return Err(Failure::corrupt("what has come of the stream is no mesh yet"));
-        };
-        let rest_error = decoder.error_at(decoder.split_count()).unwrap_or(0.0);
-        // The decoder's memory is free before the table takes its own.
-        self.stage = Stage::Streaming(Box::default());
-        self.stage = Stage::Built(Box::new(Built::new(refinable, rest_error)));
+        }
+        let built = std::mem::take(streaming.as_mut()).into_built()?;
+        self.stage = Stage::Built(Box::new(built));
         Ok(())
     }
 

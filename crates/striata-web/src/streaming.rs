@@ -6,6 +6,7 @@
 use striata::codec::progressive::{StreamDecoder, StreamFacts};
 use striata::mesh::Bounds;
 
+use crate::built::Built;
 use crate::shown::{Shown, Wish};
 use crate::vertices::Vertices;
 use crate::{Failure, limits};
@@ -66,6 +67,21 @@ impl Streaming {
         let result = self.decoder.finish();
         self.grow_bounds();
         result.map(drop).map_err(|error| Failure::from(error).with_hint("the stream is cut off very early"))
+    }
+
+    /// Builds what views are taken from, of what has come.
+    ///
+    /// # Errors
+    /// Where that is no mesh yet.
+    pub(crate) fn into_built(self) -> Result<Built, Failure> {
+        let decoder = self.decoder;
+        let Some(refinable) = decoder.refinable_mesh() else {
+            return Err(Failure::corrupt("what has come of the stream is no mesh yet"));
+        };
+        let rest_error = decoder.error_at(decoder.split_count()).unwrap_or(0.0);
+        // Its memory is free before the table takes its own.
+        drop(decoder);
+        Ok(Built::new(refinable, rest_error))
     }
 
     fn grow_bounds(&mut self) {
