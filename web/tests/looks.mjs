@@ -139,7 +139,10 @@ export default function looks(world) {
     assert.equal(download.suggestedFilename(), 'terrain.png');
     const png = readFileSync(await download.path());
     assert.equal(png.subarray(1, 4).toString(), 'PNG');
-    const { width, height } = await page.evaluate(() => window.striataViewer.stage.renderer.domElement);
+    const { width, height } = await page.evaluate(() => {
+      const { width, height } = window.striataViewer.stage.renderer.domElement;
+      return { width, height };
+    });
     assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [width, height]);
     assert.ok(png.length > 5000, 'with something on it');
   });

@@ -5,7 +5,7 @@
 
 import { Box3, type BufferGeometry, MathUtils, type Mesh, Sphere, Spherical, Vector3 } from 'three';
 import { prefersStillness } from './page.ts';
-import type { Stage } from './stage.ts';
+import { ANGLE, type Stage } from './stage.ts';
 
 /** From where one looks first: a little from the right and from above. */
 const FIRST_LOOK = new Spherical(1, MathUtils.degToRad(76), MathUtils.degToRad(26));
@@ -134,10 +134,7 @@ export class Framing {
   }
 
   #wholeLook(direction: Vector3): Look {
-    const { camera } = this.#stage;
-    const half = MathUtils.degToRad(camera.fov) / 2;
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
-    const away = (MARGIN * this.#framed.radius) / Math.sin(narrow);
+    const away = (MARGIN * this.#framed.radius) / Math.sin(MathUtils.degToRad(ANGLE / 2));
     const target = this.#framed.center.clone();
     return { eye: direction.clone().setLength(away).add(target), target };
   }

@@ -6,8 +6,8 @@ import { BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments
 import type { Framing, Look } from './framing.ts';
 import type { Stage } from './stage.ts';
 
-/** How far outside one is put: farther away by this, and so much to the side and up (radians). */
-const OUTSIDE = { farther: 2.3, aside: 0.95, up: 0.22 };
+/** How far outside one is put: farther away by this, at least so many radii of the model, and to the side and up (radians). */
+const OUTSIDE = { farther: 2.3, radii: 4.4, aside: 0.95, up: 0.22 };
 
 export class FrozenView {
   readonly #stage: Stage;
@@ -36,11 +36,12 @@ export class FrozenView {
     // The planes must hold the frustum too.
     content.radius += camera.position.distanceTo(content.center);
     const offset = new Spherical().setFromVector3(camera.position.clone().sub(controls.target));
-    offset.radius = Math.max(offset.radius, this.#before.radius) * OUTSIDE.farther;
+    offset.radius = Math.max(OUTSIDE.farther * offset.radius, OUTSIDE.radii * this.#before.radius);
     offset.theta += OUTSIDE.aside;
     offset.phi = Math.max(offset.phi - OUTSIDE.up, 0.2);
     this.#framing.hold();
-    this.#framing.glideTo({ eye: new Vector3().setFromSpherical(offset).add(controls.target), target: controls.target.clone() });
+    const target = content.center.clone();
+    this.#framing.glideTo({ eye: new Vector3().setFromSpherical(offset).add(target), target });
   }
 
   /** Takes the lines away; goes back to where the view was frozen, unless told to stay. */

@@ -190,7 +190,7 @@ function raiseStage(): Stage | null {
       hint: 'Turn on hardware acceleration in its settings, or try another browser.',
     });
     followTheme(() => {});
-    for (const id of ['panel', 'fold']) element(id).hidden = true;
+    for (const id of ['panel', 'fold', 'open', 'ask']) element(id).hidden = true;
     return null;
   }
 }

@@ -6,7 +6,7 @@
  */
 
 import {
-  Color, DirectionalLight, Group, HemisphereLight, PerspectiveCamera, Scene, Sphere, SRGBColorSpace, Vector3, WebGLRenderer,
+  Color, DirectionalLight, Group, HemisphereLight, MathUtils, PerspectiveCamera, Scene, Sphere, SRGBColorSpace, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { prefersStillness } from './page.ts';
@@ -14,13 +14,16 @@ import { prefersStillness } from './page.ts';
 /** Eyes do not see more, and fill rate is dear. */
 const MOST_PIXEL_RATIO = 2;
 
+/** What the shorter side of the picture spans, degrees: a model that fits once fits at any shape of the window. */
+export const ANGLE = 35;
+
 /** Frames are counted over so long. */
 const COUNTED_MS = 1000;
 
 export class Stage {
   readonly renderer: WebGLRenderer;
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(35, 1, 0.01, 100);
+  readonly camera = new PerspectiveCamera(ANGLE, 1, 0.01, 100);
   readonly controls: OrbitControls;
   /** Holds the model; tilted where z is up. */
   readonly pivot = new Group();
@@ -103,6 +106,7 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, MOST_PIXEL_RATIO));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
+    this.camera.fov = verticalAngle(this.camera.aspect);
     this.camera.updateProjectionMatrix();
     this.invalidate();
   }
@@ -115,4 +119,9 @@ export class Stage {
     this.camera.add(key, key.target, rim, rim.target);
     this.scene.add(new HemisphereLight(0xf4f0ff, 0x9c8a78, 1.3));
   }
+}
+
+function verticalAngle(aspect: number): number {
+  const half = Math.tan(MathUtils.degToRad(ANGLE / 2));
+  return aspect >= 1 ? ANGLE : 2 * MathUtils.radToDeg(Math.atan(half / aspect));
 }

@@ -8,7 +8,7 @@ const BEHIND = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits
 export class Wires {
   readonly #lines = new Mesh<BufferGeometry, MeshBasicMaterial>(
     undefined,
-    new MeshBasicMaterial({ color: 0x17130f, wireframe: true, transparent: true, opacity: 0.42, depthWrite: false }),
+    new MeshBasicMaterial({ color: 0x17130f, wireframe: true, transparent: true, opacity: 0.28, depthWrite: false }),
   );
 
   constructor() {
