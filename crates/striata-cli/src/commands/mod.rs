@@ -13,6 +13,8 @@ mod extract_patterns;
 mod extract_stream;
 mod extract_view;
 mod info;
+#[cfg(feature = "gpu")]
+mod render;
 #[cfg(feature = "serve")]
 pub(crate) mod serve;
 mod simplify;
@@ -41,6 +43,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Convert(args) => convert::run(args, &output),
         Verb::Encode(args) => encode::run(args, &output),
         Verb::Decode(args) => decode::run(args, &output),
+        #[cfg(feature = "gpu")]
+        Verb::Render(args) => render::run(args, &output),
         #[cfg(feature = "serve")]
         Verb::Serve(args) => serve::run(args, &output),
         #[cfg(feature = "serve")]

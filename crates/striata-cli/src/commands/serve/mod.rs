@@ -11,6 +11,7 @@ mod heads;
 mod kinds;
 mod listing;
 mod pictures;
+mod portrait;
 mod server;
 mod thumbnail;
 mod validators;

@@ -23,10 +23,10 @@ use super::Site;
 use super::files::{find, not_found};
 use super::folder::Stamp;
 use super::kinds::is_model;
+use super::portrait::nobody;
 use super::thumbnail::{HEIGHT, WIDTH};
 use super::validators::{Coding, Validators};
 use crate::failure::Failure;
-use crate::picture::nobody;
 
 /// Pictures that are kept: some 30 MB.
 const MAX_PICTURES: NonZeroUsize = NonZeroUsize::new(512).expect("not 0");
@@ -60,7 +60,7 @@ impl Pictures {
     pub(super) fn new() -> Result<Self, Failure> {
         let program = std::env::current_exe()
             .map_err(|error| Failure::user(format!("where this command lies: {error}")))?;
-        let nobody = nobody(WIDTH, HEIGHT).to_png();
+        let nobody = nobody([WIDTH, HEIGHT])?.to_png();
         let nobody = nobody.map_err(|error| Failure::internal(format!("a picture: {error}")))?;
         let kept = Mutex::new(LruCache::new(MAX_PICTURES));
         Ok(Self { kept, turn: Semaphore::new(1), program, nobody: nobody.into() })

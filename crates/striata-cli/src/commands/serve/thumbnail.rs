@@ -7,8 +7,9 @@ use crate::args::ThumbnailArgs;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, to_stdout};
-use crate::picture::portrait;
 use crate::stream::Received;
+
+use super::portrait::portrait;
 
 /// Pixels in a row.
 pub(super) const WIDTH: usize = 320;
@@ -32,7 +33,7 @@ pub(crate) fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> 
     let input = Input::open(&args.input)?;
     let mesh = mesh_of(&input, output)?;
     mesh.check()?;
-    let picture = portrait(&mesh, WIDTH, HEIGHT).to_png();
+    let picture = portrait(mesh, [WIDTH, HEIGHT])?.to_png();
     to_stdout(&picture.map_err(|error| Failure::internal(format!("a picture: {error}")))?)
 }
 
