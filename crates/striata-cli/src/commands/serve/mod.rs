@@ -11,7 +11,6 @@ mod heads;
 mod kinds;
 mod listing;
 mod pictures;
-mod portrait;
 mod server;
 mod thumbnail;
 mod validators;

@@ -23,10 +23,10 @@ use super::Site;
 use super::files::{find, not_found};
 use super::folder::Stamp;
 use super::kinds::is_model;
-use super::portrait::nobody;
 use super::thumbnail::{HEIGHT, WIDTH};
 use super::validators::{Coding, Validators};
 use crate::failure::Failure;
+use crate::picture::nobody;
 
 /// Pictures that are kept: some 30 MB.
 const MAX_PICTURES: NonZeroUsize = NonZeroUsize::new(512).expect("not 0");

@@ -7,9 +7,8 @@ use crate::args::ThumbnailArgs;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, to_stdout};
+use crate::picture::portrait;
 use crate::stream::Received;
-
-use super::portrait::portrait;
 
 /// Pixels in a row.
 pub(super) const WIDTH: usize = 320;
