@@ -4,6 +4,7 @@ mod golden;
 mod machine;
 mod steps;
 mod test;
+mod web;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -24,12 +25,18 @@ enum Chore {
     Test,
     /// The golden part alone: run the demo and check what it writes
     Golden,
+    /// Builds the wasm, the npm package and the viewer page into their places
+    Web,
+    /// The web part alone: check that these are what the sources make, and run their tests
+    WebCheck,
 }
 
 fn main() -> ExitCode {
     let outcome = match Chores::parse().chore {
         Chore::Test => test::run(),
         Chore::Golden => golden::run(),
+        Chore::Web => web::build(),
+        Chore::WebCheck => web::check(),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
