@@ -18,8 +18,7 @@ pub struct FrameClock {
 
 impl FrameClock {
     /// What the device must have.
-    pub const FEATURES: Features =
-        Features::TIMESTAMP_QUERY.union(Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
+    pub const FEATURES: Features = Features::TIMESTAMP_QUERY.union(Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
 
     /// A clock; none where the device has no time stamps.
     ///
@@ -60,7 +59,8 @@ impl FrameClock {
         gpu.queue.submit([encoder.finish()]);
         let words = copy_back(gpu, &self.ticks)?;
         let (words, _) = words.as_chunks::<2>();
-        let ticks = |at: usize| words.get(at).map_or(0, |&[low, high]| u64::from(high) << 32 | u64::from(low));
+        let ticks =
+            |at: usize| words.get(at).map_or(0, |&[low, high]| u64::from(high) << 32 | u64::from(low));
         Ok(ticks(1).saturating_sub(ticks(0)) as f64 * self.secs_per_tick)
     }
 }

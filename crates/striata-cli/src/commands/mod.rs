@@ -1,5 +1,7 @@
 //! The verbs, one file each.
 
+#[cfg(feature = "gpu")]
+mod bench_gpu;
 mod build;
 mod compare;
 mod completions;
@@ -19,6 +21,8 @@ mod simplify;
 mod strip;
 mod strip_blocks;
 
+#[cfg(feature = "gpu")]
+pub(crate) use self::bench_gpu::bench_gpu_ways;
 pub(crate) use self::compare::compared_models;
 use crate::args::{Cli, Verb};
 use crate::failure::Failure;
@@ -43,6 +47,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Decode(args) => decode::run(args, &output),
         #[cfg(feature = "gpu")]
         Verb::Render(args) => render::run(args, &output),
+        #[cfg(feature = "gpu")]
+        Verb::BenchGpu(args) => bench_gpu::run(args, &output),
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }
