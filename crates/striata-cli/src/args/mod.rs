@@ -1,5 +1,7 @@
 //! The arguments of the command: one type per verb, and the values that flags take.
 
+#[cfg(feature = "gpu")]
+mod bench_gpu;
 mod compare;
 #[cfg(feature = "gpu")]
 mod render;
@@ -16,6 +18,8 @@ use std::str::FromStr;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
+#[cfg(feature = "gpu")]
+pub(crate) use self::bench_gpu::BenchGpuArgs;
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs};
 #[cfg(feature = "gpu")]
 pub(crate) use self::render::{Background, Colouring, DrawnModel, LevelShare, RenderArgs};
@@ -101,6 +105,10 @@ pub(crate) enum Verb {
     #[cfg(feature = "serve")]
     #[command(hide = true)]
     Thumbnail(ThumbnailArgs),
+    /// Time the ways to draw a level while it changes
+    #[cfg(feature = "gpu")]
+    #[command(hide = true)]
+    BenchGpu(BenchGpuArgs),
     /// Print a completion script for a shell
     #[command(hide = true)]
     Completions(CompletionsArgs),

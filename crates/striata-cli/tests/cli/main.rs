@@ -1,5 +1,7 @@
 //! The command as its users meet it: run in a folder of its own, judged by what it prints and leaves.
 
+#[cfg(feature = "gpu")]
+mod bench_gpu;
 mod compare;
 mod compare_models;
 mod compare_patterns;
