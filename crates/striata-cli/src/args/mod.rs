@@ -31,6 +31,8 @@ use crate::strip_chain::{StripChain, StripPlan};
     version,
     about = "Continuous level of detail for triangle meshes",
     after_help = "Meshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
+    // One line less than usual: all of it fits one screen.
+    help_template = "{about}\n{usage-heading} {usage}\n\n{all-args}{after-help}",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs (`striata VERB --help` tells all of one, with examples)",
     disable_help_subcommand = true,

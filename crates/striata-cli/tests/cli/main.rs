@@ -8,6 +8,8 @@ mod help;
 mod orders;
 mod patterns;
 mod refusals;
+#[cfg(feature = "gpu")]
+mod render;
 mod streams;
 mod strip_blocks;
 mod strips;
