@@ -31,6 +31,7 @@ fn every_verb_ends_with_two_examples() {
         "decode",
         "serve",
         "thumbnail",
+        "render",
         "demo",
         "completions",
     ] {

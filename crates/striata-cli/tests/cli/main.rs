@@ -16,6 +16,8 @@ mod serve;
 mod serve_client;
 #[cfg(all(unix, feature = "serve"))]
 mod serve_load;
+#[cfg(feature = "gpu")]
+mod render;
 mod streams;
 mod strip_blocks;
 mod strips;
