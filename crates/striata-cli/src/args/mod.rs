@@ -5,6 +5,8 @@ mod sequence;
 mod stream;
 mod strips;
 mod view;
+#[cfg(feature = "window")]
+mod view_window;
 
 use std::fmt;
 use std::path::PathBuf;
@@ -18,6 +20,8 @@ pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
 pub(crate) use self::view::{Corners, Point, ViewArgs, tan};
+#[cfg(feature = "window")]
+pub(crate) use self::view_window::{ColoursArg, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
@@ -27,6 +31,8 @@ use crate::strip_chain::{StripChain, StripPlan};
     version,
     about = "Continuous level of detail for triangle meshes",
     after_help = "Meshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
+    // One line less than usual: all of it fits one screen.
+    help_template = "{about}\n{usage-heading} {usage}\n\n{all-args}{after-help}",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs (`striata VERB --help` tells all of one, with examples)",
     disable_help_subcommand = true,
@@ -79,6 +85,9 @@ pub(crate) enum Verb {
     Encode(EncodeArgs),
     /// Write the mesh of a stream, or of as much of it as is there
     Decode(DecodeArgs),
+    /// Look at a mesh at any level in a window
+    #[cfg(feature = "window")]
+    View(WindowArgs),
     /// Show it all on a mesh that the command carries
     Demo(DemoArgs),
     /// Print a completion script for a shell

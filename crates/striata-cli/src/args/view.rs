@@ -165,7 +165,7 @@ fn numbers<const COUNT: usize>(text: &str) -> Option<[f32; COUNT]> {
 
 /// Width and height of a screen as the user writes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Viewport([u32; 2]);
+pub(crate) struct Viewport(pub(super) [u32; 2]);
 
 impl FromStr for Viewport {
     type Err = String;

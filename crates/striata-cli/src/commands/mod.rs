@@ -16,6 +16,8 @@ mod info;
 mod simplify;
 mod strip;
 mod strip_blocks;
+#[cfg(feature = "window")]
+mod view;
 
 pub(crate) use self::compare::compared_models;
 use crate::args::{Cli, Verb};
@@ -39,6 +41,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Convert(args) => convert::run(args, &output),
         Verb::Encode(args) => encode::run(args, &output),
         Verb::Decode(args) => decode::run(args, &output),
+        #[cfg(feature = "window")]
+        Verb::View(args) => view::run(args, &output),
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }

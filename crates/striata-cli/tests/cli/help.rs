@@ -29,6 +29,7 @@ fn every_verb_ends_with_two_examples() {
         "convert",
         "encode",
         "decode",
+        "view",
         "demo",
         "completions",
     ] {
