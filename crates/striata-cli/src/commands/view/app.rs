@@ -232,7 +232,9 @@ impl ApplicationHandler<Wake> for App {
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         let Some(live) = &mut self.live else { return };
-        if live.input.on_window_event(&live.screen.window, &event).repaint {
+        // A request to draw is no news to the user interface: told of it, it would ask for the next frame.
+        let is_news = event != WindowEvent::RedrawRequested;
+        if is_news && live.input.on_window_event(&live.screen.window, &event).repaint {
             live.screen.window.request_redraw();
         }
         match event {
