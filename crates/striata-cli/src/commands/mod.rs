@@ -22,6 +22,8 @@ pub(crate) mod serve;
 mod simplify;
 mod strip;
 mod strip_blocks;
+#[cfg(feature = "window")]
+mod view;
 
 #[cfg(feature = "gpu")]
 pub(crate) use self::bench_gpu::bench_gpu_ways;
@@ -55,6 +57,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Thumbnail(args) => serve::thumbnail(args, &output),
         #[cfg(feature = "gpu")]
         Verb::BenchGpu(args) => bench_gpu::run(args, &output),
+        #[cfg(feature = "window")]
+        Verb::View(args) => view::run(args, &output),
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }

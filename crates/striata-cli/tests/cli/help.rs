@@ -32,6 +32,7 @@ fn every_verb_ends_with_two_examples() {
         "serve",
         "thumbnail",
         "render",
+        "view",
         "demo",
         "completions",
     ] {

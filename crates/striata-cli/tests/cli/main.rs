@@ -22,4 +22,5 @@ mod streams;
 mod strip_blocks;
 mod strips;
 mod verbs;
+mod view;
 mod workbench;
