@@ -31,6 +31,8 @@ fn every_verb_ends_with_two_examples() {
         "decode",
         "serve",
         "thumbnail",
+        "render",
+        "view",
         "demo",
         "completions",
     ] {
