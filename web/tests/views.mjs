@@ -79,7 +79,7 @@ export default function views(world) {
     await page.keyboard.press('z');
     await page.evaluate(() => window.striataViewer.framing.zoom(0.4));
     await page.keyboard.press('v');
-    await slide(page, 'pixels', 250);
+    await slide(page, 'pixels', 550);
     await settled(page);
     const before = await drawn(page);
     const eye = await page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
