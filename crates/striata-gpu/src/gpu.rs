@@ -207,7 +207,9 @@ async fn find_adapter(instance: &Instance, options: &GpuOptions) -> Result<Adapt
     let wanted = named.unwrap_or_default().to_lowercase();
     if !wanted.is_empty() && !options.is_fallback {
         let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
-        let names: Vec<String> = all.iter().map(|adapter| adapter.get_info().name).collect();
+        let mut names: Vec<String> = all.iter().map(|adapter| adapter.get_info().name).collect();
+        names.sort();
+        names.dedup();
         let named = all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted));
         return named.ok_or_else(|| {
             let others =
