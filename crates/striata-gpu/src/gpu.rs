@@ -2,6 +2,8 @@
 
 use wgpu::{Adapter, AdapterInfo, Device, Features, Instance, Queue};
 
+use crate::frame_clock::FrameClock;
+
 /// Nothing to draw with.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -128,7 +130,7 @@ impl Gpu {
 
     /// Features that are used where they are there.
     pub fn optional_features() -> Features {
-        Features::INDIRECT_FIRST_INSTANCE | Features::TIMESTAMP_QUERY
+        Features::INDIRECT_FIRST_INSTANCE | FrameClock::FEATURES
     }
 
     /// The device.
