@@ -186,6 +186,21 @@ impl From<StreamError> for Failure {
     }
 }
 
+#[cfg(feature = "gpu")]
+impl From<striata_gpu::GpuError> for Failure {
+    fn from(error: striata_gpu::GpuError) -> Self {
+        use striata_gpu::GpuError;
+        let failure = Self::user(error.to_string());
+        match error {
+            GpuError::NoAdapter { .. } | GpuError::NoDevice { .. } => failure.with_hint(
+                "install a Vulkan driver; one that draws on the processor comes by `apt-get install mesa-vulkan-drivers`",
+            ),
+            GpuError::TooLarge { .. } => failure.with_hint("take a coarser level, or --software"),
+            _ => failure,
+        }
+    }
+}
+
 /// Prints a panic as what it is: our fault.
 pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {
     let message = info.payload_as_str().unwrap_or("no message");

@@ -186,3 +186,14 @@ pub(crate) fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, G
     buffer.unmap();
     Ok(bytes)
 }
+
+/// The words of a buffer on the GPU.
+pub(crate) fn copy_back(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u32>, GpuError> {
+    let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
+    let copy = gpu.empty_buffer("copy", buffer.size(), usage)?;
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, buffer.size());
+    gpu.queue.submit([encoder.finish()]);
+    let bytes = read_buffer(gpu, &copy)?;
+    Ok(bytes.as_chunks().0.iter().map(|&word| u32::from_le_bytes(word)).collect())
+}

@@ -55,6 +55,8 @@ pub enum GpuError {
 pub struct GpuOptions {
     /// Only one that draws on the processor (llvmpipe, WARP, SwiftShader). Default: false, the quickest there is.
     pub is_fallback: bool,
+    /// Only one whose name holds this, in any letters. Default: what `WGPU_ADAPTER_NAME` says, or else any.
+    pub adapter_name: Option<String>,
 }
 
 impl GpuOptions {
@@ -62,6 +64,13 @@ impl GpuOptions {
     #[must_use]
     pub fn with_fallback(mut self, is_fallback: bool) -> Self {
         self.is_fallback = is_fallback;
+        self
+    }
+
+    /// Sets [`adapter_name`](Self::adapter_name).
+    #[must_use]
+    pub fn with_adapter_name(mut self, adapter_name: Option<String>) -> Self {
+        self.adapter_name = adapter_name;
         self
     }
 }
@@ -192,13 +201,16 @@ impl Gpu {
 }
 
 async fn find_adapter(instance: &Instance, options: &GpuOptions) -> Result<Adapter, GpuError> {
-    let wanted = std::env::var("WGPU_ADAPTER_NAME").map(|name| name.to_lowercase()).unwrap_or_default();
+    let named = options.adapter_name.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok());
+    let wanted = named.unwrap_or_default().to_lowercase();
     if !wanted.is_empty() && !options.is_fallback {
         let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
+        let names: Vec<String> = all.iter().map(|adapter| adapter.get_info().name).collect();
         let named = all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted));
-        return named.ok_or_else(|| GpuError::NoAdapter {
-            is_fallback: false,
-            reason: format!("none is called {wanted:?}, as WGPU_ADAPTER_NAME asks"),
+        return named.ok_or_else(|| {
+            let others =
+                if names.is_empty() { String::new() } else { format!("; there are: {}", names.join(", ")) };
+            GpuError::NoAdapter { is_fallback: false, reason: format!("none is called {wanted:?}{others}") }
         });
     }
     let request = wgpu::RequestAdapterOptions {

@@ -5,6 +5,7 @@ use std::ops::Range;
 use bytemuck::cast_slice;
 use wgpu::{Buffer, BufferUsages};
 
+use crate::canvas::copy_back;
 use crate::gpu::{Gpu, GpuError};
 
 /// An index buffer of 32-bit indices that is written again and again.
@@ -68,6 +69,16 @@ impl GpuIndices {
             gpu.queue.write_buffer(&self.buffer, 4 * u64::from(range.start), cast_slice(part));
             self.uploaded_bytes += 4 * part.len() as u64;
         }
+    }
+
+    /// The indices on the GPU, as many as fit, waited for and copied back: to look at them, not to draw them.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    pub fn read(&self, gpu: &Gpu) -> Result<Vec<u32>, GpuError> {
+        let mut indices = copy_back(gpu, &self.buffer)?;
+        indices.truncate(self.capacity);
+        Ok(indices)
     }
 
     /// Indices that fit.

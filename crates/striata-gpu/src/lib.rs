@@ -9,7 +9,12 @@
 
 mod canvas;
 mod drawing;
+mod fan_extractor;
 mod gpu;
+mod gpu_fan_words;
+mod gpu_fans;
+mod gpu_lod_strips;
+mod gpu_morph;
 mod indices;
 mod inspection;
 mod look;
@@ -19,7 +24,11 @@ mod viewpoint;
 
 pub use canvas::{Canvas, Picture};
 pub use drawing::Drawing;
+pub use fan_extractor::FanExtractor;
 pub use gpu::{Gpu, GpuError, GpuOptions};
+pub use gpu_fans::{GpuFanInstance, GpuFans};
+pub use gpu_lod_strips::GpuLodStrips;
+pub use gpu_morph::GpuMorph;
 pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;
 pub use look::{Look, Shading, linear_to_srgb, palette_colour};

@@ -8,6 +8,7 @@ use wgpu::{
 
 use crate::drawing::Drawing;
 use crate::gpu::{Gpu, GpuError};
+use crate::gpu_morph::GpuMorph;
 use crate::inspection::Inspection;
 use crate::look::{Look, Shading};
 use crate::vertices::GpuVertices;
@@ -21,8 +22,10 @@ pub const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth32Float;
 pub struct Painter {
     pub(crate) scene_layout: BindGroupLayout,
     triangles_layout: BindGroupLayout,
+    morphing_layout: BindGroupLayout,
     /// By whether strips are drawn, and whether back sides are hidden.
     surface: [[RenderPipeline; 2]; 2],
+    morphing: [[RenderPipeline; 2]; 2],
     inspection: [RenderPipeline; 2],
     format: TextureFormat,
     samples: u32,
@@ -57,23 +60,41 @@ impl Painter {
         let scene_layout = layout(gpu, "scene", &[wgpu::BufferBindingType::Uniform]);
         let storage = wgpu::BufferBindingType::Storage { read_only: true };
         let triangles_layout = layout(gpu, "triangles", &[storage; 5]);
+        let kinds = [storage, storage, storage, storage, wgpu::BufferBindingType::Uniform];
+        let morphing_layout = layout(gpu, "morphing", &kinds);
         let maker = PipelineMaker { gpu, format, samples };
-        let surface_code = concat!(include_str!("shaders/light.wgsl"), include_str!("shaders/surface.wgsl"));
+        let surface_code = concat!(
+            include_str!("shaders/light.wgsl"),
+            include_str!("shaders/surface.wgsl"),
+            include_str!("shaders/morphing.wgsl")
+        );
         let surface_module = maker.module("surface", surface_code);
         let code = concat!(include_str!("shaders/light.wgsl"), include_str!("shaders/inspection.wgsl"));
         let inspection_module = maker.module("inspection", code);
         let sides = [false, true];
-        let surface = sides.map(|strips| {
-            sides.map(|hides_back| {
-                let kind = Kind { strips, hides_back, buffers: &VERTEX_BUFFERS };
-                maker.pipeline(&surface_module, &[&scene_layout], &kind)
+        let by_kind = |entry, buffers, groups: &[&BindGroupLayout]| {
+            sides.map(|strips| {
+                sides.map(|hides_back| {
+                    maker.pipeline(&surface_module, groups, &Kind { entry, strips, hides_back, buffers })
+                })
             })
-        });
+        };
+        let surface = by_kind("vertex", &VERTEX_BUFFERS, &[&scene_layout]);
+        let morphing = by_kind("morphing", &[], &[&scene_layout, &morphing_layout]);
         let inspection = sides.map(|hides_back| {
-            let kind = Kind { strips: false, hides_back, buffers: &[] };
+            let kind = Kind { entry: "vertex", strips: false, hides_back, buffers: &[] };
             maker.pipeline(&inspection_module, &[&scene_layout, &triangles_layout], &kind)
         });
-        Self { scene_layout, triangles_layout, surface, inspection, format, samples }
+        Self {
+            scene_layout,
+            triangles_layout,
+            morphing_layout,
+            surface,
+            morphing,
+            inspection,
+            format,
+            samples,
+        }
     }
 
     /// The colour format that it draws.
@@ -124,6 +145,21 @@ impl Painter {
         drawing.issue(pass);
     }
 
+    /// Draws vertices by indices, each where a morph has it.
+    pub fn draw_morphing(
+        &self,
+        pass: &mut RenderPass<'_>,
+        scene: &Scene,
+        morph: &GpuMorph,
+        drawing: Drawing<'_>,
+    ) {
+        pass.set_pipeline(&self.morphing[usize::from(drawing.is_strips())][usize::from(scene.hides_back)]);
+        pass.set_bind_group(0, &scene.bindings, &[]);
+        pass.set_bind_group(1, morph.bindings(), &[]);
+        pass.set_index_buffer(drawing.index_buffer().slice(..), wgpu::IndexFormat::Uint32);
+        drawing.issue(pass);
+    }
+
     /// Draws single triangles, with their colours and edges.
     pub fn inspect(&self, pass: &mut RenderPass<'_>, scene: &Scene, inspection: &Inspection) {
         if inspection.triangle_count() == 0 {
@@ -133,6 +169,10 @@ impl Painter {
         pass.set_bind_group(0, &scene.bindings, &[]);
         pass.set_bind_group(1, inspection.bindings(), &[]);
         pass.draw(0..3 * inspection.triangle_count(), 0..1);
+    }
+
+    pub(crate) fn morphing_layout(&self) -> &BindGroupLayout {
+        &self.morphing_layout
     }
 
     pub(crate) fn triangles_layout(&self) -> &BindGroupLayout {
@@ -195,6 +235,8 @@ const VERTEX_BUFFERS: [Option<VertexBufferLayout<'static>>; 3] = [
 ];
 
 struct Kind<'a> {
+    /// The vertex shader's name.
+    entry: &'a str,
     strips: bool,
     hides_back: bool,
     buffers: &'a [Option<VertexBufferLayout<'a>>],
@@ -233,7 +275,7 @@ impl PipelineMaker<'_> {
             layout: Some(&layout),
             vertex: wgpu::VertexState {
                 module,
-                entry_point: Some("vertex"),
+                entry_point: Some(kind.entry),
                 compilation_options: Default::default(),
                 buffers: kind.buffers,
             },

@@ -1,6 +1,8 @@
 //! The arguments of the command: one type per verb, and the values that flags take.
 
 mod compare;
+#[cfg(feature = "gpu")]
+mod render;
 mod sequence;
 mod stream;
 mod strips;
@@ -15,13 +17,15 @@ use std::str::FromStr;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs};
+#[cfg(feature = "gpu")]
+pub(crate) use self::render::{Background, Colouring, DrawnModel, LevelShare, RenderArgs};
 pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
 pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-pub(crate) use self::view::{Corners, Point, ViewArgs, tan};
+pub(crate) use self::view::{Corners, Point, ViewArgs, Viewport, tan};
 #[cfg(feature = "window")]
-pub(crate) use self::view_window::{ColoursArg, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
+pub(crate) use self::view_window::{FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
@@ -85,6 +89,9 @@ pub(crate) enum Verb {
     Encode(EncodeArgs),
     /// Write the mesh of a stream, or of as much of it as is there
     Decode(DecodeArgs),
+    /// Draw a picture of a mesh, of some of its levels, or of a view
+    #[cfg(feature = "gpu")]
+    Render(Box<RenderArgs>),
     /// Look at a mesh at any level in a window
     #[cfg(feature = "window")]
     View(WindowArgs),
@@ -364,6 +371,14 @@ impl Length {
             Self::Absolute(length) => length,
             Self::OfDiagonal(share) => share * diagonal,
         }
+    }
+}
+
+#[cfg(all(test, feature = "window"))]
+impl ReportArgs {
+    /// Says nothing.
+    pub(crate) fn quiet() -> Self {
+        Self { json: false, quiet: true, help: None }
     }
 }
 

@@ -57,6 +57,38 @@ impl ViewArgs {
         has_camera || has_place || pixels.is_some() || silhouette_pixels.is_some()
     }
 
+    /// What is looked at, where that was said.
+    pub(crate) fn look_at(&self) -> Option<[f32; 3]> {
+        self.look_at.map(|point| point.0)
+    }
+
+    /// What is upwards, where that was said.
+    pub(crate) fn up(&self) -> Option<[f32; 3]> {
+        self.up.map(|up| up.0)
+    }
+
+    /// The angle of view, radians, where that was said.
+    pub(crate) fn fov(&self) -> Option<f64> {
+        self.fov.map(f64::to_radians)
+    }
+
+    /// Pixels of the screen, where they were said.
+    pub(crate) fn viewport(&self) -> Option<[u32; 2]> {
+        self.viewport.map(|viewport| viewport.0)
+    }
+
+    /// The same for a screen of so many pixels, where none was said.
+    pub(crate) fn on_screen(self, screen: [u32; 2]) -> Self {
+        Self { viewport: self.viewport.or(Some(Viewport(screen))), ..self }
+    }
+
+    /// Whether anything was said that only a criterion of a view needs.
+    pub(crate) fn has_criterion(&self) -> bool {
+        let Self { viewport, pixels, silhouette_pixels, region, gaze, .. } = self;
+        let has_place = region.is_some() || gaze.is_some();
+        viewport.is_some() || has_place || pixels.is_some() || silhouette_pixels.is_some()
+    }
+
     /// Pixels that an error may take.
     pub(crate) fn pixels(&self) -> f64 {
         self.pixels.unwrap_or(1.0)
@@ -165,7 +197,7 @@ fn numbers<const COUNT: usize>(text: &str) -> Option<[f32; COUNT]> {
 
 /// Width and height of a screen as the user writes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Viewport(pub(super) [u32; 2]);
+pub(crate) struct Viewport(pub(crate) [u32; 2]);
 
 impl FromStr for Viewport {
     type Err = String;

@@ -13,6 +13,8 @@ mod extract_patterns;
 mod extract_stream;
 mod extract_view;
 mod info;
+#[cfg(feature = "gpu")]
+mod render;
 mod simplify;
 mod strip;
 mod strip_blocks;
@@ -41,6 +43,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Convert(args) => convert::run(args, &output),
         Verb::Encode(args) => encode::run(args, &output),
         Verb::Decode(args) => decode::run(args, &output),
+        #[cfg(feature = "gpu")]
+        Verb::Render(args) => render::run(args, &output),
         #[cfg(feature = "window")]
         Verb::View(args) => view::run(args, &output),
         Verb::Demo(args) => demo::run(args, &output),

@@ -15,7 +15,7 @@ struct Scene {
     // x: 1 where normals are the triangles', y: 1 where vertex colours count, z: 1 where groups do, w: 1 where
     // triangles have colours of their own.
     flags: vec4<u32>,
-    // x: width of edges in pixels, y: how far a geomorph is.
+    // x: width of edges in pixels.
     numbers: vec4<f32>,
 }
 

@@ -1,15 +1,13 @@
-//! The levels that the demo shows: measured, written as meshes, and prepared for pictures.
+//! The levels that the demo shows: measured, and written as meshes.
 
 use std::time::Instant;
 
 use serde::Serialize;
 use striata::codec::StriataFile;
-use striata::model::{LodModel, LodStripsState, StripModel};
-use striata::strip::strip_triangles;
+use striata::model::LodModel;
 use striata_io::{Format, WriteOptions, to_bytes};
 
 use super::Folder;
-use super::shots::Shot;
 use crate::commands::build::Built;
 use crate::commands::extract::{stitched, strips_of_level};
 use crate::failure::Failure;
@@ -17,9 +15,6 @@ use crate::output::{grouped, lasted, sized};
 
 /// Shares of the triangles that the table lists.
 const TABLE_SHARES: [f64; 8] = [1.0, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005];
-
-/// Shares of the triangles that the picture shows.
-pub(super) const SHOWN_SHARES: [f64; 4] = [1.0, 0.1, 0.02, 0.005];
 
 /// One row of the table.
 #[derive(Clone, Debug, Serialize)]
@@ -129,34 +124,14 @@ pub(super) fn write_meshes(
     Ok(())
 }
 
-/// One level as the picture needs it.
-pub(super) fn shot(built: &Built, share: f64) -> Shot {
-    let mut state = built.lod_strips().new_state();
-    built.lod_strips().move_to(&mut state, split_count_at(built, share));
-    let (triangles, strip_of) = triangles_by_strip(built, &state);
-    Shot {
-        title: percent(share),
-        caption: format!("{} triangles", grouped(triangles.len())),
-        triangles,
-        strip_of,
-    }
-}
-
-fn triangles_by_strip(built: &Built, state: &LodStripsState) -> (Vec<[u32; 3]>, Vec<u32>) {
-    let (mut triangles, mut strip_of) = (Vec::new(), Vec::new());
-    for strip in 0..built.lod_strips().strip_count() {
-        triangles.extend(strip_triangles(built.lod_strips().strip(state, strip)));
-        strip_of.resize(triangles.len(), strip as u32);
-    }
-    (triangles, strip_of)
-}
-
-fn split_count_at(built: &Built, share: f64) -> usize {
+/// The level that has a share of the triangles.
+pub(super) fn split_count_at(built: &Built, share: f64) -> usize {
     let sequence = &built.refinable().sequence;
     let full = sequence.triangle_count_at(sequence.step_count());
     sequence.split_count_for_triangles((share * full as f64).round() as usize)
 }
 
-fn percent(share: f64) -> String {
+/// A share as people write it.
+pub(super) fn percent(share: f64) -> String {
     format!("{} %", 100.0 * share)
 }

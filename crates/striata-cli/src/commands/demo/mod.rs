@@ -2,7 +2,7 @@
 
 mod levels;
 mod page;
-mod shots;
+mod pictures;
 
 use std::fs;
 use std::path::Path;
@@ -17,7 +17,9 @@ use crate::clock::Phases;
 use crate::commands::build::{BuildPlan, Built, PHASES, build};
 use crate::failure::Failure;
 use crate::output::{Output, grouped, lasted, sized};
-use levels::{Level, SHOWN_SHARES};
+use crate::picture::Artist;
+use levels::Level;
+use pictures::Picture;
 
 /// The bust of Nefertiti; `assets/README.md` tells its origin.
 const NEFERTITI: &[u8] = include_bytes!("../../../../../assets/nefertiti.ply.zst");
@@ -48,10 +50,12 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let file = StriataFile::parse(&bytes)?;
     levels::write_meshes(&file, &built, &mut folder)?;
     bar.phase("pictures");
-    let picture = picture(&built)?;
-    folder.write("levels.png", "four levels, shaded and as strips", &picture)?;
+    let pictures = pictures::draw_all(&built, &mut Artist::best())?;
+    for picture in &pictures {
+        folder.write(picture.name, picture.what, &picture.png)?;
+    }
     bar.phase("page");
-    let page = render_page(&built, &levels, &folder, &picture, bytes.len());
+    let page = render_page(&built, &levels, &folder, &pictures, bytes.len());
     folder.write("index.html", "the page to open", page.as_bytes())?;
     drop(bar);
     let report = Report {
@@ -87,17 +91,11 @@ impl<'a> Folder<'a> {
     }
 }
 
-fn picture(built: &Built) -> Result<Vec<u8>, Failure> {
-    let shots: Vec<shots::Shot> = SHOWN_SHARES.iter().map(|&share| levels::shot(built, share)).collect();
-    let sheet = shots::contact_sheet(&built.refinable().mesh, &shots);
-    sheet.to_png().map_err(|error| Failure::internal(format!("levels.png: {error}")))
-}
-
 fn render_page(
     built: &Built,
     levels: &[Level],
     folder: &Folder<'_>,
-    picture: &[u8],
+    pictures: &[Picture],
     file_bytes: usize,
 ) -> String {
     let sequence = &built.refinable().sequence;
@@ -113,7 +111,7 @@ fn render_page(
                  Seek times are those of going there from full detail on the machine that ran the demo.",
         table: &levels::rows(levels),
         files: &folder.files,
-        picture,
+        pictures,
     };
     page::render(&content, built.refinable())
 }

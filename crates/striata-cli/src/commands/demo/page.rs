@@ -2,6 +2,7 @@
 
 use striata::mesh::RefinableMesh;
 
+use super::pictures::Picture;
 use crate::page::{STYLE, fill, table};
 
 /// The page with `{{NAMES}}` where content goes.
@@ -20,8 +21,8 @@ pub(super) struct Content<'a> {
     pub(super) table: &'a [Vec<String>],
     /// Names and descriptions of the files beside the page.
     pub(super) files: &'a [(String, String)],
-    /// A picture, as PNG.
-    pub(super) picture: &'a [u8],
+    /// Pictures, in order.
+    pub(super) pictures: &'a [Picture],
 }
 
 /// The page, complete in itself: it needs neither a network nor another file.
@@ -41,7 +42,7 @@ pub(super) fn render(content: &Content<'_>, refinable: &RefinableMesh) -> String
         "LEVELS" => content.levels.to_owned(),
         "TABLE" => table(content.table, true),
         "FILES" => table(&files, false),
-        "PICTURE" => base64(content.picture),
+        "PICTURES" => content.pictures.iter().map(figure).collect(),
         "POSITIONS" => floats(refinable.mesh.positions.as_flattened()),
         "TARGETS" => indices(sequence.targets()),
         "TRIANGLES" => indices(refinable.mesh.triangles.as_flattened()),
@@ -49,6 +50,15 @@ pub(super) fn render(content: &Content<'_>, refinable: &RefinableMesh) -> String
         "VIEWER" => VIEWER.to_owned(),
         unknown => unreachable!("the template asks for {unknown}"),
     })
+}
+
+/// A picture with what is said of it, as HTML.
+fn figure(picture: &Picture) -> String {
+    let Picture { what, text, png, .. } = picture;
+    let source = base64(png);
+    format!(
+        "<p>{text}</p>\n<div class=\"card\"><img alt=\"The bust: {what}\" src=\"data:image/png;base64,{source}\"></div>\n"
+    )
 }
 
 fn little_endian<T: Copy, const N: usize>(values: &[T], bytes_of: impl Fn(T) -> [u8; N]) -> Vec<u8> {

@@ -39,6 +39,7 @@ mod scene;
 mod sets;
 mod stored;
 mod table;
+mod table_fan;
 mod validate;
 
 pub use bounds::FanBounds;
@@ -50,6 +51,7 @@ pub use morphs::{FanMorphs, MovingVertex};
 pub use scene::FanScene;
 pub(crate) use stored::FansParts;
 pub use table::MAX_ARCS;
+pub use table_fan::{ArcMaker, TableFan};
 
 use self::table::{Entry, Table};
 use super::step_vertices::StepVertices;

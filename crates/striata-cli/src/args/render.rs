@@ -1,0 +1,261 @@
+//! The arguments of `render`: what is drawn, from where, and how it looks.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use clap::{ArgMatches, Args, Command, FromArgMatches, ValueEnum};
+
+use super::{Length, LevelArgs, Point, ViewArgs, Viewport};
+
+/// The heading of the camera's flags.
+const CAMERA: &str = "Camera";
+
+/// The heading of what a picture looks like.
+const LOOK: &str = "Look";
+
+/// Arguments of `render`.
+#[derive(Debug, Args)]
+#[command(
+    override_usage = "striata render [OPTIONS] <INPUT> -o <OUT.png> [LEVEL]",
+    after_help = "Examples:\n  \
+    striata render bunny.ply -o levels.png --levels 100%,10%,1% --colours surface,strips\n  \
+    striata render bunny.striata -o view.png --eye 0,0.1,0.3 --turn 70 --wireframe"
+)]
+pub(crate) struct RenderArgs {
+    /// A mesh, a .striata file or a stream, or - for stdin; or a shape: shape:torus
+    pub(crate) input: PathBuf,
+    /// The picture to write, or - for stdout
+    #[arg(short, long, value_name = "OUT.png")]
+    pub(crate) output: PathBuf,
+    /// Levels side by side, by their share of the triangles or their number: 100%,10%,500
+    #[arg(long, value_name = "LEVELS", value_delimiter = ',', conflicts_with = "LevelArgs")]
+    pub(crate) levels: Option<Vec<LevelShare>>,
+    /// Which model hands over what is drawn: lodstrips or mts as strips, fans, or a list [default: the first of these that
+    /// the file has, else a list]
+    #[arg(long, value_name = "NAME", hide_possible_values = true)]
+    pub(crate) model: Option<DrawnModel>,
+    /// Colours of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups; of several, each
+    /// gets a row
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "surface", hide_possible_values = true, help_heading = LOOK)]
+    pub(crate) colours: Vec<Colouring>,
+    /// Show the edges of triangles
+    #[arg(long, help_heading = LOOK)]
+    pub(crate) wireframe: bool,
+    /// One normal a triangle
+    #[arg(long, help_heading = LOOK)]
+    pub(crate) flat: bool,
+    /// Show the original, coloured by how far it is from the level
+    #[arg(long, conflicts_with_all = ["colours", "model"], help_heading = LOOK)]
+    pub(crate) heat: bool,
+    /// The distance that has the last colour: mesh units, or `1%` of the diagonal [default: the largest on the picture]
+    #[arg(long, value_name = "D", requires = "heat", help_heading = LOOK)]
+    pub(crate) heat_max: Option<Length>,
+    /// dark, light, none (see-through) or #rrggbb
+    #[arg(long, value_name = "COLOUR", default_value = "dark", help_heading = LOOK)]
+    pub(crate) background: Background,
+    /// Pixels of the picture
+    #[arg(long, value_name = "WxH", default_value = "1280x960", help_heading = LOOK)]
+    pub(crate) size: Viewport,
+    /// Rows that levels stand in [default: as many as show them largest]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=64), help_heading = LOOK)]
+    pub(crate) rows: Option<u16>,
+    /// Where the picture is taken from; of a view, too, which is then seen from outside
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with_all = ["turn", "rise"], help_heading = CAMERA)]
+    pub(crate) from: Option<Point>,
+    /// Turned around the mesh, degrees from its front to its right [default: -35]
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = parse_degrees, help_heading = CAMERA)]
+    pub(crate) turn: Option<f32>,
+    /// Degrees above the mesh [default: 8]
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = parse_degrees, help_heading = CAMERA)]
+    pub(crate) rise: Option<f32>,
+    /// Times as large
+    #[arg(long, value_name = "F", allow_hyphen_values = true, default_value_t = 1.0, value_parser = parse_zoom, help_heading = CAMERA)]
+    pub(crate) zoom: f32,
+    /// Which level.
+    #[command(flatten)]
+    pub(crate) level: LevelChoice,
+    /// What a view needs beside its eye; of other pictures, the camera.
+    #[command(flatten)]
+    pub(crate) view: ViewArgs,
+    /// The graphics adapter whose name holds this [default: the quickest]
+    #[arg(long, value_name = "NAME", help_heading = "Adapter")]
+    pub(crate) adapter: Option<String>,
+    /// Draw on the processor
+    #[arg(long, conflicts_with = "adapter", help_heading = "Adapter")]
+    pub(crate) software: bool,
+}
+
+/// A level, or none: then it is the full mesh.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LevelChoice(pub(crate) LevelArgs);
+
+impl Args for LevelChoice {
+    fn augment_args(command: Command) -> Command {
+        let command = LevelArgs::augment_args(command).mut_group("LevelArgs", |group| group.required(false));
+        let heading = "Level [default: the full mesh]";
+        let names = ["triangles", "vertices", "detail", "error", "split_count", "eye"];
+        let command = names
+            .into_iter()
+            .fold(command, |command, name| command.mut_arg(name, |argument| argument.help_heading(heading)));
+        command.mut_arg("eye", |argument| {
+            argument.help("As fine as the screen asks for, seen from here; with --from, --turn or --rise shown from outside")
+        })
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for LevelChoice {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        LevelArgs::from_arg_matches(matches).map(Self)
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        self.0.update_from_arg_matches(matches)
+    }
+}
+
+/// A number of triangles, as it is or as a share of all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum LevelShare {
+    /// At most so many triangles.
+    Triangles(usize),
+    /// At most this share of them, 0 to 1.
+    Share(f64),
+}
+
+impl FromStr for LevelShare {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong =
+            || format!("{text:?} is no level; write a share of the triangles or their number: 10%, 500");
+        match text.strip_suffix('%') {
+            None => Ok(Self::Triangles(text.trim().parse().map_err(|_| wrong())?)),
+            Some(percent) => match percent.trim().parse::<f64>() {
+                Ok(percent) if (0.0..=100.0).contains(&percent) => Ok(Self::Share(percent / 100.0)),
+                _ => Err(wrong()),
+            },
+        }
+    }
+}
+
+/// What hands over the triangles that are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DrawnModel {
+    /// Strips, edited in place
+    #[value(name = "lodstrips")]
+    LodStrips,
+    /// Strips, walked anew
+    Mts,
+    /// Fans, as a list of triangles
+    Fans,
+    /// The mesh itself
+    List,
+}
+
+impl DrawnModel {
+    /// As the flag spells it.
+    pub(crate) const fn as_str(self) -> &'static str {
+        match self {
+            Self::LodStrips => "lodstrips",
+            Self::Mts => "mts",
+            Self::Fans => "fans",
+            Self::List => "list",
+        }
+    }
+}
+
+/// What colours tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Colouring {
+    /// Nothing but what the mesh looks like
+    Surface,
+    /// Strips
+    Strips,
+    /// Fans
+    Fans,
+    /// Single triangles
+    Triangles,
+    /// Groups, which are its materials
+    Groups,
+}
+
+/// What is behind the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Background {
+    /// Nearly black.
+    Dark,
+    /// Nearly white.
+    Light,
+    /// Nothing.
+    None,
+    /// A colour in sRGB.
+    Colour([u8; 3]),
+}
+
+impl FromStr for Background {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let hexadecimal = text.strip_prefix('#').filter(|digits| digits.len() == 6);
+        match (text, hexadecimal.map(|digits| u32::from_str_radix(digits, 16))) {
+            ("dark", _) => Ok(Self::Dark),
+            ("light", _) => Ok(Self::Light),
+            ("none", _) => Ok(Self::None),
+            (_, Some(Ok(colour))) => {
+                let [_, r, g, b] = colour.to_be_bytes();
+                Ok(Self::Colour([r, g, b]))
+            }
+            _ => Err(format!("{text:?} is no background; say dark, light, none or a colour: #203040")),
+        }
+    }
+}
+
+fn parse_degrees(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        Ok(angle) if angle.abs() <= 360.0 => Ok(angle),
+        _ => Err("must be an angle from -360 to 360".to_owned()),
+    }
+}
+
+fn parse_zoom(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        Ok(zoom) if (0.01..=10_000.0).contains(&zoom) => Ok(zoom),
+        _ => Err("must lie between 0.01 and 10000".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_are_shares_or_numbers() {
+        assert_eq!("10%".parse(), Ok(LevelShare::Share(0.1)));
+        assert_eq!("0.5 %".parse(), Ok(LevelShare::Share(0.005)));
+        assert_eq!("500".parse(), Ok(LevelShare::Triangles(500)));
+        for wrong in ["", "%", "101%", "-1%", "nan%", "1.5", "-3", "ten"] {
+            assert!(wrong.parse::<LevelShare>().is_err(), "{wrong:?} was taken");
+        }
+    }
+
+    #[test]
+    fn backgrounds_are_names_or_colours() {
+        assert_eq!("none".parse(), Ok(Background::None));
+        assert_eq!("#0a1bFF".parse(), Ok(Background::Colour([10, 27, 255])));
+        for wrong in ["", "black", "#", "#12345", "#1234567", "#12345g", "#+12345", "123456"] {
+            assert!(wrong.parse::<Background>().is_err(), "{wrong:?} was taken");
+        }
+    }
+
+    #[test]
+    fn angles_and_zooms_have_limits() {
+        assert!(
+            parse_degrees("-400").is_err() && parse_degrees("nan").is_err() && parse_degrees("90").is_ok()
+        );
+        assert!(parse_zoom("0").is_err() && parse_zoom("-1").is_err() && parse_zoom("2.5").is_ok());
+    }
+}

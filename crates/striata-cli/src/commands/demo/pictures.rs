@@ -1,0 +1,179 @@
+//! The demo's pictures: levels shaded, as strips and as wireframes, how far they are off, and a view seen from outside.
+
+use striata::mesh::{IndexedMesh, RefinableMesh};
+use striata::model::{FanBounds, FanInstance, FanScene, Fans, LodModel};
+use striata::view::ScreenError;
+
+use super::levels::{percent, split_count_at};
+use crate::args::tan;
+use crate::commands::build::Built;
+use crate::commands::extract::strips_of_level;
+use crate::failure::Failure;
+use crate::output::grouped;
+use crate::picture::{
+    Angles, Artist, Camera, ColourBar, Frustum, Heat, Paint, Panel, Sheet, Shot, Theme, strip_colours,
+    with_normals,
+};
+
+/// Shares of the triangles that pictures show.
+const SHARES: [f64; 4] = [1.0, 0.1, 0.02, 0.005];
+
+/// From where the bust is seen.
+const PORTRAIT: Angles = Angles { turn: -0.62, rise: 0.04, up: [0.0, 1.0, 0.0], fov: 0.47 };
+
+/// A picture of the demo.
+pub(super) struct Picture {
+    /// Its file.
+    pub(super) name: &'static str,
+    /// What is on it, in a few words.
+    pub(super) what: &'static str,
+    /// What the page says of it.
+    pub(super) text: &'static str,
+    /// The file's bytes.
+    pub(super) png: Vec<u8>,
+}
+
+/// Draws them all.
+///
+/// # Errors
+/// Where a GPU has no room for one, or is lost.
+pub(super) fn draw_all(built: &Built, artist: &mut Artist) -> Result<Vec<Picture>, Failure> {
+    let RefinableMesh { mesh, sequence } = built.refinable().clone();
+    let refinable = RefinableMesh { mesh: with_normals(mesh), sequence };
+    let mut studio = Studio { built, refinable, artist };
+    Ok(vec![
+        Picture {
+            name: "levels.png",
+            what: "four levels, shaded and as strips",
+            text: "Above, levels shaded with the normals of the full mesh, which stay valid since no vertex is ever \
+                   moved. Below, the triangle strips that are drawn: they are made once, at full detail, and follow \
+                   every level.",
+            png: studio.levels()?,
+        },
+        Picture {
+            name: "wireframe.png",
+            what: "the same levels with their edges",
+            text: "Where the surface is flat, triangles go first; eyes, lips and the rim of the crown keep theirs.",
+            png: studio.wireframes()?,
+        },
+        Picture {
+            name: "heat.png",
+            what: "how far three levels are from the original",
+            text: "How far each vertex of the original is from a level, in mesh units; the end of the bar is the \
+                   largest distance of all.",
+            png: studio.heat()?,
+        },
+        Picture {
+            name: "view.png",
+            what: "a level for one eye, from outside",
+            text: "As fine as one screen needs, where it needs it: what the eye inside the lines sees is refined \
+                   until no error is larger than two pixels, the rest is left coarse.",
+            png: studio.view()?,
+        },
+    ])
+}
+
+struct Studio<'a> {
+    built: &'a Built,
+    refinable: RefinableMesh,
+    artist: &'a mut Artist,
+}
+
+impl Studio<'_> {
+    fn levels(&mut self) -> Result<Vec<u8>, Failure> {
+        let sheet = Sheet::new([1280, 980], (SHARES.len(), 2)).with_text(true);
+        let mut panels = Vec::new();
+        for share in SHARES {
+            let level = self.level(share);
+            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, (false, false)), &sheet)?);
+        }
+        for share in SHARES {
+            let level = self.level(share);
+            let mut state = self.built.lod_strips().new_state();
+            self.built.lod_strips().move_to(&mut state, split_count_at(self.built, share));
+            let strips = strips_of_level(self.built.lod_strips(), &state);
+            let (triangles, colours) = strip_colours(&strips);
+            let painted = Shot::of(&level, Paint::Triangles(colours), (false, true));
+            panels.push(self.panel(share, &Shot { triangles: triangles.into(), ..painted }, &sheet)?);
+        }
+        finish(&sheet, &panels)
+    }
+
+    fn wireframes(&mut self) -> Result<Vec<u8>, Failure> {
+        let sheet = Sheet::new([1280, 520], (SHARES.len(), 1)).with_text(true);
+        let mut panels = Vec::new();
+        for share in SHARES {
+            let level = self.level(share);
+            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, (true, true)), &sheet)?);
+        }
+        finish(&sheet, &panels)
+    }
+
+    fn heat(&mut self) -> Result<Vec<u8>, Failure> {
+        let shares = &SHARES[1..];
+        let heats = shares.iter().map(|&share| Heat::of(&self.refinable.mesh, &self.level(share)));
+        let heats: Vec<Heat> = heats.collect::<Result<_, _>>()?;
+        let top = heats.iter().map(|heat| heat.max).fold(0.0, f64::max);
+        let sheet =
+            Sheet::new([1280, 560], (shares.len(), 1)).with_text(true).with_bar(ColourBar::up_to(top, top));
+        let original = self.refinable.mesh.clone();
+        let mut panels = Vec::new();
+        for (&share, heat) in shares.iter().zip(&heats) {
+            let shot = Shot::of(&original, Paint::Vertices(heat.colours(top)), (false, false));
+            panels.push(self.panel(share, &shot, &sheet)?);
+        }
+        finish(&sheet, &panels)
+    }
+
+    fn view(&mut self) -> Result<Vec<u8>, Failure> {
+        const SIZE: [usize; 2] = [1280, 800];
+        const FOV: f32 = 0.42;
+        let Some(bounds) = self.refinable.mesh.bounds() else {
+            return Err(Failure::internal("an empty bust"));
+        };
+        let at =
+            |share: [f32; 3]| [0, 1, 2].map(|k| bounds.min[k] + share[k] * (bounds.max[k] - bounds.min[k]));
+        // Before the face, a little to its side.
+        let (eye, look_at, up) = (at([0.15, 0.62, 2.3]), at([0.5, 0.45, 0.8]), [0.0, 1.0, 0.0]);
+        let camera = striata::view::Camera::new(eye, look_at, up, tan(f64::from(FOV) / 2.0), [1920, 1080]);
+        let camera = camera.map_err(|error| Failure::internal(error.to_string()))?;
+        let fans = Fans::build(&self.refinable);
+        let fan_bounds = FanBounds::build(&fans, &self.refinable);
+        let mut instance = FanInstance::full(&fans);
+        instance.refine(&FanScene::new(&fans, &fan_bounds, &self.refinable), &ScreenError::new(camera, 2.0));
+        let level = instance.level(&fans, &self.refinable);
+        let seen = Camera { eye, look_at, up, fov: FOV };
+        let frustum = Frustum::new(&seen, 16.0 / 9.0, &self.refinable.mesh.positions);
+        let mut shot = Shot::of(&level, Paint::Surface, (true, true));
+        frustum.draw_into(&mut shot);
+        let points = [self.refinable.mesh.positions.clone(), frustum.points()].concat();
+        let angles = Angles { turn: 1.35, rise: 0.22, ..PORTRAIT };
+        let sheet = Sheet::new(SIZE, (1, 1)).with_text(true);
+        let [width, height] = sheet.panel_size();
+        let outside = Camera::around(&points, &angles, width as f32 / height as f32);
+        let canvas = self.artist.draw(&shot, &outside, [width, height])?.canvas;
+        let full = self.refinable.mesh.triangle_count();
+        let caption = format!("{} of {} triangles", grouped(level.triangle_count()), grouped(full));
+        let title = "a level for one eye".to_owned();
+        finish(&sheet, &[Panel { canvas, title, caption }])
+    }
+
+    fn level(&self, share: f64) -> IndexedMesh {
+        striata::mesh::replay(&self.refinable, split_count_at(self.built, share))
+    }
+
+    fn panel(&mut self, share: f64, shot: &Shot<'_>, sheet: &Sheet) -> Result<Panel, Failure> {
+        let size = sheet.panel_size();
+        let camera =
+            Camera::around(&self.refinable.mesh.positions, &PORTRAIT, size[0] as f32 / size[1] as f32);
+        let canvas = self.artist.draw(shot, &camera, size)?.canvas;
+        let sequence = &self.refinable.sequence;
+        let count = sequence.triangle_count_at(split_count_at(self.built, share));
+        Ok(Panel { canvas, title: percent(share), caption: format!("{} triangles", grouped(count)) })
+    }
+}
+
+fn finish(sheet: &Sheet, panels: &[Panel]) -> Result<Vec<u8>, Failure> {
+    let canvas = sheet.assemble(panels, &Theme::DARK);
+    canvas.to_png().map_err(|error| Failure::internal(format!("PNG: {error}")))
+}

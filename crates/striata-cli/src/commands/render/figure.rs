@@ -1,0 +1,101 @@
+//! A level that is drawn, and how it is coloured.
+
+use std::borrow::Cow;
+
+use striata::mesh::IndexedMesh;
+use striata::strip::{StripIndices, StripOptions, StripSet, stripify};
+
+use crate::args::Colouring;
+use crate::commands::extract_view::ViewLevel;
+use crate::failure::Failure;
+use crate::fan_cover::fans_of;
+use crate::picture::{
+    Paint, Shot, fan_colours, group_colours, strip_colours, triangle_colours, with_normals,
+};
+
+/// A level that is drawn.
+pub(super) struct Figure {
+    /// What stands above it.
+    pub(super) title: String,
+    /// Its triangles, over vertices with normals.
+    pub(super) mesh: IndexedMesh,
+    /// As the model hands them over, where it is one of strips.
+    pub(super) strips: Option<StripSet>,
+    /// Who handed it over.
+    pub(super) model: &'static str,
+    /// Of a level of a sequence.
+    pub(super) split_count: Option<usize>,
+    pub(super) vertex_count: usize,
+    /// How far it is from the original, mesh units.
+    pub(super) error: f32,
+    pub(super) error_is_guaranteed: bool,
+    /// Of a view: pixels that an error may take.
+    pub(super) pixels: Option<f64>,
+}
+
+impl Figure {
+    /// A mesh as it is.
+    pub(super) fn of_mesh(mesh: IndexedMesh) -> Self {
+        Self {
+            title: String::new(),
+            vertex_count: mesh.vertex_count(),
+            mesh,
+            strips: None,
+            model: "list",
+            split_count: None,
+            error: 0.0,
+            error_is_guaranteed: true,
+            pixels: None,
+        }
+    }
+
+    /// The level of a view.
+    pub(super) fn of_view(model: &'static str, level: ViewLevel) -> Self {
+        Self {
+            model,
+            split_count: Some(level.split_count),
+            error: level.error,
+            error_is_guaranteed: false,
+            pixels: Some(level.pixels),
+            ..Self::of_mesh(with_normals(level.mesh))
+        }
+    }
+
+    /// What a shot of it shows, in some colours.
+    ///
+    /// # Errors
+    /// Where strips cannot be made, which is our fault.
+    pub(super) fn painted(&self, colouring: Colouring) -> Result<Painted, Failure> {
+        let (triangles, colours) = match colouring {
+            Colouring::Surface => {
+                let strips = self.strips.as_ref().map(StripSet::to_restart_indices);
+                return Ok(Painted { triangles: None, paint: Paint::Surface, strips });
+            }
+            Colouring::Strips => match &self.strips {
+                Some(strips) => strip_colours(strips),
+                None => strip_colours(&stripify(&self.mesh, &StripOptions::default())?),
+            },
+            Colouring::Fans => fan_colours(&fans_of(&self.mesh)),
+            Colouring::Triangles => triangle_colours(&self.mesh.triangles),
+            Colouring::Groups => group_colours(&self.mesh),
+        };
+        Ok(Painted { triangles: Some(triangles), paint: Paint::Triangles(colours), strips: None })
+    }
+}
+
+/// A level in its colours.
+pub(super) struct Painted {
+    /// In another order than the level's, where colours need one.
+    triangles: Option<Vec<[u32; 3]>>,
+    paint: Paint,
+    strips: Option<StripIndices>,
+}
+
+impl Painted {
+    /// The shot of it.
+    pub(super) fn shot<'s>(&'s self, mesh: &'s IndexedMesh, style: (bool, bool)) -> Shot<'s> {
+        let shot = Shot::of(mesh, self.paint.clone(), style);
+        let triangles = self.triangles.as_ref().map_or(shot.triangles, |t| Cow::Borrowed(&t[..]));
+        Shot { triangles, strips: self.strips.as_ref(), ..shot }
+    }
+}

@@ -1,0 +1,148 @@
+//! What is where on the picture, and drawing it.
+
+use striata::mesh::IndexedMesh;
+
+use super::figure::Figure;
+use super::place::Place;
+use super::source::Source;
+use crate::args::{Colouring, RenderArgs};
+use crate::failure::Failure;
+use crate::output::grouped;
+use crate::picture::{
+    Artist, Camera, Canvas, ColourBar, Heat, Paint, Panel, Sheet, Shot, Theme, significant,
+};
+
+/// The picture before it is drawn.
+pub(super) struct Layout<'a> {
+    args: &'a RenderArgs,
+    original: &'a IndexedMesh,
+    figures: &'a [Figure],
+    place: &'a Place,
+    /// Where distances are shown, those of each level.
+    pub(super) heats: Vec<Heat>,
+    /// The distance that has the last colour.
+    pub(super) heat_top: f64,
+    diagonal: f64,
+    sheet: Sheet,
+}
+
+/// The picture, and what it took.
+pub(super) struct Finished {
+    pub(super) canvas: Canvas,
+    /// Seconds that one frame of all panels took.
+    pub(super) frame_secs: f64,
+}
+
+impl<'a> Layout<'a> {
+    /// # Errors
+    /// Where a distance cannot be measured, which is our fault.
+    pub(super) fn new(
+        args: &'a RenderArgs,
+        source: &'a Source<'_>,
+        (figures, place): (&'a [Figure], &'a Place),
+    ) -> Result<Self, Failure> {
+        let original = source.mesh();
+        let heats = if args.heat {
+            figures.iter().map(|figure| Heat::of(original, &figure.mesh)).collect::<Result<_, _>>()?
+        } else {
+            Vec::new()
+        };
+        let largest = heats.iter().map(|heat: &Heat| heat.max).fold(0.0, f64::max);
+        let diagonal = source.diagonal();
+        let heat_top = args.heat_max.map_or(largest, |top| top.in_units(diagonal));
+        let size = args.size.0.map(|side| side as usize);
+        let make = |grid| {
+            let mut sheet = Sheet::new(size, grid);
+            if args.levels.is_some() {
+                sheet = sheet.with_text(args.colours.len() > 1);
+            }
+            if args.heat { sheet.with_bar(ColourBar::up_to(heat_top, largest)) } else { sheet }
+        };
+        let sheet = make(grid(args, figures.len(), place, &make));
+        Ok(Self { args, original, figures, place, heats, heat_top, diagonal, sheet })
+    }
+
+    /// Draws all panels and lays them out.
+    ///
+    /// # Errors
+    /// Where a GPU has no room for it, or is lost.
+    pub(super) fn draw(&self, artist: &mut Artist, theme: &Theme) -> Result<Finished, Failure> {
+        let size = self.sheet.panel_size();
+        let camera = self.place.camera(size[0] as f32 / size[1] as f32);
+        let (mut panels, mut frame_secs) = (Vec::new(), 0.0);
+        for &colouring in &self.args.colours {
+            for (number, figure) in self.figures.iter().enumerate() {
+                let drawn = self.draw_one((number, figure), colouring, artist, (&camera, size))?;
+                frame_secs += drawn.secs;
+                let (title, caption) = (figure.title.clone(), self.caption(number, figure));
+                panels.push(Panel { canvas: drawn.canvas, title, caption });
+            }
+        }
+        Ok(Finished { canvas: self.sheet.assemble(&panels, theme), frame_secs })
+    }
+
+    fn draw_one(
+        &self,
+        (number, figure): (usize, &Figure),
+        colouring: Colouring,
+        artist: &mut Artist,
+        (camera, size): (&Camera, [usize; 2]),
+    ) -> Result<crate::picture::Drawn, Failure> {
+        let draw = |mut shot: Shot<'_>, artist: &mut Artist| {
+            if let Some(frustum) = &self.place.frustum {
+                frustum.draw_into(&mut shot);
+            }
+            artist.draw(&shot, camera, size)
+        };
+        let style = (self.args.wireframe, self.args.flat);
+        match self.heats.get(number) {
+            Some(heat) => {
+                let paint = Paint::Vertices(heat.colours(self.heat_top));
+                draw(Shot::of(self.original, paint, style), artist)
+            }
+            None => {
+                let painted = figure.painted(colouring)?;
+                draw(painted.shot(&figure.mesh, style), artist)
+            }
+        }
+    }
+
+    fn caption(&self, number: usize, figure: &Figure) -> String {
+        let triangles = format!("{} triangles", grouped(figure.mesh.triangle_count()));
+        let percent = |distance: f64| significant(100.0 * distance / self.diagonal, 2);
+        match (self.heats.get(number), &figure.strips) {
+            (Some(heat), _) if heat.max > 0.0 => format!("{triangles}, up to {} % away", percent(heat.max)),
+            (None, Some(strips)) if self.args.colours.contains(&Colouring::Strips) => {
+                format!("{triangles}, {} strips", grouped(strips.strip_count()))
+            }
+            (None, _) if figure.error > 0.0 => {
+                format!("{triangles}, error {} %", percent(f64::from(figure.error)))
+            }
+            _ => triangles,
+        }
+    }
+}
+
+/// Columns and rows: a row for each colouring, or else as many as show the levels largest.
+fn grid(
+    args: &RenderArgs,
+    count: usize,
+    place: &Place,
+    make: &impl Fn((usize, usize)) -> Sheet,
+) -> (usize, usize) {
+    if args.colours.len() > 1 {
+        return (count, args.colours.len());
+    }
+    if let Some(rows) = args.rows {
+        let rows = usize::from(rows).min(count);
+        return (count.div_ceil(rows), rows);
+    }
+    let aspect = place.aspect().unwrap_or(1.0);
+    let shown = |&columns: &usize| {
+        let [width, height] = make((columns, count.div_ceil(columns))).panel_size();
+        (width as f32).min(height as f32 * aspect)
+    };
+    // The last of the best is the one with fewest rows.
+    let columns = (1..=count).max_by(|a, b| shown(a).total_cmp(&shown(b))).unwrap_or(1);
+    (columns, count.div_ceil(columns))
+}

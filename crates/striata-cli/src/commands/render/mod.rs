@@ -1,0 +1,111 @@
+//! `render`: a picture of a mesh, of levels side by side, or of a view, drawn by a GPU without a window.
+
+mod figure;
+mod layout;
+mod place;
+mod report;
+mod source;
+
+use std::path::Path;
+use std::time::Instant;
+
+use striata_gpu::GpuOptions;
+use striata_io::write_atomically;
+
+use crate::args::{Background, RenderArgs, Viewport};
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{Bar, Output, to_stdout};
+use crate::picture::{Artist, Canvas, GpuArtist, Theme};
+use crate::save::is_stdout;
+use figure::Figure;
+use layout::Layout;
+use place::Place;
+use report::Report;
+use source::Source;
+
+/// Longer pictures take memory that nobody meant to ask for.
+const LONGEST_SIDE: u32 = 8192;
+
+/// Reads, goes to the levels, draws, writes, reports.
+///
+/// # Errors
+/// Where any of it fails; nothing is written then.
+pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
+    let started = Instant::now();
+    output.check_stdout_is_free(is_stdout(&args.output))?;
+    check(args)?;
+    let mut bar = output.bar();
+    bar.phase("read");
+    let input = Input::open(&args.input)?;
+    let options = GpuOptions::default().with_fallback(args.software).with_adapter_name(args.adapter.clone());
+    let mut artist = Artist::Gpu(Box::new(GpuArtist::open(&options)?));
+    let source = Source::read(args, &input, output, &mut bar)?;
+    let figures = figures(args, &source, &input)?;
+    bar.phase("draw");
+    let place = Place::new(args, &source)?;
+    let layout = Layout::new(args, &source, (&figures, &place))?;
+    let picture = layout.draw(&mut artist, &theme(args.background))?;
+    write(&args.output, &picture.canvas, &mut bar)?;
+    drop(bar);
+    let report = Report::new(args, (&source, &figures), &layout, (&artist, picture.frame_secs, started));
+    output.summary(&report, &report.to_text())
+}
+
+/// # Errors
+/// Where flags contradict each other in a way that the parser does not see.
+fn check(args: &RenderArgs) -> Result<(), Failure> {
+    let Viewport([width, height]) = args.size;
+    if width.max(height) > LONGEST_SIDE {
+        return Err(Failure::user(format!("--size {width}x{height} is too large"))
+            .with_hint(format!("each side may have up to {LONGEST_SIDE} pixels")));
+    }
+    let is_png = args.output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+    if !is_png && !is_stdout(&args.output) {
+        return Err(Failure::user(format!("{}: pictures are written as PNG", args.output.display()))
+            .with_hint("end the name in .png, or write - for stdout"));
+    }
+    if args.level.0.eye.is_none() && args.view.has_criterion() {
+        return Err(Failure::user("a view was described, but there is no --eye")
+            .with_hint("say --eye, or leave --pixels, --viewport and the like out"));
+    }
+    if args.colours.len() > 1 && args.rows.is_some() {
+        return Err(Failure::user("--rows and more than one of --colours: each of these has a row already")
+            .with_hint("leave --rows out, or name one of --colours"));
+    }
+    Ok(())
+}
+
+/// All levels that the picture shows.
+///
+/// # Errors
+/// Where one cannot be made.
+fn figures(args: &RenderArgs, source: &Source<'_>, input: &Input) -> Result<Vec<Figure>, Failure> {
+    if let Some(eye) = args.level.0.eye {
+        return Ok(vec![source.view(args, eye, input)?]);
+    }
+    match &args.levels {
+        Some(levels) => levels.iter().map(|&level| source.share(level)).collect(),
+        None => Ok(vec![source.target(args.level.0.target_if_given(source.diagonal())?)?]),
+    }
+}
+
+fn theme(background: Background) -> Theme {
+    match background {
+        Background::Dark => Theme::DARK,
+        Background::Light => Theme::LIGHT,
+        Background::None => Theme::on([0.0; 4]),
+        Background::Colour(srgb) => Theme::on_srgb(srgb),
+    }
+}
+
+/// # Errors
+/// Where the file cannot be written.
+fn write(path: &Path, canvas: &Canvas, bar: &mut Bar) -> Result<(), Failure> {
+    bar.phase("write");
+    let bytes = canvas.to_png().map_err(|error| Failure::internal(format!("PNG: {error}")))?;
+    if is_stdout(path) {
+        return to_stdout(&bytes);
+    }
+    Ok(write_atomically(path, |out| out.write_all(&bytes))?)
+}

@@ -1,0 +1,117 @@
+//! What was drawn, for people and for scripts.
+
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::strip::StripSet;
+
+use super::figure::Figure;
+use super::layout::Layout;
+use super::source::Source;
+use crate::args::RenderArgs;
+use crate::output::{grouped, lasted, measured};
+use crate::picture::Artist;
+
+/// What was drawn.
+#[derive(Serialize)]
+pub(super) struct Report {
+    path: String,
+    width: u32,
+    height: u32,
+    adapter: String,
+    /// Of all panels together.
+    triangle_count: usize,
+    /// One frame of all panels, once all is on the GPU.
+    frame_secs: f64,
+    levels: Vec<Level>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    heat: Option<HeatReport>,
+    secs: f64,
+}
+
+#[derive(Serialize)]
+struct Level {
+    model: &'static str,
+    split_count: Option<usize>,
+    vertex_count: usize,
+    triangle_count: usize,
+    error: f32,
+    error_is_guaranteed: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    strip_count: Option<usize>,
+    /// Of a view: pixels that an error may take.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pixels: Option<f64>,
+    /// The largest distance of a vertex of the original.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    distance_max: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct HeatReport {
+    /// The distance at the end of the colour bar.
+    top: f64,
+    /// The same as a share of the diagonal.
+    top_of_diagonal: f64,
+}
+
+impl Report {
+    pub(super) fn new(
+        args: &RenderArgs,
+        (source, figures): (&Source<'_>, &[Figure]),
+        layout: &Layout<'_>,
+        (artist, frame_secs, started): (&Artist, f64, Instant),
+    ) -> Self {
+        let [width, height] = args.size.0;
+        let levels: Vec<Level> = figures
+            .iter()
+            .enumerate()
+            .map(|(number, figure)| Level {
+                model: figure.model,
+                split_count: figure.split_count,
+                vertex_count: figure.vertex_count,
+                triangle_count: figure.mesh.triangle_count(),
+                error: figure.error,
+                error_is_guaranteed: figure.error_is_guaranteed,
+                strip_count: figure.strips.as_ref().map(StripSet::strip_count),
+                pixels: figure.pixels,
+                distance_max: layout.heats.get(number).map(|heat| heat.max),
+            })
+            .collect();
+        let diagonal = source.diagonal();
+        let of_panel = |level: &Level| {
+            if args.heat { source.mesh().triangle_count() } else { level.triangle_count }
+        };
+        Self {
+            path: args.output.display().to_string(),
+            width,
+            height,
+            adapter: artist.name(),
+            triangle_count: args.colours.len() * levels.iter().map(of_panel).sum::<usize>(),
+            frame_secs,
+            heat: args.heat.then(|| HeatReport {
+                top: layout.heat_top,
+                top_of_diagonal: if diagonal > 0.0 { layout.heat_top / diagonal } else { 0.0 },
+            }),
+            levels,
+            secs: started.elapsed().as_secs_f64(),
+        }
+    }
+
+    pub(super) fn to_text(&self) -> String {
+        let heat = self.heat.as_ref().map_or_else(String::new, |heat| {
+            let share = 100.0 * heat.top_of_diagonal;
+            format!(", colours up to {} ({share:.4} % of the diagonal)", measured(heat.top))
+        });
+        format!(
+            "{}: {} x {} pixels, {} triangles{heat}; one frame took {} on {}, all {}",
+            self.path,
+            self.width,
+            self.height,
+            grouped(self.triangle_count),
+            lasted(self.frame_secs),
+            self.adapter,
+            lasted(self.secs)
+        )
+    }
+}

@@ -1,0 +1,297 @@
+//! Where levels come from: a mesh alone, a mesh that is simplified, or a file that has them all.
+
+use striata::codec::StriataFile;
+use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
+use striata::model::{FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, StoredModel, StripModel};
+use striata::simplify::Target;
+use striata::strip::{StripOptions, StripSet, stripify};
+
+use super::figure::Figure;
+use crate::args::{Colouring, DrawnModel, LevelShare, Point, RenderArgs};
+use crate::commands::build::errors_are_guaranteed;
+use crate::commands::extract::strips_of_level;
+use crate::commands::extract_patterns::PatternsOfFile;
+use crate::commands::extract_view::level_of_view;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::{Bar, Output, grouped};
+use crate::picture::with_normals;
+use crate::sequence::{SequencePlan, Steps};
+
+/// Where levels come from.
+pub(super) enum Source<'a> {
+    /// A mesh that is drawn as it is.
+    Mesh(IndexedMesh),
+    /// Levels of a mesh.
+    Levels(Box<Levels<'a>>),
+}
+
+/// All levels of a mesh, and who hands them over.
+pub(super) struct Levels<'a> {
+    steps: Steps,
+    model: Model<'a>,
+    error_is_guaranteed: bool,
+    file: Option<StriataFile<'a>>,
+}
+
+/// Who hands a level over.
+enum Model<'a> {
+    LodStrips(LodStrips<'a>),
+    Mts(Mts<'a>),
+    Fans(Fans),
+    List,
+}
+
+impl<'a> Source<'a> {
+    /// Reads what the picture needs: where it needs no more than the mesh, no more than that.
+    ///
+    /// # Errors
+    /// Where the input is unsound, or has not what was asked for.
+    pub(super) fn read(
+        args: &RenderArgs,
+        input: &'a Input,
+        output: &Output,
+        bar: &mut Bar,
+    ) -> Result<Self, Failure> {
+        let in_file = |error: Failure| error.in_file(&input.name);
+        if input.has_levels() {
+            let file = input.striata()?;
+            input.remark_on(&file, output)?;
+            return Ok(Self::Levels(Box::new(Levels::of_file(args, file, input)?)));
+        }
+        let mesh = input.mesh(output)?;
+        mesh.check().map_err(|error| in_file(error.into()))?;
+        if !needs_levels(args) {
+            return Ok(Self::Mesh(with_normals(mesh)));
+        }
+        let welded = weld(&mesh).map_err(|error| in_file(error.into()))?;
+        let sequenced = SequencePlan::default().run(welded, &mut |progress| bar.show(progress));
+        let steps = prepared(sequenced.map_err(|error| in_file(error.into()))?.steps);
+        let model = Model::built(args.model.unwrap_or(default_model(args)), &steps)?;
+        Ok(Self::Levels(Box::new(Levels { steps, model, error_is_guaranteed: false, file: None })))
+    }
+
+    /// The full mesh, with normals.
+    pub(super) fn mesh(&self) -> &IndexedMesh {
+        match self {
+            Self::Mesh(mesh) => mesh,
+            Self::Levels(levels) => levels.steps.mesh(),
+        }
+    }
+
+    /// The diagonal of its bounds.
+    pub(super) fn diagonal(&self) -> f64 {
+        self.mesh().diagonal()
+    }
+
+    /// The level that a target means, or the full mesh.
+    ///
+    /// # Errors
+    /// Where its strips cannot be made.
+    pub(super) fn target(&self, target: Option<Target>) -> Result<Figure, Failure> {
+        match self {
+            Self::Mesh(mesh) => Ok(Figure::of_mesh(mesh.clone())),
+            Self::Levels(levels) => {
+                let known = levels.steps.levels();
+                let split_count = target.map_or(known.step_count(), |target| target.resolve_in(known).0);
+                levels.figure(split_count)
+            }
+        }
+    }
+
+    /// The level that has no more than a share of the triangles.
+    ///
+    /// # Errors
+    /// Where its strips cannot be made.
+    pub(super) fn share(&self, share: LevelShare) -> Result<Figure, Failure> {
+        let full = self.mesh().triangle_count();
+        let (count, title) = match share {
+            LevelShare::Triangles(count) => (count, grouped(count)),
+            // The small term keeps a share that is a whole number from rounding down to the one before.
+            LevelShare::Share(share) => {
+                let percent: f64 = (100_000.0 * share).round() / 1000.0;
+                ((share * full as f64 * (1.0 + 1e-12)) as usize, format!("{percent} %"))
+            }
+        };
+        Ok(Figure { title, ..self.target(Some(Target::Triangles(count)))? })
+    }
+
+    /// The level of a view.
+    ///
+    /// # Errors
+    /// Where the view makes no picture, or the file is unsound.
+    pub(super) fn view(&self, args: &RenderArgs, eye: Point, input: &Input) -> Result<Figure, Failure> {
+        let Self::Levels(levels) = self else {
+            return Err(Failure::internal("a view of a mesh without levels"));
+        };
+        let bounds = self.mesh().bounds();
+        let center = bounds.map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
+        let view = args.view.on_screen(args.size.0);
+        let camera = view.camera(eye, center).map_err(|error| {
+            Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
+        })?;
+        let limit = args.level.0.triangles;
+        if let (Some(file), true) = (&levels.file, levels.has_patterns_only()) {
+            let level = PatternsOfFile::read(file, input)?.level_of_view(&view, camera, limit);
+            return Ok(Figure::of_view("patterns", level));
+        }
+        let Steps::Collapses(refinable) = &levels.steps else {
+            return Err(Failure::internal("fragments without patterns"));
+        };
+        let stored = levels.file.as_ref().and_then(StriataFile::fans).transpose();
+        let (fans, bounds) = match stored.map_err(|error| input.damaged(&error))? {
+            Some(stored) => stored,
+            None => {
+                let fans = Fans::build(refinable);
+                let bounds = FanBounds::build(&fans, refinable);
+                (fans, bounds)
+            }
+        };
+        let scene = FanScene::new(&fans, &bounds, refinable);
+        Ok(Figure::of_view("fans", level_of_view(&scene, refinable, &view, camera, limit)))
+    }
+}
+
+impl<'a> Levels<'a> {
+    /// # Errors
+    /// Where a part of the file is unsound, or the model is none that it can hand over.
+    fn of_file(args: &RenderArgs, file: StriataFile<'a>, input: &Input) -> Result<Self, Failure> {
+        let damaged = |error| input.damaged(&error);
+        let error_is_guaranteed = errors_are_guaranteed(&file).map_err(damaged)?;
+        let steps = prepared(if file.has_collapses() {
+            Steps::Collapses(file.refinable_mesh().map_err(damaged)?)
+        } else {
+            Steps::Fragments(file.fragmented_mesh().map_err(damaged)?)
+        });
+        let is_asked = |model| args.model.is_none_or(|wanted| wanted == model);
+        let model = if args.heat {
+            Model::List
+        } else if let Some(model) = is_asked(DrawnModel::LodStrips).then(|| file.lod_strips()).flatten() {
+            Model::LodStrips(model.map_err(damaged)?)
+        } else if let Some(model) = is_asked(DrawnModel::Mts).then(|| file.mts()).flatten() {
+            Model::Mts(model.map_err(damaged)?)
+        } else if let Some(model) = is_asked(DrawnModel::Fans).then(|| file.fans()).flatten() {
+            Model::Fans(model.map_err(damaged)?.0)
+        } else {
+            Model::built(args.model.unwrap_or(default_model(args)), &steps)?
+        };
+        Ok(Self { steps, model, error_is_guaranteed, file: Some(file) })
+    }
+
+    /// Whether a view has to be one of patterns.
+    fn has_patterns_only(&self) -> bool {
+        let has = |file: &StriataFile<'_>| file.fans().is_none() && file.patterns().is_some();
+        matches!(self.steps, Steps::Fragments(_)) || self.file.as_ref().is_some_and(has)
+    }
+
+    /// # Errors
+    /// Never; strips are those of the model.
+    fn figure(&self, split_count: usize) -> Result<Figure, Failure> {
+        let known = self.steps.levels();
+        let (mesh, strips) = match &self.model {
+            Model::LodStrips(model) => (self.steps.level(split_count), Some(strips_at(model, split_count))),
+            Model::Mts(model) => (self.steps.level(split_count), Some(strips_at(model, split_count))),
+            Model::Fans(model) => (self.level_of_fans(model, split_count), None),
+            Model::List => (self.steps.level(split_count), None),
+        };
+        Ok(Figure {
+            title: String::new(),
+            model: self.model.name(),
+            split_count: Some(split_count),
+            vertex_count: known.vertex_count_at(split_count),
+            error: known.error_at(split_count),
+            error_is_guaranteed: self.error_is_guaranteed,
+            pixels: None,
+            mesh,
+            strips,
+        })
+    }
+
+    /// The triangles that fans tell, over the vertices of the level.
+    fn level_of_fans(&self, fans: &Fans, split_count: usize) -> IndexedMesh {
+        let mut state = fans.new_state();
+        fans.move_to(&mut state, split_count);
+        let mut level = self.steps.level(split_count);
+        level.triangles.clear();
+        for group in 0..level.groups.len().max(1) {
+            let first = level.triangles.len() as u32;
+            fans.group_triangles_into(&state, group, &mut level.triangles);
+            if let Some(group) = level.groups.get_mut(group) {
+                (group.first, group.count) = (first, level.triangles.len() as u32 - first);
+            }
+        }
+        level
+    }
+}
+
+impl Model<'_> {
+    /// # Errors
+    /// Where the steps are no collapses, which all of these need but a list.
+    fn built(model: DrawnModel, steps: &Steps) -> Result<Self, Failure> {
+        let refinable = match (steps, model) {
+            (_, DrawnModel::List) => return Ok(Self::List),
+            (Steps::Collapses(refinable), _) => refinable,
+            (Steps::Fragments(_), model) => {
+                return Err(Failure::user(format!(
+                    "{} take collapses, and this file has none",
+                    model.as_str()
+                ))
+                .with_hint("leave --model out, or say --model list"));
+            }
+        };
+        Ok(match model {
+            DrawnModel::LodStrips => Self::LodStrips(LodStrips::build(refinable, &strips_of(refinable)?)?),
+            DrawnModel::Mts => Self::Mts(Mts::build(refinable, &strips_of(refinable)?)?),
+            DrawnModel::Fans => Self::Fans(Fans::build(refinable)),
+            DrawnModel::List => Self::List,
+        })
+    }
+
+    fn name(&self) -> &'static str {
+        let model = match self {
+            Self::LodStrips(_) => DrawnModel::LodStrips,
+            Self::Mts(_) => DrawnModel::Mts,
+            Self::Fans(_) => DrawnModel::Fans,
+            Self::List => DrawnModel::List,
+        };
+        model.as_str()
+    }
+}
+
+fn strips_of(refinable: &RefinableMesh) -> Result<StripSet, Failure> {
+    Ok(stripify(&refinable.mesh, &StripOptions::default())?)
+}
+
+fn strips_at<M: StripModel>(model: &M, split_count: usize) -> StripSet {
+    let mut state = model.new_state();
+    model.move_to(&mut state, split_count);
+    strips_of_level(model, &state)
+}
+
+/// Whether the picture shows anything but the mesh itself.
+fn needs_levels(args: &RenderArgs) -> bool {
+    let level = &args.level.0;
+    let has_target = level.triangles.is_some() || level.vertices.is_some() || level.detail.is_some();
+    let has_target =
+        has_target || level.error.is_some() || level.split_count.is_some() || level.eye.is_some();
+    let has_model = args.model.is_some_and(|model| model != DrawnModel::List);
+    has_target || has_model || args.levels.is_some()
+}
+
+/// Strips that are looked at follow the levels.
+fn default_model(args: &RenderArgs) -> DrawnModel {
+    let shows_strips = args.colours.contains(&Colouring::Strips) && args.level.0.eye.is_none();
+    if shows_strips { DrawnModel::LodStrips } else { DrawnModel::List }
+}
+
+/// Steps whose mesh has normals, so that every level has them.
+fn prepared(steps: Steps) -> Steps {
+    match steps {
+        Steps::Collapses(RefinableMesh { mesh, sequence }) => {
+            Steps::Collapses(RefinableMesh { mesh: with_normals(mesh), sequence })
+        }
+        Steps::Fragments(FragmentedMesh { mesh, fragments }) => {
+            Steps::Fragments(FragmentedMesh { mesh: with_normals(mesh), fragments })
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! A rectangle of pixels in linear light with opacity, and PNG out of it.
+
+/// Linear light, 0 to 1 a channel, times its opacity, which comes last.
+pub(crate) type Rgba = [f32; 4];
+
+/// A rectangle of pixels, row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Canvas {
+    /// Pixels in a row.
+    pub(crate) width: usize,
+    /// Rows.
+    pub(crate) height: usize,
+    pixels: Vec<Rgba>,
+}
+
+impl Canvas {
+    /// A canvas of one colour.
+    pub(crate) fn filled(width: usize, height: usize, colour: Rgba) -> Self {
+        Self { width, height, pixels: vec![colour; width * height] }
+    }
+
+    /// A canvas of sRGB bytes whose light was weighed by its opacity before it was encoded, as GPUs leave it.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn from_srgb(width: usize, height: usize, rgba: &[u8]) -> Self {
+        let light: Vec<f32> = (0..=255u8).map(from_srgb).collect();
+        let pixel = |p: &[u8]| {
+            let [r, g, b] = [p[0], p[1], p[2]].map(|byte| light[usize::from(byte)]);
+            [r, g, b, f32::from(p[3]) / 255.0]
+        };
+        Self { width, height, pixels: rgba.chunks_exact(4).map(pixel).collect() }
+    }
+
+    /// The pixels, row by row.
+    #[cfg(test)]
+    pub(crate) fn pixels(&self) -> &[Rgba] {
+        &self.pixels
+    }
+
+    /// The pixels of one row.
+    pub(crate) fn row_mut(&mut self, y: usize) -> &mut [Rgba] {
+        &mut self.pixels[y * self.width..][..self.width]
+    }
+
+    /// Lays another canvas over this one with its corner at (x, y); what does not fit is cut off.
+    pub(crate) fn lay(&mut self, other: &Self, x: usize, y: usize) {
+        let width = other.width.min(self.width.saturating_sub(x));
+        for row in 0..other.height.min(self.height.saturating_sub(y)) {
+            let source = &other.pixels[row * other.width..][..width];
+            for (below, &above) in self.row_mut(y + row)[x..x + width].iter_mut().zip(source) {
+                *below = over(above, *below);
+            }
+        }
+    }
+
+    /// Lays so much of a colour over one pixel; places outside are no pixels.
+    pub(crate) fn tint(&mut self, [x, y]: [i64; 2], colour: Rgba, amount: f32) {
+        if let (Ok(x), Ok(y)) = (usize::try_from(x), usize::try_from(y))
+            && x < self.width
+            && y < self.height
+        {
+            let pixel = &mut self.row_mut(y)[x];
+            *pixel = over(colour.map(|c| c * amount), *pixel);
+        }
+    }
+
+    /// The canvas shrunk by a whole factor, each pixel the mean of those it covers.
+    pub(crate) fn shrunk(&self, factor: usize) -> Self {
+        let mut small = Self::filled(self.width / factor, self.height / factor, [0.0; 4]);
+        let weight = 1.0 / (factor * factor) as f32;
+        for y in 0..small.height {
+            for x in 0..small.width {
+                let mut sum = [0.0; 4];
+                for row in 0..factor {
+                    let start = (y * factor + row) * self.width + x * factor;
+                    for pixel in &self.pixels[start..start + factor] {
+                        sum = std::array::from_fn(|k| sum[k] + pixel[k]);
+                    }
+                }
+                small.row_mut(y)[x] = sum.map(|s| s * weight);
+            }
+        }
+        small
+    }
+
+    /// The canvas as a PNG file in sRGB, with opacity only where something is to be seen through.
+    ///
+    /// # Errors
+    /// What the encoder reports.
+    pub(crate) fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
+        let is_opaque = self.pixels.iter().all(|p| p[3] > 0.999);
+        let colour = if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba };
+        let channels = if is_opaque { 3 } else { 4 };
+        let mut bytes = Vec::with_capacity(channels * self.pixels.len());
+        self.pixels.iter().for_each(|&p| bytes.extend_from_slice(&to_bytes(p)[..channels]));
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, self.width as u32, self.height as u32);
+        encoder.set_color(colour);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_compression(png::Compression::High);
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(&bytes)?;
+        writer.finish()?;
+        Ok(file)
+    }
+}
+
+fn over(above: Rgba, below: Rgba) -> Rgba {
+    std::array::from_fn(|k| above[k] + (1.0 - above[3]) * below[k])
+}
+
+/// As PNG keeps a pixel: light that is not weighed by opacity.
+fn to_bytes([r, g, b, a]: Rgba) -> [u8; 4] {
+    let whole = if a > 0.0 { 1.0 / a } else { 0.0 };
+    let [r, g, b] = [r, g, b].map(|light| to_srgb(light * whole));
+    [r, g, b, (255.0 * a.clamp(0.0, 1.0) + 0.5) as u8]
+}
+
+/// The byte that shows so much light on a usual screen.
+fn to_srgb(light: f32) -> u8 {
+    let x = light.clamp(0.0, 1.0);
+    let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
+    (encoded * 255.0 + 0.5) as u8
+}
+
+/// The light that such a byte shows.
+pub(super) fn from_srgb(byte: u8) -> f32 {
+    let x = f32::from(byte) / 255.0;
+    if x <= 0.040_45 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shrinking_averages() {
+        let mut canvas = Canvas::filled(4, 2, [0.0; 4]);
+        canvas.row_mut(0)[0] = [1.0; 4];
+        let small = canvas.shrunk(2);
+        assert_eq!((small.width, small.height), (2, 1));
+        assert_eq!(small.pixels, vec![[0.25; 4], [0.0; 4]]);
+    }
+
+    #[test]
+    fn laying_past_the_edge_is_cut_off_and_opacity_counts() {
+        let mut canvas = Canvas::filled(2, 2, [0.0, 0.0, 0.0, 1.0]);
+        canvas.lay(&Canvas::filled(3, 3, [0.5, 0.0, 0.0, 0.5]), 1, 1);
+        assert_eq!(canvas.pixels[..3], [[0.0, 0.0, 0.0, 1.0]; 3]);
+        assert_eq!(canvas.pixels[3], [0.5, 0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn bytes_and_light_turn_into_each_other() {
+        for byte in 0..=255 {
+            assert_eq!(to_srgb(from_srgb(byte)), byte);
+        }
+        assert_eq!(to_bytes([0.25, 0.0, 0.0, 0.25]), [255, 0, 0, 64]);
+        assert_eq!(to_bytes([0.0; 4]), [0; 4]);
+    }
+
+    #[test]
+    fn png_decodes_again_with_opacity_where_there_is_some() {
+        for (corner, colour) in
+            [([0.0, 0.0, 0.0, 1.0], png::ColorType::Rgb), ([0.0; 4], png::ColorType::Rgba)]
+        {
+            let mut canvas = Canvas::filled(60, 12, [1.0; 4]);
+            canvas.row_mut(0)[0] = corner;
+            let file = canvas.to_png().expect("memory takes it");
+            let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("a PNG header");
+            let mut bytes = vec![0; reader.output_buffer_size().expect("a small picture")];
+            let info = reader.next_frame(&mut bytes).expect("whole data");
+            assert_eq!((info.width, info.height, info.color_type), (60, 12, colour));
+            assert!(bytes[..3] == [0; 3] && bytes.last() == Some(&255));
+        }
+    }
+}

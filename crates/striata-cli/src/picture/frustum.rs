@@ -1,0 +1,76 @@
+//! What a camera sees, as lines in the picture of another.
+
+use super::camera::{Camera, dot, minus, wide};
+use super::{Line, Shot};
+
+/// The pyramid that a camera sees, as far as the mesh goes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Frustum {
+    eye: [f32; 3],
+    /// Corners of its far side, in turn.
+    corners: [[f32; 3]; 4],
+}
+
+/// Linear light as bytes: what stands out from stone, from the dark and from the light.
+const COLOUR: [u8; 4] = [255, 62, 8, 255];
+
+/// How wide its lines are.
+const WIDTH: f32 = 3.0;
+
+impl Frustum {
+    /// The pyramid of a camera up to the farthest of some points; where all lie behind it, a small one.
+    pub(crate) fn new(camera: &Camera, aspect: f32, points: &[[f32; 3]]) -> Self {
+        let [right, up, back] = camera.axes();
+        let eye = wide(camera.eye);
+        let depth_of = |p: &[f32; 3]| -dot(minus(wide(*p), eye), back);
+        let farthest = points.iter().map(depth_of).filter(|d| d.is_finite()).fold(0.0, f64::max);
+        let ahead = minus(wide(camera.look_at), eye);
+        let depth = if farthest > 0.0 { farthest } else { dot(ahead, ahead).sqrt() };
+        let high = depth * (f64::from(camera.fov) / 2.0).tan();
+        let wide = high * f64::from(aspect);
+        let corner = |x: f64, y: f64| {
+            [0, 1, 2].map(|k| (eye[k] - depth * back[k] + x * wide * right[k] + y * high * up[k]) as f32)
+        };
+        let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        Self { eye: camera.eye, corners }
+    }
+
+    /// Its corners.
+    pub(crate) fn points(&self) -> Vec<[f32; 3]> {
+        [&[self.eye][..], &self.corners].concat()
+    }
+
+    /// Draws its edges, and a small screen before its eye, into a shot.
+    pub(crate) fn draw_into(&self, shot: &mut Shot<'_>) {
+        let line = |from, to, width| Line { ends: [from, to], colour: COLOUR, width };
+        let screen = self.corners.map(|corner| between(self.eye, corner, 0.14));
+        for i in 0..4 {
+            let next = (i + 1) % 4;
+            shot.lines.push(line(self.eye, self.corners[i], WIDTH));
+            shot.lines.push(line(self.corners[i], self.corners[next], WIDTH));
+            shot.lines.push(line(screen[i], screen[next], WIDTH));
+        }
+    }
+}
+
+fn between(a: [f32; 3], b: [f32; 3], share: f32) -> [f32; 3] {
+    [0, 1, 2].map(|k| a[k] + share * (b[k] - a[k]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_reaches_as_far_as_the_mesh() {
+        let camera = Camera { eye: [0.0, 0.0, 4.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 1.0 };
+        let frustum = Frustum::new(&camera, 2.0, &[[0.0, 0.0, -1.0], [0.5, 0.0, 1.0]]);
+        let high = 5.0 * 0.5f32.tan();
+        for corner in frustum.corners {
+            let [x, y, z] = corner;
+            assert!((x.abs() - 2.0 * high).abs() < 1e-4 && (y.abs() - high).abs() < 1e-4 && z == -1.0);
+        }
+        let behind = Frustum::new(&camera, 1.0, &[[0.0, 0.0, 9.0]]);
+        assert!(behind.corners.iter().all(|c| c[2].abs() < 1e-5), "{behind:?}");
+    }
+}

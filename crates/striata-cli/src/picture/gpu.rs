@@ -1,0 +1,184 @@
+//! Shots drawn by a GPU.
+
+use std::borrow::Cow;
+use std::ops::Range;
+use std::time::Instant;
+
+use striata::mesh::IndexedMesh;
+use striata_gpu::wgpu::RenderPass;
+use striata_gpu::{
+    Canvas as GpuCanvas, Drawing, Gpu, GpuError, GpuIndices, GpuOptions, GpuVertices, Inspection, Look,
+    Painter, Scene, Shading, Viewpoint,
+};
+
+use super::artist::Drawn;
+use super::paint::Colour;
+use super::shot::{LineTriangles, Paint, STONE, Shot};
+use super::{Camera, Canvas};
+
+/// A GPU with all that does not change from shot to shot.
+#[derive(Debug)]
+pub(crate) struct GpuArtist {
+    gpu: Gpu,
+    painter: Painter,
+    canvas: Option<([u32; 2], GpuCanvas)>,
+}
+
+/// Samples a pixel; each pixel of the picture is the mean of [`SHRINK`] squared of these.
+const SAMPLES: u32 = 4;
+const SHRINK: usize = 2;
+
+/// What one shot is on the GPU.
+struct Uploaded {
+    vertices: GpuVertices,
+    surface: Surface,
+    lines: Option<(Scene, Inspection)>,
+    scene: Scene,
+}
+
+enum Surface {
+    List(GpuIndices, Range<u32>),
+    Strips(GpuIndices, Vec<Range<u32>>),
+    Triangles(Inspection),
+}
+
+impl GpuArtist {
+    /// Opens a GPU.
+    ///
+    /// # Errors
+    /// Where there is none that fits.
+    pub(crate) fn open(options: &GpuOptions) -> Result<Self, GpuError> {
+        let gpu = Gpu::new(options)?;
+        let painter = Painter::new(&gpu, GpuCanvas::FORMAT, SAMPLES);
+        Ok(Self { gpu, painter, canvas: None })
+    }
+
+    /// Its name.
+    pub(crate) fn name(&self) -> String {
+        self.gpu.name()
+    }
+
+    /// Draws a shot; where the GPU can, larger than asked for, to be shrunk.
+    ///
+    /// # Errors
+    /// Where the GPU has no room, or is lost.
+    pub(super) fn draw(
+        &mut self,
+        shot: &Shot<'_>,
+        camera: &Camera,
+        [width, height]: [usize; 2],
+    ) -> Result<Drawn, GpuError> {
+        let limit = self.gpu.device().limits().max_texture_dimension_2d as usize;
+        let factor = if SHRINK * width.max(height) <= limit { SHRINK } else { 1 };
+        let size = [width * factor, height * factor].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+        let canvas = match self.canvas.take() {
+            Some((of_size, canvas)) if of_size == size => canvas,
+            _ => GpuCanvas::new(&self.gpu, size, SAMPLES)?,
+        };
+        let look = look(shot, shot.edge_opacity(camera, height), factor as f32);
+        let uploaded = self.upload(shot, (camera, size), &look)?;
+        // The first frame pays for shaders and memory that nobody has touched yet.
+        self.frame(&canvas, &uploaded)?;
+        let started = Instant::now();
+        self.frame(&canvas, &uploaded)?;
+        let secs = started.elapsed().as_secs_f64();
+        let picture = canvas.read(&self.gpu)?;
+        self.canvas = Some((size, canvas));
+        let large = Canvas::from_srgb(picture.width as usize, picture.height as usize, &picture.rgba);
+        Ok(Drawn { canvas: if factor > 1 { large.shrunk(factor) } else { large }, secs })
+    }
+
+    fn frame(&self, canvas: &GpuCanvas, uploaded: &Uploaded) -> Result<(), GpuError> {
+        let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
+        self.paint(&mut canvas.begin(&mut encoder, [0.0; 4]), uploaded);
+        self.gpu.queue().submit([encoder.finish()]);
+        self.gpu.wait()
+    }
+
+    fn paint(&self, pass: &mut RenderPass<'_>, uploaded: &Uploaded) {
+        let Uploaded { vertices, surface, lines, scene } = uploaded;
+        match surface {
+            Surface::List(indices, whole) => {
+                let drawing = Drawing::List { indices, groups: std::slice::from_ref(whole) };
+                self.painter.draw(pass, scene, vertices, drawing);
+            }
+            Surface::Strips(indices, groups) => {
+                self.painter.draw(pass, scene, vertices, Drawing::Strips { indices, groups });
+            }
+            Surface::Triangles(inspection) => self.painter.inspect(pass, scene, inspection),
+        }
+        if let Some((scene, inspection)) = lines {
+            self.painter.inspect(pass, scene, inspection);
+        }
+    }
+
+    fn upload(
+        &self,
+        shot: &Shot<'_>,
+        (camera, size): (&Camera, [u32; 2]),
+        look: &Look,
+    ) -> Result<Uploaded, GpuError> {
+        let (gpu, painter) = (&self.gpu, &self.painter);
+        let lines = LineTriangles::new(&shot.lines, camera, shot.vertices.vertex_count());
+        let mesh = with_more_vertices(shot.vertices, &lines.positions);
+        let mut vertices = GpuVertices::upload(gpu, &mesh)?;
+        if let Paint::Vertices(colours) = &shot.paint {
+            let mut colours = colours.clone();
+            colours.resize(mesh.vertex_count(), [0; 4]);
+            vertices.set_colours(gpu, &colours);
+        }
+        let surface = match (shot.colours_of_triangles(), shot.strips) {
+            (Some(colours), _) => {
+                let triangles: (&[[u32; 3]], &[Colour]) = (&shot.triangles, &colours);
+                Surface::Triangles(Inspection::new(gpu, painter, &vertices, triangles)?)
+            }
+            (None, Some(strips)) => {
+                let indices = GpuIndices::upload(gpu, &strips.indices)?;
+                Surface::Strips(indices, strips.group_ranges.clone())
+            }
+            (None, None) => {
+                let whole = 0..3 * shot.triangles.len() as u32;
+                Surface::List(GpuIndices::upload(gpu, shot.triangles.as_flattened())?, whole)
+            }
+        };
+        let viewpoint = viewpoint(camera);
+        let view = (&viewpoint, size);
+        let scene = painter.scene(gpu, &vertices, view, look)?;
+        let lines = if lines.triangles.is_empty() {
+            None
+        } else {
+            let scene = painter.scene(gpu, &vertices, view, &Look::default().with_light(0.0))?;
+            let triangles: (&[[u32; 3]], &[Colour]) = (&lines.triangles, &lines.colours);
+            Some((scene, Inspection::new(gpu, painter, &vertices, triangles)?))
+        };
+        Ok(Uploaded { vertices, surface, lines, scene })
+    }
+}
+
+fn look(shot: &Shot<'_>, edge_opacity: f32, factor: f32) -> Look {
+    Look::default()
+        .with_base(STONE)
+        .with_background([0.0; 4])
+        .with_shading(if shot.is_flat { Shading::Flat } else { Shading::Smooth })
+        .with_edges([0.0, 0.0, 0.0, edge_opacity])
+        .with_edge_width_px(factor)
+        .with_light(shot.light())
+}
+
+fn viewpoint(camera: &Camera) -> Viewpoint {
+    Viewpoint { eye: camera.eye, look_at: camera.look_at, up: camera.up, fov: camera.fov }
+}
+
+/// The mesh with vertices that lines need; their attributes are those of the first vertex, and nobody reads them.
+fn with_more_vertices<'a>(mesh: &'a IndexedMesh, positions: &[[f32; 3]]) -> Cow<'a, IndexedMesh> {
+    if positions.is_empty() {
+        return Cow::Borrowed(mesh);
+    }
+    let mut order: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
+    order.resize(order.len() + positions.len(), 0);
+    Cow::Owned(IndexedMesh {
+        positions: [&mesh.positions[..], positions].concat(),
+        layers: mesh.layers.iter().map(|layer| layer.gather(&order)).collect(),
+        ..IndexedMesh::default()
+    })
+}

@@ -1,0 +1,201 @@
+//! What is seen on one panel, and the lines that go through it.
+
+use std::borrow::Cow;
+
+use striata::mesh::IndexedMesh;
+use striata::strip::StripIndices;
+
+use super::camera::{Camera, cross, dot, minus, unit, wide};
+use super::paint::Colour;
+
+/// What one panel shows.
+#[derive(Clone, Debug)]
+pub(crate) struct Shot<'a> {
+    /// Its vertices are drawn, with their normals and colours.
+    pub(crate) vertices: &'a IndexedMesh,
+    /// Triangles over them.
+    pub(crate) triangles: Cow<'a, [[u32; 3]]>,
+    /// The same triangles as strips, for a GPU, where single ones need no colours or edges.
+    pub(crate) strips: Option<&'a StripIndices>,
+    /// Their colours.
+    pub(crate) paint: Paint,
+    /// Whether the edges of triangles are seen.
+    pub(crate) has_edges: bool,
+    /// Whether each triangle has one normal.
+    pub(crate) is_flat: bool,
+    /// Lines beside them.
+    pub(crate) lines: Vec<Line>,
+}
+
+/// How triangles are coloured; linear light as bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Paint {
+    /// In the colours of the vertices, or all as stone.
+    Surface,
+    /// Each in one colour.
+    Triangles(Vec<Colour>),
+    /// Between the colours of vertices; they say something, so there is less light and shadow.
+    Vertices(Vec<Colour>),
+}
+
+/// A line from one point to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Line {
+    /// Where it begins and ends, mesh units.
+    pub(crate) ends: [[f32; 3]; 2],
+    /// Linear light as bytes.
+    pub(crate) colour: Colour,
+    /// Pixels that it is wide, of a picture of 1000 rows.
+    pub(crate) width: f32,
+}
+
+/// The colour of a mesh without colours, linear light.
+pub(super) const STONE: [f32; 3] = [0.72, 0.58, 0.44];
+
+impl<'a> Shot<'a> {
+    /// A mesh in some colours, with or without edges, flat or not.
+    pub(crate) fn of(mesh: &'a IndexedMesh, paint: Paint, (has_edges, is_flat): (bool, bool)) -> Self {
+        let triangles = Cow::Borrowed(&mesh.triangles[..]);
+        Self { vertices: mesh, triangles, strips: None, paint, has_edges, is_flat, lines: Vec::new() }
+    }
+
+    /// How much light and shadow count.
+    pub(super) fn light(&self) -> f32 {
+        if matches!(self.paint, Paint::Vertices(_)) { 0.62 } else { 1.0 }
+    }
+
+    /// A colour for each triangle, where single ones have to be drawn.
+    pub(super) fn colours_of_triangles(&self) -> Option<Cow<'_, [Colour]>> {
+        match &self.paint {
+            Paint::Triangles(colours) => Some(Cow::Borrowed(colours)),
+            Paint::Surface if !self.has_edges => None,
+            Paint::Surface => {
+                let stone = STONE.map(|x| (255.0 * x + 0.5) as u8);
+                let stone = [stone[0], stone[1], stone[2], 255];
+                Some(Cow::Owned(vec![stone; self.triangles.len()]))
+            }
+            Paint::Vertices(_) if !self.has_edges => None,
+            Paint::Vertices(colours) => {
+                let mean = |triangle: &[u32; 3]| {
+                    let corners = triangle.map(|v| colours[v as usize]);
+                    std::array::from_fn(|k| (corners.iter().map(|c| u32::from(c[k])).sum::<u32>() / 3) as u8)
+                };
+                Some(self.triangles.iter().map(mean).collect())
+            }
+        }
+    }
+
+    /// How much edges cover: less where they are so dense that nothing else would be seen.
+    pub(super) fn edge_opacity(&self, camera: &Camera, height: usize) -> f32 {
+        if !self.has_edges || self.triangles.is_empty() {
+            return 0.0;
+        }
+        let [right, up, back] = camera.axes();
+        let scale = height as f64 / 2.0 / (f64::from(camera.fov) / 2.0).tan();
+        let on_screen = |v: u32| {
+            let p = minus(wide(self.vertices.positions[v as usize]), wide(camera.eye));
+            let depth = -dot(p, back);
+            (depth > 0.0).then(|| [scale * dot(p, right) / depth, scale * dot(p, up) / depth])
+        };
+        // Some thousand triangles tell as much as all.
+        let step = self.triangles.len() / 4000 + 1;
+        let (mut length, mut count) = (0.0, 0);
+        for &[a, b, _] in self.triangles.iter().step_by(step) {
+            if let (Some(a), Some(b)) = (on_screen(a), on_screen(b)) {
+                length += (a[0] - b[0]).hypot(a[1] - b[1]);
+                count += 1;
+            }
+        }
+        ((length / f64::from(count.max(1)) / 7.0) as f32).clamp(0.22, 0.9)
+    }
+}
+
+/// Lines as triangles that face an eye, as wide as they are to be on a picture of so many rows.
+#[derive(Clone, Debug, Default)]
+pub(super) struct LineTriangles {
+    pub(super) positions: Vec<[f32; 3]>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) colours: Vec<Colour>,
+}
+
+impl LineTriangles {
+    pub(super) fn new(lines: &[Line], camera: &Camera, first_vertex: usize) -> Self {
+        let mut out = Self::default();
+        let [_, _, back] = camera.axes();
+        let eye = wide(camera.eye);
+        // Of a picture of 1000 rows, a pixel at distance 1 is so large.
+        let pixel = 2.0 * (f64::from(camera.fov) / 2.0).tan() / 1000.0;
+        for line in lines {
+            let Some([from, to]) = before_the_eye(line.ends.map(|end| minus(wide(end), eye)), back) else {
+                continue;
+            };
+            let across = unit(cross(from, to));
+            let first = (first_vertex + out.positions.len()) as u32;
+            for (end, side) in [(from, -1.0), (from, 1.0), (to, 1.0), (to, -1.0)] {
+                let half = side * 0.5 * f64::from(line.width) * pixel * -dot(end, back);
+                out.positions.push([0, 1, 2].map(|k| (eye[k] + end[k] + half * across[k]) as f32));
+            }
+            out.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+            out.colours.extend([line.colour; 2]);
+        }
+        out
+    }
+}
+
+/// The part of a line, from the eye, that lies before it.
+fn before_the_eye(ends: [[f64; 3]; 2], back: [f64; 3]) -> Option<[[f64; 3]; 2]> {
+    let depths = ends.map(|end| -dot(end, back));
+    let nearest = 1e-3 * depths[0].abs().max(depths[1].abs());
+    if depths[0].max(depths[1]) <= nearest {
+        return None;
+    }
+    let [a, b] = ends;
+    let at = |share: f64| [0, 1, 2].map(|k| a[k] + share * (b[k] - a[k]));
+    let cut = (nearest - depths[0]) / (depths[1] - depths[0]);
+    Some([if depths[0] < nearest { at(cut) } else { a }, if depths[1] < nearest { at(cut) } else { b }])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CAMERA: Camera = Camera { eye: [0.0, 0.0, 4.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 1.0 };
+
+    #[test]
+    fn a_line_is_as_wide_as_asked_at_both_ends() {
+        let line = Line { ends: [[0.0, -1.0, 0.0], [0.0, 1.0, 2.0]], colour: [255; 4], width: 10.0 };
+        let quad = LineTriangles::new(&[line], &CAMERA, 7);
+        assert_eq!((quad.triangles[0], quad.positions.len()), ([7, 8, 9], 4));
+        for (a, b, depth) in [(0, 1, 4.0f32), (2, 3, 2.0)] {
+            let (a, b): ([f32; 3], [f32; 3]) = (quad.positions[a], quad.positions[b]);
+            let pixels = (a[0] - b[0]).abs() * 1000.0 / (2.0 * depth * 0.5f32.tan());
+            assert!((pixels - 10.0).abs() < 1e-3, "{pixels}");
+        }
+    }
+
+    #[test]
+    fn what_is_behind_the_eye_is_cut_off() {
+        let line = |a: f32, b: f32| Line { ends: [[1.0, 0.0, a], [1.0, 0.0, b]], colour: [0; 4], width: 1.0 };
+        assert!(LineTriangles::new(&[line(5.0, 9.0)], &CAMERA, 0).triangles.is_empty());
+        let cut = LineTriangles::new(&[line(0.0, 9.0)], &CAMERA, 0);
+        assert_eq!(cut.triangles.len(), 2);
+        assert!(cut.positions.iter().all(|p| p[2] < 4.0));
+    }
+
+    #[test]
+    fn dense_edges_are_faint() {
+        let mesh = striata::mesh::shapes::icosphere(4, 1.0);
+        let shot = Shot {
+            vertices: &mesh,
+            triangles: Cow::Borrowed(&mesh.triangles),
+            strips: None,
+            paint: Paint::Surface,
+            has_edges: true,
+            is_flat: false,
+            lines: Vec::new(),
+        };
+        let opacities = [40, 400, 4000].map(|height| shot.edge_opacity(&CAMERA, height));
+        assert!(opacities[0] < opacities[1] && opacities[1] < opacities[2], "{opacities:?}");
+        assert_eq!(shot.colours_of_triangles().map(|c| c.len()), Some(mesh.triangle_count()));
+    }
+}

@@ -1,0 +1,95 @@
+//! Letters on a canvas, in the font that the command carries.
+
+use std::sync::LazyLock;
+
+use ab_glyph::{Font, FontRef, Glyph, PxScale, ScaleFont, point};
+
+use super::{Canvas, Rgba};
+
+/// None only where the font that is built in cannot be read, which a test rules out.
+static FONT: LazyLock<Option<FontRef<'static>>> =
+    LazyLock::new(|| FontRef::try_from_slice(epaint_default_fonts::UBUNTU_LIGHT).ok());
+
+/// Where a text stands to its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Align {
+    /// It begins there.
+    Left,
+    /// It is centred there.
+    Middle,
+}
+
+/// Writes a line of text whose capital letters are centred on a row of pixels.
+pub(super) fn write(canvas: &mut Canvas, text: &str, style: (f32, Rgba), ([x, y], align): ([f32; 2], Align)) {
+    let (size, colour) = style;
+    let Some(font) = FONT.as_ref() else { return };
+    let (glyphs, width) = laid_out(font, text, size);
+    let left = if align == Align::Middle { x - width / 2.0 } else { x };
+    // Capitals reach about 0.69 of the size above the base line.
+    let base = (y + 0.35 * size * CAPITALS).round();
+    for mut glyph in glyphs {
+        glyph.position += point(left, base);
+        let Some(outline) = font.outline_glyph(glyph) else { continue };
+        let bounds = outline.px_bounds();
+        outline.draw(|dx, dy, amount| {
+            let place = [bounds.min.x as i64 + i64::from(dx), bounds.min.y as i64 + i64::from(dy)];
+            canvas.tint(place, colour, amount.clamp(0.0, 1.0));
+        });
+    }
+}
+
+/// Height of capitals, of the size.
+const CAPITALS: f32 = 0.69 / 0.7;
+
+/// Pixels from the start of a text to its end.
+pub(super) fn width(text: &str, size: f32) -> f32 {
+    FONT.as_ref().map_or(0.0, |font| laid_out(font, text, size).1)
+}
+
+/// Glyphs side by side from zero on, and where the next would be.
+fn laid_out(font: &FontRef<'static>, text: &str, size: f32) -> (Vec<Glyph>, f32) {
+    let scaled = font.as_scaled(PxScale::from(size));
+    let (mut glyphs, mut x, mut last) = (Vec::new(), 0.0, None);
+    for letter in text.chars() {
+        let glyph = font.glyph_id(letter);
+        if let Some(last) = last {
+            x += scaled.kern(last, glyph);
+        }
+        glyphs.push(glyph.with_scale_and_position(size, point(x, 0.0)));
+        x += scaled.h_advance(glyph);
+        last = Some(glyph);
+    }
+    (glyphs, x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_leave_ink_where_they_should() {
+        let mut canvas = Canvas::filled(120, 40, [0.0, 0.0, 0.0, 1.0]);
+        write(&mut canvas, "H", (24.0, [1.0; 4]), ([60.0, 20.0], Align::Middle));
+        let inked: Vec<[usize; 2]> =
+            (0..40 * 120).filter(|&i| canvas.pixels()[i][0] > 0.5).map(|i| [i % 120, i / 120]).collect();
+        let middle = |k: usize| {
+            let (min, max) = (inked.iter().map(|p| p[k]).min(), inked.iter().map(|p| p[k]).max());
+            (min.expect("ink") + max.expect("ink")) as f32 / 2.0
+        };
+        assert!(
+            (middle(0) - 59.5).abs() < 2.0 && (middle(1) - 19.5).abs() < 2.0,
+            "{} {}",
+            middle(0),
+            middle(1)
+        );
+    }
+
+    #[test]
+    fn longer_texts_are_wider_and_all_letters_are_known() {
+        assert!(width("10 %", 20.0) > width("1 %", 20.0) && width("", 20.0) == 0.0);
+        let font = FONT.as_ref().expect("the font is sound");
+        for letter in "0123456789 %,.-+eabcdefghijklmnopqrstuvwxyzµ·ABCDEFGHIJKLMNOPQRSTUVWXYZ".chars() {
+            assert!(font.glyph_id(letter).0 != 0, "{letter:?} is not in the font");
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! The shaders that extract progressive fans, and what they bind.
+
+use bytemuck::{Pod, Zeroable, bytes_of};
+use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder, ComputePipeline, Features};
+
+use crate::gpu::{Gpu, GpuError};
+use crate::gpu_fans::{GpuFanInstance, GpuFans};
+
+/// The three passes of an extraction, in order, each with the bindings of `fans.wgsl` that it names.
+const PASSES: [(&str, &[u32]); 3] =
+    [("count", &[0, 1, 2, 3, 5, 6, 7]), ("place", &[0, 4, 7, 9]), ("write", &[0, 1, 2, 3, 6, 8, 10])];
+
+/// Makes the triangles of [`GpuFanInstance`]s in compute shaders; one serves all tables of a device.
+#[derive(Debug)]
+pub struct FanExtractor {
+    pipelines: [ComputePipeline; 3],
+    /// Workgroups in a row of a dispatch, at most.
+    row: u32,
+}
+
+/// The buffers of an instance that the passes work on.
+pub(crate) struct Bindings<'a> {
+    pub(crate) bits: &'a Buffer,
+    pub(crate) arcs: &'a Buffer,
+    pub(crate) sums: &'a Buffer,
+    pub(crate) indices: &'a Buffer,
+    pub(crate) commands: &'a Buffer,
+}
+
+/// See `fans.wgsl`.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+struct Terms {
+    block_count: u32,
+    group_count: u32,
+    capacity: u32,
+    tells_group: u32,
+}
+
+impl FanExtractor {
+    /// Makes the pipelines.
+    pub fn new(gpu: &Gpu) -> Self {
+        let module = gpu.device.create_shader_module(wgpu::include_wgsl!("shaders/fans.wgsl"));
+        let pipelines = PASSES.map(|(entry_point, _)| {
+            gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some(entry_point),
+                layout: None,
+                module: &module,
+                entry_point: Some(entry_point),
+                compilation_options: Default::default(),
+                cache: None,
+            })
+        });
+        Self { pipelines, row: gpu.device.limits().max_compute_workgroups_per_dimension }
+    }
+
+    /// Makes the triangles of what was last [written](GpuFanInstance::write) to an instance, for draws that come later.
+    pub fn extract(&self, encoder: &mut CommandEncoder, instance: &GpuFanInstance) {
+        let (bindings, block_count) = instance.passes();
+        if block_count == 0 {
+            return;
+        }
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        for (pass_number, (pipeline, bindings)) in self.pipelines.iter().zip(bindings).enumerate() {
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, bindings, &[]);
+            // The second adds up all blocks in one workgroup.
+            let [x, y] = if pass_number == 1 { [1, 1] } else { rows(block_count, self.row) };
+            pass.dispatch_workgroups(x, y, 1);
+        }
+    }
+
+    /// Binds an instance to all passes.
+    pub(crate) fn bind(
+        &self,
+        gpu: &Gpu,
+        table: &GpuFans,
+        own: &Bindings<'_>,
+        capacity: u32,
+    ) -> Result<[BindGroup; 3], GpuError> {
+        let tells_group = gpu.device.features().contains(Features::INDIRECT_FIRST_INSTANCE);
+        let terms = Terms {
+            block_count: table.block_count,
+            group_count: table.group_count,
+            capacity,
+            tells_group: u32::from(tells_group),
+        };
+        let terms = gpu.buffer_of("terms of fans", bytes_of(&terms), BufferUsages::UNIFORM)?;
+        let buffers = [
+            &terms,
+            &table.fans,
+            &table.words,
+            &table.blocks,
+            &table.group_blocks,
+            own.bits,
+            own.arcs,
+            own.sums,
+            own.indices,
+            own.commands,
+            own.sums,
+        ];
+        Ok(std::array::from_fn(|pass| {
+            let entry = |&binding: &u32| wgpu::BindGroupEntry {
+                binding,
+                resource: buffers[binding as usize].as_entire_binding(),
+            };
+            let entries: Vec<wgpu::BindGroupEntry<'_>> = PASSES[pass].1.iter().map(entry).collect();
+            gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some(PASSES[pass].0),
+                layout: &self.pipelines[pass].get_bind_group_layout(0),
+                entries: &entries,
+            })
+        }))
+    }
+}
+
+/// Workgroups of a row, and rows, for so many blocks.
+fn rows(block_count: u32, row: u32) -> [u32; 2] {
+    [block_count.min(row), block_count.div_ceil(row)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::GpuOptions;
+    use crate::gpu_fan_words::BLOCK;
+    use striata::mesh::shapes;
+    use striata::model::{FanForm, FanIndices, FanInstance, Fans};
+    use striata::simplify::build_sequence;
+
+    #[test]
+    fn rows_hold_all_blocks_of_the_largest_tables() {
+        for block_count in [1, 2, 65_535, 65_536, 65_537, u32::MAX / BLOCK as u32] {
+            let [x, y] = rows(block_count, 65_535);
+            assert!(x <= 65_535 && y <= 65_535 && u64::from(x) * u64::from(y) >= u64::from(block_count));
+        }
+    }
+
+    /// As tables of more than 16 million fans are, on a device of 65,535 workgroups a row.
+    #[test]
+    fn blocks_in_many_rows_are_extracted_like_those_in_one() {
+        let gpu = Gpu::new(&GpuOptions::default().with_fallback(true)).unwrap();
+        let mesh = shapes::icosphere(4, 1.0);
+        let built = build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress).unwrap();
+        let fans = Fans::build(&built.refinable);
+        let table = GpuFans::upload(&gpu, &fans).unwrap();
+        let mut extractor = FanExtractor::new(&gpu);
+        for row in [1, 3, 4, 65_535] {
+            extractor.row = row;
+            let mut instance = GpuFanInstance::new(&gpu, &extractor, &table).unwrap();
+            for split_count in [built.refinable.sequence.step_count(), 1000, 0] {
+                let level = FanInstance::uniform(&fans, split_count);
+                instance.write(&gpu, &level);
+                let mut encoder = gpu.device.create_command_encoder(&Default::default());
+                extractor.extract(&mut encoder, &instance);
+                gpu.queue.submit([encoder.finish()]);
+                let mut expected = FanIndices::default();
+                level.emit_into(&fans, FanForm::Triangles, &mut expected);
+                assert_eq!(instance.read(&gpu).unwrap(), expected, "{row} a row, level {split_count}");
+            }
+        }
+    }
+}
