@@ -27,7 +27,7 @@ use self::app::{App, Wake, WindowPlan};
 use self::orbit::Up;
 use self::state::{Colours, GoalKind, ModelKind, ViewerState};
 use self::viewer::Viewer;
-use crate::args::{ColoursArg, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
+use crate::args::{Colouring, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::Output;
@@ -66,6 +66,7 @@ fn first_state(args: &FirstArgs) -> ViewerState {
             ShownModelArg::LodStrips => ModelKind::LodStrips,
             ShownModelArg::Mts => ModelKind::Mts,
             ShownModelArg::Fans => ModelKind::Fans,
+            ShownModelArg::FansGpu => ModelKind::FansGpu,
             ShownModelArg::Patterns => ModelKind::Patterns,
             ShownModelArg::List => ModelKind::List,
         };
@@ -88,10 +89,10 @@ fn first_state(args: &FirstArgs) -> ViewerState {
         None => state.set_goal(goal, true),
     }
     state.colours = match args.colours {
-        ColoursArg::Surface => Colours::Surface,
-        ColoursArg::Pieces => Colours::Pieces,
-        ColoursArg::Triangles => Colours::Triangles,
-        ColoursArg::Groups => Colours::Groups,
+        Colouring::Surface => Colours::Surface,
+        Colouring::Strips | Colouring::Fans => Colours::Pieces,
+        Colouring::Triangles => Colours::Triangles,
+        Colouring::Groups => Colours::Groups,
     };
     (state.wireframe, state.is_flat) = (args.wireframe, args.flat);
     state
