@@ -115,6 +115,14 @@ pub(crate) fn npm_install(folder: &Path) -> Result<()> {
     run_twice(Command::new("npm").args(["ci", "--no-audit", "--no-fund"]).current_dir(folder))
 }
 
+/// Runs npm in a folder.
+///
+/// # Errors
+/// Where it fails.
+pub(crate) fn npm(folder: &Path, arguments: &[&str]) -> Result<()> {
+    run(Command::new("npm").args(arguments).current_dir(folder))
+}
+
 /// Runs a script with Node.js.
 ///
 /// # Errors

@@ -5,9 +5,9 @@
 
 use anyhow::Result;
 
-use crate::golden;
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, Steps, cargo, say};
+use crate::{browser, golden, web};
 
 /// Each feature that must compile by itself: the crate and the features.
 const FEATURES_ALONE: [(&str, &str); 15] = [
@@ -52,8 +52,10 @@ fn run_all(steps: &mut Steps) -> Result<()> {
     } else {
         steps.skip(WASM_TARGET, "this Rust has no such target and rustup could not add it");
     }
+    steps.step("web assets", web::check)?;
     steps.step("fuzz targets", check_fuzz)?;
-    steps.step("golden", golden::run)
+    steps.step("golden", golden::run)?;
+    steps.step("browser", browser::run)
 }
 
 /// `cargo xtask test`.

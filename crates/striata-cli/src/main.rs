@@ -18,6 +18,7 @@ mod shapes;
 mod stream;
 mod strip_chain;
 mod strip_report;
+mod viewer_page;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;

@@ -60,6 +60,7 @@ pub struct GpuFanInstance {
     known: Vec<u64>,
     block_count: u32,
     group_count: u32,
+    bytes: usize,
     uploaded_bytes: u64,
 }
 
@@ -120,6 +121,8 @@ impl GpuFanInstance {
         let commands = words("draws of fans", command_words, BufferUsages::INDIRECT | read)?;
         let own = Bindings { bits: &bits, arcs: &arcs, sums: &sums, indices: &indices, commands: &commands };
         let passes = extractor.bind(gpu, table, &own, capacity as u32)?;
+        let buffers = [&bits, &arcs, &sums, &indices, &commands];
+        let bytes = buffers.map(Buffer::size).iter().sum::<u64>() as usize;
         Ok(Self {
             passes,
             bits,
@@ -128,6 +131,7 @@ impl GpuFanInstance {
             known,
             block_count: table.block_count,
             group_count: table.group_count,
+            bytes,
             uploaded_bytes: 0,
         })
     }
@@ -160,6 +164,11 @@ impl GpuFanInstance {
     /// Bytes of bits written so far.
     pub fn uploaded_bytes(&self) -> u64 {
         self.uploaded_bytes
+    }
+
+    /// Bytes that it owns on the GPU.
+    pub fn bytes(&self) -> usize {
+        self.bytes
     }
 
     /// What was extracted last, waited for and copied back: to look at it, not to draw it.

@@ -90,7 +90,7 @@ mod tests {
     #[test]
     fn ranges_join_over_small_gaps_only() {
         assert_eq!(joined(vec![0..3, 5..6, 9..20, 24..25], 3), [0..20, 24..25]);
-        assert_eq!(joined(vec![0..9, 2..4, 9..10], 0), [0..10]);
+        assert_eq!(joined(vec![0..9, 2..4, 9..10, 15..16], 0), [0..10, 15..16]);
         assert!(joined(Vec::new(), 5).is_empty());
     }
 }

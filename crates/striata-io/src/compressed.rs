@@ -89,8 +89,7 @@ fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>,
         Compression::Gzip => {
             flate2::bufread::MultiGzDecoder::new(bytes).take(limit + 1).read_to_end(&mut out)
         }
-        Compression::Zstd => zstd::stream::read::Decoder::with_buffer(bytes)
-            .and_then(|decoder| decoder.take(limit + 1).read_to_end(&mut out)),
+        Compression::Zstd => unpack_zstd(bytes, limit + 1, &mut out),
     };
     let reason = match read {
         Err(error) => format!("the {} data are damaged or cut off: {error}", compression.as_str()),
@@ -104,8 +103,26 @@ fn unpack(bytes: &[u8], compression: Compression, name: &str) -> Result<Vec<u8>,
     Err(ReadError::Malformed { file: name.to_owned(), place: Place::File, reason })
 }
 
+/// Unpacks so many bytes at most.
+#[cfg(all(feature = "compressed", not(target_family = "wasm")))]
+fn unpack_zstd(bytes: &[u8], limit: u64, out: &mut Vec<u8>) -> std::io::Result<usize> {
+    use std::io::Read as _;
+    zstd::stream::read::Decoder::with_buffer(bytes)?.take(limit).read_to_end(out)
+}
+
+/// The same frame by frame, where zstd's own library does not compile.
+#[cfg(all(feature = "compressed", target_family = "wasm"))]
+fn unpack_zstd(mut bytes: &[u8], limit: u64, out: &mut Vec<u8>) -> std::io::Result<usize> {
+    use std::io::Read as _;
+    while !bytes.is_empty() && (out.len() as u64) < limit {
+        let decoder = ruzstd::decoding::StreamingDecoder::new(&mut bytes).map_err(std::io::Error::other)?;
+        decoder.take(limit - out.len() as u64).read_to_end(out)?;
+    }
+    Ok(out.len())
+}
+
 /// Compresses a whole file.
-#[cfg(feature = "compressed")]
+#[cfg(all(feature = "compressed", not(target_family = "wasm")))]
 pub(crate) fn packed(bytes: &[u8], compression: Compression) -> std::io::Result<Vec<u8>> {
     use std::io::Write as _;
     match compression {

@@ -10,14 +10,17 @@
 //! than the bytes justify. Coordinates are read as they stand, NaN included:
 //! [`IndexedMesh::check`](striata::mesh::IndexedMesh::check) judges them. Texture coordinates are
 //! glTF's (`v` grows downwards) in meshes; OBJ is turned around on the way in and out.
+//!
+//! On wasm there are no files: what takes a path is left out, [`read_bytes`] and [`to_bytes`] are there.
 
 #![cfg_attr(
     not(all(feature = "ply", feature = "obj", feature = "stl", feature = "off", feature = "gltf")),
     allow(unused, unreachable_code, reason = "shared by formats that may all be left out")
 )]
 
+#[cfg(not(target_family = "wasm"))]
 mod atomic;
-#[cfg(feature = "ply")]
+#[cfg(all(feature = "ply", not(target_family = "wasm")))]
 mod blocks;
 mod compressed;
 mod error;
@@ -37,11 +40,16 @@ mod stl;
 mod text;
 mod write;
 
+#[cfg(not(target_family = "wasm"))]
 pub use atomic::write_atomically;
-#[cfg(feature = "ply")]
+#[cfg(all(feature = "ply", not(target_family = "wasm")))]
 pub use blocks::{StripSpool, TriangleBlocks};
 pub use compressed::decompressed;
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
-pub use read::{Source, read, read_bytes};
-pub use write::{WriteOptions, to_bytes, write};
+#[cfg(not(target_family = "wasm"))]
+pub use read::read;
+pub use read::{Source, read_bytes};
+#[cfg(not(target_family = "wasm"))]
+pub use write::write;
+pub use write::{WriteOptions, to_bytes};

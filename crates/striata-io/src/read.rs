@@ -1,6 +1,7 @@
 //! Reading: from a path or from bytes, whatever the format.
 
 use std::borrow::Cow;
+#[cfg(not(target_family = "wasm"))]
 use std::fs;
 use std::path::Path;
 
@@ -40,6 +41,7 @@ impl<'a> Source<'a> {
 ///
 /// # Errors
 /// [`ReadError`] with the file, the place and the reason.
+#[cfg(not(target_family = "wasm"))]
 pub fn read(path: impl AsRef<Path>) -> Result<IndexedMesh, ReadError> {
     let path = path.as_ref();
     let name = path.display().to_string();

@@ -1,12 +1,16 @@
 //! Writing: to bytes or to a path, whatever the format.
 
+#[cfg(not(target_family = "wasm"))]
 use std::path::Path;
 
 use striata::mesh::IndexedMesh;
 
+#[cfg(not(target_family = "wasm"))]
 use crate::compressed::Compression;
 use crate::error::Refusal;
-use crate::{Format, WriteError, write_atomically};
+#[cfg(not(target_family = "wasm"))]
+use crate::write_atomically;
+use crate::{Format, WriteError};
 
 /// How a mesh is written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -49,6 +53,7 @@ impl WriteOptions {
 ///
 /// # Errors
 /// [`WriteError`] with the file and the reason.
+#[cfg(not(target_family = "wasm"))]
 pub fn write(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOptions) -> Result<(), WriteError> {
     let path = path.as_ref();
     let file = path.display().to_string();
@@ -135,13 +140,13 @@ pub(crate) fn feature_of(format: Format) -> (&'static str, &'static str) {
     }
 }
 
-#[cfg(feature = "compressed")]
+#[cfg(all(feature = "compressed", not(target_family = "wasm")))]
 fn compress(bytes: &[u8], compression: Compression, file: &str) -> Result<Vec<u8>, WriteError> {
     crate::compressed::packed(bytes, compression)
         .map_err(|source| WriteError::Io { file: file.to_owned(), source })
 }
 
-#[cfg(not(feature = "compressed"))]
+#[cfg(all(not(feature = "compressed"), not(target_family = "wasm")))]
 fn compress(_bytes: &[u8], compression: Compression, file: &str) -> Result<Vec<u8>, WriteError> {
     let (file, what) = (file.to_owned(), compression.as_str());
     Err(WriteError::FeatureOff { file, what, feature: "compressed" })

@@ -1,5 +1,7 @@
 //! Where a picture is taken from, and how to stand so that all is on it.
 
+use striata::mesh::Bounds;
+
 /// An eye, where it looks, and how much of the world it takes in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Camera {
@@ -110,12 +112,20 @@ fn fitted(points: &[[f32; 3]], axes: &Axes, fov: f64, aspect: f64) -> Stand {
         return Stand { place: axes[2], distance: 1.0 };
     }
     let depths = [0, 1].map(|k| (reach[k][0] + reach[k][1]) / (2.0 * slopes[k]));
-    // A point alone is looked at from a little way off.
-    let size = (near - far).max(1e-6 * near.abs()).max(f64::from(f32::MIN_POSITIVE));
+    // A point alone is looked at from so far that coordinates still tell the eye from it.
+    let magnitude = reach.iter().flatten().chain([&near]).fold(0.0, |most: f64, x| most.max(x.abs()));
+    let size = if near > far { near - far } else { magnitude.max(1e-30) };
     let depth = depths[0].max(depths[1]).max(near + 0.02 * size);
     let aside = [0, 1].map(|k| (reach[k][0] - reach[k][1]) / 2.0);
     let place = [0, 1, 2].map(|k| aside[0] * axes[0][k] + aside[1] * axes[1][k] + depth * axes[2][k]);
     Stand { place, distance: depth - (near + far) / 2.0 }
+}
+
+/// What is up in a mesh that says nothing: y, but z where it lies flat along z, as terrains do.
+pub(crate) fn usual_up(bounds: &Bounds) -> [f32; 3] {
+    const FLAT: f32 = 0.3;
+    let [x, y, z] = [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]);
+    if z < FLAT * x.min(y) { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] }
 }
 
 /// Where a mesh looks that stands upright: at us, as far as up allows.
@@ -193,6 +203,15 @@ mod tests {
             let camera = Camera::around(points, &angles, 1.0);
             assert!(camera.eye.iter().chain(&camera.look_at).all(|x| x.is_finite()), "{camera:?}");
             assert!(camera.eye != camera.look_at, "{camera:?}");
+        }
+    }
+
+    #[test]
+    fn what_lies_flat_has_z_up() {
+        let up = |max: [f32; 3]| usual_up(&Bounds { min: [0.0; 3], max });
+        assert_eq!(up([10.0, 8.0, 1.0]), [0.0, 0.0, 1.0]);
+        for upright in [[1.0; 3], [10.0, 1.0, 10.0], [1.0, 10.0, 1.0], [10.0, 1.0, 1.0]] {
+            assert_eq!(up(upright), [0.0, 1.0, 0.0], "{upright:?}");
         }
     }
 

@@ -218,6 +218,13 @@ impl<'a> StriataFile<'a> {
         self.container.sections.iter().any(|section| section.kind == kind)
     }
 
+    /// Triangles of the full mesh as they stand in a section of their own; files with strips, fans or patterns have none.
+    ///
+    /// Vertices are not looked at: [`mesh`](Self::mesh) does.
+    pub fn triangles(&self) -> Option<Result<Cow<'a, [[u32; 3]]>, DecodeError>> {
+        self.has(SectionKind::TRIANGLES).then(|| self.container.numbers(SectionKind::TRIANGLES))
+    }
+
     /// The strips of the full mesh, if the file has them; in memory of their own.
     ///
     /// Vertices are not looked at: [`refinable_mesh`](Self::refinable_mesh) and the models do.

@@ -34,4 +34,5 @@ pub(crate) use strip_set::check_offsets;
 pub use strip_set::{StripSet, StripSetError, strip_triangles};
 pub use stripifier::{
     DEFAULT_TUNNEL_LENGTH, ParseStripifierError, SpentFn, StripOptions, Stripifier, stripify, stripify_from,
+    stripify_greedily,
 };

@@ -189,6 +189,23 @@ pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, 
     stripify_from(mesh, &StripSet::new(), options, &mut |moves| moves as f64 / allowed.max(1.0))
 }
 
+/// Does as [`stripify`] with [`Stripifier::Greedy`]; a small program that needs no other is spared the code of all others.
+///
+/// # Errors
+/// [`MeshError`] where the mesh's parts do not fit together.
+pub fn stripify_greedily(mesh: &IndexedMesh) -> Result<StripSet, MeshError> {
+    mesh.check()?;
+    let graph = DualGraph::of_vertices(mesh);
+    let groups: Vec<_> = mesh.groups_or_whole().iter().map(|group| group.range()).collect();
+    let options = StripOptions::default().with_stripifier(Stripifier::Greedy);
+    let task = Task { triangles: &mesh.triangles, groups, options: &options };
+    let mut links = StripLinks::new(&graph);
+    greedy::run(&task, &mut links);
+    let mut out = StripSet::new();
+    write_strips(task.triangles, &links, task.groups.iter().cloned(), &mut out);
+    Ok(out)
+}
+
 /// Does as [`stripify`], but begins with strips that are there (none: an empty set) and lasts as long as
 /// the caller's budget.
 ///

@@ -2,7 +2,7 @@
 
 use crate::args::{Point, RenderArgs};
 use crate::failure::Failure;
-use crate::picture::{Angles, Camera, Frustum};
+use crate::picture::{Angles, Camera, Frustum, usual_up};
 
 use super::source::Source;
 
@@ -37,12 +37,17 @@ impl Place {
     pub(super) fn new(args: &RenderArgs, source: &Source<'_>) -> Result<Self, Failure> {
         let mesh = source.mesh();
         let center = mesh.bounds().map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
-        let up = args.view.up().unwrap_or([0.0, 1.0, 0.0]);
+        let is_outside = args.from.is_some() || args.turn.is_some() || args.rise.is_some();
+        let usual_up = mesh.bounds().map_or([0.0, 1.0, 0.0], |bounds| usual_up(&bounds));
+        let up = args.view.up().unwrap_or(usual_up);
         let fov = |usual: f32| args.view.fov().map_or(usual.to_radians(), |angle| angle as f32);
         let look_at = args.view.look_at().unwrap_or(center);
         let points = used_positions(mesh);
-        let is_outside = args.from.is_some() || args.turn.is_some() || args.rise.is_some();
-        let view = args.level.0.eye.map(|Point(eye)| Camera { eye, look_at, up, fov: fov(VIEW_FOV) });
+        let view = args.level.0.eye.map(|Point(eye)| {
+            // To a criterion y is up wherever nothing is said.
+            let up = args.view.up().unwrap_or([0.0, 1.0, 0.0]);
+            Camera { eye, look_at, up, fov: fov(VIEW_FOV) }
+        });
         if let (Some(view), false) = (view, is_outside) {
             return Ok(Self { stand: Stand::At(view), zoom: args.zoom, frustum: None });
         }

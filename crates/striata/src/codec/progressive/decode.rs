@@ -287,6 +287,21 @@ impl StreamDecoder {
         self.growth().map_or(&[], |growth| &growth.groups)
     }
 
+    /// First vertex of each position that has come, closed by the number of vertices.
+    pub fn first_vertices(&self) -> &[u32] {
+        self.growth().map_or(&[], |growth| &growth.first_vertex)
+    }
+
+    /// The vertex that each vertex beyond the base collapses to; it has a smaller number.
+    pub fn targets(&self) -> &[u32] {
+        self.growth().map_or(&[], |growth| &growth.targets)
+    }
+
+    /// Triangles that each vertex split has brought.
+    pub fn added_triangle_counts(&self) -> &[u8] {
+        self.growth().map_or(&[], |growth| &growth.added)
+    }
+
     /// Vertex splits that have come.
     pub fn split_count(&self) -> usize {
         self.refiner.as_ref().map_or(0, |refiner| refiner.split_count())
@@ -315,6 +330,13 @@ impl StreamDecoder {
     pub fn error(&self) -> Option<f32> {
         let head = self.head.as_ref()?;
         Some(head.rows.get(self.chunk_count).map_or(0.0, |row| row.error))
+    }
+
+    /// How far a level is from the full mesh at most as far as the sequence tells, mesh units; none before the head has come.
+    pub fn error_at(&self, split_count: usize) -> Option<f32> {
+        let head = self.head.as_ref()?;
+        let chunk = head.rows.partition_point(|row| row.split_count as usize <= split_count);
+        Some(head.rows.get(chunk).map_or(0.0, |row| row.error))
     }
 
     /// What has come as a mesh with the sequence that leads to it: models are built from it as from any other.

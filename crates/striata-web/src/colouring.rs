@@ -1,0 +1,61 @@
+//! Which triangles belong together: those of a strip, those of a fan.
+//!
+//! Triangles are put into the order in which strips or fans have them, and each gets the number of its own; so whoever
+//! draws them needs no more than a colour for each number.
+
+use striata::mesh::{IndexedMesh, TriangleGroup};
+use striata::model::{FanIndices, fan_triangles_into};
+use striata::strip::{RESTART, strip_triangles, stripify_greedily};
+
+use crate::Failure;
+use crate::shown::Shown;
+
+/// Covers what is shown by strips, puts its triangles into their order, and tells the strip of each.
+///
+/// # Errors
+/// Where the triangles do not fit together.
+pub(crate) fn by_strips(shown: &mut Shown, vertex_count: usize) -> Result<Vec<u32>, Failure> {
+    // Strips ask for corners alone.
+    let mut mesh = IndexedMesh::new(vec![[0.0; 3]; vertex_count], std::mem::take(&mut shown.triangles));
+    let mut first = 0;
+    for &count in &shown.group_counts {
+        mesh.groups.push(TriangleGroup { name: String::new(), material: None, first, count });
+        first += count;
+    }
+    let strips = stripify_greedily(&mesh).map_err(Failure::corrupt)?;
+    let mut numbers = Vec::with_capacity(mesh.triangles.len());
+    for group in 0..strips.group_count() {
+        let before = shown.triangles.len();
+        for strip in strips.group_strips(group) {
+            shown.triangles.extend(strip_triangles(strips.strip(strip)));
+            numbers.resize(shown.triangles.len(), strip as u32);
+        }
+        if let Some(count) = shown.group_counts.get_mut(group) {
+            *count = (shown.triangles.len() - before) as u32;
+        }
+    }
+    Ok(numbers)
+}
+
+/// Puts triangles into the order of fans, and tells the fan of each.
+pub(crate) fn by_fans(shown: &mut Shown, fans: &FanIndices) -> Vec<u32> {
+    shown.triangles.clear();
+    shown.group_counts.clear();
+    let (mut numbers, mut fan_count) = (Vec::new(), 0);
+    for range in &fans.group_ranges {
+        let before = shown.triangles.len();
+        let indices = &fans.indices[range.start as usize..range.end as usize];
+        for fan in indices.split(|&index| index == RESTART).filter(|fan| !fan.is_empty()) {
+            fan_triangles_into(fan, &mut shown.triangles);
+            numbers.resize(shown.triangles.len(), fan_count);
+            fan_count += 1;
+        }
+        shown.group_counts.push((shown.triangles.len() - before) as u32);
+    }
+    numbers
+}
+
+/// The vertex that leaves each triangle first, the one with the highest number: what fans turn around.
+pub(crate) fn by_pivots(shown: &Shown) -> Vec<u32> {
+    shown.triangles.iter().map(|corners| corners.iter().copied().max().unwrap_or(0)).collect()
+}

@@ -1,0 +1,108 @@
+//! What a method fails with: a code for programs, a sentence for people, and the cure where it is known.
+
+use striata::codec::DecodeError;
+use striata::codec::progressive::StreamDefect;
+use striata::simplify::SimplifyError;
+use striata_io::ReadError;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Why something did not work; JavaScript catches it as an object with `code`, `message` and `hint`.
+#[wasm_bindgen]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    code: &'static str,
+    message: String,
+    hint: Option<&'static str>,
+}
+
+#[wasm_bindgen]
+impl Failure {
+    /// `format`, `corrupt`, `too-large` or `unsupported`.
+    #[wasm_bindgen(getter)]
+    pub fn code(&self) -> String {
+        self.code.to_owned()
+    }
+
+    /// One sentence.
+    #[wasm_bindgen(getter)]
+    pub fn message(&self) -> String {
+        self.message.clone()
+    }
+
+    /// What may help.
+    #[wasm_bindgen(getter)]
+    pub fn hint(&self) -> Option<String> {
+        self.hint.map(str::to_owned)
+    }
+}
+
+impl Failure {
+    fn new(code: &'static str, message: impl ToString) -> Self {
+        Self { code, message: message.to_string(), hint: None }
+    }
+
+    /// The bytes are none of the kinds that are known.
+    pub(crate) fn format(message: impl ToString) -> Self {
+        Self::new("format", message)
+    }
+
+    /// The bytes are of a known kind, and damaged.
+    pub(crate) fn corrupt(message: impl ToString) -> Self {
+        Self::new("corrupt", message)
+    }
+
+    /// A page's memory does not hold it.
+    pub(crate) fn too_large(message: impl ToString) -> Self {
+        Self::new("too-large", message)
+    }
+
+    /// It is legal, and not understood here.
+    pub(crate) fn unsupported(message: impl ToString) -> Self {
+        Self::new("unsupported", message)
+    }
+
+    pub(crate) fn with_hint(self, hint: &'static str) -> Self {
+        Self { hint: Some(hint), ..self }
+    }
+}
+
+impl From<DecodeError> for Failure {
+    fn from(error: DecodeError) -> Self {
+        match &error {
+            DecodeError::Magic { .. } => Self::format(error),
+            DecodeError::Version { .. } | DecodeError::UnknownSection { .. } => {
+                Self::unsupported(error).with_hint("a newer version of the viewer may read it")
+            }
+            DecodeError::FileLength { found, expected } if found < expected => {
+                Self::corrupt(error).with_hint("the file is cut off: was it copied whole?")
+            }
+            _ => Self::corrupt(error),
+        }
+    }
+}
+
+impl From<StreamDefect> for Failure {
+    fn from(defect: StreamDefect) -> Self {
+        DecodeError::from(defect).into()
+    }
+}
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        match &error {
+            ReadError::UnknownFormat { .. } => Self::format(error).with_hint(
+                "known are .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, plain or as .gz or .zst",
+            ),
+            ReadError::FeatureOff { .. }
+            | ReadError::UnsupportedExtension { .. }
+            | ReadError::Unsupported { .. } => Self::unsupported(error),
+            _ => Self::corrupt(error),
+        }
+    }
+}
+
+impl From<SimplifyError> for Failure {
+    fn from(error: SimplifyError) -> Self {
+        Self::corrupt(error)
+    }
+}

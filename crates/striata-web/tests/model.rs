@@ -1,0 +1,253 @@
+//! The model as a page uses it: bytes in, levels out, and whatever the bytes hold, an answer.
+
+use striata::codec::progressive::{StreamOptions, encode_stream};
+use striata::codec::{FileModel, WriteOptions, to_striata};
+use striata::ignore_progress;
+use striata::mesh::{AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, replay, shapes};
+use striata::model::{FanBounds, Fans};
+use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
+use striata_io::{Format, to_bytes};
+use striata_web::{Model, StreamPlace, View};
+
+/// A torus with colours and two groups.
+fn torus() -> IndexedMesh {
+    let mut mesh = shapes::torus(48, 24, 1.0, 0.4);
+    let colors = mesh.positions.iter().flat_map(|p| p.map(|x| x.mul_add(0.25, 0.5))).collect();
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, colors));
+    let half = mesh.triangle_count() as u32 / 2;
+    for (name, first) in [("a", 0), ("b", half)] {
+        mesh.groups.push(TriangleGroup { name: name.to_owned(), material: None, first, count: half });
+    }
+    mesh
+}
+
+fn stream_of(mesh: &IndexedMesh) -> Vec<u8> {
+    let built = build_batches(mesh, &BatchOptions::default(), &mut ignore_progress).unwrap();
+    encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap().bytes
+}
+
+fn decoded(bytes: &[u8]) -> Model {
+    let mut model = Model::new();
+    bytes.chunks(700).for_each(|piece| model.push(piece).unwrap());
+    model
+}
+
+fn triangles(model: &Model) -> Vec<[u32; 3]> {
+    let indices = model.indices();
+    let (triangles, rest) = indices.as_chunks::<3>();
+    assert!(rest.is_empty());
+    assert_eq!(model.group_counts().iter().sum::<u32>() as usize, triangles.len());
+    assert!(triangles.iter().flatten().all(|&v| (v as usize) < model.vertex_count()));
+    striata::mesh::canonical_triangles(triangles)
+}
+
+fn camera(eye: [f64; 3], pixels: f32, limit: u32) -> View {
+    let numbers = [eye[0], eye[1], eye[2], 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.5, 800.0, 600.0];
+    View::new(&numbers, pixels, limit).unwrap()
+}
+
+#[test]
+fn levels_are_the_same_before_and_after_building() {
+    let mut model = decoded(&stream_of(&torus()));
+    assert!(model.is_complete() && !model.is_built() && model.kind() == "stream");
+    assert_eq!(model.group_count(), 2);
+    let mut levels = Vec::new();
+    for detail in [0.0, 0.2, 0.7, 1.0] {
+        model.show_detail(detail);
+        levels.push((
+            detail,
+            triangles(&model),
+            model.group_counts(),
+            model.shown_split_count(),
+            model.shown_error(),
+        ));
+    }
+    assert_eq!(levels[3].1.len(), model.full_triangle_count());
+    model.build().unwrap();
+    assert!(model.is_built());
+    for (detail, before, groups, split_count, error) in levels {
+        model.show_detail(detail);
+        assert_eq!(triangles(&model), before, "detail {detail}");
+        assert_eq!(model.group_counts(), groups);
+        assert_eq!((model.shown_split_count(), model.shown_error()), (split_count, error));
+    }
+    assert!(model.push(&[0]).is_err(), "a model that is built takes no bytes");
+}
+
+#[test]
+fn wishes_are_kept_while_a_stream_comes_in() {
+    let bytes = stream_of(&torus());
+    let mut model = Model::new();
+    let (mut last, mut seen) = (0, 0);
+    for piece in bytes.chunks(200) {
+        model.push(piece).unwrap();
+        if !model.is_ready() {
+            continue;
+        }
+        model.show_detail(1.0);
+        assert_eq!(model.indices().len(), 3 * model.triangle_count());
+        model.show_triangles(600);
+        let base_count = {
+            let count = triangles(&model).len();
+            model.show_detail(0.0);
+            let base = triangles(&model).len();
+            assert!(count <= 600.max(base), "{count} triangles");
+            base
+        };
+        assert!(base_count <= model.triangle_count());
+        model.show_error(0.05);
+        assert!(model.shown_error() <= 0.05 || model.shown_split_count() * 2 < model.step_count());
+        let vertices = model.vertices(last).take_positions();
+        assert_eq!(vertices.len(), 3 * (model.vertex_count() - last));
+        last = model.vertex_count();
+        seen += 1;
+    }
+    assert!(seen > 3 && model.is_complete());
+    assert_eq!(model.vertices(0).take_colors().unwrap().len(), 4 * model.vertex_count());
+    assert!(model.vertices(0).take_normals().is_none());
+    assert_eq!(model.smooth_normals().len(), 3 * model.vertex_count());
+    assert!((model.diagonal() - torus().diagonal()).abs() < 0.01);
+}
+
+#[test]
+fn views_ask_for_less_from_afar_and_keep_to_their_limit() {
+    let mut model = decoded(&stream_of(&torus()));
+    assert_eq!(model.show_view(&camera([4.0, 1.0, 1.0], 1.0, 0)).unwrap_err().code(), "unsupported");
+    model.build().unwrap();
+    let mut counts = Vec::new();
+    for distance in [2.0, 8.0, 100.0] {
+        assert!(model.show_view(&camera([distance, 0.3, 0.3], 1.0, 0)).unwrap());
+        counts.push(triangles(&model).len());
+    }
+    assert!(counts[0] > counts[1] && counts[1] > counts[2], "{counts:?}");
+    model.show_view(&camera([2.0, 0.3, 0.3], 0.01, 500)).unwrap();
+    assert!(triangles(&model).len() <= 500);
+    assert!(model.shown_error() > 0.0);
+    assert!(model.show_view(&camera([0.0; 3], 1.0, 0)).is_err(), "such a camera looks nowhere");
+    assert!(View::new(&[0.0; 5], 1.0, 0).is_err());
+}
+
+#[test]
+fn strips_and_fans_hold_what_is_shown() {
+    let mut model = decoded(&stream_of(&torus()));
+    for is_built in [false, true] {
+        if is_built {
+            model.build().unwrap();
+        }
+        model.show_detail(0.6);
+        let shown = triangles(&model);
+        let groups = model.group_counts();
+        let strips = model.color_strips().unwrap();
+        assert_eq!((triangles(&model), model.group_counts()), (shown.clone(), groups.clone()));
+        let strip_count = strips.iter().max().unwrap() + 1;
+        assert!(
+            strips.len() == shown.len() && (strip_count as usize) < shown.len() / 4,
+            "{strip_count} strips"
+        );
+        model.show_detail(0.6);
+        let fans = model.color_fans();
+        assert_eq!((triangles(&model), model.group_counts()), (shown.clone(), groups));
+        assert_eq!(fans.len(), shown.len());
+    }
+}
+
+#[test]
+fn what_is_cut_off_shows_what_has_come() {
+    let bytes = stream_of(&torus());
+    let mut model = decoded(&bytes[..bytes.len() / 2]);
+    model.finish().unwrap();
+    assert!(!model.is_complete() && model.is_ready());
+    model.build().unwrap();
+    model.show_detail(1.0);
+    assert_eq!(triangles(&model).len(), model.triangle_count());
+    assert!(model.shown_error() > 0.0, "something is missing");
+    let mut nothing = decoded(&bytes[..20]);
+    assert_eq!(nothing.finish().unwrap_err().code(), "corrupt");
+    assert!(nothing.build().is_err());
+}
+
+#[test]
+fn damage_is_told_and_never_panics() {
+    let bytes = stream_of(&shapes::torus(24, 12, 1.0, 0.4));
+    let mut random = Random::new(7);
+    let mut failures = 0;
+    for _ in 0..300 {
+        let mut damaged = bytes.clone();
+        for _ in 0..1 + random.below(3) {
+            let at = random.below(damaged.len() as u32) as usize;
+            damaged[at] ^= 1 << random.below(8);
+        }
+        let mut model = Model::new();
+        let result = damaged.chunks(300).try_for_each(|piece| model.push(piece));
+        if let Err(failure) = result {
+            failures += 1;
+            assert!(!failure.message().is_empty());
+            assert!(["format", "corrupt", "unsupported", "too-large"].contains(&failure.code().as_str()));
+        }
+        if model.is_ready() {
+            model.show_detail(0.5);
+            triangles(&model);
+            if model.build().is_ok() {
+                model.show_detail(1.0);
+                triangles(&model);
+            }
+        }
+    }
+    assert!(failures > 290, "only {failures} of 300 are noticed");
+}
+
+#[test]
+fn files_come_built() {
+    let mesh = torus();
+    let ply = to_bytes(Format::Ply, &mesh, &Default::default()).unwrap();
+    let mut calls = 0;
+    let mut progress = |_| {
+        calls += 1;
+        std::ops::ControlFlow::Continue(())
+    };
+    let mut model = Model::read(ply, "torus.ply", &mut progress).unwrap();
+    assert!(calls > 0 && model.is_built() && model.is_complete() && model.kind() == "mesh");
+    assert_eq!(triangles(&model).len(), mesh.triangle_count());
+    model.show_triangles(300);
+    assert!(triangles(&model).len() <= 300);
+
+    let refinable =
+        build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress).unwrap().refinable;
+    let fans = Fans::build(&refinable);
+    let bounds = FanBounds::build(&fans, &refinable);
+    for models in [vec![], vec![FileModel::Fans(&fans, &bounds)]] {
+        let bytes = to_striata(&refinable, &models, &WriteOptions::default()).unwrap();
+        assert_eq!(StreamPlace::find(&bytes).unwrap().length, 0.0);
+        let mut model = Model::read(bytes.clone(), "torus.striata", &mut ignore_progress).unwrap();
+        assert_eq!((model.kind().as_str(), model.step_count()), ("striata", refinable.sequence.step_count()));
+        model.show_detail(0.3);
+        let expected = replay(&refinable, model.shown_split_count()).triangles;
+        assert_eq!(triangles(&model), striata::mesh::canonical_triangles(&expected));
+        let cut = bytes[..bytes.len() - 1].to_vec();
+        assert_eq!(Model::read(cut, "torus.striata", &mut ignore_progress).unwrap_err().code(), "corrupt");
+    }
+}
+
+#[test]
+fn what_is_no_mesh_is_refused() {
+    let read =
+        |bytes: &[u8], name: &str| Model::read(bytes.to_vec(), name, &mut ignore_progress).unwrap_err();
+    assert_eq!(read(b"hello", "hello.txt").code(), "format");
+    assert!(read(b"hello", "hello.txt").hint().unwrap().contains(".ply"));
+    assert_eq!(read(b"ply\nformat ascii 1.0\nelement vertex x\n", "x.ply").code(), "corrupt");
+    assert_eq!(read(b"v 0 0 0\n", "points.obj").code(), "unsupported");
+    let mut model = Model::new();
+    assert_eq!(model.push(b"hello, world").unwrap_err().code(), "corrupt");
+}
+
+#[test]
+fn a_head_tells_where_the_stream_is() {
+    assert_eq!(StreamPlace::find(b"STRIATA\0").unwrap().needed, 64.0);
+    assert_eq!(StreamPlace::find(b"PLY").unwrap_err().code(), "format");
+    let mut lying = [0u8; 64];
+    lying[..8].copy_from_slice(b"STRIATA\0");
+    lying[12..16].fill(0xff);
+    assert_eq!(StreamPlace::find(&lying).unwrap_err().code(), "corrupt");
+    lying[12..16].copy_from_slice(&[1, 0, 0, 0]);
+    assert_eq!(StreamPlace::find(&lying).unwrap().needed, 96.0);
+}

@@ -1,0 +1,56 @@
+/** Errors with a code for programs, a sentence for people, and the cure where it is known. */
+
+import { Failure } from './wasm/striata_web.js';
+import type { ErrorCode } from './types.ts';
+
+/** What `load` and `finished` reject with. */
+export class StriataError extends Error {
+  readonly code: ErrorCode;
+  readonly hint: string | undefined;
+
+  constructor(code: ErrorCode, message: string, hint?: string) {
+    super(message);
+    this.name = 'StriataError';
+    this.code = code;
+    this.hint = hint;
+  }
+}
+
+/** An error as it crosses from the worker to the page. */
+export interface PlainError {
+  code: ErrorCode;
+  message: string;
+  hint: string | undefined;
+}
+
+/** Makes an error of ours of whatever was thrown. */
+export function asStriataError(thrown: unknown): StriataError {
+  if (thrown instanceof StriataError) return thrown;
+  if (thrown instanceof Failure) {
+    const error = new StriataError(thrown.code as ErrorCode, thrown.message, thrown.hint);
+    thrown.free();
+    return error;
+  }
+  if (thrown instanceof WebAssembly.RuntimeError || thrown instanceof RangeError) {
+    return new StriataError(
+      'too-large',
+      'the model took more memory than the page has',
+      'close other pages, or load a stream with fewer triangles',
+    );
+  }
+  if (thrown instanceof DOMException && thrown.name === 'AbortError') return aborted();
+  const message = thrown instanceof Error ? thrown.message : String(thrown);
+  return new StriataError('network', message);
+}
+
+export function aborted(): StriataError {
+  return new StriataError('aborted', 'loading was aborted');
+}
+
+export function asPlain(error: StriataError): PlainError {
+  return { code: error.code, message: error.message, hint: error.hint };
+}
+
+export function fromPlain(plain: PlainError): StriataError {
+  return new StriataError(plain.code, plain.message, plain.hint);
+}

@@ -1,0 +1,142 @@
+// The low-level part as it is shipped: streams in slices, cut off and damaged; the engine's reports; packed files.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+const dist = process.env.STRIATA_WEB_DIST ? pathToFileURL(`${process.env.STRIATA_WEB_DIST}/`) : new URL('../../dist/', import.meta.url);
+const { Engine, initialise, Model, StreamPlace, StriataError, View, asStriataError } = await import(new URL('core.js', dist));
+const asset = (name) => readFileSync(new URL(`../../../assets/${name}`, import.meta.url));
+const stream = readFileSync(new URL('spot.stri', import.meta.url));
+const TRIANGLES = 5856;
+
+before(() => initialise(readFileSync(new URL('striata.wasm', dist))));
+
+/** What an engine reports to some orders, until it is done. */
+function reportsTo(orders) {
+  return new Promise((resolve) => {
+    const reports = [];
+    const engine = new Engine((report) => {
+      reports.push(report);
+      if (report.type === 'finished' || report.type === 'failed') resolve({ reports, engine });
+    }, 5);
+    orders.forEach((order) => engine.take(order));
+  });
+}
+
+function slices(bytes, length) {
+  const orders = [];
+  for (let at = 0; at < bytes.length; at += length) orders.push({ type: 'bytes', bytes: bytes.subarray(at, at + length) });
+  return orders;
+}
+
+test('a stream decodes in slices of any length', () => {
+  let whole;
+  for (const length of [1, 97, 4096, stream.length]) {
+    const model = new Model();
+    for (let at = 0; at < stream.length; at += length) model.push(stream.subarray(at, at + length));
+    assert.equal(model.is_complete, true);
+    model.show_detail(1);
+    assert.equal(model.indices().length, 3 * TRIANGLES);
+    const positions = model.vertices(0).take_positions();
+    assert.equal(positions.length, 3 * model.vertex_count);
+    whole ??= positions;
+    assert.deepEqual(positions, whole);
+    model.free();
+  }
+});
+
+test('levels and views of a model that is built', () => {
+  const model = new Model();
+  model.push(stream);
+  model.build();
+  model.show_triangles(1000);
+  assert.ok(model.indices().length <= 3000 && model.shown_error > 0);
+  const [low, high] = [model.bounds().slice(0, 3), model.bounds().slice(3)];
+  const middle = low.map((x, i) => (x + high[i]) / 2);
+  const counts = [2, 20, 200].map((distance) => {
+    const eye = [middle[0], middle[1], middle[2] + distance * model.diagonal];
+    const view = new View(Float64Array.of(...eye, ...middle, 0, 1, 0, 0.5, 800, 600), 1, 0);
+    assert.equal(model.show_view(view), true);
+    return model.indices().length / 3;
+  });
+  assert.ok(counts[0] > counts[1] && counts[1] > counts[2] && counts[0] < TRIANGLES, String(counts));
+  model.free();
+});
+
+test('an engine reports what comes, and that it is all', async () => {
+  const { reports, engine } = await reportsTo([...slices(stream, 500), { type: 'end' }]);
+  const updates = reports.filter(({ type }) => type === 'update');
+  assert.equal(reports.at(-1).type, 'finished');
+  let vertexCount = 0;
+  for (const { vertices, indices, state } of updates) {
+    if (vertices) {
+      assert.equal(vertices.first, vertexCount);
+      vertexCount += vertices.positions.length / 3;
+    }
+    assert.ok(indices.every((index) => index < vertexCount));
+    assert.equal(state.vertexCount, vertexCount);
+  }
+  const { state } = updates.at(-1);
+  assert.deepEqual([state.complete, state.built, state.phase, state.triangleCount], [true, true, 'done', TRIANGLES]);
+  // And then answers requests.
+  const answer = new Promise((resolve) => reports.push = resolve);
+  engine.take({ type: 'show', wish: { by: 'detail', value: 0.1, limit: 0 }, colouring: 'strips', ticket: 7 });
+  const update = await answer;
+  assert.equal(update.ticket, 7);
+  assert.equal(update.numbers.length, update.indices.length / 3);
+  assert.ok(update.indices.length < 0.2 * 3 * TRIANGLES);
+});
+
+test('a stream that is cut off keeps what has come', async () => {
+  const { reports } = await reportsTo([...slices(stream.subarray(0, stream.length >> 1), 1000), { type: 'end' }]);
+  const { error } = reports.at(-1);
+  assert.equal(error.code, 'corrupt');
+  const last = reports.findLast(({ type }) => type === 'update');
+  assert.ok(last.indices.length > 300 && last.state.built && !last.state.complete);
+  assert.ok(last.state.shownError > 0);
+  assert.equal(last.state.fullTriangleCount, TRIANGLES);
+});
+
+test('a connection that breaks is told as such', async () => {
+  const error = { code: 'network', message: 'gone', hint: undefined };
+  const { reports } = await reportsTo([...slices(stream.subarray(0, 6000), 1000), { type: 'end', error }]);
+  assert.equal(reports.at(-1).error.code, 'network');
+  assert.ok(reports.some(({ type }) => type === 'update'));
+});
+
+test('damaged bytes end with an error and never with a trap', async () => {
+  for (let at = 5; at < stream.length; at += 479) {
+    const damaged = Uint8Array.from(stream);
+    damaged[at] ^= 0x55;
+    const { reports, engine } = await reportsTo([...slices(damaged, 3000), { type: 'end' }]);
+    const last = reports.at(-1);
+    assert.equal(last.type, 'failed', `byte ${at}`);
+    assert.ok(['format', 'corrupt', 'unsupported', 'too-large'].includes(last.error.code) && last.error.message, last.error.code);
+    engine.dispose();
+  }
+});
+
+test('files come packed by gzip and zstd', async () => {
+  for (const [name, bytes] of [['spot.obj.zst', asset('spot.obj.zst')], ['x.stri.gz', gzipSync(stream)]]) {
+    const { reports, engine } = await reportsTo([{ type: 'file', bytes: new Uint8Array(bytes), name }]);
+    assert.equal(reports.at(-1).type, 'finished', JSON.stringify(reports.at(-1)));
+    const update = reports.find(({ type }) => type === 'update');
+    assert.equal(update.state.triangleCount, TRIANGLES);
+    assert.ok(update.vertices.uvs, 'the asset has texture coordinates');
+    engine.dispose();
+  }
+  const cut = asset('spot.obj.zst').subarray(0, 5000);
+  const { reports } = await reportsTo([{ type: 'file', bytes: new Uint8Array(cut), name: 'spot.obj.zst' }]);
+  assert.equal(reports.at(-1).error.code, 'corrupt');
+});
+
+test('what is no mesh is refused with a hint', async () => {
+  const bytes = new TextEncoder().encode('hello, world');
+  const { reports } = await reportsTo([{ type: 'file', bytes, name: 'hello.txt' }]);
+  assert.equal(reports.at(-1).error.code, 'format');
+  assert.match(reports.at(-1).error.hint, /\.striata/);
+  assert.throws(() => StreamPlace.find(bytes), (thrown) => asStriataError(thrown) instanceof StriataError);
+});

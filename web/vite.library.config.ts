@@ -1,0 +1,23 @@
+// The library: web/src -> web/dist. three stays outside; the worker goes inside, as text.
+import { defineConfig } from 'vite';
+
+export default defineConfig({
+  publicDir: false,
+  worker: { format: 'iife' },
+  build: {
+    // The check builds beside what is committed.
+    outDir: process.env['STRIATA_WEB_DIST'] ?? 'dist',
+    // striata.wasm lies there already.
+    emptyOutDir: false,
+    target: 'es2022',
+    minify: 'esbuild',
+    lib: {
+      entry: { striata: 'src/index.ts', core: 'src/core.ts' },
+      formats: ['es'],
+    },
+    rollupOptions: {
+      external: ['three', /^three\//],
+      output: { entryFileNames: '[name].js', chunkFileNames: '[name].js', manualChunks: undefined },
+    },
+  },
+});

@@ -1,0 +1,65 @@
+//! Built files: how large they are, and whether they are those that are committed.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context, Result, bail};
+
+use super::wasm::Built;
+
+/// Compares two folders, built and committed.
+///
+/// # Errors
+/// Names of the files that differ, or that only one of them has.
+pub(super) fn compare(built: &Path, committed: &Path) -> Result<()> {
+    let mut names = BTreeSet::new();
+    for folder in [built, committed] {
+        list(folder, "", &mut names)?;
+    }
+    // The stamp is about the committed ones alone.
+    names.remove("built-from.txt");
+    let differs = |name: &&String| {
+        let read = |folder: &Path| std::fs::read(folder.join(name)).ok();
+        read(built) != read(committed)
+    };
+    let stale: Vec<&str> = names.iter().filter(differs).map(String::as_str).collect();
+    if stale.is_empty() {
+        return Ok(());
+    }
+    bail!("{} is not what the sources make: {}", committed.display(), stale.join(", "))
+}
+
+fn list(folder: &Path, prefix: &str, names: &mut BTreeSet<String>) -> Result<()> {
+    for entry in std::fs::read_dir(folder).with_context(|| folder.display().to_string())? {
+        let entry = entry?;
+        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+        if entry.file_type()?.is_dir() {
+            list(&entry.path(), &format!("{name}/"), names)?;
+        } else {
+            names.insert(name);
+        }
+    }
+    Ok(())
+}
+
+/// What a page has to fetch, one line a file.
+///
+/// # Errors
+/// Where Node.js does not start.
+pub(super) fn sizes(dist: &Path, built: &Built) -> Result<String> {
+    const SCRIPT: &str = "const z = require('node:zlib'), fs = require('node:fs');
+for (const file of process.argv.slice(1)) {
+  const bytes = fs.readFileSync(file);
+  const gzip = z.gzipSync(bytes, { level: 9 }).length, brotli = z.brotliCompressSync(bytes).length;
+  console.log(`${file.split('/').pop()}: ${bytes.length} bytes, gzip -9 ${gzip}, brotli ${brotli}`);
+}";
+    let files = ["striata.wasm", "core.js", "striata.js"].map(|name| dist.join(name));
+    let output =
+        Command::new("node").args(["-e", SCRIPT]).args(files).output().context("cannot start node")?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    if text.is_empty() {
+        bail!("no sizes of {} bytes of wasm: {}", built.wasm.len(), String::from_utf8_lossy(&output.stderr));
+    }
+    Ok(text)
+}

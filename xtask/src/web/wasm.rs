@@ -1,0 +1,114 @@
+//! The wasm and the script that calls it.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result};
+use wasm_bindgen_cli_support::Bindgen;
+
+use super::folder;
+use crate::machine::WASM_TARGET;
+use crate::steps::{self, cargo};
+use crate::workspace;
+
+/// Instructions that all browsers of the last years have: Chrome 91, Firefox 89, Safari 16.4.
+const TARGET_FEATURES: &str =
+    "-Ctarget-feature=+simd128,+bulk-memory,+sign-ext,+nontrapping-fptoint,+mutable-globals";
+
+/// The same in the words of wasm-opt, with what wasm-bindgen adds. With all features it writes what browsers refuse.
+const WASM_OPT_FEATURES: [&str; 7] = [
+    "--enable-simd",
+    "--enable-bulk-memory",
+    "--enable-sign-ext",
+    "--enable-nontrapping-float-to-int",
+    "--enable-mutable-globals",
+    "--enable-reference-types",
+    "--enable-multivalue",
+];
+
+/// What is made of `crates/striata-web`.
+pub(super) struct Built {
+    pub(super) wasm: Vec<u8>,
+    script: String,
+    types: String,
+}
+
+/// # Errors
+/// Where a tool fails.
+pub(super) fn build() -> Result<Built> {
+    let arguments =
+        ["build", "--locked", "-p", "striata-web", "--lib", "--profile", "web", "--target", WASM_TARGET];
+    steps::run(cargo(&arguments).env("CARGO_ENCODED_RUSTFLAGS", flags()?.join("\x1f")))?;
+    let compiled = target_folder()?.join(WASM_TARGET).join("web/striata_web.wasm");
+    let mut bindgen = Bindgen::new();
+    bindgen.input_path(compiled).web(true)?.typescript(true);
+    bindgen.omit_default_module_path(true).remove_producers_section(true);
+    let mut output = bindgen.generate_output().context("wasm-bindgen failed")?;
+    let wasm = optimized(&output.wasm_mut().emit_wasm())?;
+    let (script, types) = (output.js().to_owned(), output.ts().unwrap_or_default().to_owned());
+    Ok(Built { wasm, script, types })
+}
+
+/// # Errors
+/// What the system reports.
+pub(super) fn write(built: &Built, dist: &Path, scripts: &Path) -> Result<()> {
+    let files = [
+        (dist.join("striata.wasm"), &built.wasm[..]),
+        (scripts.join("striata_web.js"), built.script.as_bytes()),
+        (scripts.join("striata_web.d.ts"), built.types.as_bytes()),
+    ];
+    for (path, bytes) in files {
+        std::fs::create_dir_all(path.parent().unwrap_or(&path))?;
+        std::fs::write(&path, bytes).with_context(|| path.display().to_string())?;
+    }
+    Ok(())
+}
+
+/// Features of the code, and nothing of this machine in it.
+fn flags() -> Result<Vec<String>> {
+    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home.or_else(|| Some(PathBuf::from(std::env::var_os("HOME")?).join(".cargo")));
+    let home = home.context("neither CARGO_HOME nor HOME is set")?;
+    let sysroot = said_by_rustc(&["--print", "sysroot"])?;
+    let remap = |from: &str, to: &str| format!("--remap-path-prefix={from}={to}");
+    Ok(vec![
+        TARGET_FEATURES.to_owned(),
+        remap(&sysroot, "/rust"),
+        remap(&home.to_string_lossy(), "/cargo"),
+        remap(&workspace().canonicalize()?.to_string_lossy(), "/striata"),
+    ])
+}
+
+/// What rustc answers to a question.
+///
+/// # Errors
+/// Where it does not start.
+pub(super) fn said_by_rustc(arguments: &[&str]) -> Result<String> {
+    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let output = Command::new(rustc).args(arguments).output().context("cannot start rustc")?;
+    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// Where cargo builds: its own variables and files decide, so it is asked.
+fn target_folder() -> Result<PathBuf> {
+    let output = cargo(&["metadata", "--format-version", "1", "--no-deps"]).output()?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    let (_, rest) =
+        text.split_once("\"target_directory\":\"").context("cargo metadata names no target folder")?;
+    let (folder, _) = rest.split_once('"').context("cargo metadata names no target folder")?;
+    Ok(PathBuf::from(folder.replace("\\\\", "\\")))
+}
+
+/// Does what wasm-opt can.
+fn optimized(wasm: &[u8]) -> Result<Vec<u8>> {
+    let scratch = std::env::temp_dir().join(format!("striata-wasm-{}", std::process::id()));
+    std::fs::create_dir_all(&scratch)?;
+    let (input, output) = (scratch.join("in.wasm"), scratch.join("out.wasm"));
+    std::fs::write(&input, wasm)?;
+    let mut command = Command::new("node");
+    command.arg(folder().join("node_modules/binaryen/bin/wasm-opt")).arg("-O2").args(WASM_OPT_FEATURES);
+    steps::run(command.arg(&input).arg("-o").arg(&output))?;
+    let bytes = std::fs::read(&output)?;
+    std::fs::remove_dir_all(&scratch)?;
+    Ok(bytes)
+}
