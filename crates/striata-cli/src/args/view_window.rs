@@ -24,6 +24,10 @@ pub(crate) struct WindowArgs {
     /// Save what the window shows once it shows the model, and close it
     #[arg(long, value_name = "OUT.png")]
     pub(crate) screenshot: Option<PathBuf>,
+    /// Show one file in the web viewer instead, until the command is ended
+    #[cfg(feature = "serve")]
+    #[arg(long, conflicts_with_all = ["size", "theme", "screenshot", "FirstArgs"])]
+    pub(crate) browser: bool,
     /// What is shown first.
     #[command(flatten)]
     pub(crate) first: FirstArgs,

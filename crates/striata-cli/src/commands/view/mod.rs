@@ -19,6 +19,8 @@ mod state;
 mod subject;
 mod viewer;
 
+#[cfg(feature = "serve")]
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use winit::event_loop::EventLoop;
@@ -27,6 +29,8 @@ use self::app::{App, Wake, WindowPlan};
 use self::orbit::Up;
 use self::state::{Colours, GoalKind, ModelKind, ViewerState};
 use self::viewer::Viewer;
+#[cfg(feature = "serve")]
+use super::serve;
 use crate::args::{Colouring, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use crate::failure::Failure;
 use crate::input::Input;
@@ -38,6 +42,10 @@ use crate::output::Output;
 /// Where there is no display or no device, a file is not there, or the screenshot cannot be made.
 pub(crate) fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
     args.files.iter().try_for_each(|path| Input::expect_there(path))?;
+    #[cfg(feature = "serve")]
+    if args.browser {
+        return show_in_browser(&args.files, output);
+    }
     let event_loop = EventLoop::<Wake>::with_user_event().build().map_err(|error| no_display(&error))?;
     let proxy = event_loop.create_proxy();
     // A window that is closed hears nothing any more.
@@ -98,7 +106,21 @@ fn first_state(args: &FirstArgs) -> ViewerState {
     state
 }
 
+/// Serves one file to this machine, and opens the browser.
+///
+/// # Errors
+/// Where there is not one file, or it cannot be served.
+#[cfg(feature = "serve")]
+fn show_in_browser(files: &[PathBuf], output: &Output) -> Result<(), Failure> {
+    let [file] = files else {
+        let message = format!("--browser shows one file, and {} are named", files.len());
+        return Err(Failure::user(message).with_hint("`striata serve FOLDER` shows all of a folder"));
+    };
+    serve::serve_one(file, &serve::Options::for_browser(), output)
+}
+
 fn no_display(error: &winit::error::EventLoopError) -> Failure {
-    Failure::user(format!("there is no display to open a window on: {error}"))
-        .with_hint("`striata render` draws a picture without one")
+    Failure::user(format!("there is no display to open a window on: {error}")).with_hint(
+        "`striata render` draws a picture without one; `striata view --browser` needs only a browser",
+    )
 }

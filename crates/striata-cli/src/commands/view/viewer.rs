@@ -478,6 +478,7 @@ mod tests {
             unit: egui::MouseWheelUnit::Line,
             delta: Vec2::new(0.0, 3.0),
             phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Wheel,
             modifiers: Modifiers::NONE,
         };
         bench.frame(vec![Event::PointerMoved(inside)], vec![]);
