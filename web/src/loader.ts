@@ -35,7 +35,10 @@ export const StriataLoader = function (options?: LoaderOptions) {
 class Loading {
   readonly #loader: LoaderOptions;
   readonly #options: LoadOptions;
+  /** Ends everything. */
   readonly #stop = new AbortController();
+  /** Ends the download alone. */
+  readonly #download = new AbortController();
   #link: Link | undefined;
   #mesh: StriataMesh | undefined;
   #received = 0;
@@ -57,7 +60,8 @@ class Loading {
     });
     const abort = () => this.#fail(aborted());
     signal?.addEventListener('abort', abort, { once: true });
-    this.#stop.signal.addEventListener('abort', () => signal?.removeEventListener('abort', abort));
+    // What has been loaded lives on, whatever becomes of the signal.
+    this.#download.signal.addEventListener('abort', () => signal?.removeEventListener('abort', abort));
     this.#fetch(source).catch((thrown: unknown) => this.#breakOff(asStriataError(thrown)));
     return loaded;
   }
@@ -65,7 +69,7 @@ class Loading {
   async #fetch(source: Source): Promise<void> {
     const [module, opened] = await Promise.all([
       wasmModule(this.#loader.wasm),
-      open(source, this.#options.name, this.#stop.signal),
+      open(source, this.#options.name, this.#download.signal),
     ]);
     if (this.#stop.signal.aborted) return;
     // The page itself looks into heads of containers.
@@ -77,13 +81,13 @@ class Loading {
     this.#link = link(module, this.#loader.worker ?? true, (report) => this.#hear(report));
     const parts: Uint8Array[] = [];
     for await (const bytes of iterable(content.pieces)) {
-      if (this.#stop.signal.aborted) return;
+      if (this.#download.signal.aborted) return;
       this.#received += bytes.length;
       if (content.isStream) this.#link.order({ type: 'bytes', bytes });
       else parts.push(bytes);
       this.#progress();
     }
-    if (this.#stop.signal.aborted) return;
+    if (this.#download.signal.aborted) return;
     this.#total = this.#received;
     if (content.isStream) this.#link.order({ type: 'end' });
     else this.#link.order({ type: 'file', bytes: concatenated(parts), name: opened.name });
@@ -92,6 +96,7 @@ class Loading {
 
   /** The source failed: what has come of it may be something nevertheless. */
   #breakOff(error: StriataError): void {
+    if (this.#download.signal.aborted) return;
     if (this.#link && error.code !== 'aborted') this.#link.order({ type: 'end', error: asPlain(error) });
     else this.#fail(error);
   }
@@ -116,6 +121,7 @@ class Loading {
         this.#fail(fromPlain(report.error));
         break;
       case 'finished':
+        this.#download.abort(aborted());
         this.#mesh?.end();
         this.#progress();
         break;
@@ -141,7 +147,14 @@ class Loading {
       complete: state?.complete ?? false,
       phase: phase ?? state?.phase ?? 'download',
     };
-    this.#options.onProgress?.(progress);
+    try {
+      this.#options.onProgress?.(progress);
+    } catch (thrown) {
+      // The caller's fault, to be told as one; the model comes in all the same.
+      queueMicrotask(() => {
+        throw thrown;
+      });
+    }
     this.#mesh?.dispatchStriata({ type: 'progress', progress });
   }
 
@@ -149,6 +162,7 @@ class Loading {
   #fail(error: StriataError): void {
     if (this.#stop.signal.aborted) return;
     if (this.#mesh && error.code !== 'aborted') {
+      this.#download.abort(aborted());
       this.#mesh.end(error);
       return;
     }
@@ -159,6 +173,7 @@ class Loading {
 
   #close(): void {
     this.#stop.abort(aborted());
+    this.#download.abort(aborted());
     this.#link?.dispose();
   }
 }

@@ -20,6 +20,9 @@ export interface Mind {
 
 const size = new Vector2();
 
+/** Numbers of triangles as the engine takes them. */
+const MOST_TRIANGLES = 0xffffffff;
+
 /** Made by a `StriataLoader`. */
 export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> implements StriataMeshLike {
   readonly isStriataMesh = true;
@@ -195,6 +198,11 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     return { decodeMs, buildMs, updateMs };
   }
 
+  /** A plain mesh that shows what this one shows: geometry and material are shared, levels are chosen here alone. */
+  override clone(recursive?: boolean): this {
+    return new Mesh(this.geometry, this.material).copy(this, recursive) as unknown as this;
+  }
+
   override dispose(): void {
     if (this.#isDisposed) return;
     this.#isDisposed = true;
@@ -211,7 +219,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     if (this.#isDisposed) return;
     this.state = update.state;
     this.#last = update;
-    this.#surface.take(update, Array.isArray(this.#surfaceMaterial));
+    this.#surface.take(update);
     this.#paint(update);
     if (update.ticket === this.#ticket) {
       this.#isWaiting = false;
@@ -237,7 +245,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     if (numbers && this.#colouring !== 'surface') {
       this.#paintMaterial ??= new MeshStandardMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, roughness: 0.9 });
       setWireframe(this.#paintMaterial, this.#isWireframe);
-      this.geometry = painted(this.#surface.getAttribute('position').array, indices, numbers);
+      this.geometry = painted(this.#surface.getAttribute('position')?.array ?? [], indices, numbers);
       this.geometry.boundingSphere = this.#surface.boundingSphere;
       this.geometry.boundingBox = this.#surface.boundingBox;
       this.material = this.#paintMaterial;
@@ -269,12 +277,17 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
   }
 
   #wish(): Wish {
-    const limit = this.#triangleBudget ?? 0;
+    const limit = this.#limit();
     // Before the first frame nobody knows from where the mesh is seen.
     if (this.#pixelError !== null) return this.#viewWish ?? { by: 'detail', value: limit > 0 ? 1 : 0, limit };
     if (this.#maxError !== null) return { by: 'error', value: this.#maxError, limit };
-    if (this.#triangleBudget !== null) return { by: 'triangles', value: this.#triangleBudget, limit };
+    if (this.#triangleBudget !== null) return { by: 'triangles', value: limit, limit };
     return { by: 'detail', value: this.#detail ?? 1, limit: 0 };
+  }
+
+  /** The budget for the engine; 0 is none. */
+  #limit(): number {
+    return Math.min(this.#triangleBudget ?? 0, MOST_TRIANGLES);
   }
 
   /** Follows the camera that the mesh is about to be drawn for. */
@@ -285,7 +298,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     else renderer.getDrawingBufferSize(size);
     const seen = look(this, camera, size.x, size.y);
     if (!seen) return;
-    const limit = this.#triangleBudget ?? 0;
+    const limit = this.#limit();
     this.#viewWish =
       seen.kind === 'perspective'
         ? { by: 'view', value: this.#pixelError / seen.stretch, limit, camera: seen.numbers }
