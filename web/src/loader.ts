@@ -90,7 +90,7 @@ class Loading {
     if (this.#download.signal.aborted) return;
     this.#total = this.#received;
     if (content.isStream) this.#link.order({ type: 'end' });
-    else this.#link.order({ type: 'file', bytes: concatenated(parts), name: opened.name });
+    else this.#link.order({ type: 'file', bytes: concatenated(parts), name: opened.name || 'the file' });
     this.#progress();
   }
 
@@ -155,7 +155,7 @@ class Loading {
         throw thrown;
       });
     }
-    this.#mesh?.dispatchStriata({ type: 'progress', progress });
+    this.#mesh?.dispatchEvent({ type: 'progress', progress });
   }
 
   /** Ends loading; a mesh that is there stays, with what it has. */

@@ -24,7 +24,7 @@ const size = new Vector2();
 const MOST_TRIANGLES = 0xffffffff;
 
 /** Made by a `StriataLoader`. */
-export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> implements StriataMeshLike {
+export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], StriataEvents> implements StriataMeshLike {
   readonly isStriataMesh = true;
   readonly finished: Promise<void>;
   state: State;
@@ -119,7 +119,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     this.#leaveDetail();
     this.#ask();
     // Nobody may be drawing until something changes.
-    this.dispatchStriata({ type: 'change' });
+    this.dispatchEvent({ type: 'change' });
   }
 
   get frozen(): boolean {
@@ -128,7 +128,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
 
   set frozen(frozen: boolean) {
     this.#isFrozen = frozen;
-    this.dispatchStriata({ type: 'change' });
+    this.dispatchEvent({ type: 'change' });
   }
 
   get colouring(): Colouring {
@@ -150,7 +150,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
   set wireframe(wireframe: boolean) {
     this.#isWireframe = wireframe;
     for (const material of [this.material].flat()) setWireframe(material, wireframe);
-    this.dispatchStriata({ type: 'change' });
+    this.dispatchEvent({ type: 'change' });
   }
 
   get triangleCount(): number {
@@ -226,7 +226,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
       this.#isSettled = update.settled;
     }
     if (this.#hasChanged) this.#send();
-    this.dispatchStriata({ type: 'change' });
+    this.dispatchEvent({ type: 'change' });
   }
 
   /** Nothing more comes; called by the loader. */
@@ -236,7 +236,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
       return;
     }
     this.#reject(error);
-    this.dispatchStriata({ type: 'error', error });
+    this.dispatchEvent({ type: 'error', error });
   }
 
   /** Shows the surface, or triangles in the colours of what draws them. */
@@ -307,11 +307,6 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     if (!this.state.built && this.#sent.by === this.#viewWish.by) return;
     if (this.#isSettled && isSame(this.#viewWish, this.#sent)) return;
     this.#send();
-  }
-
-  /** three's types know no events but their own. */
-  dispatchStriata(event: { [E in keyof StriataEvents]: { type: E } & StriataEvents[E] }[keyof StriataEvents]): void {
-    (this.dispatchEvent as (event: { type: string }) => void)(event);
   }
 }
 
