@@ -1,5 +1,6 @@
 //! Chores of the workspace; `cargo xtask test` is what continuous integration runs.
 
+mod browser;
 mod golden;
 mod machine;
 mod steps;
@@ -21,10 +22,12 @@ struct Chores {
 
 #[derive(Debug, Subcommand)]
 enum Chore {
-    /// Format, lints, tests, docs, features, wasm32 and golden files: all that must pass
+    /// Format, lints, tests, docs, features, wasm32, golden files and browser: all that must pass
     Test,
     /// The golden part alone: run the demo and check what it writes
     Golden,
+    /// The browser part alone: the viewer page in Chromium, over `striata serve`
+    Browser,
     /// Builds the wasm, the npm package and the viewer page into their places
     Web,
     /// The web part alone: check that these are what the sources make, and run their tests
@@ -35,6 +38,7 @@ fn main() -> ExitCode {
     let outcome = match Chores::parse().chore {
         Chore::Test => test::run(),
         Chore::Golden => golden::run(),
+        Chore::Browser => browser::run(),
         Chore::Web => web::build(),
         Chore::WebCheck => web::check(),
     };

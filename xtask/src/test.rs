@@ -5,10 +5,9 @@
 
 use anyhow::Result;
 
-use crate::golden;
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, Steps, cargo, say};
-use crate::web;
+use crate::{browser, golden, web};
 
 /// Each feature that must compile by itself: the crate and the features.
 const FEATURES_ALONE: [(&str, &str); 15] = [
@@ -55,7 +54,8 @@ fn run_all(steps: &mut Steps) -> Result<()> {
     }
     steps.step("web assets", web::check)?;
     steps.step("fuzz targets", check_fuzz)?;
-    steps.step("golden", golden::run)
+    steps.step("golden", golden::run)?;
+    steps.step("browser", browser::run)
 }
 
 /// `cargo xtask test`.

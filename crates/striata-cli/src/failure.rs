@@ -64,6 +64,18 @@ impl Failure {
         Self { excerpt, ..self }
     }
 
+    /// What is wrong.
+    #[cfg(feature = "window")]
+    pub(crate) fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// What would cure it, where that is known.
+    #[cfg(feature = "window")]
+    pub(crate) fn hint(&self) -> Option<&str> {
+        self.hint.as_deref()
+    }
+
     /// Tells the user, and gives the exit code.
     pub(crate) fn announce(&self) -> ExitCode {
         let mut text = format!("error: {}\n", self.message);

@@ -79,6 +79,22 @@ impl Input {
         Ok(Self { name, content: Content::File(FileContent { format, file_bytes, folder, bytes }) })
     }
 
+    /// Looks whether there is such a file or shape, without reading it.
+    ///
+    /// # Errors
+    /// Where there is not.
+    #[cfg(feature = "window")]
+    pub(crate) fn expect_there(path: &Path) -> Result<(), Failure> {
+        if path == Path::new("-") || Shape::named(path)?.is_some() {
+            return Ok(());
+        }
+        match std::fs::metadata(path) {
+            Ok(metadata) if metadata.is_dir() => Err(io::Error::from(io::ErrorKind::IsADirectory)),
+            result => result.map(drop),
+        }
+        .map_err(|error| unreadable(&path.display().to_string(), &error))
+    }
+
     /// What it is, in a word.
     pub(crate) fn kind(&self) -> &'static str {
         match &self.content {

@@ -11,6 +11,7 @@ mod input;
 mod level;
 mod output;
 mod page;
+#[cfg_attr(not(feature = "gpu"), expect(dead_code, unused_imports, reason = "only `render` shows all of it"))]
 mod picture;
 mod save;
 mod sequence;
@@ -18,6 +19,7 @@ mod shapes;
 mod stream;
 mod strip_chain;
 mod strip_report;
+mod viewer_page;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;

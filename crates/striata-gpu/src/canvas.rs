@@ -29,6 +29,9 @@ pub struct Canvas {
     samples: u32,
 }
 
+/// The colour format of all canvases, read as the bytes stand.
+const ENCODED: TextureFormat = TextureFormat::Rgba8Unorm;
+
 impl Canvas {
     /// The colour format of all canvases.
     pub const FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
@@ -51,11 +54,12 @@ impl Canvas {
                 dimension: wgpu::TextureDimension::D2,
                 format,
                 usage,
-                view_formats: &[],
+                view_formats: if sample_count == 1 && format == Self::FORMAT { &[ENCODED] } else { &[] },
             })
         };
         let drawn = TextureUsages::RENDER_ATTACHMENT;
-        let colour = make(Self::FORMAT, 1, drawn | TextureUsages::COPY_SRC);
+        let read = TextureUsages::COPY_SRC | TextureUsages::TEXTURE_BINDING;
+        let colour = make(Self::FORMAT, 1, drawn | read);
         let view = |texture: &Texture| texture.create_view(&Default::default());
         Ok(Self {
             colour_view: view(&colour),
@@ -69,6 +73,12 @@ impl Canvas {
     /// Samples a pixel.
     pub fn samples(&self) -> u32 {
         self.samples
+    }
+
+    /// The colours as they are encoded for a screen, for whoever mixes them so: a user interface around the picture.
+    pub fn encoded_view(&self) -> TextureView {
+        let format = Some(ENCODED);
+        self.colour.create_view(&wgpu::TextureViewDescriptor { format, ..Default::default() })
     }
 
     /// Begins to draw on a background, linear light and opacity.
@@ -122,14 +132,25 @@ impl Canvas {
     /// # Errors
     /// [`GpuError::Failed`], [`GpuError::TooLarge`].
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
-        let size = self.colour.size();
+        Picture::read(gpu, &self.colour)
+    }
+}
+
+impl Picture {
+    /// What is in a texture that may be copied from, of 8 bits for each of red, green, blue and opacity; others come out
+    /// in disorder.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    pub fn read(gpu: &Gpu, texture: &Texture) -> Result<Self, GpuError> {
+        let size = texture.size();
         let row_bytes = 4 * size.width;
         let stride = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let bytes = u64::from(stride) * u64::from(size.height);
         let buffer = gpu.empty_buffer("picture", bytes, BufferUsages::COPY_DST | BufferUsages::MAP_READ)?;
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         encoder.copy_texture_to_buffer(
-            self.colour.as_image_copy(),
+            texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &buffer,
                 layout: wgpu::TexelCopyBufferLayout {
@@ -143,8 +164,11 @@ impl Canvas {
         gpu.queue.submit([encoder.finish()]);
         let mapped = read_buffer(gpu, &buffer)?;
         let rows = mapped.chunks_exact(stride as usize).take(size.height as usize);
-        let rgba = rows.flat_map(|row| &row[..row_bytes as usize]).copied().collect();
-        Ok(Picture { width: size.width, height: size.height, rgba })
+        let mut rgba: Vec<u8> = rows.flat_map(|row| &row[..row_bytes as usize]).copied().collect();
+        if matches!(texture.format(), TextureFormat::Bgra8Unorm | TextureFormat::Bgra8UnormSrgb) {
+            rgba.as_chunks_mut::<4>().0.iter_mut().for_each(|pixel| pixel.swap(0, 2));
+        }
+        Ok(Self { width: size.width, height: size.height, rgba })
     }
 }
 

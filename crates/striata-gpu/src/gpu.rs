@@ -2,6 +2,8 @@
 
 use wgpu::{Adapter, AdapterInfo, Device, Features, Instance, Queue};
 
+use crate::frame_clock::FrameClock;
+
 /// Nothing to draw with.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -128,7 +130,7 @@ impl Gpu {
 
     /// Features that are used where they are there.
     pub fn optional_features() -> Features {
-        Features::INDIRECT_FIRST_INSTANCE | Features::TIMESTAMP_QUERY
+        Features::INDIRECT_FIRST_INSTANCE | FrameClock::FEATURES
     }
 
     /// The device.
@@ -205,7 +207,9 @@ async fn find_adapter(instance: &Instance, options: &GpuOptions) -> Result<Adapt
     let wanted = named.unwrap_or_default().to_lowercase();
     if !wanted.is_empty() && !options.is_fallback {
         let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
-        let names: Vec<String> = all.iter().map(|adapter| adapter.get_info().name).collect();
+        let mut names: Vec<String> = all.iter().map(|adapter| adapter.get_info().name).collect();
+        names.sort();
+        names.dedup();
         let named = all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted));
         return named.ok_or_else(|| {
             let others =

@@ -30,8 +30,8 @@ use crate::gpu::{Gpu, GpuError};
 use crate::gpu_fan_words::FanWords;
 use crate::indices::COMMAND_BYTES;
 
-/// Changed words of bits with fewer unchanged ones between them are uploaded as one range.
-const JOIN_GAP: usize = 512;
+/// Changed words of bits with fewer unchanged ones between them are uploaded as one range: a write costs as much as so many.
+const JOIN_GAP: usize = 4096;
 
 /// The static half of the model on the GPU; see the [module](self).
 #[derive(Debug)]
@@ -60,6 +60,7 @@ pub struct GpuFanInstance {
     known: Vec<u64>,
     block_count: u32,
     group_count: u32,
+    bytes: usize,
     uploaded_bytes: u64,
 }
 
@@ -120,6 +121,8 @@ impl GpuFanInstance {
         let commands = words("draws of fans", command_words, BufferUsages::INDIRECT | read)?;
         let own = Bindings { bits: &bits, arcs: &arcs, sums: &sums, indices: &indices, commands: &commands };
         let passes = extractor.bind(gpu, table, &own, capacity as u32)?;
+        let buffers = [&bits, &arcs, &sums, &indices, &commands];
+        let bytes = buffers.map(Buffer::size).iter().sum::<u64>() as usize;
         Ok(Self {
             passes,
             bits,
@@ -128,6 +131,7 @@ impl GpuFanInstance {
             known,
             block_count: table.block_count,
             group_count: table.group_count,
+            bytes,
             uploaded_bytes: 0,
         })
     }
@@ -160,6 +164,11 @@ impl GpuFanInstance {
     /// Bytes of bits written so far.
     pub fn uploaded_bytes(&self) -> u64 {
         self.uploaded_bytes
+    }
+
+    /// Bytes that it owns on the GPU.
+    pub fn bytes(&self) -> usize {
+        self.bytes
     }
 
     /// What was extracted last, waited for and copied back: to look at it, not to draw it.
@@ -204,12 +213,12 @@ mod tests {
 
     #[test]
     fn near_changes_are_one_range_and_far_ones_are_not() {
-        let known = vec![0u64; 5000];
+        let known = vec![0u64; 10_000];
         let mut words = known.clone();
         assert!(changed_ranges(&known, &words).is_empty());
-        for at in [0, 3, 3 + JOIN_GAP, 4999] {
+        for at in [0, 3, 3 + JOIN_GAP, 9999] {
             words[at] = 1;
         }
-        assert_eq!(changed_ranges(&known, &words), [0..4 + JOIN_GAP, 4999..5000]);
+        assert_eq!(changed_ranges(&known, &words), [0..4 + JOIN_GAP, 9999..10_000]);
     }
 }

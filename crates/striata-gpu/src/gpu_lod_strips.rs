@@ -8,8 +8,12 @@ use crate::drawing::Drawing;
 use crate::gpu::{Gpu, GpuError};
 use crate::indices::GpuIndices;
 
-/// Changed ranges with fewer unchanged indices between them are sent as one: a write costs as much as so many indices.
-const JOIN_GAP: u32 = 2048;
+/// Changed ranges with fewer unchanged indices between them are sent as one: a write costs as much as so many indices, 4.2
+/// µs of the processor and 2.5 of the queue beside 0.7 ns an index.
+///
+/// Tried: all ranges in one buffer, from which the queue copies each. That is 1.1 µs a range and 40 µs once, which pays from 8 ranges
+/// that are far apart on, and where many are, all the indices of most meshes are sent as quickly.
+const JOIN_GAP: u32 = 8192;
 
 /// An index buffer on the GPU that follows one [`LodStripsState`].
 ///
@@ -90,7 +94,7 @@ mod tests {
     #[test]
     fn ranges_join_over_small_gaps_only() {
         assert_eq!(joined(vec![0..3, 5..6, 9..20, 24..25], 3), [0..20, 24..25]);
-        assert_eq!(joined(vec![0..9, 2..4, 9..10], 0), [0..10]);
+        assert_eq!(joined(vec![0..9, 2..4, 9..10, 15..16], 0), [0..10, 15..16]);
         assert!(joined(Vec::new(), 5).is_empty());
     }
 }

@@ -18,7 +18,7 @@ pub struct Inspection {
 }
 
 impl Inspection {
-    /// Uploads the triangles and a colour for each, linear light as bytes.
+    /// Uploads the triangles and a colour for each, linear light as bytes; where its opacity is 0 the surface's own shows.
     ///
     /// # Panics
     /// If there are not as many colours as triangles.

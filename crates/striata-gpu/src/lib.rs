@@ -10,6 +10,7 @@
 mod canvas;
 mod drawing;
 mod fan_extractor;
+mod frame_clock;
 mod gpu;
 mod gpu_fan_words;
 mod gpu_fans;
@@ -25,6 +26,7 @@ mod viewpoint;
 pub use canvas::{Canvas, Picture};
 pub use drawing::Drawing;
 pub use fan_extractor::FanExtractor;
+pub use frame_clock::FrameClock;
 pub use gpu::{Gpu, GpuError, GpuOptions};
 pub use gpu_fans::{GpuFanInstance, GpuFans};
 pub use gpu_lod_strips::GpuLodStrips;

@@ -1,12 +1,18 @@
 //! The arguments of the command: one type per verb, and the values that flags take.
 
+#[cfg(feature = "gpu")]
+mod bench_gpu;
 mod compare;
 #[cfg(feature = "gpu")]
 mod render;
 mod sequence;
+#[cfg(feature = "serve")]
+mod serve;
 mod stream;
 mod strips;
 mod view;
+#[cfg(feature = "window")]
+mod view_window;
 
 use std::fmt;
 use std::path::PathBuf;
@@ -14,14 +20,22 @@ use std::str::FromStr;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
+#[cfg(feature = "gpu")]
+pub(crate) use self::bench_gpu::BenchGpuArgs;
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs};
 #[cfg(feature = "gpu")]
 pub(crate) use self::render::{Background, Colouring, DrawnModel, LevelShare, RenderArgs};
 pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
+#[cfg(feature = "serve")]
+pub(crate) use self::serve::{ServeArgs, ThumbnailArgs};
 pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-pub(crate) use self::view::{Corners, Point, ViewArgs, Viewport, tan};
+#[cfg(feature = "gpu")]
+pub(crate) use self::view::Viewport;
+pub(crate) use self::view::{Corners, Point, ViewArgs, tan};
+#[cfg(feature = "window")]
+pub(crate) use self::view_window::{FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
@@ -30,7 +44,8 @@ use crate::strip_chain::{StripChain, StripPlan};
     name = "striata",
     version,
     about = "Continuous level of detail for triangle meshes",
-    after_help = "Meshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
+    // No line for the usage, which the verbs' heading tells: all of it fits one screen.
+    help_template = "{about}\n\n{all-args}\nMeshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs (`striata VERB --help` tells all of one, with examples)",
     disable_help_subcommand = true,
@@ -86,8 +101,22 @@ pub(crate) enum Verb {
     /// Draw a picture of a mesh, of some of its levels, or of a view
     #[cfg(feature = "gpu")]
     Render(Box<RenderArgs>),
+    /// Serve a folder of models and the viewer over HTTP
+    #[cfg(feature = "serve")]
+    Serve(ServeArgs),
+    /// Look at a mesh at any level in a window
+    #[cfg(feature = "window")]
+    View(WindowArgs),
     /// Show it all on a mesh that the command carries
     Demo(DemoArgs),
+    /// Draw a small picture of a mesh, without a GPU
+    #[cfg(feature = "serve")]
+    #[command(hide = true)]
+    Thumbnail(ThumbnailArgs),
+    /// Time the ways to draw a level while it changes
+    #[cfg(feature = "gpu")]
+    #[command(hide = true)]
+    BenchGpu(BenchGpuArgs),
     /// Print a completion script for a shell
     #[command(hide = true)]
     Completions(CompletionsArgs),
@@ -362,6 +391,14 @@ impl Length {
             Self::Absolute(length) => length,
             Self::OfDiagonal(share) => share * diagonal,
         }
+    }
+}
+
+#[cfg(all(test, feature = "window"))]
+impl ReportArgs {
+    /// Says nothing.
+    pub(crate) fn quiet() -> Self {
+        Self { json: false, quiet: true, help: None }
     }
 }
 

@@ -18,8 +18,8 @@ const LOOK: &str = "Look";
 #[command(
     override_usage = "striata render [OPTIONS] <INPUT> -o <OUT.png> [LEVEL]",
     after_help = "Examples:\n  \
-    striata render bunny.ply -o levels.png --levels 100%,10%,1% --colours surface,strips\n  \
-    striata render bunny.striata -o view.png --eye 0,0.1,0.3 --turn 70 --wireframe"
+    striata render bunny.ply -o levels.png --levels 100%,10%,1%\n  \
+    striata render bunny.striata -o view.png --eye 0,0.1,0.3 --turn 70"
 )]
 pub(crate) struct RenderArgs {
     /// A mesh, a .striata file or a stream, or - for stdin; or a shape: shape:torus
@@ -65,18 +65,18 @@ pub(crate) struct RenderArgs {
     /// Turned around the mesh, degrees from its front to its right [default: -35]
     #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = parse_degrees, help_heading = CAMERA)]
     pub(crate) turn: Option<f32>,
-    /// Degrees above the mesh [default: 8]
+    /// Degrees above the mesh [default: 8; 40 of what lies flat along z, which is up then]
     #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = parse_degrees, help_heading = CAMERA)]
     pub(crate) rise: Option<f32>,
     /// Times as large
     #[arg(long, value_name = "F", allow_hyphen_values = true, default_value_t = 1.0, value_parser = parse_zoom, help_heading = CAMERA)]
     pub(crate) zoom: f32,
-    /// Which level.
-    #[command(flatten)]
-    pub(crate) level: LevelChoice,
     /// What a view needs beside its eye; of other pictures, the camera.
     #[command(flatten)]
     pub(crate) view: ViewArgs,
+    /// Which level; after the view, whose help it completes.
+    #[command(flatten)]
+    pub(crate) level: LevelChoice,
     /// The graphics adapter whose name holds this [default: the quickest]
     #[arg(long, value_name = "NAME", help_heading = "Adapter")]
     pub(crate) adapter: Option<String>,
@@ -85,7 +85,7 @@ pub(crate) struct RenderArgs {
     pub(crate) software: bool,
 }
 
-/// A level, or none: then it is the full mesh.
+/// A level, or none: then it is the full mesh. To `clap` the same flags as elsewhere, with other words.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LevelChoice(pub(crate) LevelArgs);
 
@@ -97,6 +97,9 @@ impl Args for LevelChoice {
         let command = names
             .into_iter()
             .fold(command, |command, name| command.mut_arg(name, |argument| argument.help_heading(heading)));
+        let command = command.mut_arg("viewport", |argument| {
+            argument.help("Pixels of the screen [default: those of the picture]")
+        });
         command.mut_arg("eye", |argument| {
             argument.help("As fine as the screen asks for, seen from here; with --from, --turn or --rise shown from outside")
         })
@@ -200,7 +203,9 @@ impl FromStr for Background {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let hexadecimal = text.strip_prefix('#').filter(|digits| digits.len() == 6);
+        let is_hexadecimal =
+            |digits: &&str| digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
+        let hexadecimal = text.strip_prefix('#').filter(is_hexadecimal);
         match (text, hexadecimal.map(|digits| u32::from_str_radix(digits, 16))) {
             ("dark", _) => Ok(Self::Dark),
             ("light", _) => Ok(Self::Light),

@@ -1,5 +1,7 @@
 //! The verbs, one file each.
 
+#[cfg(feature = "gpu")]
+mod bench_gpu;
 mod build;
 mod compare;
 mod completions;
@@ -15,10 +17,16 @@ mod extract_view;
 mod info;
 #[cfg(feature = "gpu")]
 mod render;
+#[cfg(feature = "serve")]
+pub(crate) mod serve;
 mod simplify;
 mod strip;
 mod strip_blocks;
+#[cfg(feature = "window")]
+mod view;
 
+#[cfg(feature = "gpu")]
+pub(crate) use self::bench_gpu::bench_gpu_ways;
 pub(crate) use self::compare::compared_models;
 use crate::args::{Cli, Verb};
 use crate::failure::Failure;
@@ -43,6 +51,14 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Decode(args) => decode::run(args, &output),
         #[cfg(feature = "gpu")]
         Verb::Render(args) => render::run(args, &output),
+        #[cfg(feature = "serve")]
+        Verb::Serve(args) => serve::run(args, &output),
+        #[cfg(feature = "serve")]
+        Verb::Thumbnail(args) => serve::thumbnail(args, &output),
+        #[cfg(feature = "gpu")]
+        Verb::BenchGpu(args) => bench_gpu::run(args, &output),
+        #[cfg(feature = "window")]
+        Verb::View(args) => view::run(args, &output),
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }

@@ -27,9 +27,6 @@ pub(crate) struct Drawn {
     pub(crate) secs: f64,
 }
 
-/// The rasteriser knows no samples: each pixel is the mean of so many squared.
-const SHRINK: usize = 3;
-
 impl Artist {
     /// A GPU where there is one, else the rasteriser.
     pub(crate) fn best() -> Self {
@@ -57,16 +54,15 @@ impl Artist {
         &mut self,
         shot: &Shot<'_>,
         camera: &Camera,
-        [width, height]: [usize; 2],
+        size: [usize; 2],
     ) -> Result<Drawn, Failure> {
         match self {
             #[cfg(feature = "gpu")]
-            Self::Gpu(artist) => Ok(artist.draw(shot, camera, [width, height])?),
+            Self::Gpu(artist) => Ok(artist.draw(shot, camera, size)?),
             Self::Software => {
                 let started = Instant::now();
-                let large = raster::draw(shot, camera, SHRINK * width, SHRINK * height);
-                let secs = started.elapsed().as_secs_f64();
-                Ok(Drawn { canvas: large.shrunk(SHRINK), secs })
+                let canvas = raster::draw(shot, camera, size);
+                Ok(Drawn { canvas, secs: started.elapsed().as_secs_f64() })
             }
         }
     }

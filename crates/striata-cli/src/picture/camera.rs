@@ -1,5 +1,7 @@
 //! Where a picture is taken from, and how to stand so that all is on it.
 
+use striata::mesh::Bounds;
+
 /// An eye, where it looks, and how much of the world it takes in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Camera {
@@ -27,6 +29,18 @@ pub(crate) struct Angles {
     pub(crate) up: [f32; 3],
     /// Height of the view.
     pub(crate) fov: f32,
+}
+
+impl Angles {
+    /// From where a mesh is seen that nobody said anything of: from its front, a little from its left and above. What lies
+    /// flat along z, as terrains do, has z up and is seen from higher.
+    pub(crate) fn usual(bounds: Option<&Bounds>) -> Self {
+        const FLAT: f32 = 0.3;
+        let size = bounds.map_or([1.0; 3], |bounds| [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]));
+        let lies_flat = size[2] < FLAT * size[0].min(size[1]);
+        let (up, rise): (_, f32) = if lies_flat { ([0.0, 0.0, 1.0], 40.0) } else { ([0.0, 1.0, 0.0], 8.0) };
+        Self { turn: (-35.0f32).to_radians(), rise: rise.to_radians(), up, fov: 27.0f32.to_radians() }
+    }
 }
 
 impl Camera {
@@ -110,8 +124,9 @@ fn fitted(points: &[[f32; 3]], axes: &Axes, fov: f64, aspect: f64) -> Stand {
         return Stand { place: axes[2], distance: 1.0 };
     }
     let depths = [0, 1].map(|k| (reach[k][0] + reach[k][1]) / (2.0 * slopes[k]));
-    // A point alone is looked at from a little way off.
-    let size = (near - far).max(1e-6 * near.abs()).max(f64::from(f32::MIN_POSITIVE));
+    // A point alone is looked at from so far that coordinates still tell the eye from it.
+    let magnitude = reach.iter().flatten().chain([&near]).fold(0.0, |most: f64, x| most.max(x.abs()));
+    let size = if near > far { near - far } else { magnitude.max(1e-30) };
     let depth = depths[0].max(depths[1]).max(near + 0.02 * size);
     let aside = [0, 1].map(|k| (reach[k][0] - reach[k][1]) / 2.0);
     let place = [0, 1, 2].map(|k| aside[0] * axes[0][k] + aside[1] * axes[1][k] + depth * axes[2][k]);
@@ -193,6 +208,16 @@ mod tests {
             let camera = Camera::around(points, &angles, 1.0);
             assert!(camera.eye.iter().chain(&camera.look_at).all(|x| x.is_finite()), "{camera:?}");
             assert!(camera.eye != camera.look_at, "{camera:?}");
+        }
+    }
+
+    #[test]
+    fn what_lies_flat_has_z_up_and_is_seen_from_higher() {
+        let usual = |max: [f32; 3]| Angles::usual(Some(&Bounds { min: [0.0; 3], max }));
+        let flat = usual([10.0, 8.0, 1.0]);
+        assert!(flat.up == [0.0, 0.0, 1.0] && flat.rise > 0.5);
+        for upright in [[1.0; 3], [10.0, 1.0, 10.0], [1.0, 10.0, 1.0], [10.0, 1.0, 1.0]] {
+            assert_eq!(usual(upright), Angles::usual(None), "{upright:?}");
         }
     }
 

@@ -43,7 +43,8 @@ impl Canvas {
 
     /// Lays another canvas over this one with its corner at (x, y); what does not fit is cut off.
     pub(crate) fn lay(&mut self, other: &Self, x: usize, y: usize) {
-        let width = other.width.min(self.width.saturating_sub(x));
+        let x = x.min(self.width);
+        let width = other.width.min(self.width - x);
         for row in 0..other.height.min(self.height.saturating_sub(y)) {
             let source = &other.pixels[row * other.width..][..width];
             for (below, &above) in self.row_mut(y + row)[x..x + width].iter_mut().zip(source) {

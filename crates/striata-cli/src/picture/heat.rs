@@ -2,7 +2,8 @@
 
 use striata::mesh::{IndexedMesh, MeshError, TriangleTree};
 
-use super::paint::{Colour, linear};
+use super::canvas::from_srgb;
+use super::paint::Colour;
 
 /// How far the vertices of a mesh are from another surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,13 +34,28 @@ impl Heat {
     /// The colours of the vertices, where `top` has the last one.
     pub(crate) fn colours(&self, top: f64) -> Vec<Colour> {
         let share = |distance: f64| if top > 0.0 { (distance / top).min(1.0) } else { 0.0 };
-        self.distances.iter().map(|&distance| colour_at(share(distance))).collect()
+        self.distances.iter().map(|&distance| bytes(colour_at(share(distance)))).collect()
     }
 }
 
-/// The colour of a share of the largest distance; it looks as much brighter as the distance is larger.
-pub(super) fn colour_at(share: f64) -> Colour {
-    linear(colorous::VIRIDIS.eval_continuous(share.clamp(0.0, 1.0)))
+/// The colour of a share of the largest distance, linear light: inferno backwards, so that what is near is pale and looks
+/// as much darker as the distance is larger; its darkest part would be lost among shadows.
+pub(super) fn colour_at(share: f64) -> [f32; 3] {
+    const DARKEST: f64 = 0.22;
+    // Between neighbours of the map, since its own bytes make steps in the dark.
+    let place = 255.0 * (1.0 - (1.0 - DARKEST) * share.clamp(0.0, 1.0));
+    let (below, above) = (place.floor(), place.ceil());
+    let [a, b] = [below, above].map(|at| {
+        let colour = colorous::INFERNO.eval_continuous(at / 255.0);
+        [colour.r, colour.g, colour.b].map(from_srgb)
+    });
+    let weight = (place - below) as f32;
+    [0, 1, 2].map(|k| a[k] + weight * (b[k] - a[k]))
+}
+
+fn bytes([r, g, b]: [f32; 3]) -> Colour {
+    let [r, g, b] = [r, g, b].map(|light| (255.0 * light + 0.5) as u8);
+    [r, g, b, 255]
 }
 
 #[cfg(test)]
@@ -51,33 +67,30 @@ mod tests {
     #[test]
     fn distances_are_those_from_the_surface() {
         let level = shapes::grid(1, 1);
+        let flat = level.positions[0];
+        let axis = (0..3).find(|&k| level.positions.iter().all(|p| p[k] == flat[k])).expect("it is flat");
+        let mut above: [f32; 3] = [0, 1, 2].map(|k| (level.positions[1][k] + level.positions[2][k]) / 2.0);
+        above[axis] += 0.25;
         let mut original = level.clone();
-        original.positions.push([0.5, 0.5, 0.25]);
-        original.positions.push([0.0, 0.0, 9.0]);
+        original.positions.extend([above, [0.0, 0.0, 9.0]]);
         original.triangles.push([0, 1, 4]);
-        let plane = level.positions[0];
-        original.positions[4] = [plane[0], plane[1], plane[2]];
-        original.positions[4] =
-            std::array::from_fn(|k| (level.positions[1][k] + level.positions[2][k]) / 2.0);
-        let flat = (0..3).find(|&k| level.positions.iter().all(|p| p[k] == plane[k])).expect("it is flat");
-        original.positions[4][flat] += 0.25;
         let heat = Heat::of(&original, &level).expect("sound meshes");
         assert!((heat.max - 0.25).abs() < 1e-6 && heat.distances[..4] == [0.0; 4], "{heat:?}");
         assert_eq!(heat.distances[5], 0.0, "no triangle uses it");
         let colours = heat.colours(heat.max);
-        assert_eq!((colours[0], colours[4]), (colour_at(0.0), colour_at(1.0)));
-        assert_eq!(heat.colours(0.0)[4], colour_at(0.0));
+        assert_eq!((colours[0], colours[4]), (bytes(colour_at(0.0)), bytes(colour_at(1.0))));
+        assert_eq!(heat.colours(0.0)[4], bytes(colour_at(0.0)));
     }
 
     #[test]
-    fn larger_distances_are_brighter() {
-        let light = |share: f64| {
-            let [r, g, b, _] = colour_at(share).map(f64::from);
+    fn larger_distances_are_darker_step_by_step() {
+        let light = |step: u32| {
+            let [r, g, b] = colour_at(f64::from(step) / 64.0);
             0.2126 * r + 0.7152 * g + 0.0722 * b
         };
-        for step in 1..=16 {
-            let (below, above) = (light(f64::from(step - 1) / 16.0), light(f64::from(step) / 16.0));
-            assert!(above > below, "{step}: {below} {above}");
+        assert!(light(0) > 0.9 && light(64) < 0.04, "{} {}", light(0), light(64));
+        for step in 0..64 {
+            assert!(light(step + 1) < light(step), "step {step}");
         }
     }
 }

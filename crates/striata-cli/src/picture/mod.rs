@@ -13,6 +13,8 @@ mod gpu;
 mod heat;
 mod normals;
 mod paint;
+#[cfg(feature = "serve")]
+mod portrait;
 mod raster;
 mod sheet;
 mod shot;
@@ -27,5 +29,7 @@ pub(crate) use gpu::GpuArtist;
 pub(crate) use heat::Heat;
 pub(crate) use normals::with_normals;
 pub(crate) use paint::{fan_colours, group_colours, strip_colours, triangle_colours};
+#[cfg(feature = "serve")]
+pub(crate) use portrait::{nobody, portrait};
 pub(crate) use sheet::{ColourBar, Panel, Sheet, Theme, significant};
 pub(crate) use shot::{Line, Paint, Shot};

@@ -56,7 +56,7 @@ pub(crate) fn group_colours(mesh: &IndexedMesh) -> Painted {
 }
 
 /// Linear light as bytes.
-pub(super) fn linear(colour: colorous::Color) -> Colour {
+fn linear(colour: colorous::Color) -> Colour {
     let [r, g, b] = [colour.r, colour.g, colour.b].map(|byte| (255.0 * from_srgb(byte) + 0.5) as u8);
     [r, g, b, 255]
 }

@@ -14,8 +14,16 @@ use super::{Canvas, Rgba};
 
 type Vec3 = [f32; 3];
 
-/// Draws a shot onto a canvas of its own; nothing stays see-through.
-pub(super) fn draw(shot: &Shot<'_>, camera: &Camera, width: usize, height: usize) -> Canvas {
+/// Each pixel of a picture is the mean of so many squared.
+const SHRINK: usize = 3;
+
+/// Draws a shot; where there is nothing one can see through it.
+pub(super) fn draw(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2]) -> Canvas {
+    let edges = shot.edge_opacity(camera, height);
+    draw_large(shot, camera, edges, [SHRINK * width, SHRINK * height]).shrunk(SHRINK)
+}
+
+fn draw_large(shot: &Shot<'_>, camera: &Camera, edges: f32, [width, height]: [usize; 2]) -> Canvas {
     let view = View::new(camera, width, height);
     let mut target =
         Target { canvas: Canvas::filled(width, height, [0.0; 4]), nearest: vec![0.0; width * height] };
@@ -27,7 +35,6 @@ pub(super) fn draw(shot: &Shot<'_>, camera: &Camera, width: usize, height: usize
         Paint::Surface => colours_of(shot.vertices),
         Paint::Triangles(_) => None,
     };
-    let edges = shot.edge_opacity(camera, height);
     for (index, corners) in shot.triangles.iter().enumerate() {
         let colours = match (&of_triangles, &of_vertices) {
             (Some(colours), _) => [colour(colours[index]); 3],
@@ -131,8 +138,9 @@ impl Target {
             return;
         }
         let normal = facing(screen);
-        // Pixels across the triangle from each side.
-        let heights = [(b, c), (c, a), (a, b)].map(|(p, q)| area.abs() / (p.x - q.x).hypot(p.y - q.y));
+        // Pixels across the triangle from each side, as a GPU tells them: by rows and columns.
+        let heights =
+            [(b, c), (c, a), (a, b)].map(|(p, q)| area.abs() / ((p.x - q.x).abs() + (p.y - q.y).abs()));
         let width = self.canvas.width;
         let columns = covered(a.x, b.x, c.x, width);
         for y in covered(a.y, b.y, c.y, self.canvas.height) {
@@ -171,7 +179,8 @@ impl Face {
         let normal = if dot32(normal, facing) < 0.0 { normal.map(|x| -x) } else { normal };
         let to_eye = unit32(mixed(&screen.map(|place| place.in_view)).map(|x| -x));
         let lit = lit(colour, normal, to_eye);
-        let line = self.edges * (1.0 - smooth_step(away * EDGE_SHARPNESS));
+        // As wide as on a GPU, whose pictures are twice as large.
+        let line = self.edges * (1.0 - smooth_step(2.0 / SHRINK as f32 * away - 0.5));
         let [r, g, b] = std::array::from_fn(|k| {
             let seen = colour[k] + self.light * (lit[k] - colour[k]);
             seen * (1.0 - line)
@@ -179,9 +188,6 @@ impl Face {
         [r, g, b, 1.0]
     }
 }
-
-/// Edges fade out over one pixel and a half, on a picture that is shrunk to a third.
-const EDGE_SHARPNESS: f32 = 0.45;
 
 fn smooth_step(x: f32) -> f32 {
     let x = x.clamp(0.0, 1.0);
@@ -243,7 +249,7 @@ mod tests {
             is_flat: true,
             lines: Vec::new(),
         };
-        draw(&shot, &CAMERA, 21, 21)
+        draw(&shot, &CAMERA, [21, 21])
     }
 
     #[test]

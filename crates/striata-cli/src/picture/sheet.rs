@@ -172,7 +172,7 @@ impl Sheet {
 
     /// Writes into the middle of a panel's width, smaller where there is too little room.
     fn write(&self, sheet: &mut Canvas, text: &str, (size, colour): (f32, Rgba), place: [f32; 2]) {
-        let room = 0.96 * self.panel_size()[0] as f32;
+        let room = 0.88 * self.panel_size()[0] as f32;
         let size = size * (room / width(text, size).max(1.0)).min(1.0);
         write(sheet, text, (size, colour), (place, Align::Middle));
     }
@@ -193,7 +193,7 @@ impl Sheet {
 
     /// Pixels of the letters at a bar.
     fn mark_size(&self) -> f32 {
-        (self.size[1] as f32 / 38.0).clamp(11.0, 26.0)
+        (self.size[1] as f32 / 30.0).min(self.size[0] as f32 / 60.0).clamp(11.0, 26.0)
     }
 
     fn bar_width(&self) -> usize {
@@ -211,7 +211,7 @@ impl Sheet {
         let (top, bottom) = (height * 22 / 100, height * 78 / 100);
         for y in top..bottom {
             let share = (bottom - 1 - y) as f64 / (bottom - 1 - top).max(1) as f64;
-            let [r, g, b, _] = colour_at(share).map(|byte| f32::from(byte) / 255.0);
+            let [r, g, b] = colour_at(share);
             for x in left..(left + thick).min(self.size[0]) {
                 sheet.row_mut(y)[x] = [r, g, b, 1.0];
             }
@@ -221,7 +221,7 @@ impl Sheet {
         let last = bar.marks.len().saturating_sub(1).max(1) as f32;
         for (number, mark) in bar.marks.iter().enumerate() {
             let y = bottom as f32 - number as f32 / last * (bottom - top) as f32;
-            let tick = y.clamp(top as f32, bottom as f32 - 1.0) as i64;
+            let tick = y.min(bottom as f32 - 1.0).max(top as f32) as i64;
             for dx in 0..(0.4 * size) as i64 {
                 sheet.tint([(left + thick) as i64 + dx, tick], theme.soft_ink, 1.0);
             }
@@ -255,7 +255,7 @@ mod tests {
             assert_eq!(at(x, y), colour, "panel {i}");
         }
         let inked = |rows: std::ops::Range<usize>| {
-            rows.flat_map(|y| (0..400).map(move |x| (x, y))).filter(|&(x, y)| at(x, y)[0] > 0.3).count()
+            rows.flat_map(|y| (0..400).map(move |x| (x, y))).filter(|&(x, y)| at(x, y)[0] > 0.15).count()
         };
         assert!(inked(0..head) > 20, "no titles");
         assert!(inked(head + 2 * size[1]..300) > 20, "no captions");
@@ -270,7 +270,10 @@ mod tests {
         let [width, _] = sheet.panel_size();
         assert!(width < 260);
         let canvas = sheet.assemble(&[panel(sheet.panel_size(), [0.0; 4])], &Theme::DARK);
-        let colour = |share: f64| colour_at(share).map(|byte| f32::from(byte) / 255.0);
+        let colour = |share: f64| {
+            let [r, g, b] = colour_at(share);
+            [r, g, b, 1.0]
+        };
         let at = |y: usize| canvas.pixels()[y * 300 + 300 - sheet.bar_width() + 2];
         assert_eq!((at(44), at(155)), (colour(1.0), colour(0.0)));
         assert_eq!(at(43), Theme::DARK.background);

@@ -29,6 +29,10 @@ fn every_verb_ends_with_two_examples() {
         "convert",
         "encode",
         "decode",
+        "serve",
+        "thumbnail",
+        "render",
+        "view",
         "demo",
         "completions",
     ] {

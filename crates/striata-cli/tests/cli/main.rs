@@ -1,5 +1,7 @@
 //! The command as its users meet it: run in a folder of its own, judged by what it prints and leaves.
 
+#[cfg(feature = "gpu")]
+mod bench_gpu;
 mod compare;
 mod compare_models;
 mod compare_patterns;
@@ -8,8 +10,17 @@ mod help;
 mod orders;
 mod patterns;
 mod refusals;
+#[cfg(feature = "gpu")]
+mod render;
+#[cfg(all(unix, feature = "serve"))]
+mod serve;
+#[cfg(all(unix, feature = "serve"))]
+mod serve_client;
+#[cfg(all(unix, feature = "serve"))]
+mod serve_load;
 mod streams;
 mod strip_blocks;
 mod strips;
 mod verbs;
+mod view;
 mod workbench;

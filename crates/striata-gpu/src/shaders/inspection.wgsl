@@ -27,7 +27,8 @@ fn vertex(@builtin(vertex_index) number: u32) -> Corner {
         out.colour = unpack4x8unorm(colours[v]).rgb;
     }
     if scene.flags.w == 1u {
-        out.colour = unpack4x8unorm(triangle_colours[number / 3u]).rgb;
+        let own = unpack4x8unorm(triangle_colours[number / 3u]);
+        out.colour = mix(out.colour, own.rgb, own.a);
     }
     let corner = number % 3u;
     out.weights = vec3(f32(corner == 0u), f32(corner == 1u), f32(corner == 2u));

@@ -164,7 +164,7 @@ pub struct SectionInfo {
     pub bytes: u64,
     /// True where a reader that does not know the kind must refuse the file.
     pub is_required: bool,
-    checksum: u32,
+    pub(super) checksum: u32,
 }
 
 /// When checksums of sections are compared.
@@ -216,32 +216,12 @@ pub(super) fn header_checksum(head: &[u8]) -> u32 {
 
 impl<'a> Container<'a> {
     pub(super) fn parse(bytes: &'a [u8], verify: Verify, ending: Ending) -> Result<Self, DecodeError> {
-        if !bytes.starts_with(&MAGIC) {
-            return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
-        }
         let found = bytes.len() as u64;
-        if bytes.len() < HEADER_BYTES {
-            return Err(DecodeError::FileLength { found, expected: HEADER_BYTES as u64 });
-        }
-        let version = u32_at(bytes, 8);
-        if version != VERSION {
-            return Err(DecodeError::Version { found: version, supported: VERSION });
-        }
-        let length = u64_at(bytes, 16);
+        let (length, head_bytes) = read_header(bytes)?;
         if found != length && (ending == Ending::Whole || found > length) {
             return Err(DecodeError::FileLength { found, expected: length });
         }
-        let count = u32_at(bytes, 12) as usize;
-        let head_bytes = HEADER_BYTES + ENTRY_BYTES * count.min(MAX_SECTIONS + 1);
-        if count > MAX_SECTIONS || head_bytes > bytes.len() {
-            return Err(DecodeError::FileLength { found, expected: head_bytes as u64 });
-        }
-        let head = &bytes[..head_bytes];
-        let (checksum, expected) = (header_checksum(head), u32_at(head, 24));
-        if checksum != expected {
-            return Err(DecodeError::HeaderChecksum { found: checksum, expected });
-        }
-        let sections = read_table(head, length)?;
+        let sections = read_sections(bytes, head_bytes, length)?;
         if found < length {
             // All but the stream has to be there.
             let stream = sections.last().filter(|last| last.kind == SectionKind::STREAM);
@@ -330,6 +310,44 @@ pub(super) fn numbers<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(
         Ok(slice) => Cow::Borrowed(slice),
         Err(_) => bytes.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned).collect(),
     })
+}
+
+/// The length of the file as its header says, and the bytes of header and table.
+pub(super) fn read_header(bytes: &[u8]) -> Result<(u64, usize), DecodeError> {
+    if !bytes.starts_with(&MAGIC) {
+        return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
+    }
+    let found = bytes.len() as u64;
+    if bytes.len() < HEADER_BYTES {
+        return Err(DecodeError::FileLength { found, expected: HEADER_BYTES as u64 });
+    }
+    let version = u32_at(bytes, 8);
+    if version != VERSION {
+        return Err(DecodeError::Version { found: version, supported: VERSION });
+    }
+    let length = u64_at(bytes, 16);
+    let count = u32_at(bytes, 12) as usize;
+    let head_bytes = HEADER_BYTES + ENTRY_BYTES * count.min(MAX_SECTIONS + 1);
+    if count > MAX_SECTIONS || head_bytes as u64 > length {
+        return Err(DecodeError::FileLength { found: length, expected: head_bytes as u64 });
+    }
+    Ok((length, head_bytes))
+}
+
+/// The table that follows the header, checked against its checksum and the file's length.
+pub(super) fn read_sections(
+    bytes: &[u8],
+    head_bytes: usize,
+    file_length: u64,
+) -> Result<Vec<SectionInfo>, DecodeError> {
+    let found = bytes.len() as u64;
+    let head =
+        bytes.get(..head_bytes).ok_or(DecodeError::FileLength { found, expected: head_bytes as u64 })?;
+    let (checksum, expected) = (header_checksum(head), u32_at(head, 24));
+    if checksum != expected {
+        return Err(DecodeError::HeaderChecksum { found: checksum, expected });
+    }
+    read_table(head, file_length)
 }
 
 fn read_table(head: &[u8], file_length: u64) -> Result<Vec<SectionInfo>, DecodeError> {

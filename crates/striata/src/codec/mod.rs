@@ -8,6 +8,7 @@ mod byte_reader;
 mod container;
 mod entropy;
 mod error;
+mod file_head;
 mod mesh_sections;
 pub mod progressive;
 mod reader;
@@ -16,6 +17,7 @@ mod writer;
 
 pub use container::{SectionInfo, SectionKind, VERSION as FORMAT_VERSION, Verify};
 pub use error::{DecodeError, EncodeError};
+pub use file_head::FileHead;
 pub use reader::StriataFile;
 pub use summary::Summary;
 pub use writer::{FileModel, WriteOptions, to_striata, write_fragments, write_striata};

@@ -9,7 +9,7 @@ mod source;
 use std::path::Path;
 use std::time::Instant;
 
-use striata_gpu::GpuOptions;
+use striata_gpu::{GpuError, GpuOptions};
 use striata_io::write_atomically;
 
 use crate::args::{Background, RenderArgs, Viewport};
@@ -39,7 +39,13 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("read");
     let input = Input::open(&args.input)?;
     let options = GpuOptions::default().with_fallback(args.software).with_adapter_name(args.adapter.clone());
-    let mut artist = Artist::Gpu(Box::new(GpuArtist::open(&options)?));
+    let artist = GpuArtist::open(&options).map_err(|error| match (&error, &args.adapter) {
+        (GpuError::NoAdapter { .. }, Some(_)) => {
+            Failure::user(error.to_string()).with_hint("name another, or leave --adapter out")
+        }
+        _ => error.into(),
+    });
+    let mut artist = Artist::Gpu(Box::new(artist?));
     let source = Source::read(args, &input, output, &mut bar)?;
     let figures = figures(args, &source, &input)?;
     bar.phase("draw");

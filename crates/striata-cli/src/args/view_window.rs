@@ -1,0 +1,109 @@
+//! The arguments of `view`: the files, the window, and what is shown first.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use super::{Colouring, Viewport, parse_detail};
+
+/// Arguments of `view`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    striata view bunny.striata\n  \
+    striata view scan.ply --pixels 1 --colours fans --screenshot scan.png")]
+pub(crate) struct WindowArgs {
+    /// Meshes, .striata files or streams; more can be dropped on the window
+    #[arg(value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+    /// Size of the window, pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x800")]
+    size: Viewport,
+    /// Dark or light [default: as the system]
+    #[arg(long, value_name = "THEME")]
+    pub(crate) theme: Option<ThemeArg>,
+    /// Save what the window shows once it shows the model, and close it
+    #[arg(long, value_name = "OUT.png")]
+    pub(crate) screenshot: Option<PathBuf>,
+    /// Show one file in the web viewer instead, until the command is ended
+    #[cfg(feature = "serve")]
+    #[arg(long, conflicts_with_all = ["size", "theme", "screenshot", "FirstArgs"])]
+    pub(crate) browser: bool,
+    /// What is shown first.
+    #[command(flatten)]
+    pub(crate) first: FirstArgs,
+}
+
+/// What is shown first; all of it can be changed in the window.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "Shown first")]
+pub(crate) struct FirstArgs {
+    /// Which model makes the triangles; one that the file lacks is built
+    #[arg(long, value_name = "NAME")]
+    pub(crate) model: Option<ShownModelArg>,
+    /// Share of the way from the base mesh (0) to the full mesh (1)
+    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, group = "first_level")]
+    pub(crate) detail: Option<f64>,
+    /// At most so many triangles, the same detail everywhere
+    #[arg(long, value_name = "N", allow_negative_numbers = true, group = "first_level")]
+    pub(crate) triangles: Option<usize>,
+    /// As fine as the screen asks for: errors of no more pixels
+    #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = parse_pixels, group = "first_level")]
+    pub(crate) pixels: Option<f64>,
+    /// At most so many triangles, those that the view shows best
+    #[arg(long, value_name = "N", allow_negative_numbers = true, group = "first_level")]
+    pub(crate) budget: Option<usize>,
+    /// Colours of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups
+    #[arg(long, value_name = "NAME", default_value = "surface", hide_possible_values = true)]
+    pub(crate) colours: Colouring,
+    /// Draw the edges
+    #[arg(long)]
+    pub(crate) wireframe: bool,
+    /// Light each triangle by its own normal
+    #[arg(long)]
+    pub(crate) flat: bool,
+    /// The model's z axis is up, not y
+    #[arg(long)]
+    pub(crate) z_up: bool,
+}
+
+/// Dark or light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ThemeArg {
+    /// Light on dark
+    Dark,
+    /// Dark on light
+    Light,
+}
+
+/// Models that the window shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ShownModelArg {
+    /// Strips edited in place
+    #[value(name = "lodstrips")]
+    LodStrips,
+    /// Strips walked anew
+    Mts,
+    /// Fans, which follow the view
+    Fans,
+    /// Fans, extracted in a compute shader
+    #[value(name = "fans-gpu")]
+    FansGpu,
+    /// Fragments, which follow the view
+    Patterns,
+    /// A list of triangles
+    List,
+}
+
+impl WindowArgs {
+    /// Size of the window, pixels.
+    pub(crate) fn size(&self) -> [u32; 2] {
+        self.size.0
+    }
+}
+
+fn parse_pixels(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(pixels) if (0.01..=10_000.0).contains(&pixels) => Ok(pixels),
+        _ => Err("must be a number of pixels from 0.01 to 10000".to_owned()),
+    }
+}

@@ -1,0 +1,102 @@
+//! The viewer's own files, compressed once when the server starts.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
+
+use async_compression::Level;
+use async_compression::tokio::write::{BrotliEncoder, GzipEncoder};
+use axum::body::Bytes;
+use axum::extract::State;
+use axum::http::header::{CONTENT_ENCODING, CONTENT_TYPE};
+use axum::http::{HeaderMap, HeaderValue, Uri};
+use axum::response::{IntoResponse, Response};
+use tokio::io::{AsyncWrite, AsyncWriteExt};
+
+use super::Site;
+use super::files::not_found;
+use super::kinds::page_type;
+use super::validators::{Coding, Validators};
+use crate::viewer_page::ViewerFiles;
+
+/// Smaller files are sent as they are.
+const PACKED_FROM: usize = 1024;
+/// Bytes that are compressed between two looks at what else there is to do.
+const PIECE_BYTES: usize = 32 * 1024;
+
+/// The viewer's files by name.
+#[derive(Debug)]
+pub(super) struct Assets(BTreeMap<String, Arc<Asset>>);
+
+#[derive(Debug)]
+struct Asset {
+    bytes: Bytes,
+    tag: String,
+    content_type: &'static str,
+    gzip: OnceLock<Bytes>,
+    brotli: OnceLock<Bytes>,
+}
+
+impl Assets {
+    /// Takes the files that are built in, and begins to compress them; until that is done they go out as they are.
+    pub(super) fn load() -> Self {
+        let files = ViewerFiles::iter().filter_map(|name| Some((name.to_string(), ViewerFiles::get(&name)?)));
+        let assets = files.map(|(name, file)| {
+            let hash = file.metadata.sha256_hash();
+            let asset = Arc::new(Asset {
+                tag: hash[..12].iter().map(|byte| format!("{byte:02x}")).collect(),
+                bytes: Bytes::from(file.data.into_owned()),
+                content_type: page_type(&name),
+                gzip: OnceLock::new(),
+                brotli: OnceLock::new(),
+            });
+            if asset.bytes.len() >= PACKED_FROM && !asset.content_type.starts_with("image/png") {
+                tokio::spawn(pack(asset.clone()));
+            }
+            (name, asset)
+        });
+        Self(assets.collect())
+    }
+}
+
+/// Answers for everything that is no model.
+pub(super) async fn answer(State(site): State<Arc<Site>>, uri: Uri, request: HeaderMap) -> Response {
+    let name = uri.path().trim_start_matches('/');
+    let name = if name.is_empty() { "index.html" } else { name };
+    let Some(asset) = site.assets.0.get(name) else { return not_found() };
+    let ready = [(Coding::Brotli, asset.brotli.get()), (Coding::Gzip, asset.gzip.get())];
+    let offers: Vec<Coding> = ready.iter().filter(|(_, b)| b.is_some()).map(|&(coding, _)| coding).collect();
+    let coding = Coding::chosen(&request, &offers);
+    let validators = Validators::new(&asset.tag, coding, None);
+    if let Some(response) = validators.not_modified(&request) {
+        return response;
+    }
+    let packed = ready.into_iter().find(|&(known, _)| known == coding).and_then(|(_, bytes)| bytes);
+    let mut response = packed.unwrap_or(&asset.bytes).clone().into_response();
+    validators.apply(&mut response);
+    let headers = response.headers_mut();
+    headers.insert(CONTENT_TYPE, HeaderValue::from_static(asset.content_type));
+    if let Some(coding) = coding.name() {
+        headers.insert(CONTENT_ENCODING, HeaderValue::from_static(coding));
+    }
+    response
+}
+
+/// Without one of them, clients get another.
+async fn pack(asset: Arc<Asset>) {
+    let mut gzip = GzipEncoder::with_quality(Vec::new(), Level::Precise(9));
+    if written(&mut gzip, &asset.bytes).await.is_ok() {
+        let _ = asset.gzip.set(gzip.into_inner().into());
+    }
+    let mut brotli = BrotliEncoder::with_quality(Vec::new(), Level::Precise(9));
+    if written(&mut brotli, &asset.bytes).await.is_ok() {
+        let _ = asset.brotli.set(brotli.into_inner().into());
+    }
+}
+
+async fn written(encoder: &mut (impl AsyncWrite + Unpin), bytes: &[u8]) -> std::io::Result<()> {
+    for piece in bytes.chunks(PIECE_BYTES) {
+        encoder.write_all(piece).await?;
+        tokio::task::yield_now().await;
+    }
+    encoder.shutdown().await
+}

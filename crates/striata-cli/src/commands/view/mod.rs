@@ -1,0 +1,126 @@
+//! `view`: a window with a mesh at any level, by any model, from anywhere.
+//!
+//! [`viewer`] is all of it but the window: what is loaded, what is wanted, and when the picture has to be drawn again. A model's
+//! triangles come from [`shown`] and go to the GPU by [`stage`]; [`app`] turns a window's events into frames. Nothing is drawn
+//! while nothing changes.
+
+mod app;
+mod frustum;
+mod help;
+mod loader;
+mod orbit;
+mod panel;
+mod plots;
+mod screen;
+mod screenshot;
+mod shown;
+mod stage;
+mod state;
+mod subject;
+mod viewer;
+
+#[cfg(feature = "serve")]
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use winit::event_loop::EventLoop;
+
+use self::app::{App, Wake, WindowPlan};
+use self::orbit::Up;
+use self::state::{Colours, GoalKind, ModelKind, ViewerState};
+use self::viewer::Viewer;
+#[cfg(feature = "serve")]
+use super::serve;
+use crate::args::{Colouring, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::output::Output;
+
+/// Opens the window, and closes it when the user does.
+///
+/// # Errors
+/// Where there is no display or no device, a file is not there, or the screenshot cannot be made.
+pub(crate) fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
+    args.files.iter().try_for_each(|path| Input::expect_there(path))?;
+    #[cfg(feature = "serve")]
+    if args.browser {
+        return show_in_browser(&args.files, output);
+    }
+    let event_loop = EventLoop::<Wake>::with_user_event().build().map_err(|error| no_display(&error))?;
+    let proxy = event_loop.create_proxy();
+    // A window that is closed hears nothing any more.
+    let waker = Arc::new(move || {
+        let _ = proxy.send_event(Wake);
+    });
+    let mut viewer = Viewer::new(args.files.clone(), first_state(&args.first), (*output, waker));
+    if args.first.z_up {
+        viewer.orbit.set_up(Up::Z);
+    }
+    let theme = args.theme.map(|theme| match theme {
+        ThemeArg::Dark => egui::Theme::Dark,
+        ThemeArg::Light => egui::Theme::Light,
+    });
+    let plan = WindowPlan { size: args.size(), theme, screenshot: args.screenshot.clone() };
+    let mut app = App::new(viewer, plan, *output);
+    event_loop.run_app(&mut app).map_err(|error| no_display(&error))?;
+    app.into_result()
+}
+
+/// What the command line wants to see first; a view is followed by a model that can.
+fn first_state(args: &FirstArgs) -> ViewerState {
+    let mut state = ViewerState::default();
+    if let Some(model) = args.model {
+        state.model = match model {
+            ShownModelArg::LodStrips => ModelKind::LodStrips,
+            ShownModelArg::Mts => ModelKind::Mts,
+            ShownModelArg::Fans => ModelKind::Fans,
+            ShownModelArg::FansGpu => ModelKind::FansGpu,
+            ShownModelArg::Patterns => ModelKind::Patterns,
+            ShownModelArg::List => ModelKind::List,
+        };
+    }
+    let goal = if let Some(triangles) = args.triangles {
+        state.triangles = Some(triangles);
+        GoalKind::Triangles
+    } else if let Some(pixels) = args.pixels {
+        state.pixels = pixels as f32;
+        GoalKind::Pixels
+    } else if let Some(budget) = args.budget {
+        state.budget = Some(budget);
+        GoalKind::Budget
+    } else {
+        state.detail = args.detail.unwrap_or(state.detail);
+        GoalKind::Detail
+    };
+    match args.model {
+        Some(_) => state.goal = goal,
+        None => state.set_goal(goal, true),
+    }
+    state.colours = match args.colours {
+        Colouring::Surface => Colours::Surface,
+        Colouring::Strips | Colouring::Fans => Colours::Pieces,
+        Colouring::Triangles => Colours::Triangles,
+        Colouring::Groups => Colours::Groups,
+    };
+    (state.wireframe, state.is_flat) = (args.wireframe, args.flat);
+    state
+}
+
+/// Serves one file to this machine, and opens the browser.
+///
+/// # Errors
+/// Where there is not one file, or it cannot be served.
+#[cfg(feature = "serve")]
+fn show_in_browser(files: &[PathBuf], output: &Output) -> Result<(), Failure> {
+    let [file] = files else {
+        let message = format!("--browser shows one file, and {} are named", files.len());
+        return Err(Failure::user(message).with_hint("`striata serve FOLDER` shows all of a folder"));
+    };
+    serve::serve_one(file, &serve::Options::for_browser(), output)
+}
+
+fn no_display(error: &winit::error::EventLoopError) -> Failure {
+    Failure::user(format!("there is no display to open a window on: {error}")).with_hint(
+        "`striata render` draws a picture without one; `striata view --browser` needs only a browser",
+    )
+}

@@ -1,0 +1,332 @@
+//! What is around the picture: the panel with facts and choices, progress, and what went wrong.
+
+use std::ops::RangeInclusive;
+
+use egui::{Align, Color32, Grid, Layout, RichText, Slider, TextureId, ThemePreference, Ui};
+
+use super::loader::Task;
+use super::orbit::Up;
+use super::state::{Background, Colours, GoalKind, ModelKind};
+use super::subject::Subject;
+use super::viewer::{Place, Viewer};
+use super::{frustum, help, plots};
+use crate::output::{grouped, measured, sized};
+
+/// Width of the panel, points.
+const WIDTH: f32 = 300.0;
+
+/// Shows everything; `picture` is drawn afterwards, where [`Place`] says.
+pub(super) fn show(viewer: &mut Viewer, ui: &mut Ui, picture: Option<TextureId>) {
+    viewer.hear(ui.ctx());
+    if viewer.state.shows_panel {
+        egui::Panel::right("panel").default_size(WIDTH).size_range(220.0..=480.0).show(ui, |ui| {
+            egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| sections(viewer, ui));
+        });
+    }
+    egui::CentralPanel::no_frame().show(ui, |ui| middle(viewer, ui, picture));
+    if viewer.state.shows_help {
+        viewer.state.shows_help = help::show(ui.ctx());
+    }
+}
+
+/// The picture, and what is said over it.
+fn middle(viewer: &mut Viewer, ui: &mut Ui, picture: Option<TextureId>) {
+    let rect = ui.available_rect_before_wrap();
+    let response = ui.allocate_rect(rect, egui::Sense::click_and_drag());
+    viewer.touch(ui, &response);
+    let pixels_per_point = ui.ctx().pixels_per_point();
+    let pixels = |points: f32| (points * pixels_per_point).round().clamp(0.0, 16_384.0) as u32;
+    viewer.place = Place {
+        rect,
+        size: [pixels(rect.width()), pixels(rect.height())],
+        pixels_per_point,
+        is_dark: ui.visuals().dark_mode,
+    };
+    if let Some(picture) = picture {
+        let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+        ui.painter().image(picture, rect, whole, Color32::WHITE);
+    }
+    if let Some(frozen) = &viewer.state.frozen {
+        frustum::draw(&ui.painter_at(rect), rect, &viewer.orbit.viewpoint(), frozen);
+    }
+    let is_dragged_over = ui.input(|input| !input.raw.hovered_files.is_empty());
+    if is_dragged_over || (viewer.subject().is_none() && viewer.work().is_none()) {
+        let text = "Drop a mesh or a .striata file here";
+        let (center, font) = (rect.center(), egui::FontId::proportional(20.0));
+        ui.painter().text(center, egui::Align2::CENTER_CENTER, text, font, ui.visuals().weak_text_color());
+    }
+    notes(viewer, ui);
+}
+
+/// Progress and trouble, at the upper edge of the picture.
+fn notes(viewer: &mut Viewer, ui: &Ui) {
+    let area = |name: &str, from_top: f32| {
+        egui::Area::new(egui::Id::unique(name)).constrain_to(viewer.place.rect).anchor(
+            egui::Align2::LEFT_TOP,
+            [viewer.place.rect.left() + 12.0, viewer.place.rect.top() + from_top],
+        )
+    };
+    let mut from_top = 12.0;
+    if let Some((task, stage)) = viewer.work() {
+        let what = match task {
+            Task::Open(path, _) => {
+                path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+            }
+            Task::Build(_, kind) => kind.title().to_owned(),
+        };
+        area("progress", from_top).show(ui.ctx(), |ui| {
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.set_width(260.0);
+                ui.label(format!("{what}: {}", stage.phase));
+                match stage.share {
+                    Some(share) => ui.add(egui::ProgressBar::new(share).show_percentage()),
+                    None => ui.add(egui::ProgressBar::new(0.0).animate(true)),
+                };
+            });
+        });
+        from_top += 70.0;
+    }
+    let mut is_read = false;
+    if let Some(trouble) = &viewer.trouble {
+        area("trouble", from_top).show(ui.ctx(), |ui| {
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.set_max_width(420.0);
+                ui.colored_label(ui.visuals().error_fg_color, trouble.message());
+                if let Some(hint) = trouble.hint() {
+                    ui.label(RichText::new(format!("Hint: {hint}")));
+                }
+                is_read = ui.button("Close").clicked();
+            });
+        });
+    }
+    if is_read {
+        viewer.trouble = None;
+    }
+}
+
+fn sections(viewer: &mut Viewer, ui: &mut Ui) {
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.spacing_mut().button_padding.x = 6.0;
+    ui.spacing_mut().interact_size.y = 17.0;
+    ui.add_space(4.0);
+    facts(viewer, ui);
+    if viewer.files.len() > 1 {
+        section(ui, "Files");
+        let mut chosen = None;
+        for (number, path) in viewer.files.iter().enumerate() {
+            let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+            if ui.selectable_label(viewer.file == Some(number), name).clicked() {
+                chosen = Some(number);
+            }
+        }
+        chosen.into_iter().for_each(|number| viewer.choose(number));
+    }
+    section(ui, "Level");
+    level(viewer, ui);
+    section(ui, "Model");
+    model(viewer, ui);
+    section(ui, "Look");
+    look(viewer, ui);
+    ui.add_space(4.0);
+    ui.separator();
+    ui.checkbox(&mut viewer.state.shows_plots, RichText::new("Frames").strong());
+    if viewer.state.shows_plots {
+        plots::show(ui, &viewer.history);
+    }
+    ui.add_space(8.0);
+    ui.horizontal(|ui| {
+        let mut theme = ui.options(|options| options.theme_preference);
+        ui.selectable_value(&mut theme, ThemePreference::System, "System");
+        ui.selectable_value(&mut theme, ThemePreference::Light, "Light");
+        ui.selectable_value(&mut theme, ThemePreference::Dark, "Dark");
+        ui.ctx().set_theme(theme);
+        if ui.button("Keys").clicked() {
+            viewer.state.shows_help ^= true;
+        }
+    });
+    ui.label(RichText::new(&viewer.adapter).small().weak());
+}
+
+fn section(ui: &mut Ui, title: &str) {
+    ui.add_space(4.0);
+    ui.separator();
+    ui.label(RichText::new(title).strong());
+}
+
+/// What is known of the model.
+fn facts(viewer: &Viewer, ui: &mut Ui) {
+    let Some(subject) = viewer.subject() else {
+        ui.heading("striata");
+        ui.weak("no model yet");
+        return;
+    };
+    ui.heading(&subject.name);
+    let (mesh, levels) = (subject.steps.mesh(), subject.steps.levels());
+    Grid::new("facts").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
+        let mut row = |name: &str, value: String| {
+            ui.weak(name);
+            ui.label(value);
+            ui.end_row();
+        };
+        row(
+            "file",
+            match subject.file_bytes {
+                Some(bytes) => format!("{}, {}", subject.kind, sized(bytes)),
+                None => subject.kind.to_owned(),
+            },
+        );
+        row("triangles", format!("{}, base {}", grouped(mesh.triangle_count()), levels.triangle_count_at(0)));
+        row("vertices", grouped(mesh.vertex_count()));
+        if mesh.groups.len() > 1 {
+            row("groups", grouped(mesh.groups.len()));
+        }
+        row("diagonal", measured(subject.bounds.diagonal()));
+        row("largest error", measured(levels.error_at(0).into()));
+    });
+}
+
+/// By what the level is chosen, and what it came to.
+fn level(viewer: &mut Viewer, ui: &mut Ui) {
+    let Some(subject) = viewer.subject().cloned() else { return };
+    let kinds = [
+        (GoalKind::Detail, "Detail", "Share of the way from the base to the full mesh"),
+        (GoalKind::Triangles, "Triangles", "The same detail everywhere"),
+        (
+            GoalKind::Pixels,
+            "Pixels",
+            "Errors of no more pixels; fans and patterns refine where they are seen",
+        ),
+        (GoalKind::Budget, "Budget", "The triangles that this view shows best"),
+    ];
+    ui.horizontal(|ui| {
+        for (kind, name, note) in kinds {
+            if ui.selectable_label(viewer.state.goal == kind, name).on_hover_text(note).clicked() {
+                viewer.state.set_goal(kind, subject.has_collapses());
+            }
+        }
+    });
+    let levels = subject.steps.levels();
+    let triangles = levels.triangle_count_at(0).max(1)..=subject.steps.mesh().triangle_count().max(2);
+    ui.spacing_mut().slider_width = (ui.available_width() - 84.0).max(60.0);
+    let state = &mut viewer.state;
+    match state.goal {
+        GoalKind::Detail => {
+            let slider = Slider::new(&mut state.detail, 0.0..=1.0).logarithmic(true).smallest_positive(1e-3);
+            ui.add(slider.max_decimals(4))
+        }
+        GoalKind::Triangles => count_slider(ui, &mut state.triangles, triangles),
+        GoalKind::Budget => count_slider(ui, &mut state.budget, triangles),
+        GoalKind::Pixels => ui
+            .add(Slider::new(&mut state.pixels, 0.1..=100.0).logarithmic(true).suffix(" px").max_decimals(2)),
+    };
+    let (error_px, shown) = (viewer.error_px(), viewer.shown());
+    let Some(achieved) = shown.map(|shown| *shown.achieved()) else { return };
+    Grid::new("achieved").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
+        let mut row = |name: &str, value: String| {
+            ui.weak(name);
+            ui.label(RichText::new(value).monospace());
+            ui.end_row();
+        };
+        let share =
+            100.0 * achieved.triangle_count as f64 / subject.steps.mesh().triangle_count().max(1) as f64;
+        row("triangles", format!("{} ({share:.1}%)", grouped(achieved.triangle_count)));
+        row("splits", format!("{} of {}", grouped(achieved.split_count), grouped(levels.step_count())));
+        row("error", measured(achieved.error.into()));
+        row(
+            "on screen",
+            match error_px {
+                Some(pixels) => format!("{pixels:.2} px"),
+                None => "–".to_owned(),
+            },
+        );
+    });
+}
+
+fn count_slider(ui: &mut Ui, count: &mut Option<usize>, range: RangeInclusive<usize>) -> egui::Response {
+    let mut value = count.unwrap_or(*range.end());
+    let response = ui.add(Slider::new(&mut value, range).logarithmic(true));
+    *count = Some(value);
+    response
+}
+
+/// Which model makes the triangles.
+fn model(viewer: &mut Viewer, ui: &mut Ui) {
+    let has_collapses = viewer.subject().is_none_or(|subject| subject.has_collapses());
+    let stored = |subject: &std::sync::Arc<Subject>, kind| subject.stored.contains(&kind);
+    ui.horizontal_wrapped(|ui| {
+        for kind in ModelKind::ALL {
+            let is_usable = has_collapses || matches!(kind, ModelKind::List | ModelKind::Patterns);
+            let is_stored = viewer.subject().is_some_and(|subject| stored(subject, kind));
+            let origin = if is_stored { " (in the file)" } else { "" };
+            let label = egui::Button::selectable(viewer.state.model == kind, kind.title());
+            let response = ui.add_enabled(is_usable, label);
+            if response.on_hover_text(format!("{}{origin}", kind.note())).clicked() {
+                viewer.state.model = kind;
+            }
+        }
+    });
+    ui.label(RichText::new(viewer.state.model.note()).small().weak());
+    let can_morph = viewer.state.model.can_morph();
+    ui.add_enabled(can_morph, egui::Checkbox::new(&mut viewer.state.morphs, "Geomorphs"))
+        .on_disabled_hover_text("Fans know how")
+        .on_hover_text(
+            "Vertices slide to where they belong instead of jumping; not with edges or colours of triangles",
+        );
+    let mut is_frozen = viewer.state.frozen.is_some();
+    let hover = "Keep the level of this view, and look at it from elsewhere";
+    if ui.checkbox(&mut is_frozen, "Freeze the level").on_hover_text(hover).clicked() {
+        viewer.state.freeze(viewer.orbit.viewpoint(), viewer.place.size);
+    }
+}
+
+/// How the surface is shown.
+fn look(viewer: &mut Viewer, ui: &mut Ui) {
+    let state = &mut viewer.state;
+    let pieces = state.model.pieces();
+    ui.horizontal_wrapped(|ui| {
+        let shown = state.colours_shown();
+        let mut choice = |ui: &mut Ui, colours, name: &str, is_enabled| {
+            let button = egui::Button::selectable(shown == colours, name);
+            if ui.add_enabled(is_enabled, button).clicked() {
+                state.colours = colours;
+            }
+        };
+        choice(ui, Colours::Surface, "Surface", true);
+        choice(ui, Colours::Pieces, pieces.unwrap_or("Strips"), pieces.is_some());
+        choice(ui, Colours::Triangles, "Triangles", true);
+        choice(ui, Colours::Groups, "Groups", true);
+    });
+    Grid::new("look").num_columns(2).spacing([16.0, 4.0]).show(ui, |ui| {
+        ui.checkbox(&mut state.wireframe, "Wireframe");
+        ui.checkbox(&mut state.is_flat, "Flat");
+        ui.end_row();
+        ui.checkbox(&mut state.hides_back, "Hide back sides");
+        ui.checkbox(&mut state.shows_vertex_colours, "Own colours");
+        ui.end_row();
+        ui.checkbox(&mut state.turns, "Turn");
+        let mut is_z_up = viewer.orbit.up() == Up::Z;
+        if ui.checkbox(&mut is_z_up, "z is up").clicked() {
+            viewer.orbit.set_up(if is_z_up { Up::Z } else { Up::Y });
+        }
+        ui.end_row();
+    });
+    ui.horizontal(|ui| {
+        ui.label("Background");
+        let is_own = matches!(state.background, Background::Own(_));
+        if ui.selectable_label(!is_own, "Theme").clicked() {
+            state.background = Background::Theme;
+        }
+        let mut colour = match state.background {
+            Background::Own(colour) => colour,
+            Background::Theme => [0.2, 0.25, 0.3],
+        };
+        if ui.color_edit_button_rgb(&mut colour).changed() {
+            state.background = Background::Own(colour);
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.button("Reset view").clicked() {
+                viewer.orbit.reset();
+            }
+        });
+    });
+}

@@ -1,0 +1,201 @@
+//! The window's surface: found a device for, resized, lost and found again, painted with what the user interface holds.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use egui::{ClippedPrimitive, TexturesDelta};
+use egui_wgpu::{Renderer, RendererOptions, ScreenDescriptor};
+use striata_gpu::{Gpu, Picture, wgpu};
+use winit::event_loop::ActiveEventLoop;
+use winit::window::Window;
+
+use crate::failure::Failure;
+
+/// A window that can be painted.
+pub(super) struct Screen {
+    pub(super) window: Arc<Window>,
+    pub(super) gpu: Gpu,
+    pub(super) renderer: Renderer,
+    instance: wgpu::Instance,
+    surface: wgpu::Surface<'static>,
+    config: wgpu::SurfaceConfiguration,
+    /// What the device reported beside results.
+    reported: Arc<Mutex<Option<String>>>,
+}
+
+/// What is painted.
+pub(super) struct Paint {
+    pub(super) primitives: Vec<ClippedPrimitive>,
+    pub(super) textures: TexturesDelta,
+    pub(super) pixels_per_point: f32,
+}
+
+/// What became of a frame.
+#[derive(Debug)]
+pub(super) enum Painted {
+    /// It is on the screen; and here, where it was asked for.
+    Shown(Option<Picture>),
+    /// There is nothing to be seen of the window; the system will say when there is.
+    Hidden,
+    /// The surface had changed: once more.
+    Again,
+}
+
+impl Screen {
+    /// Finds a device that can draw into the window.
+    ///
+    /// # Errors
+    /// Where there is none.
+    pub(super) fn new(window: Arc<Window>, event_loop: &ActiveEventLoop) -> Result<Self, Failure> {
+        let display = Box::new(event_loop.owned_display_handle());
+        let instance =
+            wgpu::Instance::new(wgpu::InstanceDescriptor::new_with_display_handle_from_env(display));
+        let surface = instance.create_surface(Arc::clone(&window)).map_err(|e| no_device(&e.to_string()))?;
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            compatible_surface: Some(&surface),
+            ..Default::default()
+        };
+        let adapter = pollster::block_on(instance.request_adapter(&options));
+        let adapter = adapter.map_err(|e| no_device(&e.to_string()))?;
+        let gpu = Gpu::open(&adapter).map_err(|e| no_device(&e.to_string()))?;
+        let reported: Arc<Mutex<Option<String>>> = Arc::default();
+        let report = Arc::clone(&reported);
+        gpu.device().on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            *report.lock().unwrap_or_else(PoisonError::into_inner) = Some(error.to_string());
+        }));
+        let size = window.inner_size();
+        let Some(mut config) = surface.get_default_config(&adapter, size.width.max(1), size.height.max(1))
+        else {
+            return Err(no_device("its device cannot draw into this window"));
+        };
+        let formats = surface.get_capabilities(&adapter).formats;
+        // The user interface mixes colours as screens encode them, so the hardware must not encode them again.
+        let is_plain = |format: &wgpu::TextureFormat| {
+            matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm)
+        };
+        config.format = formats.iter().copied().find(is_plain).unwrap_or(config.format);
+        config.present_mode = wgpu::PresentMode::AutoVsync;
+        surface.configure(gpu.device(), &config);
+        let renderer = Renderer::new(gpu.device(), config.format, RendererOptions::default());
+        Ok(Self { window, gpu, renderer, instance, surface, config, reported })
+    }
+
+    /// Follows the window's size; a minimised one has none, and keeps what it had.
+    pub(super) fn resize(&mut self, width: u32, height: u32) {
+        if width == 0 || height == 0 {
+            return;
+        }
+        let limit = self.gpu.device().limits().max_texture_dimension_2d;
+        (self.config.width, self.config.height) = (width.min(limit), height.min(limit));
+        self.surface.configure(self.gpu.device(), &self.config);
+    }
+
+    /// The longest side of a texture.
+    pub(super) fn max_side(&self) -> u32 {
+        self.gpu.device().limits().max_texture_dimension_2d
+    }
+
+    /// What the device has reported since the last time.
+    pub(super) fn take_report(&self) -> Option<String> {
+        self.reported.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    /// Paints the window; keeps the picture where it is asked for.
+    ///
+    /// # Errors
+    /// Where the surface is lost for good, or the picture cannot be read.
+    pub(super) fn paint(&mut self, paint: Paint, keeps_picture: bool) -> Result<Painted, Failure> {
+        let Paint { primitives, mut textures, pixels_per_point } = paint;
+        let (device, queue) = (self.gpu.device(), self.gpu.queue());
+        // These come once, whether or not there is a frame to draw them in.
+        let mut set: Vec<_> = textures.set.drain().collect();
+        set.sort_unstable_by_key(|&(id, _)| id);
+        for (id, deltas) in set {
+            deltas.iter().for_each(|delta| self.renderer.update_texture(device, queue, id, delta));
+        }
+        let result = self.paint_frame(&primitives, pixels_per_point, keeps_picture);
+        textures.free.drain().for_each(|id| self.renderer.free_texture(&id));
+        result
+    }
+
+    fn paint_frame(
+        &mut self,
+        primitives: &[ClippedPrimitive],
+        pixels_per_point: f32,
+        keeps_picture: bool,
+    ) -> Result<Painted, Failure> {
+        let frame = match self.surface.get_current_texture() {
+            wgpu::CurrentSurfaceTexture::Success(frame) | wgpu::CurrentSurfaceTexture::Suboptimal(frame) => {
+                frame
+            }
+            wgpu::CurrentSurfaceTexture::Timeout => return Ok(Painted::Again),
+            wgpu::CurrentSurfaceTexture::Occluded => return Ok(Painted::Hidden),
+            wgpu::CurrentSurfaceTexture::Outdated | wgpu::CurrentSurfaceTexture::Validation => {
+                self.surface.configure(self.gpu.device(), &self.config);
+                return Ok(Painted::Again);
+            }
+            wgpu::CurrentSurfaceTexture::Lost => {
+                let surface = self.instance.create_surface(Arc::clone(&self.window));
+                self.surface = surface.map_err(|e| no_device(&e.to_string()))?;
+                self.surface.configure(self.gpu.device(), &self.config);
+                return Ok(Painted::Again);
+            }
+        };
+        let screen =
+            ScreenDescriptor { size_in_pixels: [self.config.width, self.config.height], pixels_per_point };
+        self.fill(&frame.texture, primitives, &screen);
+        let picture = keeps_picture.then(|| self.copy(primitives, &screen)).transpose()?;
+        self.window.pre_present_notify();
+        self.gpu.queue().present(frame);
+        Ok(Painted::Shown(picture))
+    }
+
+    /// The same into a texture that can be read: what the window shows may not be.
+    fn copy(
+        &mut self,
+        primitives: &[ClippedPrimitive],
+        screen: &ScreenDescriptor,
+    ) -> Result<Picture, Failure> {
+        let [width, height] = screen.size_in_pixels;
+        let texture = self.gpu.device().create_texture(&wgpu::TextureDescriptor {
+            label: Some("screenshot"),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: self.config.format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        });
+        self.fill(&texture, primitives, screen);
+        Picture::read(&self.gpu, &texture).map_err(|e| Failure::internal(format!("the screenshot: {e}")))
+    }
+
+    fn fill(&mut self, texture: &wgpu::Texture, primitives: &[ClippedPrimitive], screen: &ScreenDescriptor) {
+        let (device, queue) = (self.gpu.device(), self.gpu.queue());
+        let mut encoder = device.create_command_encoder(&Default::default());
+        let before = self.renderer.update_buffers(device, queue, &mut encoder, primitives, screen);
+        let view = texture.create_view(&Default::default());
+        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("window"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            ..Default::default()
+        });
+        self.renderer.render(&mut pass.forget_lifetime(), primitives, screen);
+        queue.submit(before.into_iter().chain([encoder.finish()]));
+    }
+}
+
+fn no_device(reason: &str) -> Failure {
+    Failure::user(format!("found no graphics device for a window: {reason}")).with_hint(
+        "install a Vulkan driver (mesa-vulkan-drivers draws on the processor), or use `striata render`",
+    )
+}

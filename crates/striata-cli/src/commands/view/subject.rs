@@ -1,0 +1,227 @@
+//! What is looked at: a mesh with its steps, and the models that are there or have been built since.
+
+use std::sync::OnceLock;
+
+use striata::mesh::{Bounds, FragmentedMesh, RefinableMesh};
+use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, PatternBounds, PatternScene, Patterns};
+use striata::strip::{StripOptions, StripSet, stripify};
+use striata::view::Sphere;
+
+use super::state::ModelKind;
+use crate::failure::Failure;
+use crate::sequence::Steps;
+
+/// A mesh and its models. What is not there yet is built once, by whoever asks first, on a thread of its own.
+#[derive(Debug)]
+pub(super) struct Subject {
+    /// The file's name.
+    pub(super) name: String,
+    /// What the file was, in a word.
+    pub(super) kind: &'static str,
+    /// Bytes on disk; none of a shape.
+    pub(super) file_bytes: Option<usize>,
+    pub(super) steps: Steps,
+    /// Models that were in the file.
+    pub(super) stored: Vec<ModelKind>,
+    pub(super) bounds: Bounds,
+    /// Around all positions.
+    pub(super) sphere: Sphere,
+    strips: OnceLock<StripSet>,
+    lod_strips: OnceLock<LodStrips<'static>>,
+    mts: OnceLock<Mts<'static>>,
+    fans: OnceLock<(Fans, FanBounds)>,
+    patterns: OnceLock<(Patterns, PatternBounds)>,
+}
+
+/// Models that a file holds.
+#[derive(Debug, Default)]
+pub(super) struct StoredModels {
+    pub(super) strips: Option<StripSet>,
+    pub(super) lod_strips: Option<LodStrips<'static>>,
+    pub(super) mts: Option<Mts<'static>>,
+    pub(super) fans: Option<(Fans, FanBounds)>,
+    pub(super) patterns: Option<(Patterns, PatternBounds)>,
+}
+
+/// Where something came from.
+#[derive(Clone, Debug)]
+pub(super) struct Origin {
+    pub(super) name: String,
+    pub(super) kind: &'static str,
+    pub(super) file_bytes: Option<usize>,
+}
+
+impl Subject {
+    /// Puts a mesh and its models together.
+    pub(super) fn new(origin: Origin, steps: Steps, models: StoredModels) -> Self {
+        let bounds = steps.mesh().bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
+        let sphere = sphere_around(&steps.mesh().positions, &bounds);
+        let is_stored = [
+            (ModelKind::LodStrips, models.lod_strips.is_some()),
+            (ModelKind::Mts, models.mts.is_some()),
+            (ModelKind::Fans, models.fans.is_some()),
+            (ModelKind::Patterns, models.patterns.is_some()),
+        ];
+        let stored =
+            is_stored.into_iter().filter(|&(_, is_stored)| is_stored).map(|(kind, _)| kind).collect();
+        let Origin { name, kind, file_bytes } = origin;
+        Self {
+            name,
+            kind,
+            file_bytes,
+            steps,
+            stored,
+            bounds,
+            sphere,
+            strips: filled(models.strips),
+            lod_strips: filled(models.lod_strips),
+            mts: filled(models.mts),
+            fans: filled(models.fans),
+            patterns: filled(models.patterns),
+        }
+    }
+
+    /// Whether all models can be built, and not only those that know any steps.
+    pub(super) fn has_collapses(&self) -> bool {
+        matches!(self.steps, Steps::Collapses(_))
+    }
+
+    /// The mesh with its collapses, where there are some.
+    pub(super) fn refinable(&self) -> Option<&RefinableMesh> {
+        match &self.steps {
+            Steps::Collapses(refinable) => Some(refinable),
+            Steps::Fragments(_) => None,
+        }
+    }
+
+    /// Whether a model is there.
+    pub(super) fn has(&self, kind: ModelKind) -> bool {
+        match kind {
+            ModelKind::List => true,
+            ModelKind::LodStrips => self.lod_strips.get().is_some(),
+            ModelKind::Mts => self.mts.get().is_some(),
+            ModelKind::Fans | ModelKind::FansGpu => self.fans.get().is_some(),
+            ModelKind::Patterns => self.patterns.get().is_some(),
+        }
+    }
+
+    /// The LodStrips, once they are there.
+    pub(super) fn lod_strips(&self) -> Option<&LodStrips<'static>> {
+        self.lod_strips.get()
+    }
+
+    /// The MTS, once it is there.
+    pub(super) fn mts(&self) -> Option<&Mts<'static>> {
+        self.mts.get()
+    }
+
+    /// The fans and what asks them, once they are there.
+    pub(super) fn fan_scene(&self) -> Option<(FanScene<'_>, &RefinableMesh)> {
+        let ((fans, bounds), refinable) = (self.fans.get()?, self.refinable()?);
+        Some((FanScene::new(fans, bounds, refinable), refinable))
+    }
+
+    /// The patterns and what asks them, once they are there.
+    pub(super) fn pattern_scene(&self) -> Option<PatternScene<'_>> {
+        let (patterns, bounds) = self.patterns.get()?;
+        Some(PatternScene::new(patterns, bounds, &self.steps.mesh().positions))
+    }
+
+    /// Builds a model that is not there yet. Two who build the same get the same, and one of them is dropped.
+    ///
+    /// # Errors
+    /// Where the mesh has no collapses and the model needs some, or its parts do not fit together.
+    pub(super) fn build(&self, kind: ModelKind) -> Result<(), Failure> {
+        if self.has(kind) {
+            return Ok(());
+        }
+        match (kind, &self.steps) {
+            (ModelKind::List, _) => {}
+            (ModelKind::LodStrips, Steps::Collapses(refinable)) => {
+                let model = LodStrips::build(refinable, self.strips(refinable)?)?;
+                let _ = self.lod_strips.set(model);
+            }
+            (ModelKind::Mts, Steps::Collapses(refinable)) => {
+                let model = Mts::build(refinable, self.strips(refinable)?)?;
+                let _ = self.mts.set(model);
+            }
+            (ModelKind::Fans | ModelKind::FansGpu, Steps::Collapses(refinable)) => {
+                let fans = Fans::build(refinable);
+                let bounds = FanBounds::build(&fans, refinable);
+                let _ = self.fans.set((fans, bounds));
+            }
+            (ModelKind::Patterns, Steps::Collapses(refinable)) => {
+                self.set_patterns(&FragmentedMesh::from_collapses(refinable))?;
+            }
+            (ModelKind::Patterns, Steps::Fragments(fragmented)) => self.set_patterns(fragmented)?,
+            (kind, Steps::Fragments(_)) => {
+                let message =
+                    format!("{}: {} need collapses, and this file has none", self.name, kind.title());
+                return Err(Failure::user(message).with_hint("choose patterns or the list"));
+            }
+        }
+        Ok(())
+    }
+
+    fn set_patterns(&self, fragmented: &FragmentedMesh) -> Result<(), Failure> {
+        let patterns = Patterns::build(fragmented)?;
+        let _ = self.patterns.set((patterns, PatternBounds::build(fragmented)));
+        Ok(())
+    }
+
+    /// The strips of the file, or some that are quick to make.
+    fn strips(&self, refinable: &RefinableMesh) -> Result<&StripSet, Failure> {
+        if self.strips.get().is_none() {
+            let _ = self.strips.set(stripify(&refinable.mesh, &StripOptions::default())?);
+        }
+        self.strips.get().ok_or_else(|| Failure::internal("strips that were set are gone"))
+    }
+}
+
+fn filled<T>(value: Option<T>) -> OnceLock<T> {
+    value.map_or_else(OnceLock::new, OnceLock::from)
+}
+
+fn sphere_around(positions: &[[f32; 3]], bounds: &Bounds) -> Sphere {
+    let center = std::array::from_fn(|k| bounds.min[k] / 2.0 + bounds.max[k] / 2.0);
+    positions.iter().fold(Sphere::point(center), |sphere, &position| sphere.with_point(position))
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::sequence::SequencePlan;
+    use striata::mesh::{IndexedMesh, shapes, weld};
+
+    pub(in super::super) fn subject_of(mesh: &IndexedMesh) -> Subject {
+        let welded = weld(mesh).expect("a sound mesh");
+        let sequenced =
+            SequencePlan::default().run(welded, &mut striata::ignore_progress).expect("sound options");
+        let origin = Origin { name: "a shape".to_owned(), kind: "shape", file_bytes: None };
+        Subject::new(origin, sequenced.steps, StoredModels::default())
+    }
+
+    #[test]
+    fn every_model_can_be_built_and_stays() {
+        let subject = subject_of(&shapes::torus(24, 12, 1.0, 0.4));
+        for kind in ModelKind::ALL {
+            assert_eq!(subject.has(kind), kind == ModelKind::List);
+            subject.build(kind).expect("collapses do for all models");
+            assert!(subject.has(kind));
+        }
+        assert!(subject.fan_scene().is_some() && subject.pattern_scene().is_some());
+        assert!(subject.sphere.radius as f64 <= subject.bounds.diagonal() / 2.0 + 1e-4);
+    }
+
+    #[test]
+    fn fragments_do_for_patterns_alone() {
+        let refinable = subject_of(&shapes::icosphere(2, 1.0));
+        let refinable = refinable.refinable().expect("collapses");
+        let steps = Steps::Fragments(FragmentedMesh::from_collapses(refinable));
+        let origin = Origin { name: "a".to_owned(), kind: "striata", file_bytes: Some(7) };
+        let subject = Subject::new(origin, steps, StoredModels::default());
+        assert!(!subject.has_collapses());
+        assert!(subject.build(ModelKind::Fans).is_err() && subject.build(ModelKind::LodStrips).is_err());
+        subject.build(ModelKind::Patterns).expect("fragments do");
+    }
+}

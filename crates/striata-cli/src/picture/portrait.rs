@@ -1,0 +1,128 @@
+//! Small pictures of whole meshes: a camera that stands so that all of the mesh just fits, and one for none.
+
+use striata::mesh::IndexedMesh;
+
+use super::{Angles, Artist, Camera, Canvas, Paint, Rgba, Shot, with_normals};
+use crate::failure::Failure;
+
+const BACKGROUND: Rgba = [0.012, 0.013, 0.017, 1.0];
+const FAINT: [u8; 4] = [13, 13, 15, 255];
+/// Height of the view, radians.
+const FOV: f32 = 0.45;
+/// An axis along which a mesh is flatter than this is up: it is a terrain.
+const FLAT: f32 = 0.3;
+
+/// A mesh from in front, a little from the left and above.
+///
+/// # Errors
+/// What the artist reports.
+pub(crate) fn portrait(mesh: IndexedMesh, size: [usize; 2]) -> Result<Canvas, Failure> {
+    let mesh = with_normals(mesh);
+    painted(&mesh, Paint::Surface, size)
+}
+
+/// A picture for what cannot be drawn: a faint shape that is nobody's.
+///
+/// # Errors
+/// What the artist reports.
+pub(crate) fn nobody(size: [usize; 2]) -> Result<Canvas, Failure> {
+    let positions = [
+        [1.0, 0.0, 0.0],
+        [-1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.0, 0.0, -1.0],
+    ];
+    let triangles = (0..8).map(|side: u32| {
+        let corner = |axis: u32| 2 * axis + (side >> axis & 1);
+        [corner(0), corner(1), corner(2)]
+    });
+    let mesh = IndexedMesh::new(positions.to_vec(), triangles.collect());
+    let room = size.map(|side| side / 2);
+    let mut canvas = Canvas::filled(size[0], size[1], BACKGROUND);
+    canvas.lay(&painted(&mesh, Paint::Triangles(vec![FAINT; 8]), room)?, room[0] / 2, room[1] / 2);
+    Ok(canvas)
+}
+
+/// Drawn without a GPU: a server draws in the background, wherever it runs.
+fn painted(mesh: &IndexedMesh, paint: Paint, [width, height]: [usize; 2]) -> Result<Canvas, Failure> {
+    let mut canvas = Canvas::filled(width, height, BACKGROUND);
+    if let Some(camera) = camera(mesh, width as f32 / height as f32) {
+        let is_flat = matches!(paint, Paint::Triangles(_));
+        let shot = Shot::of(mesh, paint, (false, is_flat));
+        canvas.lay(&Artist::Software.draw(&shot, &camera, [width, height])?.canvas, 0, 0);
+    }
+    Ok(canvas)
+}
+
+/// A camera that sees all of the mesh and little else; none where there is nothing to see.
+fn camera(mesh: &IndexedMesh, aspect: f32) -> Option<Camera> {
+    let bounds = mesh.bounds()?;
+    let size: [f32; 3] = std::array::from_fn(|axis| bounds.max[axis] - bounds.min[axis]);
+    let longest = size.into_iter().fold(0.0f32, f32::max);
+    if !longest.is_finite() || longest <= 0.0 {
+        return None;
+    }
+    let lies_flat = size[2] < FLAT * size[0].min(size[1]);
+    let (rise, up) = if lies_flat { (0.75, [0.0, 0.0, 1.0]) } else { (0.22, [0.0, 1.0, 0.0]) };
+    Some(Camera::around(&mesh.positions, &Angles { turn: -0.5, rise, up, fov: FOV }, aspect))
+}
+
+#[cfg(test)]
+mod tests {
+    use striata::mesh::shapes;
+
+    use super::*;
+
+    /// First and last column and row that are not background.
+    fn extent(mut canvas: Canvas) -> [[usize; 2]; 2] {
+        let mut extent = [[usize::MAX, 0]; 2];
+        for y in 0..canvas.height {
+            let row = canvas.row_mut(y).to_vec();
+            for (x, pixel) in row.iter().enumerate() {
+                if pixel.iter().zip(BACKGROUND).any(|(a, b)| (a - b).abs() > 1e-3) {
+                    for (place, [first, last]) in [x, y].into_iter().zip(&mut extent) {
+                        (*first, *last) = ((*first).min(place), (*last).max(place));
+                    }
+                }
+            }
+        }
+        extent
+    }
+
+    #[test]
+    fn a_mesh_fills_its_picture_and_stays_inside_at_any_scale() {
+        for scale in [1e-12f32, 1.0, 1e12] {
+            let mut mesh = shapes::icosphere(3, 1.0);
+            for p in &mut mesh.positions {
+                *p = p.map(|x| x * scale);
+            }
+            let [[left, right], [top, bottom]] = extent(portrait(mesh, [160, 120]).expect("a picture"));
+            assert!(top >= 4 && bottom < 116 && bottom - top > 90, "rows {top} to {bottom} at {scale}");
+            assert!(left >= 20 && right < 140, "columns {left} to {right} at {scale}");
+        }
+    }
+
+    #[test]
+    fn nothing_and_a_single_point_are_drawn_as_nothing() {
+        for mesh in [IndexedMesh::default(), IndexedMesh::new(vec![[1.0; 3]; 3], vec![[0, 1, 2]])] {
+            assert_eq!(extent(portrait(mesh, [32, 24]).expect("a picture")), [[usize::MAX, 0]; 2]);
+        }
+    }
+
+    #[test]
+    fn a_terrain_is_seen_from_above() {
+        let grid = shapes::grid(9, 9);
+        let size = grid.bounds().expect("vertices");
+        assert!(size.max[2] - size.min[2] < 0.1);
+        let camera = camera(&grid, 1.0).expect("a camera");
+        assert!(camera.eye[2] > 0.5 && camera.up[2] > 0.5, "{camera:?}");
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_gets_a_faint_shape() {
+        let [[left, right], [top, bottom]] = extent(nobody([160, 120]).expect("a picture"));
+        assert!(left > 30 && right < 130 && top > 20 && bottom < 100 && right - left > 30);
+    }
+}

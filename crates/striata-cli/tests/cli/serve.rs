@@ -1,0 +1,448 @@
+//! `serve` as browsers, scripts and people with bad intentions meet it.
+
+use std::io::Read;
+use std::os::unix::fs::symlink;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use crate::serve_client::{Answer, Connection, Server};
+use crate::serve_load::{FILE, Plan, run, write_file};
+use crate::workbench::{Workbench, assert_keys, sphere};
+
+const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+fn program() -> PathBuf {
+    assert_cmd::cargo::cargo_bin("striata")
+}
+
+/// A folder with models, more folders, and what must not be seen.
+fn folder() -> Workbench {
+    let bench = Workbench::with_ball();
+    bench.run("encode sphere.obj -o ball.stri --quiet").success();
+    for name in ["sub folder", ".hidden", "outside", "sub folder/deep"] {
+        std::fs::create_dir(bench.path(name)).expect("the folder is ours");
+    }
+    let inner = bench.path("outside");
+    bench.write("outside/secret.ply", "ply\n");
+    let served = bench.path("sub folder");
+    std::fs::copy(bench.path("sphere.obj"), served.join("ä #1.obj")).expect("the folder is ours");
+    std::fs::copy(bench.path("ball.stri"), served.join("deep/ball.stri")).expect("the folder is ours");
+    bench.write("sub folder/.hidden.obj", "v 0 0 0\n");
+    bench.write("sub folder/notes.txt", "nothing to see\n");
+    bench.write("sub folder/broken.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
+    bench.write("sub folder/buffer.bin", "0123456789");
+    symlink(inner.join("secret.ply"), served.join("absolute.ply")).expect("the folder is ours");
+    symlink("../outside/secret.ply", served.join("relative.ply")).expect("the folder is ours");
+    symlink("../outside", served.join("way-out")).expect("the folder is ours");
+    symlink("deep/ball.stri", served.join("inside.stri")).expect("the folder is ours");
+    bench
+}
+
+fn serve(bench: &Workbench, served: &str, arguments: &[&str]) -> Server {
+    Server::start(&program(), &bench.path(served), arguments)
+}
+
+fn connect(server: &Server) -> Connection {
+    Connection::open(server.address).expect("the server listens")
+}
+
+fn get(server: &Server, path: &str, headers: &str) -> Answer {
+    connect(server).get(path, headers).expect("an answer")
+}
+
+#[test]
+fn the_list_tells_what_there_is_to_see_and_no_more() {
+    let bench = folder();
+    let server = serve(&bench, "sub folder", &[]);
+    assert_eq!(server.report["models"], 4);
+    let answer = get(&server, "/models.json", "");
+    assert_eq!((answer.status, answer.header("content-type")), (200, "application/json"));
+    let list: Value = serde_json::from_slice(&answer.body).expect("JSON");
+    assert_eq!((&list["name"], &list["is_cut"]), (&"sub folder".into(), &false.into()));
+    let models = list["models"].as_array().expect("models");
+    let paths: Vec<&str> = models.iter().filter_map(|model| model["path"].as_str()).collect();
+    assert_eq!(paths, ["broken.ply", "deep/ball.stri", "inside.stri", "ä #1.obj"]);
+    for model in models {
+        assert_keys(model, &["name", "url", "bytes", "modified_secs", "kind", "vertex_count", "picture"]);
+        let url = model["url"].as_str().expect("a URL");
+        let file = get(&server, &format!("/{url}"), "");
+        assert_eq!(
+            (file.status, file.body.len() as u64),
+            (200, model["bytes"].as_u64().unwrap_or(0)),
+            "{url}"
+        );
+    }
+    let stream = &models[1];
+    assert_eq!((&stream["kind"], &stream["streams"]), (&"stri".into(), &true.into()));
+    assert_eq!((&stream["triangle_count"], &stream["vertex_count"]), (&512.into(), &258.into()));
+    assert_eq!(stream["name"], "ball.stri");
+    assert_eq!(models[0]["triangle_count"], Value::Null);
+    let again = get(&server, "/models.json", &format!("if-none-match: {}\r\n", answer.header("etag")));
+    assert_eq!((again.status, again.body.len()), (304, 0));
+}
+
+#[test]
+fn the_list_follows_the_folder() {
+    let bench = Workbench::with_ball();
+    let server = serve(&bench, ".", &[]);
+    let before = get(&server, "/models.json", "");
+    bench.write("another.obj", sphere(3, 3));
+    std::fs::remove_file(bench.path("ball.striata")).expect("the folder is ours");
+    std::thread::sleep(Duration::from_millis(1100));
+    let after = get(&server, "/models.json", &format!("if-none-match: {}\r\n", before.header("etag")));
+    let list: Value = serde_json::from_slice(&after.body).expect("JSON");
+    let names: Vec<&str> =
+        list["models"].as_array().expect("models").iter().filter_map(|m| m["name"].as_str()).collect();
+    assert_eq!(names, ["another.obj", "sphere.obj"]);
+}
+
+#[test]
+fn no_path_leads_out_of_the_folder_or_to_what_is_hidden() {
+    let bench = folder();
+    let server = serve(&bench, "sub folder", &[]);
+    let mut connection = connect(&server);
+    let mut status = |path: &str| {
+        let answer = connection.get(path, "").expect("an answer");
+        assert!(answer.status == 200 || !answer.body.starts_with(b"ply"), "{path}");
+        answer.status
+    };
+    for there in ["/models/inside.stri", "/models/buffer.bin", "/models/%C3%A4%20%231.obj", "/", "/viewer.js"]
+    {
+        assert_eq!(status(there), 200, "{there}");
+    }
+    let models = [
+        "absolute.ply",
+        "relative.ply",
+        "way-out/secret.ply",
+        "../outside/secret.ply",
+        "..%2Foutside%2Fsecret.ply",
+        "%2e%2e/outside/secret.ply",
+        "deep/../../outside/secret.ply",
+        "..%5Coutside%5Csecret.ply",
+        "/etc/passwd",
+        "%2Fetc%2Fpasswd",
+        "inside.stri%00.ply",
+        "inside.stri%0d%0aset-cookie:a",
+        "inside.stri/",
+        "deep",
+        "deep/",
+        "./inside.stri",
+        "deep//ball.stri",
+        ".hidden.obj",
+        "notes.txt",
+        "nothing.ply",
+        "%ff%fe.ply",
+        "%",
+        "",
+    ];
+    for path in models {
+        assert_eq!(status(&format!("/models/{path}")), 404, "{path}");
+        assert_eq!(status(&format!("/pictures/{path}.png")), 404, "{path}");
+    }
+    let asked =
+        ["/../../etc/passwd", "/%2e%2e/Cargo.toml", "/viewer.js/", "/models", "/pictures/", "//etc/passwd"];
+    for path in asked {
+        assert_eq!(status(path), 404, "{path}");
+    }
+}
+
+#[test]
+fn parts_of_files_are_sent_as_asked() {
+    let bench = folder();
+    let server = serve(&bench, ".", &[]);
+    let bytes = bench.read("ball.striata");
+    let length = bytes.len();
+    let part = |headers: &str| get(&server, "/models/ball.striata", headers);
+    let whole = part("");
+    assert_eq!((whole.status, whole.header("accept-ranges")), (200, "bytes"));
+    assert_eq!(whole.body, bytes);
+    for (range, expected) in [
+        ("0-99", &bytes[..100]),
+        ("100-100", &bytes[100..101]),
+        ("500-", &bytes[500..]),
+        ("-7", &bytes[length - 7..]),
+        ("7-99999999", &bytes[7..]),
+        ("-99999999", &bytes[..]),
+    ] {
+        let answer = part(&format!("range: bytes={range}\r\n"));
+        assert_eq!((answer.status, answer.body.as_slice()), (206, expected), "{range}");
+        let start = expected.as_ptr() as usize - bytes.as_ptr() as usize;
+        let told = format!("bytes {start}-{}/{length}", start + expected.len() - 1);
+        assert_eq!(answer.header("content-range"), told);
+        assert_eq!(answer.header("etag"), whole.header("etag"));
+    }
+    let none = part(&format!("range: bytes={length}-\r\n"));
+    assert_eq!((none.status, none.header("content-range")), (416, format!("bytes */{length}").as_str()));
+    for ignored in ["bytes=5-2", "bytes=0-1,3-4", "pages=1-2", "bytes"] {
+        assert_eq!(part(&format!("range: {ignored}\r\n")).body, bytes, "{ignored}");
+    }
+    let mut connection = connect(&server);
+    connection.say("HEAD /models/ball.striata HTTP/1.1\r\nhost: localhost\r\n\r\n").expect("sent");
+    let head = connection.answer(false).expect("an answer");
+    assert_eq!((head.status, head.header("content-length")), (200, length.to_string().as_str()));
+    assert_eq!(
+        connection.get("/models/ball.stri", "").expect("nothing followed").body,
+        bench.read("ball.stri")
+    );
+}
+
+#[test]
+fn who_has_a_file_gets_it_again_only_when_it_has_changed() {
+    let bench = folder();
+    let server = serve(&bench, ".", &[]);
+    let ask = |headers: &str| get(&server, "/models/ball.stri", headers);
+    let first = ask("");
+    let (tag, date) = (first.header("etag"), first.header("last-modified"));
+    assert!(tag.starts_with('"') && date.ends_with(" GMT"), "{first:?}");
+    assert_eq!(ask(&format!("if-none-match: {tag}\r\n")).status, 304);
+    assert_eq!(ask(&format!("if-none-match: \"x\", {tag}\r\n")).status, 304);
+    assert_eq!(ask("if-none-match: \"x\"\r\n").status, 200);
+    assert_eq!(ask(&format!("if-modified-since: {date}\r\n")).status, 304);
+    assert_eq!(ask(&format!("if-none-match: \"x\"\r\nif-modified-since: {date}\r\n")).status, 200);
+    let part = |condition: &str| ask(&format!("range: bytes=0-9\r\nif-range: {condition}\r\n")).status;
+    assert_eq!(
+        [part(tag), part(date), part("\"x\""), part("Mon, 01 Jan 2001 00:00:00 GMT")],
+        [206, 206, 200, 200]
+    );
+    // A file of the same length that takes its place.
+    bench.write("next", vec![7; first.body.len()]);
+    std::fs::rename(bench.path("next"), bench.path("ball.stri")).expect("the folder is ours");
+    let second = ask(&format!("if-none-match: {tag}\r\nrange: bytes=0-9\r\nif-range: {tag}\r\n"));
+    assert_eq!((second.status, second.body.len()), (200, first.body.len()));
+    assert_ne!(second.header("etag"), tag);
+}
+
+#[test]
+fn only_text_is_compressed_and_never_in_parts() {
+    let bench = folder();
+    bench.run("convert sphere.obj ascii.ply --ascii --quiet").success();
+    bench.run("convert sphere.obj binary.ply --quiet").success();
+    let server = serve(&bench, ".", &[]);
+    let ask =
+        |path: &str, headers: &str| get(&server, path, &format!("accept-encoding: gzip, br\r\n{headers}"));
+    let plain = get(&server, "/models/sphere.obj", "");
+    assert_eq!((plain.header("content-encoding"), plain.header("content-type")), ("", "model/obj"));
+    for name in ["sphere.obj", "ascii.ply"] {
+        let answer = ask(&format!("/models/{name}"), "");
+        assert_eq!((answer.status, answer.header("content-encoding")), (200, "gzip"), "{name}");
+        let mut unpacked = Vec::new();
+        flate2::read::GzDecoder::new(answer.body.as_slice()).read_to_end(&mut unpacked).expect("sound gzip");
+        assert!(unpacked == bench.read(name) && answer.body.len() < unpacked.len() / 2, "{name}");
+        let again = ask(&format!("/models/{name}"), &format!("if-none-match: {}\r\n", answer.header("etag")));
+        assert_eq!(again.status, 304);
+    }
+    assert_ne!(ask("/models/sphere.obj", "").header("etag"), plain.header("etag"));
+    let part = ask("/models/sphere.obj", "range: bytes=0-9\r\n");
+    assert_eq!(
+        (part.status, part.header("content-encoding"), part.header("etag")),
+        (206, "", plain.header("etag"))
+    );
+    for name in ["ball.striata", "ball.stri", "binary.ply"] {
+        let answer = ask(&format!("/models/{name}"), "");
+        assert_eq!(answer.header("content-encoding"), "", "{name}");
+        assert_eq!(answer.body, bench.read(name), "{name}");
+    }
+}
+
+#[test]
+fn the_viewer_is_packed_once_and_runs_under_a_policy() {
+    let bench = folder();
+    let server = serve(&bench, ".", &[]);
+    let page = get(&server, "/", "");
+    assert_eq!((page.status, page.header("cache-control")), (200, "no-cache"));
+    assert!(page.body.starts_with(b"<!doctype html>"));
+    for (name, value) in
+        [("x-content-type-options", "nosniff"), ("cross-origin-resource-policy", "same-origin")]
+    {
+        assert_eq!(page.header(name), value);
+        assert_eq!(get(&server, "/models/nothing", "").header(name), value, "errors have it, too");
+    }
+    assert!(page.header("content-security-policy").contains("'wasm-unsafe-eval'"));
+    assert_eq!(page.header("access-control-allow-origin"), "");
+    let plain = get(&server, "/viewer.js", "");
+    let packed = |coding: &str| {
+        let until = Instant::now() + Duration::from_secs(60);
+        loop {
+            let answer = get(&server, "/viewer.js", &format!("accept-encoding: {coding}\r\n"));
+            if answer.header("content-encoding") == coding {
+                return answer;
+            }
+            assert!(Instant::now() < until, "{coding} is never ready");
+            std::thread::sleep(Duration::from_millis(50));
+        }
+    };
+    let (gzip, brotli) = (packed("gzip"), packed("br"));
+    assert!(gzip.body.len() < plain.body.len() && brotli.body.len() < plain.body.len());
+    let mut unpacked = Vec::new();
+    flate2::read::GzDecoder::new(gzip.body.as_slice()).read_to_end(&mut unpacked).expect("sound gzip");
+    assert_eq!(unpacked, plain.body);
+    let tags = [&plain, &gzip, &brotli].map(|answer| answer.header("etag").to_owned());
+    assert!(tags[0] != tags[1] && tags[1] != tags[2] && tags[0] != tags[2], "{tags:?}");
+    let again = get(&server, "/viewer.js", &format!("if-none-match: {}\r\n", tags[0]));
+    assert_eq!(again.status, 304);
+}
+
+#[test]
+fn pictures_show_models_and_broken_ones_get_a_neutral_one() {
+    let bench = folder();
+    let server = serve(&bench, "sub folder", &[]);
+    let picture = |path: &str| {
+        let answer = get(&server, &format!("/pictures/{path}.png"), "");
+        assert_eq!((answer.status, answer.header("content-type")), (200, "image/png"), "{path}");
+        assert!(answer.body.starts_with(PNG), "{path}");
+        assert_eq!(answer.body[16..24], [0, 0, 1, 64, 0, 0, 0, 240], "{path}: 320 x 240");
+        answer
+    };
+    let broken = picture("broken.ply");
+    let (stream, mesh) = (picture("deep/ball.stri"), picture("%C3%A4%20%231.obj"));
+    assert!(stream.body != broken.body && mesh.body != broken.body);
+    assert_eq!(picture("deep/ball.stri").body, stream.body);
+    let again = format!("if-none-match: {}\r\n", stream.header("etag"));
+    assert_eq!(get(&server, "/pictures/deep/ball.stri.png", &again).status, 304);
+    assert_eq!(get(&server, "/pictures/buffer.bin.png", "").status, 404, "no model");
+    // Mended, it gets its own.
+    std::fs::copy(bench.path("sphere.obj"), bench.path("sub folder/broken.ply")).expect("the folder is ours");
+    assert_eq!(picture("broken.ply").body, mesh.body);
+}
+
+#[test]
+fn thumbnails_of_all_kinds_are_alike() {
+    let bench = folder();
+    let picture = |name: &str| {
+        let assert = bench.run(&format!("thumbnail {name}")).success();
+        let png = assert.get_output().stdout.clone();
+        assert!(png.starts_with(PNG), "{name}");
+        png
+    };
+    assert_eq!(picture("sphere.obj"), picture("sphere.obj"));
+    assert!(picture("ball.stri").len() > 5_000 && picture("ball.striata").len() > 5_000);
+    assert!(bench.refused("thumbnail nothing.ply").contains("nothing.ply"));
+}
+
+#[test]
+fn other_names_for_this_machine_are_refused() {
+    let bench = folder();
+    let server = serve(&bench, ".", &[]);
+    let status = |head: &str| {
+        let mut connection = connect(&server);
+        connection.say(&format!("GET /models.json HTTP/1.1\r\n{head}\r\n")).expect("sent");
+        connection.answer(true).expect("an answer").status
+    };
+    let port = server.address.port();
+    for good in
+        ["localhost".to_owned(), format!("LOCALHOST:{port}"), format!("127.0.0.1:{port}"), "[::1]".to_owned()]
+    {
+        assert_eq!(status(&format!("host: {good}\r\n")), 200, "{good}");
+    }
+    for bad in
+        ["example.com", "localhost.example.com", "127.0.0.1.nip.io:80", "user@localhost", "192.168.0.1"]
+    {
+        assert_eq!(status(&format!("host: {bad}\r\n")), 421, "{bad}");
+    }
+    assert_eq!([status(""), status("host: localhost\r\nhost: example.com\r\n")], [400, 400]);
+    let mut connection = connect(&server);
+    connection.say("GET http://example.com/models.json HTTP/1.1\r\nhost: localhost\r\n\r\n").expect("sent");
+    assert_eq!(connection.answer(true).expect("an answer").status, 421);
+}
+
+#[test]
+fn nothing_is_taken_and_sites_get_in_only_when_asked() {
+    let bench = folder();
+    let server = serve(&bench, ".", &["--cors"]);
+    let origin = "origin: https://example.com\r\n";
+    let answer = get(&server, "/models/ball.stri", &format!("{origin}range: bytes=0-1\r\n"));
+    assert_eq!((answer.status, answer.header("access-control-allow-origin")), (206, "*"));
+    assert!(answer.header("access-control-expose-headers").contains("content-range"));
+    assert_eq!(answer.header("cross-origin-resource-policy"), "cross-origin");
+    for method in ["POST", "PUT", "DELETE", "PATCH"] {
+        for path in ["/models/ball.stri", "/models.json", "/"] {
+            let mut connection = connect(&server);
+            let request = format!("{method} {path} HTTP/1.1\r\nhost: localhost\r\ncontent-length: 0\r\n\r\n");
+            connection.say(&request).expect("sent");
+            assert_eq!(connection.answer(true).expect("an answer").status, 405, "{method} {path}");
+        }
+    }
+    let mut connection = connect(&server);
+    let _ =
+        connection.say(&format!("GET / HTTP/1.1\r\nhost: localhost\r\nx: {}\r\n\r\n", "y".repeat(300_000)));
+    assert!(connection.answer(true).map_or(true, |answer| answer.status == 431), "a head without end");
+}
+
+#[test]
+fn one_file_is_served_alone_with_what_it_refers_to() {
+    let bench = folder();
+    let server = serve(&bench, "ball.stri", &[]);
+    assert_eq!(server.report["models"], 1);
+    assert_eq!(get(&server, "/models/ball.stri", "").body, bench.read("ball.stri"));
+    for other in ["ball.striata", "sphere.obj", "sub%20folder/buffer.bin"] {
+        assert_eq!(get(&server, &format!("/models/{other}"), "").status, 404, "{other}");
+    }
+    let list: Value = serde_json::from_slice(&get(&server, "/models.json", "").body).expect("JSON");
+    assert_eq!(list["models"].as_array().map(Vec::len), Some(1));
+    let textured = serve(&bench, "sphere.obj", &[]);
+    bench.write("sphere.mtl", "newmtl stone\n");
+    assert_eq!(get(&textured, "/models/sphere.mtl", "").status, 200);
+}
+
+#[test]
+fn what_cannot_be_served_is_told() {
+    let bench = folder();
+    let server = serve(&bench, ".", &[]);
+    let port = server.address.port();
+    let busy = bench.refused(&format!("serve . --port {port}"));
+    assert!(busy.contains("something else listens there") && busy.contains("hint: --port 0"), "{busy}");
+    assert!(bench.refused("serve nowhere").contains("nowhere"));
+    bench.write("notes.txt", "");
+    assert!(bench.refused("serve notes.txt").contains("neither a folder nor a model"));
+    assert!(bench.refused("serve . --port 0 --host 203.0.113.7").contains("--host takes"));
+}
+
+#[test]
+fn a_server_that_is_asked_to_end_finishes_its_answers() {
+    let bench = Workbench::new();
+    write_file(&bench.path("."));
+    let server = serve(&bench, ".", &[]);
+    let mut connection = connect(&server);
+    connection.say(&format!("GET /models/{FILE} HTTP/1.1\r\nhost: localhost\r\n\r\n")).expect("sent");
+    let mut idle = connect(&server);
+    assert_eq!(idle.get("/models.json", "").expect("an answer").status, 200);
+    let reader = std::thread::spawn(move || connection.answer(true).map(|answer| answer.body.len()));
+    let address = server.address;
+    let status = server.end();
+    assert!(status.success(), "{status}");
+    assert_eq!(reader.join().expect("no panic").expect("all of it"), bench.read(FILE).len());
+    assert!(Connection::open(address).is_err(), "nobody listens any more");
+}
+
+#[test]
+fn who_asks_for_nothing_or_takes_nothing_loses_the_place() {
+    let bench = Workbench::new();
+    write_file(&bench.path("."));
+    let server = serve(&bench, ".", &["--max-connections", "2", "--time-out", "1"]);
+    let mut silent = connect(&server);
+    silent.say("GET /models.json HTTP/1.1\r\n").expect("sent");
+    let mut stalled = connect(&server);
+    stalled.say(&format!("GET /models/{FILE} HTTP/1.1\r\nhost: localhost\r\n\r\n")).expect("sent");
+    let started = Instant::now();
+    let mut third = connect(&server);
+    assert_eq!(third.get("/models.json", "").expect("an answer, in time").status, 200);
+    let waited = started.elapsed();
+    assert!((Duration::from_millis(500)..Duration::from_secs(20)).contains(&waited), "{waited:?}");
+    assert!(silent.answer(true).is_err(), "nothing was asked");
+    assert!(stalled.answer(true).is_err(), "the rest was given up");
+}
+
+#[test]
+fn many_clients_get_every_byte_and_memory_stays_flat() {
+    let bench = Workbench::new();
+    write_file(&bench.path("."));
+    let server = serve(&bench, ".", &[]);
+    let outcome = run(&server, Plan { quick: 46, slow: 4, lasts: Duration::from_secs(3) });
+    assert_eq!(outcome.errors, [""; 0]);
+    assert!(outcome.latencies.len() > 46 && outcome.slow_bytes >= 4 * 2048, "{outcome:?}");
+    assert!(outcome.latency(500) < Duration::from_secs(2), "{:?}", outcome.latency(500));
+    // Less than half of what the file and the buffers of its readers would take.
+    assert!(outcome.peak_kb < 80_000, "{} kB", outcome.peak_kb);
+}

@@ -1,0 +1,159 @@
+//! Many clients at once, some of them slow; shared with `examples/load.rs`.
+//!
+//! Quick clients read random ranges of one file and check every byte; slow ones take the whole file, a kilobyte a second,
+//! through small windows. The server's memory is sampled meanwhile. All ends by itself.
+
+use std::io::{self, Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::path::Path;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use socket2::{Domain, Socket, Type};
+
+use crate::serve_client::{Connection, Server};
+
+/// The file that is read.
+pub(crate) const FILE: &str = "large.stl";
+/// Its bytes: more than all buffers on the way of a slow reader hold.
+const FILE_BYTES: usize = 24 << 20;
+/// Longest range.
+const MAX_RANGE: u64 = 64 << 10;
+/// What a slow reader takes a second.
+const SLOW_BYTES: usize = 1024;
+/// How often memory is looked at.
+const SAMPLED_EVERY: Duration = Duration::from_millis(200);
+
+/// How much load.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plan {
+    /// Clients that read ranges.
+    pub(crate) quick: usize,
+    /// Clients that take a kilobyte a second.
+    pub(crate) slow: usize,
+    /// How long.
+    pub(crate) lasts: Duration,
+}
+
+/// What came of it.
+#[derive(Debug, Default)]
+pub(crate) struct Outcome {
+    /// How long each answer to a quick client took, in order of length.
+    pub(crate) latencies: Vec<Duration>,
+    /// Bytes that slow clients got.
+    pub(crate) slow_bytes: usize,
+    /// The server's memory at each sample, kB.
+    pub(crate) resident_kb: Vec<u64>,
+    /// The most memory that the server ever held, kB.
+    pub(crate) peak_kb: u64,
+    /// What went wrong.
+    pub(crate) errors: Vec<String>,
+}
+
+/// Writes the file into a folder.
+pub(crate) fn write_file(folder: &Path) {
+    let bytes: Vec<u8> = (0..FILE_BYTES as u64).map(byte_at).collect();
+    std::fs::write(folder.join(FILE), bytes).expect("the folder is ours");
+}
+
+/// Puts a server under load.
+pub(crate) fn run(server: &Server, plan: Plan) -> Outcome {
+    let until = Instant::now() + plan.lasts;
+    let address = server.address;
+    let quick: Vec<_> =
+        (0..plan.quick as u64).map(|i| thread::spawn(move || read_ranges(address, i, until))).collect();
+    let slow: Vec<_> = (0..plan.slow).map(|_| thread::spawn(move || read_slowly(address, until))).collect();
+    let mut outcome = Outcome::default();
+    while Instant::now() < until {
+        outcome.resident_kb.extend(memory_kb(server.id(), "VmRSS:"));
+        thread::sleep(SAMPLED_EVERY);
+    }
+    outcome.peak_kb = memory_kb(server.id(), "VmHWM:").unwrap_or(0);
+    for client in quick {
+        match client.join().expect("clients report, they do not panic") {
+            Ok(latencies) => outcome.latencies.extend(latencies),
+            Err(error) => outcome.errors.push(format!("quick: {error}")),
+        }
+    }
+    for client in slow {
+        match client.join().expect("clients report, they do not panic") {
+            Ok(bytes) => outcome.slow_bytes += bytes,
+            Err(error) => outcome.errors.push(format!("slow: {error}")),
+        }
+    }
+    outcome.latencies.sort();
+    outcome
+}
+
+impl Outcome {
+    /// The time within which so many of a thousand answers were there.
+    pub(crate) fn latency(&self, per_mille: usize) -> Duration {
+        let last = self.latencies.len().saturating_sub(1);
+        self.latencies.get(last * per_mille / 1000).copied().unwrap_or_default()
+    }
+}
+
+fn read_ranges(address: SocketAddr, seed: u64, until: Instant) -> io::Result<Vec<Duration>> {
+    let mut connection = Connection::open(address)?;
+    let (mut latencies, mut state) = (Vec::new(), seed);
+    let mut below = |limit: u64| {
+        state = state.wrapping_add(1);
+        mixed(state.wrapping_mul(0x9e37_79b9) ^ seed << 40) % limit
+    };
+    while Instant::now() < until {
+        let length = 1 + below(MAX_RANGE);
+        let start = below(FILE_BYTES as u64 - length);
+        let asked = Instant::now();
+        let range = format!("range: bytes={start}-{}\r\n", start + length - 1);
+        let answer = connection.get(&format!("/models/{FILE}"), &range)?;
+        latencies.push(asked.elapsed());
+        let is_right = answer.body.iter().zip(start..).all(|(&byte, place)| byte == byte_at(place));
+        if answer.status != 206 || answer.body.len() as u64 != length || !is_right {
+            let [status, found] = [u64::from(answer.status), answer.body.len() as u64];
+            return Err(io::Error::other(format!("{found} bytes, status {status}, at {start} + {length}")));
+        }
+    }
+    Ok(latencies)
+}
+
+fn read_slowly(address: SocketAddr, until: Instant) -> io::Result<usize> {
+    let socket = Socket::new(Domain::for_address(address), Type::STREAM, None)?;
+    socket.set_recv_buffer_size(4096)?;
+    socket.set_read_timeout(Some(Duration::from_secs(30)))?;
+    socket.connect(&address.into())?;
+    let mut stream = TcpStream::from(socket);
+    stream.write_all(format!("GET /models/{FILE} HTTP/1.1\r\nhost: localhost\r\n\r\n").as_bytes())?;
+    let mut head = Vec::new();
+    while !head.ends_with(b"\r\n\r\n") {
+        let mut byte = [0];
+        stream.read_exact(&mut byte)?;
+        head.push(byte[0]);
+    }
+    let (mut taken, mut piece) = (0, [0; SLOW_BYTES]);
+    while Instant::now() < until {
+        stream.read_exact(&mut piece)?;
+        if piece.iter().zip(taken as u64..).any(|(&byte, place)| byte != byte_at(place)) {
+            return Err(io::Error::other(format!("wrong bytes after {taken}")));
+        }
+        taken += SLOW_BYTES;
+        thread::sleep(Duration::from_secs(1).min(until.saturating_duration_since(Instant::now())));
+    }
+    Ok(taken)
+}
+
+fn byte_at(place: u64) -> u8 {
+    mixed(place / 8).to_le_bytes()[(place % 8) as usize]
+}
+
+fn mixed(number: u64) -> u64 {
+    let x = (number ^ number >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let x = (x ^ x >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ x >> 31
+}
+
+/// What Linux says of a process's memory.
+fn memory_kb(process: u32, key: &str) -> Option<u64> {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix(key))?;
+    line.trim().strip_suffix("kB")?.trim().parse().ok()
+}

@@ -1,0 +1,101 @@
+//! `view`, on a display: the one there is, or one that shows nothing (Xvfb).
+
+use std::path::Path;
+use std::process::{Command, Output};
+use std::time::Duration;
+
+use crate::workbench::Workbench;
+
+/// Runs the command where it can open a window, and kills it where it never ends.
+fn run_on_display(bench: &Workbench, arguments: &[&str]) -> Output {
+    let striata = assert_cmd::cargo::cargo_bin("striata");
+    let has_display = ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some());
+    let mut command = if has_display {
+        Command::new(&striata)
+    } else {
+        assert!(
+            is_in_path("xvfb-run"),
+            "the window is tested on a display: set DISPLAY, or install xvfb, xauth and mesa-vulkan-drivers"
+        );
+        let mut command = Command::new("xvfb-run");
+        command.args(["-a", "-s", "-screen 0 1600x1200x24"]).arg(&striata);
+        command
+    };
+    command.arg("view").args(arguments).current_dir(bench.path("."));
+    assert_cmd::Command::from_std(command).timeout(Duration::from_secs(120)).output().expect("it starts")
+}
+
+fn is_in_path(program: &str) -> bool {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    std::env::split_paths(&path).any(|folder| folder.join(program).is_file())
+}
+
+/// Width, height and pixels, three bytes each.
+fn png(path: &Path) -> (usize, usize, Vec<u8>) {
+    let file = std::io::BufReader::new(std::fs::File::open(path).expect("the screenshot is there"));
+    let mut reader = png::Decoder::new(file).read_info().expect("a PNG header");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("a small picture")];
+    let info = reader.next_frame(&mut pixels).expect("a picture");
+    assert_eq!(info.color_type, png::ColorType::Rgb);
+    (info.width as usize, info.height as usize, pixels)
+}
+
+/// A screenshot of what the arguments show.
+fn shot(bench: &Workbench, arguments: &[&str]) -> (usize, usize, Vec<u8>) {
+    let name = "shot.png";
+    let output = run_on_display(bench, &[arguments, &["--size", "640x480", "--screenshot", name]].concat());
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{arguments:?}: {stderr}");
+    assert!(output.stdout.is_empty(), "stdout is for data");
+    png(&bench.path(name))
+}
+
+/// Different colours within the middle of the picture, left of the panel.
+fn colours_in_the_middle((width, height, pixels): &(usize, usize, Vec<u8>)) -> usize {
+    let mut colours = std::collections::BTreeSet::new();
+    for y in height / 4..height * 3 / 4 {
+        for x in width / 12..width * 5 / 12 {
+            let at = 3 * (y * width + x);
+            // Coarse, so that shading alone gives few.
+            colours.insert([pixels[at] >> 5, pixels[at + 1] >> 5, pixels[at + 2] >> 5]);
+        }
+    }
+    colours.len()
+}
+
+#[test]
+fn a_screenshot_shows_the_model_and_the_panel() {
+    let bench = Workbench::with_ball();
+    let plain = shot(&bench, &["ball.striata"]);
+    assert_eq!((plain.0, plain.1), (640, 480));
+    let strips = shot(&bench, &["ball.striata", "--colours", "strips"]);
+    let [few, many] = [&plain, &strips].map(colours_in_the_middle);
+    assert!(few >= 3 && many > few, "{few} colours of light, {many} of strips");
+    let fans = shot(&bench, &["sphere.obj", "--pixels", "3", "--theme", "light", "--wireframe"]);
+    let corner = |shot: &(usize, usize, Vec<u8>)| shot.2[3 * (shot.1 - 1) * shot.0];
+    assert!(corner(&fans) > 200 && corner(&plain) < 60, "light and dark backgrounds");
+    assert!(!bench.names().iter().any(|name| name.contains("tmp")), "{:?}", bench.names());
+}
+
+#[test]
+fn what_cannot_be_shown_is_told_without_a_picture() {
+    let bench = Workbench::with_ball();
+    bench.write("broken.obj", "v 0 0 0\nf 1 2 3\n");
+    let output = run_on_display(&bench, &["broken.obj", "--screenshot", "shot.png"]);
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    assert!(stderr.contains("broken.obj") && !stderr.contains("panicked"), "{stderr}");
+    assert!(!bench.names().contains(&"shot.png".to_owned()));
+}
+
+#[test]
+fn without_a_file_or_a_display_it_says_what_to_do() {
+    let bench = Workbench::with_ball();
+    let told = bench.refused("view nowhere.ply");
+    assert!(told.contains("nowhere.ply") && told.contains("hint:"), "{told}");
+    let mut command = bench.command("view ball.striata");
+    let headless = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+    let assert = headless.assert().code(1).stdout("");
+    let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(stderr.contains("display") && stderr.contains("hint: `striata render`"), "{stderr}");
+}

@@ -1,0 +1,18 @@
+// The viewer in a browser, over a real `striata serve`. `node tests/run.mjs` runs this file.
+
+import { after, before, describe } from 'node:test';
+import detail from './detail.mjs';
+import errors from './errors.mjs';
+import files from './files.mjs';
+import { world } from './harness.mjs';
+import looks from './looks.mjs';
+import speed from './speed.mjs';
+import streaming from './streaming.mjs';
+import views from './views.mjs';
+
+describe('viewer', { concurrency: 1 }, () => {
+  const shared = {};
+  before(async () => void Object.assign(shared, await world()), { timeout: 240_000 });
+  after(() => shared.end?.(), { timeout: 60_000 });
+  for (const group of [streaming, detail, views, files, errors, looks, speed]) group(shared);
+});

@@ -1,0 +1,106 @@
+// View-dependent detail: the error it promises is measured here, from the triangles that are drawn and the camera.
+
+import assert from 'node:assert/strict';
+import { settled, shot, slide, state } from './harness.mjs';
+import { distancesTo, pixelsAt } from './measure.mjs';
+import { note, openModel, pageTest } from './pages.mjs';
+
+/**
+ * The promise is a bound on where vertices lie from the surface that is drawn, seen from the camera; the model's own error is
+ * kept as `f32` and checked with margins of its own, so a hair is allowed.
+ */
+const HAIR = 1.01;
+
+/** Positions and triangles that are drawn now, in the world. */
+async function drawn(page) {
+  const { positions, triangles } = await page.evaluate(() => {
+    const { mesh } = window.striataViewer;
+    const { geometry } = mesh;
+    mesh.updateWorldMatrix(true, false);
+    const points = geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
+    const { start, count } = geometry.drawRange;
+    const indices = geometry.index.array.slice(start, Math.min(start + count, geometry.index.count));
+    return { positions: Array.from(points.array.slice(0, 3 * mesh.vertexCount)), triangles: Array.from(indices) };
+  });
+  return { positions: Float32Array.from(positions), triangles };
+}
+
+function camera(page) {
+  return page.evaluate(() => {
+    const { stage } = window.striataViewer;
+    stage.camera.updateMatrixWorld();
+    const view = stage.camera.matrixWorldInverse.elements;
+    const { fov, aspect } = stage.camera;
+    return { view: [...view], fov, aspect, height: stage.renderer.domElement.height };
+  });
+}
+
+/** The largest distance, in pixels, of the full mesh's vertices in the picture to what is drawn. */
+function worst(full, level, look) {
+  const distances = distancesTo(full.positions, level);
+  let largest = 0;
+  for (let vertex = 0; vertex < distances.length; vertex += 1) {
+    const pixels = pixelsAt(full.positions.subarray(3 * vertex, 3 * vertex + 3), look);
+    if (pixels !== null) largest = Math.max(largest, distances[vertex] * pixels);
+  }
+  return largest;
+}
+
+export default function views(world) {
+  pageTest(world, 'pixels of error hold, and far takes fewer triangles than near', {}, async (page) => {
+    await openModel(world, page, 'sub/terrain.stri');
+    const full = await drawn(page);
+    await page.keyboard.press('v');
+    const counts = [];
+    for (const position of [316, 632]) {
+      await slide(page, 'pixels', position);
+      await settled(page);
+      const now = await state(page);
+      const asked = now.pixelError;
+      const level = await drawn(page);
+      assert.equal(level.triangles.length, 3 * now.triangleCount);
+      const measured = worst(full, level, await camera(page));
+      assert.ok(measured <= asked * HAIR, `${measured} pixels where ${asked} were asked for`);
+      assert.ok(now.triangleCount < now.fullTriangleCount, 'less than all of it');
+      counts.push(now.triangleCount);
+      note(`asked for ${asked.toFixed(2)} px: measured ${measured.toFixed(2)} px, ${now.triangleCount} of ${now.fullTriangleCount} triangles`);
+    }
+    assert.ok(counts[1] < counts[0], 'more pixels of error, fewer triangles');
+    await page.evaluate(() => window.striataViewer.framing.zoom(4));
+    await settled(page);
+    const far = await state(page);
+    assert.ok(far.triangleCount < counts[1], `${far.triangleCount} triangles far away, ${counts[1]} near`);
+    const measured = worst(full, await drawn(page), await camera(page));
+    assert.ok(measured <= far.pixelError * HAIR, `${measured} pixels far away`);
+  });
+
+  pageTest(world, 'a frozen view keeps its triangles while one looks from outside', {}, async (page) => {
+    await openModel(world, page, 'sub/terrain.stri');
+    await page.keyboard.press('z');
+    await page.evaluate(() => window.striataViewer.framing.zoom(0.4));
+    await page.keyboard.press('v');
+    await slide(page, 'pixels', 550);
+    await settled(page);
+    const before = await drawn(page);
+    const eye = await page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
+    await page.locator('#freeze').check();
+    await settled(page);
+    const outside = await page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
+    assert.notDeepEqual(outside, eye, 'one is put outside');
+    assert.equal(await page.locator('#outside').isVisible(), true);
+    await page.evaluate(() => window.striataViewer.framing.turn(0.3, 0.1));
+    await settled(page);
+    assert.equal(String((await drawn(page)).triangles) === String(before.triangles), true, 'the same triangles');
+    assert.equal(await page.evaluate(() => window.striataViewer.stage.scene.children.some((child) => child.isLineSegments)), true);
+    await page.locator('#wireframe').check();
+    await shot(page, 'frozen');
+    await page.locator('#wireframe').uncheck();
+    await page.locator('#freeze').uncheck();
+    await settled(page);
+    const back = await page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
+    assert.deepEqual(back.map((x) => x.toFixed(3)), eye.map((x) => x.toFixed(3)), 'back where the view was frozen');
+    await page.evaluate(() => window.striataViewer.framing.turn(1, 0.1));
+    await settled(page);
+    assert.equal(String((await drawn(page)).triangles) === String(before.triangles), false, 'a free view follows the camera');
+  });
+}
