@@ -31,9 +31,11 @@ pub(crate) use self::serve::{ServeArgs, ThumbnailArgs};
 pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-pub(crate) use self::view::{Corners, Point, ViewArgs, Viewport, tan};
+#[cfg(feature = "gpu")]
+pub(crate) use self::view::Viewport;
+pub(crate) use self::view::{Corners, Point, ViewArgs, tan};
 #[cfg(feature = "window")]
-pub(crate) use self::view_window::{ColoursArg, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
+pub(crate) use self::view_window::{FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use crate::strip_chain::{StripChain, StripPlan};
 
 /// Everything on the command line.
@@ -389,6 +391,14 @@ impl Length {
             Self::Absolute(length) => length,
             Self::OfDiagonal(share) => share * diagonal,
         }
+    }
+}
+
+#[cfg(all(test, feature = "window"))]
+impl ReportArgs {
+    /// Says nothing.
+    pub(crate) fn quiet() -> Self {
+        Self { json: false, quiet: true, help: None }
     }
 }
 

@@ -4,14 +4,13 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::parse_detail;
-use super::view::Viewport;
+use super::{Colouring, Viewport, parse_detail};
 
 /// Arguments of `view`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata view bunny.striata\n  \
-    striata view scan.ply --pixels 1 --colours pieces --screenshot scan.png")]
+    striata view scan.ply --pixels 1 --colours fans --screenshot scan.png")]
 pub(crate) struct WindowArgs {
     /// Meshes, .striata files or streams; more can be dropped on the window
     #[arg(value_name = "FILE")]
@@ -25,6 +24,10 @@ pub(crate) struct WindowArgs {
     /// Save what the window shows once it shows the model, and close it
     #[arg(long, value_name = "OUT.png")]
     pub(crate) screenshot: Option<PathBuf>,
+    /// Show one file in the web viewer instead, until the command is ended
+    #[cfg(feature = "serve")]
+    #[arg(long, conflicts_with_all = ["size", "theme", "screenshot", "FirstArgs"])]
+    pub(crate) browser: bool,
     /// What is shown first.
     #[command(flatten)]
     pub(crate) first: FirstArgs,
@@ -49,9 +52,9 @@ pub(crate) struct FirstArgs {
     /// At most so many triangles, those that the view shows best
     #[arg(long, value_name = "N", allow_negative_numbers = true, group = "first_level")]
     pub(crate) budget: Option<usize>,
-    /// What has colours of its own
-    #[arg(long, value_name = "WHAT", default_value = "surface")]
-    pub(crate) colours: ColoursArg,
+    /// Colours of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups
+    #[arg(long, value_name = "NAME", default_value = "surface", hide_possible_values = true)]
+    pub(crate) colours: Colouring,
     /// Draw the edges
     #[arg(long)]
     pub(crate) wireframe: bool,
@@ -82,23 +85,13 @@ pub(crate) enum ShownModelArg {
     Mts,
     /// Fans, which follow the view
     Fans,
+    /// Fans, extracted in a compute shader
+    #[value(name = "fans-gpu")]
+    FansGpu,
     /// Fragments, which follow the view
     Patterns,
     /// A list of triangles
     List,
-}
-
-/// What has colours of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ColoursArg {
-    /// Nothing
-    Surface,
-    /// Strips or fans
-    Pieces,
-    /// Triangles
-    Triangles,
-    /// Groups
-    Groups,
 }
 
 impl WindowArgs {

@@ -10,14 +10,14 @@ mod help;
 mod orders;
 mod patterns;
 mod refusals;
+#[cfg(feature = "gpu")]
+mod render;
 #[cfg(all(unix, feature = "serve"))]
 mod serve;
 #[cfg(all(unix, feature = "serve"))]
 mod serve_client;
 #[cfg(all(unix, feature = "serve"))]
 mod serve_load;
-#[cfg(feature = "gpu")]
-mod render;
 mod streams;
 mod strip_blocks;
 mod strips;

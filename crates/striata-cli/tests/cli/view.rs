@@ -68,7 +68,7 @@ fn a_screenshot_shows_the_model_and_the_panel() {
     let bench = Workbench::with_ball();
     let plain = shot(&bench, &["ball.striata"]);
     assert_eq!((plain.0, plain.1), (640, 480));
-    let strips = shot(&bench, &["ball.striata", "--colours", "pieces"]);
+    let strips = shot(&bench, &["ball.striata", "--colours", "strips"]);
     let [few, many] = [&plain, &strips].map(colours_in_the_middle);
     assert!(few >= 3 && many > few, "{few} colours of light, {many} of strips");
     let fans = shot(&bench, &["sphere.obj", "--pixels", "3", "--theme", "light", "--wireframe"]);

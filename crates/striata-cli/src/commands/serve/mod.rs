@@ -53,7 +53,10 @@ pub(crate) struct Options {
 
 impl Options {
     /// For one person at this machine: any free port, and the browser opened.
-    #[cfg_attr(not(test), expect(dead_code, reason = "`view --browser` asks for it"))]
+    #[cfg_attr(
+        not(any(test, feature = "window")),
+        expect(dead_code, reason = "`view --browser` asks for it")
+    )]
     pub(crate) fn for_browser() -> Self {
         Self {
             host: "127.0.0.1".to_owned(),

@@ -19,6 +19,8 @@ mod state;
 mod subject;
 mod viewer;
 
+#[cfg(feature = "serve")]
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use winit::event_loop::EventLoop;
@@ -27,7 +29,9 @@ use self::app::{App, Wake, WindowPlan};
 use self::orbit::Up;
 use self::state::{Colours, GoalKind, ModelKind, ViewerState};
 use self::viewer::Viewer;
-use crate::args::{ColoursArg, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
+#[cfg(feature = "serve")]
+use super::serve;
+use crate::args::{Colouring, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::Output;
@@ -38,6 +42,10 @@ use crate::output::Output;
 /// Where there is no display or no device, a file is not there, or the screenshot cannot be made.
 pub(crate) fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
     args.files.iter().try_for_each(|path| Input::expect_there(path))?;
+    #[cfg(feature = "serve")]
+    if args.browser {
+        return show_in_browser(&args.files, output);
+    }
     let event_loop = EventLoop::<Wake>::with_user_event().build().map_err(|error| no_display(&error))?;
     let proxy = event_loop.create_proxy();
     // A window that is closed hears nothing any more.
@@ -66,6 +74,7 @@ fn first_state(args: &FirstArgs) -> ViewerState {
             ShownModelArg::LodStrips => ModelKind::LodStrips,
             ShownModelArg::Mts => ModelKind::Mts,
             ShownModelArg::Fans => ModelKind::Fans,
+            ShownModelArg::FansGpu => ModelKind::FansGpu,
             ShownModelArg::Patterns => ModelKind::Patterns,
             ShownModelArg::List => ModelKind::List,
         };
@@ -88,16 +97,30 @@ fn first_state(args: &FirstArgs) -> ViewerState {
         None => state.set_goal(goal, true),
     }
     state.colours = match args.colours {
-        ColoursArg::Surface => Colours::Surface,
-        ColoursArg::Pieces => Colours::Pieces,
-        ColoursArg::Triangles => Colours::Triangles,
-        ColoursArg::Groups => Colours::Groups,
+        Colouring::Surface => Colours::Surface,
+        Colouring::Strips | Colouring::Fans => Colours::Pieces,
+        Colouring::Triangles => Colours::Triangles,
+        Colouring::Groups => Colours::Groups,
     };
     (state.wireframe, state.is_flat) = (args.wireframe, args.flat);
     state
 }
 
+/// Serves one file to this machine, and opens the browser.
+///
+/// # Errors
+/// Where there is not one file, or it cannot be served.
+#[cfg(feature = "serve")]
+fn show_in_browser(files: &[PathBuf], output: &Output) -> Result<(), Failure> {
+    let [file] = files else {
+        let message = format!("--browser shows one file, and {} are named", files.len());
+        return Err(Failure::user(message).with_hint("`striata serve FOLDER` shows all of a folder"));
+    };
+    serve::serve_one(file, &serve::Options::for_browser(), output)
+}
+
 fn no_display(error: &winit::error::EventLoopError) -> Failure {
-    Failure::user(format!("there is no display to open a window on: {error}"))
-        .with_hint("`striata render` draws a picture without one")
+    Failure::user(format!("there is no display to open a window on: {error}")).with_hint(
+        "`striata render` draws a picture without one; `striata view --browser` needs only a browser",
+    )
 }

@@ -269,7 +269,9 @@ fn model(viewer: &mut Viewer, ui: &mut Ui) {
     let can_morph = viewer.state.model.can_morph();
     ui.add_enabled(can_morph, egui::Checkbox::new(&mut viewer.state.morphs, "Geomorphs"))
         .on_disabled_hover_text("Fans know how")
-        .on_hover_text("Vertices slide to where they belong instead of jumping");
+        .on_hover_text(
+            "Vertices slide to where they belong instead of jumping; not with edges or colours of triangles",
+        );
     let mut is_frozen = viewer.state.frozen.is_some();
     let hover = "Keep the level of this view, and look at it from elsewhere";
     if ui.checkbox(&mut is_frozen, "Freeze the level").on_hover_text(hover).clicked() {

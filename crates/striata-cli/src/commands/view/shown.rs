@@ -97,7 +97,10 @@ struct FansShown {
     front: FanFront<ScreenError>,
     /// Where a level is the same everywhere; its split count.
     uniform: Option<(usize, FanInstance)>,
-    triangles: FanTriangles,
+    /// The instance that is drawn: what is wanted, and what is still on its way out.
+    drawn: FanInstance,
+    /// Its triangles, where they are not made on the GPU.
+    triangles: Option<FanTriangles>,
     morphs: Option<FanMorphs>,
 }
 
@@ -113,11 +116,12 @@ impl Shown {
                 Instance::LodStrips { state, buffer }
             }
             ModelKind::Mts => Instance::Mts(subject.mts()?.new_state()),
-            ModelKind::Fans => {
+            ModelKind::Fans | ModelKind::FansGpu => {
                 let (scene, _) = subject.fan_scene()?;
                 let front = FanFront::new(&scene);
-                let triangles = FanTriangles::new(scene.fans(), front.instance());
-                Instance::Fans(Box::new(FansShown { front, uniform: None, triangles, morphs: None }))
+                let drawn = front.instance().clone();
+                let triangles = (kind == ModelKind::Fans).then(|| FanTriangles::new(scene.fans(), &drawn));
+                Instance::Fans(Box::new(FansShown { front, uniform: None, drawn, triangles, morphs: None }))
             }
             ModelKind::Patterns => {
                 Instance::Patterns(Box::new(PatternInstance::base(subject.pattern_scene()?.patterns())))
@@ -134,6 +138,7 @@ impl Shown {
             Instance::List(_) => ModelKind::List,
             Instance::LodStrips { .. } => ModelKind::LodStrips,
             Instance::Mts(_) => ModelKind::Mts,
+            Instance::Fans(fans) if fans.triangles.is_none() => ModelKind::FansGpu,
             Instance::Fans(_) => ModelKind::Fans,
             Instance::Patterns(_) => ModelKind::Patterns,
         }
@@ -185,7 +190,7 @@ impl Shown {
             Instance::Fans(fans) => {
                 let (is_changed, achieved) = fans.follow(subject, wish, split_count);
                 if is_changed || is_first {
-                    fans.indices_into(subject, out);
+                    fans.indices_into(out, subject.steps.mesh().groups.len().max(1));
                 }
                 (is_changed, achieved)
             }
@@ -227,7 +232,7 @@ impl Shown {
         match (&self.instance, subject.fan_scene()) {
             (Instance::Fans(fans), Some((scene, _))) => {
                 let mut indices = Vec::new();
-                fans.shown().fans_into(scene.fans(), &mut indices);
+                fans.drawn.fans_into(scene.fans(), &mut indices);
                 for (number, fan) in indices.split(|&index| index == RESTART).enumerate() {
                     fan_triangles_into(fan, &mut triangles);
                     piece(number, &triangles);
@@ -247,15 +252,24 @@ impl Shown {
                     piece(strip, &triangles);
                 }
             }
-            _ => (triangles, pieces) = self.grouped(),
+            _ => (triangles, pieces) = self.grouped(subject),
         }
         (triangles, pieces)
     }
 
     /// All triangles, and of each which group it is of.
-    pub(super) fn grouped(&self) -> (Vec<[u32; 3]>, Vec<u32>) {
-        let Form { indices, groups, is_strips } = self.form();
+    pub(super) fn grouped(&self, subject: &Subject) -> (Vec<[u32; 3]>, Vec<u32>) {
         let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
+        if let (Instance::Fans(fans), Some((scene, _))) = (&self.instance, subject.fan_scene()) {
+            for group in 0..scene.fans().group_count() {
+                let mut indices = Vec::new();
+                fans.drawn.group_indices_into(scene.fans(), group, &mut indices);
+                triangles.extend_from_slice(indices.as_chunks().0);
+                numbers.resize(triangles.len(), group as u32);
+            }
+            return (triangles, numbers);
+        }
+        let Form { indices, groups, is_strips } = self.form();
         for (group, range) in groups.iter().enumerate() {
             let indices = &indices[range.start as usize..range.end as usize];
             if is_strips {
@@ -266,6 +280,22 @@ impl Shown {
             numbers.resize(triangles.len(), group as u32);
         }
         (triangles, numbers)
+    }
+
+    /// What a GPU makes the triangles of, where it does.
+    pub(super) fn instance_for_gpu(&self) -> Option<&FanInstance> {
+        match &self.instance {
+            Instance::Fans(fans) if fans.triangles.is_none() => Some(&fans.drawn),
+            _ => None,
+        }
+    }
+
+    /// How what is drawn moves.
+    pub(super) fn morphs(&self) -> Option<&FanMorphs> {
+        match &self.instance {
+            Instance::Fans(fans) => fans.morphs.as_ref(),
+            _ => None,
+        }
     }
 }
 
@@ -292,36 +322,45 @@ impl FansShown {
             }
             _ => {}
         }
-        let Self { front, uniform: level, triangles, morphs } = self;
-        let wanted = level.as_ref().map_or(front.instance(), |(_, instance)| instance);
-        let taken_count = wanted.taken_count();
-        let coarsest = (0..scene.fans().step_count()).find(|&step| wanted.is_taken(step as u32));
+        let wanted = self.uniform.as_ref().map_or(self.front.instance(), |(_, instance)| instance);
+        let was_moving = self.morphs.as_ref().is_some_and(|morphs| morphs.moving_count() > 0);
         if wish.morphs {
-            let morphs = morphs.get_or_insert_with(|| FanMorphs::new(triangles.shown(), MORPH_FRAMES));
+            let morphs = self.morphs.get_or_insert_with(|| FanMorphs::new(&self.drawn, MORPH_FRAMES));
             morphs.advance(scene.fans(), wanted);
-        } else if let Some(morphs) = morphs {
-            // What has moved is put where it belongs before the motion is given up, a frame later.
-            morphs.jump_to(scene.fans(), wanted);
+        } else {
+            self.morphs = None;
         }
-        let drawn = morphs.as_ref().map_or(wanted, FanMorphs::drawn);
-        let changed_count = triangles.follow(scene.fans(), &refinable.sequence, drawn);
-        let error = coarsest.map_or(0.0, |step| refinable.sequence.error_at(step));
-        let moving_count = morphs.as_ref().map_or(0, FanMorphs::moving_count);
-        let triangle_count = (0..scene.fans().group_count()).map(|g| triangles.triangles(g).len()).sum();
-        let split_count = scene.fans().step_count() - taken_count;
-        let achieved = Achieved { split_count, triangle_count, error, error_px, moving_count, secs: 0.0 };
-        (changed_count > 0, achieved)
+        let drawn = self.morphs.as_ref().map_or(wanted, FanMorphs::drawn);
+        let is_changed = self.drawn != *drawn;
+        if is_changed {
+            self.drawn.clone_from(drawn);
+            if let Some(triangles) = &mut self.triangles {
+                triangles.follow(scene.fans(), &refinable.sequence, drawn);
+            }
+        }
+        let levels = refinable.sequence.levels();
+        let coarsest = (0..levels.step_count()).find(|&step| wanted.is_taken(step as u32));
+        let moving_count = self.morphs.as_ref().map_or(0, FanMorphs::moving_count);
+        let achieved = Achieved {
+            split_count: levels.step_count() - wanted.taken_count(),
+            triangle_count: match self.uniform {
+                Some((split_count, _)) => levels.triangle_count_at(split_count),
+                None => self.front.triangle_count(),
+            },
+            error: coarsest.map_or(0.0, |step| levels.error_at(step)),
+            error_px,
+            moving_count,
+            secs: 0.0,
+        };
+        (is_changed || was_moving || moving_count > 0, achieved)
     }
 
-    fn shown(&self) -> &FanInstance {
-        self.triangles.shown()
-    }
-
-    fn indices_into(&self, subject: &Subject, (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>)) {
-        let Some((scene, _)) = subject.fan_scene() else { return };
+    /// The triangles, where they are not made on the GPU.
+    fn indices_into(&self, (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>), group_count: usize) {
+        let Some(triangles) = &self.triangles else { return };
         indices.clear();
-        ranges_of_groups(scene.fans().group_count(), groups, |group| {
-            indices.extend_from_slice(self.triangles.triangles(group).as_flattened());
+        ranges_of_groups(group_count, groups, |group| {
+            indices.extend_from_slice(triangles.triangles(group).as_flattened());
             indices.len()
         });
     }
@@ -447,5 +486,118 @@ fn note(changes: &mut Changes, mut ranges: Vec<Range<u32>>) {
         _ if ranges.is_empty() => {}
         Changes::None => *changes = Changes::Ranges(ranges),
         Changes::Ranges(before) => before.append(&mut ranges),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::subject::tests::subject_of;
+    use super::*;
+    use striata::mesh::{canonical_triangles, shapes};
+
+    const FAR: [f32; 3] = [3.0, 4.0, 9.0];
+
+    fn camera(eye: [f32; 3]) -> Camera {
+        Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.4, [800, 600]).expect("a direction")
+    }
+
+    fn wish(goal: Goal) -> Wish {
+        Wish { goal, camera: Some(camera(FAR)), morphs: false }
+    }
+
+    fn subject_with_all() -> Subject {
+        let subject = subject_of(&shapes::two_material_sphere(24, 32));
+        ModelKind::ALL.iter().for_each(|&kind| subject.build(kind).expect("collapses do"));
+        subject
+    }
+
+    #[test]
+    fn all_models_show_the_same_triangles_of_a_level() {
+        let subject = subject_with_all();
+        for kind in ModelKind::ALL {
+            let mut shown = Shown::new(&subject, kind).expect("it is built");
+            assert_eq!(shown.kind(), kind);
+            for detail in [1.0, 0.3, 0.0, 0.6] {
+                let is_changed = shown.follow(&subject, &wish(Goal::Detail(detail)));
+                assert!(is_changed, "{kind:?} at {detail}");
+                assert!(!shown.follow(&subject, &wish(Goal::Detail(detail))), "{kind:?}: nothing new");
+                let expected = subject.steps.level(shown.achieved().split_count);
+                for (triangles, numbers) in [shown.grouped(&subject), shown.pieces(&subject)] {
+                    assert_eq!(triangles.len(), numbers.len());
+                    let expected = canonical_triangles(&expected.triangles);
+                    assert_eq!(canonical_triangles(&triangles), expected, "{kind:?} at {detail}");
+                }
+                assert_eq!(shown.achieved().triangle_count, expected.triangle_count());
+                let groups: std::collections::BTreeSet<u32> = shown.grouped(&subject).1.into_iter().collect();
+                assert_eq!(groups.len(), 2, "{kind:?} tells groups apart");
+            }
+        }
+    }
+
+    #[test]
+    fn of_strips_only_what_changed_is_to_be_uploaded() {
+        let subject = subject_with_all();
+        let mut shown = Shown::new(&subject, ModelKind::LodStrips).expect("it is built");
+        shown.follow(&subject, &wish(Goal::Detail(0.5)));
+        assert_eq!(shown.take_changes(), Changes::All);
+        let mut copy = shown.form().indices.to_vec();
+        for detail in [0.505, 0.51, 0.2] {
+            shown.follow(&subject, &wish(Goal::Detail(detail)));
+            let Changes::Ranges(ranges) = shown.take_changes() else { panic!("ranges at {detail}") };
+            for range in ranges {
+                let range = range.start as usize..range.end as usize;
+                copy[range.clone()].copy_from_slice(&shown.form().indices[range]);
+            }
+            assert_eq!(copy, shown.form().indices, "a copy that got the ranges is the same");
+        }
+        assert_eq!(shown.take_changes(), Changes::None);
+    }
+
+    #[test]
+    fn views_are_followed_and_budgets_kept() {
+        let subject = subject_with_all();
+        for kind in [ModelKind::Fans, ModelKind::FansGpu, ModelKind::Patterns] {
+            let mut shown = Shown::new(&subject, kind).expect("it is built");
+            shown.follow(&subject, &wish(Goal::Pixels(0.5)));
+            let fine = *shown.achieved();
+            shown.follow(&subject, &wish(Goal::Pixels(20.0)));
+            let coarse = *shown.achieved();
+            assert!(fine.triangle_count > 2 * coarse.triangle_count, "{kind:?}: {fine:?} {coarse:?}");
+            assert!(fine.error < coarse.error && fine.error_px == Some(0.5), "{kind:?}");
+            assert_eq!(shown.grouped(&subject).0.len(), coarse.triangle_count);
+        }
+        let mut shown = Shown::new(&subject, ModelKind::Fans).expect("it is built");
+        shown.follow(&subject, &wish(Goal::Budget(300)));
+        assert!((200..=300).contains(&shown.achieved().triangle_count), "{:?}", shown.achieved());
+    }
+
+    #[test]
+    fn a_model_that_cannot_follow_a_view_keeps_its_pixels_everywhere() {
+        let subject = subject_with_all();
+        let mut shown = Shown::new(&subject, ModelKind::LodStrips).expect("it is built");
+        shown.follow(&subject, &wish(Goal::Pixels(2.0)));
+        let achieved = *shown.achieved();
+        let pixels = camera(FAR).error_px(achieved.error, &subject.sphere);
+        assert!(pixels <= 2.0 && achieved.triangle_count < subject.steps.mesh().triangle_count(), "{pixels}");
+    }
+
+    #[test]
+    fn a_motion_ends_where_a_jump_would_have_gone() {
+        let subject = subject_with_all();
+        let mut jumping = Shown::new(&subject, ModelKind::Fans).expect("it is built");
+        let mut moving = Shown::new(&subject, ModelKind::Fans).expect("it is built");
+        for goal in [Goal::Pixels(2.0), Goal::Detail(0.1)] {
+            jumping.follow(&subject, &wish(goal));
+            let morphing = Wish { morphs: true, ..wish(goal) };
+            assert!(moving.follow(&subject, &morphing) && moving.is_moving(), "{goal:?}");
+            let mut frames = 0;
+            while moving.is_moving() && frames < 1000 {
+                assert!(moving.follow(&subject, &morphing), "every frame of a motion is another picture");
+                frames += 1;
+            }
+            assert!((10..=usize::from(MORPH_FRAMES)).contains(&frames), "{frames}");
+            let [a, b] = [&jumping, &moving].map(|shown| canonical_triangles(&shown.grouped(&subject).0));
+            assert_eq!(a, b, "{goal:?}");
+        }
     }
 }

@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use striata::model::FanInstance;
 use striata_gpu::{
-    Canvas, Drawing, Gpu, GpuError, GpuIndices, GpuVertices, Inspection, Look, Painter, Scene, Viewpoint,
-    palette_colour, wgpu,
+    Canvas, Drawing, FanExtractor, Gpu, GpuError, GpuFanInstance, GpuFans, GpuIndices, GpuMorph, GpuVertices,
+    Inspection, Look, Painter, Scene, Viewpoint, palette_colour, wgpu,
 };
 
 use super::shown::{Changes, Shown};
@@ -32,7 +33,21 @@ struct Props {
     is_strips: bool,
     inspection: Option<Inspection>,
     inspected: Inspected,
+    /// Fans that are extracted on the GPU, and whether they have to be.
+    fans: Option<ExtractedFans>,
+    /// Where vertices are that move.
+    morph: Option<GpuMorph>,
     scene: Scene,
+}
+
+/// An instance of fans whose triangles the GPU makes.
+#[derive(Debug)]
+struct ExtractedFans {
+    instance: GpuFanInstance,
+    /// The triangles are not those of the instance yet.
+    is_stale: bool,
+    /// Whether they are what is drawn.
+    is_drawn: bool,
 }
 
 /// Where the model is drawn.
@@ -40,6 +55,7 @@ struct Props {
 pub(super) struct Stage {
     gpu: Gpu,
     painter: Painter,
+    extractor: Option<FanExtractor>,
     canvas: Option<(Canvas, [u32; 2])>,
     props: Option<Props>,
     uploaded_bytes: u64,
@@ -49,7 +65,7 @@ impl Stage {
     /// A stage without a model.
     pub(super) fn new(gpu: Gpu) -> Self {
         let painter = Painter::new(&gpu, Canvas::FORMAT, SAMPLES);
-        Self { gpu, painter, canvas: None, props: None, uploaded_bytes: 0 }
+        Self { gpu, painter, extractor: None, canvas: None, props: None, uploaded_bytes: 0 }
     }
 
     /// Bytes uploaded so far of indices, colours and moved vertices.
@@ -73,6 +89,8 @@ impl Stage {
             is_strips: false,
             inspection: None,
             inspected: Inspected::No,
+            fans: None,
+            morph: None,
             scene,
         });
         Ok(())
@@ -89,11 +107,12 @@ impl Stage {
         (inspected, is_new): (Inspected, bool),
     ) -> Result<(), GpuError> {
         let Some(props) = &mut self.props else { return Ok(()) };
+        let uploaded_before = props.uploaded_bytes();
         if let Inspected::By(colours) = inspected {
             if is_new || props.inspected != inspected || props.inspection.is_none() {
                 let (triangles, numbers) = match colours {
                     Colours::Pieces => shown.pieces(subject),
-                    _ => shown.grouped(),
+                    _ => shown.grouped(subject),
                 };
                 let colours = triangle_colours(colours, &numbers);
                 let vertices = &props.vertices;
@@ -101,24 +120,26 @@ impl Stage {
                 props.inspection = Some(inspection);
                 self.uploaded_bytes += 16 * triangles.len() as u64;
             }
-            props.inspected = inspected;
+            // Single triangles stand where they belong; what moves is followed anew afterwards.
+            (props.inspected, props.morph) = (inspected, None);
+            props.fans.iter_mut().for_each(|fans| fans.is_drawn = false);
             return Ok(());
         }
         (props.inspected, props.inspection) = (inspected, None);
-        let before = props.indices.uploaded_bytes();
-        let changes = shown.take_changes();
-        let form = shown.form();
-        match changes {
-            Changes::None => {}
-            Changes::Ranges(ranges) if form.indices.len() <= props.indices.capacity() => {
-                props.indices.write_ranges(&self.gpu, form.indices, &ranges);
-            }
-            Changes::Ranges(_) | Changes::All => props.indices.write(&self.gpu, form.indices)?,
+        if is_new || props.morph.is_none() {
+            props.follow_morphs(&self.gpu, &self.painter, (subject, shown))?;
         }
-        self.uploaded_bytes += props.indices.uploaded_bytes() - before;
-        props.groups.clear();
-        props.groups.extend_from_slice(form.groups);
-        props.is_strips = form.is_strips;
+        let fans_were_drawn = props.fans.as_mut().is_some_and(|fans| std::mem::take(&mut fans.is_drawn));
+        match shown.instance_for_gpu() {
+            Some(_) if fans_were_drawn && !is_new => props.draws_fans(),
+            Some(instance) => {
+                let extractor = self.extractor.get_or_insert_with(|| FanExtractor::new(&self.gpu));
+                props.write_fans(&self.gpu, extractor, (subject, instance))?;
+            }
+            None => props.write_indices(&self.gpu, shown)?,
+        }
+        // A morph that is over takes its count with it.
+        self.uploaded_bytes += props.uploaded_bytes().saturating_sub(uploaded_before);
         Ok(())
     }
 
@@ -138,18 +159,25 @@ impl Stage {
         }
         let Some((canvas, _)) = &self.canvas else { return Ok(false) };
         let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
+        if let (Some(fans), Some(extractor)) =
+            (self.props.as_mut().and_then(|props| props.fans.as_mut()), &self.extractor)
+            && fans.is_drawn
+            && fans.is_stale
+        {
+            extractor.extract(&mut encoder, &fans.instance);
+            fans.is_stale = false;
+        }
         let mut pass = canvas.begin(&mut encoder, look.background);
         if let Some(props) = &mut self.props {
             props.scene.update(&self.gpu, &props.vertices, (viewpoint, size), look);
             if let Some(inspection) = &props.inspection {
                 self.painter.inspect(&mut pass, &props.scene, inspection);
             } else {
-                let (indices, groups) = (&props.indices, &props.groups[..]);
-                let drawing = match props.is_strips {
-                    true => Drawing::Strips { indices, groups },
-                    false => Drawing::List { indices, groups },
-                };
-                self.painter.draw(&mut pass, &props.scene, &props.vertices, drawing);
+                let drawing = props.drawing();
+                match &props.morph {
+                    Some(morph) => self.painter.draw_morphing(&mut pass, &props.scene, morph, drawing),
+                    None => self.painter.draw(&mut pass, &props.scene, &props.vertices, drawing),
+                }
             }
         }
         drop(pass);
@@ -160,6 +188,87 @@ impl Stage {
     /// The picture as its bytes stand, for a window that mixes colours as the screen encodes them.
     pub(super) fn picture(&self) -> Option<wgpu::TextureView> {
         self.canvas.as_ref().map(|(canvas, _)| canvas.encoded_view())
+    }
+}
+
+impl Props {
+    /// Bytes uploaded so far, but for inspections.
+    fn uploaded_bytes(&self) -> u64 {
+        let fans = self.fans.as_ref().map_or(0, |fans| fans.instance.uploaded_bytes());
+        self.indices.uploaded_bytes() + fans + self.morph.as_ref().map_or(0, GpuMorph::uploaded_bytes)
+    }
+
+    /// Uploads what has changed of the indices.
+    fn write_indices(&mut self, gpu: &Gpu, shown: &mut Shown) -> Result<(), GpuError> {
+        let changes = shown.take_changes();
+        let form = shown.form();
+        match changes {
+            Changes::None => {}
+            Changes::Ranges(ranges) if form.indices.len() <= self.indices.capacity() => {
+                self.indices.write_ranges(gpu, form.indices, &ranges);
+            }
+            Changes::Ranges(_) | Changes::All => self.indices.write(gpu, form.indices)?,
+        }
+        self.groups.clear();
+        self.groups.extend_from_slice(form.groups);
+        self.is_strips = form.is_strips;
+        Ok(())
+    }
+
+    /// Uploads which steps are taken; the table comes before, once.
+    fn write_fans(
+        &mut self,
+        gpu: &Gpu,
+        extractor: &FanExtractor,
+        (subject, instance): (&Subject, &FanInstance),
+    ) -> Result<(), GpuError> {
+        if self.fans.is_none() {
+            let Some((scene, _)) = subject.fan_scene() else { return Ok(()) };
+            let table = GpuFans::upload(gpu, scene.fans())?;
+            let instance = GpuFanInstance::new(gpu, extractor, &table)?;
+            self.fans = Some(ExtractedFans { instance, is_stale: true, is_drawn: true });
+        }
+        if let Some(fans) = &mut self.fans {
+            fans.instance.write(gpu, instance);
+            (fans.is_stale, fans.is_drawn) = (true, true);
+        }
+        Ok(())
+    }
+
+    /// Uploads where vertices are that move; where nothing ever does, nothing is kept.
+    fn follow_morphs(
+        &mut self,
+        gpu: &Gpu,
+        painter: &Painter,
+        (subject, shown): (&Subject, &Shown),
+    ) -> Result<(), GpuError> {
+        let (Some(morphs), Some(refinable)) = (shown.morphs(), subject.refinable()) else {
+            self.morph = None;
+            return Ok(());
+        };
+        let mut morph = match self.morph.take() {
+            Some(morph) => morph,
+            None => GpuMorph::new(gpu, painter, &self.vertices)?,
+        };
+        morph.follow(gpu, morphs, &refinable.sequence)?;
+        self.morph = Some(morph);
+        Ok(())
+    }
+
+    /// Goes on drawing what was extracted before.
+    fn draws_fans(&mut self) {
+        if let Some(fans) = &mut self.fans {
+            fans.is_drawn = true;
+        }
+    }
+
+    fn drawing(&self) -> Drawing<'_> {
+        let (indices, groups) = (&self.indices, &self.groups[..]);
+        match &self.fans {
+            Some(fans) if fans.is_drawn => fans.instance.drawing(),
+            _ if self.is_strips => Drawing::Strips { indices, groups },
+            _ => Drawing::List { indices, groups },
+        }
     }
 }
 

@@ -13,13 +13,16 @@ pub(super) enum ModelKind {
     Mts,
     /// Progressive fans, which follow a view.
     Fans,
+    /// The same, their triangles made in a compute shader.
+    FansGpu,
     /// Fragments, which follow a view too.
     Patterns,
 }
 
 impl ModelKind {
     /// All of them, as the panel lists them.
-    pub(super) const ALL: [Self; 5] = [Self::LodStrips, Self::Mts, Self::Fans, Self::Patterns, Self::List];
+    pub(super) const ALL: [Self; 6] =
+        [Self::LodStrips, Self::Mts, Self::Fans, Self::FansGpu, Self::Patterns, Self::List];
 
     /// As the panel names it.
     pub(super) const fn title(self) -> &'static str {
@@ -28,6 +31,7 @@ impl ModelKind {
             Self::LodStrips => "LodStrips",
             Self::Mts => "MTS",
             Self::Fans => "Fans",
+            Self::FansGpu => "GPU fans",
             Self::Patterns => "Patterns",
         }
     }
@@ -39,25 +43,26 @@ impl ModelKind {
             Self::LodStrips => "Strips edited in place; only what changed is uploaded",
             Self::Mts => "Strips walked anew where they change, uploaded whole",
             Self::Fans => "Follows the view: finer where the screen asks for it",
+            Self::FansGpu => "Fans made in a compute shader; a bit a step is uploaded",
             Self::Patterns => "Follows the view in fragments of any kind",
         }
     }
 
     /// Whether the level may differ from place to place.
     pub(super) const fn follows_views(self) -> bool {
-        matches!(self, Self::Fans | Self::Patterns)
+        matches!(self, Self::Fans | Self::FansGpu | Self::Patterns)
     }
 
     /// Whether changes are shown as motion.
     pub(super) const fn can_morph(self) -> bool {
-        false
+        matches!(self, Self::Fans | Self::FansGpu)
     }
 
     /// What its triangles are parts of, where they are.
     pub(super) const fn pieces(self) -> Option<&'static str> {
         match self {
             Self::LodStrips | Self::Mts => Some("Strips"),
-            Self::Fans => Some("Fans"),
+            Self::Fans | Self::FansGpu => Some("Fans"),
             Self::List | Self::Patterns => None,
         }
     }

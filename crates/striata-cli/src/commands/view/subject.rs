@@ -100,7 +100,7 @@ impl Subject {
             ModelKind::List => true,
             ModelKind::LodStrips => self.lod_strips.get().is_some(),
             ModelKind::Mts => self.mts.get().is_some(),
-            ModelKind::Fans => self.fans.get().is_some(),
+            ModelKind::Fans | ModelKind::FansGpu => self.fans.get().is_some(),
             ModelKind::Patterns => self.patterns.get().is_some(),
         }
     }
@@ -145,7 +145,7 @@ impl Subject {
                 let model = Mts::build(refinable, self.strips(refinable)?)?;
                 let _ = self.mts.set(model);
             }
-            (ModelKind::Fans, Steps::Collapses(refinable)) => {
+            (ModelKind::Fans | ModelKind::FansGpu, Steps::Collapses(refinable)) => {
                 let fans = Fans::build(refinable);
                 let bounds = FanBounds::build(&fans, refinable);
                 let _ = self.fans.set((fans, bounds));
