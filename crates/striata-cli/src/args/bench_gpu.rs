@@ -16,7 +16,7 @@ const DRAWN: &str = "Drawing";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata bench-gpu bunny.ply cow.obj\n  \
-    striata bench-gpu bunny.ply --ways fans-compute,discrete --size 1920x1080 --json")]
+    striata bench-gpu bunny.ply --ways fans,fans-compute --json")]
 pub(crate) struct BenchGpuArgs {
     /// Meshes, .striata files (their full level), or shapes such as shape:sphere
     #[arg(value_name = "INPUT", required = true)]
