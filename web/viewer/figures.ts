@@ -26,6 +26,8 @@ export class Figures {
     const part = mesh.diagonal > 0 ? ` (${percent(mesh.error / mesh.diagonal)})` : '';
     put('error', mesh.error > 0 ? `${digits(mesh.error)}${part}` : 'none');
     put('change', `${mesh.timings.updateMs.toFixed(1)} ms`);
+    // Out of sight it is as coarse as can be.
+    put('error-name', mesh.pixelError === null ? 'Error' : 'Largest error');
     element('pixels-row').hidden = mesh.pixelError === null;
     if (mesh.pixelError !== null) put('pixels-shown', `≤ ${digits(mesh.pixelError)} px`);
   }

@@ -9,7 +9,8 @@ use crate::steps::{self, cargo};
 use crate::{machine, workspace};
 
 /// Files that the demo must leave, among others.
-const EXPECTED: [&str; 3] = ["index.html", "nefertiti.striata", "levels.png"];
+const EXPECTED: [&str; 6] =
+    ["index.html", "viewer.html", "nefertiti.striata", "nefertiti.stri", "levels.png", "view.png"];
 
 /// Assets that are also written as triangle strips; the latter has seams.
 const STRIPPED: [&str; 2] = ["nefertiti.ply.zst", "spot.obj.zst"];

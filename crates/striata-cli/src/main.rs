@@ -11,6 +11,7 @@ mod input;
 mod level;
 mod output;
 mod page;
+#[cfg_attr(not(feature = "gpu"), expect(dead_code, unused_imports, reason = "only `render` shows all of it"))]
 mod picture;
 mod save;
 mod sequence;

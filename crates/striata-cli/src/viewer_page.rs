@@ -19,7 +19,6 @@ pub(crate) struct ViewerFiles;
 ///
 /// # Errors
 /// Where the viewer that was built in lacks a part.
-#[cfg_attr(not(test), expect(dead_code, reason = "`demo` writes its page with it"))]
 pub(crate) fn self_contained(model: Option<(&str, &[u8])>) -> Result<String, Failure> {
     let file = |name: &str| ViewerFiles::get(name).map(|file| file.data.into_owned());
     assembled(&file, model)

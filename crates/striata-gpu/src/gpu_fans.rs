@@ -30,8 +30,8 @@ use crate::gpu::{Gpu, GpuError};
 use crate::gpu_fan_words::FanWords;
 use crate::indices::COMMAND_BYTES;
 
-/// Changed words of bits with fewer unchanged ones between them are uploaded as one range.
-const JOIN_GAP: usize = 512;
+/// Changed words of bits with fewer unchanged ones between them are uploaded as one range: a write costs as much as so many.
+const JOIN_GAP: usize = 4096;
 
 /// The static half of the model on the GPU; see the [module](self).
 #[derive(Debug)]
@@ -213,12 +213,12 @@ mod tests {
 
     #[test]
     fn near_changes_are_one_range_and_far_ones_are_not() {
-        let known = vec![0u64; 5000];
+        let known = vec![0u64; 10_000];
         let mut words = known.clone();
         assert!(changed_ranges(&known, &words).is_empty());
-        for at in [0, 3, 3 + JOIN_GAP, 4999] {
+        for at in [0, 3, 3 + JOIN_GAP, 9999] {
             words[at] = 1;
         }
-        assert_eq!(changed_ranges(&known, &words), [0..4 + JOIN_GAP, 4999..5000]);
+        assert_eq!(changed_ranges(&known, &words), [0..4 + JOIN_GAP, 9999..10_000]);
     }
 }

@@ -8,8 +8,12 @@ use crate::drawing::Drawing;
 use crate::gpu::{Gpu, GpuError};
 use crate::indices::GpuIndices;
 
-/// Changed ranges with fewer unchanged indices between them are sent as one: a write costs as much as so many indices.
-const JOIN_GAP: u32 = 2048;
+/// Changed ranges with fewer unchanged indices between them are sent as one: a write costs as much as so many indices, 4.2
+/// µs of the processor and 2.5 of the queue beside 0.7 ns an index.
+///
+/// Tried: all ranges in one buffer, from which the queue copies each. That is 1.1 µs a range and 40 µs once, which pays from 8 ranges
+/// that are far apart on, and where many are, all the indices of most meshes are sent as quickly.
+const JOIN_GAP: u32 = 8192;
 
 /// An index buffer on the GPU that follows one [`LodStripsState`].
 ///

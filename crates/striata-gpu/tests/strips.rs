@@ -81,7 +81,7 @@ fn any_walk_leaves_the_same_indices_on_both_sides() {
 #[test]
 fn a_small_move_sends_little() {
     let gpu = gpu();
-    let refinable = refinable(&shapes::terrain(120, 3)).unwrap();
+    let refinable = refinable(&shapes::terrain(220, 3)).unwrap();
     let model = model(&refinable);
     let mut state = model.new_state();
     let mut strips = GpuLodStrips::new(&gpu, &model, &mut state).unwrap();

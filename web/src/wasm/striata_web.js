@@ -28,16 +28,12 @@ get code() {
 let deferred1_0;
 let deferred1_1;
 try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.failure_code(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-deferred1_0 = r0;
-deferred1_1 = r1;
-return getStringFromWasm0(r0, r1);
+const ret = wasm.failure_code(this.__wbg_ptr);
+deferred1_0 = ret[0];
+deferred1_1 = ret[1];
+return getStringFromWasm0(ret[0], ret[1]);
 } finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-wasm.__wbindgen_export(deferred1_0, deferred1_1, 1);
+wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
 }
 }
 /**
@@ -45,20 +41,13 @@ wasm.__wbindgen_export(deferred1_0, deferred1_1, 1);
  * @returns {string | undefined}
  */
 get hint() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.failure_hint(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
+const ret = wasm.failure_hint(this.__wbg_ptr);
 let v1;
-if (r0 !== 0) {
-v1 = getStringFromWasm0(r0, r1);
-wasm.__wbindgen_export(r0, r1 * 1, 1);
+if (ret[0] !== 0) {
+v1 = getStringFromWasm0(ret[0], ret[1]);
+wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 }
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * One sentence.
@@ -68,16 +57,12 @@ get message() {
 let deferred1_0;
 let deferred1_1;
 try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.failure_message(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-deferred1_0 = r0;
-deferred1_1 = r1;
-return getStringFromWasm0(r0, r1);
+const ret = wasm.failure_message(this.__wbg_ptr);
+deferred1_0 = ret[0];
+deferred1_1 = ret[1];
+return getStringFromWasm0(ret[0], ret[1]);
 } finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-wasm.__wbindgen_export(deferred1_0, deferred1_1, 1);
+wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
 }
 }
 }
@@ -110,17 +95,10 @@ return ptr;
  * @returns {Float32Array}
  */
 bounds() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.model_bounds(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var v1 = getArrayF32FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 4, 4);
+const ret = wasm.model_bounds(this.__wbg_ptr);
+var v1 = getArrayF32FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * Makes what views are taken from, of what has come. No more bytes can be pushed then.
@@ -129,16 +107,9 @@ wasm.__wbindgen_add_to_stack_pointer(16);
  * Where too little has come.
  */
 build() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.model_build(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-if (r1) {
-throw takeFromExternrefTable0(r0);
-}
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
+const ret = wasm.model_build(this.__wbg_ptr);
+if (ret[1]) {
+throw takeFromExternrefTable0(ret[0]);
 }
 }
 /**
@@ -147,17 +118,10 @@ wasm.__wbindgen_add_to_stack_pointer(16);
  * @returns {Uint32Array}
  */
 color_fans() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.model_color_fans(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var v1 = getArrayU32FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 4, 4);
+const ret = wasm.model_color_fans(this.__wbg_ptr);
+var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * Puts the triangles that are shown into the order of strips made of them, and tells the strip of each.
@@ -167,22 +131,13 @@ wasm.__wbindgen_add_to_stack_pointer(16);
  * @returns {Uint32Array}
  */
 color_strips() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.model_color_strips(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-var r3 = getDataViewMemory0().getInt32(retptr + 4 * 3, true);
-if (r3) {
-throw takeFromExternrefTable0(r2);
+const ret = wasm.model_color_strips(this.__wbg_ptr);
+if (ret[3]) {
+throw takeFromExternrefTable0(ret[2]);
 }
-var v1 = getArrayU32FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 4, 4);
+var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * Diagonal of these bounds, mesh units.
@@ -199,20 +154,13 @@ return ret;
  * Where there is no mesh without what is missing.
  */
 finish() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.model_finish(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-if (r1) {
-throw takeFromExternrefTable0(r0);
-}
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
+const ret = wasm.model_finish(this.__wbg_ptr);
+if (ret[1]) {
+throw takeFromExternrefTable0(ret[0]);
 }
 }
 /**
- * Reads a whole file and builds its model; plain meshes are simplified, which takes a second or two for each 100,000
+ * Reads a whole file, unpacked, and builds its model; plain meshes are simplified, which takes a second or two for each 100,000
  * triangles. What is shown is all of it.
  *
  * # Errors
@@ -223,30 +171,22 @@ wasm.__wbindgen_add_to_stack_pointer(16);
  * @returns {Model}
  */
 static from_file(bytes, name, sink) {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
 let ptr0, len0, ptr1, len1;
 try {
-ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_export3);
+ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
 len0 = WASM_VECTOR_LEN;
-ptr1 = passStringToWasm0(name, wasm.__wbindgen_export3, wasm.__wbindgen_export4);
+ptr1 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
 len1 = WASM_VECTOR_LEN;
 } catch (e) {
-if (ptr1) { wasm.__wbindgen_export(ptr1, len1 * 1, 1); }
-if (ptr0) { wasm.__wbindgen_export(ptr0, len0 * 1, 1); }
+if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
 throw e;
 }
-wasm.model_from_file(retptr, ptr0, len0, ptr1, len1, sink);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-if (r2) {
-throw takeFromExternrefTable0(r1);
+const ret = wasm.model_from_file(ptr0, len0, ptr1, len1, sink);
+if (ret[2]) {
+throw takeFromExternrefTable0(ret[1]);
 }
-return Model.__wrap(r0);
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
+return Model.__wrap(ret[0]);
 }
 /**
  * Triangles that there will be; 0 as long as nobody has told.
@@ -277,34 +217,20 @@ return ret >>> 0;
  * @returns {Uint32Array}
  */
 group_counts() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.model_group_counts(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var v1 = getArrayU32FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 4, 4);
+const ret = wasm.model_group_counts(this.__wbg_ptr);
+var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * Corners of the triangles that are shown, group after group.
  * @returns {Uint32Array}
  */
 indices() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.model_indices(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var v1 = getArrayU32FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 4, 4);
+const ret = wasm.model_indices(this.__wbg_ptr);
+var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * Whether views can be shown.
@@ -338,16 +264,12 @@ get kind() {
 let deferred1_0;
 let deferred1_1;
 try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.model_kind(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-deferred1_0 = r0;
-deferred1_1 = r1;
-return getStringFromWasm0(r0, r1);
+const ret = wasm.model_kind(this.__wbg_ptr);
+deferred1_0 = ret[0];
+deferred1_1 = ret[1];
+return getStringFromWasm0(ret[0], ret[1]);
 } finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-wasm.__wbindgen_export(deferred1_0, deferred1_1, 1);
+wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
 }
 }
 /**
@@ -367,18 +289,11 @@ return this;
  * @param {Uint8Array | number[]} bytes
  */
 push(bytes) {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_export3);
+const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
 const len0 = WASM_VECTOR_LEN;
-wasm.model_push(retptr, this.__wbg_ptr, ptr0, len0);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-if (r1) {
-throw takeFromExternrefTable0(r0);
-}
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
+const ret = wasm.model_push(this.__wbg_ptr, ptr0, len0);
+if (ret[1]) {
+throw takeFromExternrefTable0(ret[0]);
 }
 }
 /**
@@ -411,20 +326,12 @@ wasm.model_show_triangles(this.__wbg_ptr, most);
  * @returns {boolean}
  */
 show_view(view) {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
 _assertClass(view, View);
-wasm.model_show_view(retptr, this.__wbg_ptr, view.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-if (r2) {
-throw takeFromExternrefTable0(r1);
+const ret = wasm.model_show_view(this.__wbg_ptr, view.__wbg_ptr);
+if (ret[2]) {
+throw takeFromExternrefTable0(ret[1]);
 }
-return r0 !== 0;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
+return ret[0] !== 0;
 }
 /**
  * How far what is shown is from the full mesh, where it is farthest, mesh units.
@@ -447,17 +354,10 @@ return ret >>> 0;
  * @returns {Float32Array}
  */
 smooth_normals() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.model_smooth_normals(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var v1 = getArrayF32FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 4, 4);
+const ret = wasm.model_smooth_normals(this.__wbg_ptr);
+var v1 = getArrayF32FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * Vertex splits from the base to the full mesh.
@@ -577,21 +477,13 @@ wasm.__wbg_set_streamplace_offset(this.__wbg_ptr, arg0);
  * @returns {StreamPlace}
  */
 static find(head) {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-const ptr0 = passArray8ToWasm0(head, wasm.__wbindgen_export3);
+const ptr0 = passArray8ToWasm0(head, wasm.__wbindgen_malloc);
 const len0 = WASM_VECTOR_LEN;
-wasm.streamplace_find(retptr, ptr0, len0);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-if (r2) {
-throw takeFromExternrefTable0(r1);
+const ret = wasm.streamplace_find(ptr0, len0);
+if (ret[2]) {
+throw takeFromExternrefTable0(ret[1]);
 }
-return StreamPlace.__wrap(r0);
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
+return StreamPlace.__wrap(ret[0]);
 }
 }
 if (Symbol.dispose) StreamPlace.prototype[Symbol.dispose] = StreamPlace.prototype.free;
@@ -621,77 +513,49 @@ return ptr;
  * @returns {Uint8Array | undefined}
  */
 take_colors() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.vertices_take_colors(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
+const ret = wasm.vertices_take_colors(this.__wbg_ptr);
 let v1;
-if (r0 !== 0) {
-v1 = getArrayU8FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 1, 1);
+if (ret[0] !== 0) {
+v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
 }
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * Three numbers a vertex, if the mesh has normals.
  * @returns {Float32Array | undefined}
  */
 take_normals() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.vertices_take_normals(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
+const ret = wasm.vertices_take_normals(this.__wbg_ptr);
 let v1;
-if (r0 !== 0) {
-v1 = getArrayF32FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 4, 4);
+if (ret[0] !== 0) {
+v1 = getArrayF32FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 }
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * Three numbers a vertex, mesh units.
  * @returns {Float32Array}
  */
 take_positions() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.vertices_take_positions(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var v1 = getArrayF32FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 4, 4);
+const ret = wasm.vertices_take_positions(this.__wbg_ptr);
+var v1 = getArrayF32FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 /**
  * Two numbers a vertex, `v` downwards, if the mesh has texture coordinates.
  * @returns {Float32Array | undefined}
  */
 take_uvs() {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
-wasm.vertices_take_uvs(retptr, this.__wbg_ptr);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
+const ret = wasm.vertices_take_uvs(this.__wbg_ptr);
 let v1;
-if (r0 !== 0) {
-v1 = getArrayF32FromWasm0(r0, r1).slice();
-wasm.__wbindgen_export(r0, r1 * 4, 4);
+if (ret[0] !== 0) {
+v1 = getArrayF32FromWasm0(ret[0], ret[1]).slice();
+wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 }
 return v1;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 }
 if (Symbol.dispose) Vertices.prototype[Symbol.dispose] = Vertices.prototype.free;
@@ -751,25 +615,17 @@ wasm.__wbg_set_view_triangle_limit(this.__wbg_ptr, arg0);
  * @param {number} triangle_limit
  */
 constructor(numbers, pixels, triangle_limit) {
-try {
-const retptr = wasm.__wbindgen_add_to_stack_pointer(-16) >>> 0;
 const val2 = +pixels;
 const val3 = +triangle_limit;
-const ptr0 = passArrayF64ToWasm0(numbers, wasm.__wbindgen_export3);
+const ptr0 = passArrayF64ToWasm0(numbers, wasm.__wbindgen_malloc);
 const len0 = WASM_VECTOR_LEN;
-wasm.view_new(retptr, ptr0, len0, val2, val3);
-var r0 = getDataViewMemory0().getInt32(retptr + 4 * 0, true);
-var r1 = getDataViewMemory0().getInt32(retptr + 4 * 1, true);
-var r2 = getDataViewMemory0().getInt32(retptr + 4 * 2, true);
-if (r2) {
-throw takeFromExternrefTable0(r1);
+const ret = wasm.view_new(ptr0, len0, val2, val3);
+if (ret[2]) {
+throw takeFromExternrefTable0(ret[1]);
 }
-this.__wbg_ptr = r0;
+this.__wbg_ptr = ret[0];
 ViewFinalization.register(this, this.__wbg_ptr, this);
 return this;
-} finally {
-wasm.__wbindgen_add_to_stack_pointer(16);
-}
 }
 }
 if (Symbol.dispose) View.prototype[Symbol.dispose] = View.prototype.free;
@@ -836,14 +692,6 @@ function getArrayU32FromWasm0(ptr, len) {
 function getArrayU8FromWasm0(ptr, len) {
                     ptr = ptr >>> 0;
                     return getUint8ArrayMemory0().subarray(ptr / 1, ptr / 1 + len);
-                }
-
-let cachedDataViewMemory0 = null;
-                function getDataViewMemory0() {
-                    if (cachedDataViewMemory0 === null || cachedDataViewMemory0.buffer.detached === true || (cachedDataViewMemory0.buffer.detached === undefined && cachedDataViewMemory0.buffer !== wasm.memory.buffer)) {
-                        cachedDataViewMemory0 = new DataView(wasm.memory.buffer);
-                    }
-                    return cachedDataViewMemory0;
                 }
 
 let cachedFloat32ArrayMemory0 = null;
@@ -936,7 +784,7 @@ function passStringToWasm0(arg, malloc, realloc) {
 
 function takeFromExternrefTable0(idx) {
                     const value = wasm.__wbindgen_externrefs.get(idx);
-                    wasm.__wbindgen_export2(idx);
+                    wasm.__externref_table_dealloc(idx);
                     return value;
                 }
 
@@ -974,8 +822,7 @@ let wasmModule, wasmInstance, wasm;
                 wasmInstance = instance;
                 wasm = instance.exports;
                 wasmModule = module;
-                cachedDataViewMemory0 = null;
-cachedFloat32ArrayMemory0 = null;
+                cachedFloat32ArrayMemory0 = null;
 cachedFloat64ArrayMemory0 = null;
 cachedUint32ArrayMemory0 = null;
 cachedUint8ArrayMemory0 = null;

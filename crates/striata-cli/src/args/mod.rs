@@ -31,7 +31,9 @@ pub(crate) use self::serve::{ServeArgs, ThumbnailArgs};
 pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-pub(crate) use self::view::{Corners, Point, ViewArgs, Viewport, tan};
+#[cfg(feature = "gpu")]
+pub(crate) use self::view::Viewport;
+pub(crate) use self::view::{Corners, Point, ViewArgs, tan};
 #[cfg(feature = "window")]
 pub(crate) use self::view_window::{FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use crate::strip_chain::{StripChain, StripPlan};

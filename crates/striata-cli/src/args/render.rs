@@ -65,7 +65,7 @@ pub(crate) struct RenderArgs {
     /// Turned around the mesh, degrees from its front to its right [default: -35]
     #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = parse_degrees, help_heading = CAMERA)]
     pub(crate) turn: Option<f32>,
-    /// Degrees above the mesh [default: 8]
+    /// Degrees above the mesh [default: 8; 40 of what lies flat along z, which is up then]
     #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = parse_degrees, help_heading = CAMERA)]
     pub(crate) rise: Option<f32>,
     /// Times as large

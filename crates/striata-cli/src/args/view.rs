@@ -57,38 +57,6 @@ impl ViewArgs {
         has_camera || has_place || pixels.is_some() || silhouette_pixels.is_some()
     }
 
-    /// What is looked at, where that was said.
-    pub(crate) fn look_at(&self) -> Option<[f32; 3]> {
-        self.look_at.map(|point| point.0)
-    }
-
-    /// What is upwards, where that was said.
-    pub(crate) fn up(&self) -> Option<[f32; 3]> {
-        self.up.map(|up| up.0)
-    }
-
-    /// The angle of view, radians, where that was said.
-    pub(crate) fn fov(&self) -> Option<f64> {
-        self.fov.map(f64::to_radians)
-    }
-
-    /// Pixels of the screen, where they were said.
-    pub(crate) fn viewport(&self) -> Option<[u32; 2]> {
-        self.viewport.map(|viewport| viewport.0)
-    }
-
-    /// The same for a screen of so many pixels, where none was said.
-    pub(crate) fn on_screen(self, screen: [u32; 2]) -> Self {
-        Self { viewport: self.viewport.or(Some(Viewport(screen))), ..self }
-    }
-
-    /// Whether anything was said that only a criterion of a view needs.
-    pub(crate) fn has_criterion(&self) -> bool {
-        let Self { viewport, pixels, silhouette_pixels, region, gaze, .. } = self;
-        let has_place = region.is_some() || gaze.is_some();
-        viewport.is_some() || has_place || pixels.is_some() || silhouette_pixels.is_some()
-    }
-
     /// Pixels that an error may take.
     pub(crate) fn pixels(&self) -> f64 {
         self.pixels.unwrap_or(1.0)
@@ -121,6 +89,41 @@ impl ViewArgs {
         let up = self.up.map_or([0.0, 1.0, 0.0], |up| up.0);
         let Viewport(screen) = self.viewport.unwrap_or(Viewport([1920, 1080]));
         Camera::new(eye.0, target, up, tan(self.fov.unwrap_or(60.0).to_radians() / 2.0), screen)
+    }
+}
+
+#[cfg(feature = "gpu")]
+impl ViewArgs {
+    /// What is looked at, where that was said.
+    pub(crate) fn look_at(&self) -> Option<[f32; 3]> {
+        self.look_at.map(|point| point.0)
+    }
+
+    /// What is upwards, where that was said.
+    pub(crate) fn up(&self) -> Option<[f32; 3]> {
+        self.up.map(|up| up.0)
+    }
+
+    /// The angle of view, radians, where that was said.
+    pub(crate) fn fov(&self) -> Option<f64> {
+        self.fov.map(f64::to_radians)
+    }
+
+    /// Pixels of the screen, where they were said.
+    pub(crate) fn viewport(&self) -> Option<[u32; 2]> {
+        self.viewport.map(|viewport| viewport.0)
+    }
+
+    /// The same for a screen of so many pixels, where none was said.
+    pub(crate) fn on_screen(self, screen: [u32; 2]) -> Self {
+        Self { viewport: self.viewport.or(Some(Viewport(screen))), ..self }
+    }
+
+    /// Whether anything was said that only a criterion of a view needs.
+    pub(crate) fn has_criterion(&self) -> bool {
+        let Self { viewport, pixels, silhouette_pixels, region, gaze, .. } = self;
+        let has_place = region.is_some() || gaze.is_some();
+        viewport.is_some() || has_place || pixels.is_some() || silhouette_pixels.is_some()
     }
 }
 

@@ -31,6 +31,18 @@ pub(crate) struct Angles {
     pub(crate) fov: f32,
 }
 
+impl Angles {
+    /// From where a mesh is seen that nobody said anything of: from its front, a little from its left and above. What lies
+    /// flat along z, as terrains do, has z up and is seen from higher.
+    pub(crate) fn usual(bounds: Option<&Bounds>) -> Self {
+        const FLAT: f32 = 0.3;
+        let size = bounds.map_or([1.0; 3], |bounds| [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]));
+        let lies_flat = size[2] < FLAT * size[0].min(size[1]);
+        let (up, rise): (_, f32) = if lies_flat { ([0.0, 0.0, 1.0], 40.0) } else { ([0.0, 1.0, 0.0], 8.0) };
+        Self { turn: (-35.0f32).to_radians(), rise: rise.to_radians(), up, fov: 27.0f32.to_radians() }
+    }
+}
+
 impl Camera {
     /// The nearest place in a direction from which all points are on a picture of that shape, with some air around them.
     pub(crate) fn around(points: &[[f32; 3]], angles: &Angles, aspect: f32) -> Self {
@@ -121,13 +133,6 @@ fn fitted(points: &[[f32; 3]], axes: &Axes, fov: f64, aspect: f64) -> Stand {
     Stand { place, distance: depth - (near + far) / 2.0 }
 }
 
-/// What is up in a mesh that says nothing: y, but z where it lies flat along z, as terrains do.
-pub(crate) fn usual_up(bounds: &Bounds) -> [f32; 3] {
-    const FLAT: f32 = 0.3;
-    let [x, y, z] = [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]);
-    if z < FLAT * x.min(y) { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] }
-}
-
 /// Where a mesh looks that stands upright: at us, as far as up allows.
 fn front_of(up: [f64; 3]) -> [f64; 3] {
     // With z up, as in surveying and in print, the front is towards -y.
@@ -207,11 +212,12 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_flat_has_z_up() {
-        let up = |max: [f32; 3]| usual_up(&Bounds { min: [0.0; 3], max });
-        assert_eq!(up([10.0, 8.0, 1.0]), [0.0, 0.0, 1.0]);
+    fn what_lies_flat_has_z_up_and_is_seen_from_higher() {
+        let usual = |max: [f32; 3]| Angles::usual(Some(&Bounds { min: [0.0; 3], max }));
+        let flat = usual([10.0, 8.0, 1.0]);
+        assert!(flat.up == [0.0, 0.0, 1.0] && flat.rise > 0.5);
         for upright in [[1.0; 3], [10.0, 1.0, 10.0], [1.0, 10.0, 1.0], [10.0, 1.0, 1.0]] {
-            assert_eq!(up(upright), [0.0, 1.0, 0.0], "{upright:?}");
+            assert_eq!(usual(upright), Angles::usual(None), "{upright:?}");
         }
     }
 

@@ -21,7 +21,7 @@ mod shot;
 mod text;
 
 pub(crate) use artist::{Artist, Drawn};
-pub(crate) use camera::{Angles, Camera, usual_up};
+pub(crate) use camera::{Angles, Camera};
 pub(crate) use canvas::{Canvas, Rgba};
 pub(crate) use frustum::Frustum;
 #[cfg(feature = "gpu")]

@@ -172,7 +172,7 @@ impl Sheet {
 
     /// Writes into the middle of a panel's width, smaller where there is too little room.
     fn write(&self, sheet: &mut Canvas, text: &str, (size, colour): (f32, Rgba), place: [f32; 2]) {
-        let room = 0.96 * self.panel_size()[0] as f32;
+        let room = 0.88 * self.panel_size()[0] as f32;
         let size = size * (room / width(text, size).max(1.0)).min(1.0);
         write(sheet, text, (size, colour), (place, Align::Middle));
     }
@@ -221,7 +221,7 @@ impl Sheet {
         let last = bar.marks.len().saturating_sub(1).max(1) as f32;
         for (number, mark) in bar.marks.iter().enumerate() {
             let y = bottom as f32 - number as f32 / last * (bottom - top) as f32;
-            let tick = y.clamp(top as f32, bottom as f32 - 1.0) as i64;
+            let tick = y.min(bottom as f32 - 1.0).max(top as f32) as i64;
             for dx in 0..(0.4 * size) as i64 {
                 sheet.tint([(left + thick) as i64 + dx, tick], theme.soft_ink, 1.0);
             }

@@ -422,6 +422,12 @@ fn the_demo_leaves_a_page_and_the_files_it_names() {
     }
     let page = String::from_utf8(bench.read("show/index.html")).expect("text");
     assert!(!page.contains("{{"), "a place of the template is left");
+    assert!(
+        page.contains("href=\"viewer.html\"") && page.matches("<img ").count() == 4,
+        "viewer and pictures"
+    );
+    let viewer = String::from_utf8(bench.read("show/viewer.html")).expect("text");
+    assert!(viewer.contains("data-name=\"nefertiti.stri\""), "the viewer has no stream inside");
     assert!(!page.contains("src=\"http") && !page.contains("href=\"http"), "the page needs a network");
     let triangles: Vec<u64> = report["levels"]
         .as_array()

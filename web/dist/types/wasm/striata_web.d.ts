@@ -61,7 +61,7 @@ export class Model {
    */
   finish(): void;
   /**
-   * Reads a whole file and builds its model; plain meshes are simplified, which takes a second or two for each 100,000
+   * Reads a whole file, unpacked, and builds its model; plain meshes are simplified, which takes a second or two for each 100,000
    * triangles. What is shown is all of it.
    *
    * # Errors
@@ -268,51 +268,50 @@ export interface InitOutput {
   readonly __wbg_streamplace_free: (a: number, b: number) => void;
   readonly __wbg_vertices_free: (a: number, b: number) => void;
   readonly __wbg_view_free: (a: number, b: number) => void;
-  readonly failure_code: (a: number, b: number) => void;
-  readonly failure_hint: (a: number, b: number) => void;
-  readonly failure_message: (a: number, b: number) => void;
-  readonly model_bounds: (a: number, b: number) => void;
-  readonly model_build: (a: number, b: number) => void;
-  readonly model_color_fans: (a: number, b: number) => void;
-  readonly model_color_strips: (a: number, b: number) => void;
+  readonly failure_code: (a: number) => [number, number];
+  readonly failure_hint: (a: number) => [number, number];
+  readonly failure_message: (a: number) => [number, number];
+  readonly model_bounds: (a: number) => [number, number];
+  readonly model_build: (a: number) => [number, number];
+  readonly model_color_fans: (a: number) => [number, number];
+  readonly model_color_strips: (a: number) => [number, number, number, number];
   readonly model_diagonal: (a: number) => number;
-  readonly model_finish: (a: number, b: number) => void;
-  readonly model_from_file: (a: number, b: number, c: number, d: number, e: number, f: any) => void;
+  readonly model_finish: (a: number) => [number, number];
+  readonly model_from_file: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
   readonly model_full_triangle_count: (a: number) => number;
   readonly model_full_vertex_count: (a: number) => number;
   readonly model_group_count: (a: number) => number;
-  readonly model_group_counts: (a: number, b: number) => void;
-  readonly model_indices: (a: number, b: number) => void;
+  readonly model_group_counts: (a: number) => [number, number];
+  readonly model_indices: (a: number) => [number, number];
   readonly model_is_built: (a: number) => number;
   readonly model_is_complete: (a: number) => number;
   readonly model_is_ready: (a: number) => number;
-  readonly model_kind: (a: number, b: number) => void;
+  readonly model_kind: (a: number) => [number, number];
   readonly model_new: () => number;
-  readonly model_push: (a: number, b: number, c: number, d: number) => void;
+  readonly model_push: (a: number, b: number, c: number) => [number, number];
   readonly model_show_detail: (a: number, b: number) => void;
   readonly model_show_error: (a: number, b: number) => void;
   readonly model_show_triangles: (a: number, b: number) => void;
-  readonly model_show_view: (a: number, b: number, c: number) => void;
+  readonly model_show_view: (a: number, b: number) => [number, number, number];
   readonly model_shown_error: (a: number) => number;
   readonly model_shown_split_count: (a: number) => number;
-  readonly model_smooth_normals: (a: number, b: number) => void;
+  readonly model_smooth_normals: (a: number) => [number, number];
   readonly model_step_count: (a: number) => number;
   readonly model_stream_bytes: (a: number) => number;
   readonly model_triangle_count: (a: number) => number;
   readonly model_vertex_count: (a: number) => number;
   readonly model_vertices: (a: number, b: number) => number;
-  readonly streamplace_find: (a: number, b: number, c: number) => void;
-  readonly vertices_take_colors: (a: number, b: number) => void;
-  readonly vertices_take_normals: (a: number, b: number) => void;
-  readonly vertices_take_positions: (a: number, b: number) => void;
-  readonly vertices_take_uvs: (a: number, b: number) => void;
-  readonly view_new: (a: number, b: number, c: number, d: number, e: number) => void;
+  readonly streamplace_find: (a: number, b: number) => [number, number, number];
+  readonly vertices_take_colors: (a: number) => [number, number];
+  readonly vertices_take_normals: (a: number) => [number, number];
+  readonly vertices_take_positions: (a: number) => [number, number];
+  readonly vertices_take_uvs: (a: number) => [number, number];
+  readonly view_new: (a: number, b: number, c: number, d: number) => [number, number, number];
   readonly __wbindgen_externrefs: WebAssembly.Table;
-  readonly __wbindgen_add_to_stack_pointer: (a: number) => number;
-  readonly __wbindgen_export: (a: number, b: number, c: number) => void;
-  readonly __wbindgen_export2: (a: number) => void;
-  readonly __wbindgen_export3: (a: number, b: number) => number;
-  readonly __wbindgen_export4: (a: number, b: number, c: number, d: number) => number;
+  readonly __wbindgen_free: (a: number, b: number, c: number) => void;
+  readonly __externref_table_dealloc: (a: number) => void;
+  readonly __wbindgen_malloc: (a: number, b: number) => number;
+  readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
   readonly __wbindgen_start: () => void;
 }
 

@@ -3,6 +3,7 @@
 mod levels;
 mod page;
 mod pictures;
+mod viewer;
 
 use std::fs;
 use std::path::Path;
@@ -54,8 +55,9 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     for picture in &pictures {
         folder.write(picture.name, picture.what, &picture.png)?;
     }
+    viewer::write(&mesh, &mut folder, &mut bar)?;
     bar.phase("page");
-    let page = render_page(&built, &levels, &folder, &pictures, bytes.len());
+    let page = render_page(&built, &levels, &folder, (&pictures, bytes.len()));
     folder.write("index.html", "the page to open", page.as_bytes())?;
     drop(bar);
     let report = Report {
@@ -95,8 +97,7 @@ fn render_page(
     built: &Built,
     levels: &[Level],
     folder: &Folder<'_>,
-    pictures: &[Picture],
-    file_bytes: usize,
+    (pictures, file_bytes): (&[Picture], usize),
 ) -> String {
     let sequence = &built.refinable().sequence;
     let intro = format!(
@@ -113,7 +114,7 @@ fn render_page(
         files: &folder.files,
         pictures,
     };
-    page::render(&content, built.refinable())
+    page::render(&content)
 }
 
 impl Report {
@@ -136,7 +137,7 @@ fn what_next(dir: &Path) -> String {
     let page = page.canonicalize().unwrap_or(page);
     let file = dir.join("nefertiti.striata");
     format!(
-        "\nOpen {} in a browser: a slider goes through every level.\n\
+        "\nOpen {} in a browser: it shows the levels and leads to the viewer.\n\
          Then try:\n  \
          striata info {file}\n  \
          striata extract {file} -o small.glb --triangles 5000\n  \

@@ -2,7 +2,7 @@
 
 use crate::args::{Point, RenderArgs};
 use crate::failure::Failure;
-use crate::picture::{Angles, Camera, Frustum, usual_up};
+use crate::picture::{Angles, Camera, Frustum};
 
 use super::source::Source;
 
@@ -21,12 +21,7 @@ enum Stand {
     Around(Vec<[f32; 3]>, Angles),
 }
 
-/// Where one stands that says nothing, degrees.
-const TURN: f32 = -35.0;
-const RISE: f32 = 8.0;
-
-/// Angles of view that one gets who says nothing, degrees: of a portrait, and from a place.
-const PORTRAIT_FOV: f32 = 27.0;
+/// The angle of view from a place where nothing is said, degrees.
 const PLACE_FOV: f32 = 45.0;
 /// The same of a view, as for `extract`.
 const VIEW_FOV: f32 = 60.0;
@@ -38,8 +33,8 @@ impl Place {
         let mesh = source.mesh();
         let center = mesh.bounds().map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
         let is_outside = args.from.is_some() || args.turn.is_some() || args.rise.is_some();
-        let usual_up = mesh.bounds().map_or([0.0, 1.0, 0.0], |bounds| usual_up(&bounds));
-        let up = args.view.up().unwrap_or(usual_up);
+        let usual = Angles::usual(mesh.bounds().as_ref());
+        let up = args.view.up().unwrap_or(usual.up);
         let fov = |usual: f32| args.view.fov().map_or(usual.to_radians(), |angle| angle as f32);
         let look_at = args.view.look_at().unwrap_or(center);
         let points = used_positions(mesh);
@@ -66,9 +61,9 @@ impl Place {
                 Stand::At(Camera { eye, look_at, up, fov })
             }
             None => {
-                let fov = if is_view { PORTRAIT_FOV.to_radians() } else { fov(PORTRAIT_FOV) };
-                let turn = args.turn.unwrap_or(TURN).to_radians();
-                let rise = args.rise.unwrap_or(RISE).to_radians();
+                let fov = if is_view { usual.fov } else { fov(usual.fov.to_degrees()) };
+                let turn = args.turn.map_or(usual.turn, f32::to_radians);
+                let rise = args.rise.map_or(usual.rise, f32::to_radians);
                 let seen = [points, frustum.iter().flat_map(Frustum::points).collect()].concat();
                 Stand::Around(seen, Angles { turn, rise, up, fov })
             }
