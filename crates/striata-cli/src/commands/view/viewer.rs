@@ -188,9 +188,10 @@ impl Viewer {
         if !ctx.egui_wants_keyboard_input() {
             for shortcut in &SHORTCUTS {
                 let is_plain = |input: &egui::InputState| !input.modifiers.command && !input.modifiers.alt;
-                if ctx.input(|input| input.key_pressed(shortcut.key) && is_plain(input)) {
-                    self.command(shortcut.command);
-                }
+                let presses = |input: &egui::InputState| input.num_presses(shortcut.key);
+                // A slow frame hears of several presses at once.
+                let count = ctx.input(|input| if is_plain(input) { presses(input) } else { 0 });
+                (0..count).for_each(|_| self.command(shortcut.command));
             }
         }
         if self.state.turns {
