@@ -32,7 +32,7 @@ export type ErrorCode = 'network' | 'not-found' | 'format' | 'corrupt' | 'too-la
 
 /** Options of one `load`. */
 export interface LoadOptions {
-  /** Ends the download and the work; `load` then rejects with code `aborted`. */
+  /** Ends the download and the work; `load` then rejects with code `aborted`. A mesh that is `finished` stays as it is. */
   signal?: AbortSignal;
   onProgress?: (progress: Progress) => void;
   /** Default: a standard material that takes vertex colours where the mesh has any. */
