@@ -1,11 +1,11 @@
-class V {
+class j {
   static __wrap(e) {
-    const r = Object.create(V.prototype);
-    return r.__wbg_ptr = e, Be.register(r, r.__wbg_ptr, r), r;
+    const r = Object.create(j.prototype);
+    return r.__wbg_ptr = e, We.register(r, r.__wbg_ptr, r), r;
   }
   __destroy_into_raw() {
     const e = this.__wbg_ptr;
-    return this.__wbg_ptr = 0, Be.unregister(this), e;
+    return this.__wbg_ptr = 0, We.unregister(this), e;
   }
   free() {
     const e = this.__destroy_into_raw();
@@ -19,7 +19,7 @@ class V {
     let e, r;
     try {
       const n = o.failure_code(this.__wbg_ptr);
-      return e = n[0], r = n[1], P(n[0], n[1]);
+      return e = n[0], r = n[1], N(n[0], n[1]);
     } finally {
       o.__wbindgen_free(e, r, 1);
     }
@@ -31,7 +31,7 @@ class V {
   get hint() {
     const e = o.failure_hint(this.__wbg_ptr);
     let r;
-    return e[0] !== 0 && (r = P(e[0], e[1]), o.__wbindgen_free(e[0], e[1] * 1, 1)), r;
+    return e[0] !== 0 && (r = N(e[0], e[1]), o.__wbindgen_free(e[0], e[1] * 1, 1)), r;
   }
   /**
    * One sentence.
@@ -41,16 +41,16 @@ class V {
     let e, r;
     try {
       const n = o.failure_message(this.__wbg_ptr);
-      return e = n[0], r = n[1], P(n[0], n[1]);
+      return e = n[0], r = n[1], N(n[0], n[1]);
     } finally {
       o.__wbindgen_free(e, r, 1);
     }
   }
 }
-Symbol.dispose && (V.prototype[Symbol.dispose] = V.prototype.free);
-class j {
+Symbol.dispose && (j.prototype[Symbol.dispose] = j.prototype.free);
+class P {
   static __wrap(e) {
-    const r = Object.create(j.prototype);
+    const r = Object.create(P.prototype);
     return r.__wbg_ptr = e, de.register(r, r.__wbg_ptr, r), r;
   }
   __destroy_into_raw() {
@@ -88,7 +88,7 @@ class j {
    */
   color_fans() {
     const e = o.model_color_fans(this.__wbg_ptr);
-    var r = le(e[0], e[1]).slice();
+    var r = ce(e[0], e[1]).slice();
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
   }
   /**
@@ -102,7 +102,7 @@ class j {
     const e = o.model_color_strips(this.__wbg_ptr);
     if (e[3])
       throw L(e[2]);
-    var r = le(e[0], e[1]).slice();
+    var r = ce(e[0], e[1]).slice();
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
   }
   /**
@@ -137,14 +137,14 @@ class j {
   static from_file(e, r, n) {
     let i, s, a, _;
     try {
-      i = ze(e, o.__wbindgen_malloc), s = B, a = et(r, o.__wbindgen_malloc, o.__wbindgen_realloc), _ = B;
+      i = Fe(e, o.__wbindgen_malloc), s = B, a = et(r, o.__wbindgen_malloc, o.__wbindgen_realloc), _ = B;
     } catch (u) {
       throw a && o.__wbindgen_free(a, _ * 1, 1), i && o.__wbindgen_free(i, s * 1, 1), u;
     }
-    const l = o.model_from_file(i, s, a, _, n);
-    if (l[2])
-      throw L(l[1]);
-    return j.__wrap(l[0]);
+    const c = o.model_from_file(i, s, a, _, n);
+    if (c[2])
+      throw L(c[1]);
+    return P.__wrap(c[0]);
   }
   /**
    * Triangles that there will be; 0 as long as nobody has told.
@@ -173,7 +173,7 @@ class j {
    */
   group_counts() {
     const e = o.model_group_counts(this.__wbg_ptr);
-    var r = le(e[0], e[1]).slice();
+    var r = ce(e[0], e[1]).slice();
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
   }
   /**
@@ -182,7 +182,7 @@ class j {
    */
   indices() {
     const e = o.model_indices(this.__wbg_ptr);
-    var r = le(e[0], e[1]).slice();
+    var r = ce(e[0], e[1]).slice();
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
   }
   /**
@@ -214,7 +214,7 @@ class j {
     let e, r;
     try {
       const n = o.model_kind(this.__wbg_ptr);
-      return e = n[0], r = n[1], P(n[0], n[1]);
+      return e = n[0], r = n[1], N(n[0], n[1]);
     } finally {
       o.__wbindgen_free(e, r, 1);
     }
@@ -234,7 +234,7 @@ class j {
    * @param {Uint8Array | number[]} bytes
    */
   push(e) {
-    const r = ze(e, o.__wbindgen_malloc), n = B, i = o.model_push(this.__wbg_ptr, r, n);
+    const r = Fe(e, o.__wbindgen_malloc), n = B, i = o.model_push(this.__wbg_ptr, r, n);
     if (i[1])
       throw L(i[0]);
   }
@@ -335,15 +335,15 @@ class j {
     return re.__wrap(r);
   }
 }
-Symbol.dispose && (j.prototype[Symbol.dispose] = j.prototype.free);
+Symbol.dispose && (P.prototype[Symbol.dispose] = P.prototype.free);
 class te {
   static __wrap(e) {
     const r = Object.create(te.prototype);
-    return r.__wbg_ptr = e, We.register(r, r.__wbg_ptr, r), r;
+    return r.__wbg_ptr = e, Le.register(r, r.__wbg_ptr, r), r;
   }
   __destroy_into_raw() {
     const e = this.__wbg_ptr;
-    return this.__wbg_ptr = 0, We.unregister(this), e;
+    return this.__wbg_ptr = 0, Le.unregister(this), e;
   }
   free() {
     const e = this.__destroy_into_raw();
@@ -400,7 +400,7 @@ class te {
    * @returns {StreamPlace}
    */
   static find(e) {
-    const r = ze(e, o.__wbindgen_malloc), n = B, i = o.streamplace_find(r, n);
+    const r = Fe(e, o.__wbindgen_malloc), n = B, i = o.streamplace_find(r, n);
     if (i[2])
       throw L(i[1]);
     return te.__wrap(i[0]);
@@ -410,11 +410,11 @@ Symbol.dispose && (te.prototype[Symbol.dispose] = te.prototype.free);
 class re {
   static __wrap(e) {
     const r = Object.create(re.prototype);
-    return r.__wbg_ptr = e, Le.register(r, r.__wbg_ptr, r), r;
+    return r.__wbg_ptr = e, De.register(r, r.__wbg_ptr, r), r;
   }
   __destroy_into_raw() {
     const e = this.__wbg_ptr;
-    return this.__wbg_ptr = 0, Le.unregister(this), e;
+    return this.__wbg_ptr = 0, De.unregister(this), e;
   }
   free() {
     const e = this.__destroy_into_raw();
@@ -506,10 +506,10 @@ class he {
    * @param {number} triangle_limit
    */
   constructor(e, r, n) {
-    const i = +r, s = +n, a = Ze(e, o.__wbindgen_malloc), _ = B, l = o.view_new(a, _, i, s);
-    if (l[2])
-      throw L(l[1]);
-    return this.__wbg_ptr = l[0], Ie.register(this, this.__wbg_ptr, this), this;
+    const i = +r, s = +n, a = Ze(e, o.__wbindgen_malloc), _ = B, c = o.view_new(a, _, i, s);
+    if (c[2])
+      throw L(c[1]);
+    return this.__wbg_ptr = c[0], Ie.register(this, this.__wbg_ptr, this), this;
   }
 }
 Symbol.dispose && (he.prototype[Symbol.dispose] = he.prototype.free);
@@ -519,13 +519,13 @@ function He() {
     "./striata_web_bg.js": {
       __proto__: null,
       __wbg___wbindgen_throw_4c88d8bf264fd984: function(e, r) {
-        throw new Error(P(e, r));
+        throw new Error(N(e, r));
       },
       __wbg_failure_new: function(e) {
-        return V.__wrap(e);
+        return j.__wrap(e);
       },
       __wbg_report_581358a93077c908: function(e, r, n, i) {
-        e.report(P(r, n), i);
+        e.report(N(r, n), i);
       },
       __wbindgen_init_externref_table: function() {
         const e = o.__wbindgen_externrefs;
@@ -534,13 +534,13 @@ function He() {
     }
   };
 }
-const Be = typeof FinalizationRegistry > "u" ? { register: () => {
+const We = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
 } } : new FinalizationRegistry((t) => o.__wbg_failure_free(t, 1)), de = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
-} } : new FinalizationRegistry((t) => o.__wbg_model_free(t, 1)), We = typeof FinalizationRegistry > "u" ? { register: () => {
+} } : new FinalizationRegistry((t) => o.__wbg_model_free(t, 1)), Le = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
-} } : new FinalizationRegistry((t) => o.__wbg_streamplace_free(t, 1)), Le = typeof FinalizationRegistry > "u" ? { register: () => {
+} } : new FinalizationRegistry((t) => o.__wbg_streamplace_free(t, 1)), De = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
 } } : new FinalizationRegistry((t) => o.__wbg_vertices_free(t, 1)), Ie = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
@@ -552,11 +552,11 @@ function Xe(t, e) {
 function Z(t, e) {
   return t = t >>> 0, Je().subarray(t / 4, t / 4 + e);
 }
-function le(t, e) {
+function ce(t, e) {
   return t = t >>> 0, Qe().subarray(t / 4, t / 4 + e);
 }
 function Ge(t, e) {
-  return t = t >>> 0, N().subarray(t / 1, t / 1 + e);
+  return t = t >>> 0, V().subarray(t / 1, t / 1 + e);
 }
 let X = null;
 function Je() {
@@ -566,20 +566,20 @@ let G = null;
 function Ke() {
   return (G === null || G.byteLength === 0) && (G = new Float64Array(o.memory.buffer)), G;
 }
-function P(t, e) {
-  return t = t >>> 0, rt(N().subarray(t, t + e));
+function N(t, e) {
+  return t = t >>> 0, rt(V().subarray(t, t + e));
 }
 let J = null;
 function Qe() {
   return (J === null || J.byteLength === 0) && (J = new Uint32Array(o.memory.buffer)), J;
 }
 let K = null;
-function N() {
+function V() {
   return (K === null || K.byteLength === 0) && (K = new Uint8Array(o.memory.buffer)), K;
 }
-function ze(t, e) {
+function Fe(t, e) {
   const r = e(t.length * 1, 1) >>> 0;
-  return N().set(t, r / 1), B = t.length, r;
+  return V().set(t, r / 1), B = t.length, r;
 }
 function Ze(t, e) {
   const r = e(t.length * 8, 8) >>> 0;
@@ -587,11 +587,11 @@ function Ze(t, e) {
 }
 function et(t, e, r) {
   if (r === void 0) {
-    const _ = ee.encode(t), l = e(_.length, 1) >>> 0;
-    return N().subarray(l, l + _.length).set(_), B = _.length, l;
+    const _ = ee.encode(t), c = e(_.length, 1) >>> 0;
+    return V().subarray(c, c + _.length).set(_), B = _.length, c;
   }
   let n = t.length, i = e(n, 1) >>> 0;
-  const s = N();
+  const s = V();
   let a = 0;
   for (; a < n; a++) {
     const _ = t.charCodeAt(a);
@@ -600,8 +600,8 @@ function et(t, e, r) {
   }
   if (a !== n) {
     a !== 0 && (t = t.slice(a)), i = r(i, n, n = a + t.length * 3, 1) >>> 0;
-    const _ = N().subarray(i + a, i + n), l = ee.encodeInto(t, _);
-    a += l.written, i = r(i, n, a, 1) >>> 0;
+    const _ = V().subarray(i + a, i + n), c = ee.encodeInto(t, _);
+    a += c.written, i = r(i, n, a, 1) >>> 0;
   }
   return B = a, i;
 }
@@ -609,12 +609,12 @@ function L(t) {
   const e = o.__wbindgen_externrefs.get(t);
   return o.__externref_table_dealloc(t), e;
 }
-let ce = new TextDecoder("utf-8", { ignoreBOM: !0 });
-ce.decode();
+let le = new TextDecoder("utf-8", { ignoreBOM: !0 });
+le.decode();
 const tt = 2146435072;
 let ye = 0;
 function rt(t) {
-  return ye += t.length, ye >= tt && (ce = new TextDecoder("utf-8", { ignoreBOM: !0 }), ce.decode(), ye = t.length), ce.decode(t);
+  return ye += t.length, ye >= tt && (le = new TextDecoder("utf-8", { ignoreBOM: !0 }), le.decode(), ye = t.length), le.decode(t);
 }
 const ee = new TextEncoder();
 "encodeInto" in ee || (ee.encodeInto = function(t, e) {
@@ -636,7 +636,7 @@ function it(t) {
   const r = new WebAssembly.Instance(t, e);
   return nt(r);
 }
-class E extends Error {
+class A extends Error {
   code;
   hint;
   constructor(e, r, n) {
@@ -644,29 +644,29 @@ class E extends Error {
   }
 }
 function me(t) {
-  if (t instanceof E) return t;
-  if (t instanceof V) {
-    const r = new E(t.code, t.message, t.hint);
+  if (t instanceof A) return t;
+  if (t instanceof j) {
+    const r = new A(t.code, t.message, t.hint);
     return t.free(), r;
   }
   if (t instanceof WebAssembly.RuntimeError || t instanceof RangeError)
-    return new E(
+    return new A(
       "too-large",
       "the model took more memory than the page has",
       "close other pages, or load a stream with fewer triangles"
     );
   if (t instanceof DOMException && t.name === "AbortError") return st();
   const e = t instanceof Error ? t.message : String(t);
-  return new E("network", e);
+  return new A("network", e);
 }
 function st() {
-  return new E("aborted", "loading was aborted");
+  return new A("aborted", "loading was aborted");
 }
 function be(t) {
   return { code: t.code, message: t.message, hint: t.hint };
 }
-function It(t) {
-  return new E(t.code, t.message, t.hint);
+function jt(t) {
+  return new A(t.code, t.message, t.hint);
 }
 var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = Int32Array, ve = function(t, e, r) {
   if (y.prototype.slice)
@@ -685,7 +685,7 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
     return y.prototype.copyWithin.call(t, e, r, n);
   for ((r == null || r < 0) && (r = 0), (n == null || n > t.length) && (n = t.length); r < n; )
     t[e++] = t[r++];
-}, lt = [
+}, ct = [
   "invalid zstd data",
   "window size too large (>2046MB)",
   "invalid block type",
@@ -693,59 +693,59 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
   "match distance too far back",
   "unexpected EOF"
 ], p = function(t, e, r) {
-  var n = new Error(e || lt[t]);
+  var n = new Error(e || ct[t]);
   if (n.code = t, Error.captureStackTrace && Error.captureStackTrace(n, p), !r)
     throw n;
   return n;
-}, De = function(t, e, r) {
+}, je = function(t, e, r) {
   for (var n = 0, i = 0; n < r; ++n)
     i |= t[e++] << (n << 3);
   return i;
-}, ct = function(t, e) {
+}, lt = function(t, e) {
   return (t[e] | t[e + 1] << 8 | t[e + 2] << 16 | t[e + 3] << 24) >>> 0;
 }, ht = function(t, e) {
   var r = t[0] | t[1] << 8 | t[2] << 16;
   if (r == 3126568 && t[3] == 253) {
     var n = t[4], i = n >> 5 & 1, s = n >> 2 & 1, a = n & 3, _ = n >> 6;
     n & 8 && p(0);
-    var l = 6 - i, u = a == 3 ? 4 : a, m = De(t, l, u);
-    l += u;
-    var w = _ ? 1 << _ : i, d = De(t, l, w) + (_ == 1 && 256), b = d;
+    var c = 6 - i, u = a == 3 ? 4 : a, m = je(t, c, u);
+    c += u;
+    var w = _ ? 1 << _ : i, d = je(t, c, w) + (_ == 1 && 256), b = d;
     if (!i) {
-      var x = 1 << 10 + (t[5] >> 3);
-      b = x + (x >> 3) * (t[5] & 7);
+      var E = 1 << 10 + (t[5] >> 3);
+      b = E + (E >> 3) * (t[5] & 7);
     }
     b > 2145386496 && p(1);
-    var c = new y(b + 12);
-    return c[0] = 1, c[4] = 4, c[8] = 8, {
-      b: l + w,
+    var l = new y(b + 12);
+    return l[0] = 1, l[4] = 4, l[8] = 8, {
+      b: c + w,
       y: 0,
       l: 0,
       d: m,
-      w: e && e != 1 ? e : c.subarray(12),
+      w: e && e != 1 ? e : l.subarray(12),
       e: b,
-      o: new we(c.buffer, 0, 3),
+      o: new we(l.buffer, 0, 3),
       u: d,
       c: s,
       m: Math.min(131072, b)
     };
   } else if ((r >> 4 | t[3] << 20) == 25481893)
-    return ct(t, 4) + 8;
+    return lt(t, 4) + 8;
   p(0);
-}, D = function(t) {
+}, I = function(t) {
   for (var e = 0; 1 << e <= t; ++e)
     ;
   return e - 1;
 }, ne = function(t, e, r) {
   var n = (e << 3) + 4, i = (t[e] & 15) + 5;
   i > r && p(3);
-  for (var s = 1 << i, a = s, _ = -1, l = -1, u = -1, m = s, w = new ot(512 + (s << 2)), d = new at(w, 0, 256), b = new fe(w, 0, 256), x = new fe(w, 512, s), c = 512 + (s << 1), v = new y(w, c, s), k = new y(w, c + s); _ < 255 && a > 0; ) {
-    var z = D(a + 1), A = n >> 3, W = (1 << z + 1) - 1, S = (t[A] | t[A + 1] << 8 | t[A + 2] << 16) >> (n & 7) & W, f = (1 << z) - 1, F = W - a - 1, T = S & f;
-    if (T < F ? (n += z, S = T) : (n += z + 1, S > f && (S -= F)), d[++_] = --S, S == -1 ? (a += S, v[--m] = _) : a -= S, !S)
+  for (var s = 1 << i, a = s, _ = -1, c = -1, u = -1, m = s, w = new ot(512 + (s << 2)), d = new at(w, 0, 256), b = new fe(w, 0, 256), E = new fe(w, 512, s), l = 512 + (s << 1), v = new y(w, l, s), T = new y(w, l + s); _ < 255 && a > 0; ) {
+    var z = I(a + 1), S = n >> 3, W = (1 << z + 1) - 1, x = (t[S] | t[S + 1] << 8 | t[S + 2] << 16) >> (n & 7) & W, f = (1 << z) - 1, F = W - a - 1, k = x & f;
+    if (k < F ? (n += z, x = k) : (n += z + 1, x > f && (x -= F)), d[++_] = --x, x == -1 ? (a += x, v[--m] = _) : a -= x, !x)
       do {
         var C = n >> 3;
-        l = (t[C] | t[C + 1] << 8) >> (n & 7) & 3, n += 2, _ += l;
-      } while (l == 3);
+        c = (t[C] | t[C + 1] << 8) >> (n & 7) & 3, n += 2, _ += c;
+      } while (c == 3);
   }
   (_ > 255 || a) && p(0);
   for (var M = 0, O = (s >> 1) + (s >> 3) + 3, $ = s - 1, U = 0; U <= _; ++U) {
@@ -762,27 +762,27 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
     }
   }
   for (M && p(0), u = 0; u < s; ++u) {
-    var h = b[v[u]]++, R = k[u] = i - D(h);
-    x[u] = (h << R) - s;
+    var h = b[v[u]]++, R = T[u] = i - I(h);
+    E[u] = (h << R) - s;
   }
   return [n + 7 >> 3, {
     b: i,
     s: v,
-    n: k,
-    t: x
+    n: T,
+    t: E
   }];
 }, ft = function(t, e) {
-  var r = 0, n = -1, i = new y(292), s = t[e], a = i.subarray(0, 256), _ = i.subarray(256, 268), l = new fe(i.buffer, 268);
+  var r = 0, n = -1, i = new y(292), s = t[e], a = i.subarray(0, 256), _ = i.subarray(256, 268), c = new fe(i.buffer, 268);
   if (s < 128) {
     var u = ne(t, e + 1, 6), m = u[0], w = u[1];
     e += s;
     var d = m << 3, b = t[e];
     b || p(0);
-    for (var x = 0, c = 0, v = w.b, k = v, z = (++e << 3) - 8 + D(b); z -= v, !(z < d); ) {
-      var A = z >> 3;
-      if (x += (t[A] | t[A + 1] << 8) >> (z & 7) & (1 << v) - 1, a[++n] = w.s[x], z -= k, z < d)
+    for (var E = 0, l = 0, v = w.b, T = v, z = (++e << 3) - 8 + I(b); z -= v, !(z < d); ) {
+      var S = z >> 3;
+      if (E += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << v) - 1, a[++n] = w.s[E], z -= T, z < d)
         break;
-      A = z >> 3, c += (t[A] | t[A + 1] << 8) >> (z & 7) & (1 << k) - 1, a[++n] = w.s[c], v = w.n[x], x = w.t[x], k = w.n[c], c = w.t[c];
+      S = z >> 3, l += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << T) - 1, a[++n] = w.s[l], v = w.n[E], E = w.t[E], T = w.n[l], l = w.t[l];
     }
     ++n > 255 && p(0);
   } else {
@@ -792,26 +792,26 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
     }
     ++e;
   }
-  var S = 0;
+  var x = 0;
   for (r = 0; r < n; ++r) {
     var f = a[r];
-    f > 11 && p(0), S += f && 1 << f - 1;
+    f > 11 && p(0), x += f && 1 << f - 1;
   }
-  var F = D(S) + 1, T = 1 << F, C = T - S;
-  for (C & C - 1 && p(0), a[n++] = D(C) + 1, r = 0; r < n; ++r) {
+  var F = I(x) + 1, k = 1 << F, C = k - x;
+  for (C & C - 1 && p(0), a[n++] = I(C) + 1, r = 0; r < n; ++r) {
     var f = a[r];
     ++_[a[r] = f && F + 1 - f];
   }
-  var M = new y(T << 1), O = M.subarray(0, T), $ = M.subarray(T);
-  for (l[F] = 0, r = F; r > 0; --r) {
-    var U = l[r];
-    ue($, r, U, l[r - 1] = U + _[r] * (1 << F - r));
+  var M = new y(k << 1), O = M.subarray(0, k), $ = M.subarray(k);
+  for (c[F] = 0, r = F; r > 0; --r) {
+    var U = c[r];
+    ue($, r, U, c[r - 1] = U + _[r] * (1 << F - r));
   }
-  for (l[0] != T && p(0), r = 0; r < n; ++r) {
+  for (c[0] != k && p(0), r = 0; r < n; ++r) {
     var g = a[r];
     if (g) {
-      var h = l[g];
-      ue(O, r, h, l[g] = h + (1 << F - g));
+      var h = c[g];
+      ue(O, r, h, c[g] = h + (1 << F - g));
     }
   }
   return [e, {
@@ -885,7 +885,7 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
   for (var r = t.length, n = new we(r), i = 0; i < r; ++i)
     n[i] = e, e += 1 << t[i];
   return n;
-}, Fe = /* @__PURE__ */ new y((/* @__PURE__ */ new we([
+}, Me = /* @__PURE__ */ new y((/* @__PURE__ */ new we([
   0,
   0,
   0,
@@ -895,7 +895,7 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
   134678020,
   202050057,
   269422093
-])).buffer, 0, 36), pt = /* @__PURE__ */ Ve(Fe, 0), Me = /* @__PURE__ */ new y((/* @__PURE__ */ new we([
+])).buffer, 0, 36), pt = /* @__PURE__ */ Ve(Me, 0), Re = /* @__PURE__ */ new y((/* @__PURE__ */ new we([
   0,
   0,
   0,
@@ -910,12 +910,12 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
   185207048,
   252579084,
   16
-])).buffer, 0, 53), dt = /* @__PURE__ */ Ve(Me, 3), Q = function(t, e, r) {
+])).buffer, 0, 53), dt = /* @__PURE__ */ Ve(Re, 3), Q = function(t, e, r) {
   var n = t.length, i = e.length, s = t[n - 1], a = (1 << r.b) - 1, _ = -r.b;
   s || p(0);
-  for (var l = 0, u = r.b, m = (n << 3) - 8 + D(s) - u, w = -1; m > _ && w < i; ) {
+  for (var c = 0, u = r.b, m = (n << 3) - 8 + I(s) - u, w = -1; m > _ && w < i; ) {
     var d = m >> 3, b = (t[d] | t[d + 1] << 8 | t[d + 2] << 16) >> (m & 7);
-    l = (l << u | b) & a, e[++w] = r.s[l], m -= u = r.n[l];
+    c = (c << u | b) & a, e[++w] = r.s[c], m -= u = r.n[c];
   }
   (m != _ || w + 1 != i) && p(0);
 }, yt = function(t, e, r) {
@@ -924,96 +924,96 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
 }, mt = function(t, e, r) {
   var n, i = e.b, s = t[i], a = s >> 1 & 3;
   e.l = s & 1;
-  var _ = s >> 3 | t[i + 1] << 5 | t[i + 2] << 13, l = (i += 3) + _;
+  var _ = s >> 3 | t[i + 1] << 5 | t[i + 2] << 13, c = (i += 3) + _;
   if (a == 1)
     return i >= t.length ? void 0 : (e.b = i + 1, ue(new y(_), t[i]));
-  if (!(l > t.length)) {
+  if (!(c > t.length)) {
     if (a == 0)
-      return e.b = l, ve(t, i, l);
+      return e.b = c, ve(t, i, c);
     if (a == 2) {
-      var u = t[i], m = u & 3, w = u >> 2 & 3, d = u >> 4, b = 0, x = 0;
-      m < 2 ? w & 1 ? d |= t[++i] << 4 | (w & 2 && t[++i] << 12) : d = u >> 3 : (x = w, w < 2 ? (d |= (t[++i] & 63) << 4, b = t[i] >> 6 | t[++i] << 2) : w == 2 ? (d |= t[++i] << 4 | (t[++i] & 3) << 12, b = t[i] >> 2 | t[++i] << 6) : (d |= t[++i] << 4 | (t[++i] & 63) << 12, b = t[i] >> 6 | t[++i] << 2 | t[++i] << 10)), ++i;
-      var c = new y(e.m), v = c.length - d;
+      var u = t[i], m = u & 3, w = u >> 2 & 3, d = u >> 4, b = 0, E = 0;
+      m < 2 ? w & 1 ? d |= t[++i] << 4 | (w & 2 && t[++i] << 12) : d = u >> 3 : (E = w, w < 2 ? (d |= (t[++i] & 63) << 4, b = t[i] >> 6 | t[++i] << 2) : w == 2 ? (d |= t[++i] << 4 | (t[++i] & 3) << 12, b = t[i] >> 2 | t[++i] << 6) : (d |= t[++i] << 4 | (t[++i] & 63) << 12, b = t[i] >> 6 | t[++i] << 2 | t[++i] << 10)), ++i;
+      var l = new y(e.m), v = l.length - d;
       if (m == 0)
-        c.set(t.subarray(i, i += d), v);
+        l.set(t.subarray(i, i += d), v);
       else if (m == 1)
-        ue(c, t[i++], v);
+        ue(l, t[i++], v);
       else {
-        var k = e.h;
+        var T = e.h;
         if (m == 2) {
           var z = ft(t, i);
-          b += i - (i = z[0]), e.h = k = z[1];
-        } else k || p(0);
-        (x ? yt : Q)(t.subarray(i, i += b), c.subarray(v), k);
+          b += i - (i = z[0]), e.h = T = z[1];
+        } else T || p(0);
+        (E ? yt : Q)(t.subarray(i, i += b), l.subarray(v), T);
       }
-      var A = t[i++];
-      if (A) {
-        A == 255 ? A = (t[i++] | t[i++] << 8) + 32512 : A > 127 && (A = A - 128 << 8 | t[i++]);
+      var S = t[i++];
+      if (S) {
+        S == 255 ? S = (t[i++] | t[i++] << 8) + 32512 : S > 127 && (S = S - 128 << 8 | t[i++]);
         var W = t[i++];
         W & 3 && p(0);
-        for (var S = [wt, gt, ut], f = 2; f > -1; --f) {
+        for (var x = [wt, gt, ut], f = 2; f > -1; --f) {
           var F = W >> (f << 1) + 2 & 3;
           if (F == 1) {
-            var T = new y([0, 0, t[i++]]);
-            S[f] = {
-              s: T.subarray(2, 3),
-              n: T.subarray(0, 1),
-              t: new fe(T.buffer, 0, 1),
+            var k = new y([0, 0, t[i++]]);
+            x[f] = {
+              s: k.subarray(2, 3),
+              n: k.subarray(0, 1),
+              t: new fe(k.buffer, 0, 1),
               b: 0
             };
-          } else F == 2 ? (n = ne(t, i, 9 - (f & 1)), i = n[0], S[f] = n[1]) : F == 3 && (e.t || p(0), S[f] = e.t[f]);
+          } else F == 2 ? (n = ne(t, i, 9 - (f & 1)), i = n[0], x[f] = n[1]) : F == 3 && (e.t || p(0), x[f] = e.t[f]);
         }
-        var C = e.t = S, M = C[0], O = C[1], $ = C[2], U = t[l - 1];
+        var C = e.t = x, M = C[0], O = C[1], $ = C[2], U = t[c - 1];
         U || p(0);
-        var g = (l << 3) - 8 + D(U) - $.b, h = g >> 3, R = 0, ie = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $.b) - 1;
+        var g = (c << 3) - 8 + I(U) - $.b, h = g >> 3, R = 0, ie = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $.b) - 1;
         h = (g -= O.b) >> 3;
         var se = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << O.b) - 1;
         h = (g -= M.b) >> 3;
         var oe = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << M.b) - 1;
-        for (++A; --A; ) {
-          var ge = $.s[ie], Ue = $.n[ie], pe = M.s[oe], ke = M.n[oe], Ce = O.s[se], Oe = O.n[se];
-          h = (g -= Ce) >> 3;
-          var $e = 1 << Ce, I = $e + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16 | t[h + 3] << 24) >>> (g & 7) & $e - 1);
-          h = (g -= Me[pe]) >> 3;
-          var Y = dt[pe] + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16) >> (g & 7) & (1 << Me[pe]) - 1);
-          h = (g -= Fe[ge]) >> 3;
-          var ae = pt[ge] + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16) >> (g & 7) & (1 << Fe[ge]) - 1);
-          if (h = (g -= Ue) >> 3, ie = $.t[ie] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Ue) - 1), h = (g -= ke) >> 3, oe = M.t[oe] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << ke) - 1), h = (g -= Oe) >> 3, se = O.t[se] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Oe) - 1), I > 3)
-            e.o[2] = e.o[1], e.o[1] = e.o[0], e.o[0] = I -= 3;
+        for (++S; --S; ) {
+          var ge = $.s[ie], Te = $.n[ie], pe = M.s[oe], Ce = M.n[oe], Oe = O.s[se], $e = O.n[se];
+          h = (g -= Oe) >> 3;
+          var Be = 1 << Oe, D = Be + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16 | t[h + 3] << 24) >>> (g & 7) & Be - 1);
+          h = (g -= Re[pe]) >> 3;
+          var Y = dt[pe] + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16) >> (g & 7) & (1 << Re[pe]) - 1);
+          h = (g -= Me[ge]) >> 3;
+          var ae = pt[ge] + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16) >> (g & 7) & (1 << Me[ge]) - 1);
+          if (h = (g -= Te) >> 3, ie = $.t[ie] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Te) - 1), h = (g -= Ce) >> 3, oe = M.t[oe] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Ce) - 1), h = (g -= $e) >> 3, se = O.t[se] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $e) - 1), D > 3)
+            e.o[2] = e.o[1], e.o[1] = e.o[0], e.o[0] = D -= 3;
           else {
-            var _e = I - (ae != 0);
-            _e ? (I = _e == 3 ? e.o[0] - 1 : e.o[_e], _e > 1 && (e.o[2] = e.o[1]), e.o[1] = e.o[0], e.o[0] = I) : I = e.o[0];
+            var _e = D - (ae != 0);
+            _e ? (D = _e == 3 ? e.o[0] - 1 : e.o[_e], _e > 1 && (e.o[2] = e.o[1]), e.o[1] = e.o[0], e.o[0] = D) : D = e.o[0];
           }
           for (var f = 0; f < ae; ++f)
-            c[R + f] = c[v + f];
+            l[R + f] = l[v + f];
           R += ae, v += ae;
-          var q = R - I;
+          var q = R - D;
           if (q < 0) {
             var H = -q, qe = e.e + q;
             H > Y && (H = Y);
             for (var f = 0; f < H; ++f)
-              c[R + f] = e.w[qe + f];
+              l[R + f] = e.w[qe + f];
             R += H, Y -= H, q = 0;
           }
           for (var f = 0; f < Y; ++f)
-            c[R + f] = c[q + f];
+            l[R + f] = l[q + f];
           R += Y;
         }
         if (R != v)
-          for (; v < c.length; )
-            c[R++] = c[v++];
+          for (; v < l.length; )
+            l[R++] = l[v++];
         else
-          R = c.length;
-        c = ve(c, 0, R);
+          R = l.length;
+        l = ve(l, 0, R);
       } else {
         var f;
-        v && (c = ve(c, v));
+        v && (l = ve(l, v));
       }
-      return e.b = l, c;
+      return e.b = c, l;
     }
     p(2);
   }
-}, je = function(t, e) {
+}, Pe = function(t, e) {
   if (t.length == 1)
     return t[0];
   for (var r = new y(e), n = 0, i = 0; n < t.length; ++n) {
@@ -1042,7 +1042,7 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
         this.c.push(e), this.l = s;
         return;
       }
-      if (this.l && (this.c.push(e), e = je(this.c, s), this.c = [], this.l = 0), typeof (this.s = ht(e)) == "number")
+      if (this.l && (this.c.push(e), e = Pe(this.c, s), this.c = [], this.l = 0), typeof (this.s = ht(e)) == "number")
         return this.push(e, r);
     }
     if (typeof this.s != "number") {
@@ -1050,7 +1050,7 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
         r && p(5), this.c.push(e), this.l = s;
         return;
       }
-      if (this.l && (this.c.push(e), e = je(this.c, s), this.c = [], this.l = 0), !this.z && s < (this.z = e[this.s.b] & 2 ? 4 : 3 + (e[this.s.b] >> 3 | e[this.s.b + 1] << 5 | e[this.s.b + 2] << 13))) {
+      if (this.l && (this.c.push(e), e = Pe(this.c, s), this.c = [], this.l = 0), !this.z && s < (this.z = e[this.s.b] & 2 ? 4 : 3 + (e[this.s.b] >> 3 | e[this.s.b + 1] << 5 | e[this.s.b + 2] << 13))) {
         r && p(5), this.c.push(e), this.l = s;
         return;
       } else
@@ -1066,8 +1066,8 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
           return;
         }
         if (this.s.l) {
-          var l = e.subarray(this.s.b);
-          this.s = this.s.c * 4, this.push(l, r);
+          var c = e.subarray(this.s.b);
+          this.s = this.s.c * 4, this.push(c, r);
           return;
         }
       }
@@ -1075,10 +1075,10 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
   }, t;
 })();
 const Ae = 65536;
-async function Dt(t, e, r) {
+async function Pt(t, e, r) {
   if (typeof t == "string" || t instanceof URL) return vt(t, e, r);
   if (t instanceof Blob) {
-    const n = (i, s) => Re(t.slice(i, s).stream(), r);
+    const n = (i, s) => ke(t.slice(i, s).stream(), r);
     return {
       name: e ?? (t instanceof File ? t.name : ""),
       length: t.size,
@@ -1096,44 +1096,63 @@ async function Dt(t, e, r) {
     };
   }
   if (t instanceof ReadableStream)
-    return { name: e ?? "", length: null, pieces: Re(t, r), range: null };
-  throw new E("unsupported", "a model is loaded from a URL, a File, a Blob, an ArrayBuffer or a ReadableStream");
+    return { name: e ?? "", length: null, pieces: ke(t, r), range: null };
+  throw new A("unsupported", "a model is loaded from a URL, a File, a Blob, an ArrayBuffer or a ReadableStream");
 }
 async function vt(t, e, r) {
-  const n = new URL(t, typeof document > "u" ? void 0 : document.baseURI), s = /\.striata$/i.test(n.pathname) ? { Range: `bytes=0-${Ae - 1}` } : {}, a = await Pe(n, s, r), _ = /\/(\d+)$/.exec(a.headers.get("Content-Range") ?? "")?.[1], l = a.headers.has("Content-Encoding"), u = _ ?? (l ? null : a.headers.get("Content-Length")), m = a.status === 206, w = async (d, b) => {
-    const x = await Pe(n, { Range: `bytes=${d}-${b - 1}` }, r), c = Se(x, r);
-    return x.status === 206 ? c : At(c, d);
+  const n = At(t), s = /\.striata$/i.test(n.pathname) ? { Range: `bytes=0-${Ae - 1}` } : {};
+  let a = await Se(n, s, r);
+  const _ = /\/(\d+)$/.exec(a.headers.get("Content-Range") ?? "")?.[1];
+  a.status === 206 && _ === void 0 && (await a.body?.cancel(), a = await Se(n, {}, r));
+  const c = a.headers.has("Content-Encoding"), u = _ ?? (c ? null : a.headers.get("Content-Length")), m = a.status === 206, w = async (d, b) => {
+    const E = await Se(n, { Range: `bytes=${d}-${b - 1}` }, r), l = xe(E, r);
+    return E.status === 206 ? l : xt(l, d);
   };
   return {
-    name: e ?? decodeURIComponent(n.pathname.split("/").pop() ?? ""),
+    name: e ?? St(n),
     length: u === null ? null : Number(u),
-    pieces: m && Number(_) > Ae ? St(Se(a, r), () => w(Ae, Number(_))) : Se(a, r),
+    pieces: m && Number(_) > Ae ? Et(xe(a, r), () => w(Ae, Number(_))) : xe(a, r),
     range: m ? w : null
   };
 }
-async function Pe(t, e, r) {
+function At(t) {
+  try {
+    return new URL(t, typeof document > "u" ? void 0 : document.baseURI);
+  } catch {
+    throw new A("unsupported", `${String(t)} is no URL`);
+  }
+}
+function St(t) {
+  const e = t.pathname.split("/").pop() ?? "";
+  try {
+    return decodeURIComponent(e);
+  } catch {
+    return e;
+  }
+}
+async function Se(t, e, r) {
   let n;
   try {
     n = await fetch(t, { headers: e, signal: r });
   } catch (s) {
-    throw r.aborted ? s : new E(
+    throw r.aborted ? s : new A(
       "network",
       `${t.href} could not be fetched: ${s instanceof Error ? s.message : String(s)}`,
       "is the server reachable, and does it allow this page to read (CORS)?"
     );
   }
   if (n.ok) return n;
-  await n.body?.cancel();
+  if (await n.body?.cancel(), n.status === 416) throw new A("format", `${t.href} is shorter than it should be: the file may be empty`);
   const i = n.status === 404 || n.status === 410 ? "not-found" : "network";
-  throw new E(i, `${t.href}: the server says ${n.status} ${n.statusText}`.trim());
+  throw new A(i, `${t.href}: the server says ${n.status} ${n.statusText}`.trim());
 }
-function Se(t, e) {
-  return t.body ? Re(t.body, e) : Ye(new Uint8Array());
+function xe(t, e) {
+  return t.body ? ke(t.body, e) : Ye(new Uint8Array());
 }
 async function* Ye(t) {
   yield t;
 }
-async function* Re(t, e) {
+async function* ke(t, e) {
   const r = t.getReader(), n = () => void r.cancel(e.reason).catch(() => {
   });
   e.addEventListener("abort", n, { once: !0 });
@@ -1147,13 +1166,13 @@ async function* Re(t, e) {
     }
     i = !0;
   } catch (s) {
-    throw e.aborted || s instanceof E ? s : new E("network", `the connection broke: ${s instanceof Error ? s.message : String(s)}`);
+    throw e.aborted || s instanceof A ? s : new A("network", `the connection broke: ${s instanceof Error ? s.message : String(s)}`);
   } finally {
     e.removeEventListener("abort", n), i || await r.cancel().catch(() => {
     });
   }
 }
-async function* At(t, e) {
+async function* xt(t, e) {
   try {
     for (let r = await t.next(); !r.done; r = await t.next()) {
       const n = r.value.subarray(e);
@@ -1163,21 +1182,21 @@ async function* At(t, e) {
     await t.return?.();
   }
 }
-async function* St(t, e) {
+async function* Et(t, e) {
   for (let r = await t.next(); !r.done; r = await t.next()) yield r.value;
-  yield* Te(await e());
+  yield* Ue(await e());
 }
-async function* jt(t, e) {
-  t.length > 0 && (yield t), yield* Te(e);
+async function* Nt(t, e) {
+  t.length > 0 && (yield t), yield* Ue(e);
 }
-async function* Pt(t, e) {
-  for await (const r of Te(t))
+async function* Vt(t, e) {
+  for await (const r of Ue(t))
     if (yield r.subarray(0, e), e -= r.length, e <= 0) return;
 }
-function Te(t) {
+function Ue(t) {
   return { [Symbol.asyncIterator]: () => t };
 }
-function xt(t) {
+function zt(t) {
   if (t.length === 1) return t[0];
   const e = new Uint8Array(t.reduce((n, i) => n + i.length, 0));
   let r = 0;
@@ -1185,18 +1204,18 @@ function xt(t) {
     e.set(n, r), r += n.length;
   return e;
 }
-const Et = 3, zt = 1 << 30, Ft = 64 << 20, Mt = 2e3;
-async function Rt(t, e) {
-  for (let r = 0; r < Et; r++) {
+const Ft = 3, Mt = 1 << 30, Rt = 64 << 20, kt = 2e3;
+async function Ut(t, e) {
+  for (let r = 0; r < Ft; r++) {
     const n = Tt(t);
     if (!n) break;
-    const i = new Ct(Math.min(zt, Math.max(Ft, t.length * Mt)), e);
+    const i = new $t(Math.min(Mt, Math.max(Rt, t.length * kt)), e);
     try {
-      await (n === "gzip" ? Ut(t, i) : kt(t, i));
+      await (n === "gzip" ? Ct(t, i) : Ot(t, i));
     } catch (s) {
-      throw s instanceof E ? s : new E("corrupt", `${e}: the ${n} data are damaged or cut off: ${s instanceof Error ? s.message : String(s)}`);
+      throw s instanceof A ? s : new A("corrupt", `${e}: the ${n} data are damaged or cut off: ${s instanceof Error ? s.message : String(s)}`);
     }
-    t = xt(i.all), e = e.replace(/\.(gz|zst)$/i, "");
+    t = zt(i.all), e = e.replace(/\.(gz|zst)$/i, "");
   }
   return { bytes: t, name: e };
 }
@@ -1204,7 +1223,7 @@ function Tt(t) {
   const e = (...r) => r.every((n, i) => t[i] === n);
   return e(31, 139, 8) ? "gzip" : e(40, 181, 47, 253) ? "zstd" : void 0;
 }
-async function Ut(t, e) {
+async function Ct(t, e) {
   const n = new Blob([t]).stream().pipeThrough(new DecompressionStream("gzip")).getReader();
   for (; ; ) {
     const { done: i, value: s } = await n.read();
@@ -1212,7 +1231,7 @@ async function Ut(t, e) {
     e.push(s);
   }
 }
-function kt(t, e) {
+function Ot(t, e) {
   let r = !1;
   const n = new bt((s, a) => {
     e.push(s), r ||= a === !0;
@@ -1221,7 +1240,7 @@ function kt(t, e) {
     n.push(t.subarray(s, s + i), s + i >= t.length);
   if (!r) throw new Error("they end too early");
 }
-class Ct {
+class $t {
   constructor(e, r) {
     this.most = e, this.name = r;
   }
@@ -1229,12 +1248,12 @@ class Ct {
   #t = 0;
   push(e) {
     if (this.#t += e.length, this.#t > this.most)
-      throw new E("too-large", `${this.name}: grows past ${this.most} bytes, more than a mesh can`);
+      throw new A("too-large", `${this.name}: grows past ${this.most} bytes, more than a mesh can`);
     this.all.push(e.slice());
   }
 }
-const xe = 8192, Ot = 60, $t = 4;
-function Bt() {
+const Ee = 8192, Bt = 60, Wt = 4;
+function Lt() {
   return new Promise((t) => {
     const { port1: e, port2: r } = new MessageChannel();
     e.onmessage = () => {
@@ -1242,129 +1261,135 @@ function Bt() {
     }, r.postMessage(null);
   });
 }
-class Nt {
+class Yt {
   #t;
   /** Milliseconds of decoding at a stretch. */
-  #w;
-  #e = new j();
+  #g;
+  #e = new P();
   #r = [];
   #s;
-  #l = !1;
+  #c = !1;
   #n = !1;
-  #g = { by: "detail", value: 1, limit: 0 };
+  #p = !1;
+  /** The stream is built, or broken off: bytes that were on their way by then are nobody's. */
+  #l = !1;
+  #d = { by: "detail", value: 1, limit: 0 };
   #_ = "surface";
   #i = "download";
   /** Vertices that the page has. */
-  #p = 0;
-  #d = !1;
+  #y = 0;
+  #m = !1;
   /** Vertices that the page's computed normals are of; normals of a coarser level are other normals. */
-  #y = -1;
-  #c = 0;
+  #b = -1;
   #h = 0;
   #f = 0;
-  #m = 0;
+  #u = 0;
+  #v = 0;
   /** What the head promised, once the decoder is gone. */
   #o = { vertices: 0, triangles: 0, steps: 0, bytes: 0 };
   constructor(e, r) {
-    this.#t = e, this.#w = r;
+    this.#t = e, this.#g = r;
   }
   /** Does what the page orders. */
   take(e) {
     if (!this.#n)
       switch (e.type) {
         case "bytes":
-          this.#r.push(e.bytes), this.#b();
+          if (this.#l) break;
+          this.#r.push(e.bytes), this.#A();
           break;
         case "end":
-          this.#s = e.error ? { error: e.error } : {}, this.#b();
+          if (this.#l) break;
+          this.#s = e.error ? { error: e.error } : {}, this.#A();
           break;
         case "file":
-          this.#x(e.bytes, e.name);
+          this.#z(e.bytes, e.name);
           break;
         case "show":
-          this.#g = e.wish, this.#_ = e.colouring, this.#e.is_ready && this.#u(() => this.#a(e.ticket));
+          this.#d = e.wish, this.#_ = e.colouring, this.#e.is_ready && this.#w(() => this.#a(e.ticket));
           break;
       }
   }
   dispose() {
-    this.#n = !0, this.#r = [], this.#e.free();
+    this.#p || (this.#p = !0, this.#n = !0, this.#r = [], this.#e.free());
   }
   /** Decodes what waits, then ends if nothing more comes. */
-  async #b() {
-    if (!this.#l) {
-      for (this.#l = !0; this.#r.length > 0 && !this.#n; ) {
+  async #A() {
+    if (!this.#c) {
+      for (this.#c = !0; this.#r.length > 0 && !this.#n; ) {
         this.#i = "decode";
-        const e = this.#v();
+        const e = this.#S();
         if (e) {
           this.#r = [], this.#s = { error: be(e) };
           break;
         }
-        this.#e.is_ready && performance.now() >= this.#m && this.#u(() => this.#a(0)), await Bt();
+        this.#e.is_ready && performance.now() >= this.#v && this.#w(() => this.#a(0)), await Lt();
       }
-      this.#l = !1, this.#s && !this.#n && this.#A(this.#s.error);
+      this.#c = !1, this.#s && !this.#n && this.#x(this.#s.error);
     }
   }
   /** Decodes for a few milliseconds; returns what is wrong with the bytes. */
-  #v() {
+  #S() {
     const e = performance.now();
     try {
-      for (; performance.now() - e < this.#w; ) {
+      for (; performance.now() - e < this.#g; ) {
         const r = this.#r.shift();
         if (!r) break;
-        this.#e.push(r.subarray(0, xe)), r.length > xe && this.#r.unshift(r.subarray(xe));
+        this.#e.push(r.subarray(0, Ee)), r.length > Ee && this.#r.unshift(r.subarray(Ee));
       }
       return;
     } catch (r) {
       return me(r);
     } finally {
-      this.#c += performance.now() - e;
+      this.#h += performance.now() - e;
     }
   }
-  #A(e) {
+  #x(e) {
     let r = e;
+    this.#l = !0;
     try {
-      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#S(), !this.#e.is_ready) throw new E("corrupt", "the stream ends before there is anything to draw");
-      this.#E(), this.#i = "build", this.#a(0), this.#t({ type: "building", share: 0 });
+      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#E(), !this.#e.is_ready) throw new A("corrupt", "the stream ends before there is anything to draw");
+      this.#F(), this.#i = "build", this.#a(0), this.#t({ type: "building", share: 0 });
       const n = performance.now();
-      this.#e.build(), this.#h = performance.now() - n, this.#i = "done", this.#a(0);
+      this.#e.build(), this.#f = performance.now() - n, this.#i = "done", this.#a(0);
     } catch (n) {
       r ??= be(me(n));
     }
     this.#s = void 0, this.#t(r ? { type: "failed", error: r } : { type: "finished" });
   }
-  #S() {
+  #E() {
     const e = performance.now();
     try {
       this.#e.finish();
     } finally {
-      this.#c += performance.now() - e;
+      this.#h += performance.now() - e;
     }
   }
   /** Reads a whole file and builds its model. */
-  async #x(e, r) {
+  async #z(e, r) {
     this.#i = "build";
-    const n = performance.now(), i = { report: (_, l) => this.#t({ type: "building", share: l }) };
+    const n = performance.now(), i = { report: (_, c) => this.#t({ type: "building", share: c }) };
     let s, a;
     try {
-      s = await Rt(e, r);
+      s = await Ut(e, r);
     } catch (_) {
       a = _;
     }
-    this.#n || this.#u(() => {
+    this.#n || this.#w(() => {
       if (!s) throw a;
-      const _ = j.from_file(s.bytes, s.name, i);
-      this.#e.free(), this.#e = _, this.#h = performance.now() - n, this.#i = "done", this.#a(0), this.#t({ type: "finished" });
+      const _ = P.from_file(s.bytes, s.name, i);
+      this.#e.free(), this.#e = _, this.#f = performance.now() - n, this.#i = "done", this.#a(0), this.#t({ type: "finished" });
     });
   }
   /** Reports what goes wrong; the engine then takes no more orders. */
-  #u(e) {
+  #w(e) {
     try {
       e();
     } catch (r) {
       this.#n = !0, this.#t({ type: "failed", error: be(me(r)) });
     }
   }
-  #E() {
+  #F() {
     const e = this.#e;
     this.#o = {
       vertices: e.full_vertex_count,
@@ -1375,14 +1400,14 @@ class Nt {
   }
   /** Shows what is wished for, and tells it with what is new. */
   #a(e) {
-    const r = performance.now(), n = this.#z(), i = this.#F(), s = this.#M(), a = this.#R(), _ = this.#e, [l, u] = [_.indices(), _.group_counts()];
-    this.#f = performance.now() - r, this.#m = performance.now() + Math.max(Ot, $t * this.#f);
+    const r = performance.now(), n = this.#M(), i = this.#k(), s = this.#U(), a = this.#T(), _ = this.#e, [c, u] = [_.indices(), _.group_counts()];
+    this.#u = performance.now() - r, this.#v = performance.now() + Math.max(Bt, Wt * this.#u);
     const w = {
       type: "update",
-      state: this.#T(),
+      state: this.#C(),
       vertices: s,
       smoothNormals: a,
-      indices: l,
+      indices: c,
       groupCounts: u,
       numbers: i,
       settled: n,
@@ -1391,43 +1416,48 @@ class Nt {
     this.#t(w);
   }
   /** Goes to the level that is wished for; whether asking again would show the same. */
-  #z() {
-    const { by: e, value: r, limit: n, camera: i } = this.#g, s = this.#e;
-    if (e === "view" && s.is_built && i) {
-      const _ = new he(Float64Array.from(i), r, n);
-      try {
-        return s.show_view(_);
-      } finally {
-        _.free();
-      }
-    }
+  #M() {
+    const { by: e, value: r, limit: n, camera: i } = this.#d, s = this.#e;
+    if (e === "view" && s.is_built && i) return this.#R(i, r, n);
     e === "triangles" ? s.show_triangles(r) : e === "error" ? s.show_error(r) : s.show_detail(e === "detail" ? r : 1);
-    const a = s.group_counts().reduce((_, l) => _ + l, 0);
+    const a = s.group_counts().reduce((_, c) => _ + c, 0);
     return n > 0 && a > n && s.show_triangles(n), !0;
   }
-  #F() {
+  /** A camera that sees nothing leaves what is shown: another may see more. */
+  #R(e, r, n) {
+    const i = new he(Float64Array.from(e), r, n);
+    try {
+      return this.#e.show_view(i);
+    } catch (s) {
+      if (!(s instanceof j)) throw s;
+      return s.free(), !0;
+    } finally {
+      i.free();
+    }
+  }
+  #k() {
     if (this.#_ === "strips") return this.#e.color_strips();
     if (this.#_ === "fans") return this.#e.color_fans();
     if (this.#_ === "surface") return;
     const e = this.#e.group_counts().reduce((r, n) => r + n, 0);
     return Uint32Array.from({ length: e }, (r, n) => n);
   }
-  #M() {
-    const e = this.#p;
+  #U() {
+    const e = this.#y;
     if (this.#e.vertex_count === e) return;
     const r = this.#e.vertices(e);
     try {
       const n = r.take_normals();
-      return this.#d = n !== void 0, this.#p = this.#e.vertex_count, { first: e, positions: r.take_positions(), normals: n, colors: r.take_colors(), uvs: r.take_uvs() };
+      return this.#m = n !== void 0, this.#y = this.#e.vertex_count, { first: e, positions: r.take_positions(), normals: n, colors: r.take_colors(), uvs: r.take_uvs() };
     } finally {
       r.free();
     }
   }
-  #R() {
-    if (!(this.#d || this.#y === this.#e.vertex_count))
-      return this.#y = this.#e.vertex_count, this.#e.smooth_normals();
-  }
   #T() {
+    if (!(this.#m || this.#b === this.#e.vertex_count))
+      return this.#b = this.#e.vertex_count, this.#e.smooth_normals();
+  }
+  #C() {
     const e = this.#e;
     return {
       kind: e.kind,
@@ -1444,66 +1474,66 @@ class Nt {
       diagonal: e.diagonal,
       shownSplitCount: e.shown_split_count,
       shownError: e.shown_error,
-      decodeMs: this.#c,
-      buildMs: this.#h,
-      updateMs: this.#f
+      decodeMs: this.#h,
+      buildMs: this.#f,
+      updateMs: this.#u
     };
   }
 }
-const Ee = /* @__PURE__ */ new Map();
+const ze = /* @__PURE__ */ new Map();
 let Ne = !1;
-function Vt(t) {
+function qt(t) {
   const e = t instanceof URL ? t.href : t;
-  let r = Ee.get(e);
-  return r || (r = Wt(t), r.catch(() => Ee.delete(e)), Ee.set(e, r)), r;
+  let r = ze.get(e);
+  return r || (r = Dt(t), r.catch(() => ze.delete(e)), ze.set(e, r)), r;
 }
-function Yt(t) {
+function Ht(t) {
   Ne || it({ module: t }), Ne = !0;
 }
-async function Wt(t) {
+async function Dt(t) {
   if (t instanceof WebAssembly.Module) return t;
   if (t !== void 0 && typeof t != "string" && !(t instanceof URL))
     return WebAssembly.compile(t);
-  const e = t === void 0 ? Lt() : void 0;
+  const e = t === void 0 ? It() : void 0;
   if (e) return WebAssembly.compile(e);
   const r = t ?? new URL(
     /* @vite-ignore */
     "striata.wasm",
     import.meta.url
   ), n = await fetch(r).catch((i) => {
-    throw new E("network", `striata.wasm could not be fetched: ${String(i)}`);
+    throw new A("network", `striata.wasm could not be fetched: ${String(i)}`);
   });
   if (!n.ok)
-    throw new E(
+    throw new A(
       n.status === 404 ? "not-found" : "network",
       `striata.wasm could not be fetched from ${String(r)}: the server says ${n.status}`,
       "it lies beside striata.js in the package; the option `wasm` says where else"
     );
   return WebAssembly.compile(await n.arrayBuffer());
 }
-function Lt() {
+function It() {
   if (typeof document > "u") return;
   const t = document.getElementById("striata-wasm")?.textContent?.trim();
   return t ? Uint8Array.from(atob(t), (e) => e.charCodeAt(0)) : void 0;
 }
 export {
-  Nt as E,
-  V as F,
-  j as M,
+  Yt as E,
+  j as F,
+  P as M,
   te as S,
   re as V,
-  E as a,
+  A as a,
   he as b,
   me as c,
-  xt as d,
-  At as e,
+  zt as d,
+  xt as e,
   be as f,
   st as g,
-  It as h,
-  Te as i,
-  Pt as l,
-  Dt as o,
-  jt as p,
-  Yt as s,
-  Vt as w
+  jt as h,
+  Ue as i,
+  Vt as l,
+  Pt as o,
+  Nt as p,
+  Ht as s,
+  qt as w
 };

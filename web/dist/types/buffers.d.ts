@@ -9,5 +9,5 @@ export declare class GrowingGeometry extends BufferGeometry {
     computeBoundingBox(): void;
     computeBoundingSphere(): void;
     /** Takes what an update brings. */
-    take({ state, vertices, smoothNormals, indices, groupCounts }: Update, hasGroups: boolean): void;
+    take({ state, vertices, smoothNormals, indices, groupCounts }: Update): void;
 }

@@ -13,7 +13,7 @@ export interface Mind {
     dispose(): void;
 }
 /** Made by a `StriataLoader`. */
-export declare class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> implements StriataMeshLike {
+export declare class StriataMesh extends Mesh<BufferGeometry, Material | Material[], StriataEvents> implements StriataMeshLike {
     #private;
     readonly isStriataMesh = true;
     readonly finished: Promise<void>;
@@ -45,15 +45,11 @@ export declare class StriataMesh extends Mesh<BufferGeometry, Material | Materia
     get diagonal(): number;
     get kind(): Kind;
     get timings(): Readonly<Timings>;
+    /** A plain mesh that shows what this one shows: geometry and material are shared, levels are chosen here alone. */
+    clone(recursive?: boolean): this;
     dispose(): void;
     /** Takes another level; called by the loader. */
     update(update: Update): void;
     /** Nothing more comes; called by the loader. */
     end(error?: StriataError): void;
-    /** three's types know no events but their own. */
-    dispatchStriata(event: {
-        [E in keyof StriataEvents]: {
-            type: E;
-        } & StriataEvents[E];
-    }[keyof StriataEvents]): void;
 }
