@@ -39,7 +39,7 @@ impl<'a> Stage<'a> {
         let refinable = built.refinable;
         let strips = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?.strips;
         let Some(bounds) = refinable.mesh.bounds().filter(|_| refinable.mesh.triangle_count() > 0) else {
-            return Err(Failure::user("there is nothing to draw: the mesh has no triangles"));
+            return Err(Failure::of_mesh("there is nothing to draw: the mesh has no triangles"));
         };
         let canvas = Canvas::new(gpu, size, 1)?;
         let painter = Painter::new(gpu, Canvas::FORMAT, canvas.samples());
