@@ -1,23 +1,23 @@
-import { d as E, p as L, S as P, l as j, e as D, a as C, f as R, s as z, E as I, g as w, c as N, w as $, o as G, i as H, h as V } from "./wasm.js";
+import { d as C, p as L, S as I, l as P, e as j, a as E, f as R, s as z, E as D, g as w, c as N, w as $, o as G, i as H, h as V } from "./wasm.js";
 import { BufferGeometry as U, Vector3 as c, Box3 as q, Sphere as Q, BufferAttribute as p, Color as J, SRGBColorSpace as K, Matrix4 as X, Mesh as Z, MeshStandardMaterial as F, DoubleSide as B, Vector2 as Y } from "three";
 const ee = [137, 83, 84, 82], v = [..."STRIATA\0"].map((s) => s.charCodeAt(0)), te = 65536;
 async function re(s) {
   const e = new ne(s.pieces);
   if (await e.grow(v.length), e.startsWith(ee))
-    return { isStream: !0, pieces: e.all(), byteCount: s.length };
+    return { isStream: !0, isInContainer: !1, pieces: e.all(), byteCount: s.length };
   if (e.startsWith(v)) {
     const t = await ie(e);
     if (t) return se(s, e, t);
   }
-  return { isStream: !1, pieces: e.all(), byteCount: s.length };
+  return { isStream: !1, isInContainer: !1, pieces: e.all(), byteCount: s.length };
 }
 async function se(s, e, { offset: t, length: r }) {
   const i = e.bytes.length;
-  return i < t && s.range && t - i > te ? (await e.drop(), { isStream: !0, pieces: await s.range(t, t + r), byteCount: r }) : { isStream: !0, pieces: j(D(e.all(), t), r), byteCount: r };
+  return i < t && s.range && t - i > te ? (await e.drop(), { isStream: !0, isInContainer: !0, pieces: await s.range(t, t + r), byteCount: r }) : { isStream: !0, isInContainer: !0, pieces: P(j(e.all(), t), r), byteCount: r };
 }
 async function ie(s) {
   for (; ; ) {
-    const e = P.find(s.bytes), { needed: t, offset: r, length: i } = e;
+    const e = I.find(s.bytes), { needed: t, offset: r, length: i } = e;
     if (e.free(), t > s.bytes.length) {
       if (!await s.grow(t)) return;
       continue;
@@ -36,7 +36,7 @@ class ne {
     for (; this.bytes.length < e; ) {
       const t = await this.#e.next();
       if (t.done) return !1;
-      this.bytes = E([this.bytes, t.value]);
+      this.bytes = C([this.bytes, t.value]);
     }
     return !0;
   }
@@ -85,7 +85,7 @@ function le(s, e) {
   }
   return t.onmessage = ({ data: r }) => e(r), t.onerror = (r) => {
     r.preventDefault();
-    const i = r.message || "the worker could not start", n = new C("unsupported", `the worker failed: ${i}`, "try the option worker: false");
+    const i = r.message || "the worker could not start", n = new E("unsupported", `the worker failed: ${i}`, "try the option worker: false");
     e({ type: "failed", error: R(n) });
   }, {
     // Bytes are copied: a piece may be a part of a buffer that others still read.
@@ -96,7 +96,7 @@ function le(s, e) {
 function ue(s, e) {
   z(s);
   let t = !1;
-  const r = (n) => queueMicrotask(() => void (t || n())), i = new I((n) => r(() => e(n)), ae);
+  const r = (n) => queueMicrotask(() => void (t || n())), i = new D((n) => r(() => e(n)), ae);
   return {
     order: (n) => r(() => i.take(n)),
     dispose: () => {
@@ -204,19 +204,19 @@ class be extends Z {
   #i;
   #r;
   #s;
-  #u;
-  #a = 1;
+  #f;
+  #h = 1;
   #n = null;
-  #h = null;
+  #a = null;
   #o = null;
   #d = !1;
   #l = "surface";
   #g = !1;
   /** The request that has not been answered yet, and whether another has to follow it. */
-  #c = 0;
-  #_ = !1;
-  #f = !1;
-  #p = { by: "detail", value: 1, limit: 0 };
+  #p = 0;
+  #u = !1;
+  #c = !1;
+  #_ = { by: "detail", value: 1, limit: 0 };
   /** The last camera, as a wish; for views a wish is made when the mesh is drawn. */
   #w;
   #M = !0;
@@ -225,16 +225,16 @@ class be extends Z {
   #v;
   constructor(e, t, r) {
     const i = new _e(), n = t ? void 0 : ye(e);
-    super(i, t ?? n), this.#t = i, this.#r = this.material, this.#i = n, this.#e = r, this.state = e.state, this.#u = e, this.finished = new Promise((o, a) => {
+    super(i, t ?? n), this.#t = i, this.#r = this.material, this.#i = n, this.#e = r, this.state = e.state, this.#f = e, this.finished = new Promise((o, a) => {
       this.#k = o, this.#v = a;
     }), this.finished.catch(() => {
-    }), this.onBeforeRender = (o, a, h) => this.#E(o, a, h), this.update(e);
+    }), this.onBeforeRender = (o, a, h) => this.#C(o, a, h), this.update(e);
   }
   get detail() {
-    return this.#a ?? (this.stepCount > 0 ? this.splitCount / this.stepCount : 1);
+    return this.#h ?? (this.stepCount > 0 ? this.splitCount / this.stepCount : 1);
   }
   set detail(e) {
-    this.#a = Math.min(1, Math.max(0, d(e, "detail"))), [this.#n, this.#h, this.#o] = [null, null, null], this.#m();
+    this.#h = Math.min(1, Math.max(0, d(e, "detail"))), [this.#n, this.#a, this.#o] = [null, null, null], this.#m();
   }
   get triangleBudget() {
     return this.#n;
@@ -246,16 +246,16 @@ class be extends Z {
     return this.state.shownError;
   }
   get maxError() {
-    return this.#h;
+    return this.#a;
   }
   set maxError(e) {
-    this.#h = e === null ? null : Math.max(0, d(e, "maxError")), e !== null && (this.#o = null), this.#x(), this.#m();
+    this.#a = e === null ? null : Math.max(0, d(e, "maxError")), e !== null && (this.#o = null), this.#x(), this.#m();
   }
   get pixelError() {
     return this.#o;
   }
   set pixelError(e) {
-    this.#o = e === null ? null : Math.max(0, d(e, "pixelError")), e !== null && (this.#h = null), this.#x(), this.#m(), this.dispatchStriata({ type: "change" });
+    this.#o = e === null ? null : Math.max(0, d(e, "pixelError")), e !== null && (this.#a = null), this.#x(), this.#m(), this.dispatchStriata({ type: "change" });
   }
   get frozen() {
     return this.#d;
@@ -267,7 +267,7 @@ class be extends Z {
     return this.#l;
   }
   set colouring(e) {
-    e !== this.#l && (this.#l === "surface" && (this.#r = this.material), this.#l = e, this.#f = !0, this.#y());
+    e !== this.#l && (this.#l === "surface" && (this.#r = this.material), this.#l = e, this.#c = !0, this.#y());
   }
   get wireframe() {
     return this.#g;
@@ -278,7 +278,7 @@ class be extends Z {
     this.dispatchStriata({ type: "change" });
   }
   get triangleCount() {
-    return this.#u.indices.length / 3;
+    return this.#f.indices.length / 3;
   }
   get fullTriangleCount() {
     return this.state.fullTriangleCount;
@@ -312,11 +312,11 @@ class be extends Z {
     return { decodeMs: e, buildMs: t, updateMs: r };
   }
   dispose() {
-    this.#b || (this.#b = !0, this.#e.dispose(), this.#t.dispose(), this.geometry !== this.#t && this.geometry.dispose(), this.#i?.dispose(), this.#s?.dispose(), this.#v(new C("aborted", "the mesh was disposed of")));
+    this.#b || (this.#b = !0, this.#e.dispose(), this.#t.dispose(), this.geometry !== this.#t && this.geometry.dispose(), this.#i?.dispose(), this.#s?.dispose(), this.#v(new E("aborted", "the mesh was disposed of")));
   }
   /** Takes another level; called by the loader. */
   update(e) {
-    this.#b || (this.state = e.state, this.#u = e, this.#t.take(e, Array.isArray(this.#r)), this.#S(e), e.ticket === this.#c && (this.#_ = !1, this.#M = e.settled), this.#f && this.#y(), this.dispatchStriata({ type: "change" }));
+    this.#b || (this.state = e.state, this.#f = e, this.#t.take(e, Array.isArray(this.#r)), this.#S(e), e.ticket === this.#p && (this.#u = !1, this.#M = e.settled), this.#c && this.#y(), this.dispatchStriata({ type: "change" }));
   }
   /** Nothing more comes; called by the loader. */
   end(e) {
@@ -338,29 +338,29 @@ class be extends Z {
     r !== this.geometry && r !== this.#t && r.dispose();
   }
   #x() {
-    const e = [this.#n, this.#h, this.#o];
-    this.#a = e.every((t) => t === null) ? 1 : null;
+    const e = [this.#n, this.#a, this.#o];
+    this.#h = e.every((t) => t === null) ? 1 : null;
   }
   /** Sends a wish, at once or when the last one is answered. */
   #m() {
-    this.#f = !0, this.#y();
+    this.#c = !0, this.#y();
   }
   #y() {
-    this.#_ || this.#b || (this.#f = !1, this.#_ = !0, this.#p = this.#A(), this.#e.order({ type: "show", wish: this.#p, colouring: this.#l, ticket: ++this.#c }));
+    this.#u || this.#b || (this.#c = !1, this.#u = !0, this.#_ = this.#A(), this.#e.order({ type: "show", wish: this.#_, colouring: this.#l, ticket: ++this.#p }));
   }
   #A() {
     const e = this.#n ?? 0;
-    return this.#o !== null ? this.#w ?? { by: "detail", value: e > 0 ? 1 : 0, limit: e } : this.#h !== null ? { by: "error", value: this.#h, limit: e } : this.#n !== null ? { by: "triangles", value: this.#n, limit: e } : { by: "detail", value: this.#a ?? 1, limit: 0 };
+    return this.#o !== null ? this.#w ?? { by: "detail", value: e > 0 ? 1 : 0, limit: e } : this.#a !== null ? { by: "error", value: this.#a, limit: e } : this.#n !== null ? { by: "triangles", value: this.#n, limit: e } : { by: "detail", value: this.#h ?? 1, limit: 0 };
   }
   /** Follows the camera that the mesh is about to be drawn for. */
-  #E(e, t, r) {
+  #C(e, t, r) {
     if (this.#o === null || this.#d) return;
     const i = e.getRenderTarget();
     i ? g.set(i.width, i.height) : e.getDrawingBufferSize(g);
     const n = we(this, r, g.x, g.y);
     if (!n) return;
     const o = this.#n ?? 0;
-    this.#w = n.kind === "perspective" ? { by: "view", value: this.#o / n.stretch, limit: o, camera: n.numbers } : { by: "error", value: this.#o * n.unitsPerPixel, limit: o }, !(!this.state.built && this.#p.by === this.#w.by) && (this.#M && me(this.#w, this.#p) || this.#y());
+    this.#w = n.kind === "perspective" ? { by: "view", value: this.#o / n.stretch, limit: o, camera: n.numbers } : { by: "error", value: this.#o * n.unitsPerPixel, limit: o }, !(!this.state.built && this.#_.by === this.#w.by) && (this.#M && me(this.#w, this.#_) || this.#y());
   }
   /** three's types know no events but their own. */
   dispatchStriata(e) {
@@ -395,10 +395,12 @@ class xe {
   #i = new AbortController();
   #r;
   #s;
-  #u = 0;
-  #a = null;
-  #n;
-  #h;
+  /** Whether the engine only sees the stream of a larger file. */
+  #f = !1;
+  #h = 0;
+  #n = null;
+  #a;
+  #o;
   constructor(e, t) {
     this.#e = e, this.#t = t;
   }
@@ -406,60 +408,60 @@ class xe {
     const { signal: t } = this.#t;
     if (t?.aborted) return Promise.reject(w());
     const r = new Promise((n, o) => {
-      this.#n = n, this.#h = o;
-    }), i = () => this.#_(w());
-    return t?.addEventListener("abort", i, { once: !0 }), this.#i.signal.addEventListener("abort", () => t?.removeEventListener("abort", i)), this.#o(e).catch((n) => this.#d(N(n))), r;
+      this.#a = n, this.#o = o;
+    }), i = () => this.#c(w());
+    return t?.addEventListener("abort", i, { once: !0 }), this.#i.signal.addEventListener("abort", () => t?.removeEventListener("abort", i)), this.#d(e).catch((n) => this.#l(N(n))), r;
   }
-  async #o(e) {
+  async #d(e) {
     const [t, r] = await Promise.all([
       $(this.#e.wasm),
       G(e, this.#t.name, this.#i.signal)
     ]);
     if (this.#i.signal.aborted) return;
-    z(t), this.#a = r.length;
+    z(t), this.#n = r.length;
     const i = await re(r);
     if (this.#i.signal.aborted) return;
-    this.#a = i.byteCount, this.#r = he(t, this.#e.worker ?? !0, (o) => this.#l(o));
+    this.#n = i.byteCount, this.#f = i.isInContainer, this.#r = he(t, this.#e.worker ?? !0, (o) => this.#g(o));
     const n = [];
     for await (const o of H(i.pieces)) {
       if (this.#i.signal.aborted) return;
-      this.#u += o.length, i.isStream ? this.#r.order({ type: "bytes", bytes: o }) : n.push(o), this.#c();
+      this.#h += o.length, i.isStream ? this.#r.order({ type: "bytes", bytes: o }) : n.push(o), this.#u();
     }
-    this.#i.signal.aborted || (this.#a = this.#u, i.isStream ? this.#r.order({ type: "end" }) : this.#r.order({ type: "file", bytes: E(n), name: r.name }), this.#c());
+    this.#i.signal.aborted || (this.#n = this.#h, i.isStream ? this.#r.order({ type: "end" }) : this.#r.order({ type: "file", bytes: C(n), name: r.name }), this.#u());
   }
   /** The source failed: what has come of it may be something nevertheless. */
-  #d(e) {
-    this.#r && e.code !== "aborted" ? this.#r.order({ type: "end", error: R(e) }) : this.#_(e);
-  }
   #l(e) {
+    this.#r && e.code !== "aborted" ? this.#r.order({ type: "end", error: R(e) }) : this.#c(e);
+  }
+  #g(e) {
     if (!this.#i.signal.aborted)
       switch (e.type) {
         case "update":
-          this.#s ? this.#s.update(e) : (e.indices.length > 0 || e.state.complete) && (this.#s = new be(e, this.#t.material, this.#g()), this.#s.name = this.#t.name ?? "", this.#n(this.#s)), this.#c();
+          this.#f && (e.state.kind = "striata"), this.#s ? this.#s.update(e) : (e.indices.length > 0 || e.state.complete) && (this.#s = new be(e, this.#t.material, this.#p()), this.#s.name = this.#t.name ?? "", this.#a(this.#s)), this.#u();
           break;
         case "building":
-          this.#c("build");
+          this.#u("build");
           break;
         case "failed":
-          this.#_(V(e.error));
+          this.#c(V(e.error));
           break;
         case "finished":
-          this.#s?.end(), this.#c();
+          this.#s?.end(), this.#u();
           break;
       }
   }
   /** What the mesh needs of us. */
-  #g() {
+  #p() {
     return {
       order: (e) => this.#r?.order(e),
-      bytes: () => ({ received: this.#u, total: this.#a }),
-      dispose: () => this.#f()
+      bytes: () => ({ received: this.#h, total: this.#n }),
+      dispose: () => this.#_()
     };
   }
-  #c(e) {
+  #u(e) {
     const t = this.#s?.state, r = {
-      bytesReceived: this.#u,
-      bytesTotal: this.#a ?? (t?.streamBytes || null),
+      bytesReceived: this.#h,
+      bytesTotal: this.#n ?? (t?.streamBytes || null),
       triangleCount: t?.triangleCount ?? 0,
       vertexCount: t?.vertexCount ?? 0,
       complete: t?.complete ?? !1,
@@ -468,21 +470,21 @@ class xe {
     this.#t.onProgress?.(r), this.#s?.dispatchStriata({ type: "progress", progress: r });
   }
   /** Ends loading; a mesh that is there stays, with what it has. */
-  #_(e) {
+  #c(e) {
     if (!this.#i.signal.aborted) {
       if (this.#s && e.code !== "aborted") {
         this.#s.end(e);
         return;
       }
-      this.#s?.end(e), this.#f(), this.#h(e);
+      this.#s?.end(e), this.#_(), this.#o(e);
     }
   }
-  #f() {
+  #_() {
     this.#i.abort(w()), this.#r?.dispose();
   }
 }
 export {
-  C as StriataError,
+  E as StriataError,
   Se as StriataLoader,
   be as StriataMesh
 };

@@ -357,7 +357,7 @@ class te {
     return o.__wbg_get_streamplace_length(this.__wbg_ptr);
   }
   /**
-   * First bytes of the file that it takes to know; more than were given: ask again with so many.
+   * First bytes of the file that it may take to know; more than were given: ask again with so many.
    * @returns {number}
    */
   get needed() {
@@ -378,7 +378,7 @@ class te {
     o.__wbg_set_streamplace_length(this.__wbg_ptr, e);
   }
   /**
-   * First bytes of the file that it takes to know; more than were given: ask again with so many.
+   * First bytes of the file that it may take to know; more than were given: ask again with so many.
    * @param {number} arg0
    */
   set needed(e) {
@@ -395,7 +395,7 @@ class te {
    * Looks for the stream of a `.striata` file.
    *
    * # Errors
-   * Where the bytes begin no `.striata` file, or its header is damaged.
+   * Where the bytes begin no `.striata` file, or its head is damaged.
    * @param {Uint8Array | number[]} head
    * @returns {StreamPlace}
    */

@@ -6,6 +6,8 @@ import { StreamPlace } from './wasm/striata_web.js';
 /** A stream as it comes, or pieces of a whole file. */
 export interface Content {
   isStream: boolean;
+  /** Whether the stream is a part of a `.striata` file. */
+  isInContainer: boolean;
   pieces: Pieces;
   /** Bytes that will come; null where nobody tells. */
   byteCount: number | null;
@@ -22,22 +24,23 @@ export async function contentOf(opened: Opened): Promise<Content> {
   const head = new Head(opened.pieces);
   await head.grow(CONTAINER_MAGIC.length);
   if (head.startsWith(STREAM_MAGIC)) {
-    return { isStream: true, pieces: head.all(), byteCount: opened.length };
+    return { isStream: true, isInContainer: false, pieces: head.all(), byteCount: opened.length };
   }
   if (head.startsWith(CONTAINER_MAGIC)) {
     const place = await streamPlace(head);
     if (place) return contentOfStream(opened, head, place);
   }
-  return { isStream: false, pieces: head.all(), byteCount: opened.length };
+  return { isStream: false, isInContainer: false, pieces: head.all(), byteCount: opened.length };
 }
 
 async function contentOfStream(opened: Opened, head: Head, { offset, length }: Place): Promise<Content> {
   const there = head.bytes.length;
   if (there < offset && opened.range && offset - there > WORTH_A_REQUEST) {
     await head.drop();
-    return { isStream: true, pieces: await opened.range(offset, offset + length), byteCount: length };
+    const pieces = await opened.range(offset, offset + length);
+    return { isStream: true, isInContainer: true, pieces, byteCount: length };
   }
-  return { isStream: true, pieces: limited(skipped(head.all(), offset), length), byteCount: length };
+  return { isStream: true, isInContainer: true, pieces: limited(skipped(head.all(), offset), length), byteCount: length };
 }
 
 interface Place {

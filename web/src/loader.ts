@@ -38,6 +38,8 @@ class Loading {
   readonly #stop = new AbortController();
   #link: Link | undefined;
   #mesh: StriataMesh | undefined;
+  /** Whether the engine only sees the stream of a larger file. */
+  #isInContainer = false;
   #received = 0;
   #total: number | null = null;
   #resolve!: (mesh: StriataMesh) => void;
@@ -74,6 +76,7 @@ class Loading {
     const content = await contentOf(opened);
     if (this.#stop.signal.aborted) return;
     this.#total = content.byteCount;
+    this.#isInContainer = content.isInContainer;
     this.#link = link(module, this.#loader.worker ?? true, (report) => this.#hear(report));
     const parts: Uint8Array[] = [];
     for await (const bytes of iterable(content.pieces)) {
@@ -100,6 +103,7 @@ class Loading {
     if (this.#stop.signal.aborted) return;
     switch (report.type) {
       case 'update':
+        if (this.#isInContainer) report.state.kind = 'striata';
         if (this.#mesh) {
           this.#mesh.update(report);
         } else if (report.indices.length > 0 || report.state.complete) {

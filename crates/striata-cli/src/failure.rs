@@ -41,12 +41,6 @@ impl Failure {
         Self { message: message.into(), hint: None, excerpt: None, is_ours: false, lacks_file: false }
     }
 
-    /// A failure that the user's mesh is to blame for, whose file is still to be [named](Self::in_file).
-    #[cfg(feature = "gpu")]
-    pub(crate) fn of_mesh(message: impl Into<String>) -> Self {
-        Self { lacks_file: true, ..Self::user(message) }
-    }
-
     /// A failure of our own.
     pub(crate) fn internal(message: impl Into<String>) -> Self {
         Self { is_ours: true, ..Self::user(message) }

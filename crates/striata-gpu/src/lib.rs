@@ -6,6 +6,36 @@
 //! coloured by strip or fan, with their edges.
 //!
 //! Any backend of wgpu does, a processor's among them; [`Gpu::new`] says clearly where there is none.
+//!
+//! ```no_run
+//! use striata::model::{FanInstance, Fans};
+//! use striata::simplify::build_sequence;
+//! use striata_gpu::{Canvas, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuVertices, Look, Painter, Viewpoint};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let mesh = striata::mesh::shapes::icosphere(6, 1.0);
+//! let refinable = build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress)?.refinable;
+//! let fans = Fans::build(&refinable);
+//!
+//! let gpu = Gpu::new(&Default::default())?;
+//! let (canvas, painter) = (Canvas::new(&gpu, [800, 600], 4)?, Painter::new(&gpu, Canvas::FORMAT, 4));
+//! let vertices = GpuVertices::upload(&gpu, &refinable.mesh)?; // once, for all levels
+//! let (table, extractor) = (GpuFans::upload(&gpu, &fans)?, FanExtractor::new(&gpu));
+//! let mut instance = GpuFanInstance::new(&gpu, &extractor, &table)?;
+//!
+//! let view = Viewpoint::portrait(&mesh.bounds().ok_or("no vertices")?, 0.5, 0.3, 0.6);
+//! let scene = painter.scene(&gpu, &vertices, (&view, [800, 600]), &Look::default())?;
+//! instance.write(&gpu, &FanInstance::uniform(&fans, refinable.sequence.step_count() / 10)); // a bit a step
+//! let mut encoder = gpu.device().create_command_encoder(&Default::default());
+//! extractor.extract(&mut encoder, &instance); // its triangles, made where they are drawn
+//! gpu.queue().submit([encoder.finish()]);
+//! let picture = canvas.paint(&gpu, Look::default().background, |pass| {
+//!     painter.draw(pass, &scene, &vertices, instance.drawing());
+//! })?;
+//! assert_eq!(picture.rgba.len(), 800 * 600 * 4);
+//! # Ok(())
+//! # }
+//! ```
 
 mod canvas;
 mod drawing;

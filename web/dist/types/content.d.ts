@@ -3,6 +3,8 @@ import { type Opened, type Pieces } from './bytes.ts';
 /** A stream as it comes, or pieces of a whole file. */
 export interface Content {
     isStream: boolean;
+    /** Whether the stream is a part of a `.striata` file. */
+    isInContainer: boolean;
     pieces: Pieces;
     /** Bytes that will come; null where nobody tells. */
     byteCount: number | null;

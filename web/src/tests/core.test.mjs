@@ -138,5 +138,5 @@ test('what is no mesh is refused with a hint', async () => {
   const { reports } = await reportsTo([{ type: 'file', bytes, name: 'hello.txt' }]);
   assert.equal(reports.at(-1).error.code, 'format');
   assert.match(reports.at(-1).error.hint, /\.striata/);
-  assert.throws(() => StreamPlace.find(bytes), (thrown) => asStriataError(thrown) instanceof StriataError);
+  assert.throws(() => StreamPlace.find(new Uint8Array(64)), (thrown) => asStriataError(thrown) instanceof StriataError);
 });

@@ -432,7 +432,7 @@ const ret = wasm.__wbg_get_streamplace_length(this.__wbg_ptr);
 return ret;
 }
 /**
- * First bytes of the file that it takes to know; more than were given: ask again with so many.
+ * First bytes of the file that it may take to know; more than were given: ask again with so many.
  * @returns {number}
  */
 get needed() {
@@ -455,7 +455,7 @@ set length(arg0) {
 wasm.__wbg_set_streamplace_length(this.__wbg_ptr, arg0);
 }
 /**
- * First bytes of the file that it takes to know; more than were given: ask again with so many.
+ * First bytes of the file that it may take to know; more than were given: ask again with so many.
  * @param {number} arg0
  */
 set needed(arg0) {
@@ -472,7 +472,7 @@ wasm.__wbg_set_streamplace_offset(this.__wbg_ptr, arg0);
  * Looks for the stream of a `.striata` file.
  *
  * # Errors
- * Where the bytes begin no `.striata` file, or its header is damaged.
+ * Where the bytes begin no `.striata` file, or its head is damaged.
  * @param {Uint8Array | number[]} head
  * @returns {StreamPlace}
  */

@@ -16,7 +16,7 @@ const DRAWN: &str = "Drawing";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata bench-gpu bunny.ply cow.obj\n  \
-    striata bench-gpu bunny.ply --ways fans-compute,discrete --size 1920x1080 --json")]
+    striata bench-gpu bunny.ply --ways fans,fans-compute --json")]
 pub(crate) struct BenchGpuArgs {
     /// Meshes, .striata files (their full level), or shapes such as shape:sphere
     #[arg(value_name = "INPUT", required = true)]
@@ -24,10 +24,10 @@ pub(crate) struct BenchGpuArgs {
     #[arg(long = "ways", value_name = "NAMES", value_delimiter = ',', help = ways_help())]
     names: Option<Vec<String>>,
     /// Frames from the full mesh to the base mesh, and again on the way back
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub(crate) frames: u32,
     /// Pixels of the picture that is drawn; small, so that vertices count also where the processor draws
-    #[arg(long, value_name = "WxH", default_value = "256x256", help_heading = DRAWN)]
+    #[arg(long, value_name = "WxH", default_value = "128x128", help_heading = DRAWN)]
     pub(crate) size: Viewport,
     /// The stripifiers whose strips models are built from, as in `strip`
     #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into(), help_heading = DRAWN)]

@@ -1,6 +1,6 @@
 // Progressive fans extracted: which arcs are there, where their triangles go, and the triangles.
 //
-// A thread takes a fan, a workgroup a block of fans of one group. Blocks are numbered along the dispatch's rows.
+// A workgroup takes a block of fans of one group, a thread four of them. Blocks are numbered along the dispatch's rows.
 
 struct Terms {
     block_count: u32,
@@ -25,12 +25,14 @@ struct Terms {
 @group(0) @binding(6) var<storage, read_write> arcs: array<u32>;
 // Of each block, how many; then how many are before it.
 @group(0) @binding(7) var<storage, read_write> sums: array<u32>;
-@group(0) @binding(8) var<storage, read_write> indices: array<u32>;
 // The same, where nothing writes it.
 @group(0) @binding(10) var<storage, read> firsts: array<u32>;
+@group(0) @binding(8) var<storage, read_write> indices: array<u32>;
 // Index count, instance count, first index, base vertex, first instance.
 @group(0) @binding(9) var<storage, read_write> commands: array<array<u32, 5>>;
 
+// Fans of a block stand in four rows; a thread takes one of each row, so that threads read side by side.
+const ROW = 64u;
 const BLOCK = 256u;
 
 fn node_count(kinds: u32) -> u32 { return kinds & 63u; }
@@ -73,7 +75,7 @@ fn block_number(group: vec3<u32>, groups: vec3<u32>) -> u32 {
 
 var<workgroup> total: atomic<u32>;
 
-@compute @workgroup_size(BLOCK)
+@compute @workgroup_size(ROW)
 fn count(
     @builtin(workgroup_id) group: vec3<u32>,
     @builtin(num_workgroups) groups: vec3<u32>,
@@ -84,12 +86,14 @@ fn count(
         return;
     }
     let block = blocks[number];
-    if thread < block.y {
-        let shown = shown_arcs(fans[block.x + thread]);
-        arcs[block.x + thread] = shown;
-        if shown != 0u {
-            atomicAdd(&total, countOneBits(shown));
-        }
+    var found = 0u;
+    for (var at = thread; at < block.y; at += ROW) {
+        let shown = shown_arcs(fans[block.x + at]);
+        arcs[block.x + at] = shown;
+        found += countOneBits(shown);
+    }
+    if found != 0u {
+        atomicAdd(&total, found);
     }
     workgroupBarrier();
     if thread == 0u {
@@ -97,14 +101,19 @@ fn count(
     }
 }
 
-var<workgroup> ladder: array<u32, BLOCK>;
+var<workgroup> ladder: array<vec4<u32>, ROW>;
 
-// How much all threads before this one bring.
-fn before(thread: u32, own: u32) -> u32 {
+// How much comes before what this thread brings to each of four rows, one row after the other; and how much all bring.
+struct Before {
+    here: vec4<u32>,
+    all: u32,
+}
+
+fn before(thread: u32, own: vec4<u32>) -> Before {
     ladder[thread] = own;
     workgroupBarrier();
-    for (var reach = 1u; reach < BLOCK; reach <<= 1u) {
-        var below = 0u;
+    for (var reach = 1u; reach < ROW; reach <<= 1u) {
+        var below = vec4(0u);
         if thread >= reach {
             below = ladder[thread - reach];
         }
@@ -112,24 +121,32 @@ fn before(thread: u32, own: u32) -> u32 {
         ladder[thread] += below;
         workgroupBarrier();
     }
-    return ladder[thread] - own;
+    let rows = ladder[ROW - 1u];
+    let second = rows.x + rows.y;
+    let third = second + rows.z;
+    return Before(ladder[thread] - own + vec4(0u, rows.x, second, third), third + rows.w);
 }
 
 // One workgroup: what each block has before it, and the draw of each group.
-@compute @workgroup_size(BLOCK)
+@compute @workgroup_size(ROW)
 fn place(@builtin(local_invocation_index) thread: u32) {
     var carried = 0u;
     for (var first = 0u; first < terms.block_count; first += BLOCK) {
-        let number = first + thread;
-        var own = 0u;
-        if number < terms.block_count {
-            own = sums[number];
+        var own = vec4(0u);
+        for (var row = 0u; row < 4u; row++) {
+            let number = first + row * ROW + thread;
+            if number < terms.block_count {
+                own[row] = sums[number];
+            }
         }
         let behind = before(thread, own);
-        if number < terms.block_count {
-            sums[number] = carried + behind;
+        for (var row = 0u; row < 4u; row++) {
+            let number = first + row * ROW + thread;
+            if number < terms.block_count {
+                sums[number] = carried + behind.here[row];
+            }
         }
-        carried += ladder[BLOCK - 1u];
+        carried += behind.all;
         // The ladder is written again in the next round.
         workgroupBarrier();
     }
@@ -137,14 +154,30 @@ fn place(@builtin(local_invocation_index) thread: u32) {
         sums[terms.block_count] = carried;
     }
     storageBarrier();
-    for (var group = thread; group < terms.group_count; group += BLOCK) {
+    for (var group = thread; group < terms.group_count; group += ROW) {
         let first = min(3u * sums[group_blocks[group]], terms.capacity);
         let end = min(3u * sums[group_blocks[group + 1u]], terms.capacity);
         commands[group] = array<u32, 5>(end - first, 1u, first, 0u, group * terms.tells_group);
     }
 }
 
-@compute @workgroup_size(BLOCK)
+fn write_fan(fan: vec4<u32>, arcs_shown: u32, first: u32) {
+    let nodes = node_count(fan.z);
+    var shown = arcs_shown;
+    var at = first;
+    while shown != 0u && at + 3u <= terms.capacity {
+        let arc = firstTrailingBit(shown);
+        shown &= shown - 1u;
+        // Only the last arc of a closed fan has no node behind it.
+        let next = select(arc + 1u, 0u, arc + 1u == nodes);
+        indices[at] = fan.x;
+        indices[at + 1u] = words[fan.y + arc];
+        indices[at + 2u] = words[fan.y + next];
+        at += 3u;
+    }
+}
+
+@compute @workgroup_size(ROW)
 fn write(
     @builtin(workgroup_id) group: vec3<u32>,
     @builtin(num_workgroups) groups: vec3<u32>,
@@ -155,24 +188,16 @@ fn write(
         return;
     }
     let block = blocks[number];
-    var shown = 0u;
-    if thread < block.y {
-        shown = arcs[block.x + thread];
+    var shown = vec4(0u);
+    for (var row = 0u; row < 4u; row++) {
+        if row * ROW + thread < block.y {
+            shown[row] = arcs[block.x + row * ROW + thread];
+        }
     }
-    var at = 3u * (firsts[number] + before(thread, countOneBits(shown)));
-    if shown == 0u {
-        return;
-    }
-    let fan = fans[block.x + thread];
-    let nodes = node_count(fan.z);
-    while shown != 0u && at + 3u <= terms.capacity {
-        let arc = firstTrailingBit(shown);
-        shown &= shown - 1u;
-        // Only the last arc of a closed fan has no node behind it.
-        let next = select(arc + 1u, 0u, arc + 1u == nodes);
-        indices[at] = fan.x;
-        indices[at + 1u] = words[fan.y + arc];
-        indices[at + 2u] = words[fan.y + next];
-        at += 3u;
+    let places = before(thread, countOneBits(shown)).here + firsts[number];
+    for (var row = 0u; row < 4u; row++) {
+        if shown[row] != 0u {
+            write_fan(fans[block.x + row * ROW + thread], shown[row], 3u * places[row]);
+        }
     }
 }

@@ -183,7 +183,7 @@ export class StreamPlace {
    * Looks for the stream of a `.striata` file.
    *
    * # Errors
-   * Where the bytes begin no `.striata` file, or its header is damaged.
+   * Where the bytes begin no `.striata` file, or its head is damaged.
    */
   static find(head: Uint8Array | number[]): StreamPlace;
   /**
@@ -191,7 +191,7 @@ export class StreamPlace {
    */
   length: number;
   /**
-   * First bytes of the file that it takes to know; more than were given: ask again with so many.
+   * First bytes of the file that it may take to know; more than were given: ask again with so many.
    */
   needed: number;
   /**

@@ -17,7 +17,7 @@ use crate::output::Bar;
 const ROUND_COUNT: usize = 3;
 
 /// Seconds after which no further round begins.
-const COURSE_SECS: f64 = 12.0;
+const COURSE_SECS: f64 = 20.0;
 
 /// Frames that a way draws before it is timed: pipelines are then compiled and buffers have grown.
 const WARM_UP_FRAMES: usize = 8;

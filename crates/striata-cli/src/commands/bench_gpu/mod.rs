@@ -32,14 +32,14 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
     let gpu = Gpu::new(&options)?;
     // All are opened first: a file that is not there is told before any work.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
-    let Viewport(size) = args.size;
+    let (Viewport(size), plan) = (args.size, args.strip_plan());
     let mut meshes = Vec::new();
     for input in &inputs {
         let mut bar = output.bar();
         bar.phase("read");
         let mesh = input.mesh(output)?;
         let blamed = |failure: Failure| failure.in_file(&input.name);
-        let stage = Stage::new(&gpu, &mesh, (size, &args.strip_plan()), &mut bar).map_err(blamed)?;
+        let stage = Stage::new(&gpu, (&input.name, &mesh), (size, &plan), &mut bar).map_err(blamed)?;
         let course = Course::run(&stage, &entries, args.frames as usize, &mut bar).map_err(blamed)?;
         meshes.push(MeshReport::new(input.file_name(), &stage, course));
     }

@@ -62,7 +62,7 @@ impl MeshReport {
 
     fn add_text(&self, text: &mut String) {
         text.push_str(&format!(
-            "\n{}: {} triangles, {} vertices, base {}; {} strips; {} rounds\n",
+            "\n{}: {} triangles, {} vertices, base {}; {} strips; best of {}\n",
             self.name,
             grouped(self.triangle_count),
             grouped(self.vertex_count),
@@ -114,13 +114,12 @@ impl Report {
         let Self { adapter, size: [width, height], frames, .. } = self;
         let mut text = format!("{} ({}, {})\n", adapter.name, adapter.backend, adapter.driver);
         text.push_str(&format!(
-            "{width} x {height} pixels; {frames} frames from the full mesh to the base, {frames} back; a frame's times are \
-             the quickest of all rounds, the table shows their median and what 95 % stay below, in milliseconds\n"
+            "{width} x {height} pixels; {frames} frames from the full mesh to the base, {frames} back\n"
         ));
+        text.push_str("times in milliseconds: the median of all frames, and what 95 % of them stay below\n");
         if adapter.draws_on_the_processor {
             text.push_str(
-                "this adapter draws on the processor: what the shaders of `fans-compute` and each pixel take is the processor's \
-                 time, too\n",
+                "this adapter draws on the processor: every pixel and each shader is its time, too\n",
             );
         }
         self.meshes.iter().for_each(|mesh| mesh.add_text(&mut text));
@@ -129,10 +128,9 @@ impl Report {
         for entry in ways::all().iter().filter(|entry| used(entry.name)) {
             text.push_str(&format!("{}: {}\n", entry.name, entry.about));
         }
-        text.push_str(
-            "frame: from the wish for a level to the finished picture; update: of that the processor, until all is handed over; \
-             GPU: by its own time stamps, transfers not among them\n",
-        );
+        text.push_str("\nframe: from the wish for a level to the finished picture\n");
+        text.push_str("update: of that the processor, until all is handed over\n");
+        text.push_str("GPU: from its first command to its last by its own time stamps, without transfers\n");
         text.push_str(&format!("all measured in {}\n", lasted(self.secs)));
         text
     }

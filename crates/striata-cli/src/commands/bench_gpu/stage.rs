@@ -30,7 +30,7 @@ impl<'a> Stage<'a> {
     /// Where the mesh does not hang together, or does not fit onto the GPU.
     pub(super) fn new(
         gpu: &'a Gpu,
-        mesh: &IndexedMesh,
+        (name, mesh): (&str, &IndexedMesh),
         (size, plan): ([u32; 2], &StripPlan),
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
@@ -39,7 +39,9 @@ impl<'a> Stage<'a> {
         let refinable = built.refinable;
         let strips = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?.strips;
         let Some(bounds) = refinable.mesh.bounds().filter(|_| refinable.mesh.triangle_count() > 0) else {
-            return Err(Failure::of_mesh("there is nothing to draw: the mesh has no triangles"));
+            return Err(Failure::user(format!(
+                "{name}: there is nothing to draw: the mesh has no triangles"
+            )));
         };
         let canvas = Canvas::new(gpu, size, 1)?;
         let painter = Painter::new(gpu, Canvas::FORMAT, canvas.samples());

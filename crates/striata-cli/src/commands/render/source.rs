@@ -21,7 +21,7 @@ use crate::sequence::{SequencePlan, Steps};
 /// Where levels come from.
 pub(super) enum Source<'a> {
     /// A mesh that is drawn as it is.
-    Mesh(IndexedMesh),
+    Mesh(Box<IndexedMesh>),
     /// Levels of a mesh.
     Levels(Box<Levels<'a>>),
 }
@@ -62,7 +62,7 @@ impl<'a> Source<'a> {
         let mesh = input.mesh(output)?;
         mesh.check().map_err(|error| in_file(error.into()))?;
         if !needs_levels(args) {
-            return Ok(Self::Mesh(with_normals(mesh)));
+            return Ok(Self::Mesh(Box::new(with_normals(mesh))));
         }
         let welded = weld(&mesh).map_err(|error| in_file(error.into()))?;
         let sequenced = SequencePlan::default().run(welded, &mut |progress| bar.show(progress));
@@ -90,7 +90,7 @@ impl<'a> Source<'a> {
     /// Where its strips cannot be made.
     pub(super) fn target(&self, target: Option<Target>) -> Result<Figure, Failure> {
         match self {
-            Self::Mesh(mesh) => Ok(Figure::of_mesh(mesh.clone())),
+            Self::Mesh(mesh) => Ok(Figure::of_mesh(IndexedMesh::clone(mesh))),
             Self::Levels(levels) => {
                 let known = levels.steps.levels();
                 let split_count = target.map_or(known.step_count(), |target| target.resolve_in(known).0);

@@ -548,7 +548,11 @@ mod tests {
                 let range = range.start as usize..range.end as usize;
                 copy[range.clone()].copy_from_slice(&shown.form().indices[range]);
             }
-            assert_eq!(copy, shown.form().indices, "a copy that got the ranges is the same");
+            for range in shown.form().groups {
+                let drawn = range.start as usize..range.end as usize;
+                let is_same = copy[drawn.clone()] == shown.form().indices[drawn];
+                assert!(is_same, "at {detail} a copy that got the ranges draws the same");
+            }
         }
         assert_eq!(shown.take_changes(), Changes::None);
     }
