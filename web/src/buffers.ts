@@ -14,7 +14,9 @@ export class GrowingGeometry extends BufferGeometry {
   #hasRoomChanged = false;
 
   override computeBoundingBox(): void {
-    const [min, max] = [0, 3].map((at) => new Vector3().fromArray(this.bounds.length === 6 ? Array.from(this.bounds) : new Array(6).fill(0), at));
+    // Nobody told a copy, or one without vertices.
+    if (this.bounds.length !== 6) return super.computeBoundingBox();
+    const [min, max] = [0, 3].map((at) => new Vector3().fromArray(Array.from(this.bounds), at));
     this.boundingBox = new Box3(min, max);
   }
 
@@ -24,7 +26,7 @@ export class GrowingGeometry extends BufferGeometry {
   }
 
   /** Takes what an update brings. */
-  take({ state, vertices, smoothNormals, indices, groupCounts }: Update, hasGroups: boolean): void {
+  take({ state, vertices, smoothNormals, indices, groupCounts }: Update): void {
     this.bounds = state.bounds;
     this.#makeRoom(state.vertexCount, state.fullVertexCount);
     if (vertices) {
@@ -37,13 +39,12 @@ export class GrowingGeometry extends BufferGeometry {
     if (smoothNormals) this.#write('normal', smoothNormals, 3, 0);
     this.#writeIndices(indices, 3 * state.fullTriangleCount);
     this.clearGroups();
-    if (hasGroups) {
-      let start = 0;
-      groupCounts.forEach((count, group) => {
-        this.addGroup(start, 3 * count, group);
-        start += 3 * count;
-      });
-    }
+    // They count only for meshes with several materials, which a mesh can be given at any time.
+    let start = 0;
+    groupCounts.forEach((count, group) => {
+      this.addGroup(start, 3 * count, group);
+      start += 3 * count;
+    });
     this.computeBoundingSphere();
     this.#hasRoomChanged = false;
   }

@@ -48,12 +48,17 @@ export async function open(source: Source, name: string | undefined, signal: Abo
 }
 
 async function openUrl(source: string | URL, name: string | undefined, signal: AbortSignal): Promise<Opened> {
-  const url = new URL(source, typeof document === 'undefined' ? undefined : document.baseURI);
+  const url = urlOf(source);
   const isContainer = /\.striata$/i.test(url.pathname);
   // Of a container mostly the stream at its end is needed.
   const headers: HeadersInit = isContainer ? { Range: `bytes=0-${HEAD_BYTES - 1}` } : {};
-  const response = await get(url, headers, signal);
+  let response = await get(url, headers, signal);
   const total = /\/(\d+)$/.exec(response.headers.get('Content-Range') ?? '')?.[1];
+  if (response.status === 206 && total === undefined) {
+    // Servers elsewhere may send parts without letting this page see of how much: then all is asked for.
+    await response.body?.cancel();
+    response = await get(url, {}, signal);
+  }
   // The length of what is packed says nothing of what comes out.
   const isPacked = response.headers.has('Content-Encoding');
   const length = total ?? (isPacked ? null : response.headers.get('Content-Length'));
@@ -64,11 +69,29 @@ async function openUrl(source: string | URL, name: string | undefined, signal: A
     return part.status === 206 ? all : skipped(all, from);
   };
   return {
-    name: name ?? decodeURIComponent(url.pathname.split('/').pop() ?? ''),
+    name: name ?? fileName(url),
     length: length === null ? null : Number(length),
     pieces: isPart && Number(total) > HEAD_BYTES ? joined(body(response, signal), () => range(HEAD_BYTES, Number(total))) : body(response, signal),
     range: isPart ? range : null,
   };
+}
+
+function urlOf(source: string | URL): URL {
+  try {
+    return new URL(source, typeof document === 'undefined' ? undefined : document.baseURI);
+  } catch {
+    throw new StriataError('unsupported', `${String(source)} is no URL`);
+  }
+}
+
+/** The last part of a path; as it is where its escapes are none. */
+function fileName(url: URL): string {
+  const last = url.pathname.split('/').pop() ?? '';
+  try {
+    return decodeURIComponent(last);
+  } catch {
+    return last;
+  }
 }
 
 async function get(url: URL, headers: HeadersInit, signal: AbortSignal): Promise<Response> {
@@ -82,6 +105,7 @@ async function get(url: URL, headers: HeadersInit, signal: AbortSignal): Promise
   }
   if (response.ok) return response;
   await response.body?.cancel();
+  if (response.status === 416) throw new StriataError('format', `${url.href} is shorter than it should be: the file may be empty`);
   const code = response.status === 404 || response.status === 410 ? 'not-found' : 'network';
   throw new StriataError(code, `${url.href}: the server says ${response.status} ${response.statusText}`.trim());
 }

@@ -5,7 +5,7 @@
  * What has come is told now and then, the more seldom the longer telling takes.
  */
 
-import { Model, View } from './wasm/striata_web.js';
+import { Failure, Model, View } from './wasm/striata_web.js';
 import { asPlain, asStriataError, StriataError, type PlainError } from './error.ts';
 import type { NewVertices, Order, Report, State, Update, Wish } from './protocol.ts';
 import type { Colouring, Kind, Phase } from './types.ts';
@@ -39,6 +39,9 @@ export class Engine {
   #end: { error?: PlainError } | undefined;
   #isPumping = false;
   #isOver = false;
+  #isDisposed = false;
+  /** The stream is built, or broken off: bytes that were on their way by then are nobody's. */
+  #hasEnded = false;
   #wish: Wish = { by: 'detail', value: 1, limit: 0 };
   #colouring: Colouring = 'surface';
   #phase: Phase = 'download';
@@ -64,10 +67,12 @@ export class Engine {
     if (this.#isOver) return;
     switch (order.type) {
       case 'bytes':
+        if (this.#hasEnded) break;
         this.#queue.push(order.bytes);
         void this.#pump();
         break;
       case 'end':
+        if (this.#hasEnded) break;
         this.#end = order.error ? { error: order.error } : {};
         void this.#pump();
         break;
@@ -83,6 +88,8 @@ export class Engine {
   }
 
   dispose(): void {
+    if (this.#isDisposed) return;
+    this.#isDisposed = true;
     this.#isOver = true;
     this.#queue = [];
     this.#model.free();
@@ -128,6 +135,7 @@ export class Engine {
 
   #finish(error: PlainError | undefined): void {
     let failure = error;
+    this.#hasEnded = true;
     try {
       if (!failure && !this.#model.is_complete) {
         failure = { code: 'corrupt', message: 'the stream ends before the mesh does', hint: 'was the file copied whole?' };
@@ -227,20 +235,27 @@ export class Engine {
   #show(): boolean {
     const { by, value, limit, camera } = this.#wish;
     const model = this.#model;
-    if (by === 'view' && model.is_built && camera) {
-      const view = new View(Float64Array.from(camera), value, limit);
-      try {
-        return model.show_view(view);
-      } finally {
-        view.free();
-      }
-    }
+    if (by === 'view' && model.is_built && camera) return this.#showView(camera, value, limit);
     if (by === 'triangles') model.show_triangles(value);
     else if (by === 'error') model.show_error(value);
     else model.show_detail(by === 'detail' ? value : 1);
     const shownCount = model.group_counts().reduce((sum, count) => sum + count, 0);
     if (limit > 0 && shownCount > limit) model.show_triangles(limit);
     return true;
+  }
+
+  /** A camera that sees nothing leaves what is shown: another may see more. */
+  #showView(camera: number[], pixels: number, limit: number): boolean {
+    const view = new View(Float64Array.from(camera), pixels, limit);
+    try {
+      return this.#model.show_view(view);
+    } catch (thrown) {
+      if (!(thrown instanceof Failure)) throw thrown;
+      thrown.free();
+      return true;
+    } finally {
+      view.free();
+    }
   }
 
   #numbers(): Uint32Array | undefined {

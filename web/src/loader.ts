@@ -35,7 +35,10 @@ export const StriataLoader = function (options?: LoaderOptions) {
 class Loading {
   readonly #loader: LoaderOptions;
   readonly #options: LoadOptions;
+  /** Ends everything. */
   readonly #stop = new AbortController();
+  /** Ends the download alone. */
+  readonly #download = new AbortController();
   #link: Link | undefined;
   #mesh: StriataMesh | undefined;
   /** Whether the engine only sees the stream of a larger file. */
@@ -59,7 +62,8 @@ class Loading {
     });
     const abort = () => this.#fail(aborted());
     signal?.addEventListener('abort', abort, { once: true });
-    this.#stop.signal.addEventListener('abort', () => signal?.removeEventListener('abort', abort));
+    // What has been loaded lives on, whatever becomes of the signal.
+    this.#download.signal.addEventListener('abort', () => signal?.removeEventListener('abort', abort));
     this.#fetch(source).catch((thrown: unknown) => this.#breakOff(asStriataError(thrown)));
     return loaded;
   }
@@ -67,7 +71,7 @@ class Loading {
   async #fetch(source: Source): Promise<void> {
     const [module, opened] = await Promise.all([
       wasmModule(this.#loader.wasm),
-      open(source, this.#options.name, this.#stop.signal),
+      open(source, this.#options.name, this.#download.signal),
     ]);
     if (this.#stop.signal.aborted) return;
     // The page itself looks into heads of containers.
@@ -80,21 +84,22 @@ class Loading {
     this.#link = link(module, this.#loader.worker ?? true, (report) => this.#hear(report));
     const parts: Uint8Array[] = [];
     for await (const bytes of iterable(content.pieces)) {
-      if (this.#stop.signal.aborted) return;
+      if (this.#download.signal.aborted) return;
       this.#received += bytes.length;
       if (content.isStream) this.#link.order({ type: 'bytes', bytes });
       else parts.push(bytes);
       this.#progress();
     }
-    if (this.#stop.signal.aborted) return;
+    if (this.#download.signal.aborted) return;
     this.#total = this.#received;
     if (content.isStream) this.#link.order({ type: 'end' });
-    else this.#link.order({ type: 'file', bytes: concatenated(parts), name: opened.name });
+    else this.#link.order({ type: 'file', bytes: concatenated(parts), name: opened.name || 'the file' });
     this.#progress();
   }
 
   /** The source failed: what has come of it may be something nevertheless. */
   #breakOff(error: StriataError): void {
+    if (this.#download.signal.aborted) return;
     if (this.#link && error.code !== 'aborted') this.#link.order({ type: 'end', error: asPlain(error) });
     else this.#fail(error);
   }
@@ -120,6 +125,7 @@ class Loading {
         this.#fail(fromPlain(report.error));
         break;
       case 'finished':
+        this.#download.abort(aborted());
         this.#mesh?.end();
         this.#progress();
         break;
@@ -145,14 +151,22 @@ class Loading {
       complete: state?.complete ?? false,
       phase: phase ?? state?.phase ?? 'download',
     };
-    this.#options.onProgress?.(progress);
-    this.#mesh?.dispatchStriata({ type: 'progress', progress });
+    try {
+      this.#options.onProgress?.(progress);
+    } catch (thrown) {
+      // The caller's fault, to be told as one; the model comes in all the same.
+      queueMicrotask(() => {
+        throw thrown;
+      });
+    }
+    this.#mesh?.dispatchEvent({ type: 'progress', progress });
   }
 
   /** Ends loading; a mesh that is there stays, with what it has. */
   #fail(error: StriataError): void {
     if (this.#stop.signal.aborted) return;
     if (this.#mesh && error.code !== 'aborted') {
+      this.#download.abort(aborted());
       this.#mesh.end(error);
       return;
     }
@@ -163,6 +177,7 @@ class Loading {
 
   #close(): void {
     this.#stop.abort(aborted());
+    this.#download.abort(aborted());
     this.#link?.dispose();
   }
 }

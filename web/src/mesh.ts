@@ -20,8 +20,11 @@ export interface Mind {
 
 const size = new Vector2();
 
+/** Numbers of triangles as the engine takes them. */
+const MOST_TRIANGLES = 0xffffffff;
+
 /** Made by a `StriataLoader`. */
-export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> implements StriataMeshLike {
+export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], StriataEvents> implements StriataMeshLike {
   readonly isStriataMesh = true;
   readonly finished: Promise<void>;
   state: State;
@@ -116,7 +119,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     this.#leaveDetail();
     this.#ask();
     // Nobody may be drawing until something changes.
-    this.dispatchStriata({ type: 'change' });
+    this.dispatchEvent({ type: 'change' });
   }
 
   get frozen(): boolean {
@@ -125,7 +128,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
 
   set frozen(frozen: boolean) {
     this.#isFrozen = frozen;
-    this.dispatchStriata({ type: 'change' });
+    this.dispatchEvent({ type: 'change' });
   }
 
   get colouring(): Colouring {
@@ -147,7 +150,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
   set wireframe(wireframe: boolean) {
     this.#isWireframe = wireframe;
     for (const material of [this.material].flat()) setWireframe(material, wireframe);
-    this.dispatchStriata({ type: 'change' });
+    this.dispatchEvent({ type: 'change' });
   }
 
   get triangleCount(): number {
@@ -195,6 +198,11 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     return { decodeMs, buildMs, updateMs };
   }
 
+  /** A plain mesh that shows what this one shows: geometry and material are shared, levels are chosen here alone. */
+  override clone(recursive?: boolean): this {
+    return new Mesh(this.geometry, this.material).copy(this, recursive) as unknown as this;
+  }
+
   override dispose(): void {
     if (this.#isDisposed) return;
     this.#isDisposed = true;
@@ -211,14 +219,14 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     if (this.#isDisposed) return;
     this.state = update.state;
     this.#last = update;
-    this.#surface.take(update, Array.isArray(this.#surfaceMaterial));
+    this.#surface.take(update);
     this.#paint(update);
     if (update.ticket === this.#ticket) {
       this.#isWaiting = false;
       this.#isSettled = update.settled;
     }
     if (this.#hasChanged) this.#send();
-    this.dispatchStriata({ type: 'change' });
+    this.dispatchEvent({ type: 'change' });
   }
 
   /** Nothing more comes; called by the loader. */
@@ -228,7 +236,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
       return;
     }
     this.#reject(error);
-    this.dispatchStriata({ type: 'error', error });
+    this.dispatchEvent({ type: 'error', error });
   }
 
   /** Shows the surface, or triangles in the colours of what draws them. */
@@ -237,7 +245,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     if (numbers && this.#colouring !== 'surface') {
       this.#paintMaterial ??= new MeshStandardMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, roughness: 0.9 });
       setWireframe(this.#paintMaterial, this.#isWireframe);
-      this.geometry = painted(this.#surface.getAttribute('position').array, indices, numbers);
+      this.geometry = painted(this.#surface.getAttribute('position')?.array ?? [], indices, numbers);
       this.geometry.boundingSphere = this.#surface.boundingSphere;
       this.geometry.boundingBox = this.#surface.boundingBox;
       this.material = this.#paintMaterial;
@@ -269,12 +277,17 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
   }
 
   #wish(): Wish {
-    const limit = this.#triangleBudget ?? 0;
+    const limit = this.#limit();
     // Before the first frame nobody knows from where the mesh is seen.
     if (this.#pixelError !== null) return this.#viewWish ?? { by: 'detail', value: limit > 0 ? 1 : 0, limit };
     if (this.#maxError !== null) return { by: 'error', value: this.#maxError, limit };
-    if (this.#triangleBudget !== null) return { by: 'triangles', value: this.#triangleBudget, limit };
+    if (this.#triangleBudget !== null) return { by: 'triangles', value: limit, limit };
     return { by: 'detail', value: this.#detail ?? 1, limit: 0 };
+  }
+
+  /** The budget for the engine; 0 is none. */
+  #limit(): number {
+    return Math.min(this.#triangleBudget ?? 0, MOST_TRIANGLES);
   }
 
   /** Follows the camera that the mesh is about to be drawn for. */
@@ -285,7 +298,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     else renderer.getDrawingBufferSize(size);
     const seen = look(this, camera, size.x, size.y);
     if (!seen) return;
-    const limit = this.#triangleBudget ?? 0;
+    const limit = this.#limit();
     this.#viewWish =
       seen.kind === 'perspective'
         ? { by: 'view', value: this.#pixelError / seen.stretch, limit, camera: seen.numbers }
@@ -294,11 +307,6 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[]> imp
     if (!this.state.built && this.#sent.by === this.#viewWish.by) return;
     if (this.#isSettled && isSame(this.#viewWish, this.#sent)) return;
     this.#send();
-  }
-
-  /** three's types know no events but their own. */
-  dispatchStriata(event: { [E in keyof StriataEvents]: { type: E } & StriataEvents[E] }[keyof StriataEvents]): void {
-    (this.dispatchEvent as (event: { type: string }) => void)(event);
   }
 }
 

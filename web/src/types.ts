@@ -1,6 +1,6 @@
 /** What the package takes and gives: options, progress, errors, and the mesh that one draws. */
 
-import type { BufferGeometry, EventDispatcher, Material, Mesh } from 'three';
+import type { BufferGeometry, Material, Mesh, Object3DEventMap } from 'three';
 
 /** Where the bytes of a model come from. */
 export type Source = string | URL | File | Blob | ArrayBuffer | ReadableStream<Uint8Array>;
@@ -32,7 +32,7 @@ export type ErrorCode = 'network' | 'not-found' | 'format' | 'corrupt' | 'too-la
 
 /** Options of one `load`. */
 export interface LoadOptions {
-  /** Ends the download and the work; `load` then rejects with code `aborted`. */
+  /** Ends the download and the work; `load` then rejects with code `aborted`. A mesh that is `finished` stays as it is. */
   signal?: AbortSignal;
   onProgress?: (progress: Progress) => void;
   /** Default: a standard material that takes vertex colours where the mesh has any. */
@@ -72,19 +72,17 @@ export interface Timings {
   updateMs: number;
 }
 
-/** Events of a mesh. */
-export interface StriataEvents {
+/** Events of a mesh, beside those of all objects. */
+export interface StriataEvents extends Object3DEventMap {
   /** Other triangles are shown. */
   change: object;
   progress: { progress: Progress };
   /** The rest could not be loaded; the mesh keeps what has come. */
-  error: { error: Error & { code: ErrorCode; hint?: string } };
-  /** Needed by three's own types. */
-  childadded: { child: unknown };
+  error: { error: Error & { code: ErrorCode; hint?: string | undefined } };
 }
 
 /** What a model can do beside being a three.js mesh; `StriataMesh` is the class. */
-export interface StriataMeshLike extends Mesh<BufferGeometry, Material | Material[]> {
+export interface StriataMeshLike extends Mesh<BufferGeometry, Material | Material[], StriataEvents> {
   /** 0 is the base mesh, 1 all of it. Setting it leaves the other modes. */
   detail: number;
   /** At most so many triangles; in view-dependent mode too. `null` is no limit. */
@@ -124,6 +122,3 @@ export interface StriataMeshLike extends Mesh<BufferGeometry, Material | Materia
   /** Frees the worker and the buffers; the material stays, it may be the caller's. */
   dispose(): void;
 }
-
-/** What the mesh sends its events through. */
-export type StriataDispatcher = EventDispatcher<StriataEvents>;

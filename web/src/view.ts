@@ -25,12 +25,16 @@ export function look(object: Object3D, camera: Camera, width: number, height: nu
   if (!(camera as PerspectiveCamera).isPerspectiveCamera) return undefined;
   inverse.copy(object.matrixWorld).invert();
   eye.setFromMatrixPosition(camera.matrixWorld).applyMatrix4(inverse);
-  target.set(0, 0, -1).applyMatrix4(camera.matrixWorld).applyMatrix4(inverse);
+  // As far away as the eye is from the origin: nearer, the two would be one where coordinates are large.
+  target.setFromMatrixColumn(camera.matrixWorld, 2).negate().transformDirection(inverse);
+  target.multiplyScalar(Math.max(1, eye.length())).add(eye);
   up.setFromMatrixColumn(camera.matrixWorld, 1).transformDirection(inverse);
   // A picture whose middle is not where the camera looks (a part of a larger one, one eye's) lies within one whose is.
   const p = camera.projectionMatrix.elements;
-  const half = [(1 + Math.abs(p[8]!)) / p[0]!, (1 + Math.abs(p[9]!)) / p[5]!] as const;
-  const pixelsHigh = height * p[5]! * half[1];
+  // Cameras that look into a mirror or a cube have it upside down: they see as much.
+  const [across, upwards] = [Math.abs(p[0]!), Math.abs(p[5]!)];
+  const half = [(1 + Math.abs(p[8]!)) / across, (1 + Math.abs(p[9]!)) / upwards] as const;
+  const pixelsHigh = height * upwards * half[1];
   const sides = [Math.max(1, Math.round((pixelsHigh * half[0]) / half[1])), Math.max(1, Math.round(pixelsHigh))];
   const numbers = [...eye.toArray(), ...target.toArray(), ...up.toArray(), half[1], ...sides];
   if (!numbers.every(Number.isFinite)) return undefined;

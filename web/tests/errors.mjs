@@ -2,10 +2,10 @@
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { createServer } from 'node:http';
+import { createServer, request } from 'node:http';
 import { join } from 'node:path';
 import { drop } from './files.mjs';
-import { drawnPixels, shot, state, untilWhole } from './harness.mjs';
+import { drawnPixels, shot, slide, state, untilWhole } from './harness.mjs';
 import { openModel, pageTest } from './pages.mjs';
 
 /** The newest notice's text. */
@@ -43,6 +43,51 @@ export default function errors(world) {
       assert.equal(await page.locator('.notice').count(), 0);
     }
     assert.ok((await drawnPixels(page)) > 10_000);
+    await slide(page, 'detail', 0);
+    await page.waitForFunction(() => window.striataViewer.mesh.triangleCount < 100);
+  });
+
+  pageTest(world, 'a small model after a large one is as near', {}, async (page) => {
+    const triangle = (size) => Buffer.from(`v 0 0 0\nv ${size} 0 0\nv 0 ${size} 0\nf 1 2 3\n`);
+    const pixels = [];
+    await page.goto(world.url);
+    for (const [name, size] of [['large.obj', 1e6], ['small.obj', 1], ['again.obj', 1e6]]) {
+      await drop(page, name, triangle(size));
+      await page.waitForFunction((name) => window.striataViewer.mesh && window.striataViewer.name === name, name);
+      await untilWhole(page);
+      pixels.push(await drawnPixels(page));
+    }
+    assert.ok(pixels.every((count) => count > 1_000 && Math.abs(count - pixels[0]) < 0.05 * pixels[0]), String(pixels));
+  });
+
+  pageTest(world, 'pictures that take long keep no model waiting', {}, async (page) => {
+    const held = [];
+    const line = createServer((asked, answer) => {
+      // More of them than the connections that a browser has to one server.
+      if (asked.url.startsWith('/pictures/')) return held.push(answer);
+      const { hostname, port } = new URL(world.url);
+      const headers = { ...asked.headers, host: `${hostname}:${port}` };
+      const onward = request({ hostname, port, path: asked.url, headers }, (response) => {
+        answer.writeHead(response.statusCode, response.headers);
+        response.pipe(answer);
+      });
+      onward.on('error', () => answer.destroy());
+      onward.end();
+    }).listen(0, '127.0.0.1');
+    try {
+      await new Promise((give) => line.once('listening', give));
+      await page.goto(`http://127.0.0.1:${line.address().port}/`);
+      await page.waitForFunction(() => document.querySelectorAll('#cards img').length > 5);
+      while (held.length < 6) await page.waitForTimeout(50);
+      await page.locator('#cards a[href*="icosphere"]').click();
+      await untilWhole(page);
+      await page.locator('#to-gallery').click();
+      const asked = held.length;
+      while (held.length === asked) await page.waitForTimeout(50);
+    } finally {
+      line.close();
+      line.closeAllConnections();
+    }
   });
 
   const missing = [/404|Failed to load resource/];

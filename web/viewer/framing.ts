@@ -60,18 +60,19 @@ export class Framing {
     const isFirst = this.#framed.radius === 0;
     if (!isFirst && (this.#isHeld || !hasOutgrown(sphere, this.#framed))) return;
     this.#framed.copy(sphere);
+    // First, since the distances of the last model would hold the camera.
+    this.#setDistances();
     const look = this.#wholeLook(isFirst ? new Vector3().setFromSpherical(FIRST_LOOK) : this.#direction());
     if (isFirst) this.#place(look);
     else this.glideTo(look);
-    this.#setDistances();
   }
 
   /** The whole model from the first side. */
   reset(): void {
     this.#isHeld = false;
     this.#framed.copy(this.#stage.content);
-    this.glideTo(this.#wholeLook(new Vector3().setFromSpherical(FIRST_LOOK)));
     this.#setDistances();
+    this.glideTo(this.#wholeLook(new Vector3().setFromSpherical(FIRST_LOOK)));
   }
 
   /** Bounds after the pivot was tilted. */

@@ -19,6 +19,8 @@ export interface Listed {
 interface Listing {
   name: string;
   models: Listed[];
+  /** Whether the server has more than it lists. */
+  is_cut?: boolean;
 }
 
 /** The listing; `null` where the page comes from no such server. */
@@ -43,7 +45,18 @@ export function fillGallery(listing: Listing, open: (model: Listed) => void): vo
     return item;
   });
   if (cards.length === 0) cards.push(made('li', '', 'No models here yet. Drop a mesh to look at it.'));
+  if (listing.is_cut) cards.push(made('li', '', `The folder holds more than these ${count(listing.models.length)}; serve a part of it to see the rest.`));
   element('cards').replaceChildren(...cards);
+}
+
+/** Asks for pictures or stops asking: a browser has few connections to a server, and the model that is opened needs one. */
+export function wantPictures(areWanted: boolean): void {
+  for (const image of element('cards').querySelectorAll('img')) {
+    if (areWanted && image.dataset.later) image.src = image.dataset.later;
+    if (areWanted || image.complete) continue;
+    image.dataset.later = image.src;
+    image.removeAttribute('src');
+  }
 }
 
 /** The page's address with that model. */

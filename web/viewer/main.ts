@@ -6,7 +6,7 @@
  */
 
 import { takeFiles } from './dropping.ts';
-import { addressOf, fetchListing, fillGallery, type Listed } from './gallery.ts';
+import { addressOf, fetchListing, fillGallery, type Listed, wantPictures } from './gallery.ts';
 import { listen } from './keys.ts';
 import { dismissNewest, notify } from './notices.ts';
 import { element, say } from './page.ts';
@@ -117,6 +117,7 @@ class Page {
 
   #showGallery(isShown: boolean): void {
     element('gallery').hidden = !isShown;
+    wantPictures(isShown);
     this.#showControls(!isShown);
   }
 

@@ -2,11 +2,11 @@
  * One model after the other on the stage: opening, following it while it comes in, and saying so when it does not.
  *
  * A model that fails before anything could be drawn leaves the one that is shown in its place; one that fails on its way
- * keeps what has come. Opening another ends the download of the last.
+ * keeps what has come. The download of the last ends when another takes its place, not before: the other may fail.
  */
 
 import type { Material } from 'three';
-import { type Colouring, type ErrorCode, type Progress, type StriataDispatcher, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
+import { type Colouring, type ErrorCode, type Progress, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
 import { Detail } from './detail.ts';
 import { Figures, words } from './figures.ts';
 import { Framing } from './framing.ts';
@@ -64,7 +64,8 @@ export class Viewer {
 
   /** Opens a model; `keepsCamera` where it is the same once more. */
   async open(opened: Opened, keepsCamera = false): Promise<void> {
-    this.#abort.abort();
+    const before = this.#abort;
+    if (this.#isOpening) before.abort();
     const abort = new AbortController();
     this.#abort = abort;
     this.#isOpening = true;
@@ -82,6 +83,8 @@ export class Viewer {
     } catch (error) {
       if (abort.signal.aborted) return;
       this.#isOpening = false;
+      // What is shown may still be coming in.
+      this.#abort = before;
       this.#figures.progress(null);
       notify(noticeOf(error, `Cannot open ${opened.name}`, opened, () => void this.open(opened, keepsCamera)));
       if (this.mesh) this.#update(this.mesh);
@@ -158,15 +161,13 @@ export class Viewer {
 
   #listen(mesh: StriataMesh, opened: Opened): void {
     const update = (): void => this.#update(mesh);
-    // three's types know no events but their own.
-    const events = mesh as unknown as StriataDispatcher;
-    events.addEventListener('change', update);
-    events.addEventListener('progress', update);
+    mesh.addEventListener('change', update);
+    mesh.addEventListener('progress', update);
     mesh.finished.then(
       () => {
         if (this.mesh !== mesh) return;
         update();
-        this.#figures.progress(null);
+        if (!this.#isOpening) this.#figures.progress(null);
         this.detail.allowViews();
         say(`${opened.name} is there: ${count(mesh.fullTriangleCount)} triangles`);
       },
@@ -174,7 +175,7 @@ export class Viewer {
         if (this.mesh !== mesh || (error instanceof StriataError && error.code === 'aborted')) return;
         this.#isCut = true;
         update();
-        this.#figures.progress(null);
+        if (!this.#isOpening) this.#figures.progress(null);
         this.#sayCut(mesh, opened, error);
       },
     );
@@ -188,7 +189,7 @@ export class Viewer {
   }
 
   #came(abort: AbortController, progress: Progress, opened: Opened): void {
-    if (abort.signal.aborted) return;
+    if (abort !== this.#abort) return;
     this.#figures.progress(progress);
     const isShown = this.mesh !== null && this.#opened === opened;
     if (!isShown) element('subtitle').textContent = `opening ${opened.name}: ${words(progress)}`;
