@@ -192,12 +192,23 @@ impl From<striata_gpu::GpuError> for Failure {
         use striata_gpu::GpuError;
         let failure = Self::user(error.to_string());
         match error {
-            GpuError::NoAdapter { .. } | GpuError::NoDevice { .. } => failure.with_hint(
-                "install a Vulkan driver; one that draws on the processor comes by `apt-get install mesa-vulkan-drivers`",
-            ),
-            GpuError::TooLarge { .. } => failure.with_hint("take a coarser level, or --software"),
+            GpuError::NoSuchAdapter { .. } => failure.with_hint("name another, or leave --adapter out"),
+            GpuError::NoAdapter { .. } | GpuError::NoDevice { .. } => failure.with_hint(no_driver()),
+            GpuError::TooLarge { .. } => {
+                failure.with_hint("take a coarser level, or another adapter with --adapter")
+            }
             _ => failure,
         }
+    }
+}
+
+/// What gives a machine an adapter, or lets the one that it has be found.
+#[cfg(feature = "gpu")]
+fn no_driver() -> String {
+    let install = "install a Vulkan driver; one that draws on the processor comes by `apt-get install mesa-vulkan-drivers`";
+    match std::env::var("WGPU_BACKEND") {
+        Ok(named) => format!("{install}; WGPU_BACKEND={named} narrows the search"),
+        Err(_) => install.to_owned(),
     }
 }
 

@@ -147,6 +147,11 @@ pub(crate) fn grouped(number: usize) -> String {
     out
 }
 
+/// So many of something, for people.
+pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{} {}", grouped(count), if count == 1 { one } else { many })
+}
+
 /// A size in bytes for people.
 pub(crate) fn sized(bytes: usize) -> String {
     match bytes {

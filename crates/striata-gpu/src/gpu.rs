@@ -1,5 +1,7 @@
 //! The device: found once, shared by all that is drawn.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use wgpu::{Adapter, AdapterInfo, Device, Features, Instance, Queue};
 
 use crate::frame_clock::FrameClock;
@@ -15,6 +17,14 @@ pub enum GpuError {
         is_fallback: bool,
         /// What the search reported.
         reason: String,
+    },
+    /// No adapter whose name holds what was asked for.
+    #[error("found no graphics adapter that is called {name:?}{}", others(.known))]
+    NoSuchAdapter {
+        /// What was asked for.
+        name: String,
+        /// The names of those that there are.
+        known: Vec<String>,
     },
     /// The adapter gave no device.
     #[error("the adapter {adapter} gave no device: {reason}")]
@@ -83,6 +93,8 @@ pub struct Gpu {
     pub(crate) device: Device,
     pub(crate) queue: Queue,
     info: AdapterInfo,
+    /// What the device reported beside results, the first of it.
+    reported: Arc<Mutex<Option<String>>>,
 }
 
 impl Gpu {
@@ -101,7 +113,8 @@ impl Gpu {
         Self::open(&found?)
     }
 
-    /// Opens an adapter, with those of the [`optional features`](Self::optional_features) that it has.
+    /// Opens an adapter, with those of the [`optional features`](Self::optional_features) that it has. What its device reports
+    /// beside results, no memory above all, is told by the next [`wait`](Self::wait).
     ///
     /// # Errors
     /// [`GpuError::NoDevice`].
@@ -110,12 +123,19 @@ impl Gpu {
         let descriptor = Self::device_descriptor(adapter);
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
             .map_err(|e| GpuError::NoDevice { adapter: info.name.clone(), reason: e.to_string() })?;
-        Ok(Self { device, queue, info })
+        let gpu = Self::from_device(info, device, queue);
+        let reported = Arc::clone(&gpu.reported);
+        // Unheard, it would be a panic in the middle of whatever is done next.
+        gpu.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            let mut first = reported.lock().unwrap_or_else(PoisonError::into_inner);
+            first.get_or_insert_with(|| one_line(&error));
+        }));
+        Ok(gpu)
     }
 
     /// A device that a window has opened already, best by [`device_descriptor`](Self::device_descriptor).
     pub fn from_device(info: AdapterInfo, device: Device, queue: Queue) -> Self {
-        Self { device, queue, info }
+        Self { device, queue, info, reported: Arc::default() }
     }
 
     /// What to ask an adapter for: its own limits, so that large models fit, and the optional features that it has.
@@ -156,10 +176,11 @@ impl Gpu {
     /// Waits until all that was submitted is done.
     ///
     /// # Errors
-    /// [`GpuError::Failed`] where the device is lost.
+    /// [`GpuError::Failed`] where the device is lost, or has reported an error since the last time.
     pub fn wait(&self) -> Result<(), GpuError> {
         self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| GpuError::Failed(e.to_string()))?;
-        Ok(())
+        let reported = self.reported.lock().unwrap_or_else(PoisonError::into_inner).take();
+        reported.map_or(Ok(()), |report| Err(GpuError::Failed(report)))
     }
 
     /// A buffer that holds a slice; an empty one holds four unused bytes, since a GPU knows no empty buffers.
@@ -211,11 +232,7 @@ async fn find_adapter(instance: &Instance, options: &GpuOptions) -> Result<Adapt
         names.sort();
         names.dedup();
         let named = all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted));
-        return named.ok_or_else(|| {
-            let others =
-                if names.is_empty() { String::new() } else { format!("; there are: {}", names.join(", ")) };
-            GpuError::NoAdapter { is_fallback: false, reason: format!("none is called {wanted:?}{others}") }
-        });
+        return named.ok_or(GpuError::NoSuchAdapter { name: wanted, known: names });
     }
     let request = wgpu::RequestAdapterOptions {
         power_preference: wgpu::PowerPreference::HighPerformance,
@@ -224,4 +241,50 @@ async fn find_adapter(instance: &Instance, options: &GpuOptions) -> Result<Adapt
     };
     let found = instance.request_adapter(&request).await;
     found.map_err(|e| GpuError::NoAdapter { is_fallback: options.is_fallback, reason: e.to_string() })
+}
+
+/// What there is instead of what was asked for.
+fn others(known: &[String]) -> String {
+    if known.is_empty() {
+        "; there is none at all".to_owned()
+    } else {
+        format!("; there are: {}", known.join(", "))
+    }
+}
+
+/// An error and what it comes from, which wgpu tells in several lines.
+fn one_line(error: &wgpu::Error) -> String {
+    let text = error.to_string();
+    text.lines().map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn on_processor() -> Gpu {
+        let found = Gpu::new(&GpuOptions::default().with_fallback(true));
+        found.or_else(|_| Gpu::new(&GpuOptions::default())).expect("an adapter")
+    }
+
+    #[test]
+    fn what_a_device_reports_is_an_error_once_and_no_panic() {
+        let gpu = on_processor();
+        let buffer = gpu.empty_buffer("small", 16, wgpu::BufferUsages::COPY_DST).unwrap();
+        gpu.queue.write_buffer(&buffer, 8, &[0; 16]);
+        let Err(GpuError::Failed(report)) = gpu.wait() else {
+            panic!("a write past the end was not reported")
+        };
+        assert!(!report.contains('\n') && !report.is_empty(), "{report}");
+        gpu.wait().expect("it was told once, and nothing else is wrong");
+    }
+
+    #[test]
+    fn a_name_that_no_adapter_has_is_told_with_those_that_there_are() {
+        let name = on_processor().info().name.clone();
+        let error = Gpu::new(&GpuOptions::default().with_adapter_name(Some("no such".into()))).unwrap_err();
+        let GpuError::NoSuchAdapter { name: asked, known } = &error else { panic!("{error}") };
+        assert!(asked == "no such" && known.contains(&name), "{error}");
+        assert!(error.to_string().contains(&name), "{error}");
+    }
 }

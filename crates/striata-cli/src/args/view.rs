@@ -5,6 +5,9 @@ use std::str::FromStr;
 use clap::Args;
 use striata::view::{Camera, CameraError, Fovea, ScreenError, Sphere};
 
+#[cfg(feature = "gpu")]
+use crate::failure::Failure;
+
 /// The heading of these flags.
 const VIEW: &str = "View, with --eye";
 
@@ -201,6 +204,23 @@ fn numbers<const COUNT: usize>(text: &str) -> Option<[f32; COUNT]> {
 /// Width and height of a screen as the user writes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Viewport(pub(crate) [u32; 2]);
+
+#[cfg(feature = "gpu")]
+impl Viewport {
+    /// Longer pictures take memory that nobody meant to ask for.
+    const LONGEST_SIDE: u32 = 8192;
+
+    /// # Errors
+    /// Where so many pixels are not drawn.
+    pub(crate) fn check_drawable(self) -> Result<(), Failure> {
+        let Self([width, height]) = self;
+        if width.max(height) <= Self::LONGEST_SIDE {
+            return Ok(());
+        }
+        Err(Failure::user(format!("--size {width}x{height} is too large"))
+            .with_hint(format!("each side may have up to {} pixels", Self::LONGEST_SIDE)))
+    }
+}
 
 impl FromStr for Viewport {
     type Err = String;

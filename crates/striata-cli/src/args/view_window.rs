@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::{Colouring, Viewport, parse_detail};
+use crate::failure::Failure;
 
 /// Arguments of `view`.
 #[derive(Debug, Args)]
@@ -96,8 +97,12 @@ pub(crate) enum ShownModelArg {
 
 impl WindowArgs {
     /// Size of the window, pixels.
-    pub(crate) fn size(&self) -> [u32; 2] {
-        self.size.0
+    ///
+    /// # Errors
+    /// Where no window is so large.
+    pub(crate) fn size(&self) -> Result<[u32; 2], Failure> {
+        self.size.check_drawable()?;
+        Ok(self.size.0)
     }
 }
 

@@ -27,6 +27,8 @@ pub(crate) struct GpuArtist {
 /// Samples a pixel; each pixel of the picture is the mean of [`SHRINK`] squared of these.
 const SAMPLES: u32 = 4;
 const SHRINK: usize = 2;
+/// Pixels of a picture that is shrunk, at most: each takes 64 bytes here and there, and the samples of larger ones do alone.
+const MOST_PIXELS: usize = 48 << 20;
 
 /// What one shot is on the GPU.
 struct Uploaded {
@@ -69,7 +71,8 @@ impl GpuArtist {
         [width, height]: [usize; 2],
     ) -> Result<Drawn, GpuError> {
         let limit = self.gpu.device().limits().max_texture_dimension_2d as usize;
-        let factor = if SHRINK * width.max(height) <= limit { SHRINK } else { 1 };
+        let is_small = SHRINK * width.max(height) <= limit && SHRINK * SHRINK * width * height <= MOST_PIXELS;
+        let factor = if is_small { SHRINK } else { 1 };
         let size = [width * factor, height * factor].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
         let canvas = match self.canvas.take() {
             Some((of_size, canvas)) if of_size == size => canvas,

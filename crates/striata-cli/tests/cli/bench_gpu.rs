@@ -78,7 +78,10 @@ fn what_cannot_be_drawn_is_refused() {
     let text = bench.refused("bench-gpu sphere.obj --ways list,nonsense --software");
     assert!(text.contains("\"nonsense\"") && text.contains("hint: --ways takes list, strips,"), "{text}");
     let text = bench.refused("bench-gpu sphere.obj --adapter no-such-adapter");
-    assert!(text.contains("no-such-adapter") && text.contains("hint: "), "{text}");
+    assert!(text.contains("no-such-adapter") && text.contains("hint: name another"), "{text}");
+    bench.write("dot.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n");
+    let text = bench.refused("bench-gpu dot.off --software");
+    assert!(text.contains("dot.off: ") && text.contains("no triangles"), "{text}");
     bench.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
     let text = bench.refused("bench-gpu points.obj --software");
     assert!(text.contains("points.obj") && text.contains("no triangles"), "{text}");

@@ -219,6 +219,9 @@ fn meshes_without_anything_to_see_are_no_trouble() {
             assert_eq!((picture.width, picture.height), (64, 64), "{name} {flags}");
         }
     }
+    let assert = bench.run("render point.obj -o one.png --size 8x8").success();
+    let told = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(told.contains("1 triangle;"), "{told}");
 }
 
 #[test]
@@ -258,7 +261,7 @@ fn without_an_adapter_the_cure_is_told_and_nothing_is_written() {
         bench.command("render shape:torus -o out.png").env("WGPU_BACKEND", "none-such").assert().code(1);
     let said = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
     assert!(said.contains("no graphics adapter") && said.contains("hint: install"), "{said}");
-    assert!(said.contains("mesa-vulkan-drivers"), "{said}");
+    assert!(said.contains("mesa-vulkan-drivers") && said.contains("WGPU_BACKEND=none-such"), "{said}");
     let said = bench.refused("render shape:torus -o out.png --adapter none-such");
     assert!(said.contains("none-such") && said.contains("hint: name another"), "{said}");
     assert_eq!(bench.names(), Vec::<String>::new());

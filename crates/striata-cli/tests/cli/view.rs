@@ -93,9 +93,12 @@ fn without_a_file_or_a_display_it_says_what_to_do() {
     let bench = Workbench::with_ball();
     let told = bench.refused("view nowhere.ply");
     assert!(told.contains("nowhere.ply") && told.contains("hint:"), "{told}");
+    let told = bench.refused("view ball.striata --size 100000x100");
+    assert!(told.contains("100000x100") && told.contains("8192"), "{told}");
     let mut command = bench.command("view ball.striata");
     let headless = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
     let assert = headless.assert().code(1).stdout("");
     let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
     assert!(stderr.contains("display") && stderr.contains("hint: `striata render`"), "{stderr}");
+    assert!(!stderr.contains(".rs:"), "whose line of code it was is no news to anybody: {stderr}");
 }

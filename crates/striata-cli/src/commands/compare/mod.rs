@@ -44,7 +44,7 @@ use self::views::ViewsReport;
 use crate::args::{CompareArgs, Part, StripifierArgs};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Bar, Output, Table, grouped, lasted, to_stdout};
+use crate::output::{Bar, Output, Table, counted, lasted, to_stdout};
 use crate::save::is_stdout;
 
 #[derive(Serialize)]
@@ -189,9 +189,6 @@ impl Report {
 
 impl MeshReport {
     fn summary(&self) -> String {
-        let counted = |count: usize, one: &str, many: &str| {
-            format!("{} {}", grouped(count), if count == 1 { one } else { many })
-        };
         // Not a bound for `cheapest`, which also joins strips at vertices.
         let bound = self.strips.as_ref().map_or_else(String::new, |strips| {
             format!("; at least {} along its edges", counted(strips.strip_count_bound, "strip", "strips"))

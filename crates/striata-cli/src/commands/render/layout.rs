@@ -7,7 +7,7 @@ use super::place::Place;
 use super::source::Source;
 use crate::args::{Colouring, RenderArgs};
 use crate::failure::Failure;
-use crate::output::grouped;
+use crate::output::counted;
 use crate::picture::{
     Artist, Camera, Canvas, ColourBar, Heat, Paint, Panel, Sheet, Shot, Theme, significant,
 };
@@ -108,12 +108,12 @@ impl<'a> Layout<'a> {
     }
 
     fn caption(&self, number: usize, figure: &Figure) -> String {
-        let triangles = format!("{} triangles", grouped(figure.mesh.triangle_count()));
+        let triangles = counted(figure.mesh.triangle_count(), "triangle", "triangles");
         let percent = |distance: f64| significant(100.0 * distance / self.diagonal, 2);
         match (self.heats.get(number), &figure.strips) {
             (Some(heat), _) if heat.max > 0.0 => format!("{triangles}, up to {} % away", percent(heat.max)),
             (None, Some(strips)) if self.args.colours.contains(&Colouring::Strips) => {
-                format!("{triangles}, {} strips", grouped(strips.strip_count()))
+                format!("{triangles}, {}", counted(strips.strip_count(), "strip", "strips"))
             }
             (None, _) if figure.error > 0.0 => {
                 format!("{triangles}, error {} %", percent(f64::from(figure.error)))

@@ -9,10 +9,10 @@ mod source;
 use std::path::Path;
 use std::time::Instant;
 
-use striata_gpu::{GpuError, GpuOptions};
+use striata_gpu::GpuOptions;
 use striata_io::write_atomically;
 
-use crate::args::{Background, RenderArgs, Viewport};
+use crate::args::{Background, RenderArgs};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Bar, Output, to_stdout};
@@ -23,9 +23,6 @@ use layout::Layout;
 use place::Place;
 use report::Report;
 use source::Source;
-
-/// Longer pictures take memory that nobody meant to ask for.
-const LONGEST_SIDE: u32 = 8192;
 
 /// Reads, goes to the levels, draws, writes, reports.
 ///
@@ -39,13 +36,7 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("read");
     let input = Input::open(&args.input)?;
     let options = GpuOptions::default().with_fallback(args.software).with_adapter_name(args.adapter.clone());
-    let artist = GpuArtist::open(&options).map_err(|error| match (&error, &args.adapter) {
-        (GpuError::NoAdapter { .. }, Some(_)) => {
-            Failure::user(error.to_string()).with_hint("name another, or leave --adapter out")
-        }
-        _ => error.into(),
-    });
-    let mut artist = Artist::Gpu(Box::new(artist?));
+    let mut artist = Artist::Gpu(Box::new(GpuArtist::open(&options)?));
     let source = Source::read(args, &input, output, &mut bar)?;
     let figures = figures(args, &source, &input)?;
     bar.phase("draw");
@@ -61,11 +52,7 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
 /// # Errors
 /// Where flags contradict each other in a way that the parser does not see.
 fn check(args: &RenderArgs) -> Result<(), Failure> {
-    let Viewport([width, height]) = args.size;
-    if width.max(height) > LONGEST_SIDE {
-        return Err(Failure::user(format!("--size {width}x{height} is too large"))
-            .with_hint(format!("each side may have up to {LONGEST_SIDE} pixels")));
-    }
+    args.size.check_drawable()?;
     let is_png = args.output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
     if !is_png && !is_stdout(&args.output) {
         return Err(Failure::user(format!("{}: pictures are written as PNG", args.output.display()))

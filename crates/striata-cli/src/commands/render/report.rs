@@ -9,7 +9,7 @@ use super::figure::Figure;
 use super::layout::Layout;
 use super::source::Source;
 use crate::args::RenderArgs;
-use crate::output::{grouped, lasted, measured};
+use crate::output::{counted, lasted, measured};
 use crate::picture::Artist;
 
 /// What was drawn.
@@ -104,11 +104,11 @@ impl Report {
             format!(", colours up to {} ({share:.4} % of the diagonal)", measured(heat.top))
         });
         format!(
-            "{}: {} x {} pixels, {} triangles{heat}; one frame took {} on {}, all {}",
+            "{}: {} x {} pixels, {}{heat}; one frame took {} on {}, all {}",
             self.path,
             self.width,
             self.height,
-            grouped(self.triangle_count),
+            counted(self.triangle_count, "triangle", "triangles"),
             lasted(self.frame_secs),
             self.adapter,
             lasted(self.secs)

@@ -87,7 +87,9 @@ impl App {
             .with_inner_size(PhysicalSize::new(width, height))
             .with_min_inner_size(PhysicalSize::new(320, 240));
         let window = event_loop.create_window(attributes);
-        let window = window.map_err(|error| Failure::user(format!("no window could be opened: {error}")))?;
+        let window = window.map_err(|error| {
+            Failure::user(format!("no window could be opened: {}", super::without_place(&error.to_string())))
+        })?;
         let screen = Screen::new(Arc::new(window), event_loop)?;
         let input = egui_winit::State::new(
             self.ctx.clone(),

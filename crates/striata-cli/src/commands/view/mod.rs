@@ -46,6 +46,7 @@ pub(crate) fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
     if args.browser {
         return show_in_browser(&args.files, output);
     }
+    let size = args.size()?;
     let event_loop = EventLoop::<Wake>::with_user_event().build().map_err(|error| no_display(&error))?;
     let proxy = event_loop.create_proxy();
     // A window that is closed hears nothing any more.
@@ -60,7 +61,7 @@ pub(crate) fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
         ThemeArg::Dark => egui::Theme::Dark,
         ThemeArg::Light => egui::Theme::Light,
     });
-    let plan = WindowPlan { size: args.size(), theme, screenshot: args.screenshot.clone() };
+    let plan = WindowPlan { size, theme, screenshot: args.screenshot.clone() };
     let mut app = App::new(viewer, plan, *output);
     event_loop.run_app(&mut app).map_err(|error| no_display(&error))?;
     app.into_result()
@@ -120,7 +121,14 @@ fn show_in_browser(files: &[PathBuf], output: &Output) -> Result<(), Failure> {
 }
 
 fn no_display(error: &winit::error::EventLoopError) -> Failure {
-    Failure::user(format!("there is no display to open a window on: {error}")).with_hint(
+    let reason = without_place(&error.to_string());
+    Failure::user(format!("there is no display to open a window on: {reason}")).with_hint(
         "`striata render` draws a picture without one; `striata view --browser` needs only a browser",
     )
+}
+
+/// What an error of the window system says, without the line of its source code that it begins with.
+fn without_place(text: &str) -> String {
+    let said = text.split_once(".rs:").and_then(|(_, rest)| rest.split_once(": "));
+    said.map_or(text, |(_, said)| said).trim_end_matches('.').to_owned()
 }

@@ -63,9 +63,9 @@ impl Screen {
         gpu.device().on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             *report.lock().unwrap_or_else(PoisonError::into_inner) = Some(error.to_string());
         }));
-        let size = window.inner_size();
-        let Some(mut config) = surface.get_default_config(&adapter, size.width.max(1), size.height.max(1))
-        else {
+        let (size, limit) = (window.inner_size(), gpu.device().limits().max_texture_dimension_2d);
+        let [width, height] = [size.width, size.height].map(|side| side.clamp(1, limit));
+        let Some(mut config) = surface.get_default_config(&adapter, width, height) else {
             return Err(no_device("its device cannot draw into this window"));
         };
         let formats = surface.get_capabilities(&adapter).formats;
