@@ -99,7 +99,7 @@ mod tests {
                 *p = p.map(|x| x * scale);
             }
             let [[left, right], [top, bottom]] = extent(portrait(mesh, [160, 120]).expect("a picture"));
-            assert!(top >= 4 && bottom < 116 && bottom - top > 90, "rows {top} to {bottom} at {scale}");
+            assert!(top >= 2 && bottom < 118 && bottom - top > 90, "rows {top} to {bottom} at {scale}");
             assert!(left >= 20 && right < 140, "columns {left} to {right} at {scale}");
         }
     }
