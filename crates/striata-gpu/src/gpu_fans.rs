@@ -33,7 +33,7 @@ use crate::indices::COMMAND_BYTES;
 /// Changed words of bits with fewer unchanged ones between them are uploaded as one range: a write costs as much as so many.
 const JOIN_GAP: usize = 4096;
 
-/// The static half of the model on the GPU; see the [module](self).
+/// The static half of the model on the GPU: the table of fans as words that all threads read side by side.
 #[derive(Debug)]
 pub struct GpuFans {
     pub(crate) fans: Buffer,
