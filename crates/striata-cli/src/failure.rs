@@ -1,6 +1,9 @@
 //! Why the command stops: a message, whose fault it is, what would cure it, and the place in the file.
 
+use std::cell::Cell;
 use std::io::{self, Write};
+#[cfg(feature = "gpu")]
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 use striata::codec::progressive::StreamError;
@@ -193,7 +196,9 @@ impl From<striata_gpu::GpuError> for Failure {
         let failure = Self::user(error.to_string());
         match error {
             GpuError::NoSuchAdapter { .. } => failure.with_hint("name another, or leave --adapter out"),
-            GpuError::NoAdapter { .. } | GpuError::NoDevice { .. } => failure.with_hint(no_driver()),
+            GpuError::NoAdapter { .. } | GpuError::NoUsableAdapter { .. } | GpuError::NoDevice { .. } => {
+                failure.with_hint(no_driver())
+            }
             GpuError::TooLarge { .. } => {
                 failure.with_hint("take a coarser level, or another adapter with --adapter")
             }
@@ -212,8 +217,30 @@ fn no_driver() -> String {
     }
 }
 
+thread_local! {
+    /// Whether a panic of this thread is caught and reported by whoever called.
+    static IS_CAUGHT: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Runs `work`; the error is the message of a panic, which nobody else reports.
+#[cfg(feature = "gpu")]
+pub(crate) fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+    let before = IS_CAUGHT.replace(true);
+    // What a panic leaves half-done is dropped by the callers.
+    let result = catch_unwind(AssertUnwindSafe(work));
+    IS_CAUGHT.set(before);
+    result.map_err(|panic| {
+        let text = panic.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message");
+        text.lines().next().unwrap_or_default().to_owned()
+    })
+}
+
 /// Prints a panic as what it is: our fault.
 pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {
+    if IS_CAUGHT.get() {
+        return;
+    }
     let message = info.payload_as_str().unwrap_or("no message");
     let place = info.location().map(|l| format!(" ({}:{})", l.file(), l.line())).unwrap_or_default();
     let _ = write!(io::stderr(), "internal error: {message}{place}\n{PLEASE_REPORT}");
@@ -257,6 +284,13 @@ mod tests {
         assert_eq!(excerpt.render(), "  --> x.obj:2\n1 | v 0 0 0\n2 | v 1\n  | ^^^\n3 | v 2 2 2\n");
         let last = Excerpt::around("x.obj", "v 0 0 0\nf", 2).expect("line 2");
         assert_eq!(last.render(), "  --> x.obj:2\n1 | v 0 0 0\n2 | f\n  | ^\n");
+    }
+
+    #[cfg(feature = "gpu")]
+    #[test]
+    fn a_panic_that_is_caught_becomes_the_first_line_of_its_message() {
+        assert_eq!(caught(|| 7), Ok(7));
+        assert_eq!(caught(|| panic!("lost {}\nand more", "device")), Err::<(), _>("lost device".into()));
     }
 
     #[test]

@@ -83,7 +83,7 @@ impl Input {
     ///
     /// # Errors
     /// Where there is not.
-    #[cfg(feature = "window")]
+    #[cfg(any(feature = "window", feature = "serve"))]
     pub(crate) fn expect_there(path: &Path) -> Result<(), Failure> {
         if path == Path::new("-") || Shape::named(path)?.is_some() {
             return Ok(());

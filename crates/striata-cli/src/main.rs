@@ -7,11 +7,12 @@ mod clock;
 mod commands;
 mod failure;
 mod fan_cover;
+#[cfg(feature = "gpu")]
+mod hush;
 mod input;
 mod level;
 mod output;
 mod page;
-#[cfg_attr(not(feature = "gpu"), expect(dead_code, unused_imports, reason = "only `render` shows all of it"))]
 mod picture;
 mod save;
 mod sequence;

@@ -16,6 +16,7 @@ use crate::failure::Failure;
 pub(crate) struct Output {
     json: bool,
     quiet: bool,
+    verbose: bool,
     draws_bars: bool,
 }
 
@@ -23,7 +24,18 @@ impl Output {
     /// As the user asked, with bars only where stderr is a terminal.
     pub(crate) fn new(args: ReportArgs) -> Self {
         let draws_bars = !args.quiet && io::stderr().is_terminal();
-        Self { json: args.json, quiet: args.quiet, draws_bars }
+        Self { json: args.json, quiet: args.quiet, verbose: args.verbose, draws_bars }
+    }
+
+    /// Says nothing.
+    #[cfg(test)]
+    pub(crate) fn quiet() -> Self {
+        Self { json: false, quiet: true, verbose: false, draws_bars: false }
+    }
+
+    /// Whether messages of drivers and libraries are wanted.
+    pub(crate) fn is_verbose(&self) -> bool {
+        self.verbose
     }
 
     /// Refuses to mix a JSON report with a mesh or page on stdout.

@@ -29,9 +29,6 @@ pub struct Canvas {
     samples: u32,
 }
 
-/// The colour format of all canvases, read as the bytes stand.
-const ENCODED: TextureFormat = TextureFormat::Rgba8Unorm;
-
 impl Canvas {
     /// The colour format of all canvases.
     pub const FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
@@ -54,7 +51,7 @@ impl Canvas {
                 dimension: wgpu::TextureDimension::D2,
                 format,
                 usage,
-                view_formats: if sample_count == 1 && format == Self::FORMAT { &[ENCODED] } else { &[] },
+                view_formats: &[],
             })
         };
         let drawn = TextureUsages::RENDER_ATTACHMENT;
@@ -75,10 +72,14 @@ impl Canvas {
         self.samples
     }
 
-    /// The colours as they are encoded for a screen, for whoever mixes them so: a user interface around the picture.
-    pub fn encoded_view(&self) -> TextureView {
-        let format = Some(ENCODED);
-        self.colour.create_view(&wgpu::TextureViewDescriptor { format, ..Default::default() })
+    /// Its pixels, for a shader that reads them.
+    pub(crate) fn view(&self) -> TextureView {
+        self.colour_view.clone()
+    }
+
+    /// Its size as textures have it.
+    pub(crate) fn extent(&self) -> Extent3d {
+        self.colour.size()
     }
 
     /// Begins to draw on a background, linear light and opacity.

@@ -2,8 +2,9 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use wgpu::{Adapter, AdapterInfo, Device, Features, Instance, Queue};
+use wgpu::{Adapter, AdapterInfo, Device, Features, Queue};
 
+use crate::adapters::{RejectedAdapter, choose_adapter};
 use crate::frame_clock::FrameClock;
 
 /// Nothing to draw with.
@@ -11,12 +12,16 @@ use crate::frame_clock::FrameClock;
 #[non_exhaustive]
 pub enum GpuError {
     /// No adapter that fits.
-    #[error("found no graphics adapter{}: {reason}", if *.is_fallback { " that draws on the processor" } else { "" })]
+    #[error("found no graphics adapter{}", if *.is_fallback { " that draws on the processor" } else { "" })]
     NoAdapter {
         /// Whether one that draws on the processor was asked for.
         is_fallback: bool,
-        /// What the search reported.
-        reason: String,
+    },
+    /// There are adapters, and none of them can draw.
+    #[error("no graphics adapter can draw: {}", joined(.rejected))]
+    NoUsableAdapter {
+        /// Each of them with its reason.
+        rejected: Vec<RejectedAdapter>,
     },
     /// No adapter whose name holds what was asked for.
     #[error("found no graphics adapter that is called {name:?}{}", others(.known))]
@@ -85,6 +90,12 @@ impl GpuOptions {
         self.adapter_name = adapter_name;
         self
     }
+
+    /// The name asked for, in small letters, unless the processor is to draw.
+    pub(crate) fn wanted_name(&self) -> Option<String> {
+        let named = self.adapter_name.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok())?;
+        (!named.is_empty() && !self.is_fallback).then(|| named.to_lowercase())
+    }
 }
 
 /// A device and the queue that feeds it.
@@ -98,19 +109,12 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Looks for an adapter and opens it. The environment may choose: `WGPU_BACKEND`, `WGPU_ADAPTER_NAME`.
+    /// Opens the best adapter that passes [`probe`](Self::probe); see [`choose_adapter`].
     ///
     /// # Errors
-    /// [`GpuError::NoAdapter`] or [`GpuError::NoDevice`].
+    /// As [`choose_adapter`].
     pub fn new(options: &GpuOptions) -> Result<Self, GpuError> {
-        let find = |backends| {
-            let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-            descriptor.backends &= backends;
-            pollster::block_on(find_adapter(&Instance::new(descriptor), options))
-        };
-        // OpenGL is looked at only where there is nothing better: without a display its libraries complain aloud.
-        let found = find(wgpu::Backends::PRIMARY).or_else(|_| find(wgpu::Backends::all()));
-        Self::open(&found?)
+        Ok(choose_adapter(options, Self::probe)?.gpu)
     }
 
     /// Opens an adapter, with those of the [`optional features`](Self::optional_features) that it has. What its device reports
@@ -223,24 +227,23 @@ impl Gpu {
     }
 }
 
-async fn find_adapter(instance: &Instance, options: &GpuOptions) -> Result<Adapter, GpuError> {
-    let named = options.adapter_name.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok());
-    let wanted = named.unwrap_or_default().to_lowercase();
-    if !wanted.is_empty() && !options.is_fallback {
-        let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
-        let mut names: Vec<String> = all.iter().map(|adapter| adapter.get_info().name).collect();
-        names.sort();
-        names.dedup();
-        let named = all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted));
-        return named.ok_or(GpuError::NoSuchAdapter { name: wanted, known: names });
+impl GpuError {
+    /// Why an adapter cannot be used, without its name, in one line: the feature that it lacks if that is all.
+    pub(crate) fn reason(&self) -> String {
+        let text = match self {
+            Self::Failed(reason) | Self::NoDevice { reason, .. } => reason.clone(),
+            other => other.to_string(),
+        };
+        let flags = text.split_once("DownlevelFlags(").and_then(|(_, rest)| rest.split_once(')'));
+        match flags {
+            Some((flags, _)) => format!("it lacks {flags}"),
+            None => text,
+        }
     }
-    let request = wgpu::RequestAdapterOptions {
-        power_preference: wgpu::PowerPreference::HighPerformance,
-        force_fallback_adapter: options.is_fallback,
-        ..Default::default()
-    };
-    let found = instance.request_adapter(&request).await;
-    found.map_err(|e| GpuError::NoAdapter { is_fallback: options.is_fallback, reason: e.to_string() })
+}
+
+fn joined(rejected: &[RejectedAdapter]) -> String {
+    rejected.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
 }
 
 /// What there is instead of what was asked for.

@@ -5,7 +5,8 @@
 //! pipelines, [`Canvas`] is a picture in memory, [`Viewpoint`] where one looks from. [`Inspection`] draws single triangles:
 //! coloured by strip or fan, with their edges.
 //!
-//! Any backend of wgpu does, a processor's among them; [`Gpu::new`] says clearly where there is none.
+//! Any backend of wgpu does, OpenGL and those that draw on the processor among them. [`Gpu::new`] tries each adapter with a small
+//! triangle before it takes it, and says what each of the others lacks.
 //!
 //! ```no_run
 //! use striata::model::{FanInstance, Fans};
@@ -37,6 +38,7 @@
 //! # }
 //! ```
 
+mod adapters;
 mod canvas;
 mod drawing;
 mod fan_extractor;
@@ -50,9 +52,12 @@ mod indices;
 mod inspection;
 mod look;
 mod painter;
+mod probe;
+mod screen_copy;
 mod vertices;
 mod viewpoint;
 
+pub use adapters::{ChosenAdapter, RejectedAdapter, choose_adapter, choose_from};
 pub use canvas::{Canvas, Picture};
 pub use drawing::Drawing;
 pub use fan_extractor::FanExtractor;
@@ -65,6 +70,7 @@ pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;
 pub use look::{Look, Shading, linear_to_srgb, palette_colour};
 pub use painter::{DEPTH_FORMAT, Painter, Scene};
+pub use screen_copy::ScreenCopy;
 pub use vertices::GpuVertices;
 pub use viewpoint::Viewpoint;
 

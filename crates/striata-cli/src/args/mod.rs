@@ -3,7 +3,6 @@
 #[cfg(feature = "gpu")]
 mod bench_gpu;
 mod compare;
-#[cfg(feature = "gpu")]
 mod render;
 mod sequence;
 #[cfg(feature = "serve")]
@@ -11,6 +10,8 @@ mod serve;
 mod stream;
 mod strips;
 mod view;
+#[cfg(all(feature = "serve", not(feature = "window")))]
+mod view_browser;
 #[cfg(feature = "window")]
 mod view_window;
 
@@ -23,7 +24,6 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 #[cfg(feature = "gpu")]
 pub(crate) use self::bench_gpu::BenchGpuArgs;
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs};
-#[cfg(feature = "gpu")]
 pub(crate) use self::render::{Background, Colouring, DrawnModel, LevelShare, RenderArgs};
 pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
 #[cfg(feature = "serve")]
@@ -31,9 +31,9 @@ pub(crate) use self::serve::{ServeArgs, ThumbnailArgs};
 pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
 use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
 pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-#[cfg(feature = "gpu")]
-pub(crate) use self::view::Viewport;
-pub(crate) use self::view::{Corners, Point, ViewArgs, tan};
+pub(crate) use self::view::{Corners, Point, ViewArgs, Viewport, tan};
+#[cfg(all(feature = "serve", not(feature = "window")))]
+pub(crate) use self::view_browser::BrowserArgs;
 #[cfg(feature = "window")]
 pub(crate) use self::view_window::{FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use crate::strip_chain::{StripChain, StripPlan};
@@ -70,6 +70,9 @@ pub(crate) struct ReportArgs {
     /// No progress, no summary; errors only
     #[arg(short, long, global = true)]
     pub(crate) quiet: bool,
+    /// Also show the messages of graphics drivers and libraries
+    #[arg(short, long, global = true, conflicts_with = "quiet")]
+    pub(crate) verbose: bool,
     /// Print help
     #[arg(short, long, global = true, action = ArgAction::HelpShort)]
     help: Option<bool>,
@@ -99,14 +102,16 @@ pub(crate) enum Verb {
     /// Write the mesh of a stream, or of as much of it as is there
     Decode(DecodeArgs),
     /// Draw a picture of a mesh, of some of its levels, or of a view
-    #[cfg(feature = "gpu")]
     Render(Box<RenderArgs>),
     /// Serve a folder of models and the viewer over HTTP
     #[cfg(feature = "serve")]
     Serve(ServeArgs),
-    /// Look at a mesh at any level in a window
+    /// Look at a mesh at any level, in a window or a browser
     #[cfg(feature = "window")]
     View(WindowArgs),
+    /// Look at a mesh at any level, in a window or a browser
+    #[cfg(all(feature = "serve", not(feature = "window")))]
+    View(BrowserArgs),
     /// Show it all on a mesh that the command carries
     Demo(DemoArgs),
     /// Draw a small picture of a mesh, without a GPU
@@ -391,14 +396,6 @@ impl Length {
             Self::Absolute(length) => length,
             Self::OfDiagonal(share) => share * diagonal,
         }
-    }
-}
-
-#[cfg(all(test, feature = "window"))]
-impl ReportArgs {
-    /// Says nothing.
-    pub(crate) fn quiet() -> Self {
-        Self { json: false, quiet: true, help: None }
     }
 }
 

@@ -78,10 +78,11 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) level: LevelChoice,
     /// The graphics adapter whose name holds this [default: the quickest]
-    #[arg(long, value_name = "NAME", help_heading = "Adapter")]
+    #[cfg(feature = "gpu")]
+    #[arg(long, value_name = "NAME", conflicts_with = "software", help_heading = "Adapter")]
     pub(crate) adapter: Option<String>,
-    /// Draw on the processor
-    #[arg(long, conflicts_with = "adapter", help_heading = "Adapter")]
+    /// Draw without a graphics adapter
+    #[arg(long, help_heading = "Adapter")]
     pub(crate) software: bool,
 }
 

@@ -5,7 +5,6 @@ use std::str::FromStr;
 use clap::Args;
 use striata::view::{Camera, CameraError, Fovea, ScreenError, Sphere};
 
-#[cfg(feature = "gpu")]
 use crate::failure::Failure;
 
 /// The heading of these flags.
@@ -95,7 +94,6 @@ impl ViewArgs {
     }
 }
 
-#[cfg(feature = "gpu")]
 impl ViewArgs {
     /// What is looked at, where that was said.
     pub(crate) fn look_at(&self) -> Option<[f32; 3]> {
@@ -205,7 +203,6 @@ fn numbers<const COUNT: usize>(text: &str) -> Option<[f32; COUNT]> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Viewport(pub(crate) [u32; 2]);
 
-#[cfg(feature = "gpu")]
 impl Viewport {
     /// Longer pictures take memory that nobody meant to ask for.
     const LONGEST_SIDE: u32 = 8192;

@@ -15,7 +15,6 @@ mod extract_patterns;
 mod extract_stream;
 mod extract_view;
 mod info;
-#[cfg(feature = "gpu")]
 mod render;
 #[cfg(feature = "serve")]
 pub(crate) mod serve;
@@ -49,7 +48,6 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Convert(args) => convert::run(args, &output),
         Verb::Encode(args) => encode::run(args, &output),
         Verb::Decode(args) => decode::run(args, &output),
-        #[cfg(feature = "gpu")]
         Verb::Render(args) => render::run(args, &output),
         #[cfg(feature = "serve")]
         Verb::Serve(args) => serve::run(args, &output),
@@ -59,6 +57,11 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::BenchGpu(args) => bench_gpu::run(args, &output),
         #[cfg(feature = "window")]
         Verb::View(args) => view::run(args, &output),
+        #[cfg(all(feature = "serve", not(feature = "window")))]
+        Verb::View(args) => {
+            output.say("this build of striata has no window (`--features full` adds it): the browser shows the model");
+            serve::show_in_browser(&args.file, &output)
+        }
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }

@@ -1,70 +1,123 @@
-//! Who draws: a GPU, or the rasteriser.
+//! Who draws: a GPU that has proved that it can, or the software rasterizer.
+//!
+//! A picture is never a reason to fail. If no adapter passes its trial, or one fails later, the rasterizer draws, and one line on
+//! stderr says why.
 
 use std::time::Instant;
 
+#[cfg(feature = "gpu")]
+use striata_gpu::{GpuError, GpuOptions, RejectedAdapter};
+
 use super::{Camera, Canvas, Shot, raster};
+#[cfg(feature = "gpu")]
 use crate::failure::Failure;
+use crate::output::Output;
 
 #[cfg(feature = "gpu")]
 use super::GpuArtist;
 
+/// The name of the rasterizer.
+const RASTERIZER: &str = "the software rasterizer";
+
 /// Who draws.
 #[derive(Debug)]
-pub(crate) enum Artist {
-    /// A GPU, or a driver that draws as one.
+pub(crate) struct Artist {
+    /// The GPU, as long as it works.
     #[cfg(feature = "gpu")]
-    Gpu(Box<GpuArtist>),
-    /// The rasteriser of the command.
-    Software,
+    gpu: Option<Box<GpuArtist>>,
+    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "only a GPU that fails is reported"))]
+    output: Output,
 }
 
-/// What was drawn; where there is nothing one can see through it.
+/// What was drawn. Where nothing was drawn the picture is transparent.
 #[derive(Clone, Debug)]
 pub(crate) struct Drawn {
     /// The picture.
     pub(crate) canvas: Canvas,
-    /// Seconds that one frame took, once all was in place.
+    /// Seconds that one frame took, once everything was in place.
     pub(crate) secs: f64,
 }
 
 impl Artist {
-    /// A GPU where there is one, else the rasteriser.
-    pub(crate) fn best() -> Self {
-        #[cfg(feature = "gpu")]
-        if let Ok(artist) = GpuArtist::open(&Default::default()) {
-            return Self::Gpu(Box::new(artist));
+    /// The best adapter that works, or else the rasterizer; `output` hears why.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn best(output: &Output) -> Self {
+        match GpuArtist::open(&GpuOptions::default(), output) {
+            Ok((artist, rejected)) => {
+                note_rejected(&rejected, &artist.name(), output);
+                Self { gpu: Some(Box::new(artist)), output: *output }
+            }
+            Err(error) => {
+                output.say(&format!("note: {error}; {RASTERIZER} draws instead"));
+                Self::software(output)
+            }
         }
-        Self::Software
+    }
+
+    /// The rasterizer, since this build has no GPU support.
+    #[cfg(not(feature = "gpu"))]
+    pub(crate) fn best(output: &Output) -> Self {
+        Self::software(output)
+    }
+
+    /// The adapter whose name contains `name`; the rasterizer if it cannot draw.
+    ///
+    /// # Errors
+    /// If there is no such adapter.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn named(name: &str, output: &Output) -> Result<Self, Failure> {
+        let options = GpuOptions::default().with_adapter_name(Some(name.to_owned()));
+        match GpuArtist::open(&options, output) {
+            Ok((artist, _)) => Ok(Self { gpu: Some(Box::new(artist)), output: *output }),
+            Err(error @ GpuError::NoSuchAdapter { .. }) => Err(error.into()),
+            Err(error) => {
+                output.say(&format!("note: {error}; {RASTERIZER} draws instead"));
+                Ok(Self::software(output))
+            }
+        }
+    }
+
+    /// The rasterizer.
+    pub(crate) fn software(output: &Output) -> Self {
+        Self {
+            #[cfg(feature = "gpu")]
+            gpu: None,
+            output: *output,
+        }
     }
 
     /// Who it is.
     pub(crate) fn name(&self) -> String {
-        match self {
-            #[cfg(feature = "gpu")]
-            Self::Gpu(artist) => artist.name(),
-            Self::Software => "striata's rasteriser".to_owned(),
+        #[cfg(feature = "gpu")]
+        if let Some(artist) = &self.gpu {
+            return artist.name();
         }
+        RASTERIZER.to_owned()
     }
 
-    /// Draws a shot on so many pixels across and down.
-    ///
-    /// # Errors
-    /// Where a GPU has no room for it, or is lost.
-    pub(crate) fn draw(
-        &mut self,
-        shot: &Shot<'_>,
-        camera: &Camera,
-        size: [usize; 2],
-    ) -> Result<Drawn, Failure> {
-        match self {
-            #[cfg(feature = "gpu")]
-            Self::Gpu(artist) => Ok(artist.draw(shot, camera, size)?),
-            Self::Software => {
-                let started = Instant::now();
-                let canvas = raster::draw(shot, camera, size);
-                Ok(Drawn { canvas, secs: started.elapsed().as_secs_f64() })
+    /// Draws a shot with `[width, height]` pixels. If the GPU fails, the rasterizer draws this shot and all later ones.
+    pub(crate) fn draw(&mut self, shot: &Shot<'_>, camera: &Camera, size: [usize; 2]) -> Drawn {
+        #[cfg(feature = "gpu")]
+        if let Some(artist) = &mut self.gpu {
+            match artist.draw(shot, camera, size) {
+                Ok(drawn) => return drawn,
+                Err(error) => {
+                    let name = artist.name();
+                    self.output.say(&format!("note: {name}: {error}; {RASTERIZER} draws instead"));
+                    self.gpu = None;
+                }
             }
         }
+        let started = Instant::now();
+        let canvas = raster::draw(shot, camera, size);
+        Drawn { canvas, secs: started.elapsed().as_secs_f64() }
+    }
+}
+
+#[cfg(feature = "gpu")]
+fn note_rejected(rejected: &[RejectedAdapter], chosen: &str, output: &Output) {
+    for adapter in rejected {
+        output.say(&format!("note: {adapter}; {chosen} draws instead"));
     }
 }
 
@@ -72,20 +125,42 @@ impl Artist {
 mod tests {
     use std::borrow::Cow;
 
-    use striata::mesh::shapes;
+    use striata::mesh::{IndexedMesh, shapes};
 
     use super::*;
     use crate::picture::{Angles, Line, Paint, triangle_colours, with_normals};
 
-    /// Both are to be told apart by nothing but rounding and samples.
-    #[test]
-    fn a_gpu_and_the_rasteriser_draw_the_same() {
-        let artist =
-            GpuArtist::open(&Default::default()).expect("an adapter; apt-get install mesa-vulkan-drivers");
-        let mut gpu = Artist::Gpu(Box::new(artist));
+    fn on_gpu() -> Artist {
+        let output = Output::quiet();
+        let (artist, _) = GpuArtist::open(&GpuOptions::default(), &output)
+            .expect("an adapter; apt-get install mesa-vulkan-drivers");
+        Artist { gpu: Some(Box::new(artist)), output }
+    }
+
+    fn torus() -> (IndexedMesh, Camera) {
         let mesh = with_normals(shapes::torus(48, 24, 1.0, 0.4));
         let angles = Angles { turn: 0.5, rise: 0.7, up: [0.0, 1.0, 0.0], fov: 0.5 };
         let camera = Camera::around(&mesh.positions, &angles, 1.5);
+        (mesh, camera)
+    }
+
+    /// Panics if the GPU's picture differs from the rasterizer's by more than rounding and samples.
+    fn both_draw_the_same(shot: &Shot<'_>, camera: &Camera, least_drawn: usize) {
+        let pictures = [on_gpu(), Artist::software(&Output::quiet())]
+            .map(|mut artist| artist.draw(shot, camera, [150, 100]).canvas);
+        let pairs = pictures[0].pixels().iter().zip(pictures[1].pixels());
+        let distances: Vec<f32> =
+            pairs.map(|(a, b)| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f32::max)).collect();
+        let drawn = pictures[1].pixels().iter().filter(|pixel| pixel[3] > 0.5).count();
+        let far = distances.iter().filter(|&&d| d > 0.08).count();
+        let mean = distances.iter().sum::<f32>() / drawn as f32;
+        assert!(drawn > least_drawn, "{drawn} pixels were drawn");
+        assert!(far < drawn / 12 && mean < 0.03, "{:?}: {far} of {drawn} pixels, mean {mean}", shot.paint);
+    }
+
+    #[test]
+    fn a_gpu_and_the_rasterizer_draw_the_same() {
+        let (mesh, camera) = torus();
         let (_, colours) = triangle_colours(&mesh.triangles);
         let by_height = |p: &[f32; 3]| [(127.0 * (1.0 + p[1])) as u8, 40, 200, 255];
         let heights = Paint::Vertices(mesh.positions.iter().map(by_height).collect());
@@ -99,20 +174,29 @@ mod tests {
         ] {
             let (triangles, lines) = (Cow::Borrowed(&mesh.triangles[..]), vec![line]);
             let shot = Shot { vertices: &mesh, triangles, strips: None, paint, has_edges, is_flat, lines };
-            let pictures = [&mut gpu, &mut Artist::Software]
-                .map(|artist| artist.draw(&shot, &camera, [150, 100]).expect("it can be drawn").canvas);
-            let pairs = pictures[0].pixels().iter().zip(pictures[1].pixels());
-            let distances: Vec<f32> =
-                pairs.map(|(a, b)| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f32::max)).collect();
-            let drawn = pictures[1].pixels().iter().filter(|pixel| pixel[3] > 0.5).count();
-            let far = distances.iter().filter(|&&d| d > 0.08).count();
-            let mean = distances.iter().sum::<f32>() / drawn as f32;
-            assert!(drawn > 4000, "{drawn} pixels were drawn");
-            assert!(
-                far < drawn / 12 && mean < 0.03,
-                "{:?}: {far} of {drawn} pixels, mean {mean}",
-                shot.paint
-            );
+            both_draw_the_same(&shot, &camera, 4000);
         }
+    }
+
+    #[test]
+    fn both_cut_off_what_reaches_behind_the_eye() {
+        let (mesh, _) = torus();
+        // Inside the tube, along the ring: triangles all around, many of them across the plane of the eye.
+        let camera =
+            Camera { eye: [1.0, 0.0, 0.05], look_at: [0.8, 0.05, 0.6], up: [0.0, 1.0, 0.0], fov: 1.2 };
+        for style in [(false, false), (true, true)] {
+            both_draw_the_same(&Shot::of(&mesh, Paint::Surface, style), &camera, 14_000);
+        }
+    }
+
+    #[test]
+    fn a_picture_is_drawn_again_if_the_device_is_lost() {
+        let (mesh, camera) = torus();
+        let shot = Shot::of(&mesh, Paint::Surface, (false, false));
+        let mut artist = on_gpu();
+        let expected = Artist::software(&Output::quiet()).draw(&shot, &camera, [60, 40]).canvas;
+        artist.gpu.as_ref().expect("a GPU").destroy();
+        assert_eq!(artist.draw(&shot, &camera, [60, 40]).canvas, expected);
+        assert_eq!(artist.name(), RASTERIZER);
     }
 }

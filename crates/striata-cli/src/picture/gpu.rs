@@ -8,13 +8,16 @@ use striata::mesh::IndexedMesh;
 use striata_gpu::wgpu::RenderPass;
 use striata_gpu::{
     Canvas as GpuCanvas, Drawing, Gpu, GpuError, GpuIndices, GpuOptions, GpuVertices, Inspection, Look,
-    Painter, Scene, Shading, Viewpoint,
+    Painter, RejectedAdapter, Scene, Shading, Viewpoint, choose_adapter,
 };
 
 use super::artist::Drawn;
 use super::paint::Colour;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Camera, Canvas};
+use crate::failure::caught;
+use crate::hush::hushed;
+use crate::output::Output;
 
 /// A GPU with all that does not change from shot to shot.
 #[derive(Debug)]
@@ -45,14 +48,17 @@ enum Surface {
 }
 
 impl GpuArtist {
-    /// Opens a GPU.
+    /// Opens the best adapter that can really draw, and says which better ones cannot.
     ///
     /// # Errors
-    /// Where there is none that fits.
-    pub(crate) fn open(options: &GpuOptions) -> Result<Self, GpuError> {
-        let gpu = Gpu::new(options)?;
-        let painter = Painter::new(&gpu, GpuCanvas::FORMAT, SAMPLES);
-        Ok(Self { gpu, painter, canvas: None })
+    /// If there is none.
+    pub(crate) fn open(
+        options: &GpuOptions,
+        output: &Output,
+    ) -> Result<(Self, Vec<RejectedAdapter>), GpuError> {
+        let chosen = hushed(output, || attempt(|| choose_adapter(options, Gpu::probe)))?;
+        let painter = Painter::new(&chosen.gpu, GpuCanvas::FORMAT, SAMPLES);
+        Ok((Self { gpu: chosen.gpu, painter, canvas: None }, chosen.rejected))
     }
 
     /// Its name.
@@ -60,11 +66,26 @@ impl GpuArtist {
         self.gpu.name()
     }
 
-    /// Draws a shot; where the GPU can, larger than asked for, to be shrunk.
+    /// Makes the device unusable, as losing it does.
+    #[cfg(test)]
+    pub(super) fn destroy(&self) {
+        self.gpu.device().destroy();
+    }
+
+    /// Draws a shot, larger than asked for if the GPU can, and shrinks it.
     ///
     /// # Errors
-    /// Where the GPU has no room, or is lost.
+    /// If the GPU has no room, is lost, or its driver panics.
     pub(super) fn draw(
+        &mut self,
+        shot: &Shot<'_>,
+        camera: &Camera,
+        size: [usize; 2],
+    ) -> Result<Drawn, GpuError> {
+        attempt(|| self.try_to_draw(shot, camera, size))
+    }
+
+    fn try_to_draw(
         &mut self,
         shot: &Shot<'_>,
         camera: &Camera,
@@ -156,6 +177,11 @@ impl GpuArtist {
         };
         Ok(Uploaded { vertices, surface, lines, scene })
     }
+}
+
+/// Work on a GPU whose panics are errors: the rasterizer can still draw the picture.
+fn attempt<T>(work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
+    caught(work).unwrap_or_else(|panic| Err(GpuError::Failed(panic)))
 }
 
 fn look(shot: &Shot<'_>, edge_opacity: f32, factor: f32) -> Look {

@@ -1,12 +1,13 @@
 //! Pictures of meshes: what is on one, who draws it, and how panels with their text become a PNG.
 //!
 //! A [`Shot`] says what is seen: triangles over the vertices of a mesh, their paint, lines through space. An [`Artist`] draws
-//! it from a [`Camera`]: the GPU where there is one, or else a small rasteriser with the same lights. A [`Sheet`] lays
+//! it from a [`Camera`]: the GPU where there is one, or else a small rasterizer with the same lights. A [`Sheet`] lays
 //! panels out and writes beside them. All of it is in linear light with opacity, and becomes bytes at last.
 
 mod artist;
 mod camera;
 mod canvas;
+mod clip;
 mod frustum;
 #[cfg(feature = "gpu")]
 mod gpu;

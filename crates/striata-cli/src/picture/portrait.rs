@@ -2,8 +2,7 @@
 
 use striata::mesh::IndexedMesh;
 
-use super::{Angles, Artist, Camera, Canvas, Paint, Rgba, Shot, with_normals};
-use crate::failure::Failure;
+use super::{Angles, Camera, Canvas, Paint, Rgba, Shot, raster, with_normals};
 
 const BACKGROUND: Rgba = [0.012, 0.013, 0.017, 1.0];
 const FAINT: [u8; 4] = [13, 13, 15, 255];
@@ -13,19 +12,13 @@ const FOV: f32 = 0.45;
 const FLAT: f32 = 0.3;
 
 /// A mesh from in front, a little from the left and above.
-///
-/// # Errors
-/// What the artist reports.
-pub(crate) fn portrait(mesh: IndexedMesh, size: [usize; 2]) -> Result<Canvas, Failure> {
+pub(crate) fn portrait(mesh: IndexedMesh, size: [usize; 2]) -> Canvas {
     let mesh = with_normals(mesh);
     painted(&mesh, Paint::Surface, size)
 }
 
 /// A picture for what cannot be drawn: a faint shape that is nobody's.
-///
-/// # Errors
-/// What the artist reports.
-pub(crate) fn nobody(size: [usize; 2]) -> Result<Canvas, Failure> {
+pub(crate) fn nobody(size: [usize; 2]) -> Canvas {
     let positions = [
         [1.0, 0.0, 0.0],
         [-1.0, 0.0, 0.0],
@@ -41,19 +34,19 @@ pub(crate) fn nobody(size: [usize; 2]) -> Result<Canvas, Failure> {
     let mesh = IndexedMesh::new(positions.to_vec(), triangles.collect());
     let room = size.map(|side| side / 2);
     let mut canvas = Canvas::filled(size[0], size[1], BACKGROUND);
-    canvas.lay(&painted(&mesh, Paint::Triangles(vec![FAINT; 8]), room)?, room[0] / 2, room[1] / 2);
-    Ok(canvas)
+    canvas.lay(&painted(&mesh, Paint::Triangles(vec![FAINT; 8]), room), room[0] / 2, room[1] / 2);
+    canvas
 }
 
 /// Drawn without a GPU: a server draws in the background, wherever it runs.
-fn painted(mesh: &IndexedMesh, paint: Paint, [width, height]: [usize; 2]) -> Result<Canvas, Failure> {
+fn painted(mesh: &IndexedMesh, paint: Paint, [width, height]: [usize; 2]) -> Canvas {
     let mut canvas = Canvas::filled(width, height, BACKGROUND);
     if let Some(camera) = camera(mesh, width as f32 / height as f32) {
         let is_flat = matches!(paint, Paint::Triangles(_));
         let shot = Shot::of(mesh, paint, (false, is_flat));
-        canvas.lay(&Artist::Software.draw(&shot, &camera, [width, height])?.canvas, 0, 0);
+        canvas.lay(&raster::draw(&shot, &camera, [width, height]), 0, 0);
     }
-    Ok(canvas)
+    canvas
 }
 
 /// A camera that sees all of the mesh and little else; none where there is nothing to see.
@@ -98,7 +91,7 @@ mod tests {
             for p in &mut mesh.positions {
                 *p = p.map(|x| x * scale);
             }
-            let [[left, right], [top, bottom]] = extent(portrait(mesh, [160, 120]).expect("a picture"));
+            let [[left, right], [top, bottom]] = extent(portrait(mesh, [160, 120]));
             assert!(top >= 2 && bottom < 118 && bottom - top > 90, "rows {top} to {bottom} at {scale}");
             assert!(left >= 20 && right < 140, "columns {left} to {right} at {scale}");
         }
@@ -107,7 +100,7 @@ mod tests {
     #[test]
     fn nothing_and_a_single_point_are_drawn_as_nothing() {
         for mesh in [IndexedMesh::default(), IndexedMesh::new(vec![[1.0; 3]; 3], vec![[0, 1, 2]])] {
-            assert_eq!(extent(portrait(mesh, [32, 24]).expect("a picture")), [[usize::MAX, 0]; 2]);
+            assert_eq!(extent(portrait(mesh, [32, 24])), [[usize::MAX, 0]; 2]);
         }
     }
 
@@ -122,7 +115,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_drawn_gets_a_faint_shape() {
-        let [[left, right], [top, bottom]] = extent(nobody([160, 120]).expect("a picture"));
+        let [[left, right], [top, bottom]] = extent(nobody([160, 120]));
         assert!(left > 30 && right < 130 && top > 20 && bottom < 100 && right - left > 30);
     }
 }

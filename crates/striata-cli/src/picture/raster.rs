@@ -1,13 +1,15 @@
 //! A z-buffer for triangles, for machines without anything else to draw with.
 //!
-//! Triangles are set up in pixels, walked over their bounding rectangle and kept where nearest. Colours, lights and edges are
-//! those of `striata-gpu`. What does not lie wholly before the eye is left out. Time O(pixels covered), memory O(pixels).
+//! Triangles are cut off at the near plane, set up in pixels, walked over their bounding rectangle and kept where nearest.
+//! Colors, lights and edges are those of `striata-gpu`. Time O(pixels covered), memory O(pixels of the picture) and
+//! [`BAND_PIXELS`].
 
 use std::ops::Range;
 
 use striata::mesh::{IndexedMesh, Semantic};
 
 use super::camera::{Camera, cross, dot, minus, unit, wide};
+use super::clip::{Corner, Piece, clipped, near_plane};
 use super::paint::Colour;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Canvas, Rgba};
@@ -17,41 +19,86 @@ type Vec3 = [f32; 3];
 /// Each pixel of a picture is the mean of so many squared.
 const SHRINK: usize = 3;
 
+/// Pixels before shrinking that are drawn at once, 20 bytes each; larger pictures are drawn in bands.
+const BAND_PIXELS: usize = 4 << 20;
+
 /// Draws a shot; where there is nothing one can see through it.
 pub(super) fn draw(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2]) -> Canvas {
-    let edges = shot.edge_opacity(camera, height);
-    draw_large(shot, camera, edges, [SHRINK * width, SHRINK * height]).shrunk(SHRINK)
+    let band_rows = (BAND_PIXELS / (SHRINK * SHRINK * width.max(1))).max(1);
+    draw_in_bands(shot, camera, [width, height], band_rows)
 }
 
-fn draw_large(shot: &Shot<'_>, camera: &Camera, edges: f32, [width, height]: [usize; 2]) -> Canvas {
-    let view = View::new(camera, width, height);
-    let mut target =
-        Target { canvas: Canvas::filled(width, height, [0.0; 4]), nearest: vec![0.0; width * height] };
-    let places: Vec<Place> = shot.vertices.positions.iter().map(|&p| view.place(p)).collect();
-    let normals = normals_of(shot.vertices);
-    let of_triangles = shot.colours_of_triangles();
-    let of_vertices = match &shot.paint {
-        Paint::Vertices(colours) => Some(colours.clone()),
-        Paint::Surface => colours_of(shot.vertices),
-        Paint::Triangles(_) => None,
-    };
-    for (index, corners) in shot.triangles.iter().enumerate() {
-        let colours = match (&of_triangles, &of_vertices) {
+fn draw_in_bands(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2], band_rows: usize) -> Canvas {
+    let view = View::new(shot, camera, [SHRINK * width, SHRINK * height]);
+    let faces = Faces::new(shot, &view, shot.edge_opacity(camera, height));
+    let lines = LineTriangles::new(&shot.lines, camera, 0);
+    let mut canvas = Canvas::filled(width, height, [0.0; 4]);
+    for first in (0..height).step_by(band_rows) {
+        let rows = SHRINK * first..SHRINK * (first + band_rows).min(height);
+        let mut target = Target::new(SHRINK * width, rows);
+        for index in 0..shot.triangles.len() {
+            faces.fill(index, &view, &mut target);
+        }
+        for (corners, &paint) in lines.triangles.iter().zip(&lines.colours) {
+            let color = colour(paint);
+            let corners = corners.map(|v| Corner {
+                place: view.seen(lines.positions[v as usize]),
+                color,
+                normal: [0.0; 3],
+            });
+            let face = Face { has_normals: false, light: 0.0, edges: 0.0 };
+            // They begin before the eye as they are.
+            target.fill(&view, &Piece { corners, is_edge: [false; 3] }, &face);
+        }
+        canvas.lay(&target.canvas.shrunk(SHRINK), 0, first);
+    }
+    canvas
+}
+
+/// The triangles of a shot, ready to be drawn into any band.
+struct Faces<'a> {
+    shot: &'a Shot<'a>,
+    /// Where vertices are, as the camera sees them.
+    seen: Vec<Vec3>,
+    /// None where triangles are flat.
+    normals: Option<Vec<Vec3>>,
+    of_triangles: Option<std::borrow::Cow<'a, [Colour]>>,
+    of_vertices: Option<Vec<Colour>>,
+    face: Face,
+}
+
+impl<'a> Faces<'a> {
+    fn new(shot: &'a Shot<'a>, view: &View, edges: f32) -> Self {
+        let normals = if shot.is_flat { None } else { normals_of(shot.vertices) };
+        let of_vertices = match &shot.paint {
+            Paint::Vertices(colours) => Some(colours.clone()),
+            Paint::Surface => colours_of(shot.vertices),
+            Paint::Triangles(_) => None,
+        };
+        let face = Face { has_normals: normals.is_some(), light: shot.light(), edges };
+        let seen = shot.vertices.positions.iter().map(|&p| view.seen(p)).collect();
+        let of_triangles = shot.colours_of_triangles();
+        Self { shot, seen, normals, of_triangles, of_vertices, face }
+    }
+
+    /// Draws what is seen of one triangle.
+    fn fill(&self, index: usize, view: &View, target: &mut Target) {
+        let corners = self.shot.triangles[index];
+        let colors = match (&self.of_triangles, &self.of_vertices) {
             (Some(colours), _) => [colour(colours[index]); 3],
             (None, Some(colours)) => corners.map(|v| colour(colours[v as usize])),
             (None, None) => [STONE; 3],
         };
-        let normals = if shot.is_flat { None } else { normals.as_ref() };
-        let normals = normals.map(|normals| corners.map(|v| view.turned(normals[v as usize])));
-        let face = Face { colours, normals, light: shot.light(), edges };
-        target.fill(&corners.map(|v| places[v as usize]), &face);
+        let normal =
+            |v: u32| self.normals.as_ref().map_or([0.0; 3], |normals| view.turned(normals[v as usize]));
+        let corner = |k: usize| {
+            let v = corners[k];
+            Corner { place: self.seen[v as usize], color: colors[k], normal: normal(v) }
+        };
+        for piece in clipped([corner(0), corner(1), corner(2)], view.near) {
+            target.fill(view, &piece, &self.face);
+        }
     }
-    let lines = LineTriangles::new(&shot.lines, camera, 0);
-    for (corners, &paint) in lines.triangles.iter().zip(&lines.colours) {
-        let face = Face { colours: [colour(paint); 3], normals: None, light: 0.0, edges: 0.0 };
-        target.fill(&corners.map(|v| view.place(lines.positions[v as usize])), &face);
-    }
-    target.canvas
 }
 
 fn colour([r, g, b, _]: Colour) -> Vec3 {
@@ -71,13 +118,12 @@ fn colours_of(mesh: &IndexedMesh) -> Option<Vec<Colour>> {
     Some((0..mesh.vertex_count()).map(colour).map(|[r, g, b]| [r, g, b, 255]).collect())
 }
 
-/// A vertex on the screen: pixels, one over the distance, and where it is as the camera sees it.
+/// A corner on the screen: pixels, and one over the distance.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     x: f32,
     y: f32,
     inverse_depth: f32,
-    in_view: Vec3,
 }
 
 /// The camera as three axes and a scale.
@@ -85,24 +131,40 @@ struct View {
     axes: [[f64; 3]; 3],
     eye: [f64; 3],
     scale: f64,
-    centre: [f64; 2],
+    center: [f64; 2],
+    /// What is nearer to the eye is not drawn.
+    near: f32,
 }
 
 impl View {
-    fn new(camera: &Camera, width: usize, height: usize) -> Self {
+    fn new(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2]) -> Self {
         let scale = height as f64 / 2.0 / (f64::from(camera.fov) / 2.0).tan();
-        let centre = [width as f64 / 2.0, height as f64 / 2.0];
-        Self { axes: camera.axes(), eye: wide(camera.eye), scale, centre }
+        let (middle, radius) = shot.vertices.bounds().map_or(([0.0; 3], 1.0), |bounds| {
+            let middle = [0, 1, 2].map(|k| (f64::from(bounds.min[k]) + f64::from(bounds.max[k])) / 2.0);
+            (middle, bounds.diagonal() / 2.0)
+        });
+        Self {
+            axes: camera.axes(),
+            eye: wide(camera.eye),
+            scale,
+            center: [width as f64 / 2.0, height as f64 / 2.0],
+            near: near_plane(camera, middle, radius) as f32,
+        }
     }
 
-    fn place(&self, point: Vec3) -> Place {
+    /// A point as the camera sees it.
+    fn seen(&self, point: Vec3) -> Vec3 {
         let p = minus(wide(point), self.eye);
-        let [x, y, z] = self.axes.map(|axis| dot(axis, p));
+        self.axes.map(|axis| dot(axis, p) as f32)
+    }
+
+    /// Where on the screen that is.
+    fn place(&self, seen: Vec3) -> Place {
+        let [x, y, z] = wide(seen);
         Place {
-            x: (self.centre[0] - self.scale * x / z) as f32,
-            y: (self.centre[1] + self.scale * y / z) as f32,
+            x: (self.center[0] - self.scale * x / z) as f32,
+            y: (self.center[1] + self.scale * y / z) as f32,
             inverse_depth: (-1.0 / z) as f32,
-            in_view: [x, y, z].map(|x| x as f32),
         }
     }
 
@@ -112,39 +174,49 @@ impl View {
     }
 }
 
-/// What one triangle looks like.
+/// What triangles look like.
+#[derive(Clone, Copy)]
 struct Face {
-    colours: [Vec3; 3],
-    /// As the camera sees them; none where the triangle is flat.
-    normals: Option<[Vec3; 3]>,
+    has_normals: bool,
     light: f32,
-    /// How much its edges cover.
+    /// How much edges cover.
     edges: f32,
 }
 
-/// Pixels, and one over the distance of what is on them.
+/// Rows of pixels, and one over the distance of what is on them.
 struct Target {
     canvas: Canvas,
     nearest: Vec<f32>,
+    rows: Range<usize>,
 }
 
 impl Target {
-    /// Colours the pixels whose centres lie in the triangle and that nothing nearer covers.
-    fn fill(&mut self, screen: &[Place; 3], face: &Face) {
-        let [a, b, c] = *screen;
+    fn new(width: usize, rows: Range<usize>) -> Self {
+        let canvas = Canvas::filled(width, rows.len(), [0.0; 4]);
+        Self { canvas, nearest: vec![0.0; width * rows.len()], rows }
+    }
+
+    /// Colors the pixels whose centers lie in the triangle and that nothing nearer covers.
+    fn fill(&mut self, view: &View, piece: &Piece, face: &Face) {
+        let screen = piece.corners.map(|corner| view.place(corner.place));
+        let [a, b, c] = screen;
         let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
         let is_behind = screen.iter().any(|p| p.inverse_depth <= 0.0 || !p.inverse_depth.is_finite());
         if is_behind || area == 0.0 || !area.is_finite() {
             return;
         }
-        let normal = facing(screen);
+        let rows = covered([a.y, b.y, c.y], &self.rows);
+        let columns = covered([a.x, b.x, c.x], &(0..self.canvas.width));
+        if rows.is_empty() || columns.is_empty() {
+            return;
+        }
+        let facing = facing(&piece.corners);
         // Pixels across the triangle from each side, as a GPU tells them: by rows and columns.
         let heights =
             [(b, c), (c, a), (a, b)].map(|(p, q)| area.abs() / ((p.x - q.x).abs() + (p.y - q.y).abs()));
-        let width = self.canvas.width;
-        let columns = covered(a.x, b.x, c.x, width);
-        for y in covered(a.y, b.y, c.y, self.canvas.height) {
+        for y in rows {
             let py = y as f32 + 0.5;
+            let row = y - self.rows.start;
             for x in columns.clone() {
                 let px = x as f32 + 0.5;
                 let wa = ((b.x - px) * (c.y - py) - (b.y - py) * (c.x - px)) / area;
@@ -155,12 +227,13 @@ impl Target {
                 }
                 let parts: Vec3 = std::array::from_fn(|k| on_screen[k] * screen[k].inverse_depth);
                 let depth = parts[0] + parts[1] + parts[2];
-                let kept = &mut self.nearest[y * width + x];
+                let kept = &mut self.nearest[row * self.canvas.width + x];
                 if depth > *kept {
                     *kept = depth;
                     let weights = parts.map(|part| part / depth);
-                    let away = (0..3).map(|k| on_screen[k] * heights[k]).fold(f32::INFINITY, f32::min);
-                    self.canvas.row_mut(y)[x] = face.at((screen, weights), normal, away);
+                    let edges = (0..3).filter(|&k| piece.is_edge[k]);
+                    let away = edges.map(|k| on_screen[k] * heights[k]).fold(f32::INFINITY, f32::min);
+                    self.canvas.row_mut(row)[x] = face.at((&piece.corners, weights), facing, away);
                 }
             }
         }
@@ -168,21 +241,22 @@ impl Target {
 }
 
 impl Face {
-    /// The colour of a place, which is so many pixels away from the nearest edge.
-    fn at(&self, (screen, weights): (&[Place; 3], Vec3), facing: Vec3, away: f32) -> Rgba {
-        let mixed = |of: &[Vec3; 3]| -> Vec3 {
-            std::array::from_fn(|axis| (0..3).map(|corner| weights[corner] * of[corner][axis]).sum())
+    /// The color of a place, which is so many pixels away from the nearest edge.
+    fn at(&self, (corners, weights): (&[Corner; 3], Vec3), facing: Vec3, away: f32) -> Rgba {
+        let mixed = |of: fn(&Corner) -> Vec3| -> Vec3 {
+            let of = [0, 1, 2].map(|k| of(&corners[k]));
+            std::array::from_fn(|axis| (0..3).map(|k| weights[k] * of[k][axis]).sum())
         };
-        let colour = mixed(&self.colours);
-        let normal = self.normals.as_ref().map_or(facing, |normals| unit32(mixed(normals)));
+        let color = mixed(|corner| corner.color);
+        let normal = if self.has_normals { unit32(mixed(|corner| corner.normal)) } else { facing };
         // Both sides of a surface are lit: what looks away is turned around.
         let normal = if dot32(normal, facing) < 0.0 { normal.map(|x| -x) } else { normal };
-        let to_eye = unit32(mixed(&screen.map(|place| place.in_view)).map(|x| -x));
-        let lit = lit(colour, normal, to_eye);
+        let to_eye = unit32(mixed(|corner| corner.place).map(|x| -x));
+        let lit = lit(color, normal, to_eye);
         // As wide as on a GPU, whose pictures are twice as large.
         let line = self.edges * (1.0 - smooth_step(2.0 / SHRINK as f32 * away - 0.5));
         let [r, g, b] = std::array::from_fn(|k| {
-            let seen = colour[k] + self.light * (lit[k] - colour[k]);
+            let seen = color[k] + self.light * (lit[k] - color[k]);
             seen * (1.0 - line)
         });
         [r, g, b, 1.0]
@@ -195,8 +269,8 @@ fn smooth_step(x: f32) -> f32 {
 }
 
 /// The normal of a triangle, turned to the eye.
-fn facing(screen: &[Place; 3]) -> Vec3 {
-    let [a, b, c] = screen.map(|place| wide(place.in_view));
+fn facing(corners: &[Corner; 3]) -> Vec3 {
+    let [a, b, c] = corners.map(|corner| wide(corner.place));
     let normal = unit(cross(minus(b, a), minus(c, a)));
     let side = if dot(normal, a) > 0.0 { -1.0 } else { 1.0 };
     normal.map(|x| (side * x) as f32)
@@ -214,10 +288,11 @@ fn lit(colour: Vec3, normal: Vec3, to_eye: Vec3) -> Vec3 {
     colour.map(|channel| channel * light + gloss)
 }
 
-/// The pixels of a row or column whose centres may lie between three coordinates.
-fn covered(a: f32, b: f32, c: f32, size: usize) -> Range<usize> {
-    let min = a.min(b).min(c).floor().clamp(0.0, size as f32);
-    let max = a.max(b).max(c).ceil().clamp(0.0, size as f32);
+/// The pixels of some rows or columns whose centers may lie between three coordinates.
+fn covered(corners: [f32; 3], pixels: &Range<usize>) -> Range<usize> {
+    let [first, end] = [pixels.start, pixels.end].map(|pixel| pixel as f32);
+    let min = corners.into_iter().fold(f32::INFINITY, f32::min).floor().clamp(first, end);
+    let max = corners.into_iter().fold(f32::NEG_INFINITY, f32::max).ceil().clamp(first, end);
     min as usize..max as usize
 }
 
@@ -263,6 +338,16 @@ mod tests {
         let middle = one.pixels()[10 * 21 + 10];
         assert!(middle[2] > 2.0 * middle[0], "blue is in front: {middle:?}");
         assert_eq!(one.pixels()[0], [0.0; 4], "the corner is empty");
+    }
+
+    #[test]
+    fn bands_leave_no_seams() {
+        let mesh = striata::mesh::shapes::torus(24, 12, 1.0, 0.4);
+        let shot = Shot::of(&mesh, Paint::Surface, (true, true));
+        let whole = draw_in_bands(&shot, &CAMERA, [40, 30], 30);
+        for band_rows in [1, 7, 29] {
+            assert_eq!(draw_in_bands(&shot, &CAMERA, [40, 30], band_rows), whole, "{band_rows} rows a band");
+        }
     }
 
     #[test]

@@ -18,6 +18,7 @@ use self::stage::Stage;
 pub(crate) use self::ways::way_names as bench_gpu_ways;
 use crate::args::{BenchGpuArgs, Viewport};
 use crate::failure::Failure;
+use crate::hush::hushed;
 use crate::input::Input;
 use crate::output::Output;
 
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     let entries = ways::entries(&args.way_names())?;
     let options = GpuOptions::default().with_fallback(args.software).with_adapter_name(args.adapter.clone());
-    let gpu = Gpu::new(&options)?;
+    let gpu = hushed(output, || Gpu::new(&options))?;
     // All are opened first: a file that is not there is told before any work.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
     let (Viewport(size), plan) = (args.size, args.strip_plan());

@@ -51,7 +51,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let file = StriataFile::parse(&bytes)?;
     levels::write_meshes(&file, &built, &mut folder)?;
     bar.phase("pictures");
-    let pictures = pictures::draw_all(&built, &mut Artist::best())?;
+    let pictures = pictures::draw_all(&built, &mut Artist::best(output))?;
     for picture in &pictures {
         folder.write(picture.name, picture.what, &picture.png)?;
     }

@@ -36,7 +36,7 @@ pub(super) struct Picture {
 /// Draws them all.
 ///
 /// # Errors
-/// Where a GPU has no room for one, or is lost.
+/// Where a distance cannot be measured, which is our fault.
 pub(super) fn draw_all(built: &Built, artist: &mut Artist) -> Result<Vec<Picture>, Failure> {
     let RefinableMesh { mesh, sequence } = built.refinable().clone();
     let refinable = RefinableMesh { mesh: with_normals(mesh), sequence };
@@ -85,7 +85,7 @@ impl Studio<'_> {
         let mut panels = Vec::new();
         for share in SHARES {
             let level = self.level(share);
-            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, (false, false)), &sheet)?);
+            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, (false, false)), &sheet));
         }
         for share in SHARES {
             let level = self.level(share);
@@ -94,7 +94,7 @@ impl Studio<'_> {
             let strips = strips_of_level(self.built.lod_strips(), &state);
             let (triangles, colours) = strip_colours(&strips);
             let painted = Shot::of(&level, Paint::Triangles(colours), (false, true));
-            panels.push(self.panel(share, &Shot { triangles: triangles.into(), ..painted }, &sheet)?);
+            panels.push(self.panel(share, &Shot { triangles: triangles.into(), ..painted }, &sheet));
         }
         finish(&sheet, &panels)
     }
@@ -104,7 +104,7 @@ impl Studio<'_> {
         let mut panels = Vec::new();
         for share in SHARES {
             let level = self.level(share);
-            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, (true, true)), &sheet)?);
+            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, (true, true)), &sheet));
         }
         finish(&sheet, &panels)
     }
@@ -120,7 +120,7 @@ impl Studio<'_> {
         let mut panels = Vec::new();
         for (&share, heat) in shares.iter().zip(&heats) {
             let shot = Shot::of(&original, Paint::Vertices(heat.colours(top)), (false, false));
-            panels.push(self.panel(share, &shot, &sheet)?);
+            panels.push(self.panel(share, &shot, &sheet));
         }
         finish(&sheet, &panels)
     }
@@ -151,7 +151,7 @@ impl Studio<'_> {
         let sheet = Sheet::new(SIZE, (1, 1)).with_text(true);
         let [width, height] = sheet.panel_size();
         let outside = Camera::around(&points, &angles, width as f32 / height as f32);
-        let canvas = self.artist.draw(&shot, &outside, [width, height])?.canvas;
+        let canvas = self.artist.draw(&shot, &outside, [width, height]).canvas;
         let full = self.refinable.mesh.triangle_count();
         let caption = format!("{} of {} triangles", grouped(level.triangle_count()), grouped(full));
         let title = "a level for one eye".to_owned();
@@ -162,14 +162,14 @@ impl Studio<'_> {
         striata::mesh::replay(&self.refinable, split_count_at(self.built, share))
     }
 
-    fn panel(&mut self, share: f64, shot: &Shot<'_>, sheet: &Sheet) -> Result<Panel, Failure> {
+    fn panel(&mut self, share: f64, shot: &Shot<'_>, sheet: &Sheet) -> Panel {
         let size = sheet.panel_size();
         let camera =
             Camera::around(&self.refinable.mesh.positions, &PORTRAIT, size[0] as f32 / size[1] as f32);
-        let canvas = self.artist.draw(shot, &camera, size)?.canvas;
+        let canvas = self.artist.draw(shot, &camera, size).canvas;
         let sequence = &self.refinable.sequence;
         let count = sequence.triangle_count_at(split_count_at(self.built, share));
-        Ok(Panel { canvas, title: percent(share), caption: format!("{} triangles", grouped(count)) })
+        Panel { canvas, title: percent(share), caption: format!("{} triangles", grouped(count)) }
     }
 }
 

@@ -65,7 +65,7 @@ impl<'a> Layout<'a> {
     /// Draws all panels and lays them out.
     ///
     /// # Errors
-    /// Where a GPU has no room for it, or is lost.
+    /// Where strips or fans to color cannot be made.
     pub(super) fn draw(&self, artist: &mut Artist, theme: &Theme) -> Result<Finished, Failure> {
         let size = self.sheet.panel_size();
         let camera = self.place.camera(size[0] as f32 / size[1] as f32);
@@ -98,11 +98,11 @@ impl<'a> Layout<'a> {
         match self.heats.get(number) {
             Some(heat) => {
                 let paint = Paint::Vertices(heat.colours(self.heat_top));
-                draw(Shot::of(self.original, paint, style), artist)
+                Ok(draw(Shot::of(self.original, paint, style), artist))
             }
             None => {
                 let painted = figure.painted(colouring)?;
-                draw(painted.shot(&figure.mesh, style), artist)
+                Ok(draw(painted.shot(&figure.mesh, style), artist))
             }
         }
     }

@@ -1,4 +1,4 @@
-//! `render`: a picture of a mesh, of levels side by side, or of a view, drawn by a GPU without a window.
+//! `render`: a picture of a mesh, of levels side by side, or of a view, drawn without a window.
 
 mod figure;
 mod layout;
@@ -9,14 +9,13 @@ mod source;
 use std::path::Path;
 use std::time::Instant;
 
-use striata_gpu::GpuOptions;
 use striata_io::write_atomically;
 
 use crate::args::{Background, RenderArgs};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Bar, Output, to_stdout};
-use crate::picture::{Artist, Canvas, GpuArtist, Theme};
+use crate::picture::{Artist, Canvas, Theme};
 use crate::save::is_stdout;
 use figure::Figure;
 use layout::Layout;
@@ -35,8 +34,7 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    let options = GpuOptions::default().with_fallback(args.software).with_adapter_name(args.adapter.clone());
-    let mut artist = Artist::Gpu(Box::new(GpuArtist::open(&options)?));
+    let mut artist = artist(args, output)?;
     let source = Source::read(args, &input, output, &mut bar)?;
     let figures = figures(args, &source, &input)?;
     bar.phase("draw");
@@ -67,6 +65,21 @@ fn check(args: &RenderArgs) -> Result<(), Failure> {
             .with_hint("leave --rows out, or name one of --colours"));
     }
     Ok(())
+}
+
+/// Who draws.
+///
+/// # Errors
+/// Where an adapter was asked for that there is not.
+fn artist(args: &RenderArgs, output: &Output) -> Result<Artist, Failure> {
+    if args.software {
+        return Ok(Artist::software(output));
+    }
+    #[cfg(feature = "gpu")]
+    if let Some(name) = &args.adapter {
+        return Artist::named(name, output);
+    }
+    Ok(Artist::best(output))
 }
 
 /// All levels that the picture shows.

@@ -53,10 +53,6 @@ pub(crate) struct Options {
 
 impl Options {
     /// For one person at this machine: any free port, and the browser opened.
-    #[cfg_attr(
-        not(any(test, feature = "window")),
-        expect(dead_code, reason = "`view --browser` asks for it")
-    )]
     pub(crate) fn for_browser() -> Self {
         Self {
             host: "127.0.0.1".to_owned(),
@@ -107,11 +103,20 @@ pub(crate) fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
     serve_one(&args.path, &Options::from(args), output)
 }
 
+/// Serves one file to this machine, and opens the browser.
+///
+/// # Errors
+/// If it cannot be served.
+pub(crate) fn show_in_browser(file: &Path, output: &Output) -> Result<(), Failure> {
+    crate::input::Input::expect_there(file)?;
+    serve_one(file, &Options::for_browser(), output)
+}
+
 /// Serves a folder or a file until somebody ends it.
 ///
 /// # Errors
 /// As [`run`].
-pub(crate) fn serve_one(path: &Path, options: &Options, output: &Output) -> Result<(), Failure> {
+fn serve_one(path: &Path, options: &Options, output: &Output) -> Result<(), Failure> {
     let folder = Arc::new(Folder::open(path)?);
     raise_file_limit(options.max_connections);
     let mut runtime = tokio::runtime::Builder::new_multi_thread();
@@ -137,7 +142,7 @@ async fn serve(folder: Arc<Folder>, options: &Options, output: &Output) -> Resul
     announce(&site, address, models, output)?;
     let url = url_to_open(&site.folder, address);
     if options.opens_browser
-        && let Err(error) = webbrowser::open(&url)
+        && let Err(error) = open::that_detached(&url)
     {
         output.say(&format!("no browser could be opened ({error}); open {url} in one"));
     }

@@ -60,7 +60,7 @@ impl Pictures {
     pub(super) fn new() -> Result<Self, Failure> {
         let program = std::env::current_exe()
             .map_err(|error| Failure::user(format!("where this command lies: {error}")))?;
-        let nobody = nobody([WIDTH, HEIGHT])?.to_png();
+        let nobody = nobody([WIDTH, HEIGHT]).to_png();
         let nobody = nobody.map_err(|error| Failure::internal(format!("a picture: {error}")))?;
         let kept = Mutex::new(LruCache::new(MAX_PICTURES));
         Ok(Self { kept, turn: Semaphore::new(1), program, nobody: nobody.into() })

@@ -32,7 +32,7 @@ pub(crate) fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> 
     let input = Input::open(&args.input)?;
     let mesh = mesh_of(&input, output)?;
     mesh.check()?;
-    let picture = portrait(mesh, [WIDTH, HEIGHT])?.to_png();
+    let picture = portrait(mesh, [WIDTH, HEIGHT]).to_png();
     to_stdout(&picture.map_err(|error| Failure::internal(format!("a picture: {error}")))?)
 }
 

@@ -90,7 +90,7 @@ impl App {
         let window = window.map_err(|error| {
             Failure::user(format!("no window could be opened: {}", super::without_place(&error.to_string())))
         })?;
-        let screen = Screen::new(Arc::new(window), event_loop)?;
+        let screen = Screen::new(Arc::new(window), event_loop, &self.output)?;
         let input = egui_winit::State::new(
             self.ctx.clone(),
             ViewportId::ROOT,
@@ -190,8 +190,8 @@ impl Live {
         let (device, filter) = (self.screen.gpu.device(), wgpu::FilterMode::Nearest);
         let renderer = &mut self.screen.renderer;
         match self.picture {
-            Some(id) => renderer.update_egui_texture_from_wgpu_texture(device, &view, filter, id),
-            None => self.picture = Some(renderer.register_native_texture(device, &view, filter)),
+            Some(id) => renderer.update_egui_texture_from_wgpu_texture(device, view, filter, id),
+            None => self.picture = Some(renderer.register_native_texture(device, view, filter)),
         }
     }
 

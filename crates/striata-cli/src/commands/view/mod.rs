@@ -107,17 +107,15 @@ fn first_state(args: &FirstArgs) -> ViewerState {
     state
 }
 
-/// Serves one file to this machine, and opens the browser.
-///
 /// # Errors
-/// Where there is not one file, or it cannot be served.
+/// If there is not one file, or it cannot be served.
 #[cfg(feature = "serve")]
 fn show_in_browser(files: &[PathBuf], output: &Output) -> Result<(), Failure> {
     let [file] = files else {
         let message = format!("--browser shows one file, and {} are named", files.len());
         return Err(Failure::user(message).with_hint("`striata serve FOLDER` shows all of a folder"));
     };
-    serve::serve_one(file, &serve::Options::for_browser(), output)
+    serve::show_in_browser(file, output)
 }
 
 fn no_display(error: &winit::error::EventLoopError) -> Failure {

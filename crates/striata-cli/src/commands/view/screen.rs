@@ -4,11 +4,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use egui::{ClippedPrimitive, TexturesDelta};
 use egui_wgpu::{Renderer, RendererOptions, ScreenDescriptor};
-use striata_gpu::{Gpu, Picture, wgpu};
+use striata_gpu::{ChosenAdapter, Gpu, GpuError, GpuOptions, Picture, choose_from, wgpu};
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, caught};
+use crate::hush::hushed;
+use crate::output::Output;
 
 /// A window that can be painted.
 pub(super) struct Screen {
@@ -41,23 +43,22 @@ pub(super) enum Painted {
 }
 
 impl Screen {
-    /// Finds a device that can draw into the window.
+    /// Finds the best device that can draw into the window, and tells `output` which better ones cannot.
     ///
     /// # Errors
     /// Where there is none.
-    pub(super) fn new(window: Arc<Window>, event_loop: &ActiveEventLoop) -> Result<Self, Failure> {
+    pub(super) fn new(
+        window: Arc<Window>,
+        event_loop: &ActiveEventLoop,
+        output: &Output,
+    ) -> Result<Self, Failure> {
         let display = Box::new(event_loop.owned_display_handle());
-        let instance =
-            wgpu::Instance::new(wgpu::InstanceDescriptor::new_with_display_handle_from_env(display));
-        let surface = instance.create_surface(Arc::clone(&window)).map_err(|e| no_device(&e.to_string()))?;
-        let options = wgpu::RequestAdapterOptions {
-            power_preference: wgpu::PowerPreference::HighPerformance,
-            compatible_surface: Some(&surface),
-            ..Default::default()
-        };
-        let adapter = pollster::block_on(instance.request_adapter(&options));
-        let adapter = adapter.map_err(|e| no_device(&e.to_string()))?;
-        let gpu = Gpu::open(&adapter).map_err(|e| no_device(&e.to_string()))?;
+        let found = hushed(output, || caught(|| find(&window, display)));
+        let Found { instance, surface, chosen } = found.unwrap_or_else(|panic| Err(no_device(&panic)))?;
+        let ChosenAdapter { gpu, made: mut config, rejected } = chosen;
+        for adapter in rejected {
+            output.say(&format!("note: {adapter}; {} draws instead", gpu.name()));
+        }
         let reported: Arc<Mutex<Option<String>>> = Arc::default();
         let report = Arc::clone(&reported);
         gpu.device().on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
@@ -65,16 +66,7 @@ impl Screen {
         }));
         let (size, limit) = (window.inner_size(), gpu.device().limits().max_texture_dimension_2d);
         let [width, height] = [size.width, size.height].map(|side| side.clamp(1, limit));
-        let Some(mut config) = surface.get_default_config(&adapter, width, height) else {
-            return Err(no_device("its device cannot draw into this window"));
-        };
-        let formats = surface.get_capabilities(&adapter).formats;
-        // The user interface mixes colours as screens encode them, so the hardware must not encode them again.
-        let is_plain = |format: &wgpu::TextureFormat| {
-            matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm)
-        };
-        config.format = formats.iter().copied().find(is_plain).unwrap_or(config.format);
-        config.present_mode = wgpu::PresentMode::AutoVsync;
+        (config.width, config.height) = (width, height);
         surface.configure(gpu.device(), &config);
         let renderer = Renderer::new(gpu.device(), config.format, RendererOptions::default());
         Ok(Self { window, gpu, renderer, instance, surface, config, reported })
@@ -194,8 +186,60 @@ impl Screen {
     }
 }
 
+/// What a window needs of the graphics system.
+struct Found {
+    instance: wgpu::Instance,
+    surface: wgpu::Surface<'static>,
+    chosen: ChosenAdapter<wgpu::SurfaceConfiguration>,
+}
+
+/// # Errors
+/// If no adapter can serve the window.
+fn find(window: &Arc<Window>, display: Box<dyn wgpu::wgt::WgpuHasDisplayHandle>) -> Result<Found, Failure> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_with_display_handle_from_env(display));
+    let surface = instance.create_surface(Arc::clone(window)).map_err(|error| match error {
+        // It lists backends and their reasons, none if no driver was found at all.
+        _ if pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all())).is_empty() => {
+            no_device("found no graphics adapter")
+        }
+        error => no_device(&error.to_string()),
+    })?;
+    let adapters = |backends| pollster::block_on(instance.enumerate_adapters(backends));
+    let stages = [wgpu::Backends::PRIMARY, wgpu::Backends::all() - wgpu::Backends::PRIMARY];
+    let found = stages.into_iter().map(adapters);
+    let chosen = choose_from(found, &GpuOptions::default(), |gpu, adapter| {
+        let config = config_for(&surface, adapter)?;
+        gpu.probe()?;
+        surface.configure(gpu.device(), &config);
+        Ok(config)
+    });
+    let chosen = chosen.map_err(|error| no_device(&error.to_string()))?;
+    Ok(Found { instance, surface, chosen })
+}
+
+/// # Errors
+/// If the adapter cannot draw into the window.
+fn config_for(
+    surface: &wgpu::Surface<'_>,
+    adapter: &wgpu::Adapter,
+) -> Result<wgpu::SurfaceConfiguration, GpuError> {
+    let config = surface.get_default_config(adapter, 1, 1);
+    let mut config = config.ok_or_else(|| GpuError::Failed("it cannot draw into this window".into()))?;
+    let formats = surface.get_capabilities(adapter).formats;
+    // The user interface mixes colors as screens encode them, so the hardware must not encode them again.
+    let is_plain = |format: &wgpu::TextureFormat| {
+        matches!(format, wgpu::TextureFormat::Bgra8Unorm | wgpu::TextureFormat::Rgba8Unorm)
+    };
+    config.format = formats.iter().copied().find(is_plain).unwrap_or(config.format);
+    config.present_mode = wgpu::PresentMode::AutoVsync;
+    Ok(config)
+}
+
+/// A window that nothing can draw into: what is missing, and how to see the model all the same.
 fn no_device(reason: &str) -> Failure {
-    Failure::user(format!("found no graphics device for a window: {reason}")).with_hint(
-        "install a Vulkan driver (mesa-vulkan-drivers draws on the processor), or use `striata render`",
-    )
+    let browser =
+        if cfg!(feature = "serve") { "`striata view --browser` shows it without one; " } else { "" };
+    Failure::user(format!("a window needs a graphics driver: {reason}")).with_hint(format!(
+        "install one (mesa-vulkan-drivers draws on the processor); {browser}`striata render` draws a picture"
+    ))
 }

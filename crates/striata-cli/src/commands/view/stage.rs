@@ -5,7 +5,7 @@ use std::ops::Range;
 use striata::model::FanInstance;
 use striata_gpu::{
     Canvas, Drawing, FanExtractor, Gpu, GpuError, GpuFanInstance, GpuFans, GpuIndices, GpuMorph, GpuVertices,
-    Inspection, Look, Painter, Scene, Viewpoint, palette_colour, wgpu,
+    Inspection, Look, Painter, Scene, ScreenCopy, Viewpoint, palette_colour, wgpu,
 };
 
 use super::shown::{Changes, Shown};
@@ -50,13 +50,21 @@ struct ExtractedFans {
     is_drawn: bool,
 }
 
+/// The picture, and the copy of it that the window shows.
+#[derive(Debug)]
+struct Framed {
+    canvas: Canvas,
+    copy: ScreenCopy,
+    size: [u32; 2],
+}
+
 /// Where the model is drawn.
 #[derive(Debug)]
 pub(super) struct Stage {
     gpu: Gpu,
     painter: Painter,
     extractor: Option<FanExtractor>,
-    canvas: Option<(Canvas, [u32; 2])>,
+    canvas: Option<Framed>,
     props: Option<Props>,
     uploaded_bytes: u64,
 }
@@ -153,11 +161,13 @@ impl Stage {
         size: [u32; 2],
         look: &Look,
     ) -> Result<bool, GpuError> {
-        let is_resized = self.canvas.as_ref().is_none_or(|(_, old)| *old != size);
+        let is_resized = self.canvas.as_ref().is_none_or(|framed| framed.size != size);
         if is_resized {
-            self.canvas = Some((Canvas::new(&self.gpu, size, SAMPLES)?, size));
+            let canvas = Canvas::new(&self.gpu, size, SAMPLES)?;
+            let copy = ScreenCopy::new(&self.gpu, &canvas);
+            self.canvas = Some(Framed { canvas, copy, size });
         }
-        let Some((canvas, _)) = &self.canvas else { return Ok(false) };
+        let Some(Framed { canvas, copy, .. }) = &self.canvas else { return Ok(false) };
         let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
         if let (Some(fans), Some(extractor)) =
             (self.props.as_mut().and_then(|props| props.fans.as_mut()), &self.extractor)
@@ -181,13 +191,14 @@ impl Stage {
             }
         }
         drop(pass);
+        copy.update(&mut encoder);
         self.gpu.queue().submit([encoder.finish()]);
         Ok(is_resized)
     }
 
     /// The picture as its bytes stand, for a window that mixes colours as the screen encodes them.
-    pub(super) fn picture(&self) -> Option<wgpu::TextureView> {
-        self.canvas.as_ref().map(|(canvas, _)| canvas.encoded_view())
+    pub(super) fn picture(&self) -> Option<&wgpu::TextureView> {
+        self.canvas.as_ref().map(|framed| framed.copy.view())
     }
 }
 

@@ -335,7 +335,6 @@ mod tests {
     use super::super::state::{Colours, ModelKind};
     use super::super::{panel, shown::Changes};
     use super::*;
-    use crate::args::ReportArgs;
 
     /// A viewer in a window that is nowhere.
     struct Bench {
@@ -351,8 +350,7 @@ mod tests {
             let waker: Waker = Arc::new(move || {
                 let _ = sender.lock().expect("no panic before").send(());
             });
-            let output = Output::new(ReportArgs::quiet());
-            let viewer = Viewer::new(vec![file.into()], ViewerState::default(), (output, waker));
+            let viewer = Viewer::new(vec![file.into()], ViewerState::default(), (Output::quiet(), waker));
             let ctx = egui::Context::default();
             ctx.options_mut(|options| options.max_passes = std::num::NonZeroUsize::MIN);
             let mut bench = Self { viewer, ctx, woken };
