@@ -13,7 +13,6 @@ use crate::{browser, golden, web};
 const FEATURES_ALONE: [(&str, &str); 15] = [
     ("striata", ""),
     ("striata", "parallel"),
-    ("striata", "distance"),
     ("striata-io", ""),
     ("striata-io", "ply"),
     ("striata-io", "obj"),

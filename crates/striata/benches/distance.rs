@@ -1,11 +1,8 @@
-//! Surface distance: the tree of triangles, single queries beside parry3d's, and whole measurements.
+//! Surface distance: the tree of triangles, single queries, and whole measurements.
 
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use parry3d::math::Vector;
-use parry3d::query::PointQuery;
-use parry3d::shape::TriMesh;
 use striata::mesh::{DistanceOptions, IndexedMesh, Random, TriangleTree, shapes, surface_distance};
 
 const QUERIES: usize = 10_000;
@@ -39,12 +36,6 @@ fn query(c: &mut Criterion) {
         group.bench_with_input(BenchmarkId::new("striata", name), &points, |b, points| {
             b.iter(|| points.iter().map(|&p| tree.distance_to(p)).sum::<f64>());
         });
-        let positions = mesh.positions.iter().map(|&p| Vector::from(p)).collect();
-        let peer = TriMesh::new(positions, mesh.triangles.clone()).expect("generated meshes are not empty");
-        let points: Vec<Vector> = points.iter().map(|p| Vector::from(p.map(|x| x as f32))).collect();
-        group.bench_with_input(BenchmarkId::new("parry3d", name), &points, |b, points| {
-            b.iter(|| points.iter().map(|&p| peer.distance_to_local_point(p, true)).sum::<f32>());
-        });
     }
 }
 
@@ -55,10 +46,6 @@ fn build(c: &mut Criterion) {
         group.throughput(Throughput::Elements(mesh.triangle_count() as u64));
         group.bench_with_input(BenchmarkId::new("striata", name), &mesh, |b, mesh| {
             b.iter(|| TriangleTree::new(black_box(mesh)));
-        });
-        let positions: Vec<Vector> = mesh.positions.iter().map(|&p| Vector::from(p)).collect();
-        group.bench_with_input(BenchmarkId::new("parry3d", name), &mesh, |b, mesh| {
-            b.iter(|| TriMesh::new(positions.clone(), mesh.triangles.clone()));
         });
     }
 }

@@ -156,7 +156,6 @@ proptest! {
     }
 }
 
-#[cfg(feature = "distance")]
 mod distance {
     use super::*;
     use striata::mesh::{DistanceOptions, Random, SurfaceDistance, TriangleTree, surface_distance};

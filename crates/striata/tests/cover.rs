@@ -1,5 +1,4 @@
 //! Certified errors hold: no point of the original surface is farther from a state than its error says.
-#![cfg(feature = "distance")]
 
 mod support;
 

@@ -218,7 +218,6 @@ fn error_limits_hold() {
 }
 
 #[test]
-#[cfg(feature = "distance")]
 fn reported_error_is_near_the_measured_one() {
     use striata::mesh::{DistanceOptions, surface_distance};
     let terrain = shapes::terrain(64, 11);
@@ -230,7 +229,6 @@ fn reported_error_is_near_the_measured_one() {
 }
 
 #[test]
-#[cfg(feature = "distance")]
 fn free_vertices_lie_nearer_than_a_subset() {
     use striata::mesh::{DistanceOptions, surface_distance};
     let torus = shapes::torus(80, 40, 2.0, 0.7);

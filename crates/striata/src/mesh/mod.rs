@@ -6,9 +6,9 @@
 mod adjacency;
 mod appearance;
 mod attributes;
+mod box_tree;
 mod defect;
 mod disjoint_sets;
-#[cfg(feature = "distance")]
 mod distance;
 mod dual_graph;
 mod fragments;
@@ -21,7 +21,6 @@ mod replay;
 mod sequence;
 pub mod shapes;
 mod statistics;
-#[cfg(feature = "distance")]
 mod triangle_tree;
 mod validate;
 mod weld;
@@ -32,7 +31,6 @@ pub use appearance::{Appearance, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
 pub use defect::{Defect, DefectKind};
 pub(crate) use disjoint_sets::DisjointSets;
-#[cfg(feature = "distance")]
 pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};
 pub use dual_graph::DualGraph;
 pub(crate) use dual_graph::NONE as NO_TWIN;
@@ -47,7 +45,6 @@ pub(crate) use replay::canonical_triangle;
 pub use replay::{canonical_triangles, replay, replay_into};
 pub use sequence::{CollapseSequence, RefinableMesh, SequenceError, SequenceParts};
 pub use statistics::Statistics;
-#[cfg(feature = "distance")]
 pub use triangle_tree::{Nearest, TriangleTree};
 pub use validate::{LISTED_OF_EACH_KIND, Report, validate};
 pub use weld::{Welded, weld};

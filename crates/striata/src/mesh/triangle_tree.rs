@@ -1,20 +1,15 @@
 //! A tree of boxes over triangles that answers "how far is this point from the surface?".
 //!
-//! parry3d's hierarchy of boxes finds the few triangles that matter, in f32 and with SIMD; their distances are
-//! computed here in f64. Boxes are a little larger and costs a little dearer than the truth, by more than f32
+//! A [tree of boxes](BoxTree) finds in f32 the few triangles that matter; their distances are computed in f64. Boxes are a little larger and costs a little dearer than the truth, by more than f32
 //! rounds, so no box is skipped that holds a nearer triangle: the distance is the exact minimum, the same on
 //! every machine. Boxes live in a frame where the mesh spans -1..1, triangles keep the mesh's own coordinates:
 //! coordinates around 1e7 or 1e-7 lose nothing.
 //!
-//! Cost: O(n log n) to build, O(log n) expected for a point near the surface; about 150 bytes a triangle.
+//! Cost: O(n log n) to build, O(log n) expected for a point near the surface; about 70 bytes a triangle.
 
-use std::cell::Cell;
+use glam::{DVec3, Vec3A};
 
-use glam::DVec3;
-use parry3d::bounding_volume::Aabb;
-use parry3d::math::Vector;
-use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
-
+use super::box_tree::{AxisBox, BoxTree};
 use super::{IndexedMesh, MeshError};
 
 /// Added to every box on all sides, in a frame where the mesh spans -1..1; f32 rounds by 6e-8 there.
@@ -45,20 +40,13 @@ pub struct Nearest {
 /// # Ok::<(), striata::mesh::MeshError>(())
 /// ```
 pub struct TriangleTree {
-    boxes: Bvh,
+    boxes: BoxTree,
     /// Corners of the triangles, in the mesh's order and coordinates.
     corners: Vec<[[f32; 3]; 3]>,
     /// Middle of the frame of the boxes, mesh units.
     center: DVec3,
     /// Frame units for a mesh unit.
     scale: f64,
-}
-
-/// Best so far, squared: roots are taken once per query.
-#[derive(Clone, Copy)]
-struct Best {
-    squared: f64,
-    triangle: usize,
 }
 
 impl TriangleTree {
@@ -76,9 +64,9 @@ impl TriangleTree {
         let half_extent = 0.5 * (max - min).max_element();
         let center = if corners.is_empty() { DVec3::ZERO } else { 0.5 * (min + max) };
         let scale = if half_extent > 0.0 { half_extent.recip() } else { 1.0 };
-        let mut tree = Self { boxes: Bvh::new(), corners, center, scale };
-        let boxes: Vec<Aabb> = tree.corners.iter().map(|corners| tree.box_of(corners)).collect();
-        tree.boxes = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
+        let mut tree = Self { boxes: BoxTree::default(), corners, center, scale };
+        let boxes: Vec<AxisBox> = tree.corners.iter().map(|corners| tree.box_of(corners)).collect();
+        tree.boxes = BoxTree::new(&boxes);
         Ok(tree)
     }
 
@@ -108,40 +96,26 @@ impl TriangleTree {
             *triangle = usize::MAX;
             return f64::INFINITY;
         };
-        let squared = squared_distance_to_triangle(point, corners);
-        let best = Cell::new(Best { squared, triangle: *triangle });
+        // Squared: roots are taken once per query.
+        let mut squared = squared_distance_to_triangle(point, corners);
         if !is_far {
-            self.improve(point, in_frame, &best);
+            let squared_scale = self.scale * self.scale * COST_MARGIN;
+            let limit = (squared * squared_scale) as f32;
+            self.boxes.visit_near(in_frame.as_vec3a(), limit, |tried| {
+                let other = squared_distance_to_triangle(point, &self.corners[tried]);
+                if other < squared {
+                    (squared, *triangle) = (other, tried);
+                }
+                (squared * squared_scale) as f32
+            });
         }
-        *triangle = best.get().triangle;
-        best.get().squared.sqrt()
+        squared.sqrt()
     }
 
-    /// Tries all triangles that may be nearer than the best so far.
-    fn improve(&self, point: DVec3, in_frame: DVec3, best: &Cell<Best>) {
-        let squared_scale = self.scale * self.scale * COST_MARGIN;
-        let cost = || (best.get().squared * squared_scale) as f32;
-        let in_frame = Vector::from(in_frame.as_vec3().to_array());
-        let box_cost = |node: &BvhNode, _| {
-            let outside = (node.mins() - in_frame).max(in_frame - node.maxs()).max(Vector::ZERO);
-            outside.length_squared()
-        };
-        let triangle_cost = |triangle: u32, _| {
-            let squared = squared_distance_to_triangle(point, &self.corners[triangle as usize]);
-            if squared < best.get().squared {
-                best.set(Best { squared, triangle: triangle as usize });
-            }
-            Some((squared * squared_scale) as f32)
-        };
-        self.boxes.find_best(cost(), box_cost, triangle_cost);
-    }
-
-    fn box_of(&self, corners: &[[f32; 3]; 3]) -> Aabb {
-        let [a, b, c] = corners.map(|corner| {
-            let in_frame = (exact(corner) - self.center) * self.scale;
-            Vector::from(in_frame.as_vec3().to_array())
-        });
-        Aabb::new(a.min(b).min(c) - Vector::splat(BOX_MARGIN), a.max(b).max(c) + Vector::splat(BOX_MARGIN))
+    fn box_of(&self, corners: &[[f32; 3]; 3]) -> AxisBox {
+        let [a, b, c] = corners.map(|corner| ((exact(corner) - self.center) * self.scale).as_vec3a());
+        let margin = Vec3A::splat(BOX_MARGIN);
+        AxisBox { min: a.min(b).min(c) - margin, max: a.max(b).max(c) + margin }
     }
 }
 
