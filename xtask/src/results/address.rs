@@ -64,7 +64,7 @@ fn step<'a>(at: &'a Value, segment: &str) -> Result<&'a Value> {
         return array.get(place).context("too few elements");
     }
     let mut pairs = Vec::new();
-    for pair in chosen.split(',') {
+    for pair in chosen.split('&') {
         let (key, wanted) = pair.split_once('=').context("brackets hold a place or key=value")?;
         pairs.push((key.trim(), wanted.trim()));
     }
@@ -94,7 +94,7 @@ mod tests {
         });
         let one = |address| values(&json, "rows[1]", address).unwrap();
         assert_eq!(one("n"), [7.0]);
-        assert_eq!(one("rows[name=a.ply,px=5].x[0].y / 8 + n / n + 1"), [0.5, 1.0, 1.0]);
+        assert_eq!(one("rows[name=a.ply&px=5].x[0].y / 8 + n / n + 1"), [0.5, 1.0, 1.0]);
         assert_eq!(one(".px + .x[0].y"), [5.0, 4.0]);
         for wrong in ["m", "rows[2].x", "rows[name=b].px", "rows[0].name", "rows"] {
             assert!(values(&json, "", wrong).is_err(), "{wrong}");

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! <!-- table: strip-blocks
-//! keys: mesh, stripifier, blocks of
+//! keys: mesh; stripifier; blocks of
 //! json: strips = strip_count
 //! -->
 //!
@@ -14,12 +14,13 @@
 //! * The command stands in the code block between marker and table, or in the marker: `command: striata ...`, or
 //!   `command of: NAME` if another table has it.
 //! * `keys:` are the columns that tell rows apart (the first one if nothing is said); an empty cell there repeats the one above.
-//! * `check:` names columns that the command prints as a Markdown table with the same titles and keys.
+//! * `rows:` are the beginnings of key cells if only some rows can be checked.
+//! * `check:` names columns that the commands print in a Markdown table with the same titles and keys.
 //! * `json:` is for commands that take `--json`: a column and the address of its value (`address.rs`), one column a line. Of
 //!   several commands the last one is asked; those before it prepare files in a scratch folder.
 //!   `at:` is an address that those beginning with a dot go on from.
 //! * `{column}` in a command or an address is the row's cell. A part of a command in square brackets is left out if the
-//!   cell in it holds no number. `names: dragon = dragon.ply` replaces what a cell says by what the command calls it.
+//!   cell in it holds no number. `names: dragon = dragon.ply; cow = cow.obj` replaces what a cell says by what the command calls it.
 
 use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
@@ -39,6 +40,7 @@ pub(super) struct DocTable {
     command_of: Option<String>,
     keys: Vec<String>,
     checked: Vec<String>,
+    beginnings: Vec<String>,
     addresses: Vec<(String, String)>,
     base: String,
     names: Vec<(String, String)>,
@@ -125,9 +127,9 @@ impl DocTable {
     fn take(&mut self, line: &str) -> Result<()> {
         let (word, rest) = line.split_once(':').context("a line of the marker has no colon")?;
         let rest = rest.trim();
-        let list = || rest.split(", ").map(|name| name.trim().to_owned());
+        let list = || rest.split("; ").map(|name| name.trim().to_owned());
         let pair = |text: &str| {
-            let pair = text.split_once(" = ").map(|(a, b)| (a.trim().to_owned(), b.trim().to_owned()));
+            let pair = text.split_once(" =").map(|(a, b)| (a.trim().to_owned(), b.trim().to_owned()));
             pair.with_context(|| format!("`{text}` is not of the form A = B"))
         };
         match word.trim() {
@@ -135,10 +137,11 @@ impl DocTable {
             "command" => self.commands.push(rest.to_owned()),
             "command of" => self.command_of = Some(rest.to_owned()),
             "keys" => self.keys = list().collect(),
+            "rows" => self.beginnings = list().collect(),
             "at" => self.base = rest.to_owned(),
             "check" => self.checked = list().collect(),
             "json" => self.addresses.push(pair(rest)?),
-            "names" => self.names = rest.split(", ").map(pair).collect::<Result<_>>()?,
+            "names" => self.names = rest.split("; ").map(pair).collect::<Result<_>>()?,
             other => bail!("the marker says `{other}`, which means nothing"),
         }
         Ok(())
@@ -167,7 +170,7 @@ impl DocTable {
     /// If a command fails or prints something else than a table or JSON with the row's values.
     pub(super) fn check(&self, output: &mut dyn FnMut(&str) -> Result<String>) -> Result<Checked> {
         let mut found = Checked::default();
-        for row in &self.rows {
+        for row in self.rows.iter().filter(|row| self.is_wanted(row)) {
             let lines = self
                 .commands
                 .iter()
@@ -213,6 +216,12 @@ impl DocTable {
         Ok(found)
     }
 
+    fn is_wanted(&self, row: &Row) -> bool {
+        let begins =
+            |key: &String| self.beginnings.iter().any(|b| self.cell(row, key).starts_with(b.as_str()));
+        self.beginnings.is_empty() || self.keys.iter().any(begins)
+    }
+
     /// The cell of a column in the printed row that has the same keys.
     fn printed_cell(
         &self,
@@ -221,20 +230,23 @@ impl DocTable {
         column: &str,
         output: &mut dyn FnMut(&str) -> Result<String>,
     ) -> Result<Option<String>> {
+        let mut tables = Vec::new();
         for line in lines {
-            for (head, rows) in printed_tables(&output(line)?) {
-                let Ok(at) = column_of(&head, column) else { continue };
-                let keys = self.keys.iter().map(|key| column_of(&head, key)).collect::<Result<Vec<_>>>();
-                let Ok(keys) = keys else { continue };
-                let is_same = |cells: &&Vec<String>| {
-                    let printed = |&at: &usize| cells.get(at).map(|cell| argument(cell));
-                    let wanted =
-                        self.keys.iter().map(|key| Some(self.renamed(argument(&self.cell(row, key)))));
-                    keys.iter().map(printed).eq(wanted)
-                };
-                if let Some(cells) = rows.iter().find(is_same) {
-                    return Ok(cells.get(at).cloned());
-                }
+            tables.extend(printed_tables(&output(line)?));
+        }
+        // The most alike first: a command may print two tables with some of the same titles.
+        tables.sort_by_key(|(head, _)| head.iter().filter(|title| !self.head.contains(title)).count());
+        for (head, rows) in tables {
+            let Ok(at) = column_of(&head, column) else { continue };
+            let keys = self.keys.iter().map(|key| column_of(&head, key)).collect::<Result<Vec<_>>>();
+            let Ok(keys) = keys else { continue };
+            let is_same = |cells: &&Vec<String>| {
+                let printed = |&at: &usize| cells.get(at).map(|cell| argument(cell));
+                let wanted = self.keys.iter().map(|key| Some(self.renamed(argument(&self.cell(row, key)))));
+                keys.iter().map(printed).eq(wanted)
+            };
+            if let Some(cells) = rows.iter().find(is_same) {
+                return Ok(cells.get(at).cloned());
             }
         }
         Ok(None)
@@ -340,7 +352,7 @@ mod tests {
 # Page
 
 <!-- table: blocks
-keys: mesh, blocks of
+keys: mesh; blocks of
 json: strips = strip_count
 json: per triangle = index_count / triangle_count
 names: cow = kine
@@ -393,7 +405,7 @@ Text.
     fn printed_tables_are_matched_by_keys_and_titles() {
         let page = "<!-- table: t; -->\n";
         assert!(tables_of("a.md", page).is_err());
-        let page = "<!-- table: t\ncommand: cargo bench\nkeys: mesh, tool\ncheck: strips\n-->\n\
+        let page = "<!-- table: t\ncommand: cargo bench\nkeys: mesh; tool\ncheck: strips\n-->\n\
             | mesh | tool | strips | ms |\n| --- | --- | --- | --- |\n| cow | a | 3 | 9 |\n| cow | b | 4 | 9 |\n";
         let printed = "Title\n\n| x |\n| - |\n| 1 |\n\n| mesh | tool | ms | strips |\n|---|---|---|---|\n\
             | cow | a | 1.0 | 3 |\n| cow | c | 1.0 | 4 |\n";
