@@ -1,15 +1,16 @@
 //! The tables of the docs, measured again: runs the command of each table and compares counts and bytes with what the page says.
 //!
-//! A marker in front of a table says what can be compared; `page.rs` explains it. Nothing here knows any table by name.
+//! A marker in front of a table says what can be compared; `page.rs` explains and reads it, `check.rs` compares. Nothing here knows any table by name.
 
 mod address;
 mod cells;
+mod check;
 mod page;
 mod source;
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use clap::Args;
 
 use self::page::{DocTable, tables_of};
@@ -27,9 +28,9 @@ pub(crate) struct ResultsArgs {
     /// Lists all marked tables with their commands
     #[arg(long, group = "what")]
     list: bool,
-    /// Runs the command of a table again and compares its counts and bytes with the docs; all tables if none is named
-    #[arg(long, group = "what", value_name = "TABLE", num_args = 0..=1)]
-    check: Option<Option<String>>,
+    /// Runs the commands of these tables again and compares counts and bytes with the docs; all tables if none is named
+    #[arg(long, group = "what", value_name = "TABLE", num_args = 0..)]
+    check: Option<Vec<String>>,
     /// Folder that `$MESHES` stands for in commands
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
@@ -48,13 +49,13 @@ pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
         tables.iter().for_each(|table| say(&listed(table)));
         return Ok(());
     }
-    let wanted = args.check.as_ref().and_then(Option::as_deref);
-    let chosen: Vec<&DocTable> = match wanted {
-        Some(name) => tables.iter().filter(|table| table.name == name).collect(),
-        None => tables.iter().filter(|table| table.is_checkable()).collect(),
-    };
+    let mut chosen: Vec<&DocTable> = Vec::new();
+    for name in args.check.iter().flatten() {
+        let table = tables.iter().find(|table| table.name == *name);
+        chosen.push(table.with_context(|| format!("no table `{name}`; see `cargo xtask results --list`"))?);
+    }
     if chosen.is_empty() {
-        bail!("no marked table is named `{}`; see `cargo xtask results --list`", wanted.unwrap_or_default());
+        chosen.extend(tables.iter().filter(|table| table.is_checkable()));
     }
     let mut commands = Commands::new(args.meshes.as_deref(), args.striata.as_deref())?;
     let (mut cell_count, mut differences) = (0, Vec::new());
