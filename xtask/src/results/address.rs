@@ -11,13 +11,13 @@ use serde_json::Value;
 /// # Errors
 /// If an address leads nowhere or to something that is no number.
 pub(super) fn values(json: &Value, base: &str, addresses: &str) -> Result<Vec<f64>> {
-    addresses.split(" + ").map(|address| quotient(json, base, address.trim())).collect()
+    split(addresses, " + ").into_iter().map(|address| quotient(json, base, address.trim())).collect()
 }
 
 fn quotient(json: &Value, base: &str, address: &str) -> Result<f64> {
-    match address.split_once(" / ") {
-        Some((above, below)) => Ok(number(json, base, above.trim())? / number(json, base, below.trim())?),
-        None => number(json, base, address),
+    match split(address, " / ").as_slice() {
+        [above, below] => Ok(number(json, base, above.trim())? / number(json, base, below.trim())?),
+        _ => number(json, base, address),
     }
 }
 
@@ -28,28 +28,28 @@ fn number(json: &Value, base: &str, address: &str) -> Result<f64> {
     let whole = if address.starts_with('.') { format!("{base}{address}") } else { address.to_owned() };
     let address = whole.as_str();
     let mut at = json;
-    for segment in segments(address) {
+    for segment in split(address, ".") {
         at = step(at, segment).with_context(|| format!("`{segment}` of `{address}` is not in the JSON"))?;
     }
     at.as_f64().with_context(|| format!("`{address}` is no number in the JSON"))
 }
 
-/// Parts between dots that do not stand in brackets.
-fn segments(address: &str) -> Vec<&str> {
-    let (mut segments, mut from, mut depth) = (Vec::new(), 0, 0);
-    for (at, c) in address.char_indices() {
+/// Parts between separators that do not stand in brackets.
+fn split<'a>(text: &'a str, separator: &str) -> Vec<&'a str> {
+    let (mut parts, mut from, mut depth) = (Vec::new(), 0, 0);
+    for (at, c) in text.char_indices() {
         match c {
             '[' => depth += 1,
             ']' => depth -= 1,
-            '.' if depth == 0 => {
-                segments.push(&address[from..at]);
-                from = at + 1;
+            _ if depth == 0 && at >= from && text[at..].starts_with(separator) => {
+                parts.push(&text[from..at]);
+                from = at + separator.len();
             }
             _ => (),
         }
     }
-    segments.push(&address[from..]);
-    segments
+    parts.push(&text[from..]);
+    parts
 }
 
 fn step<'a>(at: &'a Value, segment: &str) -> Result<&'a Value> {
@@ -90,13 +90,14 @@ mod tests {
     fn addresses_lead_to_numbers() {
         let json = serde_json::json!({
             "n": 7,
-            "rows": [{ "name": "a.ply", "px": 1.0, "x": [{ "y": 3 }] }, { "name": "a.ply", "px": 5.0, "x": [{ "y": 4 }] }],
+            "rows": [{ "name": "a.ply", "px": 1.0, "x": [{ "y": 3 }] }, { "name": "b + c / d", "y": 6 }, { "name": "a.ply", "px": 5.0, "x": [{ "y": 4 }] }],
         });
-        let one = |address| values(&json, "rows[1]", address).unwrap();
+        let one = |address| values(&json, "rows[2]", address).unwrap();
         assert_eq!(one("n"), [7.0]);
         assert_eq!(one("rows[name=a.ply&px=5].x[0].y / 8 + n / n + 1"), [0.5, 1.0, 1.0]);
         assert_eq!(one(".px + .x[0].y"), [5.0, 4.0]);
-        for wrong in ["m", "rows[2].x", "rows[name=b].px", "rows[0].name", "rows"] {
+        assert_eq!(one("rows[name=b + c / d].y"), [6.0]);
+        for wrong in ["m", "rows[3].x", "rows[name=b].px", "rows[0].name", "rows"] {
             assert!(values(&json, "", wrong).is_err(), "{wrong}");
         }
     }
