@@ -89,7 +89,12 @@ impl DocTable {
         // The most alike first: a command may print two tables with some of the same titles.
         tables.sort_by_key(|(head, _)| head.iter().filter(|title| !self.head.contains(title)).count());
         for (head, rows) in tables {
+            // One that has all columns, not only this one: titles repeat from table to table.
+            let has_all = self.checked.iter().all(|column| column_of(&head, column).is_ok());
             let Ok(at) = column_of(&head, column) else { continue };
+            if !has_all {
+                continue;
+            }
             let keys = self.keys.iter().map(|key| column_of(&head, key)).collect::<Result<Vec<_>>>();
             let Ok(keys) = keys else { continue };
             let is_same = |cells: &&Vec<String>| {
