@@ -3,6 +3,7 @@
 mod browser;
 mod golden;
 mod machine;
+mod results;
 mod steps;
 mod test;
 mod web;
@@ -32,6 +33,8 @@ enum Chore {
     Web,
     /// The web part alone: check that these are what the sources make, and run their tests
     WebCheck,
+    /// The tables of the docs: run their commands again and compare counts and bytes
+    Results(results::ResultsArgs),
 }
 
 fn main() -> ExitCode {
@@ -41,6 +44,7 @@ fn main() -> ExitCode {
         Chore::Browser => browser::run(),
         Chore::Web => web::build(),
         Chore::WebCheck => web::check(),
+        Chore::Results(args) => results::run(&args),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -81,7 +81,7 @@ enum Simplifier {
     Collapses(CollapseCost),
     /// The first of these, in batches as a progressive stream of 12 bits has them.
     Batches,
-    /// Removals of vertices, holes filled freely, in the order of the Hausdorff distance.
+    /// Removals of vertices, holes filled freely, ordered by squared distances, gaps and the largest distance together.
     Removal,
 }
 

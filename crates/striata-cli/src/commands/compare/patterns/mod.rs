@@ -57,7 +57,9 @@ impl Source {
     const fn about(self) -> &'static str {
         match self {
             Self::Quadric => "half-edge collapses in the order of quadrics",
-            Self::Removal => "vertices removed by Hausdorff distance, holes filled in any way",
+            Self::Removal => {
+                "vertices removed by summed squared distances, gaps and the largest distance, holes filled in any way"
+            }
             Self::RemovalCollapse => "the same, holes filled as half-edge collapses do",
         }
     }
@@ -150,6 +152,7 @@ fn table(report: &PatternsReport) -> Vec<Vec<String>> {
         "as published",
         "in sequence",
         "bytes a vertex",
+        "with bounds",
         "as published",
         "Multi-Triangulation",
         "its paper's count",
@@ -200,6 +203,7 @@ impl SourceRow {
             or_dash(self.loop_bits_per_fragment, 1),
             or_dash(self.sequential_bits_per_fragment, 1),
             format!("{:.1}", self.bytes_per_vertex),
+            format!("{:.1}", self.bytes_per_vertex_with_bounds),
             or_dash(self.loop_bytes_per_vertex, 1),
             format!("{:.1}", self.multi_triangulation_bytes_per_vertex),
             format!("{:.1}", self.multi_triangulation_paper_bytes_per_vertex),

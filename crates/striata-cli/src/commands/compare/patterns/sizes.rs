@@ -5,7 +5,7 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::mesh::FragmentedMesh;
 use striata::model::baseline::{LoopPatterns, MultiTriangulation, SequentialPatterns};
-use striata::model::{Accounting, LodModel, Patterns};
+use striata::model::{Accounting, LodModel, PatternBounds, Patterns};
 
 use super::Source;
 use crate::failure::Failure;
@@ -15,6 +15,8 @@ pub(super) struct Models {
     /// Ours.
     pub(super) patterns: Patterns,
     build_secs: f64,
+    /// Bytes of the bounds that views ask for.
+    bounds_bytes: usize,
     /// As published, or why not.
     pub(super) loops: Result<LoopPatterns, String>,
     loop_build_secs: f64,
@@ -45,6 +47,7 @@ impl Models {
         Ok(Self {
             patterns: patterns?,
             build_secs,
+            bounds_bytes: PatternBounds::build(mesh).bytes(),
             loops: loops.map_err(|error| error.to_string()),
             loop_build_secs,
             sequential: SequentialPatterns::encode(mesh).ok(),
@@ -92,6 +95,8 @@ pub(super) struct SourceRow {
     sequential_bytes: Option<usize>,
     bytes: usize,
     pub(super) bytes_per_vertex: f64,
+    /// With the bounds that views ask for.
+    pub(super) bytes_per_vertex_with_bounds: f64,
     loop_bytes: Option<usize>,
     pub(super) loop_bytes_per_vertex: Option<f64>,
     multi_triangulation_bytes: usize,
@@ -133,6 +138,7 @@ impl SourceRow {
             sequential_bytes: models.sequential.as_ref().map(|s| s.as_bytes().len()),
             bytes,
             bytes_per_vertex: per_vertex(bytes),
+            bytes_per_vertex_with_bounds: per_vertex(bytes + models.bounds_bytes),
             loop_bytes,
             loop_bytes_per_vertex: loop_bytes.map(per_vertex),
             multi_triangulation_bytes: explicit_bytes,

@@ -12,6 +12,8 @@ pub(super) struct Figures {
     pub(super) criterion_ms: f64,
     /// Of a frame: changes, the mean.
     pub(super) update_ms: f64,
+    /// Criterion and update together, the mean per frame.
+    pub(super) follow_ms: f64,
     /// Of a frame: making the indices, the mean.
     pub(super) emission_ms: f64,
     /// All of these, the mean.
@@ -43,6 +45,8 @@ pub(super) struct Figures {
     bytes_per_vertex_plain: f64,
     /// The most that the instance owned on the way.
     pub(super) bytes_per_instance: usize,
+    /// The largest size of the instance, per vertex of the full mesh.
+    pub(super) instance_bytes_per_vertex: f64,
     /// Frame by frame.
     pub(super) series: Series,
 }
@@ -71,8 +75,9 @@ pub(super) const PACKED_NORMAL_BYTES: f64 = size_of::<[i16; 2]>() as f64;
 pub(super) const NORMAL_BYTES: f64 = 12.0;
 
 impl Figures {
-    /// The figures of a run beside those of fans; the model takes so many bytes a vertex.
-    pub(super) fn new(run: &Run, fans: &Run, bytes_per_vertex: f64) -> Self {
+    /// The figures of a run next to those of fans, for a model of `static_bytes` and a mesh of `vertex_count`.
+    pub(super) fn new(run: &Run, fans: &Run, static_bytes: usize, vertex_count: usize) -> Self {
+        let bytes_per_vertex = static_bytes as f64 / vertex_count as f64;
         let frames = run.later_frames();
         let ms = |secs: &dyn Fn(usize) -> f64| 1e3 * mean(frames.clone().map(secs));
         let criterion_ms = ms(&|frame| run.criterion(frame));
@@ -87,6 +92,7 @@ impl Figures {
         Self {
             criterion_ms,
             update_ms,
+            follow_ms,
             emission_ms,
             frame_ms,
             worst_ms: 1e3 * frames.clone().map(|frame| run.whole(frame)).fold(0.0, f64::max),
@@ -105,6 +111,7 @@ impl Figures {
             bytes_per_vertex_packed: bytes_per_vertex + POSITION_BYTES + PACKED_NORMAL_BYTES,
             bytes_per_vertex_plain: bytes_per_vertex + POSITION_BYTES + NORMAL_BYTES,
             bytes_per_instance: run.instance_bytes,
+            instance_bytes_per_vertex: run.instance_bytes as f64 / vertex_count as f64,
             series: Series::of(run),
         }
     }

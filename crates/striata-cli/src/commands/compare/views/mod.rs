@@ -114,7 +114,7 @@ impl PathReport {
         let contenders = NAMES.into_iter().zip(runs).zip(bytes).map(|((name, run), bytes)| FollowerReport {
             name,
             cannot_be_built: run.is_none().then(|| models.rival.as_ref().err().cloned()).flatten(),
-            figures: run.as_ref().map(|run| Figures::new(run, &fans, bytes as f64 / vertex_count as f64)),
+            figures: run.as_ref().map(|run| Figures::new(run, &fans, bytes, vertex_count)),
             run,
         });
         Self {
@@ -137,6 +137,7 @@ impl PathReport {
             "model",
             "criterion",
             "update",
+            "criterion + update",
             "x fans",
             "emission",
             "frame, ms",
@@ -150,6 +151,7 @@ impl PathReport {
             "error, px",
             "99 %",
             "instance, kB",
+            "bytes a vertex",
         ];
         let mut table = vec![head.map(str::to_owned).to_vec()];
         table.extend(self.contenders.iter().map(FollowerReport::row));
@@ -168,6 +170,7 @@ impl FollowerReport {
             self.name.to_owned(),
             ms(figures.criterion_ms),
             ms(figures.update_ms),
+            ms(figures.follow_ms),
             format!("{:.2}", figures.ratio_to_fans),
             ms(figures.emission_ms),
             ms(figures.frame_ms),
@@ -181,6 +184,7 @@ impl FollowerReport {
             pixels(figures.max_error_px),
             pixels(figures.p99_error_px),
             format!("{:.1}", figures.bytes_per_instance as f64 / 1e3),
+            format!("{:.2}", figures.instance_bytes_per_vertex),
         ]
     }
 }
@@ -201,7 +205,7 @@ impl ViewsReport {
 const READING: &str = "Means of a frame in ms, the first left out, which begins at the base. The criterion is asked, the \
     update is what else it takes to change the mesh, emission writes the indices. Steps are asked for; changes are splits and collapses of a frame, and millions of \
     them in a second of criterion and update. Errors are distances on the screen between the full mesh and what is shown, \
-    the largest and what 99 of 100 points do not exceed. An instance is the most that one owned.";
+    the largest and what 99 of 100 points do not exceed. An instance is the most that one owned, in kB and in bytes a vertex of the full mesh.";
 
 /// The tables for people, with what is to be known about them.
 pub(super) fn to_text(report: &ViewsReport, text_of: impl Fn(Vec<Vec<String>>) -> String) -> String {

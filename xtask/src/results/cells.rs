@@ -1,0 +1,86 @@
+//! Cells of tables: the numbers in them, and whether those are the numbers that a command gave.
+
+/// A number as a page shows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shown {
+    value: f64,
+    /// Digits after the point.
+    digits: usize,
+}
+
+impl Shown {
+    /// Whether a measured value, rounded to as many digits, is this number.
+    fn is(self, measured: f64) -> bool {
+        let digits = self.digits;
+        format!("{:.digits$}", self.value) == format!("{measured:.digits$}")
+    }
+}
+
+/// The numbers of a cell in order: `1,234 (5.60 MB)` has 1234 and 5.60.
+pub(super) fn numbers(cell: &str) -> Vec<Shown> {
+    let is_part = |c: char| c.is_ascii_digit() || c == ',' || c == '.';
+    let mut numbers = Vec::new();
+    for word in cell.split(|c| !is_part(c)) {
+        let plain = word.trim_end_matches([',', '.']).trim_start_matches(',').replace(',', "");
+        if let Ok(value) = plain.parse() {
+            let digits = plain.split_once('.').map_or(0, |(_, digits)| digits.len());
+            numbers.push(Shown { value, digits });
+        }
+    }
+    numbers
+}
+
+/// A cell without emphasis and code marks, as labels and placeholders take it.
+pub(super) fn label(cell: &str) -> String {
+    cell.replace("**", "").replace('`', "").trim().to_owned()
+}
+
+/// The label of a cell; a number loses its thousands separators.
+pub(super) fn argument(cell: &str) -> String {
+    let label = label(cell);
+    let is_number = label.starts_with(|c: char| c.is_ascii_digit())
+        && label.chars().all(|c| c.is_ascii_digit() || c == ',' || c == '.');
+    if is_number { label.replace(',', "") } else { label }
+}
+
+/// Whether a page's cell shows these values; a cell without numbers shows nothing, and is right.
+pub(super) fn shows(cell: &str, measured: &[f64]) -> bool {
+    let shown = numbers(cell);
+    let is_same = |(shown, &measured): (&Shown, &f64)| shown.is(measured);
+    shown.is_empty() || (shown.len() == measured.len() && shown.iter().zip(measured).all(is_same))
+}
+
+/// Whether a page's cell shows what a printed one does, with as many digits or fewer.
+pub(super) fn shows_printed(cell: &str, printed: &str) -> bool {
+    let measured: Vec<f64> = numbers(printed).iter().map(|number| number.value).collect();
+    shows(cell, &measured)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_found_in_any_dress() {
+        let values = |cell| numbers(cell).iter().map(|n| (n.value, n.digits)).collect::<Vec<_>>();
+        assert_eq!(values("**1,234** (5.60 MB)"), [(1234.0, 0), (5.6, 2)]);
+        assert_eq!(values(".51 / 0.6, 7"), [(0.51, 2), (0.6, 1), (7.0, 0)]);
+        assert_eq!(values("1/11.8"), [(1.0, 0), (11.8, 1)]);
+        assert_eq!(values("–"), []);
+    }
+
+    #[test]
+    fn a_value_is_shown_by_its_rounded_number_only() {
+        assert!(shows("1.35", &[1.3461]) && !shows("1.35", &[1.3561]));
+        assert!(shows("114.1 ± 9.3", &[114.08, 9.31]) && !shows("114.1", &[114.08, 9.31]));
+        assert!(shows("", &[3.0]) && shows("–", &[]) && !shows("3", &[]));
+        assert!(shows_printed("1.20 (98)", "1.198 (98)") && !shows_printed("1.20 (98)", "1.198 (99)"));
+    }
+
+    #[test]
+    fn arguments_are_plain() {
+        assert_eq!(argument("10,000"), "10000");
+        assert_eq!(argument("**dragon**"), "dragon");
+        assert_eq!(argument("1, 2 and 3"), "1, 2 and 3");
+    }
+}

@@ -1,0 +1,218 @@
+//! A table of the docs against what its commands print.
+
+use anyhow::{Context, Result};
+use serde_json::Value;
+
+use super::address::values;
+use super::cells::{argument, numbers, shows, shows_printed};
+use super::page::{DocTable, Row, cells_of, column_of};
+
+/// What a check found.
+#[derive(Debug, Default)]
+pub(super) struct Checked {
+    pub(super) cell_count: usize,
+    /// A line for each cell that differs.
+    pub(super) differences: Vec<String>,
+}
+
+impl DocTable {
+    /// Compares the table with what its commands print.
+    ///
+    /// # Errors
+    /// If a command fails or prints something else than a table or JSON with the row's values.
+    pub(super) fn check(&self, output: &mut dyn FnMut(&str) -> Result<String>) -> Result<Checked> {
+        let mut found = Checked::default();
+        for row in self.rows.iter().filter(|row| self.is_wanted(row)) {
+            let lines = self
+                .commands
+                .iter()
+                .map(|command| self.filled(command, row).map(|line| without_options(&line)));
+            let lines = lines.collect::<Result<Vec<_>>>()?;
+            let mut differs = |column: &str, cell: &str, measured: &str| {
+                let keys: Vec<String> = self.keys.iter().map(|key| self.cell(row, key)).collect();
+                found.differences.push(format!(
+                    "{}:{}: {}: {}: {column}: the page says `{cell}`, the command `{measured}`",
+                    self.page,
+                    row.line,
+                    self.name,
+                    keys.join(", ")
+                ));
+            };
+            for (column, address) in &self.addresses {
+                let cell = self.cell(row, column);
+                if numbers(&cell).is_empty() {
+                    continue;
+                }
+                let (line, first) = lines.split_last().context("there is no command")?;
+                first.iter().try_for_each(|line| output(line).map(drop))?;
+                let json: Value = serde_json::from_str(&output(&format!("{line} --json"))?)?;
+                let address = self.filled(address, row)?;
+                match values(&json, &self.filled(&self.base, row)?, &address) {
+                    Ok(measured) if shows(&cell, &measured) => (),
+                    Ok(measured) => differs(column, &cell, &format!("{measured:?}")),
+                    Err(error) => differs(column, &cell, &format!("nothing: {error:#}")),
+                }
+                found.cell_count += 1;
+            }
+            for column in &self.checked {
+                let cell = self.cell(row, column);
+                let printed = self.printed_cell(&lines, row, column, output)?;
+                found.cell_count += 1;
+                match printed {
+                    Some(printed) if shows_printed(&cell, &printed) => (),
+                    Some(printed) => differs(column, &cell, &printed),
+                    None => differs(column, &cell, "nothing: no such row"),
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    fn is_wanted(&self, row: &Row) -> bool {
+        let begins =
+            |key: &String| self.beginnings.iter().any(|b| self.cell(row, key).starts_with(b.as_str()));
+        self.beginnings.is_empty() || self.keys.iter().any(begins)
+    }
+
+    /// The cell of a column in the printed row that has the same keys.
+    fn printed_cell(
+        &self,
+        lines: &[String],
+        row: &Row,
+        column: &str,
+        output: &mut dyn FnMut(&str) -> Result<String>,
+    ) -> Result<Option<String>> {
+        let mut tables = Vec::new();
+        for line in lines {
+            tables.extend(printed_tables(&output(line)?));
+        }
+        // The most alike first: a command may print two tables with some of the same titles.
+        tables.sort_by_key(|(head, _)| head.iter().filter(|title| !self.head.contains(title)).count());
+        for (head, rows) in tables {
+            // One that has all columns, not only this one: titles repeat from table to table.
+            let has_all = self.checked.iter().all(|column| column_of(&head, column).is_ok());
+            let Ok(at) = column_of(&head, column) else { continue };
+            if !has_all {
+                continue;
+            }
+            let keys = self.keys.iter().map(|key| column_of(&head, key)).collect::<Result<Vec<_>>>();
+            let Ok(keys) = keys else { continue };
+            let is_same = |cells: &&Vec<String>| {
+                let printed = |&at: &usize| cells.get(at).map(|cell| argument(cell));
+                let wanted = self.keys.iter().map(|key| Some(self.renamed(argument(&self.cell(row, key)))));
+                keys.iter().map(printed).eq(wanted)
+            };
+            if let Some(cells) = rows.iter().find(is_same) {
+                return Ok(cells.get(at).cloned());
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// A command whose optional parts, ` [--flag VALUE]`, are there if they hold a number.
+fn without_options(line: &str) -> String {
+    let mut text = String::new();
+    let mut rest = line;
+    while let Some((before, after)) = rest.split_once(" [") {
+        text.push_str(before);
+        let (part, after) = after.split_once(']').unwrap_or((after, ""));
+        if part.chars().any(|c| c.is_ascii_digit()) {
+            text.push(' ');
+            text.push_str(part);
+        }
+        rest = after;
+    }
+    text.push_str(rest);
+    text
+}
+
+/// Head and rows of the Markdown tables in what a command printed.
+fn printed_tables(text: &str) -> Vec<(Vec<String>, Vec<Vec<String>>)> {
+    let mut tables: Vec<(Vec<String>, Vec<Vec<String>>)> = Vec::new();
+    let mut is_inside = false;
+    for line in text.lines() {
+        let is_row = line.starts_with('|');
+        match tables.last_mut() {
+            Some((_, rows)) if is_row && is_inside => rows.push(cells_of(line)),
+            _ if is_row => tables.push((cells_of(line), Vec::new())),
+            _ => (),
+        }
+        is_inside = is_row;
+    }
+    tables
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::page::tables_of;
+    use super::*;
+
+    const PAGE: &str = "\
+# Page
+
+<!-- table: blocks
+keys: mesh; blocks of
+json: strips = strip_count
+json: per triangle = index_count / triangle_count
+names: cow = kine
+-->
+```sh
+striata strip $MESHES/{mesh}.* [--block {blocks of}]   # a comment
+```
+
+Text.
+
+| mesh | blocks of | strips | per triangle |
+| --- | --- | --- | --- |
+| **cow** | whole | 1,234 | 1.35 |
+| | 10,000 | 1,300 | |
+";
+
+    fn check(page: &str, output: &str) -> (Vec<String>, Result<Checked>) {
+        let mut lines = Vec::new();
+        let tables = tables_of("a.md", page).unwrap();
+        let checked = tables[0].check(&mut |line| {
+            lines.push(line.to_owned());
+            Ok(output.to_owned())
+        });
+        lines.dedup();
+        (lines, checked)
+    }
+
+    #[test]
+    fn a_table_that_is_right_passes_row_by_row() {
+        let json = r#"{ "strip_count": 1234, "index_count": 1346, "triangle_count": 1000 }"#;
+        let (lines, checked) = check(&PAGE.replace("1,300", ""), json);
+        assert_eq!(lines, ["striata strip $MESHES/kine.* --json"]);
+        let checked = checked.unwrap();
+        assert_eq!((checked.cell_count, checked.differences), (2, Vec::new()));
+    }
+
+    #[test]
+    fn a_cell_that_differs_is_reported_with_its_place() {
+        let json = r#"{ "strip_count": 1234, "index_count": 1346, "triangle_count": 1000 }"#;
+        let (lines, checked) = check(PAGE, json);
+        assert_eq!(lines[1], "striata strip $MESHES/kine.* --block 10000 --json");
+        let line = "a.md:18: blocks: cow, 10,000: strips: the page says `1,300`, the command `[1234.0]`";
+        assert_eq!(checked.unwrap().differences, [line]);
+        let missing = check(PAGE, "{}").1.unwrap();
+        assert_eq!(missing.differences.len(), 3);
+        assert!(check(PAGE, "no JSON").1.is_err());
+    }
+
+    #[test]
+    fn printed_tables_are_matched_by_keys_and_titles() {
+        let page = "<!-- table: t; -->\n";
+        assert!(tables_of("a.md", page).is_err());
+        let page = "<!-- table: t\ncommand: cargo bench\nkeys: mesh; tool\ncheck: strips\n-->\n\
+            | mesh | tool | strips | ms |\n| --- | --- | --- | --- |\n| cow | a | 3 | 9 |\n| cow | b | 4 | 9 |\n";
+        let printed = "Title\n\n| x |\n| - |\n| 1 |\n\n| mesh | tool | ms | strips |\n|---|---|---|---|\n\
+            | cow | a | 1.0 | 3 |\n| cow | c | 1.0 | 4 |\n";
+        let differences = check(page, printed).1.unwrap().differences;
+        assert_eq!(
+            differences,
+            ["a.md:9: t: cow, b: strips: the page says `4`, the command `nothing: no such row`"]
+        );
+    }
+}

@@ -1,0 +1,130 @@
+//! The tables of the docs, measured again: runs the command of each table and compares counts and bytes with what the page says.
+//!
+//! A marker in front of a table says what can be compared; `page.rs` explains and reads it, `check.rs` compares. Nothing here knows any table by name.
+
+mod address;
+mod cells;
+mod check;
+mod page;
+mod source;
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+use clap::Args;
+
+use self::page::{DocTable, tables_of};
+use self::source::Commands;
+use crate::steps::say;
+use crate::workspace;
+
+/// Pages with tables, relative to the workspace; of `docs` all pages.
+const PAGES: [&str; 2] = ["README.md", "web/README.md"];
+
+/// What to do with the tables of the docs.
+#[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("what").required(true))]
+pub(crate) struct ResultsArgs {
+    /// Lists all marked tables with their commands
+    #[arg(long, group = "what")]
+    list: bool,
+    /// Runs the commands of these tables again and compares counts and bytes with the docs; all tables if none is named
+    #[arg(long, group = "what", value_name = "TABLE", num_args = 0..)]
+    check: Option<Vec<String>>,
+    /// Folder that `$MESHES` stands for in commands
+    #[arg(long, value_name = "DIR")]
+    meshes: Option<PathBuf>,
+    /// A `striata` that is already built, instead of a release build of this workspace
+    #[arg(long, value_name = "PATH")]
+    striata: Option<PathBuf>,
+}
+
+/// Lists or checks tables.
+///
+/// # Errors
+/// If a page or marker cannot be read, a command fails, or a cell differs.
+pub(crate) fn run(args: &ResultsArgs) -> Result<()> {
+    let tables = all_tables()?;
+    if args.list {
+        tables.iter().for_each(|table| say(&listed(table)));
+        return Ok(());
+    }
+    let mut chosen: Vec<&DocTable> = Vec::new();
+    for name in args.check.iter().flatten() {
+        let table = tables.iter().find(|table| table.name == *name);
+        chosen.push(table.with_context(|| format!("no table `{name}`; see `cargo xtask results --list`"))?);
+    }
+    if chosen.is_empty() {
+        chosen.extend(tables.iter().filter(|table| table.is_checkable()));
+    }
+    let mut commands = Commands::new(args.meshes.as_deref(), args.striata.as_deref())?;
+    let (mut cell_count, mut differences) = (0, Vec::new());
+    for table in chosen {
+        ensure!(
+            table.is_checkable(),
+            "table `{}` has no `check` or `json` columns: it holds times only",
+            table.name
+        );
+        let checked = table.check(&mut |words| commands.output(words));
+        let checked = checked.with_context(|| format!("table `{}`", table.name))?;
+        let count = checked.differences.len();
+        say(&format!("{}: {} cells compared, {count} differ", table.name, checked.cell_count));
+        checked.differences.iter().for_each(|line| say(line));
+        cell_count += checked.cell_count;
+        differences.extend(checked.differences);
+    }
+    ensure!(differences.is_empty(), "{} of {cell_count} cells differ from the docs", differences.len());
+    say(&format!("all {cell_count} cells are as the docs say"));
+    Ok(())
+}
+
+fn listed(table: &DocTable) -> String {
+    let what = if table.is_checkable() { "checked" } else { "times only" };
+    format!("{} ({what}), {}:{}\n    {}", table.name, table.page, table.line, table.commands.join("\n    "))
+}
+
+fn all_tables() -> Result<Vec<DocTable>> {
+    let mut pages: Vec<PathBuf> = PAGES.iter().map(PathBuf::from).collect();
+    add_pages(Path::new("docs"), &mut pages)?;
+    let mut tables: Vec<DocTable> = Vec::new();
+    for page in pages {
+        let text = std::fs::read_to_string(workspace().join(&page))?;
+        tables.extend(tables_of(&page.to_string_lossy(), &text)?);
+    }
+    page::share_commands(&mut tables)?;
+    Ok(tables)
+}
+
+/// Adds the Markdown files of a folder and the folders in it, sorted.
+fn add_pages(folder: &Path, pages: &mut Vec<PathBuf>) -> Result<()> {
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(workspace().join(folder))? {
+        names.push(entry?.file_name());
+    }
+    names.sort();
+    for name in names {
+        let path = folder.join(name);
+        if workspace().join(&path).is_dir() {
+            add_pages(&path, pages)?;
+        } else if path.extension().is_some_and(|extension| extension == "md") {
+            pages.push(path);
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markers_of_the_docs_can_be_read_and_name_columns_that_are_there() {
+        let tables = all_tables().unwrap();
+        assert!(tables.iter().any(DocTable::is_checkable));
+        for table in &tables {
+            assert!(!table.commands.is_empty(), "{} has no command", table.name);
+            let same_name = tables.iter().filter(|other| other.name == table.name);
+            assert_eq!(same_name.count(), 1, "{} is there twice", table.name);
+        }
+    }
+}

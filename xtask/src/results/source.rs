@@ -1,0 +1,128 @@
+//! Commands of tables, and what they print: each is run once.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result, bail, ensure};
+
+use crate::machine::remove_folder;
+use crate::steps::{cargo, say};
+use crate::workspace;
+
+/// Runs commands and keeps what they printed.
+pub(super) struct Commands {
+    meshes: Option<PathBuf>,
+    striata: Option<PathBuf>,
+    /// Where `striata` runs, so that commands may write files; removed at the end.
+    scratch: PathBuf,
+    printed: BTreeMap<String, String>,
+}
+
+impl Drop for Commands {
+    fn drop(&mut self) {
+        // What is left in the folder for temporary files does no harm.
+        let _ = remove_folder(&self.scratch);
+    }
+}
+
+impl Commands {
+    /// With the folder of meshes, and a `striata` that is already built.
+    ///
+    /// # Errors
+    /// If one of them is not there.
+    pub(super) fn new(meshes: Option<&Path>, striata: Option<&Path>) -> Result<Self> {
+        let found = |path: &Path| path.canonicalize().with_context(|| format!("no {}", path.display()));
+        let (meshes, striata) = (meshes.map(found).transpose()?, striata.map(found).transpose()?);
+        let scratch = std::env::temp_dir().join(format!("striata-results-{}", std::process::id()));
+        Ok(Self { meshes, striata, scratch, printed: BTreeMap::new() })
+    }
+
+    /// What a command prints to stdout.
+    ///
+    /// # Errors
+    /// If it is neither `striata` nor `cargo bench`, cannot start, or fails.
+    pub(super) fn output(&mut self, line: &str) -> Result<String> {
+        if let Some(printed) = self.printed.get(line) {
+            return Ok(printed.clone());
+        }
+        let words: Vec<String> =
+            line.split_whitespace().map(|word| self.resolved(word)).collect::<Result<_>>()?;
+        let mut command = self.command(&words)?;
+        std::fs::create_dir_all(&self.scratch)?;
+        say(&format!("$ {line}"));
+        let output =
+            command.stderr(Stdio::inherit()).output().with_context(|| format!("cannot start `{line}`"))?;
+        ensure!(output.status.success(), "`{line}` ended with {}", output.status);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        self.printed.insert(line.to_owned(), text.clone());
+        Ok(text)
+    }
+
+    fn command(&self, words: &[String]) -> Result<Command> {
+        let arguments: Vec<&str> = words.iter().map(String::as_str).collect();
+        match (arguments.as_slice(), &self.striata) {
+            (["striata", rest @ ..], Some(program)) => {
+                let mut command = Command::new(program);
+                command.args(rest).arg("--quiet").current_dir(&self.scratch);
+                Ok(command)
+            }
+            (["striata", rest @ ..], None) => {
+                let mut command = cargo(&["run", "--release", "--quiet", "--package", "striata-cli"]);
+                command.args(["--no-default-features", "--features", "peers", "--manifest-path"]);
+                command.arg(workspace().canonicalize()?.join("Cargo.toml"));
+                command.arg("--").args(rest).arg("--quiet").current_dir(&self.scratch);
+                Ok(command)
+            }
+            (["cargo", "bench", ..], _) => Ok(cargo(&arguments[1..])),
+            _ => bail!("`{}` is neither `striata` nor `cargo bench`", arguments.join(" ")),
+        }
+    }
+
+    /// A word with `$MESHES` replaced; `NAME.*` becomes the one file of that name.
+    fn resolved(&self, word: &str) -> Result<String> {
+        let Some(name) = word.strip_prefix("$MESHES/") else { return Ok(word.to_owned()) };
+        let folder =
+            self.meshes.as_ref().context("the command reads meshes: name their folder with --meshes DIR")?;
+        let file = match name.strip_suffix('*') {
+            Some(beginning) => first_file(folder, beginning)?,
+            None => folder.join(name),
+        };
+        ensure!(file.is_file(), "no mesh {}", file.display());
+        Ok(file.to_string_lossy().into_owned())
+    }
+}
+
+fn first_file(folder: &Path, beginning: &str) -> Result<PathBuf> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder)? {
+        let entry = entry?;
+        if entry.file_name().to_string_lossy().starts_with(beginning) {
+            found.push(entry.path());
+        }
+    }
+    found.sort();
+    found.into_iter().next().with_context(|| format!("no mesh {beginning}* in {}", folder.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn meshes_are_found_by_the_beginning_of_their_names() {
+        let commands =
+            Commands::new(Some(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../assets"))), None).unwrap();
+        assert!(commands.resolved("$MESHES/spot.*").unwrap().ends_with("spot.obj.zst"));
+        assert!(commands.resolved("$MESHES/cube.*").is_err());
+        assert_eq!(commands.resolved("--json").unwrap(), "--json");
+        assert!(Commands::new(None, None).unwrap().resolved("$MESHES/spot.*").is_err());
+    }
+
+    #[test]
+    fn nothing_else_is_run() {
+        let commands = Commands::new(None, None).unwrap();
+        assert!(commands.command(&["rm".to_owned(), "-r".to_owned()]).is_err());
+        assert!(commands.command(&["cargo".to_owned(), "publish".to_owned()]).is_err());
+    }
+}
