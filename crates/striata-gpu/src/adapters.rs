@@ -124,13 +124,13 @@ fn rank(kind: DeviceType) -> u8 {
 mod tests {
     use super::*;
 
-    fn fails(_: &Gpu) -> Result<(), GpuError> {
+    fn fails<T>(_: &Gpu) -> Result<T, GpuError> {
         Err(GpuError::Failed("wgpu error: Downlevel flags DownlevelFlags(VIEW_FORMATS) are required".into()))
     }
 
     #[test]
     fn an_adapter_that_fails_its_trial_is_not_chosen_and_says_what_it_lacks() {
-        let error = choose_adapter(&GpuOptions::default(), fails).unwrap_err();
+        let error = choose_adapter(&GpuOptions::default(), fails::<()>).unwrap_err();
         let GpuError::NoUsableAdapter { rejected } = &error else { panic!("{error}") };
         assert!(!rejected.is_empty());
         assert!(rejected.iter().all(|r| r.reason == "it lacks VIEW_FORMATS"), "{rejected:?}");
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn the_next_adapter_is_tried_after_one_that_fails() {
-        let count = |options: &GpuOptions| match choose_adapter(options, fails) {
+        let count = |options: &GpuOptions| match choose_adapter(options, fails::<()>) {
             Err(GpuError::NoUsableAdapter { rejected }) => rejected.len(),
             other => panic!("{other:?}"),
         };

@@ -6,6 +6,7 @@ use wgpu::{Adapter, AdapterInfo, Device, Features, Queue};
 
 use crate::adapters::{RejectedAdapter, choose_adapter};
 use crate::frame_clock::FrameClock;
+use crate::gl_restart;
 
 /// Nothing to draw with.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -139,6 +140,7 @@ impl Gpu {
 
     /// A device that a window has opened already, best by [`device_descriptor`](Self::device_descriptor).
     pub fn from_device(info: AdapterInfo, device: Device, queue: Queue) -> Self {
+        gl_restart::enable(&device);
         Self { device, queue, info, reported: Arc::default() }
     }
 

@@ -43,6 +43,7 @@ mod canvas;
 mod drawing;
 mod fan_extractor;
 mod frame_clock;
+mod gl_restart;
 mod gpu;
 mod gpu_fan_words;
 mod gpu_fans;

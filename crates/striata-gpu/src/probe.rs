@@ -1,6 +1,5 @@
 //! The trial of a device: a small triangle, drawn in each way that pictures are drawn and read back.
 
-use bytemuck::cast_slice;
 use striata::mesh::IndexedMesh;
 use wgpu::RenderPass;
 
@@ -20,8 +19,22 @@ const SIDE: u32 = 16;
 /// Samples per pixel, as pictures use.
 const SAMPLES: u32 = 4;
 
-/// The triangle covers the middle of the picture and no corner of it.
-const TRIANGLE: [[f32; 3]; 3] = [[-0.5, -0.4, 0.0], [0.5, -0.4, 0.0], [0.0, 0.6, 0.0]];
+/// A triangle that covers the middle of the picture and no corner of it, and two that leave the middle free.
+const CORNERS: [[f32; 3]; 9] = [
+    [-0.5, -0.4, 0.0],
+    [0.5, -0.4, 0.0],
+    [0.0, 0.6, 0.0],
+    [-0.7, -0.7, 0.0],
+    [-0.3, -0.7, 0.0],
+    [-0.5, -0.3, 0.0],
+    [0.5, 0.3, 0.0],
+    [0.7, 0.7, 0.0],
+    [0.3, 0.7, 0.0],
+];
+
+/// Indices of the first, and of the other two as strips, which the device must keep apart.
+const TRIANGLE: [u32; 3] = [0, 1, 2];
+const TWO_STRIPS: [u32; 7] = [3, 4, 5, u32::MAX, 6, 7, 8];
 
 impl Gpu {
     /// Draws a small triangle as a list, as a strip and with edges, and checks the pixels that come back.
@@ -36,25 +49,26 @@ impl Gpu {
     }
 
     fn probe_with(&self, canvas: &Canvas, painter: &Painter) -> Result<(), GpuError> {
-        let mesh = IndexedMesh::new(TRIANGLE.to_vec(), vec![[0, 1, 2]]);
+        let mesh = IndexedMesh::new(CORNERS.to_vec(), vec![TRIANGLE, [3, 4, 5], [6, 7, 8]]);
         let vertices = GpuVertices::upload(self, &mesh)?;
         let view = Viewpoint { eye: [0.0, 0.0, 3.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 0.6 };
         let look = Look::default().with_background([0.0; 4]);
         let scene = painter.scene(self, &vertices, (&view, [SIDE, SIDE]), &look)?;
-        let indices = GpuIndices::upload(self, cast_slice(&mesh.triangles))?;
-        let groups = [0..3];
-        let list = Drawing::List { indices: &indices, groups: &groups };
-        let strips = Drawing::Strips { indices: &indices, groups: &groups };
-        let inspection = Inspection::new(self, painter, &vertices, (&mesh.triangles, &[[255; 4]]))?;
-        let draws: [(&str, &dyn Fn(&mut RenderPass<'_>)); 3] = [
-            ("a triangle list", &|pass| painter.draw(pass, &scene, &vertices, list)),
-            ("a triangle strip", &|pass| painter.draw(pass, &scene, &vertices, strips)),
-            ("a triangle with edges", &|pass| painter.inspect(pass, &scene, &inspection)),
+        let [triangle, strips] =
+            [&TRIANGLE[..], &TWO_STRIPS].map(|indices| GpuIndices::upload(self, indices));
+        let (triangle, strips) = (triangle?, strips?);
+        let list = Drawing::List { indices: &triangle, groups: &[0..3] };
+        let strips = Drawing::Strips { indices: &strips, groups: &[0..7] };
+        let inspection = Inspection::new(self, painter, &vertices, (&[TRIANGLE], &[[255; 4]]))?;
+        let draws: [(&str, Expected, &dyn Fn(&mut RenderPass<'_>)); 3] = [
+            ("a triangle list", shows_the_triangle, &|pass| painter.draw(pass, &scene, &vertices, list)),
+            ("triangle strips", shows_the_strips, &|pass| painter.draw(pass, &scene, &vertices, strips)),
+            ("a triangle with edges", shows_the_triangle, &|pass| painter.inspect(pass, &scene, &inspection)),
         ];
-        for (what, draw) in draws {
+        for (what, is_expected, draw) in draws {
             let picture = canvas.paint(self, look.background, draw)?;
             self.wait()?;
-            if !shows_the_triangle(&picture) {
+            if !is_expected(&picture) {
                 return Err(GpuError::Failed(format!("it draws {what} wrongly")));
             }
         }
@@ -62,15 +76,37 @@ impl Gpu {
     }
 }
 
+/// Says whether a picture is as it should be.
+type Expected = fn(&Picture) -> bool;
+
 /// Whether the middle is covered and lit, and the corners are empty.
 fn shows_the_triangle(picture: &Picture) -> bool {
-    let at = |x: u32, y: u32| {
-        let start = 4 * (y * picture.width + x) as usize;
-        &picture.rgba[start..start + 4]
-    };
-    let (last, middle) = (SIDE - 1, at(SIDE / 2, SIDE / 2));
-    let corners = [at(0, 0), at(last, 0), at(0, last), at(last, last)];
-    middle[3] == 255 && middle[0] > 40 && corners.iter().all(|corner| corner[3] == 0)
+    let last = SIDE - 1;
+    let corners = [[0, 0], [last, 0], [0, last], [last, last]];
+    is_lit(picture, [SIDE / 2, SIDE / 2]) && corners.iter().all(|&corner| is_empty(picture, corner))
+}
+
+/// Whether two triangles are lit, below on the left and above on the right, and all between them is empty.
+fn shows_the_strips(picture: &Picture) -> bool {
+    let between =
+        (SIDE / 2 - 2..SIDE / 2 + 2).flat_map(|y| (SIDE / 2 - 2..SIDE / 2 + 2).map(move |x| [x, y]));
+    is_lit(picture, [3, 13])
+        && is_lit(picture, [12, 2])
+        && between.into_iter().all(|at| is_empty(picture, at))
+}
+
+fn is_lit(picture: &Picture, at: [u32; 2]) -> bool {
+    let [red, _, _, opacity] = pixel(picture, at);
+    opacity == 255 && red > 40
+}
+
+fn is_empty(picture: &Picture, at: [u32; 2]) -> bool {
+    pixel(picture, at)[3] == 0
+}
+
+fn pixel(picture: &Picture, [x, y]: [u32; 2]) -> [u8; 4] {
+    let start = 4 * (y * picture.width + x) as usize;
+    std::array::from_fn(|k| picture.rgba[start + k])
 }
 
 #[cfg(test)]
@@ -82,6 +118,20 @@ mod tests {
         let start = 4 * (SIDE / 2 * SIDE + SIDE / 2) as usize;
         rgba[start..start + 4].copy_from_slice(&middle);
         Picture { width: SIDE, height: SIDE, rgba }
+    }
+
+    #[test]
+    fn strips_that_run_into_each_other_do_not_pass() {
+        let mut apart = picture([0; 4], [0; 4]);
+        for [x, y] in [[3, 13], [12, 2]] {
+            let start = 4 * (y * SIDE + x) as usize;
+            apart.rgba[start..start + 4].copy_from_slice(&[180, 160, 140, 255]);
+        }
+        assert!(shows_the_strips(&apart));
+        let start = 4 * (SIDE / 2 * SIDE + SIDE / 2) as usize;
+        apart.rgba[start + 3] = 255;
+        assert!(!shows_the_strips(&apart), "something is between them");
+        assert!(!shows_the_strips(&picture([0; 4], [0; 4])), "nothing was drawn");
     }
 
     #[test]
