@@ -8,7 +8,7 @@ use striata::simplify::{StopReason, Target};
 
 use crate::args::{Count, Level, LevelArgs, LevelsArgs};
 use crate::failure::Failure;
-use crate::output::{Table, grouped, measured};
+use crate::output::{Table, counted, grouped, measured};
 
 /// What stands for a level in the name of an output.
 const PLACE: &str = "{}";
@@ -197,19 +197,21 @@ pub(crate) struct Reached {
 pub(crate) fn shortfall(target: Target, reached: Reached, floor: &Floor) -> Option<String> {
     let Reached { vertex_count, triangle_count, stop_reason } = reached;
     let (wanted, found) = match target {
-        Target::Triangles(n) if triangle_count > n => {
-            (format!("at most {} triangles", grouped(n)), format!("{} are left", grouped(triangle_count)))
-        }
-        Target::Vertices(n) if vertex_count > n => {
-            (format!("at most {} vertices", grouped(n)), format!("{} are left", grouped(vertex_count)))
-        }
+        Target::Triangles(n) if triangle_count > n => (
+            format!("at most {}", counted(n, "triangle", "triangles")),
+            format!("{} are left", grouped(triangle_count)),
+        ),
+        Target::Vertices(n) if vertex_count > n => (
+            format!("at most {}", counted(n, "vertex", "vertices")),
+            format!("{} are left", grouped(vertex_count)),
+        ),
         Target::SplitCount(n) if stop_reason == StopReason::FullMesh => {
             return Some(format!("there are fewer than {} vertex splits: this is the full mesh", grouped(n)));
         }
         Target::SplitCount(_) | Target::Detail(_)
             if matches!(stop_reason, StopReason::BaseReached | StopReason::ErrorLimit) =>
         {
-            ("fewer vertices".to_owned(), format!("{} triangles are left", grouped(triangle_count)))
+            ("a coarser level".to_owned(), format!("{} triangles are left", grouped(triangle_count)))
         }
         _ => return None,
     };
@@ -218,13 +220,13 @@ pub(crate) fn shortfall(target: Target, reached: Reached, floor: &Floor) -> Opti
         (Floor::Simplified(why), _) => why,
         (Floor::File, _) => "the file holds no coarser level",
     };
-    Some(format!("{wanted} were asked for, but {found}: {why}"))
+    Some(format!("asked for {wanted}, but {found}: {why}"))
 }
 
 /// A line for people about a level that is not what was asked for.
 pub(crate) fn remark(name: Option<&str>, shortfall: &str) -> String {
-    let level = name.map_or_else(String::new, |name| format!(" {name}"));
-    format!("level{level} was not reached: {shortfall}")
+    let level = name.map_or_else(|| "the level".to_owned(), |name| format!("level {name}"));
+    format!("{level} was not reached: {shortfall}")
 }
 
 /// With `--strict`, a level that was not reached is a failure.

@@ -16,13 +16,13 @@ pub(super) const LEVEL: &str = "Level (exactly one)";
 #[command(next_help_heading = LEVEL)]
 pub(crate) struct LevelArgs {
     /// At most this many triangles, or this share of the full mesh's
-    #[arg(long, value_name = "N|P%", allow_negative_numbers = true, conflicts_with_all = ["ratio", "vertices", "detail", "error", "split_count"])]
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, conflicts_with_all = ["ratio", "vertices", "detail", "error", "split_count"])]
     pub(crate) triangles: Option<Count>,
     /// At most this share of the full mesh's triangles: 0.1 is --triangles 10%
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_ratio, conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
     pub(crate) ratio: Option<f64>,
     /// At most this many vertices, or this share of the full mesh's
-    #[arg(long, value_name = "N|P%", allow_negative_numbers = true, conflicts_with_all = ["detail", "error", "split_count"])]
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, conflicts_with_all = ["detail", "error", "split_count"])]
     pub(crate) vertices: Option<Count>,
     /// Share of the vertex splits from the base mesh (0) to the full mesh (1); unlike --ratio, 0 is the base mesh
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, conflicts_with_all = ["error", "split_count"])]
@@ -96,7 +96,7 @@ pub(crate) struct EyeArgs {
 pub(crate) struct LevelsArgs {
     /// Several levels at once, as --triangles takes them: 50%,25%,500. Each goes to a file of its own: {} in the name of the output
     /// stands for the level, `-o bunny-{}.glb`
-    #[arg(long, value_name = "LEVELS", value_delimiter = ',', allow_negative_numbers = true, group = "LevelArgs", conflicts_with_all = ["triangles", "ratio", "vertices", "detail", "error", "split_count"])]
+    #[arg(long, value_name = "LEVELS", value_delimiter = ',', allow_hyphen_values = true, group = "LevelArgs", conflicts_with_all = ["triangles", "ratio", "vertices", "detail", "error", "split_count"])]
     pub(crate) levels: Option<Vec<Level>>,
 }
 

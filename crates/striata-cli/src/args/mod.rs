@@ -50,7 +50,7 @@ use crate::strip_chain::{StripChain, StripPlan};
     version,
     about = "Continuous level of detail for triangle meshes",
     // No line for the usage, which the verbs' heading tells: all of it fits one screen.
-    help_template = "{about}\n\n{all-args}\nMeshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
+    help_template = "{about}\n{all-args}\nMeshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs (`striata VERB --help` tells all of one, with examples)",
     disable_help_subcommand = true,
@@ -155,7 +155,7 @@ pub(crate) struct BuildArgs {
     #[arg(long, conflicts_with = "models")]
     stream: bool,
     /// Stop when at most this many triangles are left, or this share of them [default: as far as it goes]
-    #[arg(long, value_name = "N|P%", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true)]
     pub(crate) base: Option<Count>,
     /// Fail, and write nothing, if --base cannot be reached
     #[arg(long, requires = "base")]

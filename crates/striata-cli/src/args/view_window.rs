@@ -45,13 +45,13 @@ pub(crate) struct FirstArgs {
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, group = "first_level")]
     pub(crate) detail: Option<f64>,
     /// At most this many triangles, or this share of the full mesh's, the same detail everywhere
-    #[arg(long, value_name = "N|P%", allow_negative_numbers = true, group = "first_level")]
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
     pub(crate) triangles: Option<Count>,
     /// As fine as the screen asks for: errors of no more pixels
     #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = parse_pixels, group = "first_level")]
     pub(crate) pixels: Option<f64>,
     /// At most this many triangles, or this share of the full mesh's, those that the view shows best
-    #[arg(long, value_name = "N|P%", allow_negative_numbers = true, group = "first_level")]
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
     pub(crate) budget: Option<Count>,
     /// Colours of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups
     #[arg(

@@ -101,8 +101,7 @@ fn layers_of_streams_have_as_many_bits_as_asked() {
     assert!(few < usual && usual < many, "{few}, {usual}, {many}");
     assert_eq!(attribute_bits("--uv-bits 12 --normal-bits 10 --color-bits 8"), usual, "the defaults");
     let normals = |bits: u32| {
-        let line =
-            format!("build shape:two-materials -o x.striata --models progressive --normal-bits {bits}");
+        let line = format!("build shape:cylinder -o x.striata --models progressive --normal-bits {bits}");
         bench.json(&line)["output_bytes"].as_u64().expect("a size")
     };
     assert!(normals(6) < normals(14));
