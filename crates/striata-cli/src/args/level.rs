@@ -129,7 +129,11 @@ impl FromStr for Count {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("{text:?} is no count; write a number or a share of the full mesh: 500, 10%");
+        let wrong = || {
+            let share = text.parse::<f64>().ok().filter(|share| *share > 0.0 && *share < 1.0);
+            let share = share.map_or_else(|| "10%".to_owned(), |share| Self::Share(share).to_string());
+            format!("{text:?} is no count; write a number or a share of the full mesh: 500, {share}")
+        };
         match text.strip_suffix('%') {
             None => Ok(Self::Number(text.trim().parse().map_err(|_| wrong())?)),
             Some(percent) => match percent.trim().parse::<f64>() {
@@ -197,7 +201,11 @@ impl LevelArgs {
 }
 
 fn parse_ratio(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
+    let ratio = match text.strip_suffix('%') {
+        Some(percent) => percent.trim().parse::<f64>().map(|percent| percent / 100.0),
+        None => text.parse::<f64>(),
+    };
+    match ratio {
         Ok(ratio) if (0.0..=1.0).contains(&ratio) => Ok(ratio),
         _ => Err("must lie between 0 (no triangles) and 1 (all of them)".to_owned()),
     }
@@ -223,6 +231,16 @@ mod tests {
             assert!(wrong.parse::<Count>().is_err(), "{wrong:?} was taken");
             assert!(wrong.parse::<Level>().is_err(), "{wrong:?} was taken");
         }
+    }
+
+    #[test]
+    fn ratios_are_shares_too() {
+        assert_eq!((parse_ratio("0.1"), parse_ratio("10%")), (Ok(0.1), Ok(0.1)));
+        for wrong in ["", "%", "1.1", "101%", "-0.1", "nan"] {
+            assert!(parse_ratio(wrong).is_err(), "{wrong:?} was taken");
+        }
+        let said = "0.25".parse::<Count>().expect_err("no count");
+        assert!(said.ends_with("500, 25%"), "{said}");
     }
 
     #[test]

@@ -7,7 +7,9 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::codec::StriataFile;
 use striata::mesh::{Bounds, IndexedMesh};
-use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, Patterns, StoredModel, StripModel};
+use striata::model::{
+    FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel,
+};
 use striata::simplify::{StopReason, Target};
 use striata::strip::{RESTART, StripOptions, StripSet, stripify};
 
@@ -197,6 +199,9 @@ type TakeLevel<'a> = dyn FnMut(usize, Extracted) -> Result<(), Failure> + 'a;
 /// Where levels come from, for messages too.
 type Origin<'a> = (&'a StriataFile<'a>, &'a Input);
 
+/// The strips that a state of a model shows, if it has any.
+type StripsOf<'a, M> = dyn Fn(&<M as LodModel>::State) -> Option<StripSet> + 'a;
+
 /// Goes through levels from fine to coarse, so that the model is stepped through once.
 ///
 /// # Errors
@@ -205,7 +210,7 @@ fn each_level<M: StoredModel>(
     name: &'static str,
     model: &M,
     split_counts: &[usize],
-    ((file, input), strips): (Origin<'_>, &dyn Fn(&M::State) -> Option<StripSet>),
+    ((file, input), strips): (Origin<'_>, &StripsOf<'_, M>),
     take: &mut TakeLevel<'_>,
 ) -> Result<(), Failure> {
     let mut order: Vec<usize> = (0..split_counts.len()).collect();

@@ -161,7 +161,7 @@ fn plan(args: &SimplifyArgs, wanted: &[Wanted], diagonal: f64) -> Result<Sequenc
 /// Makes levels of a mesh.
 enum Maker<'a> {
     /// The mesh has been simplified once, as far as any level needs.
-    Sequenced(Sequenced),
+    Sequenced(Box<Sequenced>),
     /// Vertices may lie anywhere: each level is a simplification of its own.
     Optimal(&'a IndexedMesh, SequenceOptions),
 }
@@ -180,7 +180,10 @@ impl<'a> Maker<'a> {
                 // The target is the level's own.
                 Ok(Self::Optimal(mesh, options.clone().with_base_triangle_count(0)))
             }
-            _ => Ok(Self::Sequenced(plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?)),
+            _ => {
+                let sequenced = plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?;
+                Ok(Self::Sequenced(Box::new(sequenced)))
+            }
         }
     }
 

@@ -98,7 +98,12 @@ impl Report {
 fn check_output(args: &StripArgs, format: &FormatArgs, output: &Output) -> Result<(), Failure> {
     let Some(path) = &args.output else { return Ok(()) };
     output.check_stdout_is_free(is_stdout(path))?;
-    check_form_fits("strips", path, format_of(path, format)?, "drop -o to only see what the strips cost")
+    let format = format_of(path, format)?;
+    let instead = match format {
+        Format::Ply => "say --block-triangles, which writes strips to .ply",
+        _ => "drop -o to only see what the strips cost",
+    };
+    check_form_fits("strips", path, format, instead)
 }
 
 /// # Errors

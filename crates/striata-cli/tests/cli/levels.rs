@@ -87,7 +87,7 @@ fn several_levels_of_a_mesh_come_from_one_simplification() {
                 assert_eq!(level[key], one[key], "{flags}: {path}: {key}");
             }
             // A bound of errors is made for all levels that there are.
-            if flags == "" || flags == "--placement optimal" {
+            if flags.is_empty() || flags == "--placement optimal" {
                 assert_eq!(level["error"], one["error"], "{flags}: {path}");
             }
             let area = |path: &str| bench.json(&format!("info {path}"))["area"].as_f64().expect("an area");

@@ -74,6 +74,8 @@ fn formats_and_flags_that_do_not_fit_are_refused() {
         let said = bench.refused(&format!("strip sphere.obj -o x --to {format}"));
         assert!(said.contains("invalid value"), "{said}");
     }
+    assert!(bench.refused("strip sphere.obj -o x.ply").contains("--block-triangles"));
+    assert!(bench.refused("completions bash --json").contains("nothing to report"));
     assert!(bench.refused("convert sphere.obj x.obj --ascii").contains("--ascii is for PLY"));
     assert!(bench.refused("simplify sphere.obj -o x.ply --eye 0,0,3").contains("unexpected argument"));
     assert!(bench.refused("build sphere.obj -o x.striata.gz").contains("not compressed any further"));
