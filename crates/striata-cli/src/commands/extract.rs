@@ -1,4 +1,4 @@
-//! `extract`: one level of a .striata file as a mesh.
+//! `extract`: one level of a .striata file, or several, as meshes.
 
 use std::cmp::Reverse;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! `simplify`: one level of a mesh, without a .striata file.
+//! `simplify`: one level of a mesh, or several, without a .striata file.
 
 use std::time::Instant;
 
