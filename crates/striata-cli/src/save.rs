@@ -1,13 +1,14 @@
 //! Meshes out: to a file in one step, or to stdout.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use striata::mesh::IndexedMesh;
-use striata_io::{Format, WriteOptions, to_bytes, write, write_atomically};
+use striata_io::{FileBatch, Format, WriteOptions, to_file_bytes, write_atomically};
 
 use crate::args::{FormatArg, FormatArgs};
 use crate::failure::Failure;
 use crate::output::to_stdout;
+use crate::shapes::Shape;
 
 /// True where the output is stdout.
 pub(crate) fn is_stdout(path: &Path) -> bool {
@@ -35,6 +36,13 @@ pub(crate) fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failur
         return Err(Failure::user(format!("{}: one level is no .striata file", path.display()))
             .with_hint("`striata build MESH -o OUT.striata` makes one from a mesh"));
     }
+    if args.ascii && format != Format::Ply {
+        return Err(Failure::user(format!(
+            "--ascii is for PLY, and {} is written as {format}",
+            name_of(path)
+        ))
+        .with_hint("leave --ascii out, or end the name in .ply"));
+    }
     Ok(format)
 }
 
@@ -49,11 +57,11 @@ pub(crate) enum Drawn {
     Fans(Vec<Vec<Vec<u32>>>),
 }
 
-/// Writes the mesh.
+/// The bytes of the file that a mesh goes to.
 ///
 /// # Errors
-/// Where the format cannot hold it or the system refuses; a file that was there is then as it was.
-pub(crate) fn save(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatArgs) -> Result<(), Failure> {
+/// If the format cannot hold it.
+fn bytes_of(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatArgs) -> Result<Vec<u8>, Failure> {
     let format = format_of(path, args)?;
     let mut options = WriteOptions::default().with_ascii(args.ascii);
     match drawn {
@@ -61,14 +69,113 @@ pub(crate) fn save(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatA
         Drawn::Strips(strips) => options = options.with_strips(strips),
         Drawn::Fans(fans) => options = options.with_fans(fans),
     }
+    Ok(to_file_bytes(path, format, mesh, &options)?)
+}
+
+/// Writes the mesh.
+///
+/// # Errors
+/// If the format cannot hold it or the system refuses; a file that was there is then as it was.
+pub(crate) fn save(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatArgs) -> Result<(), Failure> {
+    put(&bytes_of(mesh, drawn, path, args)?, path)
+}
+
+/// Writes bytes to a file in one step, or to stdout.
+///
+/// # Errors
+/// If the system refuses; a file that was there is then as it was.
+pub(crate) fn put(bytes: &[u8], path: &Path) -> Result<(), Failure> {
     if is_stdout(path) {
-        return to_stdout(&to_bytes(format, mesh, &options)?);
+        return to_stdout(bytes);
     }
-    if args.to.is_none() {
-        return Ok(write(path, mesh, &options)?);
+    Ok(write_atomically(path, |out| out.write_all(bytes))?)
+}
+
+/// The files of several levels, which are there together or not at all; a single one may go to stdout.
+#[derive(Debug)]
+pub(crate) struct LevelFiles<'a> {
+    format: &'a FormatArgs,
+    /// Of several levels.
+    batch: Option<FileBatch>,
+}
+
+impl<'a> LevelFiles<'a> {
+    /// No files yet.
+    pub(crate) fn new(format: &'a FormatArgs, are_several: bool) -> Self {
+        Self { format, batch: are_several.then(FileBatch::default) }
     }
-    let bytes = to_bytes(format, mesh, &options)?;
-    Ok(write_atomically(path, |out| out.write_all(&bytes))?)
+
+    /// Writes a level.
+    ///
+    /// # Errors
+    /// If the format cannot hold it or the system refuses.
+    pub(crate) fn save(&mut self, mesh: &IndexedMesh, drawn: Drawn, path: &Path) -> Result<(), Failure> {
+        let bytes = bytes_of(mesh, drawn, path, self.format)?;
+        match &mut self.batch {
+            Some(batch) => Ok(batch.write(path, |out| out.write_all(&bytes))?),
+            None => put(&bytes, path),
+        }
+    }
+
+    /// Gives several files their names.
+    ///
+    /// # Errors
+    /// If the system refuses; all files that were there are then as they were.
+    pub(crate) fn commit(self) -> Result<(), Failure> {
+        Ok(self.batch.map_or(Ok(()), FileBatch::commit)?)
+    }
+}
+
+/// A path for people.
+pub(crate) fn name_of(path: &Path) -> String {
+    if is_stdout(path) { "stdout".to_owned() } else { path.display().to_string() }
+}
+
+/// What is said of a name that the user did not give.
+pub(crate) const CHOSEN_NAME: &str = "; -o names another";
+
+/// The name that an output has if the user gives none: that of the input with another extension, in the same folder; that of
+/// a shape in the current one.
+///
+/// # Errors
+/// If the input has no name, or that would be the input itself.
+pub(crate) fn beside(input: &Path, extension: &str) -> Result<PathBuf, Failure> {
+    let hint = format!("name the output: -o OUT.{extension}");
+    if is_stdout(input) {
+        return Err(Failure::user("stdin has no name that the output could take").with_hint(hint));
+    }
+    if let Some(shape) = Shape::named(input)? {
+        return Ok(PathBuf::from(format!("{}.{extension}", shape.name())));
+    }
+    if std::fs::metadata(input).is_ok_and(|there| !there.is_file()) {
+        let message = format!("{}: this is no plain file that the output could lie next to", input.display());
+        return Err(Failure::user(message).with_hint(hint));
+    }
+    let is_packed = |e: &std::ffi::OsStr| e.eq_ignore_ascii_case("gz") || e.eq_ignore_ascii_case("zst");
+    let bare =
+        if input.extension().is_some_and(is_packed) { input.with_extension("") } else { input.to_owned() };
+    let output = bare.with_extension(extension);
+    let is_input = output == input
+        || matches!((output.canonicalize(), input.canonicalize()), (Ok(output), Ok(input)) if output == input);
+    if is_input {
+        let message = format!("{}: the output would take the place of the input", input.display());
+        return Err(Failure::user(message).with_hint(hint));
+    }
+    Ok(output)
+}
+
+/// Refuses names that promise a compression which nobody does.
+///
+/// # Errors
+/// If the name ends in `.gz` or `.zst`.
+pub(crate) fn check_not_packed(path: &Path, what: &str) -> Result<(), Failure> {
+    let is_packed =
+        path.extension().is_some_and(|e| e.eq_ignore_ascii_case("gz") || e.eq_ignore_ascii_case("zst"));
+    if !is_packed || is_stdout(path) {
+        return Ok(());
+    }
+    Err(Failure::user(format!("{}: {what} are not compressed any further", path.display()))
+        .with_hint("leave .gz or .zst out of the name"))
 }
 
 impl From<FormatArg> for Format {

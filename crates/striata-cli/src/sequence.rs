@@ -12,6 +12,7 @@ use striata::simplify::{
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
 use crate::failure::Failure;
+use crate::output::Output;
 
 /// How a mesh is simplified.
 #[derive(Clone, Debug)]
@@ -256,12 +257,13 @@ impl SequenceArgs {
     /// Where a flag belongs to the other order.
     pub(crate) fn plan(&self, diagonal: f64, limits: Limits) -> Result<SequencePlan, Failure> {
         let Limits { base_triangle_count, max_error } = limits;
-        let boundary = if self.lock_boundary { BoundaryRule::Locked } else { BoundaryRule::Kept };
+        let rule = |is_locked| if is_locked { BoundaryRule::Locked } else { BoundaryRule::Kept };
+        let (boundary, group_borders) = (rule(self.lock_boundary), rule(self.lock_groups));
         let foreign = match self.order {
             OrderArg::Quadric => self.removal.given(),
             OrderArg::Hausdorff if self.cost.is_some() => Some("--cost"),
             OrderArg::Hausdorff if self.pair_distance.is_some() => Some("--pair-distance"),
-            OrderArg::Hausdorff => None,
+            OrderArg::Hausdorff => self.weights.given(),
         };
         if let Some(flag) = foreign {
             let order = self.order.as_str();
@@ -271,7 +273,10 @@ impl SequenceArgs {
         }
         match self.order {
             OrderArg::Quadric => {
-                let mut options = SequenceOptions::default().with_boundary(boundary);
+                let mut options = SequenceOptions::default()
+                    .with_boundary(boundary)
+                    .with_group_borders(group_borders)
+                    .with_attribute_weights(self.weights.weights());
                 options.cost = self.cost.map_or_else(CollapseCost::default, CollapseCost::from);
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
@@ -281,7 +286,8 @@ impl SequenceArgs {
                 Ok(SequencePlan::Quadric { options, promise, batches: None })
             }
             OrderArg::Hausdorff => {
-                let mut options = RemovalOptions::default().with_boundary(boundary);
+                let mut options =
+                    RemovalOptions::default().with_boundary(boundary).with_group_borders(group_borders);
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
                 let removal = &self.removal;
@@ -291,6 +297,35 @@ impl SequenceArgs {
                 options.feature_angle = removal.feature_angle.map(f64::to_radians);
                 Ok(SequencePlan::Hausdorff(options))
             }
+        }
+    }
+
+    /// Why a mesh cannot be simplified any further, once nothing but the rules forbids it.
+    pub(crate) fn what_forbids_more(&self, comes_in_batches: bool) -> String {
+        let step = match self.order {
+            OrderArg::Quadric => "no more edges can be collapsed",
+            OrderArg::Hausdorff => "no more vertices can be removed",
+        };
+        let mut text = format!("{step} without changing the topology");
+        let flags = [
+            ("--lock-boundary", self.lock_boundary),
+            ("--lock-groups", self.lock_groups),
+            ("--feature-angle", self.removal.feature_angle.is_some()),
+        ];
+        let given: Vec<&str> = flags.into_iter().filter(|flag| flag.1).map(|flag| flag.0).collect();
+        if !given.is_empty() {
+            text.push_str(&format!(" or moving what {} keeps in place", given.join(" and ")));
+        }
+        if comes_in_batches {
+            text.push_str(", and a stream takes whole batches of collapses");
+        }
+        text
+    }
+
+    /// Says so if groups are to be locked and the mesh has no borders between any.
+    pub(crate) fn remark_on(&self, mesh: &IndexedMesh, output: &Output) {
+        if self.lock_groups && mesh.groups.len() < 2 {
+            output.say("--lock-groups changes nothing: the mesh has only one group");
         }
     }
 

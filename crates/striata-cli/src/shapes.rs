@@ -46,6 +46,11 @@ impl Shape {
             .with_hint(format!("there are: {}; a file of that name is ./{PREFIX}{name}", names.join(", "))))
     }
 
+    /// The name, without what it begins with.
+    pub(crate) fn name(self) -> &'static str {
+        self.name
+    }
+
     /// The mesh; the same every time.
     pub(crate) fn mesh(self) -> IndexedMesh {
         (self.make)()

@@ -61,6 +61,11 @@ pub(crate) struct Stripped {
 }
 
 impl StripPlan {
+    /// Entries of the vertex cache that strips are made and measured for.
+    pub(crate) fn cache_size(&self) -> usize {
+        self.search.cache_size as usize
+    }
+
     /// The same with another seed.
     pub(crate) fn with_seed(&self, seed: u64) -> Self {
         Self { chain: self.chain.clone(), search: StripSearchArgs { seed, ..self.search } }

@@ -22,6 +22,13 @@ pub(crate) struct StripReport {
     pub(crate) index_count: usize,
     pub(crate) indices_per_triangle: f64,
     pub(crate) longest_strip: usize,
+    /// Entries of the vertex cache that the next four figures hold for.
+    pub(crate) cache_size: usize,
+    pub(crate) acmr: f64,
+    pub(crate) atvr: f64,
+    pub(crate) acmr_lru: f64,
+    pub(crate) atvr_lru: f64,
+    /// For 16 entries, whatever the cache asked for.
     pub(crate) acmr_16: f64,
     pub(crate) atvr_16: f64,
     pub(crate) acmr_lru_16: f64,
@@ -30,15 +37,24 @@ pub(crate) struct StripReport {
 }
 
 impl StripReport {
-    /// Measures the strips of a mesh; `algorithm` is what made them.
+    /// Measures the strips of a mesh; `algorithm` is what made them, and vertex caches have `cache_size` entries.
     ///
     /// # Errors
     /// Where the mesh's parts do not fit together.
-    pub(crate) fn new(algorithm: String, mesh: &IndexedMesh, stripped: &Stripped) -> Result<Self, MeshError> {
+    pub(crate) fn new(
+        algorithm: String,
+        mesh: &IndexedMesh,
+        stripped: &Stripped,
+        cache_size: usize,
+    ) -> Result<Self, MeshError> {
         let cost = stripped.strips.cost();
         let drawn = stripped.strips.to_restart_indices().indices;
-        let fifo_16 = fifo_cache_cost(&drawn, cost.triangle_count, 16);
-        let lru_16 = lru_cache_cost(&drawn, cost.triangle_count, 16);
+        let caches = |size| {
+            let fifo = fifo_cache_cost(&drawn, cost.triangle_count, size);
+            (fifo, lru_cache_cost(&drawn, cost.triangle_count, size))
+        };
+        let (fifo_16, lru_16) = caches(16);
+        let (fifo, lru) = if cache_size == 16 { (fifo_16, lru_16) } else { caches(cache_size) };
         Ok(Self {
             algorithm,
             triangle_count: cost.triangle_count,
@@ -51,6 +67,11 @@ impl StripReport {
             index_count: cost.index_count,
             indices_per_triangle: cost.indices_per_triangle,
             longest_strip: cost.longest_strip,
+            cache_size,
+            acmr: fifo.acmr,
+            atvr: fifo.atvr,
+            acmr_lru: lru.acmr,
+            atvr_lru: lru.atvr,
             acmr_16: fifo_16.acmr,
             atvr_16: fifo_16.atvr,
             acmr_lru_16: lru_16.acmr,
@@ -83,10 +104,11 @@ impl StripReport {
         row("indices", grouped(self.index_count));
         row("indices a triangle", format!("{:.4}", self.indices_per_triangle));
         row("longest strip, indices", grouped(self.longest_strip));
-        row("misses a triangle, FIFO 16", format!("{:.4}", self.acmr_16));
-        row("misses a vertex, FIFO 16", format!("{:.4}", self.atvr_16));
-        row("misses a triangle, LRU 16", format!("{:.4}", self.acmr_lru_16));
-        row("misses a vertex, LRU 16", format!("{:.4}", self.atvr_lru_16));
+        let size = self.cache_size;
+        row(&format!("misses a triangle, FIFO {size}"), format!("{:.4}", self.acmr));
+        row(&format!("misses a vertex, FIFO {size}"), format!("{:.4}", self.atvr));
+        row(&format!("misses a triangle, LRU {size}"), format!("{:.4}", self.acmr_lru));
+        row(&format!("misses a vertex, LRU {size}"), format!("{:.4}", self.atvr_lru));
         row("time of the stripifier", lasted(self.stripify_secs));
         table.to_text()
     }

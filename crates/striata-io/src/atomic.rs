@@ -1,4 +1,4 @@
-//! Writing a file whole or not at all.
+//! Writing a file whole or not at all, and several files together or none of them.
 //!
 //! The bytes go to a temporary file beside the target, which then takes the target's name in one step.
 //! Whoever looks at the target sees the old file or the new one, never half of one, and a failure
@@ -7,6 +7,8 @@
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+
+use tempfile::{NamedTempFile, TempPath};
 
 use crate::WriteError;
 
@@ -25,21 +27,112 @@ pub fn write_atomically(
 }
 
 fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    if fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+        let mut file = BufWriter::new(fs::File::create(path)?);
+        write(&mut file)?;
+        return file.flush();
+    }
+    let StagedFile { file, target, .. } = stage(path, write)?;
+    file.persist(target).map_err(|error| error.error)
+}
+
+/// Files that are written together: all of them are there in the end, or none is.
+///
+/// ```no_run
+/// # use std::path::Path;
+/// let mut files = striata_io::FileBatch::default();
+/// files.write(Path::new("level-50.bin"), |out| out.write_all(b"fine"))?;
+/// files.write(Path::new("level-10.bin"), |out| out.write_all(b"coarse"))?;
+/// files.commit()?; // until here, neither has a name
+/// # Ok::<(), striata_io::WriteError>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct FileBatch {
+    staged: Vec<StagedFile>,
+}
+
+/// A file that is written and waits for its name.
+#[derive(Debug)]
+struct StagedFile {
+    file: TempPath,
+    /// As the caller named it.
+    path: PathBuf,
+    /// What links lead to.
+    target: PathBuf,
+}
+
+impl FileBatch {
+    /// Writes a file that takes its name with the others.
+    ///
+    /// # Errors
+    /// [`WriteError::Io`] with what the system or `write` says, or if the path is something else than a plain file.
+    pub fn write(
+        &mut self,
+        path: &Path,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), WriteError> {
+        let staged = match fs::metadata(path) {
+            Ok(there) if !there.is_file() && !there.is_dir() => {
+                Err(io::Error::other("several files cannot go to a pipe or a device"))
+            }
+            _ => stage(path, write),
+        };
+        self.staged
+            .push(staged.map_err(|source| WriteError::Io { file: path.display().to_string(), source })?);
+        Ok(())
+    }
+
+    /// Gives all files their names.
+    ///
+    /// # Errors
+    /// [`WriteError::Io`] if one cannot have its name; those before it are then taken back, and what they replaced is there
+    /// again.
+    pub fn commit(self) -> Result<(), WriteError> {
+        let mut named = Vec::new();
+        for StagedFile { file, path, target } in self.staged {
+            let replaced = keep_old(&target).and_then(|old| {
+                file.persist(&target).map_err(|error| error.error)?;
+                Ok(old)
+            });
+            match replaced {
+                Ok(old) => named.push((target, old)),
+                Err(source) => {
+                    named.into_iter().rev().for_each(take_back);
+                    return Err(WriteError::Io { file: path.display().to_string(), source });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Undoes a renaming as far as the system lets us; the failure that made it necessary is what the caller hears of.
+fn take_back((target, old): (PathBuf, Option<TempPath>)) {
+    let _ = match old {
+        Some(old) => old.persist(&target).map_err(|error| error.error),
+        None => fs::remove_file(&target),
+    };
+}
+
+/// A second name of the file that is about to be replaced, if there is one; gone when it is dropped.
+fn keep_old(target: &Path) -> io::Result<Option<TempPath>> {
+    if !target.exists() {
+        return Ok(None);
+    }
+    let link = |name: &Path| fs::hard_link(target, name).or_else(|_| fs::copy(target, name).map(drop));
+    let old = tempfile::Builder::new().prefix(".striata-").suffix(".old").make_in(folder_of(target), link)?;
+    Ok(Some(old.into_temp_path()))
+}
+
+/// Writes a temporary file beside its target.
+fn stage(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<StagedFile> {
     let (target, permissions) = match fs::metadata(path) {
         Ok(there) if there.is_dir() => return Err(io::Error::from(io::ErrorKind::IsADirectory)),
-        Ok(there) if !there.is_file() => {
-            let mut file = BufWriter::new(fs::File::create(path)?);
-            write(&mut file)?;
-            return file.flush();
-        }
         // A link stays a link: what it points to is replaced.
         Ok(there) => (fs::canonicalize(path)?, Some(there.permissions())),
         Err(_) => (path.to_owned(), None),
     };
-    let folder = match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
-        _ => PathBuf::from("."),
-    };
+    let folder = folder_of(&target);
     // A folder that is missing is told in the system's own words.
     fs::metadata(&folder)?;
     let mut builder = tempfile::Builder::new();
@@ -50,12 +143,18 @@ fn write_whole(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>
     let file = builder.tempfile_in(folder).map_err(without_path)?;
     let mut buffered = BufWriter::with_capacity(1 << 16, file);
     write(&mut buffered)?;
-    let file = buffered.into_inner().map_err(io::IntoInnerError::into_error)?;
+    let file: NamedTempFile = buffered.into_inner().map_err(io::IntoInnerError::into_error)?;
     if let Some(permissions) = permissions {
         fs::set_permissions(file.path(), permissions)?;
     }
-    file.persist(target).map_err(|error| error.error)?;
-    Ok(())
+    Ok(StagedFile { file: file.into_temp_path(), path: path.to_owned(), target })
+}
+
+fn folder_of(target: &Path) -> PathBuf {
+    match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    }
 }
 
 /// What the system said, without the temporary name that the caller never chose.
@@ -84,6 +183,41 @@ mod tests {
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         write_atomically(&path, |out| out.write_all(b"new")).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new");
+    }
+
+    #[test]
+    fn files_of_a_batch_are_there_together_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let names = || {
+            let entries = fs::read_dir(folder.path()).unwrap();
+            let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+            names.sort();
+            names
+        };
+        fs::write(path("b"), "old").unwrap();
+        let batch = |last: &str| {
+            let mut files = FileBatch::default();
+            for name in ["a", "b", last] {
+                files.write(&path(name), |out| out.write_all(name.as_bytes()))?;
+            }
+            Ok::<_, WriteError>(files)
+        };
+        // One that is never committed, or cannot be written.
+        drop(batch("c").unwrap());
+        assert!(batch("no/c").is_err());
+        assert_eq!((names(), fs::read(path("b")).unwrap()), (vec!["b".to_owned()], b"old".to_vec()));
+        // One whose last name is taken by a folder in the meantime.
+        let files = batch("c").unwrap();
+        fs::create_dir(path("c")).unwrap();
+        assert!(files.commit().is_err());
+        assert_eq!((names(), fs::read(path("b")).unwrap()), (vec!["b".into(), "c".into()], b"old".to_vec()));
+        fs::remove_dir(path("c")).unwrap();
+        batch("c").unwrap().commit().unwrap();
+        assert_eq!(
+            (names(), fs::read(path("b")).unwrap()),
+            (["a", "b", "c"].map(Into::into).to_vec(), b"b".to_vec())
+        );
     }
 
     #[test]

@@ -41,7 +41,7 @@ mod text;
 mod write;
 
 #[cfg(not(target_family = "wasm"))]
-pub use atomic::write_atomically;
+pub use atomic::{FileBatch, write_atomically};
 #[cfg(all(feature = "ply", not(target_family = "wasm")))]
 pub use blocks::{StripSpool, TriangleBlocks};
 pub use compressed::decompressed;
@@ -50,6 +50,6 @@ pub use format::Format;
 #[cfg(not(target_family = "wasm"))]
 pub use read::read;
 pub use read::{Source, read_bytes};
-#[cfg(not(target_family = "wasm"))]
-pub use write::write;
 pub use write::{WriteOptions, to_bytes};
+#[cfg(not(target_family = "wasm"))]
+pub use write::{to_file_bytes, write};

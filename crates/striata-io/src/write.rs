@@ -56,15 +56,30 @@ impl WriteOptions {
 #[cfg(not(target_family = "wasm"))]
 pub fn write(path: impl AsRef<Path>, mesh: &IndexedMesh, options: &WriteOptions) -> Result<(), WriteError> {
     let path = path.as_ref();
-    let file = path.display().to_string();
     let Some(format) = Format::from_extension(path) else {
-        return Err(WriteError::UnknownFormat { file });
+        return Err(WriteError::UnknownFormat { file: path.display().to_string() });
     };
-    let mut bytes = named_bytes(format, mesh, options, &file)?;
-    if let Some(compression) = Compression::from_extension(&file) {
-        bytes = compress(&bytes, compression, &file)?;
-    }
+    let bytes = to_file_bytes(path, format, mesh, options)?;
     write_atomically(path, |out| out.write_all(&bytes))
+}
+
+/// The bytes that [`write()`] puts into a file, in any format: compressed if the name ends in `.gz` or `.zst`.
+///
+/// # Errors
+/// As [`to_bytes`], with the name of the file.
+#[cfg(not(target_family = "wasm"))]
+pub fn to_file_bytes(
+    path: &Path,
+    format: Format,
+    mesh: &IndexedMesh,
+    options: &WriteOptions,
+) -> Result<Vec<u8>, WriteError> {
+    let file = path.display().to_string();
+    let bytes = named_bytes(format, mesh, options, &file)?;
+    match Compression::from_extension(&file) {
+        Some(compression) => compress(&bytes, compression, &file),
+        None => Ok(bytes),
+    }
 }
 
 /// Writes a mesh to the bytes of a file: binary little-endian PLY (or ascii), OBJ, binary STL, OFF,

@@ -256,6 +256,13 @@ fn limits_are_kept() {
     let boundary = |mesh: &IndexedMesh| Statistics::of(mesh).expect("sound").boundary_edge_count;
     assert_eq!(boundary(&replay(&built.refinable, 0)), boundary(&terrain), "a locked boundary stays");
     assert!(built.refinable.sequence.step_count() > 100);
+    let sphere = shapes::two_material_sphere(21, 40);
+    let options = BatchOptions::default().with_sequence(sequence().with_group_borders(BoundaryRule::Locked));
+    let RefinableMesh { mesh, sequence } = build(&sphere, &options).built.refinable;
+    let base = mesh.positions[..sequence.base_vertex_count()].iter();
+    let border: BTreeSet<_> =
+        base.filter(|p| p[2].abs() < 1e-6).map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
+    assert_eq!(border.len(), 40, "a locked border between groups stays");
 }
 
 #[test]

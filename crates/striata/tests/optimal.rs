@@ -133,6 +133,39 @@ fn locked_boundary_and_vertices_stay_bit_for_bit() {
 }
 
 #[test]
+fn locked_group_borders_stay_bit_for_bit() {
+    let sphere = shapes::two_material_sphere(21, 40);
+    let border = |mesh: &IndexedMesh| -> BTreeSet<[u32; 3]> {
+        let on_border = mesh.positions.iter().filter(|p| p[2].abs() < 1e-6);
+        on_border.map(|p| p.map(|x| (x + 0.0).to_bits())).collect()
+    };
+    let run = |rule| {
+        let sequence = SequenceOptions::default().with_group_borders(rule);
+        run(&sphere, &options(Target::Triangles(0)).with_sequence(sequence)).mesh
+    };
+    assert_eq!(border(&sphere).len(), 40, "the equator");
+    assert!(border(&run(BoundaryRule::Kept)).len() < 40);
+    let locked = run(BoundaryRule::Locked);
+    assert!(border(&locked).is_superset(&border(&sphere)));
+    assert!(locked.triangle_count() * 4 < sphere.triangle_count(), "{}", locked.triangle_count());
+}
+
+#[test]
+fn a_locked_vertex_that_is_merged_into_an_equal_one_stays() {
+    let mut terrain = shapes::terrain(24, 7);
+    // The last triangle of an inner vertex names a copy of it.
+    let (inner, copy) = (333, terrain.vertex_count() as u32);
+    terrain.positions.push(terrain.positions[inner as usize]);
+    terrain.layers.clear();
+    let last = terrain.triangles.iter_mut().rfind(|t| t.contains(&inner)).unwrap();
+    last.iter_mut().filter(|v| **v == inner).for_each(|v| *v = copy);
+    let place = terrain.positions[inner as usize].map(f32::to_bits);
+    let sequence = SequenceOptions::default().with_locked_vertices(vec![copy]);
+    let out = run(&terrain, &options(Target::Triangles(0)).with_sequence(sequence));
+    assert!(out.mesh.positions.iter().any(|p| p.map(f32::to_bits) == place), "the locked vertex went");
+}
+
+#[test]
 fn seam_of_a_cylinder_stays_a_seam() {
     let mesh = to_triangles(&shapes::uv_cylinder(64, 32), 500);
     let texcoords = mesh.layer(&Semantic::TexCoord(0)).unwrap();

@@ -214,6 +214,19 @@ fn locked_boundaries_keep_every_vertex() {
 }
 
 #[test]
+fn locked_group_borders_keep_every_vertex() {
+    let sphere = shapes::two_material_sphere(13, 24);
+    let on_border = |p: &[f32; 3]| p[2].abs() < 1e-6;
+    let border: BTreeSet<[u32; 3]> = sphere.positions.iter().copied().filter(on_border).map(key).collect();
+    assert_eq!(border.len(), 24, "the equator");
+    let base = |rule| base_places(&build(&sphere, &RemovalOptions::default().with_group_borders(rule)));
+    assert!(!border.is_subset(&base(BoundaryRule::Kept)), "borders that are not locked are simplified");
+    let base = base(BoundaryRule::Locked);
+    assert!(border.is_subset(&base), "a vertex of the border went");
+    assert!(base.len() < 2 * border.len(), "{} positions: the rest is simplified", base.len());
+}
+
+#[test]
 fn inner_vertices_stay_off_the_boundary() {
     check_each(open(), |_, mesh, options| {
         let boundary = boundary_of(mesh);

@@ -236,6 +236,33 @@ fn locked_boundaries_keep_every_vertex() {
     });
 }
 
+/// Places used by triangles of more than one group.
+fn group_border_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
+    let places = mesh.groups.iter().map(|group| -> BTreeSet<[u32; 3]> {
+        let corners = mesh.triangles[group.range()].as_flattened().iter();
+        corners.map(|&v| key(mesh.positions[v as usize])).collect()
+    });
+    let places: Vec<_> = places.collect();
+    places.iter().enumerate().flat_map(|(i, a)| places[..i].iter().flat_map(move |b| a & b)).collect()
+}
+
+#[test]
+fn locked_group_borders_keep_every_vertex() {
+    let sphere = shapes::two_material_sphere(21, 40);
+    let border = group_border_of(&sphere);
+    assert_eq!(border.len(), 40, "the equator");
+    let base_of = |options: &SequenceOptions| {
+        let RefinableMesh { mesh, sequence } = build(&sphere, options).refinable;
+        positions_of(&mesh, sequence.base_vertex_count())
+    };
+    for options in options_by_cost() {
+        assert!(!border.is_subset(&base_of(&options)), "borders that are not locked are simplified");
+        let base = base_of(&options.with_group_borders(BoundaryRule::Locked));
+        assert!(border.is_subset(&base), "a vertex of the border went");
+        assert!(base.len() < border.len() + 40, "{} positions: the rest is simplified", base.len());
+    }
+}
+
 /// The welded mesh and the places on its boundary.
 fn boundary_of(mesh: &IndexedMesh) -> (IndexedMesh, BTreeSet<[u32; 3]>) {
     let welded = weld(mesh).expect("test meshes are sound");

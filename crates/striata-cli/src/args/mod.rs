@@ -3,6 +3,7 @@
 #[cfg(feature = "gpu")]
 mod bench_gpu;
 mod compare;
+mod level;
 mod render;
 mod sequence;
 #[cfg(feature = "serve")]
@@ -16,7 +17,7 @@ mod view_browser;
 mod view_window;
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
@@ -24,7 +25,11 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 #[cfg(feature = "gpu")]
 pub(crate) use self::bench_gpu::BenchGpuArgs;
 pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs};
-pub(crate) use self::render::{Background, Colouring, DrawnModel, LevelShare, RenderArgs};
+use self::level::LEVEL;
+#[cfg(feature = "window")]
+use self::level::parse_detail;
+pub(crate) use self::level::{Count, EyeArgs, Level, LevelArgs, LevelChoice, LevelsArgs};
+pub(crate) use self::render::{Background, Colouring, DrawnModel, RenderArgs};
 pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
 #[cfg(feature = "serve")]
 pub(crate) use self::serve::{ServeArgs, ThumbnailArgs};
@@ -45,7 +50,7 @@ use crate::strip_chain::{StripChain, StripPlan};
     version,
     about = "Continuous level of detail for triangle meshes",
     // No line for the usage, which the verbs' heading tells: all of it fits one screen.
-    help_template = "{about}\n\n{all-args}\nMeshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
+    help_template = "{about}\n{all-args}\nMeshes: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; `-` is stdin or stdout.",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs (`striata VERB --help` tells all of one, with examples)",
     disable_help_subcommand = true,
@@ -130,7 +135,7 @@ pub(crate) enum Verb {
 /// Arguments of `build`.
 #[derive(Debug, Args)]
 #[command(
-    override_usage = "striata build [OPTIONS] <INPUT> -o <OUT.striata>",
+    override_usage = "striata build [OPTIONS] <INPUT> [-o <OUT.striata>]",
     after_help = "Examples:\n  \
     striata build bunny.ply -o bunny.striata\n  \
     striata build helmet.glb -o helmet.striata --base 500 --max-error 1%"
@@ -138,9 +143,9 @@ pub(crate) enum Verb {
 pub(crate) struct BuildArgs {
     /// The mesh, or - for stdin
     pub(crate) input: PathBuf,
-    /// The file to write
+    /// The file to write, or - for stdout [default: the name of the input with .striata, in the same folder]
     #[arg(short, long, value_name = "OUT.striata")]
-    pub(crate) output: PathBuf,
+    pub(crate) output: Option<PathBuf>,
     /// Models to store, separated by commas: lodstrips (small, steps fast), mts (walks strips anew), fans (finer
     /// where a view asks for it; without them `extract --eye` builds them each time), patterns (the same for views and boxes,
     /// in less memory, of any order), progressive (a compressed stream, last in the file; alone it is the file)
@@ -149,9 +154,12 @@ pub(crate) struct BuildArgs {
     /// Store a stream alone, as --models progressive does: the mesh is compressed, as exact as --bits says
     #[arg(long, conflicts_with = "models")]
     stream: bool,
-    /// Stop when no more than this many triangles are left [default: as far as it goes]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub(crate) base: Option<usize>,
+    /// Stop when at most this many triangles are left, or this share of them [default: as far as it goes]
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true)]
+    pub(crate) base: Option<Count>,
+    /// Fail, and write nothing, if --base cannot be reached
+    #[arg(long, requires = "base")]
+    pub(crate) strict: bool,
     /// Never let the original be farther than this from a level, which is guaranteed: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "E", allow_negative_numbers = true)]
     pub(crate) max_error: Option<Length>,
@@ -159,8 +167,8 @@ pub(crate) struct BuildArgs {
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
     /// How the strips at full detail are made.
-    #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into(), help = strips_help(), help_heading = STRIPS)]
-    pub(crate) strips: StripChain,
+    #[arg(long, value_name = "SPEC", help = format!("{} [default: {BUILD_STRIPS}]", strips_help()), help_heading = STRIPS)]
+    pub(crate) strips: Option<StripChain>,
     /// How long, and with which chances, strips are searched.
     #[command(flatten)]
     pub(crate) search: StripSearchArgs,
@@ -182,7 +190,7 @@ pub(crate) struct InfoArgs {
 #[command(
     override_usage = "striata extract [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
     after_help = "Examples:\n  \
-    striata extract bunny.striata -o bunny-5k.glb --triangles 5000 --as strips\n  \
+    striata extract bunny.striata -o bunny-{}.glb --levels 50%,25%,10%\n  \
     striata extract bunny.striata -o seen.glb --eye 0,0.1,0.3 --pixels 2"
 )]
 pub(crate) struct ExtractArgs {
@@ -199,9 +207,18 @@ pub(crate) struct ExtractArgs {
     /// Which level.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
+    /// Which levels.
+    #[command(flatten)]
+    pub(crate) levels: LevelsArgs,
+    /// From where.
+    #[command(flatten)]
+    pub(crate) eye: EyeArgs,
     /// Full detail in this box, by two of its corners; outside the base, or what --error or --triangles leave
-    #[arg(long, value_name = "X,Y,Z,X,Y,Z", allow_hyphen_values = true, group = "LevelArgs", help_heading = LEVEL, conflicts_with_all = ["vertices", "detail", "split_count", "eye"])]
+    #[arg(long, value_name = "X,Y,Z,X,Y,Z", allow_hyphen_values = true, group = "LevelArgs", help_heading = LEVEL, conflicts_with_all = ["vertices", "detail", "split_count", "levels", "eye"])]
     pub(crate) detail_box: Option<Corners>,
+    /// Fail, and write nothing, if a level cannot be reached
+    #[arg(long, help_heading = LEVEL)]
+    pub(crate) strict: bool,
     /// What a view needs beside its eye.
     #[command(flatten)]
     pub(crate) view: ViewArgs,
@@ -215,7 +232,7 @@ pub(crate) struct ExtractArgs {
 #[command(
     override_usage = "striata simplify [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
     after_help = "Examples:\n  \
-    striata simplify bunny.ply -o small.ply --triangles 5000\n  \
+    striata simplify bunny.ply -o small.ply --triangles 10%\n  \
     striata simplify scan.obj -o scan.glb --max-error 0.5% --order hausdorff"
 )]
 pub(crate) struct SimplifyArgs {
@@ -227,10 +244,16 @@ pub(crate) struct SimplifyArgs {
     /// Which level.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
+    /// Which levels.
+    #[command(flatten)]
+    pub(crate) levels: LevelsArgs,
     /// Never let the original be farther than this, which is guaranteed; alone or with another level: mesh units, or `1%` of
     /// the diagonal
     #[arg(long, value_name = "E", allow_negative_numbers = true, group = "LevelArgs", help_heading = LEVEL)]
     pub(crate) max_error: Option<Length>,
+    /// Fail, and write nothing, if a level cannot be reached
+    #[arg(long, help_heading = LEVEL)]
+    pub(crate) strict: bool,
     /// What is simplified first.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,
@@ -266,10 +289,21 @@ pub(crate) struct ConvertArgs {
     /// The mesh, or - for stdin
     pub(crate) input: PathBuf,
     /// The file to write, or - for stdout
-    pub(crate) output: PathBuf,
+    #[arg(value_name = "OUT", required_unless_present = "output_flag")]
+    output_place: Option<PathBuf>,
+    /// The same as OUT
+    #[arg(id = "output_flag", short, long = "output", value_name = "OUT", conflicts_with = "output_place")]
+    output_flag: Option<PathBuf>,
     /// How it is written.
     #[command(flatten)]
     pub(crate) format: FormatArgs,
+}
+
+impl ConvertArgs {
+    /// The file to write.
+    pub(crate) fn output(&self) -> Option<&Path> {
+        self.output_flag.as_deref().or(self.output_place.as_deref())
+    }
 }
 
 /// Arguments of `demo`.
@@ -278,7 +312,17 @@ pub(crate) struct ConvertArgs {
 pub(crate) struct DemoArgs {
     /// The folder to fill
     #[arg(value_name = "DIR", default_value = "striata-demo")]
-    pub(crate) dir: PathBuf,
+    dir: PathBuf,
+    /// The same as DIR
+    #[arg(short, long, value_name = "DIR", conflicts_with = "dir")]
+    output: Option<PathBuf>,
+}
+
+impl DemoArgs {
+    /// The folder to fill.
+    pub(crate) fn dir(&self) -> &Path {
+        self.output.as_ref().unwrap_or(&self.dir)
+    }
 }
 
 /// Arguments of `completions`.
@@ -289,34 +333,6 @@ pub(crate) struct DemoArgs {
 pub(crate) struct CompletionsArgs {
     /// The shell
     pub(crate) shell: clap_complete::Shell,
-}
-
-/// The heading of targets.
-const LEVEL: &str = "Level (exactly one)";
-
-/// The target of a level; exactly one must be given, but that a view may have a number of triangles, too.
-#[derive(Clone, Copy, Debug, Args)]
-#[group(required = true, multiple = true)]
-#[command(next_help_heading = LEVEL)]
-pub(crate) struct LevelArgs {
-    /// At most so many triangles; with --eye, those that the screen shows best
-    #[arg(long, value_name = "N", allow_negative_numbers = true, conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
-    pub(crate) triangles: Option<usize>,
-    /// At most so many vertices
-    #[arg(long, value_name = "N", allow_negative_numbers = true, conflicts_with_all = ["detail", "error", "split_count", "eye"])]
-    pub(crate) vertices: Option<usize>,
-    /// Share of the way from the base mesh (0) to the full mesh (1)
-    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, conflicts_with_all = ["error", "split_count", "eye"])]
-    pub(crate) detail: Option<f64>,
-    /// At most this error, estimated if it is not guaranteed: mesh units, or `1%` of the diagonal
-    #[arg(long, value_name = "E", allow_negative_numbers = true, conflicts_with_all = ["split_count", "eye"])]
-    pub(crate) error: Option<Length>,
-    /// Exactly so many vertex splits above the base mesh
-    #[arg(long, value_name = "N", allow_negative_numbers = true, conflicts_with = "eye")]
-    pub(crate) split_count: Option<usize>,
-    /// As fine as the screen asks for, seen from here (`extract` only)
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
-    pub(crate) eye: Option<Point>,
 }
 
 /// Where a mesh goes, and how it is written.
@@ -402,7 +418,14 @@ impl Length {
 impl BuildArgs {
     /// The strips asked for.
     pub(crate) fn strip_plan(&self) -> StripPlan {
-        StripPlan { chain: self.strips.clone(), search: self.search }
+        let chain = self.strips.clone().unwrap_or_else(|| BUILD_STRIPS.into());
+        StripPlan { chain, search: self.search }
+    }
+
+    /// The first flag that only strips need.
+    pub(crate) fn strip_flag(&self) -> Option<&'static str> {
+        let flags = [("--strips", self.strips.is_some()), ("--budget", self.search.budget.is_some())];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
     }
 
     /// The models asked for, as they were spelled.
@@ -437,13 +460,6 @@ impl FromStr for Length {
         };
         let number: f64 = number.trim().parse().map_err(|_| wrong())?;
         if number.is_finite() && number >= 0.0 { Ok(length(number)) } else { Err(wrong()) }
-    }
-}
-
-fn parse_detail(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(detail) if (0.0..=1.0).contains(&detail) => Ok(detail),
-        _ => Err("must lie between 0 (base mesh) and 1 (full mesh)".to_owned()),
     }
 }
 

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use clap::{ArgMatches, Args, Command, FromArgMatches, ValueEnum};
+use clap::{Args, ValueEnum};
 
-use super::{Length, LevelArgs, Point, ViewArgs, Viewport};
+use super::{Count, Length, LevelChoice, Point, ViewArgs, Viewport};
 
 /// The heading of the camera's flags.
 const CAMERA: &str = "Camera";
@@ -29,14 +29,17 @@ pub(crate) struct RenderArgs {
     pub(crate) output: PathBuf,
     /// Levels side by side, by their share of the triangles or their number: 100%,10%,500
     #[arg(long, value_name = "LEVELS", value_delimiter = ',', conflicts_with = "LevelArgs")]
-    pub(crate) levels: Option<Vec<LevelShare>>,
+    pub(crate) levels: Option<Vec<Count>>,
+    /// Fail, and write nothing, if a level cannot be reached
+    #[arg(long)]
+    pub(crate) strict: bool,
     /// Which model hands over what is drawn: lodstrips or mts as strips, fans, or a list [default: the first of these that
     /// the file has, else a list]
     #[arg(long, value_name = "NAME", hide_possible_values = true)]
     pub(crate) model: Option<DrawnModel>,
     /// Colours of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups; of several, each
     /// gets a row
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "surface", hide_possible_values = true, help_heading = LOOK)]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', alias = "colors", default_value = "surface", hide_possible_values = true, help_heading = LOOK)]
     pub(crate) colours: Vec<Colouring>,
     /// Show the edges of triangles
     #[arg(long, help_heading = LOOK)]
@@ -84,66 +87,6 @@ pub(crate) struct RenderArgs {
     /// Draw without a graphics adapter
     #[arg(long, help_heading = "Adapter")]
     pub(crate) software: bool,
-}
-
-/// A level, or none: then it is the full mesh. To `clap` the same flags as elsewhere, with other words.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LevelChoice(pub(crate) LevelArgs);
-
-impl Args for LevelChoice {
-    fn augment_args(command: Command) -> Command {
-        let command = LevelArgs::augment_args(command).mut_group("LevelArgs", |group| group.required(false));
-        let heading = "Level [default: the full mesh]";
-        let names = ["triangles", "vertices", "detail", "error", "split_count", "eye"];
-        let command = names
-            .into_iter()
-            .fold(command, |command, name| command.mut_arg(name, |argument| argument.help_heading(heading)));
-        let command = command.mut_arg("viewport", |argument| {
-            argument.help("Pixels of the screen [default: those of the picture]")
-        });
-        command.mut_arg("eye", |argument| {
-            argument.help("As fine as the screen asks for, seen from here; with --from, --turn or --rise shown from outside")
-        })
-    }
-
-    fn augment_args_for_update(command: Command) -> Command {
-        Self::augment_args(command)
-    }
-}
-
-impl FromArgMatches for LevelChoice {
-    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        LevelArgs::from_arg_matches(matches).map(Self)
-    }
-
-    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
-        self.0.update_from_arg_matches(matches)
-    }
-}
-
-/// A number of triangles, as it is or as a share of all.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum LevelShare {
-    /// At most so many triangles.
-    Triangles(usize),
-    /// At most this share of them, 0 to 1.
-    Share(f64),
-}
-
-impl FromStr for LevelShare {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let wrong =
-            || format!("{text:?} is no level; write a share of the triangles or their number: 10%, 500");
-        match text.strip_suffix('%') {
-            None => Ok(Self::Triangles(text.trim().parse().map_err(|_| wrong())?)),
-            Some(percent) => match percent.trim().parse::<f64>() {
-                Ok(percent) if (0.0..=100.0).contains(&percent) => Ok(Self::Share(percent / 100.0)),
-                _ => Err(wrong()),
-            },
-        }
-    }
 }
 
 /// What hands over the triangles that are drawn.
@@ -237,16 +180,6 @@ fn parse_zoom(text: &str) -> Result<f32, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn levels_are_shares_or_numbers() {
-        assert_eq!("10%".parse(), Ok(LevelShare::Share(0.1)));
-        assert_eq!("0.5 %".parse(), Ok(LevelShare::Share(0.005)));
-        assert_eq!("500".parse(), Ok(LevelShare::Triangles(500)));
-        for wrong in ["", "%", "101%", "-1%", "nan%", "1.5", "-3", "ten"] {
-            assert!(wrong.parse::<LevelShare>().is_err(), "{wrong:?} was taken");
-        }
-    }
 
     #[test]
     fn backgrounds_are_names_or_colours() {

@@ -1,7 +1,7 @@
 //! The arguments of verbs that simplify: what goes first, and what may not happen.
 
 use clap::{Args, ValueEnum};
-use striata::simplify::{HoleCriterion, RemovalOptions, Retriangulation};
+use striata::simplify::{AttributeWeights, HoleCriterion, RemovalOptions, Retriangulation};
 
 use super::Length;
 
@@ -23,12 +23,56 @@ pub(crate) struct SequenceArgs {
     /// Keep every boundary vertex in place
     #[arg(long)]
     pub(crate) lock_boundary: bool,
+    /// Keep every vertex on a border between groups (materials) in place
+    #[arg(long)]
+    pub(crate) lock_groups: bool,
     /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     pub(crate) pair_distance: Option<Length>,
+    /// How much attributes weigh.
+    #[command(flatten)]
+    pub(crate) weights: WeightArgs,
     /// How vertices are removed.
     #[command(flatten)]
     pub(crate) removal: RemovalArgs,
+}
+
+/// How much attributes weigh against distances.
+#[derive(Clone, Copy, Debug, Args)]
+#[command(next_help_heading = "Simplification, with --order quadric")]
+pub(crate) struct WeightArgs {
+    #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, help = weight_help(|w| w.normal, "normals"))]
+    normal_weight: Option<f32>,
+    #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, help = weight_help(|w| w.texcoord, "texture coordinates"))]
+    uv_weight: Option<f32>,
+    #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, alias = "colour-weight", help = weight_help(|w| w.color, "colors"))]
+    color_weight: Option<f32>,
+}
+
+impl WeightArgs {
+    /// The greatest weight: a difference of 1 in an attribute then weighs as much as a distance of 100 diagonals.
+    const MOST: f32 = 100.0;
+
+    /// The first flag that was given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let Self { normal_weight, uv_weight, color_weight } = self;
+        let flags = [
+            ("--normal-weight", normal_weight.is_some()),
+            ("--uv-weight", uv_weight.is_some()),
+            ("--color-weight", color_weight.is_some()),
+        ];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
+
+    /// The weights asked for, and the usual ones of other layers.
+    pub(crate) fn weights(&self) -> AttributeWeights {
+        let usual = AttributeWeights::default();
+        AttributeWeights {
+            normal: self.normal_weight.unwrap_or(usual.normal),
+            texcoord: self.uv_weight.unwrap_or(usual.texcoord),
+            color: self.color_weight.unwrap_or(usual.color),
+        }
+    }
 }
 
 /// How vertices are removed.
@@ -135,6 +179,21 @@ impl From<CriterionArg> for HoleCriterion {
 fn degree_help() -> String {
     let usual = RemovalOptions::default().degree_limit;
     format!("Most triangles around a vertex that is removed, 3 to 16 [default: {usual}]")
+}
+
+fn weight_help(weight: impl Fn(AttributeWeights) -> f32, what: &str) -> String {
+    let usual = weight(AttributeWeights::default());
+    let most = WeightArgs::MOST;
+    format!(
+        "Distance, as a share of the diagonal, that a difference of 1 in {what} weighs, 0 to {most}; 0 ignores them [default: {usual}]"
+    )
+}
+
+fn parse_weight(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        Ok(weight) if (0.0..=WeightArgs::MOST).contains(&weight) => Ok(weight),
+        _ => Err(format!("must lie between 0 (ignored) and {}", WeightArgs::MOST)),
+    }
 }
 
 fn parse_turn(text: &str) -> Result<f64, String> {

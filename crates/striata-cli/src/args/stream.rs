@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use striata::codec::progressive::{Precision, SHAPE_STEPS, StreamError, StreamOptions};
+use striata::codec::progressive::{LayerOptions, Precision, SHAPE_STEPS, StreamError, StreamOptions};
 
 use striata::mesh::IndexedMesh;
 
@@ -17,7 +17,7 @@ const STREAM: &str = "Stream";
 /// Arguments of `encode`.
 #[derive(Debug, Args)]
 #[command(
-    override_usage = "striata encode [OPTIONS] <INPUT> -o <OUT.stri>",
+    override_usage = "striata encode [OPTIONS] <INPUT> [-o <OUT.stri>]",
     after_help = "Examples:\n  \
     striata encode bunny.ply -o bunny.stri\n  \
     striata encode scan.obj -o scan.striata --bits 16 --effort small"
@@ -25,9 +25,10 @@ const STREAM: &str = "Stream";
 pub(crate) struct EncodeArgs {
     /// The mesh, or - for stdin
     pub(crate) input: PathBuf,
-    /// The file to write, or - for stdout: a stream (.stri), or a .striata file with nothing else
+    /// The file to write, or - for stdout: a stream (.stri), or a .striata file with nothing else [default: the name of the
+    /// input with .stri, in the same folder]
     #[arg(short, long, value_name = "OUT")]
-    pub(crate) output: PathBuf,
+    pub(crate) output: Option<PathBuf>,
     /// How it is coded.
     #[command(flatten)]
     pub(crate) stream: StreamArgs,
@@ -62,6 +63,12 @@ pub(crate) struct StreamArgs {
     /// Keep the very numbers of the mesh, instead
     #[arg(long)]
     lossless: bool,
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(2..=16), conflicts_with = "lossless", help = bits_help(|l| l.normal_bits, "Bits of each of the two numbers that a normal becomes, 2 to 16"))]
+    normal_bits: Option<u32>,
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=24), conflicts_with = "lossless", help = bits_help(|l| l.texcoord_bits, "Bits of a texture coordinate over its range, 1 to 24"))]
+    uv_bits: Option<u32>,
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=24), conflicts_with = "lossless", alias = "colour-bits", help = bits_help(|l| l.color_bits, "Bits of a color channel that is given as floats, 1 to 24"))]
+    color_bits: Option<u32>,
     /// How hard the coder tries: fast (read quickest), default, small (fewest bytes)
     #[arg(long, value_name = "EFFORT", hide_possible_values = true)]
     effort: Option<EffortArg>,
@@ -86,11 +93,14 @@ pub(crate) enum EffortArg {
 impl StreamArgs {
     /// The first flag that was given.
     pub(crate) fn given(&self) -> Option<&'static str> {
-        let Self { bits, tolerance, lossless, effort, share } = self;
+        let Self { bits, tolerance, lossless, normal_bits, uv_bits, color_bits, effort, share } = self;
         let flags = [
             ("--bits", bits.is_some()),
             ("--tolerance", tolerance.is_some()),
             ("--lossless", *lossless),
+            ("--normal-bits", normal_bits.is_some()),
+            ("--uv-bits", uv_bits.is_some()),
+            ("--color-bits", color_bits.is_some()),
             ("--effort", effort.is_some()),
             ("--share", share.is_some()),
         ];
@@ -106,7 +116,13 @@ impl StreamArgs {
             (None, None) => Precision::default(),
         };
         let effort = self.effort.unwrap_or_default();
-        StreamOptions::default().with_precision(precision).with_effort(effort.into())
+        let usual = LayerOptions::default();
+        let layers = usual
+            .clone()
+            .with_normal_bits(self.normal_bits.unwrap_or(usual.normal_bits))
+            .with_texcoord_bits(self.uv_bits.unwrap_or(usual.texcoord_bits))
+            .with_color_bits(self.color_bits.unwrap_or(usual.color_bits));
+        StreamOptions::default().with_precision(precision).with_effort(effort.into()).with_layers(layers)
     }
 
     /// The batches that suit a stream of this precision.
@@ -117,6 +133,10 @@ impl StreamArgs {
         let step = self.options(mesh.diagonal()).grid_step(mesh).map_err(StreamError::Grid)?;
         Ok(BatchTerms { share: self.share, shape_step: Some(SHAPE_STEPS * step) })
     }
+}
+
+fn bits_help(bits: impl Fn(LayerOptions) -> u32, what: &str) -> String {
+    format!("{what} [default: {}]", bits(LayerOptions::default()))
 }
 
 fn parse_share(text: &str) -> Result<f64, String> {

@@ -1,11 +1,11 @@
 //! The arguments of verbs that make strips.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use striata::strip::{StripOptions, Stripifier};
 
-use super::FormatArg;
+use super::{FormatArg, FormatArgs};
 use crate::failure::Failure;
 use crate::strip_chain::{StripChain, StripPlan};
 
@@ -39,9 +39,9 @@ pub(crate) struct StripArgs {
     /// The .glb or .gltf to write with these strips, or - for stdout [default: only report]
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
-    /// Format of the output [default: by its extension]
+    /// Format of the output; ply takes --block-triangles, gltf does not [default: by its extension; glb on stdout]
     #[arg(long, value_name = "FORMAT")]
-    pub(crate) to: Option<FormatArg>,
+    to: Option<StripFormatArg>,
     /// Merge equal vertices first, as `build` does: strips cross only edges whose vertices are shared
     #[arg(long)]
     pub(crate) weld: bool,
@@ -54,6 +54,17 @@ pub(crate) struct StripArgs {
     /// How long, and with which chances.
     #[command(flatten)]
     pub(crate) search: StripSearchArgs,
+}
+
+/// Formats that strips are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum StripFormatArg {
+    /// glTF as one binary file
+    Glb,
+    /// glTF as JSON, all embedded
+    Gltf,
+    /// Stanford PLY, in blocks
+    Ply,
 }
 
 /// How those stripifiers that search do it.
@@ -69,12 +80,25 @@ pub(crate) struct StripSearchArgs {
     /// How many indices one miss of the vertex cache is worth, to the last stripifier
     #[arg(long, value_name = "W", default_value_t = 0.0, allow_negative_numbers = true, value_parser = parse_at_least_zero)]
     pub(crate) cache_weight: f64,
-    /// Entries of that first-in first-out cache
+    /// Entries of that first-in first-out cache, and of the caches that misses are reported for
     #[arg(long, value_name = "N", default_value_t = USUAL_CACHE_SIZE, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub(crate) cache_size: u32,
 }
 
 impl StripArgs {
+    /// How the output is written.
+    pub(crate) fn format(&self) -> FormatArgs {
+        let is_stdout = self.output.as_deref() == Some(Path::new("-"));
+        let to = match self.to {
+            Some(StripFormatArg::Glb) => Some(FormatArg::Glb),
+            Some(StripFormatArg::Gltf) => Some(FormatArg::Gltf),
+            Some(StripFormatArg::Ply) => Some(FormatArg::Ply),
+            // What holds strips, and not what is usual for meshes.
+            None => is_stdout.then_some(FormatArg::Glb),
+        };
+        FormatArgs { to, ascii: false }
+    }
+
     /// The stripifier asked for and how it searches, where it is one and not told how long.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::{Colouring, Viewport, parse_detail};
+use super::{Colouring, Count, Viewport, parse_detail};
 use crate::failure::Failure;
 
 /// Arguments of `view`.
@@ -41,20 +41,26 @@ pub(crate) struct FirstArgs {
     /// Which model makes the triangles; one that the file lacks is built
     #[arg(long, value_name = "NAME")]
     pub(crate) model: Option<ShownModelArg>,
-    /// Share of the way from the base mesh (0) to the full mesh (1)
+    /// Share of the vertex splits from the base mesh (0) to the full mesh (1)
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, group = "first_level")]
     pub(crate) detail: Option<f64>,
-    /// At most so many triangles, the same detail everywhere
-    #[arg(long, value_name = "N", allow_negative_numbers = true, group = "first_level")]
-    pub(crate) triangles: Option<usize>,
+    /// At most this many triangles, or this share of the full mesh's, the same detail everywhere
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
+    pub(crate) triangles: Option<Count>,
     /// As fine as the screen asks for: errors of no more pixels
     #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = parse_pixels, group = "first_level")]
     pub(crate) pixels: Option<f64>,
-    /// At most so many triangles, those that the view shows best
-    #[arg(long, value_name = "N", allow_negative_numbers = true, group = "first_level")]
-    pub(crate) budget: Option<usize>,
+    /// At most this many triangles, or this share of the full mesh's, those that the view shows best
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
+    pub(crate) budget: Option<Count>,
     /// Colours of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups
-    #[arg(long, value_name = "NAME", default_value = "surface", hide_possible_values = true)]
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = "surface",
+        hide_possible_values = true,
+        alias = "colors"
+    )]
     pub(crate) colours: Colouring,
     /// Draw the edges
     #[arg(long)]

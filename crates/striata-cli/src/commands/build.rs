@@ -6,18 +6,18 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::codec::progressive::{EncodedStream, StreamFacts, StreamOptions, encode_stream};
 use striata::codec::{DecodeError, FileModel, StriataFile, WriteOptions, to_striata, write_fragments};
-use striata::mesh::{IndexedMesh, RefinableMesh, weld};
+use striata::mesh::{IndexedMesh, MeshError, RefinableMesh, weld};
 use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes, PatternBounds, Patterns};
-use striata::simplify::{Retriangulation, StopReason};
+use striata::simplify::{Retriangulation, StopReason, Target};
 use striata::strip::StripSet;
-use striata_io::write_atomically;
 
-use crate::args::{BuildArgs, OrderArg};
+use crate::args::{BuildArgs, OrderArg, SequenceArgs};
 use crate::clock::{Phases, peak_rss_bytes};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Bar, Output, Table, grouped, lasted, measured, sized, to_stdout};
-use crate::save::is_stdout;
+use crate::level::{Floor, FullMesh, Reached, check_strict, shortfall};
+use crate::output::{Bar, Output, Table, grouped, lasted, measured, sized};
+use crate::save::{CHOSEN_NAME, beside, check_not_packed, is_stdout, name_of, put};
 use crate::sequence::{Limits, SequencePlan, Sequenced, Steps, limit_in_units};
 use crate::stream::facts_in_json;
 use crate::strip_chain::StripPlan;
@@ -56,10 +56,15 @@ pub(crate) const PROGRESSIVE: &str = "progressive";
 /// # Errors
 /// Where any of it fails; the output is then as it was.
 pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
-    output.check_stdout_is_free(is_stdout(&args.output))?;
+    let path = match &args.output {
+        Some(path) => path.clone(),
+        None => beside(&args.input, "striata")?,
+    };
+    output.check_stdout_is_free(is_stdout(&path))?;
     let models = model_names(&args.model_names())?;
     check_stream_terms(args, &models)?;
-    check_output_name(&args.output)?;
+    check_strip_terms(args, &models)?;
+    check_output_name(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
     phases.enter("read");
@@ -67,8 +72,10 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let (mesh, source) = (input.mesh(output)?, input.file_name());
     let diagonal = mesh.diagonal();
+    args.sequence.remark_on(&mesh, output);
+    let base = base_of(args, &mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     let limits = Limits {
-        base_triangle_count: args.base.unwrap_or(0),
+        base_triangle_count: base.unwrap_or(0),
         max_error: limit_in_units(args.max_error, diagonal),
     };
     let mut sequence = args.sequence.plan(diagonal, limits)?;
@@ -84,18 +91,28 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let stream = args.stream_terms.options(diagonal);
     let plan = BuildPlan { sequence, strips: args.strip_plan(), models, stream };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
+    let shortfall = base.and_then(|base| built.shortfall(base, &args.sequence));
+    check_strict(args.strict, None, shortfall.as_deref())?;
     phases.enter("write");
     bar.phase("write");
     let bytes = built.to_bytes(&source)?;
-    if is_stdout(&args.output) {
-        to_stdout(&bytes)?;
-    } else {
-        write_atomically(&args.output, |out| out.write_all(&bytes))?;
-    }
+    put(&bytes, &path)?;
     phases.leave();
     drop(bar);
-    let report = Report::new(&mesh, &built, bytes.len(), phases);
-    output.summary(&report, &report.to_text(&args.output, &built, diagonal))
+    let report = Report { shortfall, ..Report::new(&mesh, &built, (name_of(&path), bytes.len()), phases) };
+    output.summary(&report, &report.to_text(args, &built, diagonal))
+}
+
+/// Triangles that the base is to have at most.
+///
+/// # Errors
+/// If the mesh's parts do not fit together.
+fn base_of(args: &BuildArgs, mesh: &IndexedMesh) -> Result<Option<usize>, MeshError> {
+    Ok(match args.base {
+        Some(share) if share.is_share() => Some(share.of(FullMesh::of(mesh)?.triangle_count)),
+        // No share: what the mesh has does not matter.
+        number => number.map(|count| count.of(0)),
+    })
 }
 
 /// What a build is to make.
@@ -232,12 +249,13 @@ pub(crate) fn build(
     bar.phase("models");
     let stream = stream_of(&mut sequenced, plan)?;
     phases.enter("strip");
-    let has_strips = plan.models.iter().any(|name| ["lodstrips", "mts"].contains(&name.as_str()));
+    let has_strips = plan.models.iter().any(takes_strips);
     let full = sequenced.steps.mesh();
     let mut strip = || plan.strips.run(full, &mut |share| bar.share("strip", share));
     let stripped = if has_strips { Some(strip()?) } else { None };
     let report = |stripped| -> Result<StripReport, Failure> {
-        let report = StripReport::new(plan.strips.chain.to_string(), full, stripped)?;
+        let report =
+            StripReport::new(plan.strips.chain.to_string(), full, stripped, plan.strips.cache_size())?;
         Ok(report.with_bound(&plan.strips.chain, full))
     };
     let strip_report = stripped.as_ref().map(report).transpose()?;
@@ -261,6 +279,18 @@ fn stream_of(sequenced: &mut Sequenced, plan: &BuildPlan) -> Result<Option<Encod
 }
 
 impl Built {
+    /// Why the base has more triangles than asked for, if it has.
+    fn shortfall(&self, base: usize, sequence: &SequenceArgs) -> Option<String> {
+        let levels = self.steps.levels();
+        let reached = Reached {
+            vertex_count: levels.base_vertex_count(),
+            triangle_count: levels.triangle_count_at(0),
+            stop_reason: self.stop_reason,
+        };
+        let why = sequence.what_forbids_more(self.models.stream.is_some());
+        shortfall(Target::Triangles(base), reached, &Floor::Simplified(why))
+    }
+
     /// The mesh in refinement order, and its steps.
     ///
     /// # Panics
@@ -304,6 +334,7 @@ impl Built {
 
 #[derive(Serialize)]
 struct Report {
+    path: String,
     input: Value,
     step_count: usize,
     base: Value,
@@ -311,6 +342,8 @@ struct Report {
     error_is_guaranteed: bool,
     order: &'static str,
     stop_reason: &'static str,
+    /// Why the base has more triangles than `--base` says; null if it has not.
+    shortfall: Option<String>,
     models: Map<String, Value>,
     strips: Value,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -322,7 +355,7 @@ struct Report {
 }
 
 impl Report {
-    fn new(mesh: &IndexedMesh, built: &Built, output_bytes: usize, phases: Phases) -> Self {
+    fn new(mesh: &IndexedMesh, built: &Built, (path, output_bytes): (String, usize), phases: Phases) -> Self {
         let sequence = built.steps.levels();
         let vertex_count = built.steps.mesh().vertex_count().max(1);
         let mut models = Map::new();
@@ -337,6 +370,8 @@ impl Report {
         }
         let facts = built.models.stream.as_ref().and_then(|s| StreamFacts::read(&s.bytes).ok().flatten());
         Self {
+            path,
+            shortfall: None,
             stream: facts.as_ref().map(facts_in_json),
             input: json!({
                 "vertex_count": mesh.vertex_count(),
@@ -361,7 +396,7 @@ impl Report {
         }
     }
 
-    fn to_text(&self, output: &Path, built: &Built, diagonal: f64) -> String {
+    fn to_text(&self, args: &BuildArgs, built: &Built, diagonal: f64) -> String {
         let sequence = built.steps.levels();
         let last = sequence.step_count();
         let error = f64::from(sequence.error_at(0));
@@ -382,9 +417,12 @@ impl Report {
             let per_vertex = model["bytes_per_vertex"].as_f64().unwrap_or(0.0);
             row(name, format!("{}, {per_vertex:.1} bytes a vertex", sized(bytes)));
         }
-        row("file", format!("{} ({})", output.display(), sized(self.output_bytes)));
+        let chosen = if args.output.is_none() { CHOSEN_NAME } else { "" };
+        row("file", format!("{} ({}){chosen}", self.path, sized(self.output_bytes)));
         row("time", lasted(self.secs));
-        table.to_text()
+        let shortfall =
+            self.shortfall.as_ref().map(|shortfall| format!("the base was not reached: {shortfall}"));
+        table.to_text() + &shortfall.unwrap_or_default()
     }
 }
 
@@ -434,6 +472,23 @@ fn check_stream_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure
     }
 }
 
+/// Whether a model is made of strips.
+fn takes_strips(model: impl AsRef<str>) -> bool {
+    ["lodstrips", "mts"].contains(&model.as_ref())
+}
+
+/// # Errors
+/// If strips are described and no model has any.
+fn check_strip_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure> {
+    match args.strip_flag() {
+        Some(flag) if !models.iter().any(takes_strips) => {
+            Err(Failure::user(format!("{flag} is for strips, and no model with strips is built"))
+                .with_hint(format!("say --models lodstrips or mts too, or leave {flag} out")))
+        }
+        _ => Ok(()),
+    }
+}
+
 pub(crate) fn unknown_name(what: &str, name: &str, known: &[&str]) -> Failure {
     let hint = format!("this version has: {}", known.join(", "));
     Failure::user(format!("there is no {what} {name:?}")).with_hint(hint)
@@ -442,6 +497,7 @@ pub(crate) fn unknown_name(what: &str, name: &str, known: &[&str]) -> Failure {
 /// # Errors
 /// Where the name says that the output is something else.
 fn check_output_name(path: &Path) -> Result<(), Failure> {
+    check_not_packed(path, ".striata files")?;
     match striata_io::Format::from_extension(path) {
         None | Some(striata_io::Format::Striata) => Ok(()),
         Some(_) => Err(Failure::user(format!("{}: `build` writes .striata files", path.display()))

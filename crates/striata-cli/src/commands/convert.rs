@@ -6,7 +6,7 @@ use crate::args::ConvertArgs;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::output::{Output, grouped};
-use crate::save::{Drawn, format_of, is_stdout, save};
+use crate::save::{Drawn, format_of, is_stdout, name_of, save};
 
 #[derive(Serialize)]
 struct Report {
@@ -20,11 +20,12 @@ struct Report {
 /// # Errors
 /// Where either fails.
 pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
-    output.check_stdout_is_free(is_stdout(&args.output))?;
-    let format = format_of(&args.output, &args.format)?;
+    let path = args.output().ok_or_else(|| Failure::internal("no output was named"))?;
+    output.check_stdout_is_free(is_stdout(path))?;
+    let format = format_of(path, &args.format)?;
     let input = Input::open(&args.input)?;
     let mesh = input.mesh(output)?;
-    save(&mesh, Drawn::Triangles, &args.output, &args.format)?;
+    save(&mesh, Drawn::Triangles, path, &args.format)?;
     let report = Report {
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
@@ -32,7 +33,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     };
     let text = format!(
         "{}: {} vertices, {} triangles",
-        if is_stdout(&args.output) { "stdout".into() } else { args.output.to_string_lossy() },
+        name_of(path),
         grouped(report.vertex_count),
         grouped(report.triangle_count)
     );

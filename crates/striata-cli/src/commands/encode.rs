@@ -7,14 +7,14 @@ use serde_json::{Value, json};
 use striata::codec::progressive::{EncodedStream, StreamFacts, StreamOptions, encode_stream};
 use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata_io::{Format, write_atomically};
+use striata_io::Format;
 
 use crate::args::EncodeArgs;
 use crate::clock::{Phases, peak_rss_bytes};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Output, Table, grouped, lasted, measured, sized, to_stdout};
-use crate::save::is_stdout;
+use crate::output::{Output, Table, grouped, lasted, measured, sized};
+use crate::save::{CHOSEN_NAME, beside, check_not_packed, is_stdout, name_of, put};
 use crate::sequence::{SequencePlan, Steps};
 use crate::stream::{facts_in_json, precision_name};
 
@@ -26,8 +26,13 @@ const PHASES: [&str; 5] = ["read", "weld", "simplify", "encode", "write"];
 /// # Errors
 /// Where any of it fails; the output is then as it was.
 pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
-    output.check_stdout_is_free(is_stdout(&args.output))?;
-    let in_container = is_container(&args.output)?;
+    let path = match &args.output {
+        Some(path) => path.clone(),
+        None => beside(&args.input, "stri")?,
+    };
+    output.check_stdout_is_free(is_stdout(&path))?;
+    check_not_packed(&path, "streams")?;
+    let in_container = is_container(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
     phases.enter("read");
@@ -54,16 +59,12 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     };
     phases.enter("write");
     bar.phase("write");
-    if is_stdout(&args.output) {
-        to_stdout(&bytes)?;
-    } else {
-        write_atomically(&args.output, |out| out.write_all(&bytes))?;
-    }
+    put(&bytes, &path)?;
     phases.leave();
     drop(bar);
     let made = Made { mesh: &mesh, refinable, batch_count: batches.len() - 1, stream: &stream };
-    let report = Report::new(&made, bytes.len(), phases)?;
-    output.summary(&report, &report.to_text(&args.output, &options))
+    let report = Report::new(&made, (name_of(&path), bytes.len()), phases)?;
+    output.summary(&report, &report.to_text(args, &options))
 }
 
 /// Whether the name asks for a `.striata` file around the stream.
@@ -97,6 +98,7 @@ struct Made<'a> {
 
 #[derive(Serialize)]
 struct Report {
+    path: String,
     vertex_count: usize,
     triangle_count: usize,
     position_count: usize,
@@ -120,7 +122,7 @@ struct Report {
 }
 
 impl Report {
-    fn new(made: &Made<'_>, output_bytes: usize, phases: Phases) -> Result<Self, Failure> {
+    fn new(made: &Made<'_>, (path, output_bytes): (String, usize), phases: Phases) -> Result<Self, Failure> {
         let sequence = &made.refinable.sequence;
         let facts = StreamFacts::read(&made.stream.bytes)?.unwrap_or_default();
         let stream = facts_in_json(&facts);
@@ -130,6 +132,7 @@ impl Report {
         let output_bits = output_bytes as f64 * 8.0;
         let told = sizes.connectivity_bits + sizes.position_bits + sizes.attribute_bits;
         Ok(Self {
+            path,
             vertex_count,
             triangle_count: made.mesh.triangle_count(),
             position_count: sequence.positions().position_count(),
@@ -154,7 +157,7 @@ impl Report {
         })
     }
 
-    fn to_text(&self, output: &Path, options: &StreamOptions) -> String {
+    fn to_text(&self, args: &EncodeArgs, options: &StreamOptions) -> String {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
         row("triangles", format!("{} down to {}", grouped(self.triangle_count), self.base["triangle_count"]));
@@ -172,7 +175,8 @@ impl Report {
         ] {
             row(part, format!("{bits:.2}"));
         }
-        row("file", format!("{} ({})", output.display(), sized(self.output_bytes)));
+        let chosen = if args.output.is_none() { CHOSEN_NAME } else { "" };
+        row("file", format!("{} ({}){chosen}", self.path, sized(self.output_bytes)));
         row("time", lasted(self.secs));
         table.to_text()
     }

@@ -1,11 +1,16 @@
-//! `extract`: one level of a .striata file as a mesh.
+//! `extract`: one level of a .striata file, or several, as meshes.
 
+use std::cmp::Reverse;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::codec::{DecodeError, StriataFile};
+use striata::codec::StriataFile;
 use striata::mesh::{Bounds, IndexedMesh};
-use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, Patterns, StoredModel, StripModel};
+use striata::model::{
+    FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel,
+};
+use striata::simplify::{StopReason, Target};
 use striata::strip::{RESTART, StripOptions, StripSet, stripify};
 
 use super::extract_patterns::{Budget, PatternsOfFile};
@@ -17,11 +22,27 @@ use crate::commands::build::{MODELS, PROGRESSIVE, errors_are_guaranteed, unknown
 use crate::failure::Failure;
 use crate::fan_cover::fans_of;
 use crate::input::Input;
+use crate::level::{
+    Floor, FullMesh, LevelRow, Reached, Wanted, check_paths, check_strict, remark, shortfall,
+    table_of_levels, wanted_levels,
+};
 use crate::output::{Output, grouped, lasted, measured};
-use crate::save::{Drawn, format_of, is_stdout, save};
+use crate::save::{Drawn, LevelFiles, format_of, is_stdout, name_of, save};
+
+/// Of several levels.
+#[derive(Serialize)]
+struct LevelsReport {
+    levels: Vec<Report>,
+    step_count: usize,
+    secs: f64,
+}
 
 #[derive(Serialize)]
 struct Report {
+    /// As the user wrote it, if it is one of several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    level: Option<String>,
+    path: String,
     model: &'static str,
     /// Of a view: whether its fans were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -39,6 +60,8 @@ struct Report {
     /// Whether no point of the original is farther than the error.
     error_is_guaranteed: bool,
     stop_reason: &'static str,
+    /// Why the level is not what was asked for; null if it is.
+    shortfall: Option<String>,
     seek_secs: f64,
     secs: f64,
 }
@@ -54,48 +77,75 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
     let is_named = args.model.as_deref() == Some(PROGRESSIVE);
-    let is_place = args.level.eye.is_some() || args.detail_box.is_some();
+    let is_place = args.eye.eye.is_some() || args.detail_box.is_some();
     if !is_place && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only()) {
         return extract_stream::run(args, (&file, &input), started, output);
     }
     input.remark_on(&file, output)?;
-    if args.view.is_given() && args.level.eye.is_none() {
+    if args.view.is_given() && args.eye.eye.is_none() {
         return Err(Failure::user("a view was described, but no level is asked for it")
             .with_hint("say --eye instead of the other level, or leave the view out"));
     }
-    if let Some(eye) = args.level.eye {
+    if let Some(eye) = args.eye.eye {
         return run_view(args, eye, &input, started, output);
     }
     if let Some(corners) = args.detail_box {
         return run_box(args, corners, &input, started, output);
     }
     let levels = file.levels().map_err(|error| input.damaged(&error))?;
-    let target = args.level.target(diagonal_of(args, &file, &input)?)?;
-    let (split_count, stop_reason) = target.resolve_in(&levels);
+    let full = FullMesh::of_levels(&levels, diagonal_of(args, &file, &input)?);
+    let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
     let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
-    let extracted = match pick_model(&file, args.model.as_deref(), &input)? {
-        Model::LodStrips(model) => Extracted::of_strips("lodstrips", &model, split_count, &file),
-        Model::Mts(model) => Extracted::of_strips("mts", &model, split_count, &file),
-        Model::Fans(model) => Extracted::of("fans", &model, split_count, &file, |_| None),
-        Model::Patterns(model) => Extracted::of("patterns", &model, split_count, &file, |_| None),
+    let resolve = |wanted: &Wanted| -> Result<_, Failure> {
+        Ok(wanted.target.ok_or_else(no_level)?.resolve_in(&levels))
     };
-    let Extracted { model, mesh, strips, seek_secs } = extracted.map_err(|error| input.damaged(&error))?;
-    save(&mesh, drawn(args.form, &mesh, strips)?, &args.output.output, &args.output.format)?;
-    let report = Report {
-        model,
-        fans: None,
-        patterns: None,
-        pixels: None,
-        split_count,
-        vertex_count: mesh.vertex_count(),
-        triangle_count: mesh.triangle_count(),
-        error: levels.error_at(split_count),
-        error_is_guaranteed,
-        stop_reason: stop_reason.as_str(),
-        seek_secs,
-        secs: started.elapsed().as_secs_f64(),
+    let resolved = wanted.iter().map(resolve).collect::<Result<Vec<_>, _>>()?;
+    let split_counts: Vec<usize> = resolved.iter().map(|&(split_count, _)| split_count).collect();
+    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
+    let mut reports: Vec<Option<Report>> = wanted.iter().map(|_| None).collect();
+    let mut take = |number: usize, extracted: Extracted| -> Result<(), Failure> {
+        let Extracted { model, mesh, strips, seek_secs } = extracted;
+        let (wanted, (split_count, stop_reason)) = (&wanted[number], resolved[number]);
+        let report = Report {
+            error: levels.error_at(split_count),
+            error_is_guaranteed,
+            ..Report::of_level(
+                model,
+                wanted,
+                (&mesh, split_count, stop_reason),
+                [seek_secs, seconds(started)],
+            )
+        };
+        check_strict(args.strict, wanted.name.as_deref(), report.shortfall.as_deref())?;
+        files.save(&mesh, drawn(args.form, &mesh, strips)?, &wanted.path)?;
+        reports[number] = Some(report);
+        Ok(())
     };
+    let (from, split_counts) = ((&file, &input), &split_counts[..]);
+    match pick_model(&file, args.model.as_deref(), &input)? {
+        Model::LodStrips(model) => each_level_of_strips("lodstrips", &model, split_counts, from, &mut take),
+        Model::Mts(model) => each_level_of_strips("mts", &model, split_counts, from, &mut take),
+        Model::Fans(model) => each_level("fans", &model, split_counts, (from, &|_| None), &mut take),
+        Model::Patterns(model) => each_level("patterns", &model, split_counts, (from, &|_| None), &mut take),
+    }?;
+    files.commit()?;
+    let mut reports: Vec<Report> = reports.into_iter().flatten().collect();
+    if args.levels.levels.is_some() {
+        let report =
+            LevelsReport { levels: reports, step_count: levels.step_count(), secs: seconds(started) };
+        return output.summary(&report, &report.to_text());
+    }
+    let report = reports.pop().ok_or_else(no_level)?;
     output.summary(&report, &report.to_text(levels.step_count()))
+}
+
+fn seconds(started: Instant) -> f64 {
+    started.elapsed().as_secs_f64()
+}
+
+/// The parser sees to it that there is a level.
+pub(super) fn no_level() -> Failure {
+    Failure::internal("no level was given")
 }
 
 /// A model of a file.
@@ -143,34 +193,49 @@ struct Extracted {
     seek_secs: f64,
 }
 
-impl Extracted {
-    /// # Errors
-    /// Where a part of the file is unsound.
-    fn of<M: StoredModel>(
-        name: &'static str,
-        model: &M,
-        split_count: usize,
-        file: &StriataFile<'_>,
-        strips: impl Fn(&M::State) -> Option<StripSet>,
-    ) -> Result<Self, DecodeError> {
-        let mut state = model.new_state();
-        let started = Instant::now();
-        model.move_to(&mut state, split_count);
-        let seek_secs = started.elapsed().as_secs_f64();
-        let mesh = file.level_of(model, &state)?;
-        Ok(Self { model: name, mesh, strips: strips(&state), seek_secs })
-    }
+/// Takes a level and its number among all that were asked for.
+type TakeLevel<'a> = dyn FnMut(usize, Extracted) -> Result<(), Failure> + 'a;
 
-    /// # Errors
-    /// Where a part of the file is unsound.
-    fn of_strips<M: StripModel>(
-        name: &'static str,
-        model: &M,
-        split_count: usize,
-        file: &StriataFile<'_>,
-    ) -> Result<Self, DecodeError> {
-        Self::of(name, model, split_count, file, |state| Some(strips_of_level(model, state)))
+/// Where levels come from, for messages too.
+type Origin<'a> = (&'a StriataFile<'a>, &'a Input);
+
+/// The strips that a state of a model shows, if it has any.
+type StripsOf<'a, M> = dyn Fn(&<M as LodModel>::State) -> Option<StripSet> + 'a;
+
+/// Goes through levels from fine to coarse, so that the model is stepped through once.
+///
+/// # Errors
+/// If a part of the file is unsound, or `take` fails.
+fn each_level<M: StoredModel>(
+    name: &'static str,
+    model: &M,
+    split_counts: &[usize],
+    ((file, input), strips): (Origin<'_>, &StripsOf<'_, M>),
+    take: &mut TakeLevel<'_>,
+) -> Result<(), Failure> {
+    let mut order: Vec<usize> = (0..split_counts.len()).collect();
+    order.sort_by_key(|&number| Reverse(split_counts[number]));
+    let mut state = model.new_state();
+    for number in order {
+        let started = Instant::now();
+        model.move_to(&mut state, split_counts[number]);
+        let seek_secs = started.elapsed().as_secs_f64();
+        let mesh = file.level_of(model, &state).map_err(|error| input.damaged(&error))?;
+        take(number, Extracted { model: name, mesh, strips: strips(&state), seek_secs })?;
     }
+    Ok(())
+}
+
+/// # Errors
+/// As [`each_level`].
+fn each_level_of_strips<M: StripModel>(
+    name: &'static str,
+    model: &M,
+    split_counts: &[usize],
+    from: Origin<'_>,
+    take: &mut TakeLevel<'_>,
+) -> Result<(), Failure> {
+    each_level(name, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
 }
 
 /// What is written of a level: strips are those of its model, or made where it has none.
@@ -212,6 +277,20 @@ pub(super) fn diagonal_of(args: &ExtractArgs, file: &StriataFile<'_>, input: &In
     }
 }
 
+/// Where a view or a box goes.
+///
+/// # Errors
+/// If its name has a place for a level and there is none.
+fn path_of_place(args: &ExtractArgs) -> Result<PathBuf, Failure> {
+    let paths = check_paths(&args.level, &args.levels, &args.output.output)?;
+    paths.into_iter().next().ok_or_else(no_level)
+}
+
+/// The number of triangles that a view or a box may have.
+fn triangle_limit(args: &ExtractArgs, file: &StriataFile<'_>) -> Option<usize> {
+    args.level.triangle_count().map(|count| count.of(file.summary().triangle_count))
+}
+
 /// The same for a view.
 ///
 /// # Errors
@@ -231,7 +310,7 @@ fn run_view(
     })?;
     if asks_patterns(args, &file, input)? {
         let model = PatternsOfFile::read(&file, input)?;
-        let level = model.level_of_view(&args.view, camera, args.level.triangles);
+        let level = model.level_of_view(&args.view, camera, triangle_limit(args, &file));
         return report_patterns(args, (&model, level), input, started, output);
     }
     let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
@@ -243,10 +322,12 @@ fn run_view(
         (table, bounds)
     });
     let scene = FanScene::new(&table, &bounds, &refinable);
-    let level = level_of_view(&scene, &refinable, &args.view, camera, args.level.triangles);
-    save(&level.mesh, drawn(args.form, &level.mesh, None)?, &args.output.output, &args.output.format)?;
-    let report =
-        Report { fans: Some(fans), pixels: Some(level.pixels), ..Report::of_place("fans", level, started) };
+    let limit = triangle_limit(args, &file);
+    let level = level_of_view(&scene, &refinable, &args.view, camera, limit);
+    let (pixels, drawn) = (level.pixels, drawn(args.form, &level.mesh, None)?);
+    let report = Report::of_place("fans", args, (&level, limit), started)?;
+    save(&level.mesh, drawn, &path_of_place(args)?, &args.output.format)?;
+    let report = Report { fans: Some(fans), pixels: Some(pixels), ..report };
     output.summary(&report, &report.to_text(refinable.sequence.step_count()))
 }
 
@@ -286,7 +367,7 @@ fn run_box(
     }
     let file = input.striata()?;
     let diagonal = diagonal_of(args, &file, input)?;
-    let triangle_limit = args.level.triangles;
+    let triangle_limit = triangle_limit(args, &file);
     // What is nowhere in the box weighs its error: all of it may be left out, or none of what is over the limit.
     let threshold = match (args.level.error, triangle_limit) {
         (Some(error), _) => error.in_units(diagonal) as f32,
@@ -309,35 +390,68 @@ fn report_patterns(
     started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
-    save(&level.mesh, drawn(args.form, &level.mesh, None)?, &args.output.output, &args.output.format)?;
-    let is_guaranteed = errors_are_guaranteed(&input.striata()?).map_err(|error| input.damaged(&error))?;
+    let file = input.striata()?;
+    let report = Report::of_place("patterns", args, (&level, triangle_limit(args, &file)), started)?;
+    save(&level.mesh, drawn(args.form, &level.mesh, None)?, &path_of_place(args)?, &args.output.format)?;
+    let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let report = Report {
         patterns: Some(if model.are_stored { "stored" } else { "built" }),
-        pixels: args.level.eye.is_some().then_some(level.pixels),
+        pixels: args.eye.eye.is_some().then_some(level.pixels),
         // Built from collapses they know errors of levels only, and not what holds of each floor wherever it is shown.
         error_is_guaranteed: is_guaranteed && model.are_stored,
-        ..Report::of_place("patterns", level, started)
+        ..report
     };
     output.summary(&report, &report.to_text(model.step_count()))
 }
 
 impl Report {
-    /// Of a level that differs from place to place.
-    fn of_place(model: &'static str, level: ViewLevel, started: Instant) -> Self {
+    /// Of a level that is the same everywhere; its error is known elsewhere.
+    fn of_level(
+        model: &'static str,
+        wanted: &Wanted,
+        (mesh, split_count, stop_reason): (&IndexedMesh, usize, StopReason),
+        [seek_secs, secs]: [f64; 2],
+    ) -> Self {
+        let reached =
+            Reached { vertex_count: mesh.vertex_count(), triangle_count: mesh.triangle_count(), stop_reason };
         Self {
+            level: wanted.name.clone(),
+            path: name_of(&wanted.path),
             model,
             fans: None,
             patterns: None,
             pixels: None,
-            split_count: level.split_count,
-            vertex_count: level.mesh.vertex_count(),
-            triangle_count: level.mesh.triangle_count(),
-            error: level.error,
+            split_count,
+            vertex_count: reached.vertex_count,
+            triangle_count: reached.triangle_count,
+            error: 0.0,
             error_is_guaranteed: false,
-            stop_reason: level.stop_reason.as_str(),
-            seek_secs: level.seek_secs,
-            secs: started.elapsed().as_secs_f64(),
+            stop_reason: stop_reason.as_str(),
+            shortfall: wanted.target.and_then(|target| shortfall(target, reached, &Floor::File)),
+            seek_secs,
+            secs,
         }
+    }
+
+    /// Of a level that differs from place to place.
+    ///
+    /// # Errors
+    /// If it has more triangles than allowed and that is forbidden, or its file has no name.
+    fn of_place(
+        model: &'static str,
+        args: &ExtractArgs,
+        (level, triangle_limit): (&ViewLevel, Option<usize>),
+        started: Instant,
+    ) -> Result<Self, Failure> {
+        let path = path_of_place(args)?;
+        let wanted = Wanted { name: None, target: triangle_limit.map(Target::Triangles), path };
+        let level_is = (&level.mesh, level.split_count, level.stop_reason);
+        let report = Self {
+            error: level.error,
+            ..Self::of_level(model, &wanted, level_is, [level.seek_secs, seconds(started)])
+        };
+        check_strict(args.strict, None, report.shortfall.as_deref())?;
+        Ok(report)
     }
 
     fn to_text(&self, step_count: usize) -> String {
@@ -347,15 +461,37 @@ impl Report {
         };
         let origin = of_model("fans", self.fans) + &of_model("patterns", self.patterns);
         format!(
-            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{origin}",
+            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{origin}{}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.split_count),
             grouped(step_count),
             measured(self.error.into()),
             self.stop_reason.replace('_', " "),
-            lasted(self.seek_secs)
+            lasted(self.seek_secs),
+            self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
         )
+    }
+}
+
+impl LevelsReport {
+    fn to_text(&self) -> String {
+        let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
+        let model = self.levels.first().map_or("", |level| level.model);
+        format!("{}from {model} in {}", table_of_levels(&rows), lasted(self.secs))
+    }
+}
+
+impl Report {
+    fn row(&self) -> LevelRow<'_> {
+        LevelRow {
+            name: self.level.as_deref().unwrap_or_default(),
+            triangle_count: self.triangle_count,
+            vertex_count: self.vertex_count,
+            error: self.error.into(),
+            path: &self.path,
+            shortfall: self.shortfall.as_deref(),
+        }
     }
 }
 
@@ -383,11 +519,13 @@ pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
 /// # Errors
 /// Where strips or fans are asked for in a format that has none.
 fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
-    let path = &args.output.output;
-    let format = format_of(path, &args.output.format)?;
-    match args.form {
-        TriangleForm::List => Ok(()),
-        TriangleForm::Strips => check_form_fits("strips", path, format, "say --as list"),
-        TriangleForm::Fans => check_form_fits("fans", path, format, "say --as list"),
+    for path in check_paths(&args.level, &args.levels, &args.output.output)? {
+        let format = format_of(&path, &args.output.format)?;
+        match args.form {
+            TriangleForm::List => {}
+            TriangleForm::Strips => check_form_fits("strips", &path, format, "say --as list")?,
+            TriangleForm::Fans => check_form_fits("fans", &path, format, "say --as list")?,
+        }
     }
+    Ok(())
 }

@@ -37,6 +37,7 @@ use crate::output::Output;
 /// Whatever kept the verb from doing it.
 pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
     let output = Output::new(cli.report);
+    check_reports(cli)?;
     match &cli.verb {
         Verb::Build(args) => build::run(args, &output),
         Verb::Info(args) => info::run(args, &output),
@@ -65,4 +66,21 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }
+}
+
+/// # Errors
+/// If JSON is asked of a verb that has nothing to report.
+fn check_reports(cli: &Cli) -> Result<(), Failure> {
+    let verb = match &cli.verb {
+        Verb::Completions(_) => "completions",
+        #[cfg(feature = "serve")]
+        Verb::Thumbnail(_) => "thumbnail",
+        #[cfg(any(feature = "window", feature = "serve"))]
+        Verb::View(_) => "view",
+        _ => return Ok(()),
+    };
+    if !cli.report.json {
+        return Ok(());
+    }
+    Err(Failure::user(format!("`{verb}` has nothing to report as JSON")).with_hint("leave --json out"))
 }

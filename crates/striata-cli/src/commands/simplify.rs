@@ -1,87 +1,120 @@
-//! `simplify`: one level of a mesh, without a .striata file.
+//! `simplify`: one level of a mesh, or several, without a .striata file.
 
 use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance, weld};
 use striata::simplify::{
-    Placement, Simplified, SimplifyError, SimplifyOptions, StopReason, Target, simplify,
+    Placement, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target, simplify,
 };
 
 use crate::args::{OrderArg, PlacementArg, SimplifyArgs};
 use crate::failure::Failure;
 use crate::input::Input;
+use crate::level::{
+    Floor, FullMesh, LevelRow, Reached, Wanted, check_paths, check_strict, remark, shortfall,
+    table_of_levels, wanted_levels,
+};
 use crate::output::{Bar, Output, grouped, lasted, measured};
-use crate::save::{Drawn, format_of, is_stdout, save};
-use crate::sequence::{Limits, Promise, SequencePlan, Sequenced, limit_in_units};
+use crate::save::{Drawn, LevelFiles, format_of, is_stdout, name_of};
+use crate::sequence::{Limits, SequencePlan, Sequenced, limit_in_units};
 
 /// Samples of each surface for the way back.
 const REVERSE_SAMPLES: usize = 100_000;
 
 #[derive(Serialize)]
 struct Report {
+    #[serde(flatten)]
+    level: LevelReport,
+    error_is_guaranteed: bool,
+    order: &'static str,
+    simplify_secs: f64,
+    secs: f64,
+}
+
+/// Of several levels.
+#[derive(Serialize)]
+struct LevelsReport {
+    levels: Vec<LevelReport>,
+    error_is_guaranteed: bool,
+    order: &'static str,
+    simplify_secs: f64,
+    secs: f64,
+}
+
+#[derive(Serialize)]
+struct LevelReport {
+    /// As the user wrote it, if it is one of several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    level: Option<String>,
+    path: String,
     vertex_count: usize,
     triangle_count: usize,
     error: f64,
-    error_is_guaranteed: bool,
     /// Where the error is guaranteed, which says nothing of the way back: the largest distance from the level to the original
     /// at many points; null where one of them has no surface.
     #[serde(skip_serializing_if = "Option::is_none")]
     reverse_error: Option<Option<f64>>,
-    order: &'static str,
     stop_reason: &'static str,
-    simplify_secs: f64,
-    secs: f64,
+    /// Why the level is not what was asked for; null if it is.
+    shortfall: Option<String>,
 }
 
 /// Reads, simplifies, writes, reports.
 ///
 /// # Errors
-/// Where any of it fails.
+/// Where any of it fails; nothing is written then.
 pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
-    format_of(&args.output.output, &args.output.format)?;
+    for path in check_paths(&args.level, &args.levels, &args.output.output)? {
+        format_of(&path, &args.output.format)?;
+    }
     check_placement(args)?;
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
     let mesh = input.mesh(output)?;
-    let diagonal = mesh.diagonal();
-    let target = args.level.target_if_given(diagonal)?;
-    let plan = plan(args, target, diagonal)?;
+    args.sequence.remark_on(&mesh, output);
+    let in_file = |failure: Failure| failure.in_file(&input.name);
+    let full = if args.level.has_share() || args.levels.has_share() {
+        FullMesh::of(&mesh).map_err(|error| in_file(error.into()))?
+    } else {
+        FullMesh { diagonal: mesh.diagonal(), ..FullMesh::default() }
+    };
+    let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
+    let plan = plan(args, &wanted, full.diagonal)?;
     let simplify_started = Instant::now();
-    let made = match &plan {
-        SequencePlan::Quadric { options, promise: Promise::Estimates, .. } => {
-            let target = target.ok_or_else(|| Failure::internal("no level was given"))?;
-            let options = SimplifyOptions::default()
-                .with_target(target)
-                .with_placement(args.placement.into())
-                .with_sequence(options.clone());
-            simplify(&mesh, &options, &mut |progress| bar.show(progress))
+    let maker = Maker::new(args, &plan, &mesh, &mut bar).map_err(|error| in_file(error.into()))?;
+    let floor = Floor::Simplified(args.sequence.what_forbids_more(false));
+    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
+    let mut levels = Vec::new();
+    let mut simplify_secs = simplify_started.elapsed().as_secs_f64();
+    for wanted in &wanted {
+        let level_started = Instant::now();
+        let made = maker.level(wanted.target, &mut bar).map_err(|error| in_file(error.into()))?;
+        simplify_secs += level_started.elapsed().as_secs_f64();
+        let mut level = LevelReport::new(wanted, &made, &floor);
+        check_strict(args.strict, wanted.name.as_deref(), level.shortfall.as_deref())?;
+        bar.phase("write");
+        files.save(&made.mesh, Drawn::Triangles, &wanted.path)?;
+        if plan.guarantees_errors() {
+            bar.phase("distance");
+            level.reverse_error = Some(farthest_of_level(&mesh, &made.mesh));
         }
-        plan => simplify_surely(&mesh, plan, target, &mut bar),
-    };
-    let simplified = made.map_err(|error| Failure::from(error).in_file(&input.name))?;
-    let simplify_secs = simplify_started.elapsed().as_secs_f64();
-    bar.phase("write");
-    save(&simplified.mesh, Drawn::Triangles, &args.output.output, &args.output.format)?;
-    let error_is_guaranteed = plan.guarantees_errors();
-    bar.phase("distance");
-    let reverse_error = error_is_guaranteed.then(|| farthest_of_level(&mesh, &simplified.mesh));
+        levels.push(level);
+    }
+    files.commit()?;
     drop(bar);
-    let report = Report {
-        vertex_count: simplified.mesh.vertex_count(),
-        triangle_count: simplified.mesh.triangle_count(),
-        error: simplified.error,
-        error_is_guaranteed,
-        reverse_error,
-        order: plan.order().as_str(),
-        stop_reason: simplified.stop_reason.as_str(),
-        simplify_secs,
-        secs: started.elapsed().as_secs_f64(),
-    };
-    output.summary(&report, &report.to_text(mesh.triangle_count(), diagonal))
+    let (error_is_guaranteed, order) = (plan.guarantees_errors(), plan.order().as_str());
+    let secs = started.elapsed().as_secs_f64();
+    if args.levels.levels.is_some() {
+        let report = LevelsReport { levels, error_is_guaranteed, order, simplify_secs, secs };
+        return output.summary(&report, &report.to_text(mesh.triangle_count()));
+    }
+    let level = levels.pop().ok_or_else(|| Failure::internal("no level was given"))?;
+    let report = Report { level, error_is_guaranteed, order, simplify_secs, secs };
+    output.summary(&report, &report.to_text(mesh.triangle_count(), full.diagonal))
 }
 
 /// # Errors
@@ -90,10 +123,14 @@ fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
     if args.placement == PlacementArg::Subset {
         return Ok(());
     }
+    let weight = args.sequence.weights.given();
     let flags = [
         ("--order hausdorff", args.sequence.order == OrderArg::Hausdorff),
         ("--max-error", args.max_error.is_some()),
         ("--certify", args.sequence.certify),
+        ("--cost", args.sequence.cost.is_some()),
+        (weight.unwrap_or_default(), weight.is_some()),
+        ("--pair-distance", args.sequence.pair_distance.is_some()),
     ];
     match flags.into_iter().find(|&(_, is_given)| is_given) {
         None => Ok(()),
@@ -104,30 +141,74 @@ fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
     }
 }
 
-fn plan(args: &SimplifyArgs, target: Option<Target>, diagonal: f64) -> Result<SequencePlan, Failure> {
+fn plan(args: &SimplifyArgs, wanted: &[Wanted], diagonal: f64) -> Result<SequencePlan, Failure> {
     let mut limits = Limits { max_error: limit_in_units(args.max_error, diagonal), ..Limits::default() };
-    match target {
-        // Nothing beyond the target is needed.
-        Some(Target::Triangles(count)) => limits.base_triangle_count = count,
+    let triangles = wanted.iter().map(|wanted| match wanted.target {
+        Some(Target::Triangles(count)) => count,
+        _ => 0,
+    });
+    // Nothing beyond the coarsest target is needed.
+    limits.base_triangle_count = triangles.min().unwrap_or(0);
+    if let ([Wanted { target: Some(Target::Error(error)), .. }], OrderArg::Hausdorff) =
+        (wanted, args.sequence.order)
+    {
         // What would exceed the error is left, and what is left besides goes on.
-        Some(Target::Error(error)) if args.sequence.order == OrderArg::Hausdorff => {
-            limits.max_error = Some(limits.max_error.map_or(error, |limit| limit.min(error)));
-        }
-        _ => {}
+        limits.max_error = Some(limits.max_error.map_or(*error, |limit| limit.min(*error)));
     }
     args.sequence.plan(diagonal, limits)
 }
 
-/// One level whose error is guaranteed; the coarsest where none is asked for.
-fn simplify_surely(
-    mesh: &IndexedMesh,
-    plan: &SequencePlan,
-    target: Option<Target>,
-    bar: &mut Bar,
-) -> Result<Simplified, SimplifyError> {
-    let sequenced = plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?;
+/// Makes levels of a mesh.
+enum Maker<'a> {
+    /// The mesh has been simplified once, as far as any level needs.
+    Sequenced(Box<Sequenced>),
+    /// Vertices may lie anywhere: each level is a simplification of its own.
+    Optimal(&'a IndexedMesh, SequenceOptions),
+}
+
+impl<'a> Maker<'a> {
+    /// # Errors
+    /// If the mesh's parts do not fit together or an option is out of range.
+    fn new(
+        args: &SimplifyArgs,
+        plan: &SequencePlan,
+        mesh: &'a IndexedMesh,
+        bar: &mut Bar,
+    ) -> Result<Self, SimplifyError> {
+        match (args.placement, plan) {
+            (PlacementArg::Optimal, SequencePlan::Quadric { options, .. }) => {
+                // The target is the level's own.
+                Ok(Self::Optimal(mesh, options.clone().with_base_triangle_count(0)))
+            }
+            _ => {
+                let sequenced = plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?;
+                Ok(Self::Sequenced(Box::new(sequenced)))
+            }
+        }
+    }
+
+    /// One level; the coarsest if none is asked for.
+    ///
+    /// # Errors
+    /// If an option is out of range.
+    fn level(&self, target: Option<Target>, bar: &mut Bar) -> Result<Simplified, SimplifyError> {
+        match self {
+            Self::Sequenced(sequenced) => Ok(level_of(sequenced, target)),
+            Self::Optimal(mesh, options) => {
+                let options = SimplifyOptions::default()
+                    .with_target(target.unwrap_or(Target::Detail(0.0)))
+                    .with_placement(Placement::Optimal)
+                    .with_sequence(options.clone());
+                simplify(mesh, &options, &mut |progress| bar.show(progress))
+            }
+        }
+    }
+}
+
+/// One level of a sequence; the coarsest if none is asked for.
+fn level_of(sequenced: &Sequenced, target: Option<Target>) -> Simplified {
     let Sequenced { steps, stop_reason: end_reason, .. } = sequenced;
-    let levels = steps.levels();
+    let (levels, end_reason) = (steps.levels(), *end_reason);
     let (split_count, stop_reason) = match target {
         None => (0, end_reason),
         Some(target) => match (target.resolve_in(levels), target) {
@@ -140,7 +221,7 @@ fn simplify_surely(
         },
     };
     let error = f64::from(levels.error_at(split_count));
-    Ok(Simplified { mesh: steps.level(split_count).without_unused_vertices(), error, stop_reason })
+    Simplified { mesh: steps.level(split_count).without_unused_vertices(), error, stop_reason }
 }
 
 /// The largest distance from a level to the original, at many points; none where one of them has no surface.
@@ -150,30 +231,66 @@ fn farthest_of_level(original: &IndexedMesh, level: &IndexedMesh) -> Option<f64>
     distance.ok().map(|distance| distance.b_to_a.max)
 }
 
+impl LevelReport {
+    fn new(wanted: &Wanted, made: &Simplified, floor: &Floor) -> Self {
+        let reached = Reached {
+            vertex_count: made.mesh.vertex_count(),
+            triangle_count: made.mesh.triangle_count(),
+            stop_reason: made.stop_reason,
+        };
+        Self {
+            level: wanted.name.clone(),
+            path: name_of(&wanted.path),
+            vertex_count: reached.vertex_count,
+            triangle_count: reached.triangle_count,
+            error: made.error,
+            reverse_error: None,
+            stop_reason: made.stop_reason.as_str(),
+            shortfall: wanted.target.and_then(|target| shortfall(target, reached, floor)),
+        }
+    }
+}
+
 impl Report {
     fn to_text(&self, before: usize, diagonal: f64) -> String {
+        let level = &self.level;
         let share = |error: f64| if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
         let kind = if self.error_is_guaranteed { "guaranteed " } else { "" };
-        let reverse = self.reverse_error.flatten().map_or_else(String::new, |error| {
+        let reverse = level.reverse_error.flatten().map_or_else(String::new, |error| {
             format!(", back {} (sampled, {:.4} %)", measured(error), share(error))
         });
+        let shortfall = level.shortfall.as_ref().map(|shortfall| format!("\n{}", remark(None, shortfall)));
         format!(
-            "{} -> {} triangles, {kind}error {} ({:.4} % of the diagonal){reverse}, {}, {}",
+            "{} -> {} triangles, {kind}error {} ({:.4} % of the diagonal){reverse}, {}, {}{}",
             grouped(before),
-            grouped(self.triangle_count),
-            measured(self.error),
-            share(self.error),
-            self.stop_reason.replace('_', " "),
-            lasted(self.secs)
+            grouped(level.triangle_count),
+            measured(level.error),
+            share(level.error),
+            level.stop_reason.replace('_', " "),
+            lasted(self.secs),
+            shortfall.unwrap_or_default()
         )
     }
 }
 
-impl From<PlacementArg> for Placement {
-    fn from(placement: PlacementArg) -> Self {
-        match placement {
-            PlacementArg::Subset => Self::Subset,
-            PlacementArg::Optimal => Self::Optimal,
+impl LevelsReport {
+    fn to_text(&self, before: usize) -> String {
+        let rows: Vec<LevelRow<'_>> = self.levels.iter().map(LevelReport::row).collect();
+        let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
+        let secs = lasted(self.secs);
+        format!("{}{} triangles in all, errors {kind}, {secs}", table_of_levels(&rows), grouped(before))
+    }
+}
+
+impl LevelReport {
+    fn row(&self) -> LevelRow<'_> {
+        LevelRow {
+            name: self.level.as_deref().unwrap_or_default(),
+            triangle_count: self.triangle_count,
+            vertex_count: self.vertex_count,
+            error: self.error,
+            path: &self.path,
+            shortfall: self.shortfall.as_deref(),
         }
     }
 }

@@ -36,7 +36,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
         return strip_blocks::run(args, block_triangles, output);
     }
     let started = Instant::now();
-    let format = FormatArgs { to: args.to, ascii: false };
+    let format = args.format();
     check_output(args, &format, output)?;
     let mut bar = output.bar();
     bar.phase("read");
@@ -49,7 +49,9 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     }
     let stripped = args.plan().run(&mesh, &mut |share| bar.share("strip", share));
     let stripped = stripped.map_err(|error| blamed(error.into()))?;
-    let strips = StripReport::new(args.strips.to_string(), &mesh, &stripped)?.with_bound(&args.strips, &mesh);
+    let strips =
+        StripReport::new(args.strips.to_string(), &mesh, &stripped, args.search.cache_size as usize)?
+            .with_bound(&args.strips, &mesh);
     let mut report = Report {
         strips,
         seed: args.search.seed,
@@ -96,7 +98,12 @@ impl Report {
 fn check_output(args: &StripArgs, format: &FormatArgs, output: &Output) -> Result<(), Failure> {
     let Some(path) = &args.output else { return Ok(()) };
     output.check_stdout_is_free(is_stdout(path))?;
-    check_form_fits("strips", path, format_of(path, format)?, "drop -o to only see what the strips cost")
+    let format = format_of(path, format)?;
+    let instead = match format {
+        Format::Ply => "say --block-triangles, which writes strips to .ply",
+        _ => "drop -o to only see what the strips cost",
+    };
+    check_form_fits("strips", path, format, instead)
 }
 
 /// # Errors

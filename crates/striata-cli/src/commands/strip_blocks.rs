@@ -7,7 +7,7 @@ use serde::Serialize;
 use striata::strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks};
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteError};
 
-use crate::args::{FormatArgs, StripArgs};
+use crate::args::StripArgs;
 use crate::clock::peak_rss_bytes;
 use crate::failure::Failure;
 use crate::output::{Output, Table, grouped, lasted, sized};
@@ -108,7 +108,7 @@ fn check_places(args: &StripArgs) -> Result<Option<Format>, Failure> {
     if is_stdout(path) {
         return Err(Failure::user("stdout: strips in blocks are written to a file").with_hint("name a file"));
     }
-    let format = format_of(path, &FormatArgs { to: args.to, ascii: false })?;
+    let format = format_of(path, &args.format())?;
     if !matches!(format, Format::Glb | Format::Ply) {
         return Err(Failure::user(format!("{}: {format} takes no strips in blocks", path.display()))
             .with_hint("write .glb or .ply"));

@@ -7,7 +7,9 @@ mod compare_models;
 mod compare_patterns;
 mod compare_views;
 mod help;
+mod levels;
 mod orders;
+mod outputs;
 mod patterns;
 mod refusals;
 #[cfg(feature = "gpu")]

@@ -206,7 +206,7 @@ fn strips_that_cannot_be_had_are_refused() {
     for (arguments, named) in [
         ("strip sphere.obj -o strips.ply", "strips.ply: PLY has no strips"),
         ("strip sphere.obj -o strips.obj", "hint: write .glb or .gltf"),
-        ("strip sphere.obj -o -", "--to glb"),
+        ("strip sphere.obj -o - --to ply", "--to glb"),
         ("strip sphere.obj -o strips.striata", "striata build"),
         ("strip sphere.obj --strips zigzag", "greedy"),
         ("strip sphere.obj --strips greedy+", "greedy"),

@@ -106,7 +106,7 @@ impl<'a> Judge<'a> {
             star: Star::default(),
             legality: Legality::default(),
             attributes: AttributeSpace::new(welded, &options.attribute_weights),
-            is_locked: locked_positions(welded, &options.locked_vertices),
+            is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
             locks_boundary: options.boundary == BoundaryRule::Locked,
             partners: Vec::new(),
             candidates: Vec::new(),
@@ -334,8 +334,12 @@ fn accumulated_cost(quadrics: &[Quadric], positions: &[[f32; 4]], v: u32, u: u32
     (quadrics[v as usize].at(at) + quadrics[u as usize].at(at)) as f32
 }
 
-/// Which positions hold a vertex of the input that must stay.
-pub(super) fn locked_positions(welded: &Welded, locked_vertices: &[u32]) -> Vec<bool> {
+/// Which positions must stay: those of locked vertices, and those on locked borders between groups.
+pub(super) fn locked_positions(
+    welded: &Welded,
+    locked_vertices: &[u32],
+    group_borders: BoundaryRule,
+) -> Vec<bool> {
     let mut is_locked = vec![false; welded.positions.position_count()];
     for &vertex in locked_vertices {
         let position = welded.position_of_source.get(vertex as usize);
@@ -343,5 +347,23 @@ pub(super) fn locked_positions(welded: &Welded, locked_vertices: &[u32]) -> Vec<
             *is_locked = true;
         }
     }
+    if group_borders == BoundaryRule::Locked {
+        lock_group_borders(welded, &mut is_locked);
+    }
     is_locked
+}
+
+/// Locks every position that triangles of more than one group use.
+fn lock_group_borders(welded: &Welded, is_locked: &mut [bool]) {
+    const UNSEEN: u32 = u32::MAX;
+    let mut group_of_position = vec![UNSEEN; is_locked.len()];
+    for (number, group) in (0..).zip(&welded.mesh.groups) {
+        for &vertex in welded.mesh.triangles[group.range()].as_flattened() {
+            let position = welded.positions.position_of(vertex) as usize;
+            match group_of_position[position] {
+                UNSEEN => group_of_position[position] = number,
+                seen => is_locked[position] |= seen != number,
+            }
+        }
+    }
 }

@@ -57,14 +57,14 @@ pub enum CollapseCost {
     Tracked,
 }
 
-/// What may happen to boundary edges.
+/// What may happen to boundary edges, or to edges between triangle groups.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BoundaryRule {
     /// Boundary vertices move along the boundary, with their distance from it in the cost.
     #[default]
     Kept,
-    /// Boundary vertices stay.
+    /// Boundary vertices stay at every level.
     Locked,
 }
 
@@ -108,6 +108,9 @@ pub struct SequenceOptions {
     pub attribute_weights: AttributeWeights,
     /// What may happen to boundaries; default kept.
     pub boundary: BoundaryRule,
+    /// What may happen to borders between triangle groups; default kept. Locked, every vertex whose position is used by more
+    /// than one group stays.
+    pub group_borders: BoundaryRule,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
     /// Vertices without a common edge may contract when nearer than this, mesh units; default never.
@@ -163,6 +166,10 @@ impl SequenceOptions {
     /// Sets [`Self::boundary`].
     pub fn with_boundary(self, boundary: BoundaryRule) -> Self {
         Self { boundary, ..self }
+    }
+    /// Sets [`Self::group_borders`].
+    pub fn with_group_borders(self, group_borders: BoundaryRule) -> Self {
+        Self { group_borders, ..self }
     }
     /// Sets [`Self::locked_vertices`].
     pub fn with_locked_vertices(self, locked_vertices: Vec<u32>) -> Self {

@@ -170,7 +170,7 @@ pub(super) fn measure(
     check(&mut checked, refinable)?;
     say("all models in turn");
     let rounds = hold(&mut contestants, step_count, &mut |share| bar.share("timing", share));
-    let strips = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped)?;
+    let strips = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped, plan.cache_size())?;
     let basis = Basis::new(refinable, (&stripped, strips), *sequence_secs, (frames, rounds));
     let rows = contestants.iter_mut().map(|contestant| ModelRow::new(contestant, refinable, &basis));
     Ok(ModelsReport { rows: rows.collect(), basis, refused })

@@ -40,7 +40,7 @@ pub(super) fn measure(
     let mut rows = Vec::new();
     let mut push = |name: &str, budget_secs, made: &Stripped| {
         check(name, &made.strips, &wanted)?;
-        let report = StripReport::new(name.to_owned(), mesh, made)?;
+        let report = StripReport::new(name.to_owned(), mesh, made, 16)?;
         rows.push(StripifierRow { report, budget_secs, secs: made.secs });
         Ok::<(), Failure>(())
     };

@@ -39,7 +39,7 @@ struct Report {
 /// Where the folder or a file in it cannot be written.
 pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
-    let mut folder = Folder::create(&args.dir)?;
+    let mut folder = Folder::create(args.dir())?;
     let mut bar = output.bar();
     let mut phases = Phases::new(&PHASES);
     let mesh = read_bytes(NEFERTITI, &Source::new("nefertiti.ply.zst"))?;
@@ -61,13 +61,13 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     folder.write("index.html", "the page to open", page.as_bytes())?;
     drop(bar);
     let report = Report {
-        dir: args.dir.display().to_string(),
+        dir: args.dir().display().to_string(),
         files: folder.files.iter().map(|(name, _)| name.clone()).collect(),
         levels,
         secs: started.elapsed().as_secs_f64(),
     };
     output.data(&report, &report.to_text(&phases))?;
-    output.say(&what_next(&args.dir));
+    output.say(&what_next(args.dir()));
     Ok(())
 }
 

@@ -3,12 +3,14 @@
 use std::borrow::Cow;
 
 use striata::mesh::IndexedMesh;
+use striata::simplify::Target;
 use striata::strip::{StripIndices, StripOptions, StripSet, stripify};
 
 use crate::args::Colouring;
 use crate::commands::extract_view::ViewLevel;
 use crate::failure::Failure;
 use crate::fan_cover::fans_of;
+use crate::level::{Floor, Reached, shortfall};
 use crate::picture::{
     Paint, Shot, fan_colours, group_colours, strip_colours, triangle_colours, with_normals,
 };
@@ -31,6 +33,8 @@ pub(super) struct Figure {
     pub(super) error_is_guaranteed: bool,
     /// Of a view: pixels that an error may take.
     pub(super) pixels: Option<f64>,
+    /// Why it is not what was asked for, if it is not.
+    pub(super) shortfall: Option<String>,
 }
 
 impl Figure {
@@ -46,12 +50,20 @@ impl Figure {
             error: 0.0,
             error_is_guaranteed: true,
             pixels: None,
+            shortfall: None,
         }
     }
 
-    /// The level of a view.
-    pub(super) fn of_view(model: &'static str, level: ViewLevel) -> Self {
+    /// The level of a view, which was to have no more than so many triangles if that was said.
+    pub(super) fn of_view(model: &'static str, level: ViewLevel, triangle_limit: Option<usize>) -> Self {
+        let reached = Reached {
+            vertex_count: level.mesh.vertex_count(),
+            triangle_count: level.mesh.triangle_count(),
+            stop_reason: level.stop_reason,
+        };
+        let target = triangle_limit.map(Target::Triangles);
         Self {
+            shortfall: target.and_then(|target| shortfall(target, reached, &Floor::File)),
             model,
             split_count: Some(level.split_count),
             error: level.error,

@@ -9,14 +9,13 @@ mod source;
 use std::path::Path;
 use std::time::Instant;
 
-use striata_io::write_atomically;
-
 use crate::args::{Background, RenderArgs};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Bar, Output, to_stdout};
+use crate::level::check_strict;
+use crate::output::{Bar, Output};
 use crate::picture::{Artist, Canvas, Theme};
-use crate::save::is_stdout;
+use crate::save::{is_stdout, put};
 use figure::Figure;
 use layout::Layout;
 use place::Place;
@@ -37,6 +36,10 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let mut artist = artist(args, output)?;
     let source = Source::read(args, &input, output, &mut bar)?;
     let figures = figures(args, &source, &input)?;
+    for figure in &figures {
+        let name = (!figure.title.is_empty()).then_some(figure.title.as_str());
+        check_strict(args.strict, name, figure.shortfall.as_deref())?;
+    }
     bar.phase("draw");
     let place = Place::new(args, &source)?;
     let layout = Layout::new(args, &source, (&figures, &place))?;
@@ -56,7 +59,7 @@ fn check(args: &RenderArgs) -> Result<(), Failure> {
         return Err(Failure::user(format!("{}: pictures are written as PNG", args.output.display()))
             .with_hint("end the name in .png, or write - for stdout"));
     }
-    if args.level.0.eye.is_none() && args.view.has_criterion() {
+    if args.level.eye.is_none() && args.view.has_criterion() {
         return Err(Failure::user("a view was described, but there is no --eye")
             .with_hint("say --eye, or leave --pixels, --viewport and the like out"));
     }
@@ -87,12 +90,12 @@ fn artist(args: &RenderArgs, output: &Output) -> Result<Artist, Failure> {
 /// # Errors
 /// Where one cannot be made.
 fn figures(args: &RenderArgs, source: &Source<'_>, input: &Input) -> Result<Vec<Figure>, Failure> {
-    if let Some(eye) = args.level.0.eye {
+    if let Some(eye) = args.level.eye {
         return Ok(vec![source.view(args, eye, input)?]);
     }
     match &args.levels {
-        Some(levels) => levels.iter().map(|&level| source.share(level)).collect(),
-        None => Ok(vec![source.target(args.level.0.target_if_given(source.diagonal())?)?]),
+        Some(levels) => levels.iter().map(|&level| source.triangles(level)).collect(),
+        None => Ok(vec![source.target(args.level.level.target(source.full()))?]),
     }
 }
 
@@ -110,8 +113,5 @@ fn theme(background: Background) -> Theme {
 fn write(path: &Path, canvas: &Canvas, bar: &mut Bar) -> Result<(), Failure> {
     bar.phase("write");
     let bytes = canvas.to_png().map_err(|error| Failure::internal(format!("PNG: {error}")))?;
-    if is_stdout(path) {
-        return to_stdout(&bytes);
-    }
-    Ok(write_atomically(path, |out| out.write_all(&bytes))?)
+    put(&bytes, path)
 }

@@ -38,7 +38,7 @@ impl Place {
         let fov = |usual: f32| args.view.fov().map_or(usual.to_radians(), |angle| angle as f32);
         let look_at = args.view.look_at().unwrap_or(center);
         let points = used_positions(mesh);
-        let view = args.level.0.eye.map(|Point(eye)| {
+        let view = args.level.eye.map(|Point(eye)| {
             // To a criterion y is up wherever nothing is said.
             let up = args.view.up().unwrap_or([0.0, 1.0, 0.0]);
             Camera { eye, look_at, up, fov: fov(VIEW_FOV) }

@@ -9,6 +9,7 @@ use super::figure::Figure;
 use super::layout::Layout;
 use super::source::Source;
 use crate::args::RenderArgs;
+use crate::level::remark;
 use crate::output::{counted, lasted, measured};
 use crate::picture::Artist;
 
@@ -42,6 +43,8 @@ struct Level {
     /// Of a view: pixels that an error may take.
     #[serde(skip_serializing_if = "Option::is_none")]
     pixels: Option<f64>,
+    /// Why the level is not what was asked for; null if it is.
+    shortfall: Option<String>,
     /// The largest distance of a vertex of the original.
     #[serde(skip_serializing_if = "Option::is_none")]
     distance_max: Option<f64>,
@@ -75,6 +78,7 @@ impl Report {
                 error_is_guaranteed: figure.error_is_guaranteed,
                 strip_count: figure.strips.as_ref().map(StripSet::strip_count),
                 pixels: figure.pixels,
+                shortfall: figure.shortfall.clone(),
                 distance_max: layout.heats.get(number).map(|heat| heat.max),
             })
             .collect();
@@ -103,8 +107,10 @@ impl Report {
             let share = 100.0 * heat.top_of_diagonal;
             format!(", colours up to {} ({share:.4} % of the diagonal)", measured(heat.top))
         });
+        let shortfalls = self.levels.iter().filter_map(|level| level.shortfall.as_ref());
+        let shortfalls: String = shortfalls.map(|text| format!("\n{}", remark(None, text))).collect();
         format!(
-            "{}: {} x {} pixels, {}{heat}; one frame took {} on {}, all {}",
+            "{}: {} x {} pixels, {}{heat}; one frame took {} on {}, all {}{shortfalls}",
             self.path,
             self.width,
             self.height,

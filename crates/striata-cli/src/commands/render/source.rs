@@ -7,13 +7,14 @@ use striata::simplify::Target;
 use striata::strip::{StripOptions, StripSet, stripify};
 
 use super::figure::Figure;
-use crate::args::{Colouring, DrawnModel, LevelShare, Point, RenderArgs};
+use crate::args::{Colouring, Count, DrawnModel, Point, RenderArgs};
 use crate::commands::build::errors_are_guaranteed;
 use crate::commands::extract::strips_of_level;
 use crate::commands::extract_patterns::PatternsOfFile;
 use crate::commands::extract_view::level_of_view;
 use crate::failure::Failure;
 use crate::input::Input;
+use crate::level::{Floor, FullMesh, Reached, shortfall};
 use crate::output::{Bar, Output, grouped};
 use crate::picture::with_normals;
 use crate::sequence::{SequencePlan, Steps};
@@ -84,36 +85,48 @@ impl<'a> Source<'a> {
         self.mesh().diagonal()
     }
 
+    /// What targets are shares of.
+    pub(super) fn full(&self) -> FullMesh {
+        let diagonal = self.diagonal();
+        match self {
+            Self::Mesh(mesh) => FullMesh {
+                diagonal,
+                vertex_count: mesh.vertex_count(),
+                triangle_count: mesh.triangle_count(),
+            },
+            Self::Levels(levels) => FullMesh::of_levels(levels.steps.levels(), diagonal),
+        }
+    }
+
     /// The level that a target means, or the full mesh.
     ///
     /// # Errors
     /// Where its strips cannot be made.
     pub(super) fn target(&self, target: Option<Target>) -> Result<Figure, Failure> {
-        match self {
-            Self::Mesh(mesh) => Ok(Figure::of_mesh(IndexedMesh::clone(mesh))),
-            Self::Levels(levels) => {
-                let known = levels.steps.levels();
-                let split_count = target.map_or(known.step_count(), |target| target.resolve_in(known).0);
-                levels.figure(split_count)
-            }
-        }
+        let levels = match self {
+            Self::Mesh(mesh) => return Ok(Figure::of_mesh(IndexedMesh::clone(mesh))),
+            Self::Levels(levels) => levels,
+        };
+        let known = levels.steps.levels();
+        let Some(target) = target else { return levels.figure(known.step_count()) };
+        let (split_count, stop_reason) = target.resolve_in(known);
+        let figure = levels.figure(split_count)?;
+        let (vertex_count, triangle_count) = (figure.vertex_count, figure.mesh.triangle_count());
+        let reached = Reached { vertex_count, triangle_count, stop_reason };
+        Ok(Figure { shortfall: shortfall(target, reached, &levels.floor()), ..figure })
     }
 
-    /// The level that has no more than a share of the triangles.
+    /// The level that has no more than a number or a share of the triangles.
     ///
     /// # Errors
     /// Where its strips cannot be made.
-    pub(super) fn share(&self, share: LevelShare) -> Result<Figure, Failure> {
-        let full = self.mesh().triangle_count();
-        let (count, title) = match share {
-            LevelShare::Triangles(count) => (count, grouped(count)),
-            // The small term keeps a share that is a whole number from rounding down to the one before.
-            LevelShare::Share(share) => {
-                let percent: f64 = (100_000.0 * share).round() / 1000.0;
-                ((share * full as f64 * (1.0 + 1e-12)) as usize, format!("{percent} %"))
-            }
+    pub(super) fn triangles(&self, count: Count) -> Result<Figure, Failure> {
+        let title = match count {
+            Count::Number(count) => grouped(count),
+            Count::Share(share) => format!("{} %", (100_000.0 * share).round() / 1000.0),
         };
-        Ok(Figure { title, ..self.target(Some(Target::Triangles(count)))? })
+        let target = Target::Triangles(count.of(self.full().triangle_count));
+        Ok(Figure { title, ..self.target(Some(target))? })
     }
 
     /// The level of a view.
@@ -130,10 +143,10 @@ impl<'a> Source<'a> {
         let camera = view.camera(eye, center).map_err(|error| {
             Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
         })?;
-        let limit = args.level.0.triangles;
+        let limit = args.level.level.triangle_count().map(|count| count.of(self.full().triangle_count));
         if let (Some(file), true) = (&levels.file, levels.has_patterns_only()) {
             let level = PatternsOfFile::read(file, input)?.level_of_view(&view, camera, limit);
-            return Ok(Figure::of_view("patterns", level));
+            return Ok(Figure::of_view("patterns", level, limit));
         }
         let Steps::Collapses(refinable) = &levels.steps else {
             return Err(Failure::internal("fragments without patterns"));
@@ -148,11 +161,21 @@ impl<'a> Source<'a> {
             }
         };
         let scene = FanScene::new(&fans, &bounds, refinable);
-        Ok(Figure::of_view("fans", level_of_view(&scene, refinable, &view, camera, limit)))
+        Ok(Figure::of_view("fans", level_of_view(&scene, refinable, &view, camera, limit), limit))
     }
 }
 
 impl<'a> Levels<'a> {
+    /// Why there is no coarser level.
+    fn floor(&self) -> Floor {
+        match self.file {
+            Some(_) => Floor::File,
+            None => {
+                Floor::Simplified("no more edges can be collapsed without changing the topology".to_owned())
+            }
+        }
+    }
+
     /// # Errors
     /// Where a part of the file is unsound, or the model is none that it can hand over.
     fn of_file(args: &RenderArgs, file: StriataFile<'a>, input: &Input) -> Result<Self, Failure> {
@@ -196,6 +219,7 @@ impl<'a> Levels<'a> {
         };
         Ok(Figure {
             title: String::new(),
+            shortfall: None,
             model: self.model.name(),
             split_count: Some(split_count),
             vertex_count: known.vertex_count_at(split_count),
@@ -270,17 +294,14 @@ fn strips_at<M: StripModel>(model: &M, split_count: usize) -> StripSet {
 
 /// Whether the picture shows anything but the mesh itself.
 fn needs_levels(args: &RenderArgs) -> bool {
-    let level = &args.level.0;
-    let has_target = level.triangles.is_some() || level.vertices.is_some() || level.detail.is_some();
-    let has_target =
-        has_target || level.error.is_some() || level.split_count.is_some() || level.eye.is_some();
+    let has_target = args.level.level.is_given() || args.level.eye.is_some();
     let has_model = args.model.is_some_and(|model| model != DrawnModel::List);
     has_target || has_model || args.levels.is_some()
 }
 
 /// Strips that are looked at follow the levels.
 fn default_model(args: &RenderArgs) -> DrawnModel {
-    let shows_strips = args.colours.contains(&Colouring::Strips) && args.level.0.eye.is_none();
+    let shows_strips = args.colours.contains(&Colouring::Strips) && args.level.eye.is_none();
     if shows_strips { DrawnModel::LodStrips } else { DrawnModel::List }
 }
 

@@ -81,13 +81,13 @@ fn first_state(args: &FirstArgs) -> ViewerState {
         };
     }
     let goal = if let Some(triangles) = args.triangles {
-        state.triangles = Some(triangles);
+        state.ask_for(triangles);
         GoalKind::Triangles
     } else if let Some(pixels) = args.pixels {
         state.pixels = pixels as f32;
         GoalKind::Pixels
     } else if let Some(budget) = args.budget {
-        state.budget = Some(budget);
+        state.ask_for(budget);
         GoalKind::Budget
     } else {
         state.detail = args.detail.unwrap_or(state.detail);

@@ -2,6 +2,8 @@
 
 use striata_gpu::{Look, Shading, Viewpoint};
 
+use crate::args::Count;
+
 /// A model that makes the triangles of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ModelKind {
@@ -139,6 +141,8 @@ pub(super) struct ViewerState {
     pub(super) pixels: f32,
     /// As `triangles`.
     pub(super) budget: Option<usize>,
+    /// A share of the triangles of the first model.
+    pub(super) first_triangles: Option<Count>,
     pub(super) morphs: bool,
     pub(super) frozen: Option<Frozen>,
     pub(super) wireframe: bool,
@@ -162,6 +166,7 @@ impl Default for ViewerState {
             triangles: None,
             pixels: 1.0,
             budget: None,
+            first_triangles: None,
             morphs: false,
             frozen: None,
             wireframe: false,
@@ -251,9 +256,19 @@ impl ViewerState {
         };
     }
 
+    /// Takes a number of triangles, or a share that becomes one once there is a model.
+    pub(super) fn ask_for(&mut self, triangles: Count) {
+        match triangles {
+            Count::Number(count) => (self.triangles, self.budget) = (Some(count), Some(count)),
+            Count::Share(_) => self.first_triangles = Some(triangles),
+        }
+    }
+
     /// A new model has come: numbers of triangles are no more than it has, and no view is kept.
     pub(super) fn meet(&mut self, triangle_count: usize, has_collapses: bool) {
+        let first = self.first_triangles.take().map(|share| share.of(triangle_count));
         for count in [&mut self.triangles, &mut self.budget] {
+            *count = first.or(*count);
             *count = Some(count.unwrap_or(triangle_count / 10).clamp(1, triangle_count.max(1)));
         }
         self.frozen = None;
@@ -323,6 +338,18 @@ impl ViewerState {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_share_is_one_of_the_first_model() {
+        let mut state = ViewerState { goal: GoalKind::Budget, ..Default::default() };
+        state.ask_for(Count::Share(0.25));
+        state.meet(1000, true);
+        assert_eq!(state.wanted(), Goal::Budget(250));
+        state.meet(100, true);
+        assert_eq!(state.wanted(), Goal::Budget(100), "a later model has what there was, as far as it goes");
+        state.ask_for(Count::Number(50));
+        assert_eq!(state.wanted(), Goal::Budget(50));
+    }
 
     #[test]
     fn finer_and_coarser_undo_each_other_and_stay_in_range() {

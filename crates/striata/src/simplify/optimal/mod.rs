@@ -496,11 +496,12 @@ fn gather_into(hood: &mut Hood, (links, positions, seams): (&Links, &[DVec3], Op
 
 /// Positions that may neither move nor go.
 fn locked_positions(welded: &Welded, links: &Links, options: &SequenceOptions) -> Vec<bool> {
-    let wanted: std::collections::BTreeSet<u32> = options.locked_vertices.iter().copied().collect();
-    let locks_boundary = options.boundary == BoundaryRule::Locked;
-    let is_locked = |p: u32| {
-        welded.positions.wedges(p).any(|v| wanted.contains(&welded.source_vertex[v as usize]))
-            || (locks_boundary && links.is_boundary(p))
-    };
-    (0..welded.positions.position_count() as u32).map(is_locked).collect()
+    let mut is_locked =
+        crate::simplify::judge::locked_positions(welded, &options.locked_vertices, options.group_borders);
+    if options.boundary == BoundaryRule::Locked {
+        for (p, is_locked) in (0..).zip(&mut is_locked) {
+            *is_locked |= links.is_boundary(p);
+        }
+    }
+    is_locked
 }

@@ -122,7 +122,7 @@ impl<'a> Judge<'a> {
             star,
             hole: Hole::default(),
             legality: Legality::default(),
-            is_locked: locked_positions(welded, &options.locked_vertices),
+            is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
             feature_cosine: options.feature_angle.map(|angle| cosine(angle) as f32),
             has_wedges,
             is_plain: false,

@@ -51,6 +51,9 @@ pub struct RemovalOptions {
     /// Edges whose triangles' normals differ by more than this, radians, stay edges: a vertex on two of them goes only along
     /// them, one on more stays. Default none: distances alone decide.
     pub feature_angle: Option<f64>,
+    /// What may happen to borders between triangle groups; default kept. Locked, every vertex whose position is used by more
+    /// than one group stays.
+    pub group_borders: BoundaryRule,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
 }
@@ -65,6 +68,7 @@ impl Default for RemovalOptions {
             max_error: None,
             boundary: BoundaryRule::default(),
             feature_angle: None,
+            group_borders: BoundaryRule::default(),
             locked_vertices: Vec::new(),
         }
     }
@@ -116,6 +120,10 @@ impl RemovalOptions {
     /// Sets [`Self::feature_angle`].
     pub fn with_feature_angle(self, feature_angle: f64) -> Self {
         Self { feature_angle: Some(feature_angle), ..self }
+    }
+    /// Sets [`Self::group_borders`].
+    pub fn with_group_borders(self, group_borders: BoundaryRule) -> Self {
+        Self { group_borders, ..self }
     }
     /// Sets [`Self::locked_vertices`].
     pub fn with_locked_vertices(self, locked_vertices: Vec<u32>) -> Self {

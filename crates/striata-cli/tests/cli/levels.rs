@@ -1,0 +1,291 @@
+//! Levels as people ask for them: shares of the full mesh, several at once, and what happens if one cannot be reached.
+
+use std::collections::BTreeSet;
+
+use serde_json::Value;
+
+use crate::workbench::{Workbench, asset, sphere};
+
+/// Each level's value of a key.
+fn of_levels<'a>(report: &'a Value, key: &str) -> Vec<&'a Value> {
+    report["levels"].as_array().expect("a list").iter().map(|level| &level[key]).collect()
+}
+
+#[test]
+fn counts_may_be_shares_of_the_full_mesh() {
+    let bench = Workbench::with_ball();
+    for verb in ["extract ball.striata", "simplify sphere.obj"] {
+        let level = |flags: &str| {
+            bench.json(&format!("{verb} -o level.ply {flags}"));
+            bench.read("level.ply")
+        };
+        // The ball has 512 triangles and 258 vertices.
+        let quarter = level("--triangles 128");
+        assert_eq!(level("--triangles 25%"), quarter, "{verb}");
+        assert_eq!(level("--ratio 0.25"), quarter, "{verb}");
+        assert_ne!(level("--detail 0.25"), quarter, "{verb}: 0 is the base mesh, and not nothing");
+        assert_eq!(level("--vertices 25%"), level("--vertices 64"), "{verb}");
+    }
+    bench.json("build sphere.obj -o share.striata --base 20%");
+    bench.json("build sphere.obj -o number.striata --base 102");
+    assert_eq!(bench.read("share.striata"), bench.read("number.striata"));
+    let view = |flags: &str| {
+        let report =
+            bench.json(&format!("extract ball.striata -o view.ply --eye -0.4,0.3,-3 --pixels 0 {flags}"));
+        report["triangle_count"].as_u64().expect("a count")
+    };
+    assert_eq!(view("--triangles 12.5%"), view("--triangles 64"));
+    assert_eq!(view("--ratio 0.125"), view("--triangles 64"));
+    for wrong in ["--triangles 101%", "--triangles ten", "--vertices -1%", "--ratio 1.5", "--ratio -1"] {
+        assert!(bench.refused(&format!("extract ball.striata -o x.ply {wrong}")).contains("invalid value"));
+    }
+    assert!(bench.refused("build sphere.obj -o x.striata --base 200%").contains("share of the full mesh"));
+    let both = bench.refused("extract ball.striata -o x.ply --triangles 5 --ratio 0.5");
+    assert!(both.contains("cannot be used with"), "{both}");
+}
+
+#[test]
+fn a_share_of_a_soup_is_one_of_the_mesh_that_it_makes() {
+    let bench = Workbench::with_ball();
+    bench.run("convert sphere.obj soup.stl --quiet").success();
+    let report = bench.json("simplify soup.stl -o level.ply --vertices 25%");
+    assert!(report["vertex_count"].as_u64().is_some_and(|n| (60..=64).contains(&n)), "{report}");
+}
+
+#[test]
+fn several_levels_of_a_file_are_those_of_one_at_a_time() {
+    let bench = Workbench::with_ball();
+    for model in ["lodstrips", "mts", "fans", "patterns", "progressive"] {
+        bench.run(&format!("build sphere.obj -o {model}.striata --models {model} --quiet")).success();
+        let report = bench.json(&format!("extract {model}.striata -o {model}-{{}}.glb --levels 10%,50%,77"));
+        assert_eq!(of_levels(&report, "level"), ["10%", "50%", "77"], "{model}");
+        let paths = ["10", "50", "77"].map(|name| format!("{model}-{name}.glb"));
+        assert_eq!(of_levels(&report, "path"), paths.each_ref().map(String::as_str), "{model}");
+        for (i, (path, triangles)) in paths.iter().zip(["51", "50%", "77"]).enumerate() {
+            let one = bench.json(&format!("extract {model}.striata -o one.glb --triangles {triangles}"));
+            assert_eq!(bench.read(path), bench.read("one.glb"), "{path}");
+            for key in ["triangle_count", "vertex_count", "split_count", "error", "stop_reason", "model"] {
+                assert_eq!(report["levels"][i][key], one[key], "{path}: {key}");
+            }
+        }
+    }
+    let report = bench.run("extract lodstrips.striata -o x-{}.glb --levels 50%,10% --as strips").success();
+    let text = String::from_utf8_lossy(&report.get_output().stderr).into_owned();
+    assert!(text.contains("x-50.glb") && text.contains("x-10.glb"), "{text}");
+}
+
+#[test]
+fn several_levels_of_a_mesh_come_from_one_simplification() {
+    let bench = Workbench::with_ball();
+    for flags in ["", "--certify", "--order hausdorff", "--placement optimal"] {
+        let report = bench.json(&format!("simplify sphere.obj -o s-{{}}.ply --levels 50%,100 {flags}"));
+        for (i, (path, triangles)) in [("s-50.ply", "50%"), ("s-100.ply", "100")].into_iter().enumerate() {
+            let one = bench.json(&format!("simplify sphere.obj -o one.ply --triangles {triangles} {flags}"));
+            let level = &report["levels"][i];
+            assert_eq!((&level["path"], &level["stop_reason"]), (&path.into(), &one["stop_reason"]));
+            for key in ["triangle_count", "vertex_count"] {
+                assert_eq!(level[key], one[key], "{flags}: {path}: {key}");
+            }
+            // A bound of errors is made for all levels that there are.
+            if flags.is_empty() || flags == "--placement optimal" {
+                assert_eq!(level["error"], one["error"], "{flags}: {path}");
+            }
+            let area = |path: &str| bench.json(&format!("info {path}"))["area"].as_f64().expect("an area");
+            assert!((area(path) - area("one.ply")).abs() < 1e-6, "{flags}: {path}");
+        }
+    }
+}
+
+#[test]
+fn levels_name_their_files() {
+    let bench = Workbench::with_ball();
+    let said = bench.refused("extract ball.striata -o out/bunny.glb --levels 50%,10%");
+    assert!(said.contains("hint: ") && said.contains("-o 'out/bunny-{}.glb'"), "{said}");
+    assert!(bench.refused("simplify sphere.obj -o - --levels 50%").contains("--levels needs {}"));
+    let twice = bench.refused("simplify sphere.obj -o a-{}.ply --levels 50%,50");
+    assert!(twice.contains("a-50.ply: more than one level"), "{twice}");
+    assert!(bench.refused("extract ball.striata -o a-{}.ply --levels 50%,x").contains("no level"));
+    assert!(bench.refused("extract ball.striata -o a-{}.ply --eye 0,0,3").contains("{} stands for a level"));
+    assert!(bench.refused("extract ball.striata -o a-{}.docx --levels 50%").contains("--to"));
+    assert!(
+        bench.refused("extract ball.striata -o a-{}.ply --levels 5% --detail 1").contains("cannot be used")
+    );
+    assert_eq!(bench.names(), ["ball.striata", "sphere.obj"]);
+    // One level takes the same place.
+    bench.json("extract ball.striata -o a-{}.ply --levels 12.5%");
+    bench.json("extract ball.striata -o b-{}.ply --triangles 100");
+    bench.json("simplify sphere.obj -o c-{}.ply --error 1%");
+    assert_eq!(bench.names(), ["a-12.5.ply", "b-100.ply", "ball.striata", "c-1.ply", "sphere.obj"]);
+}
+
+#[test]
+fn all_levels_are_written_or_none() {
+    let bench = Workbench::with_ball();
+    bench.write("a-50.ply", "precious");
+    std::fs::create_dir(bench.path("a-10.ply")).expect("the folder is ours");
+    let before = bench.names();
+    for verb in ["extract ball.striata", "simplify sphere.obj"] {
+        for levels in ["50%,25%,10%", "50%,25%,0 --strict"] {
+            let said = bench.refused(&format!("{verb} -o a-{{}}.ply --levels {levels}"));
+            assert!(said.starts_with("error: "), "{said}");
+            assert_eq!(
+                (bench.names(), bench.read("a-50.ply")),
+                (before.clone(), b"precious".to_vec()),
+                "{verb}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_level_that_is_not_reached_says_why() {
+    let bench = Workbench::with_ball();
+    let said_by = |line: &str| {
+        let report = bench.json(line);
+        assert_eq!(report["stop_reason"], "base_reached", "{line}");
+        let text = bench.run(line).success();
+        let text = String::from_utf8_lossy(&text.get_output().stderr).into_owned();
+        let shortfall = report["shortfall"].as_str().unwrap_or_else(|| panic!("{line}: {report}"));
+        assert!(text.contains(shortfall), "{text}");
+        shortfall.to_owned()
+    };
+    let said = said_by("simplify sphere.obj -o x.ply --triangles 0");
+    assert!(said.starts_with("asked for at most 0 triangles, but "), "{said}");
+    assert!(said.ends_with("no more edges can be collapsed without changing the topology"), "{said}");
+    let said = said_by("extract ball.striata -o x.ply --vertices 1");
+    assert!(said.ends_with("the file holds no coarser level"), "{said}");
+    assert!(said_by("extract ball.striata -o x.ply --eye 0,0,3 --triangles 1").contains("coarser"));
+    let said = said_by("build sphere.obj -o x.striata --base 1");
+    assert!(said.contains("at most 1 triangle,"), "{said}");
+    // Locks and limits are named.
+    bench.write("open.off", grid(12));
+    let said = said_by("simplify open.off -o x.ply --triangles 4 --lock-boundary");
+    assert!(said.ends_with("moving what --lock-boundary keeps in place"), "{said}");
+    let limited = bench.json("simplify sphere.obj -o x.ply --triangles 50 --max-error 1%");
+    assert_eq!(limited["stop_reason"], "error_limit");
+    assert!(
+        limited["shortfall"].as_str().is_some_and(|s| s.ends_with("exceed the error limit")),
+        "{limited}"
+    );
+    // What was asked for is nothing to talk about.
+    for line in [
+        "extract ball.striata -o x.ply --triangles 10000",
+        "extract ball.striata -o x.ply --error 50%",
+        "simplify sphere.obj -o x.ply --triangles 100 --strict",
+        "build sphere.obj -o x.striata --base 100 --strict",
+        "build sphere.obj -o x.striata",
+    ] {
+        assert!(bench.json(line)["shortfall"].is_null(), "{line}");
+    }
+}
+
+#[test]
+fn strict_writes_nothing_that_was_not_asked_for() {
+    let bench = Workbench::with_ball();
+    bench.run("encode sphere.obj -o ball.stri --quiet").success();
+    let stream = bench.read("ball.stri");
+    bench.write("cut.stri", &stream[..stream.len() * 2 / 3]);
+    let before = bench.names();
+    for line in [
+        "extract ball.striata -o x.ply --triangles 0",
+        "extract ball.striata -o x.ply --split-count 100000",
+        "extract ball.striata -o x.ply --eye 0,0,3 --triangles 0",
+        "extract ball.striata -o - --triangles 0",
+        "extract cut.stri -o x.ply --triangles 500",
+        "simplify sphere.obj -o x.ply --vertices 1",
+        "simplify sphere.obj -o x.ply --triangles 0 --placement optimal",
+        "simplify sphere.obj -o x.ply --triangles 50 --max-error 1%",
+        "simplify sphere.obj -o x-{}.ply --levels 50%,0",
+        "build sphere.obj -o x.striata --base 0",
+        "render sphere.obj -o x.png --triangles 0 --software",
+        "render ball.striata -o x.png --levels 50%,0 --software",
+    ] {
+        let said = bench.refused(&format!("{line} --strict"));
+        assert!(
+            said.contains("was not reached") && said.contains("hint: leave --strict out"),
+            "{line}: {said}"
+        );
+        assert_eq!(bench.names(), before, "{line}");
+    }
+}
+
+#[test]
+fn render_takes_the_same_levels() {
+    let bench = Workbench::with_ball();
+    let count = |flags: &str| {
+        let report = bench.json(&format!("render sphere.obj -o x.png --size 64x48 --software {flags}"));
+        report["triangle_count"].as_u64().expect("a count")
+    };
+    assert_eq!(count("--triangles 25%"), count("--triangles 128"));
+    assert_eq!(count("--ratio 0.25"), count("--triangles 128"));
+    assert_eq!(count("--vertices 25%"), count("--vertices 64"));
+    let few = bench.json("render ball.striata -o x.png --size 64x48 --software --levels 50%,0");
+    assert!(of_levels(&few, "shortfall")[0].is_null() && few["levels"][1]["shortfall"].is_string(), "{few}");
+}
+
+#[test]
+fn groups_keep_their_borders_where_they_are_locked() {
+    let bench = Workbench::new();
+    // A ball of two halves, which meet where x is 0: at two poles and sixteen vertices on either side.
+    let ball = sphere(16, 16);
+    let (vertices, faces) = ball.split_at(ball.find("f ").expect("faces"));
+    let faces: Vec<&str> = faces.lines().collect();
+    let (left, right) = faces.split_at(faces.len() / 2);
+    let halves = format!("{vertices}usemtl left\n{}\nusemtl right\n{}\n", left.join("\n"), right.join("\n"));
+    bench.write("ball.obj", halves);
+    let on_border = |line: &str| {
+        bench.run(&format!("{line} -o level.obj --quiet")).success();
+        let text = String::from_utf8(bench.read("level.obj")).expect("text");
+        let is_on_it = |line: &&str| {
+            let x = line.split(' ').next().map(str::parse::<f64>);
+            x.is_some_and(|x| x.is_ok_and(|x| x.abs() < 1e-5))
+        };
+        let places: BTreeSet<&str> =
+            text.lines().filter_map(|l| l.strip_prefix("v ")).filter(is_on_it).collect();
+        places.len()
+    };
+    let level = |flags: &str| on_border(&format!("simplify ball.obj --triangles 20% {flags}"));
+    assert_eq!(on_border("convert ball.obj"), 34);
+    assert!(level("") < 20, "{} of them are left", level(""));
+    for flags in ["", "--placement optimal", "--order hausdorff"] {
+        assert_eq!(level(&format!("--lock-groups {flags}")), 34, "{flags}");
+    }
+    let remark = bench.run("simplify shape:cube -o x.ply --triangles 4 --lock-groups").success();
+    assert!(String::from_utf8_lossy(&remark.get_output().stderr).contains("only one group"));
+}
+
+#[test]
+fn attributes_weigh_what_is_said() {
+    let bench = Workbench::new();
+    let spot = asset("spot.obj.zst");
+    let level = |flags: &str| {
+        let line = format!("simplify -o level.ply --triangles 500 --json {flags}");
+        bench.command(&line).arg(&spot).assert().success();
+        bench.read("level.ply")
+    };
+    let usual = level("");
+    assert_eq!(level("--uv-weight 0.02"), usual, "the default");
+    assert_ne!(level("--uv-weight 1"), usual);
+    assert_eq!(level("--color-weight 5"), usual, "there are no colors");
+    for (flag, wrong) in [("--uv-weight", "-1"), ("--normal-weight", "nan"), ("--color-weight", "inf")] {
+        let said = bench.refused(&format!("simplify x.ply -o y.ply --triangles 5 {flag} {wrong}"));
+        assert!(said.contains("must lie between 0"), "{said}");
+    }
+    let order = bench.refused("simplify shape:cube -o y.ply --triangles 5 --order hausdorff --uv-weight 1");
+    assert!(order.contains("--uv-weight means nothing in hausdorff order"), "{order}");
+    let place = bench.refused("simplify shape:cube -o y.ply --triangles 5 --placement optimal --uv-weight 1");
+    assert!(place.contains("--uv-weight"), "{place}");
+}
+
+/// A flat square of `side` by `side` quads.
+fn grid(side: usize) -> String {
+    let n = side + 1;
+    let mut text = format!("OFF\n{} {} 0\n", n * n, 2 * side * side);
+    for i in 0..n * n {
+        text.push_str(&format!("{} {} 0\n", i % n, i / n));
+    }
+    for i in (0..side * side).map(|i| i / side * n + i % side) {
+        text.push_str(&format!("3 {i} {} {}\n3 {i} {} {}\n", i + 1, i + n + 1, i + n + 1, i + n));
+    }
+    text
+}
