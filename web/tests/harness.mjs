@@ -12,7 +12,7 @@ const workspace = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const striata = process.env.STRIATA_BIN ?? join(workspace, 'target/debug/striata');
 
 /** Machines under load are slow: what takes longer than this is stuck. */
-export const PATIENCE_MS = 60_000;
+export const PATIENCE_MS = 600_000;
 
 /** The viewer as it is built into the command. */
 export const viewerFolder = join(workspace, 'crates/striata-cli/viewer');

@@ -3,11 +3,11 @@
 import assert from 'node:assert/strict';
 import { appendFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { shot, untilWhole } from './harness.mjs';
+import { PATIENCE_MS, shot, untilWhole } from './harness.mjs';
 
 /** A test with a page; a page that threw or logged an error fails it. */
 export function pageTest(world, name, options, work) {
-  test(name, { timeout: 180_000 }, async (context) => {
+  test(name, { timeout: 3 * PATIENCE_MS }, async (context) => {
     const page = await world.page(options);
     try {
       await work(page, context);

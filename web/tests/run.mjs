@@ -12,7 +12,7 @@ import { temporaryFolder } from './harness.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const notes = temporaryFolder('notes');
-const words = ['--test', '--test-reporter=spec', '--test-timeout=1200000'];
+const words = ['--test', '--test-reporter=spec', '--test-timeout=7200000'];
 if (process.argv[2]) words.push(`--test-name-pattern=${process.argv[2]}`);
 words.push(join(here, 'suite.test.mjs'));
 const environment = { ...process.env, STRIATA_NOTES: join(notes, 'notes.txt') };

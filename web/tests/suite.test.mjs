@@ -12,7 +12,7 @@ import views from './views.mjs';
 
 describe('viewer', { concurrency: 1 }, () => {
   const shared = {};
-  before(async () => void Object.assign(shared, await world()), { timeout: 240_000 });
-  after(() => shared.end?.(), { timeout: 60_000 });
+  before(async () => void Object.assign(shared, await world()), { timeout: 1_200_000 });
+  after(() => shared.end?.(), { timeout: 600_000 });
   for (const group of [streaming, detail, views, files, errors, looks, speed]) group(shared);
 });

@@ -2,10 +2,11 @@
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use anyhow::{Result, ensure};
 
-use crate::steps::{self, cargo};
+use crate::steps;
 use crate::{machine, workspace};
 
 /// Files that the demo must leave, among others.
@@ -22,12 +23,13 @@ const STRIPPED: [&str; 2] = ["nefertiti.ply.zst", "spot.obj.zst"];
 pub(crate) fn run() -> Result<()> {
     let folder = scratch_folder();
     machine::remove_folder(&folder)?;
-    steps::run(cargo(&["run", "--package", "striata-cli", "--", "demo"]).arg(&folder))?;
+    let command = crate::test::built_command()?;
+    steps::run(Command::new(&command).arg("demo").arg(&folder))?;
     for name in EXPECTED {
         let file = folder.join(name);
         ensure!(file.metadata().is_ok_and(|m| m.len() > 0), "the demo wrote no {name}");
     }
-    strip_scenes(&folder)?;
+    strip_scenes(&command, &folder)?;
     let mut scenes: Vec<OsString> = Vec::new();
     for entry in std::fs::read_dir(&folder)? {
         let path = entry?.path();
@@ -46,11 +48,11 @@ pub(crate) fn run() -> Result<()> {
 }
 
 /// Writes triangle strips as GLB, one file an asset.
-fn strip_scenes(folder: &Path) -> Result<()> {
+fn strip_scenes(command: &Path, folder: &Path) -> Result<()> {
     for asset in STRIPPED {
         let out = folder.join(format!("{asset}.strips.glb"));
-        let mut strip = cargo(&["run", "--package", "striata-cli", "--", "strip"]);
-        steps::run(strip.arg(workspace().join("assets").join(asset)).arg("-o").arg(out))?;
+        let asset = workspace().join("assets").join(asset);
+        steps::run(Command::new(command).arg("strip").arg(asset).arg("-o").arg(out))?;
     }
     Ok(())
 }

@@ -1,6 +1,8 @@
 //! Chores of the workspace; `cargo xtask test` is what continuous integration runs.
 
+mod bare;
 mod browser;
+mod cpu_time;
 mod golden;
 mod machine;
 mod results;
@@ -11,6 +13,7 @@ mod web;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use anyhow::Context as _;
 use clap::{Parser, Subcommand};
 
 /// Chores of the striata workspace.
@@ -25,6 +28,8 @@ struct Chores {
 enum Chore {
     /// Format, lints, tests, docs, features, wasm32, golden files and browser: all that must pass
     Test,
+    /// The first part alone: the demo on machines with Vulkan, with OpenGL alone, and without drivers
+    Bare,
     /// The golden part alone: run the demo and check what it writes
     Golden,
     /// The browser part alone: the viewer page in Chromium, over `striata serve`
@@ -40,6 +45,7 @@ enum Chore {
 fn main() -> ExitCode {
     let outcome = match Chores::parse().chore {
         Chore::Test => test::run(),
+        Chore::Bare => bare::run(),
         Chore::Golden => golden::run(),
         Chore::Browser => browser::run(),
         Chore::Web => web::build(),
@@ -58,4 +64,14 @@ fn main() -> ExitCode {
 /// The folder of the workspace.
 fn workspace() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The folder that cargo builds into: this program lies in one of its folders.
+///
+/// # Errors
+/// Where the system does not say where this program is.
+fn target_folder() -> anyhow::Result<PathBuf> {
+    let program = std::env::current_exe()?;
+    let folder = program.ancestors().nth(2).context("this program lies in no target folder")?;
+    Ok(folder.to_owned())
 }

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail};
 
+use crate::cpu_time::CpuTime;
 use crate::workspace;
 
 /// One line of talk, to stderr, where the tools below write theirs.
@@ -19,7 +20,7 @@ pub(crate) fn say(text: &str) {
 /// The steps done so far.
 #[derive(Debug, Default)]
 pub(crate) struct Steps {
-    done: Vec<(String, Duration)>,
+    done: Vec<(String, Duration, Option<f64>)>,
     skipped: Vec<String>,
 }
 
@@ -30,11 +31,12 @@ impl Steps {
     /// What the step reports, with its name.
     pub(crate) fn step(&mut self, name: &str, work: impl FnOnce() -> Result<()>) -> Result<()> {
         say(&format!("\n=== {name}"));
-        let started = Instant::now();
+        let (started, cpu) = (Instant::now(), CpuTime::now());
         work().with_context(|| format!("step `{name}` failed"))?;
         let took = started.elapsed();
-        say(&format!("=== {name}: ok, {:.1} s", took.as_secs_f64()));
-        self.done.push((name.to_owned(), took));
+        let cpu_secs = cpu.secs_since();
+        say(&format!("=== {name}: ok, {}", times(took, cpu_secs).trim_start()));
+        self.done.push((name.to_owned(), took, cpu_secs));
         Ok(())
     }
 
@@ -47,17 +49,24 @@ impl Steps {
     /// All steps with their times.
     pub(crate) fn summary(&self) -> String {
         let mut text = String::from("\n=== all steps passed\n");
-        for (name, took) in &self.done {
+        for (name, took, cpu_secs) in &self.done {
             // Writing to a string cannot fail.
-            let _ = writeln!(text, "{:>8.1} s  {name}", took.as_secs_f64());
+            let _ = writeln!(text, "{}  {name}", times(*took, *cpu_secs));
         }
-        let total: Duration = self.done.iter().map(|(_, took)| *took).sum();
-        let _ = write!(text, "{:>8.1} s  in all", total.as_secs_f64());
+        let total: Duration = self.done.iter().map(|(_, took, _)| *took).sum();
+        let cpu_total: Option<f64> = self.done.iter().map(|(_, _, cpu_secs)| *cpu_secs).sum();
+        let _ = write!(text, "{}  in all", times(total, cpu_total));
         for skipped in &self.skipped {
             let _ = write!(text, "\n!!! SKIPPED {skipped}");
         }
         text
     }
+}
+
+/// Seconds by the clock, and those of processors where they are known.
+fn times(took: Duration, cpu_secs: Option<f64>) -> String {
+    let cpu = cpu_secs.map_or(String::new(), |secs| format!("  {secs:>7.1} CPU s"));
+    format!("{:>7.1} s{cpu}", took.as_secs_f64())
 }
 
 /// The cargo that runs us, in the workspace.

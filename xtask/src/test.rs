@@ -1,16 +1,21 @@
 //! Everything that must pass before a change lands.
 //!
-//! One profile throughout, so that nothing is compiled twice: `clippy` shares what `check` makes, and the
-//! golden run uses the command that the tests have built.
+//! The release build of the command comes first, on the machine as it was found. Then one profile throughout, so that nothing is
+//! compiled twice: `clippy` shares what `check` makes, and the golden run uses the command that the tests have built.
 
-use anyhow::Result;
+use std::path::PathBuf;
+
+use anyhow::{Result, ensure};
 
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, Steps, cargo, say};
-use crate::{browser, golden, web};
+use crate::{bare, browser, golden, target_folder, web};
+
+/// All of the command, its window included.
+pub(crate) const FULL: &str = "striata-cli/full";
 
 /// Each feature that must compile by itself: the crate and the features.
-const FEATURES_ALONE: [(&str, &str); 15] = [
+const FEATURES_ALONE: [(&str, &str); 14] = [
     ("striata", ""),
     ("striata", "parallel"),
     ("striata-io", ""),
@@ -32,17 +37,29 @@ const FEATURES_ALONE: [(&str, &str); 15] = [
 /// # Errors
 /// The step that failed, and why.
 fn run_all(steps: &mut Steps) -> Result<()> {
+    // Before anything is installed that hides what newcomers lack.
+    steps.step("bare machines", bare::run)?;
     steps.step("machine", machine::prepare)?;
     steps.step("format", || steps::run(&mut cargo(&["fmt", "--all", "--check"])))?;
     steps.step("clippy", || {
-        steps::run(&mut cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))
+        steps::run(&mut cargo(&[
+            "clippy",
+            "--workspace",
+            "--all-targets",
+            "--features",
+            FULL,
+            "--",
+            "-D",
+            "warnings",
+        ]))
     })?;
     // Mesa's device chooser looks for a Wayland display and complains aloud where there is none.
     let quiet = ("NODEVICE_SELECT", "1");
-    steps
-        .step("tests and doc tests", || steps::run(cargo(&["test", "--workspace"]).env(quiet.0, quiet.1)))?;
+    steps.step("tests and doc tests", || {
+        steps::run(cargo(&["test", "--workspace", "--features", FULL]).env(quiet.0, quiet.1))
+    })?;
     steps.step("documentation", || {
-        let arguments = ["doc", "--workspace", "--no-deps"];
+        let arguments = ["doc", "--workspace", "--no-deps", "--features", FULL];
         steps::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
     })?;
     steps.step("each feature alone", check_features)?;
@@ -66,6 +83,18 @@ pub(crate) fn run() -> Result<()> {
     run_all(&mut steps)?;
     say(&steps.summary());
     Ok(())
+}
+
+/// Builds the command with all its features, if the tests have not done it, and says where it lies.
+///
+/// # Errors
+/// Where it does not compile.
+pub(crate) fn built_command() -> Result<PathBuf> {
+    // The whole workspace is named so that dependencies get the features that they have in the tests.
+    steps::run(&mut cargo(&["build", "--workspace", "--features", FULL, "--bin", "striata"]))?;
+    let command = target_folder()?.join("debug").join(format!("striata{}", std::env::consts::EXE_SUFFIX));
+    ensure!(command.is_file(), "there is no {}", command.display());
+    Ok(command)
 }
 
 fn check_features() -> Result<()> {

@@ -57,10 +57,11 @@ impl Gpu {
         let [triangle, strips] =
             [&TRIANGLE[..], &TWO_STRIPS].map(|indices| GpuIndices::upload(self, indices));
         let (triangle, strips) = (triangle?, strips?);
-        let list = Drawing::List { indices: &triangle, groups: &[0..3] };
-        let strips = Drawing::Strips { indices: &strips, groups: &[0..7] };
+        let (whole, both) = (0..3, 0..7);
+        let list = Drawing::List { indices: &triangle, groups: std::slice::from_ref(&whole) };
+        let strips = Drawing::Strips { indices: &strips, groups: std::slice::from_ref(&both) };
         let inspection = Inspection::new(self, painter, &vertices, (&[TRIANGLE], &[[255; 4]]))?;
-        let draws: [(&str, Expected, &dyn Fn(&mut RenderPass<'_>)); 3] = [
+        let draws: [Trial<'_>; 3] = [
             ("a triangle list", shows_the_triangle, &|pass| painter.draw(pass, &scene, &vertices, list)),
             ("triangle strips", shows_the_strips, &|pass| painter.draw(pass, &scene, &vertices, strips)),
             ("a triangle with edges", shows_the_triangle, &|pass| painter.inspect(pass, &scene, &inspection)),
@@ -76,8 +77,8 @@ impl Gpu {
     }
 }
 
-/// Says whether a picture is as it should be.
-type Expected = fn(&Picture) -> bool;
+/// What is drawn, whether a picture of it is as it should be, and drawing it.
+type Trial<'a> = (&'static str, fn(&Picture) -> bool, &'a dyn Fn(&mut RenderPass<'_>));
 
 /// Whether the middle is covered and lit, and the corners are empty.
 fn shows_the_triangle(picture: &Picture) -> bool {

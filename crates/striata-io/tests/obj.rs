@@ -93,17 +93,17 @@ fn an_independent_reader_agrees() {
 
 #[test]
 fn one_vertex_with_many_wedges_is_no_trap() {
+    // If the chain of wedges were walked whole, this would take an hour.
+    const WEDGES: usize = 1_000_000;
     let mut text = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
-    for i in 0..60_000 {
+    for i in 0..WEDGES {
         text += &format!("vt {i} 0\n");
     }
-    for i in 1..=60_000 {
+    for i in 1..=WEDGES {
         text += &format!("f 1/{i} 2/1 3/1\n");
     }
-    let start = std::time::Instant::now();
     let mesh = read("x.obj", text.as_bytes()).unwrap();
-    assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (60_002, 60_000));
-    assert!(start.elapsed().as_secs() < 20, "chains of wedges must not be walked whole");
+    assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (WEDGES + 2, WEDGES));
 }
 
 #[test]

@@ -68,6 +68,9 @@ impl Answer {
     }
 }
 
+/// How long tests wait for what should come at once: no machine is so slow.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(600);
+
 /// A connection, used again and again.
 pub(crate) struct Connection {
     reader: BufReader<TcpStream>,
@@ -78,7 +81,7 @@ impl Connection {
     pub(crate) fn open(address: SocketAddr) -> io::Result<Self> {
         let stream = TcpStream::connect(address)?;
         stream.set_nodelay(true)?;
-        stream.set_read_timeout(Some(Duration::from_secs(60)))?;
+        stream.set_read_timeout(Some(PATIENCE))?;
         Ok(Self { reader: BufReader::new(stream) })
     }
 

@@ -22,7 +22,7 @@ fn run_on_display(bench: &Workbench, arguments: &[&str]) -> Output {
         command
     };
     command.arg("view").args(arguments).current_dir(bench.path("."));
-    assert_cmd::Command::from_std(command).timeout(Duration::from_secs(120)).output().expect("it starts")
+    assert_cmd::Command::from_std(command).timeout(Duration::from_secs(600)).output().expect("it starts")
 }
 
 fn is_in_path(program: &str) -> bool {

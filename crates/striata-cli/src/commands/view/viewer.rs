@@ -376,7 +376,7 @@ mod tests {
         fn rest(&mut self) {
             self.frame(vec![], vec![]);
             while !self.viewer.is_at_rest() {
-                self.woken.recv_timeout(Duration::from_secs(60)).expect("the work ends");
+                self.woken.recv_timeout(Duration::from_secs(600)).expect("the work ends");
                 self.frame(vec![], vec![]);
             }
             self.frame(vec![], vec![]);

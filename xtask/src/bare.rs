@@ -1,0 +1,157 @@
+//! The first command of the README on machines that have a Vulkan driver, only OpenGL, or nothing: the demo must end well, leave
+//! the same files, and draw the same pictures.
+//!
+//! It is the release build, as a newcomer makes it, and it runs before anything is installed.
+
+use std::collections::BTreeSet;
+use std::fs::File;
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+
+use crate::steps::{self, cargo, say};
+use crate::{machine, target_folder};
+
+/// A kind of machine: its name, and what makes this one look like it.
+struct Kind {
+    name: &'static str,
+    environment: &'static [(&'static str, &'static str)],
+}
+
+const KINDS: [Kind; 3] = [
+    Kind { name: "as it is", environment: &[] },
+    Kind { name: "OpenGL alone", environment: &[("WGPU_BACKEND", "gl")] },
+    Kind {
+        name: "no drivers",
+        environment: &[
+            ("VK_DRIVER_FILES", "/nonexistent"),
+            ("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent"),
+            ("LIBGL_DRIVERS_PATH", "/nonexistent"),
+        ],
+    },
+];
+
+/// Files that hold no times, which must be the same to the byte.
+const SAME_BYTES: [&str; 4] = ["striata", "stri", "glb", "ply"];
+
+/// Pixels whose channels may differ by more than [`FAR`], of a thousand: drivers disagree where triangles begin and end.
+const FAR_PER_MILLE: usize = 15;
+const FAR: u8 = 32;
+
+/// How much channels may differ on average, of 255.
+const MEAN: f64 = 1.0;
+
+/// Builds the command and runs the demo on each kind of machine.
+///
+/// # Errors
+/// The kind that failed or differs, and how.
+pub(crate) fn run() -> Result<()> {
+    steps::run(&mut cargo(&["build", "--release", "--package", "striata-cli"]))?;
+    let command = target_folder()?.join("release").join(format!("striata{}", std::env::consts::EXE_SUFFIX));
+    let scratch = std::env::temp_dir().join(format!("striata-bare-{}", std::process::id()));
+    machine::remove_folder(&scratch)?;
+    let folders = KINDS.map(|kind| scratch.join(kind.name.replace(' ', "-")));
+    for (kind, folder) in KINDS.iter().zip(&folders) {
+        demo(&command, kind, folder).with_context(|| format!("a machine with {}", kind.name))?;
+    }
+    for (kind, folder) in KINDS.iter().zip(&folders).skip(1) {
+        compare(&folders[0], folder).with_context(|| format!("a machine with {}", kind.name))?;
+    }
+    machine::remove_folder(&scratch)
+}
+
+/// Runs the demo as a newcomer would; talk of drivers that nobody asked for is a failure.
+fn demo(command: &Path, kind: &Kind, folder: &Path) -> Result<()> {
+    say(&format!("$ striata demo   ({})", kind.name));
+    let mut run = std::process::Command::new(command);
+    for (name, _) in KINDS.iter().flat_map(|kind| kind.environment) {
+        run.env_remove(name);
+    }
+    // Bare machines have no session.
+    run.env_remove("XDG_RUNTIME_DIR").arg("demo").arg(folder).envs(kind.environment.iter().copied());
+    let output = run.output()?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    ensure!(output.status.success(), "it ended with {}: {said}", output.status);
+    for line in said.lines().take_while(|line| !line.starts_with("Open ")) {
+        ensure!(line.is_empty() || line.starts_with("note: "), "it said: {line}");
+        say(line);
+    }
+    Ok(())
+}
+
+/// Holds what one machine made against what another did.
+fn compare(expected: &Path, found: &Path) -> Result<()> {
+    let names = names(expected)?;
+    ensure!(names == self::names(found)?, "the files are {:?}, not {names:?}", self::names(found)?);
+    let pictures: Vec<&String> = names.iter().filter(|name| name.ends_with(".png")).collect();
+    ensure!(pictures.len() >= 4, "there are only {} pictures", pictures.len());
+    for name in pictures {
+        let [a, b] = [expected, found].map(|folder| Picture::read(&folder.join(name)));
+        a?.expect_like(&b?).with_context(|| name.clone())?;
+    }
+    let is_exact = |name: &&String| SAME_BYTES.iter().any(|ending| name.ends_with(&format!(".{ending}")));
+    for name in names.iter().filter(is_exact) {
+        ensure!(std::fs::read(expected.join(name))? == std::fs::read(found.join(name))?, "{name} differs");
+    }
+    Ok(())
+}
+
+fn names(folder: &Path) -> Result<BTreeSet<String>> {
+    let entries =
+        std::fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
+    entries.collect()
+}
+
+/// A PNG file, decoded.
+struct Picture {
+    size: (u32, u32),
+    channels: usize,
+    bytes: Vec<u8>,
+}
+
+impl Picture {
+    fn read(path: &PathBuf) -> Result<Self> {
+        let mut reader = png::Decoder::new(BufReader::new(File::open(path)?)).read_info()?;
+        let mut bytes = vec![0; reader.output_buffer_size().context("it is too large")?];
+        let info = reader.next_frame(&mut bytes)?;
+        bytes.truncate(info.buffer_size());
+        Ok(Self { size: (info.width, info.height), channels: info.color_type.samples(), bytes })
+    }
+
+    fn expect_like(&self, other: &Self) -> Result<()> {
+        ensure!((self.size, self.channels) == (other.size, other.channels), "sizes or channels differ");
+        let pairs = self.bytes.iter().zip(&other.bytes).map(|(a, b)| a.abs_diff(*b));
+        let mean = pairs.clone().map(f64::from).sum::<f64>() / self.bytes.len().max(1) as f64;
+        let pixels = self.bytes.chunks(self.channels).zip(other.bytes.chunks(self.channels));
+        let far = pixels.filter(|(a, b)| a.iter().zip(*b).any(|(x, y)| x.abs_diff(*y) > FAR)).count();
+        let per_mille = 1000.0 * (far * self.channels) as f64 / self.bytes.len().max(1) as f64;
+        say(&format!(
+            "  channels differ by {mean:.2} of 255 on average, {per_mille:.1} ‰ of the pixels by more than {FAR}"
+        ));
+        ensure!(mean <= MEAN && per_mille <= FAR_PER_MILLE as f64, "the pictures differ");
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture(byte: impl Fn(usize) -> u8) -> Picture {
+        Picture { size: (100, 10), channels: 3, bytes: (0..3000).map(byte).collect() }
+    }
+
+    #[test]
+    fn pictures_may_differ_a_little_and_no_more() {
+        let gray = picture(|_| 100);
+        gray.expect_like(&picture(|_| 101)).expect("rounding");
+        gray.expect_like(&picture(|i| if i < 30 { 200 } else { 100 })).expect("a few pixels");
+        assert!(gray.expect_like(&picture(|_| 102)).is_err(), "all of it is lighter");
+        assert!(
+            gray.expect_like(&picture(|i| if i < 60 { 140 } else { 100 })).is_err(),
+            "20 pixels are far off"
+        );
+        assert!(gray.expect_like(&Picture { size: (10, 100), ..picture(|_| 100) }).is_err());
+    }
+}
