@@ -9,8 +9,8 @@ use super::Length;
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Simplification")]
 pub(crate) struct SequenceArgs {
-    /// What is simplified first: quadric (collapses of edges that cost least) or hausdorff (vertices whose removal leaves the
-    /// original nearest; slower, errors are guaranteed)
+    /// What is simplified first: quadric (collapses of edges that cost least) or hausdorff (vertices, by a
+    /// mixture of distance, area and attributes; slower, errors are guaranteed)
     #[arg(long, value_name = "ORDER", default_value = "quadric", hide_possible_values = true)]
     pub(crate) order: OrderArg,
     /// Guarantee errors in quadric order too: no point of the original is farther from a level than its error

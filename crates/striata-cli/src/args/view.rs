@@ -26,7 +26,7 @@ pub(crate) struct ViewArgs {
     /// Pixels of the screen [default: 1920x1080]
     #[arg(long, value_name = "WxH")]
     viewport: Option<Viewport>,
-    /// Pixels that an error may take on the screen [default: 1]
+    /// Pixels that an error may take on the screen, by the file's errors: estimates, unless they are guaranteed [default: 1]
     #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = super::strips::parse_at_least_zero)]
     pixels: Option<f64>,
     /// Pixels that an error may take where the surface turns from the eye [default: as elsewhere]

@@ -12,7 +12,6 @@ mod orders;
 mod outputs;
 mod patterns;
 mod refusals;
-#[cfg(feature = "gpu")]
 mod render;
 #[cfg(all(unix, feature = "serve"))]
 mod serve;
@@ -24,5 +23,6 @@ mod streams;
 mod strip_blocks;
 mod strips;
 mod verbs;
+#[cfg(feature = "window")]
 mod view;
 mod workbench;

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::workbench::{Workbench, assert_keys, asset};
+use crate::workbench::{NO_DRIVERS, Workbench, assert_keys, asset};
 
 /// A PNG file, decoded; pixels have four bytes whether the file keeps opacity or not.
 struct Decoded {
@@ -255,13 +255,40 @@ fn bad_flags_and_files_are_refused_and_nothing_is_written() {
 }
 
 #[test]
-fn without_an_adapter_the_cure_is_told_and_nothing_is_written() {
-    let bench = Workbench::new();
-    let assert =
-        bench.command("render shape:torus -o out.png").env("WGPU_BACKEND", "none-such").assert().code(1);
+fn without_a_driver_the_rasterizer_draws_the_same_and_one_line_says_so() {
+    let bench = Workbench::with_ball();
+    let arguments = "render ball.striata --levels 100%,10% --size 300x160 --json";
+    let (expected, _) = picture(&bench, &arguments.replace("render ", "").replace(" --json", " --software"));
+    let assert = bench.command(&format!("{arguments} -o bare.png")).envs(NO_DRIVERS).assert().success();
     let said = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
-    assert!(said.contains("no graphics adapter") && said.contains("hint: install"), "{said}");
-    assert!(said.contains("mesa-vulkan-drivers") && said.contains("WGPU_BACKEND=none-such"), "{said}");
+    assert!(said.starts_with("note: ") && said.contains("the software rasterizer draws instead"), "{said}");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    let report: Value = serde_json::from_slice(&assert.get_output().stdout).expect("JSON");
+    assert_eq!(report["adapter"], "the software rasterizer");
+    assert_eq!(Decoded::of(&bench.read("bare.png")).differing(&expected), 0);
+    let assert =
+        bench.command(&format!("{arguments} --quiet -o bare.png")).envs(NO_DRIVERS).assert().success();
+    assert!(assert.get_output().stderr.is_empty());
+}
+
+#[test]
+fn messages_of_drivers_are_only_seen_by_who_asks_for_them() {
+    let bench = Workbench::with_ball();
+    let of = |flags: &str| {
+        let mut command = bench.command(&format!("render ball.striata -o a.png --size 60x60{flags}"));
+        let assert = command.env_remove("XDG_RUNTIME_DIR").env("EGL_LOG_LEVEL", "debug").assert().success();
+        String::from_utf8_lossy(&assert.get_output().stderr).into_owned()
+    };
+    let usual = of("");
+    assert!(usual.lines().count() <= 2, "{usual}");
+    assert!(usual.lines().all(|line| line.starts_with("note: ") || line.contains("a.png")), "{usual}");
+    let verbose = of(" --verbose");
+    assert!(verbose.lines().count() > usual.lines().count(), "{verbose}");
+}
+
+#[test]
+fn an_adapter_that_is_not_there_is_refused() {
+    let bench = Workbench::new();
     let said = bench.refused("render shape:torus -o out.png --adapter none-such");
     assert!(said.contains("none-such") && said.contains("hint: name another"), "{said}");
     assert_eq!(bench.names(), Vec::<String>::new());

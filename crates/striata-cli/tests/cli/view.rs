@@ -4,10 +4,15 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::time::Duration;
 
-use crate::workbench::Workbench;
+use crate::workbench::{NO_DRIVERS, Workbench};
 
 /// Runs the command where it can open a window, and kills it where it never ends.
 fn run_on_display(bench: &Workbench, arguments: &[&str]) -> Output {
+    run_with(bench, arguments, &[])
+}
+
+/// The same in an environment.
+fn run_with(bench: &Workbench, arguments: &[&str], environment: &[(&str, &str)]) -> Output {
     let striata = assert_cmd::cargo::cargo_bin("striata");
     let has_display = ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some());
     let mut command = if has_display {
@@ -21,7 +26,7 @@ fn run_on_display(bench: &Workbench, arguments: &[&str]) -> Output {
         command.args(["-a", "-s", "-screen 0 1600x1200x24"]).arg(&striata);
         command
     };
-    command.arg("view").args(arguments).current_dir(bench.path("."));
+    command.arg("view").args(arguments).current_dir(bench.path(".")).envs(environment.iter().copied());
     assert_cmd::Command::from_std(command).timeout(Duration::from_secs(600)).output().expect("it starts")
 }
 
@@ -101,4 +106,28 @@ fn without_a_file_or_a_display_it_says_what_to_do() {
     let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
     assert!(stderr.contains("display") && stderr.contains("hint: `striata render`"), "{stderr}");
     assert!(!stderr.contains(".rs:"), "whose line of code it was is no news to anybody: {stderr}");
+}
+
+#[test]
+fn without_a_driver_it_says_what_is_missing_and_what_works_without() {
+    let bench = Workbench::with_ball();
+    let output = run_with(&bench, &["ball.striata", "--screenshot", "shot.png"], &NO_DRIVERS);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("a window needs a graphics driver: "), "{said}");
+    assert!(said.contains("mesa-vulkan-drivers") && said.contains("`striata view --browser`"), "{said}");
+    assert_eq!(said.lines().count(), 2, "an error and a hint: {said}");
+}
+
+#[test]
+fn opengl_alone_is_enough_for_a_window() {
+    let bench = Workbench::with_ball();
+    let arguments = ["ball.striata", "--size", "640x480", "--screenshot", "gl.png"];
+    let output = run_with(&bench, &arguments, &[("WGPU_BACKEND", "gl")]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{said}");
+    let usual = shot(&bench, &["ball.striata"]);
+    let gl = png(&bench.path("gl.png"));
+    let far = usual.2.iter().zip(&gl.2).filter(|(a, b)| a.abs_diff(**b) > 32).count();
+    assert!(far < usual.2.len() / 50, "{far} of {} bytes differ", usual.2.len());
 }

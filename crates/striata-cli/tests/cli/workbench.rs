@@ -8,6 +8,13 @@ use assert_cmd::assert::Assert;
 use serde_json::Value;
 use tempfile::TempDir;
 
+/// What makes a machine look as if it had no graphics driver.
+pub(crate) const NO_DRIVERS: [(&str, &str); 3] = [
+    ("VK_DRIVER_FILES", "/nonexistent"),
+    ("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent"),
+    ("LIBGL_DRIVERS_PATH", "/nonexistent"),
+];
+
 /// A folder with meshes in it that is gone after the test.
 pub(crate) struct Workbench {
     folder: TempDir,
