@@ -70,7 +70,7 @@ impl Course {
     /// Does what must be done while the star of `v` still stands: targets of its wedges, memory of the cost function.
     /// Returns the largest squared distance of tracked vertices, where they are tracked between neighbours.
     fn leave(&mut self, judge: &mut Judge<'_>, v: u32, u: u32) -> Option<f32> {
-        let Judge { star, links, positions, wedges, memory, pairs, .. } = judge;
+        let Judge { wedges, memory, pairs, .. } = judge;
         if let Some(pairs) = pairs {
             pairs.collapse(v, u);
         }
@@ -83,15 +83,9 @@ impl Course {
             self.record.targets[v as usize] = u;
             return None;
         }
-        star.gather(links, positions, v);
-        let neighbour = star.ids.iter().position(|&w| w == u);
-        match neighbour {
-            Some(k) => {
-                if let Some(wedges) = wedges {
-                    wedges.pair(star, v, k);
-                }
-            }
-            None => judge.pair_wedges(v, u),
+        let neighbour = judge.gather_and_pair(v, u);
+        if neighbour.is_none() {
+            judge.pair_wedges(v, u);
         }
         let Judge { star, positions, wedges, memory, .. } = judge;
         match wedges {

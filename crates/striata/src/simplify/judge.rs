@@ -7,7 +7,7 @@ use crate::mesh::Welded;
 use super::attributes::AttributeSpace;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
-use super::options::{BoundaryRule, CollapseCost, SequenceOptions};
+use super::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions};
 use super::pairs::Pairs;
 use super::quadric::Quadric;
 use super::star::Star;
@@ -73,8 +73,9 @@ pub(super) struct Judge<'a> {
     pub(super) pairs: Option<Pairs>,
     pub(super) star: Star,
     pub(super) legality: Legality,
-    attributes: Option<AttributeSpace>,
-    is_locked: Vec<bool>,
+    pub(super) attributes: Option<AttributeSpace>,
+    pub(super) is_locked: Vec<bool>,
+    seams: SeamRule,
     locks_boundary: bool,
     partners: Vec<u32>,
     candidates: Vec<Candidate>,
@@ -107,6 +108,7 @@ impl<'a> Judge<'a> {
             legality: Legality::default(),
             attributes: AttributeSpace::new(welded, &options.attribute_weights),
             is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
+            seams: options.seams,
             locks_boundary: options.boundary == BoundaryRule::Locked,
             partners: Vec::new(),
             candidates: Vec::new(),
@@ -164,16 +166,50 @@ impl<'a> Judge<'a> {
                 }
             }
         }
+        self.load_wedges(v);
         let kind = self.links.kind(v);
         match &self.wedges {
             Some(wedges) if wedges.is_split(v) => {
-                let triangles = std::mem::take(&mut self.star.triangles);
-                let is_seam =
-                    |s: usize, t: usize| wedges.shown(triangles[s], v) != wedges.shown(triangles[t], v);
-                self.star.apply_borders(kind, Some(&is_seam));
-                self.star.triangles = triangles;
+                let (rule, attributes) = (self.seams, self.attributes.as_ref());
+                let seam_between = |star: &Star, s: usize, t: usize| {
+                    let (a, b) = (star.shown[s], star.shown[t]);
+                    let difference_squared = || match rule {
+                        SeamRule::Cross => attributes.map_or(0.0, |space| space.difference_squared(a, b)),
+                        SeamRule::Keep => f32::INFINITY,
+                    };
+                    (a != b).then(difference_squared)
+                };
+                self.star.apply_borders(kind, Some(&seam_between));
             }
             _ => self.star.apply_borders(kind, None),
+        }
+    }
+
+    /// Notes which vertices the gathered star of `v` shows there.
+    fn load_wedges(&mut self, v: u32) {
+        if let Some(wedges) = &self.wedges {
+            wedges.load(&mut self.star, v);
+        }
+    }
+
+    /// Gathers the star of `v` and pairs its wedges with those of its neighbor `u`; gives the neighbor's index in the star, if
+    /// it is one.
+    pub(super) fn gather_and_pair(&mut self, v: u32, u: u32) -> Option<usize> {
+        self.star.gather(&self.links, &self.positions, v);
+        self.load_wedges(v);
+        let k = self.star.ids.iter().position(|&w| w == u)?;
+        self.pair(v, k);
+        Some(k)
+    }
+
+    /// Pairs the wedges of `v` with those of neighbor `k` of its star; false if the rule for seams or a conflict forbids it.
+    pub(super) fn pair(&mut self, v: u32, k: usize) -> bool {
+        let Self { wedges: Some(wedges), attributes, star, .. } = self else { return true };
+        match self.seams {
+            SeamRule::Keep => wedges.pair(star, v, k),
+            SeamRule::Cross => wedges.pair_across(star, v, k, |a, b| {
+                attributes.as_ref().map_or(0.0, |space| space.difference_squared(a, b))
+            }),
         }
     }
 
@@ -245,7 +281,7 @@ impl<'a> Judge<'a> {
         if !self.legality.allows(&self.links, v, self.star.ids[k]) {
             return None;
         }
-        if self.wedges.as_mut().is_some_and(|wedges| !wedges.pair(&self.star, v, k)) {
+        if !self.pair(v, k) {
             return None;
         }
         let distance_squared = match self.star.fan_distance_squared(k) {
@@ -280,13 +316,16 @@ impl<'a> Judge<'a> {
             self.star.mark_vanishing(Some(k));
             cost += tracker.increase(&self.star, k, (v, distance_squared));
         }
-        if let Some(attributes) = &self.attributes {
-            if let Some(wedges) = &mut self.wedges {
-                wedges.pair(&self.star, v, k);
-            }
-            cost += attributes.cost(&self.star, self.wedges.as_ref(), v, k);
+        if self.attributes.is_some() {
+            self.pair(v, k);
         }
-        Some(cost)
+        Some(cost + self.attribute_cost(v, k))
+    }
+
+    /// What the collapse of `v` to neighbor `k` costs in attributes; the wedges must be paired.
+    pub(super) fn attribute_cost(&self, v: u32, k: usize) -> f32 {
+        let attributes = self.attributes.as_ref();
+        attributes.map_or(0.0, |space| space.cost(&self.star, self.wedges.as_ref(), v, k))
     }
 
     /// The cheapest contraction of `v` with a partner, if it beats `best`.

@@ -68,6 +68,30 @@ pub enum BoundaryRule {
     Locked,
 }
 
+/// What collapses may do at seams: edges where the wedges of a position differ, and borders between materials.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SeamRule {
+    /// A wedge without a partner takes the most similar wedge of the target, at a price, so that seams stop nothing.
+    #[default]
+    Cross,
+    /// Vertices on a seam move along the seam only; every wedge needs a partner on its own side.
+    Keep,
+}
+
+/// What happens once no collapse is left that keeps the topology.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TopologyRule {
+    /// Handles close, thin parts fold flat and small parts vanish, in the order of cost, so that every target is reached.
+    #[default]
+    Change,
+    /// The topology may change, but each connected part keeps at least one triangle.
+    KeepParts,
+    /// Collapses that would change the topology are refused.
+    Keep,
+}
+
 /// How much attributes count against distance, per kind of layer.
 ///
 /// A weight is the distance, as a share of the bounding box's diagonal, that weighs as much as a
@@ -111,6 +135,10 @@ pub struct SequenceOptions {
     /// What may happen to borders between triangle groups; default kept. Locked, every vertex whose position is used by more
     /// than one group stays.
     pub group_borders: BoundaryRule,
+    /// What collapses may do at seams; default cross them.
+    pub seams: SeamRule,
+    /// Whether collapses may change the topology once no others are left; default they may.
+    pub topology: TopologyRule,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
     /// Vertices without a common edge may contract when nearer than this, mesh units; default never.
@@ -170,6 +198,14 @@ impl SequenceOptions {
     /// Sets [`Self::group_borders`].
     pub fn with_group_borders(self, group_borders: BoundaryRule) -> Self {
         Self { group_borders, ..self }
+    }
+    /// Sets [`Self::seams`].
+    pub fn with_seams(self, seams: SeamRule) -> Self {
+        Self { seams, ..self }
+    }
+    /// Sets [`Self::topology`].
+    pub fn with_topology(self, topology: TopologyRule) -> Self {
+        Self { topology, ..self }
     }
     /// Sets [`Self::locked_vertices`].
     pub fn with_locked_vertices(self, locked_vertices: Vec<u32>) -> Self {

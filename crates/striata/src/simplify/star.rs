@@ -40,6 +40,31 @@ enum Border {
     Boundary,
 }
 
+/// An edge of the star that lies on a border.
+#[derive(Clone, Copy, Debug)]
+struct Special {
+    neighbor: u32,
+    border: Border,
+    /// Squared difference of the attributes on both sides of a seam; infinite for other borders, and for seams that must stay.
+    difference_squared: f32,
+}
+
+impl Special {
+    /// What it costs that this edge's end moves so that twice the area of `swept_squared`, squared, is swept.
+    fn leave_cost(&self, swept_squared: f32) -> f32 {
+        let course = BORDER_WEIGHT * swept_squared;
+        if self.difference_squared == f32::INFINITY {
+            return course;
+        }
+        course.min(0.5 * swept_squared.sqrt() * self.difference_squared)
+    }
+
+    /// What it costs that the border, whose only edge this is, recedes by a squared length.
+    fn recede_cost(&self, length_squared: f32) -> f32 {
+        (length_squared * length_squared).min(length_squared * self.difference_squared)
+    }
+}
+
 /// Three coordinates of many points.
 type Coordinates = [Vec<f32>; 3];
 
@@ -72,7 +97,9 @@ pub(super) struct Star {
     /// Midpoints of new edges, and their squared distances from the old triangles.
     middles: Vec<(Vec3, f32x8)>,
     edges: Vec<LinkEdge>,
-    special: Vec<(u32, Border)>,
+    special: Vec<Special>,
+    /// The vertex of the center that each triangle shows, if [`Wedges::load`](super::wedges::Wedges::load) was called.
+    pub(super) shown: Vec<u32>,
 }
 
 /// Eight floats from `index` on; every array is padded so that they are there.
@@ -327,12 +354,17 @@ impl Star {
 
     /// Restricts the candidates to the special edges of `v` and adds what leaving their course costs.
     ///
-    /// `is_seam(i, j)` says whether triangles `i` and `j` show v different wedges.
-    pub(super) fn apply_borders(&mut self, kind: LinkKind, is_seam: Option<&dyn Fn(usize, usize) -> bool>) {
-        if kind == LinkKind::Closed && is_seam.is_none() {
+    /// `seam_between(i, j)` gives the squared difference of attributes if triangles `i` and `j` show v different wedges; infinite
+    /// if the seam must stay.
+    pub(super) fn apply_borders(
+        &mut self,
+        kind: LinkKind,
+        seam_between: Option<&dyn Fn(&Self, usize, usize) -> Option<f32>>,
+    ) {
+        if kind == LinkKind::Closed && seam_between.is_none() {
             return;
         }
-        if kind == LinkKind::Open && is_seam.is_none() {
+        if kind == LinkKind::Open && seam_between.is_none() {
             let last = self.ids.len() - 1;
             let swept = BORDER_WEIGHT * self.offset(0).cross(self.offset(last)).length_squared();
             let (first_cost, last_cost) = (self.costs[0] + swept, self.costs[last] + swept);
@@ -340,54 +372,74 @@ impl Star {
             (self.costs[0], self.costs[last]) = (first_cost, last_cost);
             return;
         }
-        self.find_special(is_seam);
-        let Some(strongest) = self.special.iter().map(|&(_, border)| border).max() else { return };
-        let special = std::mem::take(&mut self.special);
+        let mut special = std::mem::take(&mut self.special);
+        special.clear();
+        for i in 0..self.ids.len() {
+            special.extend(self.special_edge(i, seam_between));
+        }
+        self.charge_borders(&special);
+        self.special = special;
+    }
+
+    fn charge_borders(&mut self, special: &[Special]) {
+        let Some(strongest) = special.iter().map(|s| s.border).max() else { return };
+        // Seams that may be crossed bind nobody to their course.
+        let binds = strongest > Border::Seam || special.iter().any(|s| s.difference_squared == f32::INFINITY);
         let mut costs = std::mem::take(&mut self.costs);
         for (i, cost) in costs.iter_mut().enumerate() {
-            if !special.contains(&(i as u32, strongest)) {
+            if binds && !special.iter().any(|s| s.neighbor as usize == i && s.border == strongest) {
                 *cost = f32::INFINITY;
                 continue;
             }
             let u = self.offset(i);
-            let others = special.iter().filter(|(j, _)| *j as usize != i);
-            let swept: f32 = others.map(|&(j, _)| self.offset(j as usize).cross(u).length_squared()).sum();
-            *cost += BORDER_WEIGHT * swept;
-            if special.len() == 1 {
+            let others = special.iter().filter(|s| s.neighbor as usize != i);
+            let swept = |s: &Special| s.leave_cost(self.offset(s.neighbor as usize).cross(u).length_squared());
+            *cost += others.map(swept).sum::<f32>();
+            if let [end] = special {
                 // The border ends here and would recede.
-                *cost += u.length_squared() * u.length_squared();
+                *cost += end.recede_cost(u.length_squared());
             }
         }
-        (self.special, self.costs) = (special, costs);
+        self.costs = costs;
     }
 
-    fn find_special(&mut self, is_seam: Option<&dyn Fn(usize, usize) -> bool>) {
-        self.special.clear();
-        for i in 0..self.ids.len() {
-            let mut before = None;
-            let mut after = None;
-            let mut count = 0;
-            for t in 0..self.triangle_count {
-                let [a, b] = self.triangle(t);
-                if a == i {
-                    after = Some(t);
-                    count += 1;
-                }
-                if b == i {
-                    before = Some(t);
-                    count += 1;
-                }
-            }
-            let border = match (before, after) {
-                _ if count == 1 => Border::Boundary,
-                (Some(t), Some(s)) if count == 2 => match is_seam {
-                    Some(is_seam) if is_seam(t, s) => Border::Seam,
-                    _ => continue,
-                },
-                _ => Border::Branch,
-            };
-            self.special.push((i as u32, border));
+    /// The edge to neighbor `i`, if it lies on a border.
+    fn special_edge(
+        &self,
+        i: usize,
+        seam_between: Option<&dyn Fn(&Self, usize, usize) -> Option<f32>>,
+    ) -> Option<Special> {
+        let (before, after, count) = self.triangles_at(i);
+        let (border, difference_squared) = match (before, after) {
+            _ if count == 1 => (Border::Boundary, f32::INFINITY),
+            (Some(t), Some(s)) if count == 2 => (Border::Seam, seam_between?(self, t, s)?),
+            _ => (Border::Branch, f32::INFINITY),
+        };
+        Some(Special { neighbor: i as u32, border, difference_squared })
+    }
+
+    /// The last triangle that ends at neighbor `i`, the last one that begins there, and how many do either.
+    fn triangles_at(&self, i: usize) -> (Option<usize>, Option<usize>, usize) {
+        if self.pairs.is_empty() {
+            let n = self.ids.len();
+            let is_closed = self.triangle_count == n;
+            let before = if i > 0 { Some(i - 1) } else { is_closed.then_some(n - 1) };
+            let after = (i < self.triangle_count).then_some(i);
+            return (before, after, usize::from(before.is_some()) + usize::from(after.is_some()));
         }
+        let (mut before, mut after, mut count) = (None, None, 0);
+        for (t, pair) in self.pairs.iter().enumerate() {
+            let [a, b] = pair.map(|x| x as usize);
+            if a == i {
+                after = Some(t);
+                count += 1;
+            }
+            if b == i {
+                before = Some(t);
+                count += 1;
+            }
+        }
+        (before, after, count)
     }
 
     /// Squared distance of v from the fan that neighbour `k` as the target would leave; `None` where a triangle would

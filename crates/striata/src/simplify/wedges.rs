@@ -1,8 +1,11 @@
 //! Wedges: which vertex of the target stands for which vertex of the removed position.
 //!
-//! A collapse removes a position with all its wedges. The triangles on the collapsed edge say which wedges lie on
-//! the same side of the seam; where some wedge has no such partner, the collapse would tear the attributes
-//! and is refused.
+//! A collapse removes a position with all its wedges. The triangles on the collapsing edge show which wedges lie on
+//! the same side of the seam. A wedge without such a partner has to **cross** the seam: it goes to the wedge of the target
+//! that differs least from it. [`Wedges::pair`] refuses that, [`Wedges::pair_across`] allows it.
+//!
+//! Both refuse a **conflict**: one wedge of the removed position that faces two wedges of the target. One of the two
+//! triangles between them would vanish in space, but keep three different vertices.
 
 use crate::mesh::PositionIndex;
 
@@ -16,11 +19,13 @@ pub(super) struct Wedges<'a> {
     corners: Vec<[u32; 3]>,
     /// The pairing found last.
     map: Vec<(u32, u32)>,
+    /// Pairs of `map` from here on cross a seam.
+    first_crossing: usize,
 }
 
 impl<'a> Wedges<'a> {
     pub(super) fn new(positions: &'a PositionIndex, corners: Vec<[u32; 3]>) -> Self {
-        Self { positions, corners, map: Vec::new() }
+        Self { positions, corners, map: Vec::new(), first_crossing: 0 }
     }
 
     /// True where `position` has several vertices.
@@ -41,18 +46,39 @@ impl<'a> Wedges<'a> {
         pair.map_or(self.positions.first_vertex(position), |&(_, to)| to)
     }
 
+    /// True if the pairing found last takes `wedge` across a seam.
+    pub(super) fn crosses(&self, wedge: u32) -> bool {
+        self.map[self.first_crossing..].iter().any(|(from, _)| *from == wedge)
+    }
+
+    /// Notes in `star` which vertex of `v` each of its triangles shows.
+    pub(super) fn load(&self, star: &mut Star, v: u32) {
+        let mut shown = std::mem::take(&mut star.shown);
+        shown.clear();
+        let count = star.triangle_count();
+        if self.is_split(v) {
+            shown.extend(star.triangles[..count].iter().map(|&t| self.shown(t, v)));
+        } else {
+            shown.resize(count, self.first(v));
+        }
+        star.shown = shown;
+    }
+
     /// Pairs every wedge of `v` with the wedge of `u` that `difference` finds nearest: for positions without a common
     /// edge, where no triangle tells.
     pub(super) fn pair_nearest(&mut self, v: u32, u: u32, difference: impl Fn(u32, u32) -> f32) {
         self.map.clear();
         for from in self.positions.wedges(v) {
-            let nearest = self
-                .positions
-                .wedges(u)
-                .min_by(|&a, &b| difference(from, a).total_cmp(&difference(from, b)))
-                .unwrap_or(self.positions.first_vertex(u));
-            self.map.push((from, nearest));
+            self.map.push((from, self.nearest_wedge(from, u, &difference)));
         }
+        self.first_crossing = self.map.len();
+    }
+
+    /// The wedge of `u` that differs least from the vertex `from`; the first of equal ones.
+    fn nearest_wedge(&self, from: u32, u: u32, difference: impl Fn(u32, u32) -> f32) -> u32 {
+        let wedges = self.positions.wedges(u);
+        let nearest = wedges.min_by(|&a, &b| difference(from, a).total_cmp(&difference(from, b)));
+        nearest.unwrap_or(self.positions.first_vertex(u))
     }
 
     /// The vertices of a triangle.
@@ -91,29 +117,75 @@ impl<'a> Wedges<'a> {
         }
     }
 
-    /// Pairs the wedges of `v` with those of its neighbour `star.ids[k]`; false where some wedge has no partner.
+    /// Pairs the wedges of `v` with those of its neighbour `star.ids[k]`; false if some wedge has no partner on its own
+    /// side of the seam.
     pub(super) fn pair(&mut self, star: &Star, v: u32, k: usize) -> bool {
         let u = star.ids[k];
         self.map.clear();
         if !self.is_split(v) && !self.is_split(u) {
             self.map.push((self.positions.first_vertex(v), self.positions.first_vertex(u)));
+            self.first_crossing = 1;
             return true;
         }
         for t in 0..star.triangle_count() {
             if star.triangle(t).contains(&k) {
                 let triangle = star.triangles[t];
-                let (from, to) = (self.shown(triangle, v), self.shown(triangle, u));
-                match self.map.iter().find(|(other, _)| *other == from) {
-                    Some(&(_, found)) if found != to => return false,
-                    Some(_) => {}
-                    None => self.map.push((from, to)),
+                if !self.join(self.shown(triangle, v), self.shown(triangle, u)) {
+                    return false;
                 }
             }
         }
+        self.first_crossing = self.map.len();
         (0..star.triangle_count()).all(|t| {
             let from = self.shown(star.triangles[t], v);
             self.map.iter().any(|(other, _)| *other == from)
         })
+    }
+
+    /// Pairs like [`Self::pair`], but lets wedges without a partner cross the seam to the wedge that `difference` finds
+    /// nearest; false only in a conflict. The star must be loaded by [`Self::load`].
+    pub(super) fn pair_across(
+        &mut self,
+        star: &Star,
+        v: u32,
+        k: usize,
+        difference: impl Fn(u32, u32) -> f32,
+    ) -> bool {
+        let u = star.ids[k];
+        self.map.clear();
+        let is_split = self.is_split(u);
+        if !is_split && !self.is_split(v) {
+            self.map.push((self.positions.first_vertex(v), self.positions.first_vertex(u)));
+            self.first_crossing = 1;
+            return true;
+        }
+        for t in 0..star.triangle_count() {
+            if star.triangle(t).contains(&k) {
+                let to = if is_split { self.shown(star.triangles[t], u) } else { self.first(u) };
+                if !self.join(star.shown[t], to) {
+                    return false;
+                }
+            }
+        }
+        self.first_crossing = self.map.len();
+        for &from in &star.shown {
+            if self.map.iter().all(|(other, _)| *other != from) {
+                let to = self.nearest_wedge(from, u, &difference);
+                self.map.push((from, to));
+            }
+        }
+        true
+    }
+
+    /// Adds a pair; false if its wedge is paired with another one already.
+    fn join(&mut self, from: u32, to: u32) -> bool {
+        match self.map.iter().find(|(other, _)| *other == from) {
+            Some(&(_, found)) => found == to,
+            None => {
+                self.map.push((from, to));
+                true
+            }
+        }
     }
 
     /// Writes the target of every wedge of `v` by the pairing found last, `u` being the target position.

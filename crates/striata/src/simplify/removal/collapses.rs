@@ -1,8 +1,10 @@
 //! Half-edge collapses, for stars that cannot be filled freely: at seams, between groups, where sheets meet.
 //!
-//! What may be collapsed, and along which edges, is what the collapse simplifier allows.
+//! What may be collapsed, and along which edges, is what the collapse simplifier allows if it keeps seams and topology: the
+//! bounds that removals promise hold for such steps only.
 
 use crate::simplify::links::LinkKind;
+use crate::simplify::star::Star;
 
 use super::hole::Features;
 use super::judge::{Filling, Judge, Verdict};
@@ -40,10 +42,11 @@ impl Judge<'_> {
         if !wedges.is_split(v) {
             return self.star.apply_borders(kind, None);
         }
-        let triangles = std::mem::take(&mut self.star.triangles);
-        let is_seam = |s: usize, t: usize| wedges.shown(triangles[s], v) != wedges.shown(triangles[t], v);
-        self.star.apply_borders(kind, Some(&is_seam));
-        self.star.triangles = triangles;
+        let seam_between = |star: &Star, s: usize, t: usize| {
+            let is_seam = wedges.shown(star.triangles[s], v) != wedges.shown(star.triangles[t], v);
+            is_seam.then_some(f32::INFINITY)
+        };
+        self.star.apply_borders(kind, Some(&seam_between));
     }
 
     /// Leaves only neighbours along the sharp edges of the star; false where those meet in it.
