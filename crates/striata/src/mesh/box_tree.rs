@@ -10,9 +10,9 @@ const LEAF_SIZE: usize = 4;
 
 /// A box that is aligned with the axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct AxisBox {
-    pub(super) min: Vec3A,
-    pub(super) max: Vec3A,
+pub(crate) struct AxisBox {
+    pub(crate) min: Vec3A,
+    pub(crate) max: Vec3A,
 }
 
 /// A node and all below it: those follow it in the list of nodes, up to `end`.
@@ -27,7 +27,7 @@ struct Node {
 
 /// A tree over boxes that it does not keep.
 #[derive(Default)]
-pub(super) struct BoxTree {
+pub(crate) struct BoxTree {
     nodes: Vec<Node>,
     order: Vec<u32>,
 }
@@ -48,7 +48,7 @@ impl AxisBox {
 
 impl BoxTree {
     /// Builds the tree in O(n log n) time; there may be no boxes.
-    pub(super) fn new(boxes: &[AxisBox]) -> Self {
+    pub(crate) fn new(boxes: &[AxisBox]) -> Self {
         let mut tree = Self { nodes: Vec::new(), order: (0..boxes.len() as u32).collect() };
         if !boxes.is_empty() {
             tree.nodes.reserve(boxes.len());
@@ -85,7 +85,7 @@ impl BoxTree {
     /// Hands over the members of boxes that are nearer to a point than a limit, in f32 and squared, near ones first. `visit`
     /// returns the limit from then on, which may fall.
     #[inline]
-    pub(super) fn visit_near(&self, point: Vec3A, limit: f32, mut visit: impl FnMut(usize) -> f32) {
+    pub(crate) fn visit_near(&self, point: Vec3A, limit: f32, mut visit: impl FnMut(usize) -> f32) {
         if !self.nodes.is_empty() {
             let mut limit = limit;
             self.descend(0, point, &mut limit, &mut visit);

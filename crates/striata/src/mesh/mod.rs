@@ -29,6 +29,7 @@ pub(crate) use adjacency::is_proper;
 pub use adjacency::{Adjacency, Edge};
 pub use appearance::{Appearance, Image, Material};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
+pub(crate) use box_tree::{AxisBox, BoxTree};
 pub use defect::{Defect, DefectKind};
 pub(crate) use disjoint_sets::DisjointSets;
 pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};

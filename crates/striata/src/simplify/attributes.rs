@@ -95,6 +95,22 @@ impl AttributeSpace {
         if self.share_material(a, b) { squared } else { squared + self.material_squared }
     }
 
+    /// Squared difference between two points of triangles, each given by its corners and barycentric coordinates.
+    pub(super) fn points_difference_squared(
+        &self,
+        (corners, weights): ([u32; 3], [f32; 3]),
+        (other_corners, other_weights): ([u32; 3], [f32; 3]),
+    ) -> f32 {
+        let at = |corners: [u32; 3], weights: [f32; 3], d: usize| -> f32 {
+            corners.into_iter().zip(weights).map(|(corner, weight)| weight * self.of(corner)[d]).sum()
+        };
+        let squared: f32 = (0..self.dimension)
+            .map(|d| at(corners, weights, d) - at(other_corners, other_weights, d))
+            .map(|difference| difference * difference)
+            .sum();
+        if self.share_material(corners[0], other_corners[0]) { squared } else { squared + self.material_squared }
+    }
+
     /// What it costs over a unit of area that `to` stands for `from` on the other side of a seam.
     fn crossing_squared(&self, from: u32, to: u32) -> f32 {
         let pairs = self.of(from).iter().zip(self.of(to)).zip(&self.factors);

@@ -1,10 +1,13 @@
 //! Carrying out a collapse: links, wedges and what the cost remembers follow it, and it is written down with its error.
 
+use glam::Vec3;
+
 use crate::mesh::Welded;
 
 use super::finish::Record;
-use super::judge::{Choice, Judge, Memory};
+use super::judge::{Choice, Judge, Memory, Tier};
 use super::links::LinkKind;
+use super::relaxed::Departure;
 use super::witness::Witnesses;
 
 /// Squared protrusions under this share of the squared edge are what single precision leaves of flat places.
@@ -20,6 +23,11 @@ pub(super) struct Course {
     pub(super) ring: Vec<u32>,
     /// Triangles that are left.
     pub(super) triangle_count: usize,
+    /// Steps before the last collapse.
+    last: usize,
+    /// Scratch: positions without triangles, and points of triangles that go.
+    gone: Vec<u32>,
+    points: Vec<Vec3>,
     /// What was collapsed; errors are the caller's to add.
     pub(super) record: Record,
 }
@@ -30,15 +38,23 @@ impl Course {
             scale,
             witnesses: Witnesses::new(welded.positions.position_count()),
             ring: Vec::new(),
+            last: 0,
+            gone: Vec::new(),
+            points: Vec::new(),
             triangle_count: welded.mesh.triangle_count(),
             record: Record { targets: vec![0; welded.mesh.vertex_count()], ..Record::default() },
         }
     }
 
-    /// Removes `v` as `choice` says; returns the error after it, mesh units.
+    /// Removes `v` as `choice` says, and with it all positions that lose their last triangle by that; returns the error
+    /// after it, mesh units.
     pub(super) fn collapse(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice) -> f64 {
         let u = choice.target;
+        self.last = self.record.removed.len();
         let tracked = self.leave(judge, v, u);
+        if choice.tier != Tier::Strict {
+            self.note_points(judge, v, u);
+        }
         let links = &mut judge.links;
         self.ring.clear();
         self.ring.extend_from_slice(links.entries(v));
@@ -53,18 +69,65 @@ impl Course {
         self.triangle_count -= removed;
         self.record.removed.push(v);
         self.record.removed_triangle_counts.push(removed as u8);
-        let worst = tracked.unwrap_or_else(|| {
-            let own = choice.distance_squared;
-            let worst = self.witnesses.collapse(&judge.links, &judge.positions, (v, u), own);
-            worst.max(reported_protrusion(&judge.positions, v, choice))
-        });
+        let departure = judge.note_departure(v, u, removed, &self.ring);
+        let worst = match departure {
+            Some(departure) => {
+                let worst = self.depart(judge, v, choice, &departure).max(tracked.unwrap_or(0.0));
+                judge.forget(departure);
+                worst
+            }
+            None => tracked.unwrap_or_else(|| self.settle(judge, v, choice)),
+        };
         f64::from(worst).sqrt() * self.scale
+    }
+
+    /// The squared error after a collapse that leaves the surface what it is.
+    fn settle(&mut self, judge: &Judge<'_>, v: u32, choice: &Choice) -> f32 {
+        let own = choice.distance_squared;
+        let worst = self.witnesses.collapse(&judge.links, &judge.positions, (v, choice.target), own);
+        worst.max(reported_protrusion(&judge.positions, v, choice))
+    }
+
+    /// The squared error after a collapse that may have taken more than `v`; writes down what else has gone.
+    fn depart(&mut self, judge: &Judge<'_>, v: u32, choice: &Choice, departure: &Departure) -> f32 {
+        let Departure { place, lost, distance } = departure;
+        let Some(place) = *place else { return distance * distance };
+        if choice.tier == Tier::Strict && lost.is_empty() {
+            return self.settle(judge, v, choice);
+        }
+        for &p in lost {
+            self.record.removed.push(p);
+            self.record.removed_triangle_counts.push(0);
+            judge.write_single_target(p, place, &mut self.record.targets);
+        }
+        self.gone.clear();
+        self.gone.push(v);
+        self.gone.push(choice.target);
+        self.gone.extend(lost.iter().copied().filter(|&p| p != choice.target));
+        let gone = (self.gone.as_slice(), self.points.as_slice());
+        let around = (place, distance * distance);
+        let worst = self.witnesses.lose(&judge.links, &judge.positions, gone, around);
+        worst.max(reported_protrusion(&judge.positions, v, choice))
+    }
+
+    /// Notes points of the triangles around `v` that its collapse to `u` takes, or all of them if it folds the surface.
+    fn note_points(&mut self, judge: &mut Judge<'_>, v: u32, u: u32) {
+        let Judge { star, links, positions, .. } = judge;
+        star.gather(links, positions, v);
+        self.points.clear();
+        let [x, y, z, _] = positions[v as usize];
+        let center = Vec3::new(x, y, z);
+        for t in 0..star.triangle_count() {
+            let [a, b] = star.triangle(t).map(|i| star.offset(i));
+            self.points.extend([(a + b) / 3.0, 0.5 * a, 0.5 * b].map(|offset| center + offset));
+        }
+        debug_assert!(star.ids.contains(&u), "relaxed collapses go to neighbors");
     }
 
     /// Takes the last collapse off the record; links and wedges stay as they are.
     pub(super) fn forget_last(&mut self) {
-        self.record.removed.pop();
-        self.record.removed_triangle_counts.pop();
+        self.record.removed.truncate(self.last);
+        self.record.removed_triangle_counts.truncate(self.last);
     }
 
     /// Does what must be done while the star of `v` still stands: targets of its wedges, memory of the cost function.

@@ -16,23 +16,42 @@ use crate::{Cancelled, Progress, ProgressFn};
 use super::course::Course;
 use super::finish::Record;
 use super::heap::IndexedHeap;
-use super::judge::{Choice, Judge, Memory};
+use super::judge::{Choice, Judge, Memory, Tier};
 use super::links::LinkKind;
-use super::options::{SequenceOptions, SimplifyError, StopReason};
+use super::options::{SequenceOptions, SimplifyError, StopReason, TopologyRule};
+use super::relaxed::Relaxed;
 
 /// No target chosen yet: the key is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
 /// Collapses between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
 
+/// Parts may have this many triangles each, on average, for a closed surface to wait with relaxed collapses: strict ones
+/// lead it down to a hundredth by themselves.
+const LEAST_CLOSED_PART: usize = 400;
+
+/// Whether positions without a strict target look for relaxed ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Relaxation {
+    Never,
+    /// No position has needed one yet.
+    Unknown,
+    /// Once no strict target is left anywhere.
+    Later,
+    Now,
+}
+
 /// All state of one simplification.
 pub(super) struct Engine<'a> {
+    welded: &'a Welded,
     options: &'a SequenceOptions,
     judge: Judge<'a>,
     heap: IndexedHeap,
     target: Vec<u32>,
+    tier: Vec<Tier>,
     distance_squared: Vec<f32>,
     protrusion_squared: Vec<f32>,
+    relaxation: Relaxation,
     course: Course,
 }
 
@@ -40,13 +59,17 @@ impl<'a> Engine<'a> {
     pub(super) fn new(welded: &'a Welded, options: &'a SequenceOptions) -> Self {
         let scaled = scaled_positions(welded);
         let (position_count, scale) = (scaled.0.len(), scaled.1);
+        let may_relax = options.topology != TopologyRule::Keep;
         Self {
+            welded,
             options,
             judge: Judge::new(welded, options, scaled),
             heap: IndexedHeap::new(&[]),
             target: vec![UNDECIDED; position_count],
+            tier: vec![Tier::Strict; position_count],
             distance_squared: vec![0.0; position_count],
             protrusion_squared: vec![0.0; position_count],
+            relaxation: if may_relax { Relaxation::Unknown } else { Relaxation::Never },
             course: Course::new(welded, scale),
         }
     }
@@ -57,12 +80,20 @@ impl<'a> Engine<'a> {
         progress: &mut ProgressFn<'_>,
     ) -> Result<(Record, StopReason), SimplifyError> {
         let total = self.target.len() as u64;
+        if self.relaxation != Relaxation::Never {
+            self.judge.lock_boundary();
+            if self.judge.pairs.is_some() {
+                // Even strict collapses may take whole parts then.
+                self.relax();
+            }
+        }
         let keys: Vec<f32> = (0..total as u32).map(|v| self.judge.lower_bound(v)).collect();
         self.heap = IndexedHeap::new(&keys);
         drop(keys);
         let limit = self.options.max_error.unwrap_or(f64::INFINITY);
         let mut error = 0.0f32;
-        while let Some((key, v)) = self.heap.first() {
+        let mut collapse_count = 0u64;
+        while let Some((key, v)) = self.next() {
             if self.course.triangle_count <= self.options.base_triangle_count {
                 return Ok((self.course.record, StopReason::TargetReached));
             }
@@ -84,10 +115,11 @@ impl<'a> Engine<'a> {
                 return Ok((self.course.record, StopReason::ErrorLimit));
             }
             error = error.max(collapse_error);
-            self.course.record.errors.push(error);
-            let done = self.course.record.removed.len() as u64;
-            let is_report = done.is_multiple_of(REPORT_INTERVAL);
-            if is_report && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(()) {
+            let done = self.course.record.removed.len();
+            self.course.record.errors.resize(done, error);
+            collapse_count += 1;
+            let report = Progress { phase: "simplify", done: done as u64, total };
+            if collapse_count.is_multiple_of(REPORT_INTERVAL) && progress(report) == ControlFlow::Break(()) {
                 return Err(Cancelled.into());
             }
         }
@@ -95,12 +127,58 @@ impl<'a> Engine<'a> {
         Ok((self.course.record, if is_met { StopReason::TargetReached } else { StopReason::BaseReached }))
     }
 
+    /// The position that comes next, and its key; lets relaxed collapses begin if they had to wait for the end.
+    fn next(&mut self) -> Option<(f32, u32)> {
+        if self.heap.first().is_none() && self.relaxation == Relaxation::Later {
+            self.relax();
+            for v in 0..self.target.len() as u32 {
+                self.target[v as usize] = UNDECIDED;
+                let bound = self.judge.lower_bound(v);
+                self.heap.set(v, bound);
+            }
+        }
+        self.heap.first()
+    }
+
+    /// Decides what happens now that a position has no strict target.
+    fn consider_relaxing(&mut self) {
+        if self.relaxation != Relaxation::Unknown {
+            return;
+        }
+        self.relax();
+        let judge = &self.judge;
+        let is_closed = |p: u32| matches!(judge.links.kind(p), LinkKind::Closed | LinkKind::Empty);
+        let part_count = judge.relaxed.as_ref().map_or(0, Relaxed::part_count);
+        if judge.wedges.is_none()
+            && LEAST_CLOSED_PART * part_count <= self.welded.mesh.triangle_count()
+            && (0..self.target.len() as u32).all(is_closed)
+        {
+            self.judge.relaxed = None;
+            self.relaxation = Relaxation::Later;
+        }
+    }
+
+    /// Lets relaxed collapses begin.
+    fn relax(&mut self) {
+        let record = &self.course.record;
+        let keeps_parts = self.options.topology == TopologyRule::KeepParts;
+        let relaxed = Relaxed::new(self.welded, &self.judge, (&record.removed, &record.targets), keeps_parts);
+        self.judge.relaxed = Some(relaxed);
+        self.relaxation = Relaxation::Now;
+    }
+
     /// Judges `v` in full and puts it back with its true cost, or takes it out where no target is allowed.
     fn decide(&mut self, v: u32, bound: f32) {
-        match self.judge.best_choice(v) {
+        let mut choice = self.judge.best_choice(v);
+        if choice.is_none() {
+            self.consider_relaxing();
+            choice = self.judge.relaxed_choice(v);
+        }
+        match choice {
             None => self.heap.remove(v),
             Some(choice) => {
                 self.target[v as usize] = choice.target;
+                self.tier[v as usize] = choice.tier;
                 self.distance_squared[v as usize] = choice.distance_squared;
                 self.protrusion_squared[v as usize] = choice.protrusion_squared;
                 if choice.cost > bound {
@@ -111,7 +189,11 @@ impl<'a> Engine<'a> {
     }
 
     fn is_still_allowed(&mut self, v: u32, u: u32) -> bool {
+        let tier = self.tier[v as usize];
         let judge = &mut self.judge;
+        if tier != Tier::Strict {
+            return judge.relaxed_stands(v, u, tier);
+        }
         if judge.links.entries(v).contains(&u) {
             return judge.legality.allows(&judge.links, v, u);
         }
@@ -124,6 +206,7 @@ impl<'a> Engine<'a> {
         let choice = Choice {
             cost: 0.0,
             target: u,
+            tier: self.tier[v as usize],
             distance_squared: self.distance_squared[v as usize],
             protrusion_squared: self.protrusion_squared[v as usize],
         };

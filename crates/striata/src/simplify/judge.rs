@@ -10,6 +10,7 @@ use super::links::{LinkKind, Links};
 use super::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions};
 use super::pairs::Pairs;
 use super::quadric::Quadric;
+use super::relaxed::Relaxed;
 use super::star::Star;
 use super::tracked::{MEMORYLESS_SHARE, Tracker};
 use super::wedges::Wedges;
@@ -52,9 +53,26 @@ struct Candidate {
     protrusion_squared: f32,
 }
 
+/// What a collapse does to the surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Tier {
+    /// It keeps what the surface is.
+    #[default]
+    Strict,
+    /// It breaks the link condition or leaves a border.
+    Link,
+    /// It flips triangles.
+    Fold,
+    /// It takes all triangles of the position, but not of the target.
+    Fin,
+    /// It takes all triangles of both.
+    Vanish,
+}
+
 /// A collapse that was judged in full.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Choice {
+    pub(super) tier: Tier,
     pub(super) cost: f32,
     pub(super) target: u32,
     /// Squared distance of the vertex from its new fan.
@@ -73,6 +91,8 @@ pub(super) struct Judge<'a> {
     pub(super) pairs: Option<Pairs>,
     pub(super) star: Star,
     pub(super) legality: Legality,
+    /// What relaxed collapses need, once there may be some.
+    pub(super) relaxed: Option<Relaxed<'a>>,
     pub(super) attributes: Option<AttributeSpace>,
     pub(super) is_locked: Vec<bool>,
     seams: SeamRule,
@@ -106,6 +126,7 @@ impl<'a> Judge<'a> {
             pairs: None,
             star: Star::default(),
             legality: Legality::default(),
+            relaxed: None,
             attributes: AttributeSpace::new(welded, &options.attribute_weights),
             is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
             seams: options.seams,
@@ -156,6 +177,13 @@ impl<'a> Judge<'a> {
     /// Fills the star of `v` with the costs of its candidates, as far as they are quadratic.
     fn load_star(&mut self, v: u32) {
         self.star.gather(&self.links, &self.positions, v);
+        self.fill_costs(v);
+        self.load_wedges(v);
+        self.apply_borders(v);
+    }
+
+    /// Fills in the costs of the gathered star's candidates, as if it lay on no border.
+    pub(super) fn fill_costs(&mut self, v: u32) {
         self.star.compute_costs();
         match &self.memory {
             Memory::Memoryless => {}
@@ -166,7 +194,10 @@ impl<'a> Judge<'a> {
                 }
             }
         }
-        self.load_wedges(v);
+    }
+
+    /// Restricts the candidates of the gathered star to the borders that `v` is on.
+    fn apply_borders(&mut self, v: u32) {
         let kind = self.links.kind(v);
         match &self.wedges {
             Some(wedges) if wedges.is_split(v) => {
@@ -210,6 +241,13 @@ impl<'a> Judge<'a> {
             SeamRule::Cross => wedges.pair_across(star, v, k, |a, b| {
                 attributes.as_ref().map_or(0.0, |space| space.difference_squared(a, b))
             }),
+        }
+    }
+
+    /// Locks every position that is on a boundary at present, if the options lock boundaries: relaxed collapses may close them.
+    pub(super) fn lock_boundary(&mut self) {
+        for v in (0..self.positions.len() as u32).filter(|_| self.locks_boundary) {
+            self.is_locked[v as usize] |= self.links.is_boundary(v);
         }
     }
 
@@ -267,7 +305,7 @@ impl<'a> Judge<'a> {
             if candidate.stage == Stage::Settled {
                 let target = self.star.ids[k];
                 let Candidate { distance_squared, protrusion_squared, .. } = candidate;
-                break Some(Choice { cost, target, distance_squared, protrusion_squared });
+                break Some(Choice { tier: Tier::Strict, cost, target, distance_squared, protrusion_squared });
             }
             let refined =
                 if candidate.stage == Stage::Bound { self.measure(v, k) } else { self.settle(v, k) };
@@ -346,11 +384,25 @@ impl<'a> Judge<'a> {
                 _ => self.star.cost_at(to) + self.star.distance_cost(distance_squared),
             } + PAIR_WEIGHT * self.star.area() * to.length_squared();
             if cost < best.map_or(f32::INFINITY, |b| b.cost) {
-                best = Some(Choice { cost, target, distance_squared, protrusion_squared: 0.0 });
+                best = Some(Choice {
+                    tier: Tier::Strict,
+                    cost,
+                    target,
+                    distance_squared,
+                    protrusion_squared: 0.0,
+                });
             }
         }
         self.partners = partners;
         best
+    }
+
+    /// Sends all wedges of `v`, which no triangle shows, to the first vertex of `u`.
+    pub(super) fn write_single_target(&self, v: u32, u: u32, targets: &mut [u32]) {
+        match &self.wedges {
+            Some(wedges) => wedges.write_single_target(v, u, targets),
+            None => targets[v as usize] = u,
+        }
     }
 
     /// Pairs each wedge of `v` with the wedge of `u` nearest to it in attributes: for parts that merge.

@@ -9,7 +9,7 @@ use super::links::{LinkEdge, LinkKind, Links};
 /// A target may not gather more neighbours than this, unless it had them before: hubs cost quadratic time.
 const MAX_VALENCE: usize = 40;
 /// Triangles that one collapse may remove: the sequence counts them in a byte.
-const MAX_REMOVED: usize = 255;
+pub(super) const MAX_REMOVED: usize = 255;
 
 /// Scratch for checks on links that are no rings.
 #[derive(Debug, Default)]

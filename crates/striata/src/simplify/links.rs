@@ -277,6 +277,11 @@ impl Links {
                 return false;
             }
         }
+        // What is left may be too small for a ring.
+        let least = if su.kind == LinkKind::Closed { 3 } else { 2 };
+        if m - 1 + arc.len() < least {
+            return false;
+        }
         // A neighbour that both rings name outside the shared triangles would stand twice.
         if arc.clone().any(|i| old.contains(&self.ring[i % n])) {
             return false;

@@ -178,6 +178,16 @@ impl Star {
         0.5 * self.area_doubled
     }
 
+    /// Squared length of the longest edge of all triangles.
+    pub(super) fn longest_edge_squared(&self) -> f32 {
+        let spokes = (0..self.ids.len()).map(|i| self.offset(i).length_squared());
+        let rim = (0..self.triangle_count).map(|t| {
+            let [a, b] = self.triangle(t).map(|i| self.offset(i));
+            (a - b).length_squared()
+        });
+        spokes.chain(rim).fold(0.0, f32::max)
+    }
+
     /// Neighbour `i` relative to the centre.
     #[inline]
     pub(super) fn offset(&self, i: usize) -> Vec3 {

@@ -197,6 +197,12 @@ impl<'a> Wedges<'a> {
         }
     }
 
+    /// Writes the first vertex of `u` as the target of every wedge of `v`.
+    pub(super) fn write_single_target(&self, v: u32, u: u32, targets: &mut [u32]) {
+        let target = self.positions.first_vertex(u);
+        self.positions.wedges(v).for_each(|wedge| targets[wedge as usize] = target);
+    }
+
     /// Shows the targets in the triangles around `v`.
     pub(super) fn substitute(&mut self, star: &Star, v: u32, targets: &[u32]) {
         let wedges = self.positions.wedges(v);

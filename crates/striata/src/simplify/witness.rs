@@ -59,7 +59,7 @@ impl Witnesses {
         if own > self.worst {
             // What raises the reported error is measured exactly: the cost's distances are good to a few
             // ten-thousandths of the edges only.
-            (own, place) = self.settle(links, positions, u, v);
+            (own, place) = self.settle(links, positions, u, point(positions, v));
             self.worst = self.worst.max(own);
         }
         self.keep(place, Witness { vertex: v, distance_squared: own });
@@ -68,10 +68,37 @@ impl Witnesses {
             let mut place = u;
             candidate.distance_squared = reach * reach;
             if candidate.distance_squared > self.worst {
-                (candidate.distance_squared, place) = self.settle(links, positions, u, candidate.vertex);
+                let from = point(positions, candidate.vertex);
+                (candidate.distance_squared, place) = self.settle(links, positions, u, from);
                 self.worst = self.worst.max(candidate.distance_squared);
             }
             self.keep(place, candidate);
+        }
+        self.worst
+    }
+
+    /// Called after a relaxed collapse. Everything that the `lost` positions stood for settles anew from `place`, and so do the
+    /// `points` of the triangles that have gone; nothing is taken on trust, since the surface may have moved by more than
+    /// any one vertex tells. Returns the largest squared distance seen so far, `farthest` included.
+    pub(super) fn lose(
+        &mut self,
+        links: &Links,
+        positions: &[[f32; 4]],
+        (lost, points): (&[u32], &[Vec3]),
+        (place, farthest): (u32, f32),
+    ) -> f32 {
+        self.worst = self.worst.max(farthest);
+        for &p in lost {
+            let witness = std::mem::replace(&mut self.of[p as usize], NOBODY);
+            for vertex in [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != place) {
+                let (distance_squared, at) = self.settle(links, positions, place, point(positions, vertex));
+                self.worst = self.worst.max(distance_squared);
+                self.keep(at, Witness { vertex, distance_squared });
+            }
+        }
+        for &from in points {
+            let (distance_squared, _) = self.settle(links, positions, place, from);
+            self.worst = self.worst.max(distance_squared);
         }
         self.worst
     }
@@ -84,9 +111,8 @@ impl Witnesses {
         }
     }
 
-    /// Walks from the star of `place` towards the surface nearest to `witness`.
-    fn settle(&mut self, links: &Links, positions: &[[f32; 4]], mut place: u32, witness: u32) -> (f32, u32) {
-        let from = point(positions, witness);
+    /// Walks from the star of `place` towards the surface nearest to the point `from`.
+    fn settle(&mut self, links: &Links, positions: &[[f32; 4]], mut place: u32, from: Vec3) -> (f32, u32) {
         let mut least = f32::INFINITY;
         for _ in 0..MAX_WALK {
             let centre = point(positions, place) - from;
