@@ -6,8 +6,8 @@ use striata::ProgressFn;
 use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
 use striata::simplify::{
     BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, RemovalOptions, Retriangulation,
-    SequenceOptions, SimplifyError, StopReason, build_welded_batches, build_welded_fragments,
-    build_welded_sequence, certify, certify_collapses, certify_collapses_in_any_state,
+    SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule, build_welded_batches,
+    build_welded_fragments, build_welded_sequence, certify, certify_collapses, certify_collapses_in_any_state,
 };
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
@@ -263,6 +263,8 @@ impl SequenceArgs {
             OrderArg::Quadric => self.removal.given(),
             OrderArg::Hausdorff if self.cost.is_some() => Some("--cost"),
             OrderArg::Hausdorff if self.pair_distance.is_some() => Some("--pair-distance"),
+            OrderArg::Hausdorff if self.keep_seams => Some("--keep-seams"),
+            OrderArg::Hausdorff if self.keep_parts => Some("--keep-parts"),
             OrderArg::Hausdorff => self.weights.given(),
         };
         if let Some(flag) = foreign {
@@ -277,6 +279,12 @@ impl SequenceArgs {
                     .with_boundary(boundary)
                     .with_group_borders(group_borders)
                     .with_attribute_weights(self.weights.weights());
+                if self.keep_seams {
+                    options.seams = SeamRule::Keep;
+                }
+                if self.keep_parts {
+                    options.topology = TopologyRule::KeepParts;
+                }
                 options.cost = self.cost.map_or_else(CollapseCost::default, CollapseCost::from);
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
@@ -306,10 +314,14 @@ impl SequenceArgs {
             OrderArg::Quadric => "no more edges can be collapsed",
             OrderArg::Hausdorff => "no more vertices can be removed",
         };
-        let mut text = format!("{step} without changing the topology");
+        let keeps_topology = self.order == OrderArg::Hausdorff || comes_in_batches;
+        let loss = if keeps_topology { "changing the topology" } else { "losing the last triangles" };
+        let mut text = format!("{step} without {loss}");
         let flags = [
             ("--lock-boundary", self.lock_boundary),
             ("--lock-groups", self.lock_groups),
+            ("--keep-seams", self.keep_seams),
+            ("--keep-parts", self.keep_parts),
             ("--feature-angle", self.removal.feature_angle.is_some()),
         ];
         let given: Vec<&str> = flags.into_iter().filter(|flag| flag.1).map(|flag| flag.0).collect();

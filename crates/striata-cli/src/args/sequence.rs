@@ -26,6 +26,12 @@ pub(crate) struct SequenceArgs {
     /// Keep every vertex on a border between groups (materials) in place
     #[arg(long)]
     pub(crate) lock_groups: bool,
+    /// Move vertices on seams and material borders only along them; targets may be out of reach then
+    #[arg(long)]
+    pub(crate) keep_seams: bool,
+    /// Keep at least one triangle of every connected part; targets may be out of reach then
+    #[arg(long)]
+    pub(crate) keep_parts: bool,
     /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     pub(crate) pair_distance: Option<Length>,

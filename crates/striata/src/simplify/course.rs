@@ -13,6 +13,9 @@ use super::witness::Witnesses;
 /// Squared protrusions under this share of the squared edge are what single precision leaves of flat places.
 const PROTRUSION_NOISE: f32 = 1e-5;
 
+/// Once so many positions have come together at one, one witness is not enough.
+const LEAST_FOLLOWERS: usize = 16;
+
 /// The collapses so far.
 #[derive(Debug)]
 pub(super) struct Course {
@@ -70,44 +73,56 @@ impl Course {
         self.record.removed.push(v);
         self.record.removed_triangle_counts.push(removed as u8);
         let departure = judge.note_departure(v, u, removed, &self.ring);
-        let worst = match departure {
-            Some(departure) => {
-                let worst = self.depart(judge, v, choice, &departure).max(tracked.unwrap_or(0.0));
-                judge.forget(departure);
-                worst
-            }
-            None => tracked.unwrap_or_else(|| self.settle(judge, v, choice)),
+        let is_plain = choice.tier == Tier::Strict && departure.as_ref().is_none_or(|d| d.lost.is_empty());
+        let mut worst = match tracked {
+            Some(worst) if is_plain => worst,
+            None if is_plain => self.settle(judge, v, choice),
+            _ => tracked.unwrap_or(0.0),
         };
+        if let Some(departure) = departure {
+            if !is_plain {
+                worst = worst.max(self.depart(judge, v, choice, &departure));
+            }
+            judge.forget(departure);
+        }
         f64::from(worst).sqrt() * self.scale
     }
 
     /// The squared error after a collapse that leaves the surface what it is.
-    fn settle(&mut self, judge: &Judge<'_>, v: u32, choice: &Choice) -> f32 {
+    fn settle(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice) -> f32 {
         let own = choice.distance_squared;
-        let worst = self.witnesses.collapse(&judge.links, &judge.positions, (v, choice.target), own);
+        let mut worst = self.witnesses.collapse(judge, (v, choice.target), own);
+        if judge.has_relaxed() {
+            judge.followers_into(choice.target, LEAST_FOLLOWERS, &mut self.gone);
+            worst = self.witnesses.lose(judge, (&self.gone, &[]), (choice.target, 0.0));
+        }
         worst.max(reported_protrusion(&judge.positions, v, choice))
     }
 
     /// The squared error after a collapse that may have taken more than `v`; writes down what else has gone.
-    fn depart(&mut self, judge: &Judge<'_>, v: u32, choice: &Choice, departure: &Departure) -> f32 {
+    fn depart(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice, departure: &Departure) -> f32 {
         let Departure { place, lost, distance } = departure;
         let Some(place) = *place else { return distance * distance };
-        if choice.tier == Tier::Strict && lost.is_empty() {
-            return self.settle(judge, v, choice);
-        }
         for &p in lost {
             self.record.removed.push(p);
             self.record.removed_triangle_counts.push(0);
             judge.write_single_target(p, place, &mut self.record.targets);
         }
+        judge.note_relaxed();
         self.gone.clear();
         self.gone.push(v);
         self.gone.push(choice.target);
         self.gone.extend(lost.iter().copied().filter(|&p| p != choice.target));
         let gone = (self.gone.as_slice(), self.points.as_slice());
         let around = (place, distance * distance);
-        let worst = self.witnesses.lose(&judge.links, &judge.positions, gone, around);
-        worst.max(reported_protrusion(&judge.positions, v, choice))
+        self.witnesses.lose(judge, gone, around);
+        judge.followers_into(place, 0, &mut self.gone);
+        let worst = self.witnesses.lose(judge, (&self.gone, &[]), (place, 0.0));
+        if reported_protrusion(&judge.positions, v, choice) > worst {
+            // It was measured against a surface that has moved itself: what counts is the original.
+            return self.witnesses.raise(judge.outward(choice.target, worst));
+        }
+        worst
     }
 
     /// Notes points of the triangles around `v` that its collapse to `u` takes, or all of them if it folds the surface.

@@ -26,7 +26,7 @@ const UNDECIDED: u32 = u32::MAX;
 /// Collapses between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
 
-/// Parts may have this many triangles each, on average, for a closed surface to wait with relaxed collapses: strict ones
+/// A closed surface of several parts waits with relaxed collapses if its parts have this many triangles on average: strict ones
 /// lead it down to a hundredth by themselves.
 const LEAST_CLOSED_PART: usize = 400;
 
@@ -52,6 +52,8 @@ pub(super) struct Engine<'a> {
     distance_squared: Vec<f32>,
     protrusion_squared: Vec<f32>,
     relaxation: Relaxation,
+    /// What relaxed collapses will need later.
+    waiting: Option<Relaxed<'a>>,
     course: Course,
 }
 
@@ -70,6 +72,7 @@ impl<'a> Engine<'a> {
             distance_squared: vec![0.0; position_count],
             protrusion_squared: vec![0.0; position_count],
             relaxation: if may_relax { Relaxation::Unknown } else { Relaxation::Never },
+            waiting: None,
             course: Course::new(welded, scale),
         }
     }
@@ -145,16 +148,17 @@ impl<'a> Engine<'a> {
         if self.relaxation != Relaxation::Unknown {
             return;
         }
-        self.relax();
+        let relaxed = Relaxed::new(self.welded, self.options.topology == TopologyRule::KeepParts);
         let judge = &self.judge;
         let is_closed = |p: u32| matches!(judge.links.kind(p), LinkKind::Closed | LinkKind::Empty);
-        let part_count = judge.relaxed.as_ref().map_or(0, Relaxed::part_count);
-        if judge.wedges.is_none()
-            && LEAST_CLOSED_PART * part_count <= self.welded.mesh.triangle_count()
-            && (0..self.target.len() as u32).all(is_closed)
-        {
-            self.judge.relaxed = None;
-            self.relaxation = Relaxation::Later;
+        let part_count = relaxed.part_count();
+        let waits = judge.wedges.is_none()
+            && (part_count == 1 || LEAST_CLOSED_PART * part_count <= self.welded.mesh.triangle_count())
+            && (0..self.target.len() as u32).all(is_closed);
+        self.waiting = Some(relaxed);
+        self.relaxation = Relaxation::Later;
+        if !waits {
+            self.relax();
         }
     }
 
@@ -162,7 +166,8 @@ impl<'a> Engine<'a> {
     fn relax(&mut self) {
         let record = &self.course.record;
         let keeps_parts = self.options.topology == TopologyRule::KeepParts;
-        let relaxed = Relaxed::new(self.welded, &self.judge, (&record.removed, &record.targets), keeps_parts);
+        let mut relaxed = self.waiting.take().unwrap_or_else(|| Relaxed::new(self.welded, keeps_parts));
+        relaxed.begin(&self.judge, (&record.removed, &record.targets));
         self.judge.relaxed = Some(relaxed);
         self.relaxation = Relaxation::Now;
     }

@@ -238,7 +238,8 @@ pub enum Placement {
     Subset,
     /// Anywhere; attributes are interpolated. Nearer to the surface, but one level only. The cost is always memoryless
     /// and counts no attributes; [`Target::Detail`] and [`Target::SplitCount`] count all vertices that are not locked as
-    /// removable; the error is the distance of the worst followed input vertex from the result, an estimate.
+    /// removable; the error is the distance of the worst followed input vertex from the result, an estimate. Seams and the
+    /// topology are always kept, whatever the options say.
     Optimal,
 }
 

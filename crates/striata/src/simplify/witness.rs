@@ -9,6 +9,7 @@
 use glam::Vec3;
 
 use super::fan::nearest;
+use super::judge::Judge;
 use super::links::{LinkEdge, Links};
 
 const NONE: u32 = u32::MAX;
@@ -45,13 +46,7 @@ impl Witnesses {
 
     /// Called after `v` was collapsed to `u`, `own` being the squared distance of v from its new fan. Returns the
     /// largest squared distance among v and the witnesses of both.
-    pub(super) fn collapse(
-        &mut self,
-        links: &Links,
-        positions: &[[f32; 4]],
-        (v, u): (u32, u32),
-        own: f32,
-    ) -> f32 {
+    pub(super) fn collapse(&mut self, judge: &mut Judge<'_>, (v, u): (u32, u32), own: f32) -> f32 {
         // Both are taken out, and settle anew below.
         let candidates = [v, u].map(|p| std::mem::replace(&mut self.of[p as usize], NOBODY));
         let mut own = own;
@@ -59,8 +54,7 @@ impl Witnesses {
         if own > self.worst {
             // What raises the reported error is measured exactly: the cost's distances are good to a few
             // ten-thousandths of the edges only.
-            (own, place) = self.settle(links, positions, u, point(positions, v));
-            self.worst = self.worst.max(own);
+            (own, place) = self.find(judge, u, point(&judge.positions, v));
         }
         self.keep(place, Witness { vertex: v, distance_squared: own });
         for mut candidate in candidates.into_iter().filter(|w| w.vertex != NONE) {
@@ -68,9 +62,8 @@ impl Witnesses {
             let mut place = u;
             candidate.distance_squared = reach * reach;
             if candidate.distance_squared > self.worst {
-                let from = point(positions, candidate.vertex);
-                (candidate.distance_squared, place) = self.settle(links, positions, u, from);
-                self.worst = self.worst.max(candidate.distance_squared);
+                let from = point(&judge.positions, candidate.vertex);
+                (candidate.distance_squared, place) = self.find(judge, u, from);
             }
             self.keep(place, candidate);
         }
@@ -78,12 +71,11 @@ impl Witnesses {
     }
 
     /// Called after a relaxed collapse. Everything that the `lost` positions stood for settles anew from `place`, and so do the
-    /// `points` of the triangles that have gone; nothing is taken on trust, since the surface may have moved by more than
-    /// any one vertex tells. Returns the largest squared distance seen so far, `farthest` included.
+    /// `points` of the triangles that have gone; what that puts above all that was seen before is looked for everywhere.
+    /// Returns the largest squared distance seen so far, `farthest` included.
     pub(super) fn lose(
         &mut self,
-        links: &Links,
-        positions: &[[f32; 4]],
+        judge: &mut Judge<'_>,
         (lost, points): (&[u32], &[Vec3]),
         (place, farthest): (u32, f32),
     ) -> f32 {
@@ -91,15 +83,28 @@ impl Witnesses {
         for &p in lost {
             let witness = std::mem::replace(&mut self.of[p as usize], NOBODY);
             for vertex in [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != place) {
-                let (distance_squared, at) = self.settle(links, positions, place, point(positions, vertex));
-                self.worst = self.worst.max(distance_squared);
+                let (distance_squared, at) = self.find(judge, place, point(&judge.positions, vertex));
                 self.keep(at, Witness { vertex, distance_squared });
             }
         }
         for &from in points {
-            let (distance_squared, _) = self.settle(links, positions, place, from);
-            self.worst = self.worst.max(distance_squared);
+            self.find(judge, place, from);
         }
+        self.worst
+    }
+
+    /// Settles a point from `place`, verifies what would raise the worst distance once relaxed collapses have changed
+    /// what is near what, and raises it.
+    fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3) -> (f32, u32) {
+        let known = self.settle(&judge.links, &judge.positions, place, from);
+        let found = if judge.has_relaxed() { judge.standing(from, known, self.worst) } else { known };
+        self.worst = self.worst.max(found.0);
+        found
+    }
+
+    /// Raises the worst squared distance, and gives it.
+    pub(super) fn raise(&mut self, distance_squared: f32) -> f32 {
+        self.worst = self.worst.max(distance_squared);
         self.worst
     }
 

@@ -137,3 +137,65 @@ pub fn with_patches(mesh: IndexedMesh, run: usize) -> IndexedMesh {
         ["red", "blue"].map(|name| Material { name: name.into(), ..Material::default() }).to_vec();
     out
 }
+
+/// A piece of an asset: small bodies, sheets, cards and what modelers leave behind.
+fn piece(random: &mut Random) -> IndexedMesh {
+    let seed = u64::from(random.below(1000));
+    match random.below(11) {
+        0 => shapes::cube(),
+        1 => shapes::icosphere(1, 0.7),
+        2 => shapes::terrain(5, seed),
+        3 => shapes::grid(1, 1),
+        4 => shapes::book(3 + random.below(5)),
+        5 => joined(shapes::grid(1, 1), shapes::grid(1, 1)),
+        6 => shapes::random_soup(4 + random.below(12), seed),
+        7 => shapes::many_components(5),
+        8 => shapes::moebius_strip(7),
+        9 => joined(shapes::icosphere(0, 0.5), shapes::icosphere(0, 0.5)),
+        _ => shapes::torus(5, 4, 1.0, 0.4),
+    }
+}
+
+/// Pieces side by side, within and on top of each other, as files from modelers hold them: normals that are flat or smooth,
+/// charts of texture coordinates, three materials, triangles that stand there twice.
+pub fn asset(piece_count: usize, seed: u64) -> IndexedMesh {
+    let mut random = Random::new(seed);
+    let mut out = IndexedMesh::default();
+    let (mut normals, mut texcoords) = (Vec::new(), Vec::new());
+    for number in 0..piece_count {
+        let mut piece = piece(&mut random);
+        if random.below(3) == 0 {
+            let first = piece.triangles.first().copied();
+            piece.triangles.extend(first);
+        }
+        let scale = [0.1, 0.5, 1.0][random.below(3) as usize];
+        let offset: [f32; 3] = std::array::from_fn(|_| random.below(4) as f32);
+        let (is_flat, run) = (random.below(2) == 0, 1 + random.below(12) as usize);
+        let first = out.triangles.len() as u32;
+        for (t, corners) in piece.triangles.iter().enumerate() {
+            let places = corners.map(|v| glam::Vec3::from(piece.positions[v as usize]));
+            let normal = (places[1] - places[0]).cross(places[2] - places[0]).normalize_or_zero();
+            let n = out.positions.len() as u32;
+            out.triangles.push([n, n + 1, n + 2]);
+            for (place, &v) in places.into_iter().zip(corners) {
+                let smooth = place.normalize_or_zero();
+                normals.extend(if is_flat { normal } else { smooth }.to_array());
+                texcoords.extend([(t / run) as f32 * 0.1, v as f32 * 0.01]);
+                out.positions.push((scale * place + glam::Vec3::from(offset)).to_array());
+            }
+        }
+        out.groups.push(TriangleGroup {
+            name: format!("piece {number}"),
+            material: Some(number as u32 % 3),
+            first,
+            count: out.triangles.len() as u32 - first,
+        });
+    }
+    out.layers = vec![
+        AttributeLayer::from_f32(Semantic::Normal, 3, normals),
+        AttributeLayer::from_f32(Semantic::TexCoord(0), 2, texcoords),
+    ];
+    out.appearance.materials =
+        ["red", "green", "blue"].map(|name| Material { name: name.into(), ..Material::default() }).to_vec();
+    out
+}

@@ -171,7 +171,7 @@ impl<'a> Levels<'a> {
         match self.file {
             Some(_) => Floor::File,
             None => {
-                Floor::Simplified("no more edges can be collapsed without changing the topology".to_owned())
+                Floor::Simplified("no more edges can be collapsed without losing the last triangles".to_owned())
             }
         }
     }

@@ -7,7 +7,7 @@ use crate::simplify::options::{SequenceOptions, SimplifyError};
 #[non_exhaustive]
 pub struct BatchOptions {
     /// What orders the collapses and what they must respect; `pair_distance` must be none or 0, since parts that do not touch
-    /// cannot be split in batches.
+    /// cannot be split in batches. Batches always keep the topology, whatever `topology` says, so their bases may be large.
     pub sequence: SequenceOptions,
     /// Each batch takes from the cheapest of the removable positions only: this share of them, over 0 and up to 1; default 0.35.
     /// More makes fewer, larger batches, which are coded in fewer bits, and worse levels.

@@ -1,0 +1,344 @@
+//! The connected parts of a mesh, and what it costs that one of them vanishes.
+//!
+//! A part is there as long as it has a triangle. Its last triangles vanish together, at a price that depends on how far the
+//! *original* part lies from what is left of the others: a screw in its hole costs little, a part in free space as much as its
+//! own extent. Whoever stood in for other parts before is charged for those too: it has inherited their areas, and its **reach** is
+//! the farthest that anything it stands for may lie from it.
+//!
+//! Time: a pass over the mesh to find the parts, and up to 64 distances for each part that is down to its last triangles.
+
+use glam::Vec3;
+
+use crate::mesh::{DisjointSets, Welded};
+
+use super::attributes::AttributeSpace;
+use super::rest::{Rest, RestPoint};
+
+/// Triangles of the original part that are measured, at most.
+const MAX_SAMPLES: usize = 16;
+/// Weight of the squared difference of unit normals against squared distances, so that decals and the two sides of a
+/// sheet do not vanish for nothing.
+const NORMAL_WEIGHT: f32 = 1e-4;
+/// Weight of the squared distance against the area that vanishes, squared once more.
+const EXTENT_WEIGHT: f32 = 4.0;
+
+/// What happens if a part vanishes.
+#[derive(Clone, Debug)]
+pub(super) struct Fate {
+    pub(super) cost: f32,
+    /// Largest distance from the part, and from what it stands for, to what stands in for it.
+    pub(super) distance: f32,
+    /// A corner of the triangle nearest to its first sample.
+    pub(super) host: u32,
+    /// The parts that stand in for it.
+    hosts: Vec<u32>,
+    /// The build of the rest that it was measured against.
+    generation: u32,
+}
+
+#[derive(Debug, Default)]
+struct Part {
+    triangle_count: usize,
+    /// Area of the original part and of what it stands for.
+    area: f32,
+    reach: f32,
+    /// Half the diagonal of its bounds.
+    radius: f32,
+    fate: Option<Fate>,
+}
+
+/// All parts of a mesh.
+#[derive(Debug)]
+pub(super) struct Parts {
+    of_position: Vec<u32>,
+    parts: Vec<Part>,
+    /// Parts that have grown together.
+    merged: Vec<u32>,
+    /// The original mesh by part, once one of them may vanish.
+    members: Option<Members>,
+}
+
+/// Triangles of the original mesh by part, and where those of each part begin.
+#[derive(Debug)]
+struct Members {
+    triangles: Vec<u32>,
+    first: Vec<u32>,
+}
+
+/// What distances are measured in.
+pub(super) struct Surroundings<'a> {
+    pub(super) welded: &'a Welded,
+    pub(super) positions: &'a [[f32; 4]],
+    pub(super) attributes: Option<&'a AttributeSpace>,
+    pub(super) rest: &'a Rest,
+    /// Counts the builds of the rest.
+    pub(super) generation: u32,
+}
+
+/// One point of a part.
+struct Sample {
+    at: Vec3,
+    normal: Vec3,
+    vertices: [u32; 3],
+    weights: [f32; 3],
+    share: f32,
+}
+
+fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
+    let [x, y, z, _] = positions[p as usize];
+    Vec3::new(x, y, z)
+}
+
+impl Parts {
+    /// The parts of the original mesh, without any triangle yet: see [`Self::count`].
+    pub(super) fn new(welded: &Welded) -> Self {
+        let position_count = welded.positions.position_count();
+        let of = |t: &[u32; 3]| t.map(|v| welded.positions.position_of(v));
+        let mut sets = DisjointSets::new(position_count);
+        for [a, b, c] in welded.mesh.triangles.iter().map(of) {
+            sets.join(a, b);
+            sets.join(a, c);
+        }
+        let mut number = vec![u32::MAX; position_count];
+        let mut count = 0;
+        let mut of_position = Vec::with_capacity(position_count);
+        for p in 0..position_count as u32 {
+            let root = sets.root(p) as usize;
+            if number[root] == u32::MAX {
+                number[root] = count;
+                count += 1;
+            }
+            of_position.push(number[root]);
+        }
+        let parts = (0..count).map(|_| Part::default()).collect();
+        Self { of_position, parts, merged: (0..count).collect(), members: None }
+    }
+
+    /// Forgets how many triangles there are.
+    pub(super) fn clear_counts(&mut self) {
+        self.parts.iter_mut().for_each(|part| part.triangle_count = 0);
+    }
+
+    /// Looks at the original mesh: areas and extents of all parts.
+    fn measure(&mut self, welded: &Welded, positions: &[[f32; 4]]) {
+        let members = Members::new(welded, &self.of_position, self.parts.len());
+        for part in 0..self.parts.len() as u32 {
+            let mut area = 0.0;
+            let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+            for &t in members.of(part) {
+                let corners = welded.mesh.triangles[t as usize].map(|v| welded.positions.position_of(v));
+                let [a, b, c] = corners.map(|p| point(positions, p));
+                area += 0.5 * (b - a).cross(c - a).length();
+                (min, max) = (min.min(a).min(b).min(c), max.max(a).max(b).max(c));
+            }
+            let root = self.root(part);
+            let into = &mut self.parts[root as usize];
+            into.area += area;
+            into.radius = into.radius.max(0.5 * (max - min).length());
+        }
+        self.members = Some(members);
+    }
+
+    fn members_of(&self, part: u32) -> &[u32] {
+        self.members.as_ref().map_or(&[], |members| members.of(part))
+    }
+
+    /// How many parts there were.
+    pub(super) fn len(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// The part of a position.
+    pub(super) fn part_of(&self, position: u32) -> u32 {
+        self.root(self.of_position[position as usize])
+    }
+
+    /// The part that a part has become.
+    fn root(&self, mut part: u32) -> u32 {
+        while self.merged[part as usize] != part {
+            part = self.merged[part as usize];
+        }
+        part
+    }
+
+    /// Triangles that a part still has.
+    pub(super) fn triangle_count(&self, part: u32) -> usize {
+        self.parts[part as usize].triangle_count
+    }
+
+    /// Counts a triangle of the part of `position`.
+    pub(super) fn count(&mut self, position: u32) {
+        let part = self.part_of(position);
+        self.parts[part as usize].triangle_count += 1;
+    }
+
+    /// Notes that `v` was collapsed to `u` and that `removed` triangles went with it.
+    pub(super) fn collapse(&mut self, v: u32, u: u32, removed: usize) {
+        let [own, other] = [v, u].map(|p| self.part_of(p));
+        if own != other {
+            self.merge(own, other);
+        }
+        let part = self.part_of(u);
+        self.parts[part as usize].triangle_count -= removed;
+    }
+
+    /// Lets two parts be one from now on, known by the samples of the one with more triangles.
+    fn merge(&mut self, a: u32, b: u32) {
+        let is_less = self.parts[a as usize].triangle_count < self.parts[b as usize].triangle_count;
+        let (small, large) = if is_less { (a, b) } else { (b, a) };
+        self.merged[small as usize] = large;
+        let Part { triangle_count, area, reach, radius, .. } = std::mem::take(&mut self.parts[small as usize]);
+        let into = &mut self.parts[large as usize];
+        into.triangle_count += triangle_count;
+        into.area += area;
+        into.reach = into.reach.max(reach);
+        into.radius = into.radius.max(radius);
+        into.fate = None;
+    }
+
+    /// True if what was found out about the end of a part still holds.
+    pub(super) fn knows_fate(&self, part: u32, generation: u32) -> bool {
+        let fate = self.parts[part as usize].fate.as_ref();
+        fate.is_some_and(|fate| {
+            fate.generation == generation
+                && fate.hosts.iter().all(|&host| self.parts[host as usize].triangle_count > 0)
+        })
+    }
+
+    /// What happens if a part vanishes; `None` if there is nothing else.
+    pub(super) fn fate(&mut self, part: u32, around: &Surroundings<'_>) -> Option<&Fate> {
+        if self.members.is_none() {
+            self.measure(around.welded, around.positions);
+        }
+        if !self.knows_fate(part, around.generation) {
+            let fate = self.find_fate(part, around);
+            self.parts[part as usize].fate = fate;
+        }
+        self.parts[part as usize].fate.as_ref()
+    }
+
+    fn find_fate(&self, part: u32, around: &Surroundings<'_>) -> Option<Fate> {
+        let Part { area, reach, radius, .. } = self.parts[part as usize];
+        let is_host = |host: u32| host != part && self.parts[host as usize].triangle_count > 0;
+        let (mut sum, mut share_sum, mut farthest) = (0.0, 0.0, 0.0f32);
+        let (mut hosts, mut nearest): (Vec<u32>, Option<u32>) = (Vec::new(), None);
+        let mut last: Option<(Vec3, f32)> = None;
+        for sample in self.samples(part, around) {
+            // The host of the last sample is no farther than this.
+            let reachable = last.map_or(f32::INFINITY, |(at, distance)| {
+                let bound = distance + at.distance(sample.at);
+                bound * bound * 1.001 + f32::MIN_POSITIVE
+            });
+            let find = |limit: f32| {
+                around.rest.nearest(around.positions, sample.at, limit, |triangle| {
+                    is_host(self.part_of(triangle.positions[0]))
+                })
+            };
+            let found = find(reachable).or_else(|| find(f32::INFINITY))?;
+            last = Some((sample.at, found.distance_squared.sqrt()));
+            let host = self.part_of(found.triangle.positions[0]);
+            if !hosts.contains(&host) {
+                hosts.push(host);
+            }
+            nearest.get_or_insert(found.triangle.positions[0]);
+            farthest = farthest.max(found.distance_squared);
+            let squared = found.distance_squared + difference_squared(around, &sample, &found);
+            sum += sample.share * squared.min(radius * radius);
+            share_sum += sample.share;
+        }
+        let extent = (sum / share_sum.max(f32::MIN_POSITIVE)).sqrt() + reach;
+        let squared = extent * extent;
+        Some(Fate {
+            cost: vanishing_cost(area, squared),
+            distance: farthest.sqrt() + reach,
+            host: nearest?,
+            hosts,
+            generation: around.generation,
+        })
+    }
+
+    /// Points of the original part: middles and corners of some of its triangles.
+    fn samples(&self, part: u32, around: &Surroundings<'_>) -> Vec<Sample> {
+        let members = self.members_of(part);
+        let count = members.len().min(MAX_SAMPLES);
+        let mut samples = Vec::with_capacity(4 * count);
+        for i in 0..count {
+            let t = members[i * members.len() / count];
+            let vertices = around.welded.mesh.triangles[t as usize];
+            let corners = vertices.map(|v| point(around.positions, around.welded.positions.position_of(v)));
+            let [a, b, c] = corners;
+            let doubled = (b - a).cross(c - a);
+            // Triangles without area count a little, so that something does.
+            let area = doubled.length() + 1e-12;
+            let normal = doubled.normalize_or_zero();
+            let third = 1.0 / 3.0;
+            samples.push(Sample { at: (a + b + c) * third, normal, vertices, weights: [third; 3], share: 0.75 * area });
+            for k in 0..3 {
+                let mut weights = [0.0; 3];
+                weights[k] = 1.0;
+                samples.push(Sample { at: corners[k], normal, vertices, weights, share: area / 12.0 });
+            }
+        }
+        samples
+    }
+
+    /// Notes that a part has vanished: its hosts stand for it from now on.
+    pub(super) fn bequeath(&mut self, part: u32) -> Option<Fate> {
+        let Part { area, fate, .. } = std::mem::take(&mut self.parts[part as usize]);
+        let fate = fate?;
+        for &host in &fate.hosts {
+            let host = &mut self.parts[host as usize];
+            host.reach = host.reach.max(fate.distance);
+            host.fate = None;
+        }
+        let first = self.part_of(fate.host);
+        self.parts[first as usize].area += area;
+        Some(fate)
+    }
+}
+
+/// What it costs that an area vanishes whose points lie so far, squared, from what is left.
+pub(super) fn vanishing_cost(area: f32, squared: f32) -> f32 {
+    (area + EXTENT_WEIGHT * squared) * squared
+}
+
+/// Squared difference of attributes and normals between a sample and the point that stands in for it.
+fn difference_squared(around: &Surroundings<'_>, sample: &Sample, found: &RestPoint) -> f32 {
+    let [a, b, c] = found.triangle.positions.map(|p| point(around.positions, p));
+    let normal = (b - a).cross(c - a).normalize_or_zero();
+    let turned = NORMAL_WEIGHT * normal.distance_squared(sample.normal);
+    let attributes = around.attributes.map_or(0.0, |space| {
+        space.points_difference_squared(
+            (sample.vertices, sample.weights),
+            (found.triangle.vertices, found.weights),
+        )
+    });
+    turned + attributes
+}
+
+impl Members {
+    fn new(welded: &Welded, of_position: &[u32], count: usize) -> Self {
+        let part_of = |t: &[u32; 3]| of_position[welded.positions.position_of(t[0]) as usize] as usize;
+        let mut first = vec![0u32; count + 1];
+        for t in &welded.mesh.triangles {
+            first[part_of(t) + 1] += 1;
+        }
+        for part in 0..count {
+            first[part + 1] += first[part];
+        }
+        let mut next = first.clone();
+        let mut triangles = vec![0; welded.mesh.triangle_count()];
+        for (number, t) in (0..).zip(&welded.mesh.triangles) {
+            let slot = &mut next[part_of(t)];
+            triangles[*slot as usize] = number;
+            *slot += 1;
+        }
+        Self { triangles, first }
+    }
+
+    /// The triangles of a part.
+    fn of(&self, part: u32) -> &[u32] {
+        let [from, to] = [part, part + 1].map(|p| self.first[p as usize] as usize);
+        &self.triangles[from..to]
+    }
+}

@@ -1,0 +1,549 @@
+//! Relaxed collapses: what a position may do if no collapse of it keeps the surface what it is.
+//!
+//! All neighbors are candidates then, whatever borders, links and normals say; what is wrong with them is in the cost:
+//!
+//! | tier | what happens | cost |
+//! | --- | --- | --- |
+//! | link | no triangle flips, but sheets may come to touch or a border may recede | 4 times that of a collapse whose border sweeps the edge's square |
+//! | fold | a triangle flips | as if the surface moved by the whole edge |
+//! | fin | all triangles of the position go, its target keeps others | distance from those others |
+//! | vanish | all triangles of both ends go | distance of the part from the rest of the mesh |
+//!
+//! The last triangles of the mesh stay, and so does a triangle at each locked position.
+
+use glam::Vec3;
+
+use crate::mesh::Welded;
+
+use super::fan::nearest;
+use super::judge::{Choice, Judge, Memory, Tier};
+use super::legality::MAX_REMOVED;
+use super::links::{LinkEdge, LinkKind, Links};
+use super::parts::{Fate, Parts, Surroundings, vanishing_cost};
+use super::rest::{Rest, RestTriangle};
+use super::tracked::MEMORYLESS_SHARE;
+use super::wedges::Wedges;
+
+/// How much dearer a collapse is that breaks the link condition or leaves a border.
+const LINK_FACTOR: f32 = 4.0;
+/// Weight of the fourth power of the edge there.
+const EDGE_WEIGHT: f32 = 4.0;
+/// Weight of the squared difference of unit normals between a fin and what is left behind.
+const FIN_NORMAL_WEIGHT: f32 = 1e-4;
+/// Positions that have come together at one are measured again one by one, up to this many of them.
+const MAX_FOLLOWERS: usize = 24;
+/// Costs stay below this, so that even the worst candidate is one.
+const MAX_COST: f32 = 1e30;
+
+/// What relaxed collapses need to know of the whole mesh.
+pub(super) struct Relaxed<'a> {
+    welded: &'a Welded,
+    parts: Parts,
+    /// Where each position has gone, with shortcuts.
+    current: Vec<u32>,
+    /// Cycles of positions that have come together, and how many there are in the cycle of each that is still there.
+    next: Vec<u32>,
+    follower_count: Vec<u32>,
+    triangle_count: usize,
+    rest: Rest,
+    /// Counts the builds of `rest`.
+    generation: u32,
+    /// The original mesh, once something sticks out of it.
+    origin: Option<Rest>,
+    /// The last search that looked at the star of each position.
+    stamps: Vec<u32>,
+    search: u32,
+    keeps_parts: bool,
+    has_locks: bool,
+    /// True once a relaxed collapse has been carried out.
+    has_relaxed: bool,
+    edges: Vec<LinkEdge>,
+    order: Vec<u32>,
+    lost: Vec<u32>,
+}
+
+impl<'a> Relaxed<'a> {
+    /// Finds the parts of a mesh; [`Self::begin`] must follow.
+    pub(super) fn new(welded: &'a Welded, keeps_parts: bool) -> Self {
+        Self {
+            welded,
+            parts: Parts::new(welded),
+            current: Vec::new(),
+            next: Vec::new(),
+            follower_count: Vec::new(),
+            triangle_count: 0,
+            rest: Rest::default(),
+            generation: 0,
+            origin: None,
+            stamps: Vec::new(),
+            search: 0,
+            keeps_parts,
+            has_locks: false,
+            has_relaxed: false,
+            edges: Vec::new(),
+            order: Vec::new(),
+            lost: Vec::new(),
+        }
+    }
+
+    /// Looks at the mesh after the collapses so far: `removed` and `targets` are those of their record.
+    pub(super) fn begin(&mut self, judge: &Judge<'_>, (removed, targets): (&[u32], &[u32])) {
+        let positions = &self.welded.positions;
+        self.current = (0..judge.positions.len() as u32).collect();
+        self.next.clone_from(&self.current);
+        self.follower_count = vec![1; judge.positions.len()];
+        for &v in removed {
+            let target = targets[positions.first_vertex(v) as usize];
+            self.follow(v, positions.position_of(target));
+        }
+        self.parts.clear_counts();
+        self.triangle_count = 0;
+        for p in 0..judge.positions.len() as u32 {
+            judge.links.edges_into(p, &mut self.edges);
+            for _ in self.edges.iter().filter(|e| p < e.a && p < e.b) {
+                self.parts.count(p);
+                self.triangle_count += 1;
+            }
+        }
+        self.has_locks = judge.is_locked.contains(&true);
+    }
+
+    /// How many parts the mesh had.
+    pub(super) fn part_count(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Notes that what stood at `v` stands at `u` now.
+    fn follow(&mut self, v: u32, u: u32) {
+        self.current[v as usize] = u;
+        // Swapping two links of two cycles makes one of them.
+        self.next.swap(v as usize, u as usize);
+        self.follower_count[u as usize] += self.follower_count[v as usize];
+    }
+
+    /// Builds the tree of the rest anew if half of its triangles are gone.
+    fn refresh(&mut self, links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) {
+        if self.generation == 0 || 2 * self.triangle_count < self.rest.triangle_count() {
+            self.rest = Rest::new(links, wedges, positions);
+            self.generation += 1;
+        }
+    }
+}
+
+/// A squared distance from the current surface, and a position near the point that it was measured to.
+pub(super) type Standing = (f32, u32);
+
+impl Relaxed<'_> {
+    /// Looks for what stands nearest to a point: in the tree of the rest for triangles of the past, and from their corners
+    /// for the stars that they have become. Never farther than `known`; stops at a squared distance of `enough`.
+    fn standing(&mut self, links: &Links, positions: &[[f32; 4]], from: Vec3, known: Standing, enough: f32) -> Standing {
+        let Self { rest, current, stamps, search, edges, .. } = self;
+        stamps.resize(positions.len(), 0);
+        *search += 1;
+        let (mut least, mut place) = known;
+        let limit_of = |least: f32| if least <= enough { 0.0 } else { least };
+        rest.visit_near(from, limit_of(least), |triangle| {
+            for corner in triangle.positions {
+                let at = find(current, corner);
+                if std::mem::replace(&mut stamps[at as usize], *search) == *search {
+                    continue;
+                }
+                links.edges_into(at, edges);
+                for e in edges.iter() {
+                    let [a, b, c] = [at, e.a, e.b].map(|p| point(positions, p) - from);
+                    let [x, y, z] = nearest(a, b, c);
+                    let distance_squared = (a * x + b * y + c * z).length_squared();
+                    if distance_squared < least {
+                        (least, place) = (distance_squared, at);
+                    }
+                }
+            }
+            limit_of(least)
+        });
+        (least, place)
+    }
+
+    /// The largest squared distance of the triangles around `u` from the original mesh, or something up to `enough`.
+    fn outward(&mut self, links: &Links, positions: &[[f32; 4]], u: u32, enough: f32) -> f32 {
+        let Self { origin, edges, welded, .. } = self;
+        let origin = origin.get_or_insert_with(|| {
+            let of = |&vertices: &[u32; 3]| RestTriangle {
+                positions: vertices.map(|v| welded.positions.position_of(v)),
+                vertices,
+            };
+            Rest::of_triangles(welded.mesh.triangles.iter().map(of).collect(), positions)
+        });
+        links.edges_into(u, edges);
+        let mut worst = enough;
+        for e in edges.iter() {
+            let corners = [u, e.a, e.b].map(|p| point(positions, p));
+            for weights in OUTWARD_SAMPLES {
+                let from = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
+                // Corners are vertices of the original: a point is no farther from it than from them.
+                let bound = corners.iter().map(|c| c.distance_squared(from)).fold(f32::INFINITY, f32::min);
+                if bound > worst {
+                    worst = worst.max(distance_squared_from(origin, positions, from, worst));
+                }
+            }
+        }
+        worst
+    }
+}
+
+/// Barycentric coordinates of the points at which triangles are held against the original mesh.
+const OUTWARD_SAMPLES: [[f32; 3]; 9] = [
+    [0.5, 0.5, 0.0],
+    [0.5, 0.0, 0.5],
+    [0.75, 0.25, 0.0],
+    [0.25, 0.75, 0.0],
+    [0.34, 0.33, 0.33],
+    [0.6, 0.2, 0.2],
+    [0.2, 0.6, 0.2],
+    [0.2, 0.2, 0.6],
+    [0.1, 0.45, 0.45],
+];
+
+/// Squared distance of a point from the triangles of a tree; once something is within `enough`, that will do.
+fn distance_squared_from(rest: &Rest, positions: &[[f32; 4]], from: Vec3, enough: f32) -> f32 {
+    let mut least = f32::INFINITY;
+    rest.visit_near(from, least, |triangle| {
+        let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
+        let [x, y, z] = nearest(a, b, c);
+        least = least.min((a * x + b * y + c * z).length_squared());
+        if least <= enough { 0.0 } else { least }
+    });
+    least
+}
+
+/// Where a position is now.
+fn find(current: &mut [u32], mut p: u32) -> u32 {
+    while current[p as usize] != p {
+        let above = current[p as usize];
+        current[p as usize] = current[above as usize];
+        p = above;
+    }
+    p
+}
+
+fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
+    let [x, y, z, _] = positions[p as usize];
+    Vec3::new(x, y, z)
+}
+
+/// What vanishes with a position that loses all its triangles, and what is left to stand in for it.
+pub(super) struct Departure {
+    /// Where what stood at the lost positions is from now on; none if nothing is left.
+    pub(super) place: Option<u32>,
+    /// Positions that have no triangles any more, besides the collapsed one.
+    pub(super) lost: Vec<u32>,
+    /// Distance of a part that has vanished from what stands in for it.
+    pub(super) distance: f32,
+}
+
+impl Judge<'_> {
+    /// The cheapest collapse of `v` to any neighbor; for positions that [`Self::best_choice`] finds no target for, right
+    /// after it.
+    pub(super) fn relaxed_choice(&mut self, v: u32) -> Option<Choice> {
+        let mut order = std::mem::take(&mut self.relaxed.as_mut()?.order);
+        self.fill_costs(v);
+        order.clear();
+        order.extend(0..self.star.ids.len() as u32);
+        let length_squared = |k: &u32| self.star.offset(*k as usize).length_squared();
+        order.sort_by(|a, b| length_squared(a).total_cmp(&length_squared(b)));
+        let mut best: Option<Choice> = None;
+        for &k in &order {
+            let limit = best.map_or(f32::INFINITY, |choice| choice.cost);
+            if let Some(choice) = self.relaxed_candidate(v, k as usize, limit)
+                && choice.cost < limit
+            {
+                best = Some(choice);
+            }
+        }
+        if let Some(relaxed) = &mut self.relaxed {
+            relaxed.order = order;
+        }
+        best
+    }
+
+    /// True if a relaxed choice that was made before may still be carried out at its cost.
+    pub(super) fn relaxed_stands(&self, v: u32, u: u32, tier: Tier) -> bool {
+        let Some(relaxed) = &self.relaxed else { return false };
+        let entries = self.links.entries(v);
+        if !entries.contains(&u) {
+            return false;
+        }
+        let removed = shared_triangles(&self.links, v, u);
+        let own = self.links.triangle_count(v);
+        let kept = own + self.links.triangle_count(u) - 2 * removed;
+        let is_vanishing = kept == 0;
+        if removed >= relaxed.triangle_count
+            || is_vanishing != (tier == Tier::Vanish)
+            || self.strands_locked(v, u, kept)
+        {
+            return false;
+        }
+        let part = relaxed.parts.part_of(v);
+        !is_vanishing
+            || relaxed.parts.triangle_count(part) > removed
+            || relaxed.parts.knows_fate(part, relaxed.generation)
+    }
+
+    /// True if a locked position would lose its last triangle.
+    fn strands_locked(&self, v: u32, u: u32, kept: usize) -> bool {
+        if !self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_locks) {
+            return false;
+        }
+        let is_locked = |p: u32| self.is_locked[p as usize];
+        (is_locked(u) && kept == 0)
+            || self.links.entries(v).iter().any(|&x| {
+                x != u && is_locked(x) && {
+                    let mut edges = Vec::new();
+                    self.links.edges_into(x, &mut edges);
+                    edges.iter().all(|e| (e.a == v && e.b == u) || (e.a == u && e.b == v))
+                }
+            })
+    }
+
+    fn relaxed_candidate(&mut self, v: u32, k: usize, limit: f32) -> Option<Choice> {
+        let u = self.star.ids[k];
+        let count = self.star.triangle_count();
+        let removed = (0..count).filter(|&t| self.star.triangle(t).contains(&k)).count();
+        let kept = count + self.links.triangle_count(u) - 2 * removed;
+        let left = self.relaxed.as_ref()?.triangle_count;
+        if removed > MAX_REMOVED || removed >= left || self.strands_locked(v, u, kept) {
+            return None;
+        }
+        if !self.pair(v, k) {
+            return None;
+        }
+        if kept == 0 {
+            return self.vanishing(v, k, removed);
+        }
+        let choice = if removed == count { self.fin(v, k)? } else { self.moving(v, k, limit)? };
+        let increase = match &self.memory {
+            Memory::Tracked(tracker) => {
+                self.star.mark_vanishing(Some(k));
+                tracker.increase(&self.star, k, (v, choice.distance_squared))
+            }
+            _ => 0.0,
+        };
+        Some(Choice { cost: (choice.cost + increase).min(MAX_COST), ..choice })
+    }
+
+    /// The candidate that leaves a fan, whether or not triangles flip; `None` if it costs at least `limit`.
+    fn moving(&mut self, v: u32, k: usize, limit: f32) -> Option<Choice> {
+        let quadratic = self.star.costs[k];
+        let length_squared = self.star.offset(k).length_squared();
+        let share = self.memoryless_share();
+        let distance_cost = |star: &super::star::Star, squared: f32| share * star.distance_cost(squared);
+        let fan = self.star.fan_distance_squared(k);
+        let (tier, distance_squared, start) = match fan {
+            Some(distance_squared) => {
+                let edge = EDGE_WEIGHT * length_squared * length_squared;
+                let start = quadratic + share * edge + distance_cost(&self.star, distance_squared);
+                (Tier::Link, distance_squared, LINK_FACTOR * start)
+            }
+            None => (Tier::Fold, length_squared, quadratic),
+        };
+        if start >= limit {
+            return None;
+        }
+        let start = start + self.attribute_cost(v, k);
+        let least = if tier == Tier::Link { LINK_FACTOR } else { 1.0 };
+        if start + least * distance_cost(&self.star, distance_squared) >= limit {
+            return None;
+        }
+        let protrusion_squared = self.star.protrusion_squared(k);
+        let cost = start + least * distance_cost(&self.star, distance_squared + protrusion_squared);
+        Some(Choice { cost, target: self.star.ids[k], distance_squared, protrusion_squared, tier })
+    }
+
+    fn memoryless_share(&self) -> f32 {
+        if matches!(self.memory, Memory::Tracked(_)) { MEMORYLESS_SHARE } else { 1.0 }
+    }
+
+    /// The candidate that takes all triangles of `v` and leaves `u` others.
+    fn fin(&mut self, v: u32, k: usize) -> Option<Choice> {
+        let u = self.star.ids[k];
+        let mut edges = std::mem::take(&mut self.relaxed.as_mut()?.edges);
+        self.links.edges_into(u, &mut edges);
+        edges.retain(|e| e.a != v && e.b != v);
+        let (mut sum, mut area_sum, mut least) = (0.0, 0.0, f32::INFINITY);
+        for t in 0..self.star.triangle_count() {
+            let [i, j] = self.star.triangle(t).map(|i| self.star.offset(i));
+            let doubled = i.cross(j);
+            let area = doubled.length() + f32::MIN_POSITIVE;
+            let own = if self.wedges.is_some() { self.star.shown[t] } else { v };
+            let (value, distance_squared) = self.fin_distance(v, u, (own, doubled), &edges);
+            sum += area * value;
+            area_sum += area;
+            least = least.min(distance_squared);
+        }
+        if let Some(relaxed) = &mut self.relaxed {
+            relaxed.edges = edges;
+        }
+        let cost = self.memoryless_share() * vanishing_cost(self.star.area(), sum / area_sum);
+        Some(Choice { cost, target: u, distance_squared: least, protrusion_squared: 0.0, tier: Tier::Fin })
+    }
+
+    /// What stands in best for `v` among the triangles of `u` with these opposite edges: with differences of attributes
+    /// and normals, and the plain squared distance alone.
+    fn fin_distance(&self, v: u32, u: u32, (own, doubled): (u32, Vec3), edges: &[LinkEdge]) -> (f32, f32) {
+        let at = |p: u32| point(&self.positions, p) - point(&self.positions, v);
+        let normal = doubled.normalize_or_zero();
+        let (mut best, mut least) = (f32::INFINITY, f32::INFINITY);
+        for e in edges {
+            let [a, b, c] = [u, e.a, e.b].map(at);
+            let weights = nearest(a, b, c);
+            let distance_squared = (a * weights[0] + b * weights[1] + c * weights[2]).length_squared();
+            let other = (b - a).cross(c - a).normalize_or_zero();
+            let attributes = self.attributes.as_ref().map_or(0.0, |space| {
+                let corners = match &self.wedges {
+                    None => [u, e.a, e.b],
+                    Some(wedges) => [u, e.a, e.b].map(|p| wedges.shown(e.triangle, p)),
+                };
+                space.interpolation_error(own, corners, weights)
+            });
+            let turned = FIN_NORMAL_WEIGHT * other.distance_squared(normal);
+            best = best.min(distance_squared + turned + attributes);
+            least = least.min(distance_squared);
+        }
+        (best, least)
+    }
+
+    /// The candidate that takes all triangles of both ends.
+    fn vanishing(&mut self, v: u32, k: usize, removed: usize) -> Option<Choice> {
+        let relaxed = self.relaxed.as_ref()?;
+        let part = relaxed.parts.part_of(v);
+        let length_squared = self.star.offset(k).length_squared();
+        let (cost, distance_squared) = if relaxed.parts.triangle_count(part) > removed {
+            // Something of the part stays, where the third corners are.
+            let longest = self.star.longest_edge_squared();
+            (vanishing_cost(self.star.area(), longest), length_squared)
+        } else {
+            if relaxed.keeps_parts {
+                return None;
+            }
+            let fate = self.fate(part)?;
+            (fate.cost, fate.distance * fate.distance)
+        };
+        let cost = (self.memoryless_share() * cost).min(MAX_COST);
+        let target = self.star.ids[k];
+        Some(Choice { cost, target, distance_squared, protrusion_squared: 0.0, tier: Tier::Vanish })
+    }
+
+    /// What happens if a part vanishes.
+    fn fate(&mut self, part: u32) -> Option<&Fate> {
+        let Self { relaxed: Some(relaxed), links, wedges, positions, attributes, .. } = self else { return None };
+        relaxed.refresh(links, wedges.as_ref(), positions);
+        let around = Surroundings {
+            welded: relaxed.welded,
+            positions,
+            attributes: attributes.as_ref(),
+            rest: &relaxed.rest,
+            generation: relaxed.generation,
+        };
+        relaxed.parts.fate(part, &around)
+    }
+
+    /// Notes that a relaxed collapse has been carried out.
+    pub(super) fn note_relaxed(&mut self) {
+        if let Some(relaxed) = &mut self.relaxed {
+            relaxed.has_relaxed = true;
+        }
+    }
+
+    /// True once a relaxed collapse has been carried out.
+    pub(super) fn has_relaxed(&self) -> bool {
+        self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_relaxed)
+    }
+
+    /// Some of the positions that have come together at `u`, if they are at least so many, evenly spread over all of them.
+    pub(super) fn followers_into(&self, u: u32, least: usize, out: &mut Vec<u32>) {
+        out.clear();
+        let Some(relaxed) = &self.relaxed else { return };
+        let count = relaxed.follower_count[u as usize] as usize;
+        if count < least {
+            return;
+        }
+        let stride = count.div_ceil(MAX_FOLLOWERS);
+        let mut at = u;
+        for i in 0..count {
+            at = relaxed.next[at as usize];
+            if i % stride == 0 && at != u {
+                out.push(at);
+            }
+        }
+    }
+
+    /// Looks for what stands nearest to a point that may have lost what stood for it: see [`Relaxed::standing`].
+    pub(super) fn standing(&mut self, from: Vec3, known: Standing, enough: f32) -> Standing {
+        let Self { relaxed: Some(relaxed), links, wedges, positions, .. } = self else { return known };
+        if known.0 <= enough {
+            return known;
+        }
+        relaxed.refresh(links, wedges.as_ref(), positions);
+        relaxed.standing(links, positions, from, known, enough)
+    }
+
+    /// The largest squared distance of the triangles around `u` from the original mesh, or something up to `enough`.
+    pub(super) fn outward(&mut self, u: u32, enough: f32) -> f32 {
+        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return enough };
+        relaxed.outward(links, positions, u, enough)
+    }
+
+    /// Notes a collapse that has been carried out, `ring` being the neighbors that `v` had; says who lost everything by it.
+    pub(super) fn note_departure(&mut self, v: u32, u: u32, removed: usize, ring: &[u32]) -> Option<Departure> {
+        let relaxed = self.relaxed.as_mut()?;
+        relaxed.parts.collapse(v, u, removed);
+        relaxed.triangle_count -= removed;
+        relaxed.follow(v, u);
+        let mut lost = std::mem::take(&mut relaxed.lost);
+        lost.clear();
+        let is_lost = |p: u32| self.links.kind(p) == LinkKind::Empty;
+        lost.extend(ring.iter().copied().filter(|&p| is_lost(p)));
+        if is_lost(u) && !lost.contains(&u) {
+            lost.push(u);
+        }
+        let mut departure = Departure { place: Some(u), lost, distance: 0.0 };
+        if departure.lost.contains(&u) {
+            departure.place = ring.iter().copied().find(|&p| !is_lost(p));
+            let part = relaxed.parts.part_of(u);
+            if relaxed.parts.triangle_count(part) == 0 {
+                self.note_end(part, &mut departure);
+            }
+        }
+        if let (Some(relaxed), Some(place)) = (&mut self.relaxed, departure.place) {
+            departure.lost.iter().for_each(|&p| relaxed.follow(p, place));
+        }
+        Some(departure)
+    }
+
+    /// Notes that a part has vanished.
+    fn note_end(&mut self, part: u32, departure: &mut Departure) {
+        self.fate(part);
+        let Some(relaxed) = &mut self.relaxed else { return };
+        if let Some(fate) = relaxed.parts.bequeath(part) {
+            departure.distance = fate.distance;
+            departure.place = Some(find(&mut relaxed.current, fate.host));
+        }
+    }
+
+    /// Takes back the scratch of a departure.
+    pub(super) fn forget(&mut self, departure: Departure) {
+        if let Some(relaxed) = &mut self.relaxed {
+            relaxed.lost = departure.lost;
+        }
+    }
+}
+
+/// Triangles that `v` and its neighbor `u` share.
+fn shared_triangles(links: &Links, v: u32, u: u32) -> usize {
+    let entries = links.entries(v);
+    match links.kind(v) {
+        LinkKind::Empty => 0,
+        LinkKind::Closed => 2,
+        LinkKind::Open => 2 - usize::from(entries.first() == Some(&u)) - usize::from(entries.last() == Some(&u)),
+        LinkKind::Edges => entries.iter().filter(|&&w| w == u).count(),
+    }
+}

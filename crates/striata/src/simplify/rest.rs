@@ -1,0 +1,111 @@
+//! The surface at a moment of the past, for finding what lies near a point that loses its own triangles.
+//!
+//! A part that vanishes is no worse than its distance from whatever stands in for it. To find that, all triangles are
+//! put into a tree, each with its part. The tree is not kept up to date; it is built anew once half of its triangles
+//! are gone, so all builds together cost about two of the first. Between builds, it gives triangles that may have changed
+//! since; their parts are still there, which is what the caller asks for.
+
+use glam::{Vec3, Vec3A};
+
+use crate::mesh::{AxisBox, BoxTree};
+
+use super::fan::nearest;
+use super::links::{LinkEdge, Links};
+use super::wedges::Wedges;
+
+/// A triangle of the tree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RestTriangle {
+    pub(super) positions: [u32; 3],
+    pub(super) vertices: [u32; 3],
+}
+
+/// The point of the rest that is nearest to a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RestPoint {
+    pub(super) distance_squared: f32,
+    pub(super) triangle: RestTriangle,
+    /// Barycentric coordinates in the triangle.
+    pub(super) weights: [f32; 3],
+}
+
+/// All triangles at the moment of building, in a tree.
+#[derive(Default)]
+pub(super) struct Rest {
+    tree: BoxTree,
+    triangles: Vec<RestTriangle>,
+}
+
+fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
+    let [x, y, z, _] = positions[p as usize];
+    Vec3::new(x, y, z)
+}
+
+impl Rest {
+    /// Builds the tree over the triangles that the links hold.
+    pub(super) fn new(links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) -> Self {
+        let mut triangles = Vec::new();
+        let mut edges: Vec<LinkEdge> = Vec::new();
+        for p in 0..positions.len() as u32 {
+            links.edges_into(p, &mut edges);
+            for e in edges.iter().filter(|e| p < e.a && p < e.b) {
+                triangles.push(match wedges {
+                    None => RestTriangle { positions: [p, e.a, e.b], vertices: [p, e.a, e.b] },
+                    Some(wedges) => {
+                        let vertices = wedges.corners(e.triangle);
+                        RestTriangle { positions: vertices.map(|v| wedges.position_of(v)), vertices }
+                    }
+                });
+            }
+        }
+        Self::of_triangles(triangles, positions)
+    }
+
+    /// Builds the tree over triangles given by their corners.
+    pub(super) fn of_triangles(triangles: Vec<RestTriangle>, positions: &[[f32; 4]]) -> Self {
+        let box_of = |t: &RestTriangle| {
+            let [a, b, c] = t.positions.map(|p| Vec3A::from(point(positions, p)));
+            AxisBox { min: a.min(b).min(c), max: a.max(b).max(c) }
+        };
+        let boxes: Vec<AxisBox> = triangles.iter().map(box_of).collect();
+        Self { tree: BoxTree::new(&boxes), triangles }
+    }
+
+    /// Hands over triangles in boxes that are nearer to a point than a limit, squared, near ones first; `visit` returns the
+    /// limit from then on.
+    pub(super) fn visit_near(&self, from: Vec3, limit: f32, mut visit: impl FnMut(&RestTriangle) -> f32) {
+        self.tree.visit_near(Vec3A::from(from), limit, |index| visit(&self.triangles[index]));
+    }
+
+    /// Triangles at the moment of building.
+    pub(super) fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// The nearest point on the triangles that `is_host` accepts, if one is within the squared distance `limit`.
+    pub(super) fn nearest(
+        &self,
+        positions: &[[f32; 4]],
+        from: Vec3,
+        limit: f32,
+        is_host: impl Fn(&RestTriangle) -> bool,
+    ) -> Option<RestPoint> {
+        let mut best: Option<RestPoint> = None;
+        let mut least = limit;
+        self.tree.visit_near(Vec3A::from(from), limit, |index| {
+            let triangle = self.triangles[index];
+            if is_host(&triangle) {
+                let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
+                let weights = nearest(a, b, c);
+                let distance_squared = (a * weights[0] + b * weights[1] + c * weights[2]).length_squared();
+                if distance_squared < least || (best.is_none() && distance_squared <= least) {
+                    least = distance_squared;
+                    best = Some(RestPoint { distance_squared, triangle, weights });
+                }
+            }
+            // A box may be as near as its triangle: rounding must not hide it.
+            least * 1.000_01
+        });
+        best
+    }
+}

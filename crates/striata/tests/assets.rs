@@ -1,0 +1,60 @@
+//! Models over sequences that cross seams, fold parts flat and let them vanish: all of them against the oracle.
+
+mod meshes;
+
+mod support;
+
+use meshes::{COSTS, asset};
+use proptest::prelude::*;
+use striata::ignore_progress;
+use striata::mesh::{DistanceOptions, FragmentedMesh, RefinableMesh, replay, surface_distance};
+use striata::model::{Fans, LodStrips, Mts, Patterns};
+use striata::simplify::{SequenceOptions, build_sequence, certify_collapses};
+use striata::strip::{StripOptions, stripify};
+use support::follows_the_oracle;
+
+fn refinable_asset(piece_count: usize, seed: u64, cost: usize) -> RefinableMesh {
+    let options = SequenceOptions::default().with_cost(COSTS[cost]);
+    let mesh = asset(piece_count, seed);
+    build_sequence(&mesh, &options, &mut ignore_progress).expect("assets are sound").refinable
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn strip_models_follow_the_oracle(pieces in 1usize..7, seed: u64, cost in 0usize..3) {
+        let refinable = refinable_asset(pieces, seed, cost);
+        let strips = stripify(&refinable.mesh, &StripOptions::default()).expect("full meshes are sound");
+        let lod_strips = LodStrips::build(&refinable, &strips).expect("the strips are the mesh's");
+        follows_the_oracle(&refinable, &lod_strips, 3);
+        let mts = Mts::build(&refinable, &strips).expect("the strips are the mesh's");
+        follows_the_oracle(&refinable, &mts, 3);
+    }
+
+    #[test]
+    fn fans_follow_the_oracle(pieces in 1usize..7, seed: u64, cost in 0usize..3) {
+        let refinable = refinable_asset(pieces, seed, cost);
+        follows_the_oracle(&refinable, &Fans::build(&refinable), 3);
+    }
+
+    #[test]
+    fn patterns_follow_the_oracle(pieces in 1usize..5, seed: u64, cost in 0usize..3) {
+        let refinable = refinable_asset(pieces, seed, cost);
+        let fragmented = FragmentedMesh::from_collapses(&refinable);
+        follows_the_oracle(&refinable, &Patterns::build(&fragmented).expect("fragments are sound"), 3);
+    }
+
+    #[test]
+    fn certified_errors_hold(pieces in 1usize..5, seed: u64) {
+        let refinable = refinable_asset(pieces, seed, 0);
+        let certain = certify_collapses(&refinable, &mut ignore_progress).expect("nobody cancels");
+        let options = DistanceOptions::default().with_sample_count(2000);
+        for split_count in (0..refinable.sequence.step_count()).step_by(5) {
+            let level = replay(&refinable, split_count);
+            let found = surface_distance(&refinable.mesh, &level, &options).expect("both have triangles");
+            let limit = f64::from(certain.sequence.error_at(split_count)) + 1e-14 * refinable.mesh.diagonal();
+            prop_assert!(found.a_to_b.max <= limit, "{} of at most {} at {}", found.a_to_b.max, limit, split_count);
+        }
+    }
+}
