@@ -16,6 +16,10 @@ const PROTRUSION_NOISE: f32 = 1e-5;
 /// Once so many positions have come together at one, one witness is not enough.
 const LEAST_FOLLOWERS: usize = 16;
 
+/// Squared distances that a step sticks out of the star that it replaces are measured against the original mesh from this share
+/// of the squared error on: the star itself may stick out.
+const OUTWARD_SHARE: f32 = 0.25;
+
 /// The collapses so far.
 #[derive(Debug)]
 pub(super) struct Course {
@@ -94,15 +98,22 @@ impl Course {
         let mut worst = self.witnesses.collapse(judge, (v, choice.target), own);
         if judge.has_relaxed() {
             judge.followers_into(choice.target, LEAST_FOLLOWERS, &mut self.gone);
-            worst = self.witnesses.lose(judge, (&self.gone, &[]), (choice.target, 0.0));
+            worst = self.witnesses.lose(judge, (&self.gone, &[]), choice.target);
         }
-        worst.max(reported_protrusion(&judge.positions, v, choice))
+        let protrusion = reported_protrusion(&judge.positions, v, choice);
+        if !judge.is_measured_outward() {
+            return worst.max(protrusion);
+        }
+        if protrusion <= OUTWARD_SHARE * worst {
+            return worst;
+        }
+        self.witnesses.raise(judge.outward(choice.target, worst))
     }
 
     /// The squared error after a collapse that may have taken more than `v`; writes down what else has gone.
     fn depart(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice, departure: &Departure) -> f32 {
-        let Departure { place, lost, distance } = departure;
-        let Some(place) = *place else { return distance * distance };
+        let Departure { place, lost, points } = departure;
+        let Some(place) = *place else { return 0.0 };
         for &p in lost {
             self.record.removed.push(p);
             self.record.removed_triangle_counts.push(0);
@@ -114,11 +125,10 @@ impl Course {
         self.gone.push(choice.target);
         self.gone.extend(lost.iter().copied().filter(|&p| p != choice.target));
         let gone = (self.gone.as_slice(), self.points.as_slice());
-        let around = (place, distance * distance);
-        self.witnesses.lose(judge, gone, around);
+        self.witnesses.lose(judge, gone, place);
         judge.followers_into(place, 0, &mut self.gone);
-        let worst = self.witnesses.lose(judge, (&self.gone, &[]), (place, 0.0));
-        if reported_protrusion(&judge.positions, v, choice) > worst {
+        let worst = self.witnesses.lose(judge, (&self.gone, points), place);
+        if reported_protrusion(&judge.positions, v, choice) > OUTWARD_SHARE * worst {
             // It was measured against a surface that has moved itself: what counts is the original.
             return self.witnesses.raise(judge.outward(choice.target, worst));
         }

@@ -16,6 +16,8 @@ use super::rest::{Rest, RestPoint};
 
 /// Triangles of the original part that are measured, at most.
 const MAX_SAMPLES: usize = 16;
+/// Triangles of a vanished part whose corners are measured for the error.
+const MAX_CORNER_SAMPLES: usize = 32;
 /// Weight of the squared difference of unit normals against squared distances, so that decals and the two sides of a
 /// sheet do not vanish for nothing.
 const NORMAL_WEIGHT: f32 = 1e-4;
@@ -280,6 +282,16 @@ impl Parts {
             }
         }
         samples
+    }
+
+    /// Corners of some triangles of the original part, into `out`.
+    pub(super) fn corners_into(&self, part: u32, (welded, positions): (&Welded, &[[f32; 4]]), out: &mut Vec<Vec3>) {
+        let members = self.members_of(part);
+        let count = members.len().min(MAX_CORNER_SAMPLES);
+        for i in 0..count {
+            let vertices = welded.mesh.triangles[members[i * members.len() / count] as usize];
+            out.extend(vertices.map(|v| point(positions, welded.positions.position_of(v))));
+        }
     }
 
     /// Notes that a part has vanished: its hosts stand for it from now on.

@@ -72,14 +72,13 @@ impl Witnesses {
 
     /// Called after a relaxed collapse. Everything that the `lost` positions stood for settles anew from `place`, and so do the
     /// `points` of the triangles that have gone; what that puts above all that was seen before is looked for everywhere.
-    /// Returns the largest squared distance seen so far, `farthest` included.
+    /// Returns the largest squared distance seen so far.
     pub(super) fn lose(
         &mut self,
         judge: &mut Judge<'_>,
         (lost, points): (&[u32], &[Vec3]),
-        (place, farthest): (u32, f32),
+        place: u32,
     ) -> f32 {
-        self.worst = self.worst.max(farthest);
         for &p in lost {
             let witness = std::mem::replace(&mut self.of[p as usize], NOBODY);
             for vertex in [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != place) {
