@@ -615,6 +615,23 @@ mod tests {
         }
     }
 
+    #[test]
+    fn links_without_triangles_are_empty() {
+        let pillow = [[0, 1, 2], [0, 2, 1]];
+        for (triangles, left) in [(&pillow[..1], 0), (&pillow[..], 0)] {
+            let mut links = Links::new(3, triangles, false);
+            links.collapse(0, 1);
+            assert_eq!([0, 1, 2].map(|p| links.kind(p)), [LinkKind::Empty; 3]);
+            assert_eq!([0, 1, 2].map(|p| links.triangle_count(p)), [left; 3]);
+        }
+        // A tetrahedron folds into a pillow.
+        let mut links = Links::new(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]], true);
+        links.collapse(0, 1);
+        assert_eq!([1, 2, 3].map(|p| links.triangle_count(p)), [2; 3]);
+        links.collapse(1, 2);
+        assert_eq!([1, 2, 3].map(|p| links.kind(p)), [LinkKind::Empty; 3]);
+    }
+
     fn check_against_substitution(triangles: &[[u32; 3]], count: usize, collapses: &[(u32, u32)]) {
         for follows in [true, false] {
             check_one(triangles.to_vec(), count, collapses, follows);

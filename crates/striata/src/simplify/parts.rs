@@ -354,3 +354,74 @@ impl Members {
         &self.triangles[from..to]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{IndexedMesh, weld};
+    use crate::simplify::links::Links;
+
+    /// A large triangle, and small ones at some heights over it.
+    fn with_decals(heights: &[f32]) -> Welded {
+        let mut mesh = IndexedMesh::new(vec![[0., 0., 0.], [9., 0., 0.], [0., 9., 0.]], vec![[0, 1, 2]]);
+        for &z in heights {
+            let first = mesh.positions.len() as u32;
+            mesh.positions.extend([[1., 1., z], [2., 1., z], [1., 2., z]]);
+            mesh.triangles.push([first, first + 1, first + 2]);
+        }
+        weld(&mesh).expect("it is sound")
+    }
+
+    fn fates(heights: &[f32]) -> Vec<Option<Fate>> {
+        let welded = with_decals(heights);
+        let positions: Vec<[f32; 4]> = welded.mesh.positions.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
+        let mut parts = Parts::new(&welded);
+        for t in &welded.mesh.triangles {
+            parts.count(t[0]);
+        }
+        assert_eq!(parts.len(), 1 + heights.len());
+        let rest = Rest::new(&Links::new(positions.len(), &welded.mesh.triangles, false), None, &positions);
+        let around =
+            Surroundings { welded: &welded, positions: &positions, attributes: None, rest: &rest, generation: 1 };
+        let small = welded.mesh.triangles[1..].iter().map(|t| parts.part_of(t[0])).collect::<Vec<_>>();
+        small.into_iter().map(|part| parts.fate(part, &around).cloned()).collect()
+    }
+
+    #[test]
+    fn what_lies_close_vanishes_cheaply() {
+        let costs: Vec<f32> = [0.01, 0.1, 100.0, 1000.0]
+            .map(|z| fates(&[z]).remove(0).expect("there is a host"))
+            .map(|fate| fate.cost)
+            .to_vec();
+        assert!(costs.is_sorted(), "{costs:?}");
+        assert_eq!(costs[2], costs[3], "a part is lost by no more than its extent");
+    }
+
+    #[test]
+    fn distances_reach_the_nearest_part() {
+        let found = fates(&[0.5, 0.75]);
+        for fate in found {
+            assert_eq!(fate.expect("there are hosts").distance, 0.25);
+        }
+    }
+
+    #[test]
+    fn hosts_inherit() {
+        let welded = with_decals(&[0.5]);
+        let positions: Vec<[f32; 4]> = welded.mesh.positions.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
+        let mut parts = Parts::new(&welded);
+        welded.mesh.triangles.iter().for_each(|t| parts.count(t[0]));
+        let rest = Rest::new(&Links::new(positions.len(), &welded.mesh.triangles, false), None, &positions);
+        let around =
+            Surroundings { welded: &welded, positions: &positions, attributes: None, rest: &rest, generation: 1 };
+        let [large, small] = [0, 1].map(|t: usize| welded.mesh.triangles[t]);
+        let (host, gone) = (parts.part_of(large[0]), parts.part_of(small[0]));
+        assert!(parts.fate(gone, &around).is_some());
+        parts.collapse(small[0], small[1], 1);
+        assert!(parts.bequeath(gone).is_some_and(|fate| parts.part_of(fate.host) == host));
+        let Part { area, reach, .. } = parts.parts[host as usize];
+        assert_eq!((area, reach), (41.0, 0.5));
+        assert_eq!(parts.triangle_count(gone), 0);
+        assert!(parts.fate(host, &around).is_none(), "nothing else is left");
+    }
+}

@@ -109,3 +109,25 @@ impl Rest {
         best
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_host_is_found() {
+        // Two triangles at heights 0 and 1.
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        let positions: Vec<[f32; 4]> =
+            [0.0, 1.0].iter().flat_map(|&z| corners.map(|[x, y]| [x, y, z, 0.0])).collect();
+        let links = Links::new(6, &[[0, 1, 2], [3, 4, 5]], false);
+        let rest = Rest::new(&links, None, &positions);
+        assert_eq!(rest.triangle_count(), 2);
+        let from = Vec3::new(0.25, 0.25, 0.75);
+        let nearest = rest.nearest(&positions, from, f32::INFINITY, |_| true).expect("there are two");
+        assert_eq!((nearest.triangle.positions, nearest.distance_squared), ([3, 4, 5], 0.0625));
+        let other = rest.nearest(&positions, from, f32::INFINITY, |t| t.positions[0] == 0).expect("one is a host");
+        assert_eq!(other.distance_squared, 0.5625);
+        assert!(rest.nearest(&positions, from, 0.5, |t| t.positions[0] == 0).is_none(), "too far");
+    }
+}

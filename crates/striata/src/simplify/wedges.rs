@@ -215,3 +215,60 @@ impl<'a> Wedges<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simplify::links::Links;
+
+    /// A fan of four about position 0, whose first two triangles show wedge 0 there and the others wedge 1; the rim has
+    /// positions 1 to 4, of which the first has two wedges.
+    ///
+    /// ```text
+    /// 2 --- 1        wedges 0 1 | 2 3 | 4 | 5 | 6
+    /// | \ / |        of position 0   1   2   3   4
+    /// |  0  |
+    /// | / \ |
+    /// 3 --- 4
+    /// ```
+    fn loaded(corners: &[[u32; 3]]) -> (PositionIndex, Star, Vec<[u32; 3]>) {
+        let positions = PositionIndex::from_first(vec![0, 2, 4, 5, 6, 7]);
+        let places = [[0., 0., 0., 0.], [1., 1., 0., 0.], [-1., 1., 0., 0.], [-1., -1., 0., 0.], [1., -1., 0., 0.]];
+        let triangles: Vec<[u32; 3]> = corners.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
+        let mut star = Star::default();
+        star.gather(&Links::new(5, &triangles, true), &places, 0);
+        (positions, star, corners.to_vec())
+    }
+
+    fn index_of(star: &Star, position: u32) -> usize {
+        star.ids.iter().position(|&id| id == position).expect("it is a neighbor")
+    }
+
+    #[test]
+    fn wedges_without_a_partner_cross_to_the_most_similar_one() {
+        let (positions, mut star, corners) = loaded(&[[0, 2, 4], [0, 4, 5], [1, 5, 6], [1, 6, 3]]);
+        let mut wedges = Wedges::new(&positions, corners);
+        wedges.load(&mut star, 0);
+        // Along the seam to position 1, both have partners.
+        let along = index_of(&star, 1);
+        assert!(wedges.pair(&star, 0, along));
+        assert!(wedges.pair_across(&star, 0, along, |_, _| 0.0));
+        assert_eq!([0, 1].map(|w| wedges.paired(w, 1)), [2, 3]);
+        assert!(!wedges.crosses(0) && !wedges.crosses(1));
+        // Position 2 is on one side of it only.
+        let aside = index_of(&star, 2);
+        assert!(!wedges.pair(&star, 0, aside));
+        assert!(wedges.pair_across(&star, 0, aside, |_, _| 1.0));
+        assert_eq!([0, 1].map(|w| wedges.paired(w, 2)), [4, 4]);
+        assert!(!wedges.crosses(0) && wedges.crosses(1));
+    }
+
+    #[test]
+    fn one_wedge_that_faces_two_is_a_conflict() {
+        let (positions, mut star, corners) = loaded(&[[0, 2, 4], [0, 4, 5], [0, 5, 6], [0, 6, 3]]);
+        let mut wedges = Wedges::new(&positions, corners);
+        wedges.load(&mut star, 0);
+        let k = index_of(&star, 1);
+        assert!(!wedges.pair(&star, 0, k) && !wedges.pair_across(&star, 0, k, |_, _| 0.0));
+    }
+}
