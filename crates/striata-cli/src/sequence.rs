@@ -5,9 +5,9 @@ use std::borrow::Cow;
 use striata::ProgressFn;
 use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
 use striata::simplify::{
-    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, RemovalOptions, Retriangulation,
-    SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule, build_welded_batches,
-    build_welded_fragments, build_welded_sequence, certify, certify_collapses, certify_collapses_in_any_state,
+    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, RemovalOptions, Retriangulation, SeamRule,
+    SequenceOptions, SimplifyError, StopReason, TopologyRule, build_welded_batches, build_welded_fragments,
+    build_welded_sequence, certify, certify_collapses, certify_collapses_in_any_state,
 };
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};

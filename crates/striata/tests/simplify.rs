@@ -178,7 +178,8 @@ fn every_sequence_ends_at_a_handful() {
         assert!(is_done, "{left} of {} triangles left", full.triangle_count());
         assert_eq!(left == 0, full.triangle_count() == 0, "the last triangles stay");
         let base = replay(&built.refinable, 0);
-        let used = positions_of(&base.without_unused_vertices(), base.without_unused_vertices().vertex_count());
+        let used =
+            positions_of(&base.without_unused_vertices(), base.without_unused_vertices().vertex_count());
         assert_eq!(used.len(), sequence.base_position_count(), "every position of the base is used");
         // Each target between is undercut by less than a step.
         for split_count in 1..=sequence.step_count() {

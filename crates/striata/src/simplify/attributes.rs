@@ -108,14 +108,22 @@ impl AttributeSpace {
             .map(|d| at(corners, weights, d) - at(other_corners, other_weights, d))
             .map(|difference| difference * difference)
             .sum();
-        if self.share_material(corners[0], other_corners[0]) { squared } else { squared + self.material_squared }
+        if self.share_material(corners[0], other_corners[0]) {
+            squared
+        } else {
+            squared + self.material_squared
+        }
     }
 
     /// What it costs over a unit of area that `to` stands for `from` on the other side of a seam.
     fn crossing_squared(&self, from: u32, to: u32) -> f32 {
         let pairs = self.of(from).iter().zip(self.of(to)).zip(&self.factors);
         let squared: f32 = pairs.map(|((x, y), factor)| factor * (x - y) * (x - y)).sum();
-        if self.share_material(from, to) { squared } else { squared + CROSSING_FACTOR * self.material_squared }
+        if self.share_material(from, to) {
+            squared
+        } else {
+            squared + CROSSING_FACTOR * self.material_squared
+        }
     }
 
     /// What collapsing `v` to neighbour `k` of its star costs in attributes; the wedges must be paired already.

@@ -305,7 +305,13 @@ impl<'a> Judge<'a> {
             if candidate.stage == Stage::Settled {
                 let target = self.star.ids[k];
                 let Candidate { distance_squared, protrusion_squared, .. } = candidate;
-                break Some(Choice { tier: Tier::Strict, cost, target, distance_squared, protrusion_squared });
+                break Some(Choice {
+                    tier: Tier::Strict,
+                    cost,
+                    target,
+                    distance_squared,
+                    protrusion_squared,
+                });
             }
             let refined =
                 if candidate.stage == Stage::Bound { self.measure(v, k) } else { self.settle(v, k) };

@@ -28,8 +28,8 @@ mod witness;
 pub use batches::{BatchOptions, BuiltBatches, build_batches, build_welded_batches};
 pub use cover::{certify, certify_collapses, certify_collapses_in_any_state};
 pub use options::{
-    AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SeamRule, SequenceOptions, Simplified,
-    SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
+    AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SeamRule, SequenceOptions,
+    Simplified, SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
 };
 pub use removal::{
     BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, build_fragments, build_welded_fragments,

@@ -189,7 +189,8 @@ impl Parts {
         let is_less = self.parts[a as usize].triangle_count < self.parts[b as usize].triangle_count;
         let (small, large) = if is_less { (a, b) } else { (b, a) };
         self.merged[small as usize] = large;
-        let Part { triangle_count, area, reach, radius, .. } = std::mem::take(&mut self.parts[small as usize]);
+        let Part { triangle_count, area, reach, radius, .. } =
+            std::mem::take(&mut self.parts[small as usize]);
         let into = &mut self.parts[large as usize];
         into.triangle_count += triangle_count;
         into.area += area;
@@ -274,7 +275,13 @@ impl Parts {
             let area = doubled.length() + 1e-12;
             let normal = doubled.normalize_or_zero();
             let third = 1.0 / 3.0;
-            samples.push(Sample { at: (a + b + c) * third, normal, vertices, weights: [third; 3], share: 0.75 * area });
+            samples.push(Sample {
+                at: (a + b + c) * third,
+                normal,
+                vertices,
+                weights: [third; 3],
+                share: 0.75 * area,
+            });
             for k in 0..3 {
                 let mut weights = [0.0; 3];
                 weights[k] = 1.0;
@@ -285,7 +292,12 @@ impl Parts {
     }
 
     /// Corners of some triangles of the original part, into `out`.
-    pub(super) fn corners_into(&self, part: u32, (welded, positions): (&Welded, &[[f32; 4]]), out: &mut Vec<Vec3>) {
+    pub(super) fn corners_into(
+        &self,
+        part: u32,
+        (welded, positions): (&Welded, &[[f32; 4]]),
+        out: &mut Vec<Vec3>,
+    ) {
         let members = self.members_of(part);
         let count = members.len().min(MAX_CORNER_SAMPLES);
         for i in 0..count {
@@ -374,15 +386,21 @@ mod tests {
 
     fn fates(heights: &[f32]) -> Vec<Option<Fate>> {
         let welded = with_decals(heights);
-        let positions: Vec<[f32; 4]> = welded.mesh.positions.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
+        let positions: Vec<[f32; 4]> =
+            welded.mesh.positions.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
         let mut parts = Parts::new(&welded);
         for t in &welded.mesh.triangles {
             parts.count(t[0]);
         }
         assert_eq!(parts.len(), 1 + heights.len());
         let rest = Rest::new(&Links::new(positions.len(), &welded.mesh.triangles, false), None, &positions);
-        let around =
-            Surroundings { welded: &welded, positions: &positions, attributes: None, rest: &rest, generation: 1 };
+        let around = Surroundings {
+            welded: &welded,
+            positions: &positions,
+            attributes: None,
+            rest: &rest,
+            generation: 1,
+        };
         let small = welded.mesh.triangles[1..].iter().map(|t| parts.part_of(t[0])).collect::<Vec<_>>();
         small.into_iter().map(|part| parts.fate(part, &around).cloned()).collect()
     }
@@ -408,12 +426,18 @@ mod tests {
     #[test]
     fn hosts_inherit() {
         let welded = with_decals(&[0.5]);
-        let positions: Vec<[f32; 4]> = welded.mesh.positions.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
+        let positions: Vec<[f32; 4]> =
+            welded.mesh.positions.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
         let mut parts = Parts::new(&welded);
         welded.mesh.triangles.iter().for_each(|t| parts.count(t[0]));
         let rest = Rest::new(&Links::new(positions.len(), &welded.mesh.triangles, false), None, &positions);
-        let around =
-            Surroundings { welded: &welded, positions: &positions, attributes: None, rest: &rest, generation: 1 };
+        let around = Surroundings {
+            welded: &welded,
+            positions: &positions,
+            attributes: None,
+            rest: &rest,
+            generation: 1,
+        };
         let [large, small] = [0, 1].map(|t: usize| welded.mesh.triangles[t]);
         let (host, gone) = (parts.part_of(large[0]), parts.part_of(small[0]));
         assert!(parts.fate(gone, &around).is_some());

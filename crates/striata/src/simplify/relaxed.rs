@@ -136,7 +136,14 @@ pub(super) type Standing = (f32, u32);
 impl Relaxed<'_> {
     /// Looks for what stands nearest to a point: in the tree of the rest for triangles of the past, and from their corners
     /// for the stars that they have become. Never farther than `known`; stops at a squared distance of `enough`.
-    fn standing(&mut self, links: &Links, positions: &[[f32; 4]], from: Vec3, known: Standing, enough: f32) -> Standing {
+    fn standing(
+        &mut self,
+        links: &Links,
+        positions: &[[f32; 4]],
+        from: Vec3,
+        known: Standing,
+        enough: f32,
+    ) -> Standing {
         let Self { rest, current, stamps, search, edges, .. } = self;
         stamps.resize(positions.len(), 0);
         *search += 1;
@@ -434,7 +441,9 @@ impl Judge<'_> {
 
     /// What happens if a part vanishes.
     fn fate(&mut self, part: u32) -> Option<&Fate> {
-        let Self { relaxed: Some(relaxed), links, wedges, positions, attributes, .. } = self else { return None };
+        let Self { relaxed: Some(relaxed), links, wedges, positions, attributes, .. } = self else {
+            return None;
+        };
         relaxed.refresh(links, wedges.as_ref(), positions);
         let around = Surroundings {
             welded: relaxed.welded,
@@ -499,7 +508,13 @@ impl Judge<'_> {
     }
 
     /// Notes a collapse that has been carried out, `ring` being the neighbors that `v` had; says who lost everything by it.
-    pub(super) fn note_departure(&mut self, v: u32, u: u32, removed: usize, ring: &[u32]) -> Option<Departure> {
+    pub(super) fn note_departure(
+        &mut self,
+        v: u32,
+        u: u32,
+        removed: usize,
+        ring: &[u32],
+    ) -> Option<Departure> {
         let relaxed = self.relaxed.as_mut()?;
         relaxed.parts.collapse(v, u, removed);
         relaxed.triangle_count -= removed;
@@ -549,7 +564,9 @@ fn shared_triangles(links: &Links, v: u32, u: u32) -> usize {
     match links.kind(v) {
         LinkKind::Empty => 0,
         LinkKind::Closed => 2,
-        LinkKind::Open => 2 - usize::from(entries.first() == Some(&u)) - usize::from(entries.last() == Some(&u)),
+        LinkKind::Open => {
+            2 - usize::from(entries.first() == Some(&u)) - usize::from(entries.last() == Some(&u))
+        }
         LinkKind::Edges => entries.iter().filter(|&&w| w == u).count(),
     }
 }

@@ -126,7 +126,8 @@ mod tests {
         let from = Vec3::new(0.25, 0.25, 0.75);
         let nearest = rest.nearest(&positions, from, f32::INFINITY, |_| true).expect("there are two");
         assert_eq!((nearest.triangle.positions, nearest.distance_squared), ([3, 4, 5], 0.0625));
-        let other = rest.nearest(&positions, from, f32::INFINITY, |t| t.positions[0] == 0).expect("one is a host");
+        let other =
+            rest.nearest(&positions, from, f32::INFINITY, |t| t.positions[0] == 0).expect("one is a host");
         assert_eq!(other.distance_squared, 0.5625);
         assert!(rest.nearest(&positions, from, 0.5, |t| t.positions[0] == 0).is_none(), "too far");
     }

@@ -403,7 +403,8 @@ impl Star {
             }
             let u = self.offset(i);
             let others = special.iter().filter(|s| s.neighbor as usize != i);
-            let swept = |s: &Special| s.leave_cost(self.offset(s.neighbor as usize).cross(u).length_squared());
+            let swept =
+                |s: &Special| s.leave_cost(self.offset(s.neighbor as usize).cross(u).length_squared());
             *cost += others.map(swept).sum::<f32>();
             if let [end] = special {
                 // The border ends here and would recede.

@@ -233,7 +233,8 @@ mod tests {
     /// ```
     fn loaded(corners: &[[u32; 3]]) -> (PositionIndex, Star, Vec<[u32; 3]>) {
         let positions = PositionIndex::from_first(vec![0, 2, 4, 5, 6, 7]);
-        let places = [[0., 0., 0., 0.], [1., 1., 0., 0.], [-1., 1., 0., 0.], [-1., -1., 0., 0.], [1., -1., 0., 0.]];
+        let places =
+            [[0., 0., 0., 0.], [1., 1., 0., 0.], [-1., 1., 0., 0.], [-1., -1., 0., 0.], [1., -1., 0., 0.]];
         let triangles: Vec<[u32; 3]> = corners.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
         let mut star = Star::default();
         star.gather(&Links::new(5, &triangles, true), &places, 0);

@@ -81,7 +81,8 @@ impl Witnesses {
     ) -> f32 {
         for &p in lost {
             let witness = std::mem::replace(&mut self.of[p as usize], NOBODY);
-            for vertex in [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != place) {
+            for vertex in [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != place)
+            {
                 let (distance_squared, at) = self.find(judge, place, point(&judge.positions, vertex));
                 self.keep(at, Witness { vertex, distance_squared });
             }

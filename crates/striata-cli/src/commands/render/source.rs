@@ -170,9 +170,9 @@ impl<'a> Levels<'a> {
     fn floor(&self) -> Floor {
         match self.file {
             Some(_) => Floor::File,
-            None => {
-                Floor::Simplified("no more edges can be collapsed without losing the last triangles".to_owned())
-            }
+            None => Floor::Simplified(
+                "no more edges can be collapsed without losing the last triangles".to_owned(),
+            ),
         }
     }
 
