@@ -59,7 +59,7 @@ fn check_collapse(surface: &ClosedSurface, v: u32, target: u32, max_valence: usi
     (v, u)
 }
 
-/// Each wedge shown at `v` goes to the one that it shares the collapsed edge with.
+/// Each wedge of `v` that the collapsed edge shows goes to the one that it shares the edge with; others may cross a seam.
 fn check_wedges(refinable: &RefinableMesh, level: &IndexedMesh, v: u32, target: u32) {
     let positions = refinable.sequence.positions();
     let at = |t: &[u32; 3], p: u32| t.iter().copied().find(|&w| positions.position_of(w) == p);
@@ -72,7 +72,7 @@ fn check_wedges(refinable: &RefinableMesh, level: &IndexedMesh, v: u32, target: 
             assert_eq!(refinable.sequence.target(from), to, "wedge {from} of position {v}");
         }
     }
-    assert_eq!(shown, paired, "wedges of position {v} that the edge to {target} does not show");
+    assert!(!paired.is_empty() && paired.is_subset(&shown), "wedges on the edge from {v} to {target}");
 }
 
 /// Everything that a coder relies on.

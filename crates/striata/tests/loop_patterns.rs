@@ -12,7 +12,7 @@ use striata::model::baseline::{
     LoopPatterns, LoopPatternsState, MultiTriangulation, SequentialPatterns, decode_sequential,
 };
 use striata::model::{Accounting, LodModel, Overlap, PatternChange, Patterns, StoredModel};
-use striata::simplify::{SequenceOptions, build_sequence};
+use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
 use support::{
     Random, closed_sets, follows_the_fragments, fragment_cases, grid, hub_cases, nasty_cases,
     random_closed_set, random_removals, seam_cases, shows_a_set, smallest_set,
@@ -30,7 +30,8 @@ fn collapsed_cases() -> impl Iterator<Item = FragmentedMesh> {
         shapes::torus(11, 9, 2.0, 1.0),
     ];
     meshes.into_iter().map(|mesh| {
-        let options = SequenceOptions::default();
+        // The model is for manifolds.
+        let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
         let simplified = build_sequence(&mesh, &options, &mut striata::ignore_progress).unwrap();
         FragmentedMesh::from_collapses(&simplified.refinable)
     })

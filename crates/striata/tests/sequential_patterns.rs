@@ -10,12 +10,13 @@ use striata::mesh::{
 use striata::model::baseline::{
     LoopPatterns, SequentialDecoder, SequentialPatterns, SequentialPatternsError, decode_sequential,
 };
-use striata::simplify::{SequenceOptions, build_sequence};
+use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
 use support::{Random, fragment_cases, grid, hub_cases, nasty_cases, random_removals, seam_cases};
 
 fn collapsed(mesh: &IndexedMesh) -> FragmentedMesh {
-    let simplified =
-        build_sequence(mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap();
+    // The model is for manifolds.
+    let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
+    let simplified = build_sequence(mesh, &options, &mut striata::ignore_progress).unwrap();
     FragmentedMesh::from_collapses(&simplified.refinable)
 }
 

@@ -9,7 +9,7 @@ use striata::mesh::{
 };
 use striata::model::baseline::{ViewDependentError, ViewDependentMeshes, ViewDependentState};
 use striata::model::{Accounting, LodModel};
-use striata::simplify::{SequenceOptions, build_sequence};
+use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
 use striata::view::{Camera, Criterion, NormalCone, Part, ScreenError, Sphere, Verdict};
 use support::{Random, follows_the_oracle, grid, nasty_cases, seam_cases, with_seams_and_groups};
 
@@ -93,7 +93,9 @@ fn cases() -> impl Iterator<Item = (u64, RefinableMesh)> {
         shapes::torus(9, 7, 2.0, 1.0),
     ];
     meshes.into_iter().flat_map(|mesh| {
-        let tame = build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap();
+        // The model is for manifolds.
+        let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
+        let tame = build_sequence(&mesh, &options, &mut striata::ignore_progress).unwrap();
         let wild = (1..6).map(move |seed| (seed, random_manifold(&mesh, &mut Random::new(seed))));
         wild.chain([(0, tame.refinable)])
     })
@@ -246,7 +248,7 @@ fn following_a_view_shows_what_the_view_alone_shows() {
 #[test]
 fn a_far_journey_makes_no_verdict_last_longer() {
     let mesh = shapes::icosphere(4, 1.0);
-    let options = SequenceOptions::default();
+    let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
     let refinable = build_sequence(&mesh, &options, &mut striata::ignore_progress).unwrap().refinable;
     let model = ViewDependentMeshes::build(&refinable).unwrap();
     let see = |eye: [f32; 3]| {

@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
 use striata::model::{Accounting, Topology};
 use striata::simplify::{
-    SequenceOptions, SimplifyError, build_welded_sequence, certify_collapses_in_any_state,
+    SequenceOptions, SimplifyError, TopologyRule, build_welded_sequence, certify_collapses_in_any_state,
 };
 
 use super::contenders::{Entry, Given, Unbuilt, entries};
@@ -124,7 +124,8 @@ impl Sequenced {
     ) -> Result<Self, Failure> {
         say("the sequence");
         let started = Instant::now();
-        let options = SequenceOptions::default();
+        // Published models are for manifolds and for steps that keep them: all models get what all can hold.
+        let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
         let built = build_welded_sequence(weld(mesh)?, &options, &mut |progress| bar.show(progress))?;
         let refinable = match is_certified {
             true => certify_collapses_in_any_state(&built.refinable, &mut |progress| bar.show(progress))
