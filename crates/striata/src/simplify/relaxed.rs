@@ -138,8 +138,7 @@ impl Relaxed<'_> {
     /// for the stars that they have become. Never farther than `known`; stops at a squared distance of `enough`.
     fn standing(
         &mut self,
-        links: &Links,
-        positions: &[[f32; 4]],
+        (links, positions): (&Links, &[[f32; 4]]),
         from: Vec3,
         known: Standing,
         enough: f32,
@@ -498,7 +497,7 @@ impl Judge<'_> {
             return known;
         }
         relaxed.refresh(links, wedges.as_ref(), positions);
-        relaxed.standing(links, positions, from, known, enough)
+        relaxed.standing((links, positions), from, known, enough)
     }
 
     /// The largest squared distance of the triangles around `u` from the original mesh, or something up to `enough`.

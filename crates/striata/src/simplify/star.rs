@@ -65,6 +65,9 @@ impl Special {
     }
 }
 
+/// For two triangles of a star, the squared difference of attributes if they show the center as different wedges.
+pub(super) type SeamBetween<'a> = &'a dyn Fn(&Star, usize, usize) -> Option<f32>;
+
 /// Three coordinates of many points.
 type Coordinates = [Vec<f32>; 3];
 
@@ -366,11 +369,7 @@ impl Star {
     ///
     /// `seam_between(i, j)` gives the squared difference of attributes if triangles `i` and `j` show v different wedges; infinite
     /// if the seam must stay.
-    pub(super) fn apply_borders(
-        &mut self,
-        kind: LinkKind,
-        seam_between: Option<&dyn Fn(&Self, usize, usize) -> Option<f32>>,
-    ) {
+    pub(super) fn apply_borders(&mut self, kind: LinkKind, seam_between: Option<SeamBetween<'_>>) {
         if kind == LinkKind::Closed && seam_between.is_none() {
             return;
         }
@@ -415,11 +414,7 @@ impl Star {
     }
 
     /// The edge to neighbor `i`, if it lies on a border.
-    fn special_edge(
-        &self,
-        i: usize,
-        seam_between: Option<&dyn Fn(&Self, usize, usize) -> Option<f32>>,
-    ) -> Option<Special> {
+    fn special_edge(&self, i: usize, seam_between: Option<SeamBetween<'_>>) -> Option<Special> {
         let (before, after, count) = self.triangles_at(i);
         let (border, difference_squared) = match (before, after) {
             _ if count == 1 => (Border::Boundary, f32::INFINITY),
