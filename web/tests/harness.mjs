@@ -139,7 +139,7 @@ async function newPage(context, { expected = [], width = 900, height = 600, sche
 /** In the page: `openQuestions()` tells how many workers have been asked for a level and have not answered yet. */
 function countQuestions() {
   const workers = new Map();
-  window.openQuestions = () => [...workers.values()].filter(({ asked, answered }) => asked !== answered).length;
+  window.openQuestions = () => [...workers.values()].filter(({ asked, answered }) => asked > answered).length;
   const { postMessage, terminate } = Worker.prototype;
   Worker.prototype.postMessage = function (order, ...rest) {
     if (order?.type === 'show') {
@@ -147,7 +147,8 @@ function countQuestions() {
       if (!known) {
         workers.set(this, (known = { asked: 0, answered: 0 }));
         this.addEventListener('message', ({ data }) => {
-          if (data.type === 'update') known.answered = data.ticket;
+          // What comes by itself, as bytes arrive, answers nothing.
+          if (data.type === 'update') known.answered = Math.max(known.answered, data.ticket);
         });
       }
       known.asked = order.ticket;

@@ -18,6 +18,7 @@ use crate::failure::Failure;
 pub(crate) struct Output {
     json: bool,
     quiet: bool,
+    #[cfg(feature = "gpu")]
     verbose: bool,
     draws_bars: bool,
 }
@@ -26,13 +27,25 @@ impl Output {
     /// As the user asked, with bars only where stderr is a terminal.
     pub(crate) fn new(args: ReportArgs) -> Self {
         let draws_bars = !args.quiet && io::stderr().is_terminal();
-        Self { json: args.json, quiet: args.quiet, verbose: false, draws_bars }
+        Self {
+            json: args.json,
+            quiet: args.quiet,
+            #[cfg(feature = "gpu")]
+            verbose: false,
+            draws_bars,
+        }
     }
 
     /// Says nothing.
     #[cfg(test)]
     pub(crate) fn quiet() -> Self {
-        Self { json: false, quiet: true, verbose: false, draws_bars: false }
+        Self {
+            json: false,
+            quiet: true,
+            #[cfg(feature = "gpu")]
+            verbose: false,
+            draws_bars: false,
+        }
     }
 
     /// The same, with the messages of graphics drivers and libraries if they are wanted.
