@@ -62,10 +62,7 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         #[cfg(feature = "window")]
         Verb::View(args) => view::run(args, &output.with_drivers(args.drivers)),
         #[cfg(all(feature = "serve", not(feature = "window")))]
-        Verb::View(args) => {
-            output.say("this build of striata has no window (`--features full` adds it): the browser shows the model");
-            serve::show_in_browser(&args.file, &output)
-        }
+        Verb::View(args) => serve::show_in_browser(&args.file, &output),
         #[cfg(feature = "gpu")]
         Verb::Demo(args) => demo::run(args, &output.with_drivers(args.drivers)),
         #[cfg(not(feature = "gpu"))]
