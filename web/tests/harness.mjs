@@ -124,6 +124,7 @@ async function newPage(context, { expected = [], width = 900, height = 600, sche
   const page = await context.newPage();
   await page.setViewportSize({ width, height });
   await page.emulateMedia({ colorScheme: scheme, reducedMotion: still ? 'reduce' : 'no-preference' });
+  await page.addInitScript(countQuestions);
   page.faults = [];
   const fault = (text) => {
     if (!expected.some((pattern) => pattern.test(text))) page.faults.push(text);
@@ -133,6 +134,31 @@ async function newPage(context, { expected = [], width = 900, height = 600, sche
     if (message.type() === 'error') fault(`logged: ${message.text()}`);
   });
   return page;
+}
+
+/** In the page: `openQuestions()` tells how many workers have been asked for a level and have not answered yet. */
+function countQuestions() {
+  const workers = new Map();
+  window.openQuestions = () => [...workers.values()].filter(({ asked, answered }) => asked > answered).length;
+  const { postMessage, terminate } = Worker.prototype;
+  Worker.prototype.postMessage = function (order, ...rest) {
+    if (order?.type === 'show') {
+      let known = workers.get(this);
+      if (!known) {
+        workers.set(this, (known = { asked: 0, answered: 0 }));
+        this.addEventListener('message', ({ data }) => {
+          // What comes by itself, as bytes arrive, answers nothing.
+          if (data.type === 'update') known.answered = Math.max(known.answered, data.ticket);
+        });
+      }
+      known.asked = order.ticket;
+    }
+    return postMessage.call(this, order, ...rest);
+  };
+  Worker.prototype.terminate = function () {
+    workers.delete(this);
+    return terminate.call(this);
+  };
 }
 
 /** Keeps a picture for people to look at, where STRIATA_SHOTS names a folder. */
@@ -149,18 +175,17 @@ export async function untilWhole(page) {
   await page.evaluate(() => window.striataViewer.mesh.finished);
 }
 
-/** Waits until the triangles have not changed for a while: requests to the worker are answered by then. */
+/** Waits until the worker has answered all that it was asked, and neither triangles nor the eye change from frame to frame. */
 export async function settled(page) {
   await page.evaluate(async (patience) => {
     const frame = () => new Promise((give) => requestAnimationFrame(() => give()));
     const { stage, mesh } = window.striataViewer;
-    let changed = performance.now();
-    const started = changed;
-    const note = () => (changed = performance.now());
-    mesh.addEventListener('change', note);
+    const started = performance.now();
     let frames = 0;
+    const note = () => (frames = 0);
+    mesh.addEventListener('change', note);
     let last = '';
-    while (frames < 4 || performance.now() - changed < 250) {
+    while (frames < 12 || window.openQuestions() > 0) {
       stage.invalidate();
       await frame();
       frames += 1;

@@ -8,6 +8,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use striata::Progress;
 
+#[cfg(feature = "gpu")]
+use crate::args::DriverArgs;
 use crate::args::ReportArgs;
 use crate::failure::Failure;
 
@@ -16,6 +18,7 @@ use crate::failure::Failure;
 pub(crate) struct Output {
     json: bool,
     quiet: bool,
+    #[cfg(feature = "gpu")]
     verbose: bool,
     draws_bars: bool,
 }
@@ -24,16 +27,40 @@ impl Output {
     /// As the user asked, with bars only where stderr is a terminal.
     pub(crate) fn new(args: ReportArgs) -> Self {
         let draws_bars = !args.quiet && io::stderr().is_terminal();
-        Self { json: args.json, quiet: args.quiet, verbose: args.verbose, draws_bars }
+        Self {
+            json: args.json,
+            quiet: args.quiet,
+            #[cfg(feature = "gpu")]
+            verbose: false,
+            draws_bars,
+        }
     }
 
     /// Says nothing.
     #[cfg(test)]
     pub(crate) fn quiet() -> Self {
-        Self { json: false, quiet: true, verbose: false, draws_bars: false }
+        Self {
+            json: false,
+            quiet: true,
+            #[cfg(feature = "gpu")]
+            verbose: false,
+            draws_bars: false,
+        }
+    }
+
+    /// The same, with the messages of graphics drivers and libraries if they are wanted.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn with_drivers(self, args: DriverArgs) -> Self {
+        if args.verbose {
+            let usual = env_logger::Env::default().default_filter_or("info");
+            // Fails only where messages are shown already.
+            let _ = env_logger::Builder::from_env(usual).try_init();
+        }
+        Self { verbose: args.verbose, ..self }
     }
 
     /// Whether messages of drivers and libraries are wanted.
+    #[cfg(feature = "gpu")]
     pub(crate) fn is_verbose(&self) -> bool {
         self.verbose
     }

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::Viewport;
 use super::strips::BUILD_STRIPS;
+use super::{DriverArgs, Viewport};
 use crate::commands::bench_gpu_ways;
 use crate::strip_chain::{StripChain, StripPlan};
 
@@ -23,6 +23,9 @@ pub(crate) struct BenchGpuArgs {
     pub(crate) inputs: Vec<PathBuf>,
     #[arg(long = "ways", value_name = "NAMES", value_delimiter = ',', help = ways_help())]
     names: Option<Vec<String>>,
+    /// How graphics drivers report.
+    #[command(flatten)]
+    pub(crate) drivers: DriverArgs,
     /// Frames from the full mesh to the base mesh, and again on the way back
     #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub(crate) frames: u32,

@@ -83,8 +83,8 @@ impl FromArgMatches for LevelChoice {
 #[group(skip)]
 #[command(next_help_heading = LEVEL)]
 pub(crate) struct EyeArgs {
-    /// As fine as the screen asks for, seen from here; with --triangles or --ratio at most so many, those that the screen shows
-    /// best
+    /// As fine as the screen asks for, seen from here; with --triangles or --ratio the level of at most that many triangles
+    /// that looks best from there
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, group = "LevelArgs", conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
     pub(crate) eye: Option<Point>,
 }
@@ -103,14 +103,14 @@ pub(crate) struct LevelsArgs {
 /// A number of triangles or vertices, as it is or as a share of the full mesh's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Count {
-    /// So many.
+    /// This many.
     Number(usize),
     /// This share of all, 0 to 1.
     Share(f64),
 }
 
 impl Count {
-    /// The number, where the full mesh has `full`.
+    /// The number of triangles or vertices that it means for a full mesh of `full`.
     pub(crate) fn of(self, full: usize) -> usize {
         match self {
             Self::Number(count) => count,

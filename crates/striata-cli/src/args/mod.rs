@@ -75,12 +75,18 @@ pub(crate) struct ReportArgs {
     /// No progress, no summary; errors only
     #[arg(short, long, global = true)]
     pub(crate) quiet: bool,
-    /// Also show the messages of graphics drivers and libraries
-    #[arg(short, long, global = true, conflicts_with = "quiet")]
-    pub(crate) verbose: bool,
     /// Print help
     #[arg(short, long, global = true, action = ArgAction::HelpShort)]
     help: Option<bool>,
+}
+
+/// How verbs that draw on a GPU report.
+#[cfg(feature = "gpu")]
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct DriverArgs {
+    /// Also show the messages of graphics drivers and libraries
+    #[arg(short, long, conflicts_with = "quiet")]
+    pub(crate) verbose: bool,
 }
 
 /// The verbs.
@@ -316,6 +322,10 @@ pub(crate) struct DemoArgs {
     /// The same as DIR
     #[arg(short, long, value_name = "DIR", conflicts_with = "dir")]
     output: Option<PathBuf>,
+    /// How graphics drivers report.
+    #[cfg(feature = "gpu")]
+    #[command(flatten)]
+    pub(crate) drivers: DriverArgs,
 }
 
 impl DemoArgs {

@@ -5,6 +5,8 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 
+#[cfg(feature = "gpu")]
+use super::DriverArgs;
 use super::{Count, Length, LevelChoice, Point, ViewArgs, Viewport};
 
 /// The heading of the camera's flags.
@@ -87,6 +89,10 @@ pub(crate) struct RenderArgs {
     /// Draw without a graphics adapter
     #[arg(long, help_heading = "Adapter")]
     pub(crate) software: bool,
+    /// How graphics drivers report.
+    #[cfg(feature = "gpu")]
+    #[command(flatten)]
+    pub(crate) drivers: DriverArgs,
 }
 
 /// What hands over the triangles that are drawn.

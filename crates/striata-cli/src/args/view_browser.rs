@@ -1,4 +1,4 @@
-//! The arguments of `view` where the command was built without a window.
+//! The arguments of `view` in a build of the command without a window.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ pub(crate) struct BrowserArgs {
     /// The mesh, .striata file or stream to show in the web viewer, until the command is ended
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
-    /// Taken for granted in this build
+    /// Show it in the browser, as this build always does
     #[arg(long)]
     browser: bool,
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::{Colouring, Count, Viewport, parse_detail};
+use super::{Colouring, Count, DriverArgs, Viewport, parse_detail};
 use crate::failure::Failure;
 
 /// Arguments of `view`.
@@ -32,6 +32,9 @@ pub(crate) struct WindowArgs {
     /// What is shown first.
     #[command(flatten)]
     pub(crate) first: FirstArgs,
+    /// How graphics drivers report.
+    #[command(flatten)]
+    pub(crate) drivers: DriverArgs,
 }
 
 /// What is shown first; all of it can be changed in the window.

@@ -49,20 +49,23 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Convert(args) => convert::run(args, &output),
         Verb::Encode(args) => encode::run(args, &output),
         Verb::Decode(args) => decode::run(args, &output),
+        #[cfg(feature = "gpu")]
+        Verb::Render(args) => render::run(args, &output.with_drivers(args.drivers)),
+        #[cfg(not(feature = "gpu"))]
         Verb::Render(args) => render::run(args, &output),
         #[cfg(feature = "serve")]
         Verb::Serve(args) => serve::run(args, &output),
         #[cfg(feature = "serve")]
         Verb::Thumbnail(args) => serve::thumbnail(args, &output),
         #[cfg(feature = "gpu")]
-        Verb::BenchGpu(args) => bench_gpu::run(args, &output),
+        Verb::BenchGpu(args) => bench_gpu::run(args, &output.with_drivers(args.drivers)),
         #[cfg(feature = "window")]
-        Verb::View(args) => view::run(args, &output),
+        Verb::View(args) => view::run(args, &output.with_drivers(args.drivers)),
         #[cfg(all(feature = "serve", not(feature = "window")))]
-        Verb::View(args) => {
-            output.say("this build of striata has no window (`--features full` adds it): the browser shows the model");
-            serve::show_in_browser(&args.file, &output)
-        }
+        Verb::View(args) => serve::show_in_browser(&args.file, &output),
+        #[cfg(feature = "gpu")]
+        Verb::Demo(args) => demo::run(args, &output.with_drivers(args.drivers)),
+        #[cfg(not(feature = "gpu"))]
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }

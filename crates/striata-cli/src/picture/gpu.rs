@@ -57,6 +57,15 @@ impl GpuArtist {
         output: &Output,
     ) -> Result<(Self, Vec<RejectedAdapter>), GpuError> {
         let chosen = hushed(output, || attempt(|| choose_adapter(options, Gpu::probe)))?;
+        if output.is_verbose() {
+            let info = chosen.gpu.info();
+            output.say(&format!(
+                "drawing on {}, driver {} {}",
+                chosen.gpu.name(),
+                info.driver,
+                info.driver_info
+            ));
+        }
         let painter = Painter::new(&chosen.gpu, GpuCanvas::FORMAT, SAMPLES);
         Ok((Self { gpu: chosen.gpu, painter, canvas: None }, chosen.rejected))
     }

@@ -16,6 +16,7 @@ pub(crate) struct Shot<'a> {
     /// Triangles over them.
     pub(crate) triangles: Cow<'a, [[u32; 3]]>,
     /// The same triangles as strips, for a GPU, where single ones need no colours or edges.
+    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "the rasterizer draws single triangles"))]
     pub(crate) strips: Option<&'a StripIndices>,
     /// Their colours.
     pub(crate) paint: Paint,

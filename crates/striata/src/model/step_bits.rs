@@ -51,8 +51,11 @@ impl StepBits {
 
     /// Puts the steps of a range in and takes all others out.
     pub(in crate::model) fn set_range(&mut self, range: std::ops::Range<usize>) {
-        self.words.fill(0);
-        range.for_each(|step| self.insert(step as u32));
+        for (word, first) in self.words.iter_mut().zip((0..).step_by(64)) {
+            let [start, end] = [range.start, range.end].map(|step| step.clamp(first, first + 64) - first);
+            let below = |step: usize| if step < 64 { (1 << step) - 1 } else { u64::MAX };
+            *word = below(end) & !below(start);
+        }
     }
 
     /// The steps that are in both sets, which are of the same length.
@@ -72,5 +75,28 @@ impl StepBits {
 
     pub(in crate::model) fn bytes(&self) -> usize {
         size_of_val(&self.words[..])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_is_in_and_all_others_are_out() {
+        for (start, end) in
+            [(0, 0), (0, 200), (3, 3), (1, 64), (64, 128), (63, 65), (70, 190), (0, 1), (199, 200)]
+        {
+            let mut bits = StepBits::none(200);
+            bits.insert(5);
+            bits.set_range(start..end);
+            for step in 0..200 {
+                assert_eq!(
+                    bits.has(step),
+                    (start..end).contains(&(step as usize)),
+                    "{step} of {start}..{end}"
+                );
+            }
+        }
     }
 }

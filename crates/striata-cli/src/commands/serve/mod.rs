@@ -109,6 +109,11 @@ pub(crate) fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
 /// If it cannot be served.
 pub(crate) fn show_in_browser(file: &Path, output: &Output) -> Result<(), Failure> {
     crate::input::Input::expect_there(file)?;
+    if !cfg!(feature = "window") {
+        output.say(
+            "this build of striata has no window (`--features full` adds it): the browser shows the model",
+        );
+    }
     serve_one(file, &Options::for_browser(), output)
 }
 
@@ -141,10 +146,8 @@ async fn serve(folder: Arc<Folder>, options: &Options, output: &Output) -> Resul
     let models = site.listing.current().await.model_count;
     announce(&site, address, models, output)?;
     let url = url_to_open(&site.folder, address);
-    if options.opens_browser
-        && let Err(error) = open::that_detached(&url)
-    {
-        output.say(&format!("no browser could be opened ({error}); open {url} in one"));
+    if options.opens_browser && open::that_detached(&url).is_err() {
+        output.say(&format!("no browser could be opened; open {url} in one"));
     }
     server::run(listener, router(site, options), options).await;
     output.say("ended");

@@ -154,7 +154,9 @@ impl Fans {
     pub(super) fn for_each_needed_by_collapse(&self, step: u32, mut visit: impl FnMut(u32)) {
         for vertex in self.vertices.of_step(step as usize) {
             for fan in self.step_entry(vertex, step) {
-                fan.creators().for_each(|creator| visit(creator.step));
+                for creator in fan.creators() {
+                    visit(creator.step);
+                }
             }
         }
         listed(&self.waits, step).for_each(visit);
@@ -180,7 +182,9 @@ impl Fans {
         };
         for vertex in vertices.clone() {
             for fan in self.step_entry(vertex, step) {
-                fan.nodes().for_each(&mut visit_vertex);
+                for node in fan.nodes() {
+                    visit_vertex(node);
+                }
             }
         }
         listed(&self.far, step).for_each(visit);
@@ -188,14 +192,22 @@ impl Fans {
 
     /// The steps below one in the tree, or below the base: those that wait for nothing coarser than it. Each step is below
     /// one of the steps that it needs, and below one only.
+    // Always: most of what a view without a memory takes is here.
+    #[inline(always)]
     pub(super) fn for_each_child(&self, parent: Option<u32>, mut visit: impl FnMut(u32)) {
         let vertices = match parent {
             Some(step) => self.vertices.of_step(step as usize),
             None => 0..self.vertices.base_vertex_count,
         };
         let own_step = parent.map_or(0, |step| step + 1);
-        for fan in vertices.flat_map(|vertex| self.table.entry(vertex, own_step)) {
-            fan.creators().filter(|creator| creator.is_child).for_each(|creator| visit(creator.step));
+        for vertex in vertices {
+            for fan in self.table.entry(vertex, own_step) {
+                for creator in fan.creators() {
+                    if creator.is_child {
+                        visit(creator.step);
+                    }
+                }
+            }
         }
         if parent.is_none() {
             self.orphans.iter().for_each(|&step| visit(step));

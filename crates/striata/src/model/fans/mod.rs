@@ -120,11 +120,15 @@ impl Fans {
     /// Visits the fans of all vertices that are there at a uniform level.
     fn for_each_fan_at(&self, split_count: usize, mut visit: impl FnMut(table::FanView<'_>)) {
         for vertex in 0..self.vertices.base_vertex_count {
-            self.base_entry(vertex).for_each(&mut visit);
+            for fan in self.base_entry(vertex) {
+                visit(fan);
+            }
         }
         for step in 0..split_count {
             for vertex in self.vertices.of_step(step) {
-                self.step_entry(vertex, step as u32).for_each(&mut visit);
+                for fan in self.step_entry(vertex, step as u32) {
+                    visit(fan);
+                }
             }
         }
     }

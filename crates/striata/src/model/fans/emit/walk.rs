@@ -110,7 +110,10 @@ pub(super) fn for_each_fan(
         visit(fan, mask);
     };
     for vertex in span.base {
-        fans.base_entry(vertex).for_each(&mut visit);
+        // Loops, not `for_each`: its closure would be a call for each fan, which is handed over through memory.
+        for fan in fans.base_entry(vertex) {
+            visit(fan);
+        }
     }
     for word in span.words {
         let mut there = shown.there(word);
@@ -118,7 +121,9 @@ pub(super) fn for_each_fan(
             let step = 64 * word as u32 + there.trailing_zeros();
             there &= there - 1;
             for vertex in fans.vertices.of_step(step as usize) {
-                fans.step_entry(vertex, step).for_each(&mut visit);
+                for fan in fans.step_entry(vertex, step) {
+                    visit(fan);
+                }
             }
         }
     }
