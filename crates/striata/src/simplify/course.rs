@@ -16,10 +16,6 @@ const PROTRUSION_NOISE: f32 = 1e-5;
 /// Once so many positions have come together at one, one witness is not enough.
 const LEAST_FOLLOWERS: usize = 16;
 
-/// Squared distances that a step sticks out of the star that it replaces are measured against the original mesh from this share
-/// of the squared error on: the star itself may stick out.
-const OUTWARD_SHARE: f32 = 0.25;
-
 /// The collapses so far.
 #[derive(Debug)]
 pub(super) struct Course {
@@ -51,6 +47,11 @@ impl Course {
             triangle_count: welded.mesh.triangle_count(),
             record: Record { targets: vec![0; welded.mesh.vertex_count()], ..Record::default() },
         }
+    }
+
+    /// The largest squared error so far.
+    pub(super) fn worst(&self) -> f32 {
+        self.witnesses.worst()
     }
 
     /// Removes `v` as `choice` says, and with it all positions that lose their last triangle by that; returns the error
@@ -95,7 +96,7 @@ impl Course {
     /// The squared error after a collapse that leaves the surface what it is.
     fn settle(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice) -> f32 {
         let own = choice.distance_squared;
-        let mut worst = self.witnesses.collapse(judge, (v, choice.target), own);
+        let mut worst = self.witnesses.collapse(judge, (v, choice.target), &self.ring, own);
         if judge.has_relaxed() {
             judge.followers_into(choice.target, LEAST_FOLLOWERS, &mut self.gone);
             worst = self.witnesses.lose(judge, (&self.gone, &[]), choice.target);
@@ -104,10 +105,8 @@ impl Course {
         if !judge.is_measured_outward() {
             return worst.max(protrusion);
         }
-        if protrusion <= OUTWARD_SHARE * worst {
-            return worst;
-        }
-        self.witnesses.raise(judge.outward(choice.target, worst))
+        judge.note_outward((v, choice.target), &self.ring, choice, worst);
+        choice.outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
     }
 
     /// The squared error after a collapse that may have taken more than `v`; writes down what else has gone.
@@ -128,11 +127,12 @@ impl Course {
         self.witnesses.lose(judge, gone, place);
         judge.followers_into(place, 0, &mut self.gone);
         let worst = self.witnesses.lose(judge, (&self.gone, points), place);
-        if reported_protrusion(&judge.positions, v, choice) > OUTWARD_SHARE * worst {
-            // It was measured against a surface that has moved itself: what counts is the original.
-            return self.witnesses.raise(judge.outward(choice.target, worst));
+        if matches!(choice.tier, Tier::Link | Tier::Fold) {
+            let outward = judge.outward(choice.target, &self.ring, worst);
+            return self.witnesses.raise(outward * outward);
         }
-        worst
+        judge.note_outward((v, choice.target), &self.ring, choice, worst);
+        choice.outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
     }
 
     /// Notes points of the triangles around `v` that its collapse to `u` takes, or all of them if it folds the surface.

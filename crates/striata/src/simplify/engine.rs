@@ -54,6 +54,8 @@ pub(super) struct Engine<'a> {
     tier: Vec<Tier>,
     distance_squared: Vec<f32>,
     protrusion_squared: Vec<f32>,
+    /// Distance from the original mesh of what the choice leaves; `NAN` if it was not measured.
+    outward: Vec<f32>,
     relaxation: Relaxation,
     /// What relaxed collapses will need later.
     waiting: Option<Relaxed<'a>>,
@@ -74,6 +76,7 @@ impl<'a> Engine<'a> {
             tier: vec![Tier::Strict; position_count],
             distance_squared: vec![0.0; position_count],
             protrusion_squared: vec![0.0; position_count],
+            outward: vec![f32::NAN; position_count],
             relaxation: if may_relax { Relaxation::Unknown } else { Relaxation::Never },
             waiting: None,
             course: Course::new(welded, scale),
@@ -112,6 +115,9 @@ impl<'a> Engine<'a> {
                 // The target's surroundings have changed: look for another one.
                 self.target[v as usize] = UNDECIDED;
                 self.decide(v, key);
+                continue;
+            }
+            if self.is_postponed(v, u, key) {
                 continue;
             }
             // As it will be reported, rounded and all, so that the limit holds for what is reported.
@@ -189,11 +195,30 @@ impl<'a> Engine<'a> {
                 self.tier[v as usize] = choice.tier;
                 self.distance_squared[v as usize] = choice.distance_squared;
                 self.protrusion_squared[v as usize] = choice.protrusion_squared;
+                self.outward[v as usize] = f32::NAN;
                 if choice.cost > bound {
                     self.heap.set(v, choice.cost);
                 }
             }
         }
+    }
+
+    /// Puts `v` back with a higher cost if its collapse to `u` is found to stick out of the original mesh farther than anything
+    /// so far: its cost has only seen how far it sticks out of the current one.
+    fn is_postponed(&mut self, v: u32, u: u32, key: f32) -> bool {
+        let is_open = self.tier[v as usize] == Tier::Strict && self.outward[v as usize].is_nan();
+        if !is_open || !self.judge.is_measured_outward() {
+            return false;
+        }
+        let worst = self.course.worst();
+        let protrusion = self.protrusion_squared[v as usize];
+        let Some(outward) = self.judge.outward_ahead((v, u), protrusion, worst) else { return false };
+        self.outward[v as usize] = outward;
+        let is_farther = outward * outward > worst;
+        if is_farther {
+            self.heap.set(v, key + self.judge.distance_cost(v, outward * outward));
+        }
+        is_farther
     }
 
     fn is_still_allowed(&mut self, v: u32, u: u32) -> bool {
@@ -217,6 +242,7 @@ impl<'a> Engine<'a> {
             tier: self.tier[v as usize],
             distance_squared: self.distance_squared[v as usize],
             protrusion_squared: self.protrusion_squared[v as usize],
+            outward: Some(self.outward[v as usize]).filter(|outward| !outward.is_nan()),
         };
         let error = self.course.collapse(&mut self.judge, v, &choice);
         self.heap.remove(v);

@@ -79,6 +79,8 @@ pub(super) struct Choice {
     pub(super) distance_squared: f32,
     /// Squared distance of the fan's new edges from the old star.
     pub(super) protrusion_squared: f32,
+    /// Distance of the fan from the original mesh, if it has been measured.
+    pub(super) outward: Option<f32>,
 }
 
 /// The mesh as it is, and all that judges it.
@@ -311,6 +313,7 @@ impl<'a> Judge<'a> {
                     target,
                     distance_squared,
                     protrusion_squared,
+                    outward: None,
                 });
             }
             let refined =
@@ -372,6 +375,13 @@ impl<'a> Judge<'a> {
         attributes.map_or(0.0, |space| space.cost(&self.star, self.wedges.as_ref(), v, k))
     }
 
+    /// What a squared distance of the star of `v` costs; gathers the star.
+    pub(super) fn distance_cost(&mut self, v: u32, squared: f32) -> f32 {
+        self.star.gather(&self.links, &self.positions, v);
+        self.star.compute_costs();
+        self.memoryless_share() * self.star.distance_cost(squared)
+    }
+
     /// The cheapest contraction of `v` with a partner, if it beats `best`.
     fn best_pair(&mut self, v: u32, mut best: Option<Choice>) -> Option<Choice> {
         if !self.has_partner(v) {
@@ -396,6 +406,7 @@ impl<'a> Judge<'a> {
                     target,
                     distance_squared,
                     protrusion_squared: 0.0,
+                    outward: None,
                 });
             }
         }

@@ -14,6 +14,7 @@ mod level;
 mod links;
 mod optimal;
 mod options;
+mod outward;
 mod pairs;
 mod parts;
 mod quadric;

@@ -19,8 +19,9 @@ use super::fan::nearest;
 use super::judge::{Choice, Judge, Memory, Tier};
 use super::legality::MAX_REMOVED;
 use super::links::{LinkEdge, LinkKind, Links};
+use super::outward::Outward;
 use super::parts::{Fate, Parts, Surroundings, vanishing_cost};
-use super::rest::{Rest, RestTriangle};
+use super::rest::Rest;
 use super::tracked::MEMORYLESS_SHARE;
 use super::wedges::Wedges;
 
@@ -48,8 +49,7 @@ pub(super) struct Relaxed<'a> {
     rest: Rest,
     /// Counts the builds of `rest`.
     generation: u32,
-    /// The original mesh, once something sticks out of it.
-    origin: Option<Rest>,
+    outward: Outward,
     /// The last search that looked at the star of each position.
     stamps: Vec<u32>,
     search: u32,
@@ -74,7 +74,7 @@ impl<'a> Relaxed<'a> {
             triangle_count: 0,
             rest: Rest::default(),
             generation: 0,
-            origin: None,
+            outward: Outward::default(),
             stamps: Vec::new(),
             search: 0,
             keeps_parts,
@@ -168,57 +168,6 @@ impl Relaxed<'_> {
         });
         (least, place)
     }
-
-    /// The largest squared distance of the triangles around `u` from the original mesh, or something up to `enough`.
-    fn outward(&mut self, links: &Links, positions: &[[f32; 4]], u: u32, enough: f32) -> f32 {
-        let Self { origin, edges, welded, .. } = self;
-        let origin = origin.get_or_insert_with(|| {
-            let of = |&vertices: &[u32; 3]| RestTriangle {
-                positions: vertices.map(|v| welded.positions.position_of(v)),
-                vertices,
-            };
-            Rest::of_triangles(welded.mesh.triangles.iter().map(of).collect(), positions)
-        });
-        links.edges_into(u, edges);
-        let mut worst = enough;
-        for e in edges.iter() {
-            let corners = [u, e.a, e.b].map(|p| point(positions, p));
-            for weights in OUTWARD_SAMPLES {
-                let from = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
-                // Corners are vertices of the original: a point is no farther from it than from them.
-                let bound = corners.iter().map(|c| c.distance_squared(from)).fold(f32::INFINITY, f32::min);
-                if bound > worst {
-                    worst = worst.max(distance_squared_from(origin, positions, from, worst));
-                }
-            }
-        }
-        worst
-    }
-}
-
-/// Barycentric coordinates of the points at which triangles are held against the original mesh.
-const OUTWARD_SAMPLES: [[f32; 3]; 9] = [
-    [0.5, 0.5, 0.0],
-    [0.5, 0.0, 0.5],
-    [0.75, 0.25, 0.0],
-    [0.25, 0.75, 0.0],
-    [0.34, 0.33, 0.33],
-    [0.6, 0.2, 0.2],
-    [0.2, 0.6, 0.2],
-    [0.2, 0.2, 0.6],
-    [0.1, 0.45, 0.45],
-];
-
-/// Squared distance of a point from the triangles of a tree; once something is within `enough`, that will do.
-fn distance_squared_from(rest: &Rest, positions: &[[f32; 4]], from: Vec3, enough: f32) -> f32 {
-    let mut least = f32::INFINITY;
-    rest.visit_near(from, least, |triangle| {
-        let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
-        let [x, y, z] = nearest(a, b, c);
-        least = least.min((a * x + b * y + c * z).length_squared());
-        if least <= enough { 0.0 } else { least }
-    });
-    least
 }
 
 /// Where a position is now.
@@ -361,10 +310,17 @@ impl Judge<'_> {
         }
         let protrusion_squared = self.star.protrusion_squared(k);
         let cost = start + least * distance_cost(&self.star, distance_squared + protrusion_squared);
-        Some(Choice { cost, target: self.star.ids[k], distance_squared, protrusion_squared, tier })
+        Some(Choice {
+            cost,
+            target: self.star.ids[k],
+            distance_squared,
+            protrusion_squared,
+            tier,
+            outward: None,
+        })
     }
 
-    fn memoryless_share(&self) -> f32 {
+    pub(super) fn memoryless_share(&self) -> f32 {
         if matches!(self.memory, Memory::Tracked(_)) { MEMORYLESS_SHARE } else { 1.0 }
     }
 
@@ -389,7 +345,14 @@ impl Judge<'_> {
             relaxed.edges = edges;
         }
         let cost = self.memoryless_share() * vanishing_cost(self.star.area(), sum / area_sum);
-        Some(Choice { cost, target: u, distance_squared: least, protrusion_squared: 0.0, tier: Tier::Fin })
+        Some(Choice {
+            cost,
+            target: u,
+            distance_squared: least,
+            protrusion_squared: 0.0,
+            tier: Tier::Fin,
+            outward: None,
+        })
     }
 
     /// What stands in best for `v` among the triangles of `u` with these opposite edges: with differences of attributes
@@ -435,7 +398,14 @@ impl Judge<'_> {
         };
         let cost = (self.memoryless_share() * cost).min(MAX_COST);
         let target = self.star.ids[k];
-        Some(Choice { cost, target, distance_squared, protrusion_squared: 0.0, tier: Tier::Vanish })
+        Some(Choice {
+            cost,
+            target,
+            distance_squared,
+            protrusion_squared: 0.0,
+            tier: Tier::Vanish,
+            outward: None,
+        })
     }
 
     /// What happens if a part vanishes.
@@ -500,10 +470,38 @@ impl Judge<'_> {
         relaxed.standing((links, positions), from, known, enough)
     }
 
-    /// The largest squared distance of the triangles around `u` from the original mesh, or something up to `enough`.
-    pub(super) fn outward(&mut self, u: u32, enough: f32) -> f32 {
-        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return enough };
-        relaxed.outward(links, positions, u, enough)
+    /// The distance from the original mesh of the triangles that the collapse of `v` to its neighbor `u` would leave, if they
+    /// may stick out farther than anything so far; `worst` is the largest squared error.
+    pub(super) fn outward_ahead(&mut self, (v, u): (u32, u32), protrusion: f32, worst: f32) -> Option<f32> {
+        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
+        let bound = relaxed.outward.bound_after(v, protrusion, (worst, positions.len()));
+        if bound * bound <= worst {
+            return None;
+        }
+        links.edges_into(v, &mut relaxed.edges);
+        relaxed.edges.retain(|e| e.a != u && e.b != u);
+        Some(relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst))
+    }
+
+    /// Notes how far what the collapse of `v` to `u` has left sticks out of the original, at most.
+    pub(super) fn note_outward(&mut self, (v, u): (u32, u32), ring: &[u32], choice: &Choice, worst: f32) {
+        let Self { relaxed: Some(relaxed), positions, .. } = self else { return };
+        let bound = match choice.outward {
+            Some(measured) => measured,
+            None => relaxed.outward.bound_after(v, choice.protrusion_squared, (worst, positions.len())),
+        };
+        relaxed.outward.note(u, ring, bound);
+    }
+
+    /// The largest distance of the triangles around `u` from the original mesh, or a share of the error; `worst` is its square.
+    pub(super) fn outward(&mut self, u: u32, ring: &[u32], worst: f32) -> f32 {
+        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return 0.0 };
+        relaxed.outward.bound_after(u, 0.0, (worst, positions.len()));
+        links.edges_into(u, &mut relaxed.edges);
+        let measured = relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst);
+        relaxed.outward.settle(u, measured);
+        relaxed.outward.note(u, ring, measured);
+        measured
     }
 
     /// Notes a collapse that has been carried out, `ring` being the neighbors that `v` had; says who lost everything by it.

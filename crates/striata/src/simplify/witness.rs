@@ -21,10 +21,10 @@ const MOVE_FACTOR: f32 = 1.5;
 #[derive(Clone, Copy, Debug)]
 struct Witness {
     vertex: u32,
-    distance_squared: f32,
+    distance: f32,
 }
 
-const NOBODY: Witness = Witness { vertex: NONE, distance_squared: 0.0 };
+const NOBODY: Witness = Witness { vertex: NONE, distance: 0.0 };
 
 /// One removed vertex for each position, and scratch.
 #[derive(Debug)]
@@ -44,30 +44,60 @@ impl Witnesses {
         Self { of: vec![NOBODY; position_count], worst: 0.0, edges: Vec::new() }
     }
 
-    /// Called after `v` was collapsed to `u`, `own` being the squared distance of v from its new fan. Returns the
-    /// largest squared distance among v and the witnesses of both.
-    pub(super) fn collapse(&mut self, judge: &mut Judge<'_>, (v, u): (u32, u32), own: f32) -> f32 {
+    /// Called after `v`, whose neighbors were `ring`, was collapsed to `u`, `own` being the squared distance of v from its new fan.
+    /// Returns the largest squared distance among v and the witnesses of all these.
+    pub(super) fn collapse(
+        &mut self,
+        judge: &mut Judge<'_>,
+        (v, u): (u32, u32),
+        ring: &[u32],
+        own: f32,
+    ) -> f32 {
         // Both are taken out, and settle anew below.
         let candidates = [v, u].map(|p| std::mem::replace(&mut self.of[p as usize], NOBODY));
-        let mut own = own;
-        let mut place = u;
+        let (mut own, mut place) = (own, u);
         if own > self.worst {
             // What raises the reported error is measured exactly: the cost's distances are good to a few
             // ten-thousandths of the edges only.
-            (own, place) = self.find(judge, u, point(&judge.positions, v));
+            (own, place) = self.find(judge, u, point(&judge.positions, v), f32::INFINITY);
         }
-        self.keep(place, Witness { vertex: v, distance_squared: own });
-        for mut candidate in candidates.into_iter().filter(|w| w.vertex != NONE) {
-            let reach = candidate.distance_squared.sqrt() + MOVE_FACTOR * own.sqrt();
-            let mut place = u;
-            candidate.distance_squared = reach * reach;
-            if candidate.distance_squared > self.worst {
-                let from = point(&judge.positions, candidate.vertex);
-                (candidate.distance_squared, place) = self.find(judge, u, from);
-            }
+        let moved = MOVE_FACTOR * own.sqrt();
+        self.keep(place, Witness { vertex: v, distance: own.sqrt() });
+        for candidate in candidates.into_iter().filter(|w| w.vertex != NONE) {
+            let (candidate, place) = self.follow(judge, u, candidate, moved);
             self.keep(place, candidate);
         }
+        self.follow_ring(judge, ring, moved);
         self.worst
+    }
+
+    /// Lets the witnesses of a ring follow the surface there, which has moved by a distance.
+    fn follow_ring(&mut self, judge: &mut Judge<'_>, ring: &[u32], moved: f32) {
+        let limit = self.worst.sqrt();
+        for &p in ring {
+            let there = &mut self.of[p as usize];
+            let reach = there.distance + moved;
+            if there.vertex == NONE || reach <= limit {
+                there.distance = reach;
+                continue;
+            }
+            let candidate = std::mem::replace(there, NOBODY);
+            let (candidate, place) = self.follow(judge, p, candidate, moved);
+            self.keep(place, candidate);
+        }
+    }
+
+    /// Where a witness is to be kept once the surface around `p` has moved by a distance, and how far away it is; it is only
+    /// measured if it may be the worst.
+    fn follow(&mut self, judge: &mut Judge<'_>, p: u32, candidate: Witness, moved: f32) -> (Witness, u32) {
+        let reach = candidate.distance + moved;
+        let reach_squared = reach * reach;
+        if reach_squared <= self.worst {
+            return (Witness { distance: reach, ..candidate }, p);
+        }
+        let from = point(&judge.positions, candidate.vertex);
+        let (distance_squared, place) = self.find(judge, p, from, reach_squared);
+        (Witness { distance: distance_squared.sqrt(), ..candidate }, place)
     }
 
     /// Called after a relaxed collapse. Everything that the `lost` positions stood for settles anew from `place`, and so do the
@@ -83,23 +113,30 @@ impl Witnesses {
             let witness = std::mem::replace(&mut self.of[p as usize], NOBODY);
             for vertex in [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != place)
             {
-                let (distance_squared, at) = self.find(judge, place, point(&judge.positions, vertex));
-                self.keep(at, Witness { vertex, distance_squared });
+                let (distance_squared, at) =
+                    self.find(judge, place, point(&judge.positions, vertex), f32::INFINITY);
+                self.keep(at, Witness { vertex, distance: distance_squared.sqrt() });
             }
         }
         for &from in points {
-            self.find(judge, place, from);
+            self.find(judge, place, from, f32::INFINITY);
         }
         self.worst
     }
 
     /// Settles a point from `place`, verifies what would raise the worst distance once relaxed collapses have changed
-    /// what is near what, and raises it.
-    fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3) -> (f32, u32) {
-        let known = self.settle(&judge.links, &judge.positions, place, from);
+    /// what is near what, and raises it. What the walk finds beyond a `limit`, squared, has lost its way.
+    fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3, limit: f32) -> (f32, u32) {
+        let settled = self.settle(&judge.links, &judge.positions, place, from);
+        let known = if settled.0 > limit { (limit, place) } else { settled };
         let found = if judge.has_relaxed() { judge.standing(from, known, self.worst) } else { known };
         self.worst = self.worst.max(found.0);
         found
+    }
+
+    /// The largest squared distance so far.
+    pub(super) fn worst(&self) -> f32 {
+        self.worst
     }
 
     /// Raises the worst squared distance, and gives it.
@@ -111,7 +148,7 @@ impl Witnesses {
     /// Makes `candidate` the witness of `place` if it is worse than the one there.
     fn keep(&mut self, place: u32, candidate: Witness) {
         let there = &mut self.of[place as usize];
-        if candidate.distance_squared > there.distance_squared || there.vertex == NONE {
+        if candidate.distance > there.distance || there.vertex == NONE {
             *there = candidate;
         }
     }

@@ -1,0 +1,121 @@
+//! How far the surface sticks out of the original mesh.
+//!
+//! Witnesses see what the original has lost; a triangle that bridges a valley or leaves a sheet lies far from the original,
+//! though every original vertex may be near it. Each position carries an upper bound for the triangles around it. A collapse
+//! adds to it how far its new edges stick out of the star that they replace, and only if that bound exceeds the largest error
+//! so far are the triangles themselves measured.
+
+use glam::Vec3;
+
+use crate::mesh::Welded;
+
+use super::fan::nearest;
+use super::links::LinkEdge;
+use super::rest::{Rest, RestTriangle};
+
+/// Share of the largest error so far below which distances are not told apart: a smaller share takes longer, and triangles that
+/// have been measured are measured again later.
+const MEASURED_SHARE: f32 = 0.5;
+
+/// Barycentric coordinates of the points at which triangles are measured.
+const SAMPLES: [[f32; 3]; 9] = [
+    [0.5, 0.5, 0.0],
+    [0.5, 0.0, 0.5],
+    [0.75, 0.25, 0.0],
+    [0.25, 0.75, 0.0],
+    [0.34, 0.33, 0.33],
+    [0.6, 0.2, 0.2],
+    [0.2, 0.6, 0.2],
+    [0.2, 0.2, 0.6],
+    [0.1, 0.45, 0.45],
+];
+
+/// Bounds of all positions, and the original mesh once it is needed.
+#[derive(Default)]
+pub(super) struct Outward {
+    origin: Option<Rest>,
+    /// Largest distance of the triangles around each position from the original; empty until the first question.
+    bounds: Vec<f32>,
+}
+
+impl Outward {
+    /// A bound for the triangles around `v` once some that stick out of them by `protrusion_squared` replace them; `worst` is
+    /// the largest squared error so far.
+    pub(super) fn bound_after(
+        &mut self,
+        v: u32,
+        protrusion_squared: f32,
+        (worst, position_count): (f32, usize),
+    ) -> f32 {
+        if self.bounds.is_empty() {
+            // What happened before was within the error.
+            self.bounds.resize(position_count, worst.sqrt());
+        }
+        self.bounds[v as usize] + protrusion_squared.sqrt()
+    }
+
+    /// Notes that the triangles around `u`, which the `ring` shares, stay within a distance.
+    pub(super) fn note(&mut self, u: u32, ring: &[u32], bound: f32) {
+        for &p in ring.iter().chain([&u]) {
+            if let Some(there) = self.bounds.get_mut(p as usize) {
+                *there = there.max(bound);
+            }
+        }
+    }
+
+    /// Forgets what was known about `u`, whose triangles have all been measured.
+    pub(super) fn settle(&mut self, u: u32, bound: f32) {
+        if let Some(there) = self.bounds.get_mut(u as usize) {
+            *there = bound;
+        }
+    }
+
+    /// The largest distance of triangles from the original mesh, or a share of the largest error so far if that is more:
+    /// triangles of `u` with the opposite `edges`. `worst` is that error, squared.
+    pub(super) fn measure(
+        &mut self,
+        (welded, positions): (&Welded, &[[f32; 4]]),
+        (u, edges): (u32, &[LinkEdge]),
+        worst: f32,
+    ) -> f32 {
+        let origin = self.origin.get_or_insert_with(|| original(welded, positions));
+        let mut farthest = MEASURED_SHARE * MEASURED_SHARE * worst;
+        for e in edges {
+            let corners = [u, e.a, e.b].map(|p| point(positions, p));
+            for weights in SAMPLES {
+                let from = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
+                // Corners are vertices of the original: a point is no farther from it than from them.
+                let bound = corners.iter().map(|c| c.distance_squared(from)).fold(f32::INFINITY, f32::min);
+                if bound > farthest {
+                    farthest = farthest.max(distance_squared_from(origin, positions, from, farthest));
+                }
+            }
+        }
+        farthest.sqrt()
+    }
+}
+
+fn original(welded: &Welded, positions: &[[f32; 4]]) -> Rest {
+    let of = |&vertices: &[u32; 3]| RestTriangle {
+        positions: vertices.map(|v| welded.positions.position_of(v)),
+        vertices,
+    };
+    Rest::of_triangles(welded.mesh.triangles.iter().map(of).collect(), positions)
+}
+
+fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
+    let [x, y, z, _] = positions[p as usize];
+    Vec3::new(x, y, z)
+}
+
+/// Squared distance of a point from the triangles of a tree; once something is within `enough`, that will do.
+fn distance_squared_from(rest: &Rest, positions: &[[f32; 4]], from: Vec3, enough: f32) -> f32 {
+    let mut least = f32::INFINITY;
+    rest.visit_near(from, least, |triangle| {
+        let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
+        let [x, y, z] = nearest(a, b, c);
+        least = least.min((a * x + b * y + c * z).length_squared());
+        if least <= enough { 0.0 } else { least }
+    });
+    least
+}
