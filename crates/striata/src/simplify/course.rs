@@ -36,10 +36,11 @@ pub(super) struct Course {
 }
 
 impl Course {
-    pub(super) fn new(welded: &Welded, scale: f64) -> Self {
+    /// `is_closed_scan` as [`Judge::is_closed_scan`] says before the first collapse.
+    pub(super) fn new(welded: &Welded, scale: f64, is_closed_scan: bool) -> Self {
         Self {
             scale,
-            witnesses: Witnesses::new(welded.positions.position_count()),
+            witnesses: Witnesses::new(welded.positions.position_count(), !is_closed_scan),
             ring: Vec::new(),
             last: 0,
             gone: Vec::new(),
@@ -127,12 +128,16 @@ impl Course {
         self.witnesses.lose(judge, gone, place);
         judge.followers_into(place, 0, &mut self.gone);
         let worst = self.witnesses.lose(judge, (&self.gone, points), place);
-        if matches!(choice.tier, Tier::Link | Tier::Fold) {
-            let outward = judge.outward(choice.target, &self.ring, worst);
-            return self.witnesses.raise(outward * outward);
+        if !judge.is_measured_outward() {
+            return worst.max(reported_protrusion(&judge.positions, v, choice));
         }
-        judge.note_outward((v, choice.target), &self.ring, choice, worst);
-        choice.outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
+        let outward = match choice.tier {
+            Tier::Link | Tier::Fold => judge.outward_behind((v, choice.target), choice, worst),
+            Tier::Strict | Tier::Fin | Tier::Vanish => choice.outward,
+        };
+        let choice = Choice { outward, ..*choice };
+        judge.note_outward((v, choice.target), &self.ring, &choice, worst);
+        outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
     }
 
     /// Notes points of the triangles around `v` that its collapse to `u` takes, or all of them if it folds the surface.

@@ -30,8 +30,8 @@ const UNDECIDED: u32 = u32::MAX;
 const REPORT_INTERVAL: u64 = 4096;
 
 /// A closed surface of several parts waits with relaxed collapses if its parts have this many triangles on average: strict ones
-/// lead it down to a hundredth by themselves.
-const LEAST_CLOSED_PART: usize = 400;
+/// lead it down to a twenty-fifth by themselves.
+const LEAST_CLOSED_PART: usize = 100;
 
 /// Whether positions without a strict target look for relaxed ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,10 +67,12 @@ impl<'a> Engine<'a> {
         let scaled = scaled_positions(welded);
         let (position_count, scale) = (scaled.0.len(), scaled.1);
         let may_relax = options.topology != TopologyRule::Keep;
+        let judge = Judge::new(welded, options, scaled);
+        let course = Course::new(welded, scale, judge.is_closed_scan());
         Self {
             welded,
             options,
-            judge: Judge::new(welded, options, scaled),
+            judge,
             heap: IndexedHeap::new(&[]),
             target: vec![UNDECIDED; position_count],
             tier: vec![Tier::Strict; position_count],
@@ -79,7 +81,7 @@ impl<'a> Engine<'a> {
             outward: vec![f32::NAN; position_count],
             relaxation: if may_relax { Relaxation::Unknown } else { Relaxation::Never },
             waiting: None,
-            course: Course::new(welded, scale),
+            course,
         }
     }
 
@@ -93,7 +95,7 @@ impl<'a> Engine<'a> {
             self.judge.lock_boundary();
             if self.judge.pairs.is_some() || self.judge.wedges.is_some() {
                 // Even strict collapses may take whole parts, or move the surface by more than their stars tell.
-                self.relax();
+                self.relax(false);
             }
         }
         let keys: Vec<f32> = (0..total as u32).map(|v| self.judge.lower_bound(v)).collect();
@@ -142,7 +144,7 @@ impl<'a> Engine<'a> {
     /// The position that comes next, and its key; lets relaxed collapses begin if they had to wait for the end.
     fn next(&mut self) -> Option<(f32, u32)> {
         if self.heap.first().is_none() && self.relaxation == Relaxation::Later {
-            self.relax();
+            self.relax(true);
             for v in 0..self.target.len() as u32 {
                 self.target[v as usize] = UNDECIDED;
                 let bound = self.judge.lower_bound(v);
@@ -158,24 +160,22 @@ impl<'a> Engine<'a> {
             return;
         }
         let relaxed = Relaxed::new(self.welded, self.options.topology == TopologyRule::KeepParts);
-        let judge = &self.judge;
-        let is_closed = |p: u32| matches!(judge.links.kind(p), LinkKind::Closed | LinkKind::Empty);
         let part_count = relaxed.part_count();
-        let waits = judge.wedges.is_none()
-            && (part_count == 1 || LEAST_CLOSED_PART * part_count <= self.welded.mesh.triangle_count())
-            && (0..self.target.len() as u32).all(is_closed);
+        let waits = self.judge.is_closed_scan()
+            && (part_count == 1 || LEAST_CLOSED_PART * part_count <= self.welded.mesh.triangle_count());
         self.waiting = Some(relaxed);
         self.relaxation = Relaxation::Later;
         if !waits {
-            self.relax();
+            self.relax(false);
         }
     }
 
-    /// Lets relaxed collapses begin.
-    fn relax(&mut self) {
+    /// Lets relaxed collapses begin; `is_tail` says that all strict ones have been carried out.
+    fn relax(&mut self, is_tail: bool) {
         let record = &self.course.record;
         let keeps_parts = self.options.topology == TopologyRule::KeepParts;
         let mut relaxed = self.waiting.take().unwrap_or_else(|| Relaxed::new(self.welded, keeps_parts));
+        relaxed.is_tail = is_tail;
         relaxed.begin(&self.judge, (&record.removed, &record.targets));
         self.judge.relaxed = Some(relaxed);
         self.relaxation = Relaxation::Now;

@@ -207,7 +207,7 @@ impl<'a> Judge<'a> {
                 let seam_between = |star: &Star, s: usize, t: usize| {
                     let (a, b) = (star.shown[s], star.shown[t]);
                     let difference_squared = || match rule {
-                        SeamRule::Cross => attributes.map_or(0.0, |space| space.difference_squared(a, b)),
+                        SeamRule::Cross => attributes.map_or(0.0, |space| space.border_squared(a, b)),
                         SeamRule::Keep => f32::INFINITY,
                     };
                     (a != b).then(difference_squared)
@@ -251,6 +251,12 @@ impl<'a> Judge<'a> {
         for v in (0..self.positions.len() as u32).filter(|_| self.locks_boundary) {
             self.is_locked[v as usize] |= self.links.is_boundary(v);
         }
+    }
+
+    /// True if the surface has no border of any kind, and no seam.
+    pub(super) fn is_closed_scan(&self) -> bool {
+        let is_closed = |p: u32| matches!(self.links.kind(p), LinkKind::Closed | LinkKind::Empty);
+        self.wedges.is_none() && (0..self.positions.len() as u32).all(is_closed)
     }
 
     /// True where the options or the lack of a triangle forbid to remove `v`.

@@ -2,6 +2,7 @@
 
 mod attributes;
 mod batches;
+mod charts;
 mod course;
 mod cover;
 mod engine;

@@ -98,7 +98,7 @@ pub enum TopologyRule {
 /// difference of 1.0 in the attribute over the same area. 0 ignores the layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AttributeWeights {
-    /// Normals (difference of unit vectors); default 0.01.
+    /// Normals (difference of unit vectors); default 0.007.
     pub normal: f32,
     /// Every UV set; default 0.02.
     pub texcoord: f32,
@@ -108,8 +108,8 @@ pub struct AttributeWeights {
 
 impl Default for AttributeWeights {
     fn default() -> Self {
-        // Normals: less, and the faces of thin parts take the normals of their rims.
-        Self { normal: 0.01, texcoord: 0.02, color: 0.003 }
+        // Normals: less, and the faces of thin parts take the normals of their rims; more, and the shape pays for it.
+        Self { normal: 0.007, texcoord: 0.02, color: 0.003 }
     }
 }
 

@@ -63,13 +63,6 @@ impl Outward {
         }
     }
 
-    /// Forgets what was known about `u`, whose triangles have all been measured.
-    pub(super) fn settle(&mut self, u: u32, bound: f32) {
-        if let Some(there) = self.bounds.get_mut(u as usize) {
-            *there = bound;
-        }
-    }
-
     /// The largest distance of triangles from the original mesh, or a share of the largest error so far if that is more:
     /// triangles of `u` with the opposite `edges`. `worst` is that error, squared.
     pub(super) fn measure(
@@ -87,7 +80,8 @@ impl Outward {
                 // Corners are vertices of the original: a point is no farther from it than from them.
                 let bound = corners.iter().map(|c| c.distance_squared(from)).fold(f32::INFINITY, f32::min);
                 if bound > farthest {
-                    farthest = farthest.max(distance_squared_from(origin, positions, from, farthest));
+                    farthest =
+                        farthest.max(distance_squared_from(origin, positions, from, (bound, farthest)));
                 }
             }
         }
@@ -108,9 +102,14 @@ fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// Squared distance of a point from the triangles of a tree; once something is within `enough`, that will do.
-fn distance_squared_from(rest: &Rest, positions: &[[f32; 4]], from: Vec3, enough: f32) -> f32 {
-    let mut least = f32::INFINITY;
+/// Squared distance of a point from the triangles of a tree, at most `known`; once something is within `enough`, that will do.
+fn distance_squared_from(
+    rest: &Rest,
+    positions: &[[f32; 4]],
+    from: Vec3,
+    (known, enough): (f32, f32),
+) -> f32 {
+    let mut least = known;
     rest.visit_near(from, least, |triangle| {
         let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
         let [x, y, z] = nearest(a, b, c);

@@ -226,6 +226,8 @@ impl Parts {
         let (mut sum, mut share_sum, mut farthest) = (0.0, 0.0, 0.0f32);
         let (mut hosts, mut nearest): (Vec<u32>, Option<u32>) = (Vec::new(), None);
         let mut last: Option<(Vec3, f32)> = None;
+        // Triangles share corners.
+        let mut seen: Vec<(Vec3, RestPoint)> = Vec::with_capacity(4 * MAX_SAMPLES);
         for sample in self.samples(part, around) {
             // The host of the last sample is no farther than this.
             let reachable = last.map_or(f32::INFINITY, |(at, distance)| {
@@ -237,7 +239,11 @@ impl Parts {
                     is_host(self.part_of(triangle.positions[0]))
                 })
             };
-            let found = find(reachable).or_else(|| find(f32::INFINITY))?;
+            let known = seen.iter().find(|(at, _)| *at == sample.at).map(|&(_, found)| found);
+            let found = known.or_else(|| find(reachable)).or_else(|| find(f32::INFINITY))?;
+            if known.is_none() {
+                seen.push((sample.at, found));
+            }
             last = Some((sample.at, found.distance_squared.sqrt()));
             let host = self.part_of(found.triangle.positions[0]);
             if !hosts.contains(&host) {

@@ -54,6 +54,8 @@ pub(super) struct Relaxed<'a> {
     stamps: Vec<u32>,
     search: u32,
     keeps_parts: bool,
+    /// Whether relaxed collapses only come after all strict ones.
+    pub(super) is_tail: bool,
     has_locks: bool,
     /// True once a relaxed collapse has been carried out.
     has_relaxed: bool,
@@ -78,6 +80,7 @@ impl<'a> Relaxed<'a> {
             stamps: Vec::new(),
             search: 0,
             keeps_parts,
+            is_tail: false,
             has_locks: false,
             has_relaxed: false,
             edges: Vec::new(),
@@ -432,9 +435,10 @@ impl Judge<'_> {
     }
 
     /// True if steps are measured against the original mesh: with seams, or once a relaxed collapse has been carried out.
-    /// Scans do without, which takes a third of the time of their simplification.
+    /// Closed scans do without, which would take a third of their time.
     pub(super) fn is_measured_outward(&self) -> bool {
-        self.relaxed.is_some() && (self.wedges.is_some() || self.has_relaxed())
+        let Some(relaxed) = &self.relaxed else { return false };
+        self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.is_tail)
     }
 
     /// True once a relaxed collapse has been carried out.
@@ -488,20 +492,28 @@ impl Judge<'_> {
         let Self { relaxed: Some(relaxed), positions, .. } = self else { return };
         let bound = match choice.outward {
             Some(measured) => measured,
-            None => relaxed.outward.bound_after(v, choice.protrusion_squared, (worst, positions.len())),
+            None => {
+                let moved = if choice.tier == Tier::Fold { choice.distance_squared } else { 0.0 };
+                let squared = choice.protrusion_squared.max(moved);
+                relaxed.outward.bound_after(v, squared, (worst, positions.len()))
+            }
         };
         relaxed.outward.note(u, ring, bound);
     }
 
-    /// The largest distance of the triangles around `u` from the original mesh, or a share of the error; `worst` is its square.
-    pub(super) fn outward(&mut self, u: u32, ring: &[u32], worst: f32) -> f32 {
-        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return 0.0 };
-        relaxed.outward.bound_after(u, 0.0, (worst, positions.len()));
+    /// The largest distance from the original mesh of the triangles around `u` after the collapse of `v` to it, if they may stick
+    /// out farther than anything so far; `worst` is the square of that.
+    pub(super) fn outward_behind(&mut self, (v, u): (u32, u32), choice: &Choice, worst: f32) -> Option<f32> {
+        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
+        // A fold moves its triangles by the whole edge.
+        let moved = if choice.tier == Tier::Fold { choice.distance_squared } else { 0.0 };
+        let squared = choice.protrusion_squared.max(moved);
+        let bound = relaxed.outward.bound_after(v, squared, (worst, positions.len()));
+        if bound * bound <= worst {
+            return None;
+        }
         links.edges_into(u, &mut relaxed.edges);
-        let measured = relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst);
-        relaxed.outward.settle(u, measured);
-        relaxed.outward.note(u, ring, measured);
-        measured
+        Some(relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst))
     }
 
     /// Notes a collapse that has been carried out, `ring` being the neighbors that `v` had; says who lost everything by it.

@@ -31,6 +31,8 @@ const NOBODY: Witness = Witness { vertex: NONE, distance: 0.0 };
 pub(super) struct Witnesses {
     of: Vec<Witness>,
     worst: f32,
+    /// Whether witnesses beside a collapse are looked at too; closed scans do without, which saves a quarter of their time.
+    follows_rings: bool,
     edges: Vec<LinkEdge>,
 }
 
@@ -40,8 +42,8 @@ fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
 }
 
 impl Witnesses {
-    pub(super) fn new(position_count: usize) -> Self {
-        Self { of: vec![NOBODY; position_count], worst: 0.0, edges: Vec::new() }
+    pub(super) fn new(position_count: usize, follows_rings: bool) -> Self {
+        Self { of: vec![NOBODY; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
     }
 
     /// Called after `v`, whose neighbors were `ring`, was collapsed to `u`, `own` being the squared distance of v from its new fan.
@@ -67,7 +69,9 @@ impl Witnesses {
             let (candidate, place) = self.follow(judge, u, candidate, moved);
             self.keep(place, candidate);
         }
-        self.follow_ring(judge, ring, moved);
+        if self.follows_rings {
+            self.follow_ring(judge, ring, moved);
+        }
         self.worst
     }
 

@@ -59,7 +59,7 @@ impl<'a> Engine<'a> {
         let is_removable = (0..position_count as u32).map(removable).collect();
         Self {
             options,
-            course: Course::new(welded, scale),
+            course: Course::new(welded, scale, judge.is_closed_scan()),
             taste: Taste::new(options, scale),
             choices: vec![None; position_count],
             is_removable,

@@ -1,0 +1,130 @@
+//! Whether texture coordinates form an atlas: charts side by side in one copy of the texture, each part of which is used once or
+//! a few times.
+//!
+//! An error of an atlas shows a foreign part of the texture; tiled coordinates show the same pattern elsewhere.
+
+use glam::{DVec2, Vec3};
+
+use crate::mesh::{AttributeLayer, Welded};
+
+/// Cells of the square along each side.
+const CELL_COUNT: usize = 512;
+/// Most that the coordinates may extend along each axis: charts are let out of the unit square a little.
+const MAX_EXTENT: f32 = 1.25;
+/// Share of the covered cells that may be covered twice.
+const MAX_OVERLAP: f64 = 0.6;
+
+/// For each vertex, whether its material uses the texture coordinates of `layer` as an atlas.
+pub(super) fn atlas_vertices(welded: &Welded, layer: &AttributeLayer) -> Vec<bool> {
+    let mesh = &welded.mesh;
+    let by_group = atlas_groups(welded, layer);
+    if mesh.groups.is_empty() {
+        return vec![by_group[0]; mesh.vertex_count()];
+    }
+    let mut is_atlas = vec![false; mesh.vertex_count()];
+    for (group, _) in mesh.groups.iter().zip(by_group).filter(|(_, is_atlas)| *is_atlas) {
+        for &vertex in mesh.triangles[group.range()].as_flattened() {
+            is_atlas[vertex as usize] = true;
+        }
+    }
+    is_atlas
+}
+
+/// For each group of the mesh, or for the whole if it has none, whether its material uses the texture coordinates of `layer` as
+/// an atlas.
+///
+/// O(n) time for n triangles, and that of painting them into a square of 512 by 512 cells.
+fn atlas_groups(welded: &Welded, layer: &AttributeLayer) -> Vec<bool> {
+    let mesh = &welded.mesh;
+    if layer.component_count < 2 {
+        return vec![false; mesh.groups.len().max(1)];
+    }
+    let mut cover = Cover { owner: vec![0; CELL_COUNT * CELL_COUNT], number: 0, cells: 0, doubles: 0 };
+    if mesh.groups.is_empty() {
+        return vec![cover.is_atlas(&[&mesh.triangles], layer)];
+    }
+    let mut materials: Vec<Option<u32>> = mesh.groups.iter().map(|group| group.material).collect();
+    materials.sort_unstable();
+    materials.dedup();
+    let mut is_atlas = vec![false; mesh.groups.len()];
+    for material in materials {
+        let members = || mesh.groups.iter().filter(|group| group.material == material);
+        let lists: Vec<&[[u32; 3]]> = members().map(|group| &mesh.triangles[group.range()]).collect();
+        if cover.is_atlas(&lists, layer) {
+            for (group, is_atlas) in mesh.groups.iter().zip(&mut is_atlas) {
+                *is_atlas |= group.material == material;
+            }
+        }
+    }
+    is_atlas
+}
+
+/// Length on the surface, in diagonals of the mesh, of a unit of texture coordinates; 0 if they have no area.
+pub(super) fn unit_length(welded: &Welded, layer: &AttributeLayer, is_counted: impl Fn(u32) -> bool) -> f32 {
+    let mesh = &welded.mesh;
+    let (mut surface, mut texture) = (0.0, 0.0);
+    for t in mesh.triangles.iter().filter(|t| is_counted(t[0])) {
+        let [a, b, c] = t.map(|v| Vec3::from(mesh.positions[v as usize]).as_dvec3());
+        surface += (b - a).cross(c - a).length();
+        let [a, b, c] = t.map(|v| [0, 1].map(|k| f64::from(layer.get(v as usize, k)))).map(DVec2::from);
+        texture += (b - a).perp_dot(c - a).abs();
+    }
+    let length = (surface / texture).sqrt() / mesh.diagonal();
+    if length.is_finite() { length as f32 } else { 0.0 }
+}
+
+/// Cells whose middles triangles cover.
+struct Cover {
+    /// The last list of triangles that covered each cell.
+    owner: Vec<u32>,
+    number: u32,
+    cells: u64,
+    doubles: u64,
+}
+
+impl Cover {
+    /// Whether the triangles use each part of the texture once.
+    fn is_atlas(&mut self, lists: &[&[[u32; 3]]], layer: &AttributeLayer) -> bool {
+        let corners = || lists.iter().flat_map(|list| list.as_flattened());
+        for axis in 0..2 {
+            let values = || corners().map(|&v| layer.get(v as usize, axis));
+            let low = values().fold(f32::INFINITY, f32::min);
+            let high = values().fold(f32::NEG_INFINITY, f32::max);
+            // Neither if there are none, or some that are no numbers.
+            if !(high - low <= MAX_EXTENT) {
+                return false;
+            }
+        }
+        (self.number, self.cells, self.doubles) = (self.number + 1, 0, 0);
+        for t in lists.iter().copied().flatten() {
+            self.paint(t.map(|v| [0, 1].map(|c| layer.get(v as usize, c) * CELL_COUNT as f32 - 0.5)));
+        }
+        self.doubles as f64 <= MAX_OVERLAP * self.cells as f64
+    }
+
+    fn paint(&mut self, [a, b, c]: [[f32; 2]; 3]) {
+        let bounds = |axis: usize| {
+            let low = a[axis].min(b[axis]).min(c[axis]).ceil();
+            let high = a[axis].max(b[axis]).max(c[axis]).floor();
+            (low as i64, high as i64)
+        };
+        let ((left, right), (bottom, top)) = (bounds(0), bounds(1));
+        let side = |p: [f32; 2], q: [f32; 2], x: f32, y: f32| {
+            (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0])
+        };
+        for row in bottom..=top {
+            for column in left..=right {
+                let (x, y) = (column as f32, row as f32);
+                let sides = [side(a, b, x, y), side(b, c, x, y), side(c, a, x, y)];
+                // On one side of all three edges; a shared edge counts once, but for rounding.
+                if sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0) {
+                    let [row, column] = [row, column].map(|i| i.rem_euclid(CELL_COUNT as i64) as usize);
+                    let owner = &mut self.owner[row * CELL_COUNT + column];
+                    let is_double = std::mem::replace(owner, self.number) == self.number;
+                    self.cells += 1;
+                    self.doubles += u64::from(is_double);
+                }
+            }
+        }
+    }
+}
