@@ -30,6 +30,8 @@ const TILED: SeamFactors = SeamFactors { crossing: 20.0, border: 1.0 };
 /// Texture coordinates of an atlas, whose charts must not mix: the errors of spot at a tenth of its triangles fall by a quarter
 /// for 1 % more RMS; with 1,000 the shape suffers.
 const ATLAS: SeamFactors = SeamFactors { crossing: 60.0, border: 20.0 };
+/// Largest squared distance that smeared attributes count for: a foreign part of a texture is no worse than a dent of 4 %.
+const MAX_SMEAR: f32 = 0.002;
 /// How much more stretched texture coordinates count than the difference at the removed vertex.
 const STRETCH_FACTOR: f32 = 5.0;
 /// How far beyond a triangle its texture coordinates are extended, in its edges.
@@ -37,12 +39,9 @@ const MAX_EXTENSION: f32 = 3.0;
 /// Weight of the texture coordinates of an atlas, in their default weight, if a unit of them is as long as the diagonal of the
 /// mesh: what is seen is how far the texture slides on the surface.
 const SLIDE_FACTOR: f32 = 3.0;
-/// Atlases whose unit is shorter than this, in diagonals, are treated as tiles: sliding along such small textures is hardly seen,
-/// and the game scene with its 81 materials would pay for it by a fifth of its RMS.
-const LEAST_UNIT_LENGTH: f32 = 0.15;
-fn env(name: &str, default: f32) -> f32 {
-    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default)
-}
+/// That weight is at least and at most this many times the default.
+const LEAST_SLIDE: f32 = 0.3;
+const MOST_SLIDE: f32 = 4.0;
 /// Mean square of a linear function over a triangle that is 1 at one corner and 0 at the others.
 const CORNER_SHARE: f32 = 1.0 / 6.0;
 /// Wedges of one star that are told apart; further ones count nothing.
@@ -106,25 +105,22 @@ impl AttributeSpace {
     fn fill(&mut self, welded: &Welded, layer: &AttributeLayer, (first, weight): (usize, f32)) {
         let count = layer.component_count as usize;
         let bits = (first..first + count).filter(|&d| d < 32).fold(0, |bits, d| bits | 1 << d);
-        let mut slide = 1.0;
+        let mut lengths = Vec::new();
         if matches!(layer.semantic, Semantic::TexCoord(_)) {
             self.texcoords |= bits;
-            let atlas = charts::atlas_vertices(welded, layer);
-            let length = charts::unit_length(welded, layer, |vertex| atlas[vertex as usize]);
-            eprintln!("length {length}");
-            if length >= LEAST_UNIT_LENGTH {
-                slide = (env("K", SLIDE_FACTOR) * length).max(1.0);
-                self.atlases.resize(atlas.len(), 0);
-                for (mask, is_atlas) in self.atlases.iter_mut().zip(atlas) {
-                    *mask |= if is_atlas { bits } else { 0 };
-                }
+            lengths = charts::atlas_lengths(welded, layer);
+            self.atlases.resize(lengths.len(), 0);
+            for (mask, &length) in self.atlases.iter_mut().zip(&lengths) {
+                *mask |= if length > 0.0 { bits } else { 0 };
             }
         }
         for vertex in 0..welded.mesh.vertex_count() {
-            let is_atlas = self.atlases.get(vertex).is_some_and(|mask| mask & bits != 0);
-            let weight = if is_atlas { slide * weight } else { weight };
+            let slide = match lengths.get(vertex) {
+                Some(&length) if length > 0.0 => (SLIDE_FACTOR * length).clamp(LEAST_SLIDE, MOST_SLIDE),
+                _ => 1.0,
+            };
             for c in 0..count {
-                let value = weight * layer.get(vertex, c);
+                let value = slide * weight * layer.get(vertex, c);
                 // A value that is no number must not decide anything.
                 self.values[vertex * self.dimension + first + c] =
                     if value.is_finite() { value } else { 0.0 };
@@ -167,16 +163,17 @@ impl AttributeSpace {
     fn stretch_squared(&self, corners: [u32; 3], target: u32, [u, a, b]: [Vec3; 3]) -> f32 {
         let normal = a.cross(b);
         let area_squared = normal.length_squared().max(f32::MIN_POSITIVE);
-        let clamped = |doubled: Vec3| {
-            (doubled.dot(normal) / area_squared).clamp(-MAX_EXTENSION, MAX_EXTENSION)
-        };
+        let clamped =
+            |doubled: Vec3| (doubled.dot(normal) / area_squared).clamp(-MAX_EXTENSION, MAX_EXTENSION);
         let (x, y) = (clamped(u.cross(b)), clamped(a.cross(u)));
-        let [v, a, b] = corners.map(|corner| self.of(corner));
         let new = self.of(target);
+        let [v, a, b] = corners.map(|corner| self.of(corner));
         let difference = |d: usize| v[d] + x * (a[d] - v[d]) + y * (b[d] - v[d]) - new[d];
-        let is_texcoord = |d: &usize| *d < 32 && self.texcoords >> d & 1 == 1;
-        let squared: f32 = (0..self.dimension).filter(is_texcoord).map(|d| difference(d) * difference(d)).sum();
-        env("S", STRETCH_FACTOR) * squared
+        let mask = self.atlases[corners[0] as usize];
+        let is_charted = |d: &usize| *d < 32 && mask >> d & 1 == 1;
+        let squared: f32 =
+            (0..self.dimension).filter(is_charted).map(|d| difference(d) * difference(d)).sum();
+        (STRETCH_FACTOR * squared).min(MAX_SMEAR)
     }
 
     /// Squared difference between two points of triangles, each given by its corners and barycentric coordinates.
@@ -208,11 +205,7 @@ impl AttributeSpace {
     /// What it costs over a unit of area that `to` stands for `from` on the other side of a seam.
     fn crossing_squared(&self, from: u32, to: u32) -> f32 {
         let squared = self.weighted_squared(from, to, |factors| factors.crossing);
-        if self.share_material(from, to) {
-            squared
-        } else {
-            squared + TILED.crossing * self.material_squared
-        }
+        if self.share_material(from, to) { squared } else { squared + TILED.crossing * self.material_squared }
     }
 
     /// What collapsing `v` to neighbour `k` of its star costs in attributes; the wedges must be paired already.
@@ -233,7 +226,7 @@ impl AttributeSpace {
             }
             let wedge = vertex_at(t, v);
             let (a, b) = (star.offset(i), star.offset(j));
-            if self.texcoords != 0 {
+            if self.atlases.get(wedge as usize).is_some_and(|&mask| mask != 0) {
                 let target = wedges.map_or(star.ids[k], |w| w.paired(wedge, star.ids[k]));
                 let corners = [wedge, vertex_at(t, star.ids[i]), vertex_at(t, star.ids[j])];
                 let areas = [a.cross(b), (a - u).cross(b - u)].map(|normal| 0.5 * normal.length());
@@ -242,7 +235,7 @@ impl AttributeSpace {
             if wedges.is_some_and(|w| w.crosses(wedge)) {
                 let target = wedges.map_or(wedge, |w| w.paired(wedge, star.ids[k]));
                 let areas = [a.cross(b), (a - u).cross(b - u)].map(|normal| 0.5 * normal.length());
-                crossing += areas[0].max(areas[1]) * self.crossing_squared(wedge, target);
+                crossing += areas[0].max(areas[1]) * self.crossing_squared(wedge, target).min(MAX_SMEAR);
                 continue;
             }
             let Some(slot) = found.iter_mut().find(|f| f.0 == wedge || f.0 == u32::MAX) else { continue };

@@ -5,7 +5,7 @@
 
 use glam::{DVec2, Vec3};
 
-use crate::mesh::{AttributeLayer, Welded};
+use crate::mesh::{AttributeLayer, IndexedMesh, Welded};
 
 /// Cells of the square along each side.
 const CELL_COUNT: usize = 512;
@@ -14,63 +14,55 @@ const MAX_EXTENT: f32 = 1.25;
 /// Share of the covered cells that may be covered twice.
 const MAX_OVERLAP: f64 = 0.6;
 
-/// For each vertex, whether its material uses the texture coordinates of `layer` as an atlas.
-pub(super) fn atlas_vertices(welded: &Welded, layer: &AttributeLayer) -> Vec<bool> {
-    let mesh = &welded.mesh;
-    let by_group = atlas_groups(welded, layer);
-    if mesh.groups.is_empty() {
-        return vec![by_group[0]; mesh.vertex_count()];
-    }
-    let mut is_atlas = vec![false; mesh.vertex_count()];
-    for (group, _) in mesh.groups.iter().zip(by_group).filter(|(_, is_atlas)| *is_atlas) {
-        for &vertex in mesh.triangles[group.range()].as_flattened() {
-            is_atlas[vertex as usize] = true;
-        }
-    }
-    is_atlas
-}
-
-/// For each group of the mesh, or for the whole if it has none, whether its material uses the texture coordinates of `layer` as
-/// an atlas.
+/// For each vertex the length on the surface, in diagonals, of a unit of its texture coordinates, if its material uses `layer` as an
+/// atlas; 0 if not.
 ///
 /// O(n) time for n triangles, and that of painting them into a square of 512 by 512 cells.
-fn atlas_groups(welded: &Welded, layer: &AttributeLayer) -> Vec<bool> {
+pub(super) fn atlas_lengths(welded: &Welded, layer: &AttributeLayer) -> Vec<f32> {
     let mesh = &welded.mesh;
+    let mut lengths = vec![0.0; mesh.vertex_count()];
     if layer.component_count < 2 {
-        return vec![false; mesh.groups.len().max(1)];
+        return lengths;
     }
+    let diagonal = mesh.diagonal();
     let mut cover = Cover { owner: vec![0; CELL_COUNT * CELL_COUNT], number: 0, cells: 0, doubles: 0 };
+    for lists in by_material(mesh) {
+        if cover.is_atlas(&lists, layer) {
+            let length = unit_length(mesh, &lists, layer) / diagonal;
+            let length = if length.is_finite() { length as f32 } else { 0.0 };
+            for &vertex in lists.iter().flat_map(|list| list.as_flattened()) {
+                lengths[vertex as usize] = length;
+            }
+        }
+    }
+    lengths
+}
+
+/// The triangles of each material, in one or more lists.
+fn by_material(mesh: &IndexedMesh) -> Vec<Vec<&[[u32; 3]]>> {
     if mesh.groups.is_empty() {
-        return vec![cover.is_atlas(&[&mesh.triangles], layer)];
+        return vec![vec![&mesh.triangles]];
     }
     let mut materials: Vec<Option<u32>> = mesh.groups.iter().map(|group| group.material).collect();
     materials.sort_unstable();
     materials.dedup();
-    let mut is_atlas = vec![false; mesh.groups.len()];
-    for material in materials {
-        let members = || mesh.groups.iter().filter(|group| group.material == material);
-        let lists: Vec<&[[u32; 3]]> = members().map(|group| &mesh.triangles[group.range()]).collect();
-        if cover.is_atlas(&lists, layer) {
-            for (group, is_atlas) in mesh.groups.iter().zip(&mut is_atlas) {
-                *is_atlas |= group.material == material;
-            }
-        }
-    }
-    is_atlas
+    let of = |material| {
+        let groups = mesh.groups.iter().filter(move |group| group.material == material);
+        groups.map(|group| &mesh.triangles[group.range()]).collect()
+    };
+    materials.into_iter().map(of).collect()
 }
 
-/// Length on the surface, in diagonals of the mesh, of a unit of texture coordinates; 0 if they have no area.
-pub(super) fn unit_length(welded: &Welded, layer: &AttributeLayer, is_counted: impl Fn(u32) -> bool) -> f32 {
-    let mesh = &welded.mesh;
+/// Length on the surface of a unit of texture coordinates.
+fn unit_length(mesh: &IndexedMesh, lists: &[&[[u32; 3]]], layer: &AttributeLayer) -> f64 {
     let (mut surface, mut texture) = (0.0, 0.0);
-    for t in mesh.triangles.iter().filter(|t| is_counted(t[0])) {
+    for t in lists.iter().copied().flatten() {
         let [a, b, c] = t.map(|v| Vec3::from(mesh.positions[v as usize]).as_dvec3());
         surface += (b - a).cross(c - a).length();
         let [a, b, c] = t.map(|v| [0, 1].map(|k| f64::from(layer.get(v as usize, k)))).map(DVec2::from);
         texture += (b - a).perp_dot(c - a).abs();
     }
-    let length = (surface / texture).sqrt() / mesh.diagonal();
-    if length.is_finite() { length as f32 } else { 0.0 }
+    (surface / texture).sqrt()
 }
 
 /// Cells whose middles triangles cover.

@@ -133,7 +133,7 @@ impl Course {
         }
         let outward = match choice.tier {
             Tier::Link | Tier::Fold => judge.outward_behind((v, choice.target), choice, worst),
-            Tier::Strict | Tier::Fin | Tier::Vanish => choice.outward,
+            Tier::Strict | Tier::Fin | Tier::Remnant | Tier::Vanish => choice.outward,
         };
         let choice = Choice { outward, ..*choice };
         judge.note_outward((v, choice.target), &self.ring, &choice, worst);

@@ -222,10 +222,11 @@ impl<'a> Engine<'a> {
     }
 
     fn is_still_allowed(&mut self, v: u32, u: u32) -> bool {
-        let tier = self.tier[v as usize];
+        let choice = self.choice(v);
+        let tier = choice.tier;
         let judge = &mut self.judge;
         if tier != Tier::Strict {
-            return judge.relaxed_stands(v, u, tier);
+            return judge.relaxed_stands(v, &choice);
         }
         if judge.links.entries(v).contains(&u) {
             return judge.legality.allows(&judge.links, v, u);
@@ -234,16 +235,22 @@ impl<'a> Engine<'a> {
         judge.pairs.is_some() && judge.links.kind(u) != LinkKind::Empty
     }
 
+    /// What was decided for `v`.
+    fn choice(&self, v: u32) -> Choice {
+        let v = v as usize;
+        Choice {
+            cost: 0.0,
+            target: self.target[v],
+            tier: self.tier[v],
+            distance_squared: self.distance_squared[v],
+            protrusion_squared: self.protrusion_squared[v],
+            outward: Some(self.outward[v]).filter(|outward| !outward.is_nan()),
+        }
+    }
+
     /// Removes `v` into `u` and gives the neighbours new bounds; returns the error after it, mesh units.
     fn collapse(&mut self, v: u32, u: u32) -> f64 {
-        let choice = Choice {
-            cost: 0.0,
-            target: u,
-            tier: self.tier[v as usize],
-            distance_squared: self.distance_squared[v as usize],
-            protrusion_squared: self.protrusion_squared[v as usize],
-            outward: Some(self.outward[v as usize]).filter(|outward| !outward.is_nan()),
-        };
+        let choice = self.choice(v);
         let error = self.course.collapse(&mut self.judge, v, &choice);
         self.heap.remove(v);
         self.update_neighbours(u);

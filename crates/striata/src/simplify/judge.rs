@@ -65,7 +65,9 @@ pub(super) enum Tier {
     Fold,
     /// It takes all triangles of the position, but not of the target.
     Fin,
-    /// It takes all triangles of both.
+    /// It takes all triangles of both; others of the part stay.
+    Remnant,
+    /// It takes the last triangles of a part.
     Vanish,
 }
 

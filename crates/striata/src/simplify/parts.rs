@@ -18,11 +18,13 @@ use super::rest::{Rest, RestPoint};
 const MAX_SAMPLES: usize = 16;
 /// Triangles of a vanished part whose corners are measured for the error.
 const MAX_CORNER_SAMPLES: usize = 32;
+/// Points on the edges of a vanished part that look for further hosts, at most.
+const MAX_HOST_SAMPLES: usize = 48;
 /// Weight of the squared difference of unit normals against squared distances, so that decals and the two sides of a
 /// sheet do not vanish for nothing.
 const NORMAL_WEIGHT: f32 = 1e-4;
 /// Weight of the squared distance against the area that vanishes, squared once more.
-const EXTENT_WEIGHT: f32 = 4.0;
+const EXTENT_WEIGHT: f32 = 1.0;
 
 /// What happens if a part vanishes.
 #[derive(Clone, Debug)]
@@ -36,6 +38,12 @@ pub(super) struct Fate {
     hosts: Vec<u32>,
     /// The build of the rest that it was measured against.
     generation: u32,
+}
+
+impl Fate {
+    pub(super) fn distance_squared(&self) -> f32 {
+        self.distance * self.distance
+    }
 }
 
 #[derive(Debug, Default)]
@@ -145,6 +153,12 @@ impl Parts {
         self.members.as_ref().map_or(&[], |members| members.of(part))
     }
 
+    /// What a part that still has triangles stands for: its area for each of them, and its reach.
+    pub(super) fn share(&self, part: u32) -> (f32, f32) {
+        let Part { triangle_count, area, reach, .. } = self.parts[part as usize];
+        (area / triangle_count.max(1) as f32, reach)
+    }
+
     /// How many parts there were.
     pub(super) fn len(&self) -> usize {
         self.parts.len()
@@ -199,8 +213,14 @@ impl Parts {
         into.fate = None;
     }
 
-    /// True if what was found out about the end of a part still holds.
-    pub(super) fn knows_fate(&self, part: u32, generation: u32) -> bool {
+    /// True if the end of a part that was found to lie this far, squared, from the rest is as it was.
+    pub(super) fn knows_fate(&self, part: u32, generation: u32, distance_squared: f32) -> bool {
+        let fate = self.parts[part as usize].fate.as_ref();
+        self.is_up_to_date(part, generation)
+            && fate.is_some_and(|fate| fate.distance_squared() == distance_squared)
+    }
+
+    fn is_up_to_date(&self, part: u32, generation: u32) -> bool {
         let fate = self.parts[part as usize].fate.as_ref();
         fate.is_some_and(|fate| {
             fate.generation == generation
@@ -213,7 +233,7 @@ impl Parts {
         if self.members.is_none() {
             self.measure(around.welded, around.positions);
         }
-        if !self.knows_fate(part, around.generation) {
+        if !self.is_up_to_date(part, around.generation) {
             let fate = self.find_fate(part, around);
             self.parts[part as usize].fate = fate;
         }
@@ -313,9 +333,10 @@ impl Parts {
     }
 
     /// Notes that a part has vanished: its hosts stand for it from now on.
-    pub(super) fn bequeath(&mut self, part: u32) -> Option<Fate> {
+    pub(super) fn bequeath(&mut self, part: u32, around: &Surroundings<'_>) -> Option<Fate> {
         let Part { area, fate, .. } = std::mem::take(&mut self.parts[part as usize]);
-        let fate = fate?;
+        let mut fate = fate?;
+        self.add_hosts_along(part, &mut fate, around);
         for &host in &fate.hosts {
             let host = &mut self.parts[host as usize];
             host.reach = host.reach.max(fate.distance);
@@ -324,6 +345,36 @@ impl Parts {
         let first = self.part_of(fate.host);
         self.parts[first as usize].area += area;
         Some(fate)
+    }
+
+    /// Adds the hosts between the corners of a part that is longer than it is far from them: all of them stand for it, and a rod
+    /// must not lose one after the other as if each stood for itself alone.
+    fn add_hosts_along(&self, part: u32, fate: &mut Fate, around: &Surroundings<'_>) {
+        let members = self.members_of(part);
+        let count = members.len().min(MAX_SAMPLES);
+        let spacing = 2.0 * fate.distance.max(f32::MIN_POSITIVE);
+        let mut left = MAX_HOST_SAMPLES;
+        for i in 0..count {
+            let t = members[i * members.len() / count];
+            let corners = around.welded.mesh.triangles[t as usize]
+                .map(|v| point(around.positions, around.welded.positions.position_of(v)));
+            for (a, b) in [(0, 1), (1, 2), (2, 0)].map(|(a, b)| (corners[a], corners[b])) {
+                let steps = (a.distance(b) / spacing).min(left as f32) as usize;
+                left -= steps;
+                for k in 1..=steps {
+                    let at = a.lerp(b, k as f32 / (steps + 1) as f32);
+                    let limit = 4.0 * spacing * spacing;
+                    let found = around.rest.nearest(around.positions, at, limit, |triangle| {
+                        let host = self.part_of(triangle.positions[0]);
+                        host != part && self.parts[host as usize].triangle_count > 0
+                    });
+                    let host = found.map(|found| self.part_of(found.triangle.positions[0]));
+                    if let Some(host) = host.filter(|host| !fate.hosts.contains(host)) {
+                        fate.hosts.push(host);
+                    }
+                }
+            }
+        }
     }
 }
 

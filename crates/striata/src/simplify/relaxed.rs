@@ -138,13 +138,15 @@ pub(super) type Standing = (f32, u32);
 
 impl Relaxed<'_> {
     /// Looks for what stands nearest to a point: in the tree of the rest for triangles of the past, and from their corners
-    /// for the stars that they have become. Never farther than `known`; stops at a squared distance of `enough`.
+    /// for the stars that they have become, as far as these are counted. Never farther than `known`; stops at a squared distance
+    /// of `enough`.
     fn standing(
         &mut self,
         (links, positions): (&Links, &[[f32; 4]]),
         from: Vec3,
         known: Standing,
         enough: f32,
+        is_counted: impl Fn(u32) -> bool,
     ) -> Standing {
         let Self { rest, current, stamps, search, edges, .. } = self;
         stamps.resize(positions.len(), 0);
@@ -154,7 +156,7 @@ impl Relaxed<'_> {
         rest.visit_near(from, limit_of(least), |triangle| {
             for corner in triangle.positions {
                 let at = find(current, corner);
-                if std::mem::replace(&mut stamps[at as usize], *search) == *search {
+                if std::mem::replace(&mut stamps[at as usize], *search) == *search || !is_counted(at) {
                     continue;
                 }
                 links.edges_into(at, edges);
@@ -224,7 +226,8 @@ impl Judge<'_> {
     }
 
     /// True if a relaxed choice that was made before may still be carried out at its cost.
-    pub(super) fn relaxed_stands(&self, v: u32, u: u32, tier: Tier) -> bool {
+    pub(super) fn relaxed_stands(&self, v: u32, choice: &Choice) -> bool {
+        let Choice { target: u, tier, distance_squared, .. } = *choice;
         let Some(relaxed) = &self.relaxed else { return false };
         let entries = self.links.entries(v);
         if !entries.contains(&u) {
@@ -235,15 +238,19 @@ impl Judge<'_> {
         let kept = own + self.links.triangle_count(u) - 2 * removed;
         let is_vanishing = kept == 0;
         if removed >= relaxed.triangle_count
-            || is_vanishing != (tier == Tier::Vanish)
+            || is_vanishing != matches!(tier, Tier::Remnant | Tier::Vanish)
             || self.strands_locked(v, u, kept)
         {
             return false;
         }
         let part = relaxed.parts.part_of(v);
-        !is_vanishing
-            || relaxed.parts.triangle_count(part) > removed
-            || relaxed.parts.knows_fate(part, relaxed.generation)
+        let is_last = relaxed.parts.triangle_count(part) == removed;
+        match tier {
+            Tier::Remnant => !is_last,
+            // It may have become farther from what is left since.
+            Tier::Vanish => is_last && relaxed.parts.knows_fate(part, relaxed.generation, distance_squared),
+            Tier::Strict | Tier::Link | Tier::Fold | Tier::Fin => true,
+        }
     }
 
     /// True if a locked position would lose its last triangle.
@@ -387,17 +394,15 @@ impl Judge<'_> {
     fn vanishing(&mut self, v: u32, k: usize, removed: usize) -> Option<Choice> {
         let relaxed = self.relaxed.as_ref()?;
         let part = relaxed.parts.part_of(v);
-        let length_squared = self.star.offset(k).length_squared();
-        let (cost, distance_squared) = if relaxed.parts.triangle_count(part) > removed {
-            // Something of the part stays, where the third corners are.
-            let longest = self.star.longest_edge_squared();
-            (vanishing_cost(self.star.area(), longest), length_squared)
+        let is_last = relaxed.parts.triangle_count(part) == removed;
+        let (cost, distance_squared) = if !is_last {
+            self.remnant(v, part, removed)
         } else {
             if relaxed.keeps_parts {
                 return None;
             }
             let fate = self.fate(part)?;
-            (fate.cost, fate.distance * fate.distance)
+            (fate.cost, fate.distance_squared())
         };
         let cost = (self.memoryless_share() * cost).min(MAX_COST);
         let target = self.star.ids[k];
@@ -406,9 +411,34 @@ impl Judge<'_> {
             target,
             distance_squared,
             protrusion_squared: 0.0,
-            tier: Tier::Vanish,
+            tier: if is_last { Tier::Vanish } else { Tier::Remnant },
             outward: None,
         })
+    }
+
+    /// Cost and squared distance if all triangles of `v` and of a neighbor vanish, but the part keeps others.
+    fn remnant(&mut self, v: u32, part: u32, removed: usize) -> (f32, f32) {
+        let longest = self.star.longest_edge_squared();
+        let Self { relaxed: Some(relaxed), links, wedges, positions, star, .. } = self else {
+            return (0.0, 0.0);
+        };
+        let is_alone = (0..star.ids.len()).all(|i| {
+            let count = (0..star.triangle_count()).filter(|&t| star.triangle(t).contains(&i)).count();
+            links.triangle_count(star.ids[i]) == count
+        });
+        if !is_alone {
+            // The third corners stay where they are.
+            return (vanishing_cost(star.area(), longest), longest);
+        }
+        relaxed.refresh(links, wedges.as_ref(), positions);
+        let from = point(positions, v);
+        let is_other = |p: u32| p != v && !star.ids.contains(&p);
+        let nobody = (f32::INFINITY, v);
+        let (distance_squared, _) = relaxed.standing((links, positions), from, nobody, 0.0, is_other);
+        let (area, reach) = relaxed.parts.share(part);
+        let extent = distance_squared.sqrt() + longest.sqrt() + reach;
+        let area = star.area().max(removed as f32 * area);
+        (vanishing_cost(area, extent * extent), distance_squared)
     }
 
     /// What happens if a part vanishes.
@@ -471,7 +501,7 @@ impl Judge<'_> {
             return known;
         }
         relaxed.refresh(links, wedges.as_ref(), positions);
-        relaxed.standing((links, positions), from, known, enough)
+        relaxed.standing((links, positions), from, known, enough, |_| true)
     }
 
     /// The distance from the original mesh of the triangles that the collapse of `v` to its neighbor `u` would leave, if they
@@ -552,9 +582,16 @@ impl Judge<'_> {
     /// Notes that a part has vanished.
     fn note_end(&mut self, part: u32, departure: &mut Departure) {
         self.fate(part);
-        let Some(relaxed) = &mut self.relaxed else { return };
-        if let Some(fate) = relaxed.parts.bequeath(part) {
-            relaxed.parts.corners_into(part, (relaxed.welded, &self.positions), &mut departure.points);
+        let Self { relaxed: Some(relaxed), positions, attributes, .. } = self else { return };
+        let around = Surroundings {
+            welded: relaxed.welded,
+            positions,
+            attributes: attributes.as_ref(),
+            rest: &relaxed.rest,
+            generation: relaxed.generation,
+        };
+        if let Some(fate) = relaxed.parts.bequeath(part, &around) {
+            relaxed.parts.corners_into(part, (relaxed.welded, positions), &mut departure.points);
             departure.place = Some(find(&mut relaxed.current, fate.host));
         }
     }
