@@ -30,8 +30,9 @@ const TILED: SeamFactors = SeamFactors { crossing: 20.0, border: 1.0 };
 /// Texture coordinates of an atlas, whose charts must not mix: the errors of spot at a tenth of its triangles fall by a quarter
 /// for 1 % more RMS; with 1,000 the shape suffers.
 const ATLAS: SeamFactors = SeamFactors { crossing: 60.0, border: 20.0 };
-/// Largest squared distance that smeared attributes count for: a foreign part of a texture is no worse than a dent of 4 %.
-const MAX_SMEAR: f32 = 0.002;
+/// Largest squared distance that smeared attributes count for: a foreign part of a texture is no worse than a dent of a
+/// seventh of the diagonal.
+const MAX_SMEAR: f32 = 0.02;
 /// How much more stretched texture coordinates count than the difference at the removed vertex.
 const STRETCH_FACTOR: f32 = 5.0;
 /// How far beyond a triangle its texture coordinates are extended, in its edges.

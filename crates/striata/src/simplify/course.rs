@@ -55,6 +55,20 @@ impl Course {
         self.witnesses.worst()
     }
 
+    /// The squared distance of the witness of `v` from the fan that its collapse to the neighbor `u` would leave, if it may be
+    /// farther away than anything so far; `own` is that of `v` itself.
+    pub(super) fn witness_ahead(&self, judge: &mut Judge<'_>, (v, u): (u32, u32), own: f32) -> Option<f32> {
+        let vertex = self.witnesses.suspect(v, own)?;
+        let Judge { star, links, positions, .. } = judge;
+        star.gather(links, positions, v);
+        let k = star.ids.iter().position(|&w| w == u)?;
+        star.mark_vanishing(Some(k));
+        let at =
+            |p: u32| Vec3::new(positions[p as usize][0], positions[p as usize][1], positions[p as usize][2]);
+        let distance_squared = star.fan_distance_squared_of(k, at(vertex) - at(v));
+        distance_squared.is_finite().then_some(distance_squared)
+    }
+
     /// Removes `v` as `choice` says, and with it all positions that lose their last triangle by that; returns the error
     /// after it, mesh units.
     pub(super) fn collapse(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice) -> f64 {

@@ -26,6 +26,8 @@ use super::relaxed::Relaxed;
 
 /// No target chosen yet: the key is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
+/// What a choice leaves is near enough to the original mesh, as far as is known without measuring.
+const UNMEASURED: f32 = -1.0;
 /// Collapses between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
 
@@ -54,7 +56,7 @@ pub(super) struct Engine<'a> {
     tier: Vec<Tier>,
     distance_squared: Vec<f32>,
     protrusion_squared: Vec<f32>,
-    /// Distance from the original mesh of what the choice leaves; `NAN` if it was not measured.
+    /// Distance from the original mesh of what the choice leaves; `UNMEASURED` if it is small, `NAN` if nobody has looked yet.
     outward: Vec<f32>,
     relaxation: Relaxation,
     /// What relaxed collapses will need later.
@@ -203,8 +205,8 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// Puts `v` back with a higher cost if its collapse to `u` is found to stick out of the original mesh farther than anything
-    /// so far: its cost has only seen how far it sticks out of the current one.
+    /// Puts `v` back with a higher cost if its collapse to `u` is found to lie farther from the original mesh than anything so far:
+    /// its cost has only seen how far it lies from the current one. That happens once for each choice.
     fn is_postponed(&mut self, v: u32, u: u32, key: f32) -> bool {
         let is_open = self.tier[v as usize] == Tier::Strict && self.outward[v as usize].is_nan();
         if !is_open || !self.judge.is_measured_outward() {
@@ -212,13 +214,15 @@ impl<'a> Engine<'a> {
         }
         let worst = self.course.worst();
         let protrusion = self.protrusion_squared[v as usize];
-        let Some(outward) = self.judge.outward_ahead((v, u), protrusion, worst) else { return false };
+        let outward = self.judge.outward_ahead((v, u), protrusion, worst).unwrap_or(UNMEASURED);
         self.outward[v as usize] = outward;
-        let is_farther = outward * outward > worst;
-        if is_farther {
-            self.heap.set(v, key + self.judge.distance_cost(v, outward * outward));
+        let own = self.distance_squared[v as usize];
+        let inward = self.course.witness_ahead(&mut self.judge, (v, u), own).unwrap_or(0.0);
+        let ahead = inward.max(outward.max(0.0) * outward);
+        if ahead > worst {
+            self.heap.set(v, key + self.judge.distance_cost(v, ahead));
         }
-        is_farther
+        ahead > worst
     }
 
     fn is_still_allowed(&mut self, v: u32, u: u32) -> bool {
@@ -244,7 +248,7 @@ impl<'a> Engine<'a> {
             tier: self.tier[v],
             distance_squared: self.distance_squared[v],
             protrusion_squared: self.protrusion_squared[v],
-            outward: Some(self.outward[v]).filter(|outward| !outward.is_nan()),
+            outward: Some(self.outward[v]).filter(|&outward| outward >= 0.0),
         }
     }
 

@@ -75,6 +75,13 @@ impl Witnesses {
         self.worst
     }
 
+    /// The witness of `v` if it may become the worst by a collapse of v that moves v by the squared distance `own`.
+    pub(super) fn suspect(&self, v: u32, own: f32) -> Option<u32> {
+        let Witness { vertex, distance } = self.of[v as usize];
+        let reach = distance + MOVE_FACTOR * own.sqrt();
+        (vertex != NONE && reach * reach > self.worst).then_some(vertex)
+    }
+
     /// Lets the witnesses of a ring follow the surface there, which has moved by a distance.
     fn follow_ring(&mut self, judge: &mut Judge<'_>, ring: &[u32], moved: f32) {
         let limit = self.worst.sqrt();
