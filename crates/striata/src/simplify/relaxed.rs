@@ -496,6 +496,9 @@ impl Judge<'_> {
 
     /// Looks for what stands nearest to a point that may have lost what stood for it: see [`Relaxed::standing`].
     pub(super) fn standing(&mut self, from: Vec3, known: Standing, enough: f32) -> Standing {
+        if self.wedges.is_none() && !self.has_relaxed() {
+            return known;
+        }
         let Self { relaxed: Some(relaxed), links, wedges, positions, .. } = self else { return known };
         if known.0 <= enough {
             return known;

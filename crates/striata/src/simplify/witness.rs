@@ -135,12 +135,12 @@ impl Witnesses {
         self.worst
     }
 
-    /// Settles a point from `place`, verifies what would raise the worst distance once relaxed collapses have changed
-    /// what is near what, and raises it. What the walk finds beyond a `limit`, squared, has lost its way.
+    /// Settles a point from `place`, verifies what would raise the worst distance, if relaxed collapses may change what is near
+    /// what, and raises it. What the walk finds beyond a `limit`, squared, has lost its way.
     fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3, limit: f32) -> (f32, u32) {
         let settled = self.settle(&judge.links, &judge.positions, place, from);
         let known = if settled.0 > limit { (limit, place) } else { settled };
-        let found = if judge.has_relaxed() { judge.standing(from, known, self.worst) } else { known };
+        let found = judge.standing(from, known, self.worst);
         self.worst = self.worst.max(found.0);
         found
     }
