@@ -21,8 +21,7 @@ const MODELS: &str = "Models";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata compare cow.obj bunny.ply shape:sphere --html compared.html\n  \
-    striata compare bunny.ply --rate --html rate.html --json\n  \
-    striata compare spot.obj helmet.gltf --parts assets --shares 25,5")]
+    striata compare bunny.ply --rate --html rate.html --json")]
 pub(crate) struct CompareArgs {
     /// Meshes, .striata files (their full level), or shapes such as shape:sphere
     #[arg(value_name = "INPUT", required = true)]
