@@ -123,7 +123,8 @@ mod tests {
         let mut small = ball.clone();
         small.positions.iter_mut().for_each(|p| *p = p.map(|x| 0.8 * x));
         let found = Gallery::of(&ball).compare(&small);
-        assert!((found.silhouette - 0.64).abs() < 0.01, "{found:?}");
+        // A little less than .64, since outlines of a smaller ball are farther from a near eye.
+        assert!((found.silhouette - 0.63).abs() < 0.01, "{found:?}");
         assert!(found.gray_rms > 20.0, "{found:?}");
     }
 

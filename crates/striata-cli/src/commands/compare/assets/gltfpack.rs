@@ -49,7 +49,7 @@ impl Workplace {
 
     fn simplify(&self, request: &Request, is_permissive: bool) -> Result<Level, String> {
         let output = self.folder.path().join("out.glb");
-        let share = request.share.to_string();
+        let share = (request.percent / 100.0).to_string();
         let (from, to) = (self.input(), output.clone());
         let mut arguments = vec!["-i", utf8(&from)?, "-o", utf8(&to)?];
         arguments.extend(["-noq", "-kv", "-km", "-se", "1", "-si", &share]);

@@ -13,18 +13,16 @@ pub(super) const SAMPLES: usize = 100_000;
 /// How many triangles a level is to have.
 pub(super) struct Request {
     /// Percent of the triangles.
-    percent: f64,
-    /// As a share, 0 to 1.
-    pub(super) share: f64,
-    /// As a count, rounded down.
+    pub(super) percent: f64,
+    /// The same as a count, rounded down.
     pub(super) target_count: usize,
 }
 
 impl Request {
     /// So many percent of the triangles.
     pub(super) fn new(percent: f64, triangle_count: usize) -> Self {
-        let share = percent / 100.0;
-        Self { percent, share, target_count: (share * triangle_count as f64 + 1e-6) as usize }
+        let target_count = (percent / 100.0 * triangle_count as f64 + 1e-6) as usize;
+        Self { percent, target_count }
     }
 }
 

@@ -110,19 +110,16 @@ mod tests {
 
     #[test]
     fn attributes_lie_vertex_by_vertex() {
-        let mut mesh = shapes::grid(2, 2);
+        let positions = vec![[0., 0., 0.], [3., 0., 0.], [3., 6., 0.], [0., 6., 0.]];
+        let mut mesh = IndexedMesh::new(positions, vec![[0, 1, 2], [0, 2, 3]]);
         mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, [0., 0., 1.].repeat(4)));
-        mesh.layers.push(AttributeLayer::from_f32(
-            Semantic::TexCoord(0),
-            2,
-            mesh.positions.iter().flat_map(|p| [p[0], p[1]]).collect(),
-        ));
+        let uvs = mesh.positions.iter().flat_map(|p| [p[0], p[1]]).collect();
+        mesh.layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, uvs));
         let found = Attributes::of(&mesh);
         assert_eq!(found.values.len(), 4 * 5);
-        assert_eq!(found.values[..5], [0., 0., 1., mesh.positions[0][0], mesh.positions[0][1]]);
-        assert_eq!(found.weights[..3], [NORMAL_WEIGHT; 3]);
-        let mean = f64::from(mesh.diagonal() as f32).powi(2) / 4.0;
-        assert!(f64::from(found.weights[3]) * mean.sqrt() > 0.9, "{:?}", found.weights);
+        assert_eq!(found.values[5..10], [0., 0., 1., 3., 0.]);
+        // Both triangles have an area of 9 in UV space.
+        assert_eq!(found.weights, [0.5, 0.5, 0.5, 1.0 / 3.0, 1.0 / 3.0]);
     }
 
     #[test]
