@@ -1,7 +1,7 @@
 //! gltfpack, which simplifies each material by itself, through npx.
 //!
-//! Nothing is quantized (`-noq`), no attribute is dropped (`-kv`), materials are not merged (`-km`), and no error limit stops it
-//! before the target (`-se 1`). Its time includes the start of Node and the files.
+//! Nothing is quantized (`-noq`), no attribute is dropped (`-kv`), and materials are not merged (`-km`). Its time is that of one
+//! run and includes the start of Node and the files.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -12,6 +12,7 @@ use striata::mesh::IndexedMesh;
 use striata_io::WriteOptions;
 use tempfile::TempDir;
 
+use super::error_limits::with_least_limit;
 use super::levels::Request;
 use super::subject::{Subject, key};
 use super::{Level, Simplify};
@@ -39,7 +40,9 @@ pub(super) fn prepare<'a>(
     let folder = folder.map_err(|error| Failure::user(format!("a folder for gltfpack's files: {error}")))?;
     let workplace = Workplace { folder, positions: subject.mesh.positions.iter().map(key).collect() };
     striata_io::write(workplace.input(), &subject.mesh, &WriteOptions::default())?;
-    Ok(Ok(Box::new(move |request| workplace.simplify(request, is_permissive))))
+    Ok(Ok(Box::new(move |request| {
+        with_least_limit(request, |limit| workplace.simplify(request, limit, is_permissive))
+    })))
 }
 
 impl Workplace {
@@ -47,25 +50,25 @@ impl Workplace {
         self.folder.path().join("in.glb")
     }
 
-    fn simplify(&self, request: &Request, is_permissive: bool) -> Result<Level, String> {
+    fn simplify(&self, request: &Request, limit: f64, is_permissive: bool) -> Result<Option<Level>, String> {
         let output = self.folder.path().join("out.glb");
-        let share = (request.percent / 100.0).to_string();
+        let (share, limit) = ((request.percent / 100.0).to_string(), limit.to_string());
         let (from, to) = (self.input(), output.clone());
         let mut arguments = vec!["-i", utf8(&from)?, "-o", utf8(&to)?];
-        arguments.extend(["-noq", "-kv", "-km", "-se", "1", "-si", &share]);
+        arguments.extend(["-noq", "-kv", "-km", "-se", &limit, "-si", &share]);
         arguments.extend(is_permissive.then_some("-sp"));
         let started = Instant::now();
         run(&arguments)?;
         let secs = started.elapsed().as_secs_f64();
         let mesh = striata_io::read(&output).map_err(|error| error.to_string())?;
         self.check(&mesh)?;
-        Ok(Level { mesh, secs, error: None })
+        let is_empty = mesh.triangles.is_empty();
+        Ok((!is_empty).then_some(Level { mesh, secs, error: None, error_limit: None }))
     }
 
     /// Distances would mean nothing if positions were quantized or moved.
     fn check(&self, mesh: &IndexedMesh) -> Result<(), String> {
         match mesh.positions.iter().find(|position| !self.positions.contains(&key(position))) {
-            _ if mesh.triangles.is_empty() => Err("no triangle is left".to_owned()),
             Some(position) => Err(format!("no vertex of the original is at {position:?}")),
             None => Ok(()),
         }

@@ -55,6 +55,8 @@ pub(super) struct LevelRow {
     pub(super) error: Option<f64>,
     /// The reported error over the measured maximum.
     pub(super) error_ratio: Option<f64>,
+    /// The error limit that the contender was given, a share of the extent.
+    pub(super) error_limit: Option<f64>,
     pub(super) secs: f64,
 }
 
@@ -94,6 +96,7 @@ pub(super) fn measure_level(
         silhouette: seen.silhouette,
         error: level.error.map(share),
         error_ratio: level.error.map(|error| error / distance.max).filter(|ratio| ratio.is_finite()),
+        error_limit: level.error_limit,
         secs: level.secs,
     })
 }

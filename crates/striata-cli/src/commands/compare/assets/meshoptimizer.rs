@@ -9,6 +9,7 @@ use std::time::Instant;
 use meshopt::{SimplifyOptions, VertexDataAdapter, simplify_with_attributes_and_locks, typed_to_bytes};
 use striata::mesh::{IndexedMesh, Semantic};
 
+use super::error_limits::with_least_limit;
 use super::levels::Request;
 use super::{Level, Simplify};
 
@@ -28,15 +29,16 @@ pub(super) fn prepare(mesh: &IndexedMesh, is_permissive: bool) -> Simplify<'_> {
     let attributes = Attributes::of(mesh);
     let mut options = SimplifyOptions::Prune;
     options.set(SimplifyOptions::Permissive, is_permissive);
-    Box::new(move |request| simplify(mesh, &attributes, options, request))
+    Box::new(move |request| {
+        with_least_limit(request, |limit| simplify((mesh, &attributes), options, (request, limit)))
+    })
 }
 
 fn simplify(
-    mesh: &IndexedMesh,
-    attributes: &Attributes,
+    (mesh, attributes): (&IndexedMesh, &Attributes),
     options: SimplifyOptions,
-    request: &Request,
-) -> Result<Level, String> {
+    (request, error_limit): (&Request, f64),
+) -> Result<Option<Level>, String> {
     let started = Instant::now();
     let vertices = VertexDataAdapter::new(typed_to_bytes(&mesh.positions), size_of::<[f32; 3]>(), 0);
     let vertices = vertices.map_err(|error| error.to_string())?;
@@ -48,13 +50,13 @@ fn simplify(
         attributes.weights.len() * size_of::<f32>(),
         &vec![false; mesh.vertex_count()],
         3 * request.target_count,
-        f32::MAX,
+        error_limit as f32,
         options,
         None,
     );
     let secs = started.elapsed().as_secs_f64();
     if indices.is_empty() {
-        return Err("no triangle is left".to_owned());
+        return Ok(None);
     }
     let level = IndexedMesh {
         positions: mesh.positions.clone(),
@@ -62,7 +64,7 @@ fn simplify(
         layers: mesh.layers.clone(),
         ..IndexedMesh::default()
     };
-    Ok(Level { mesh: level.without_unused_vertices(), secs, error: None })
+    Ok(Some(Level { mesh: level.without_unused_vertices(), secs, error: None, error_limit: None }))
 }
 
 impl Attributes {

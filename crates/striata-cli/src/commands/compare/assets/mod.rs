@@ -3,6 +3,8 @@
 //! All contenders get the same welded mesh with the attributes that all of them can weigh: normals, one set of texture
 //! coordinates, one set of colors. Every level is measured with the same samples and cameras.
 
+#[cfg(feature = "peers")]
+mod error_limits;
 mod gallery;
 #[cfg(feature = "peers")]
 mod gltfpack;
@@ -46,6 +48,8 @@ struct Level {
     secs: f64,
     /// The error that the contender reports, mesh units.
     error: Option<f64>,
+    /// The error limit that the contender was given, a share of the extent.
+    error_limit: Option<f64>,
 }
 
 /// Makes a level with a share of the triangles, or says why it cannot.
@@ -127,6 +131,6 @@ fn striata<'a>(subject: &Subject, bar: &mut Bar) -> Result<Simplify<'a>, Failure
         let sequence = &built.refinable.sequence;
         let split_count = sequence.split_count_for_triangles(request.target_count);
         let error = Some(f64::from(sequence.error_at(split_count)));
-        Ok(Level { mesh: replay(&built.refinable, split_count), secs, error })
+        Ok(Level { mesh: replay(&built.refinable, split_count), secs, error, error_limit: None })
     }))
 }

@@ -88,6 +88,7 @@ mod tests {
             silhouette: 1.0,
             error: None,
             error_ratio: None,
+            error_limit: None,
             secs: 0.0,
         }
     }

@@ -95,7 +95,8 @@ pub(in super::super) fn section(report: &AssetsReport) -> Result<Section, Failur
         title: "Levels next to other simplifiers".to_owned(),
         intro: format!(
             "{READING} Distances are sampled at {SAMPLES} points of each surface; attributes at as many points of the original, \
-             each compared with the nearest triangle on the same side. The time of striata is that of its whole sequence, on one \
+             each compared with the nearest triangle on the same side. Other tools get the smallest error limit with which they reach the \
+             target. The time of striata is that of its whole sequence, on one \
              thread; gltfpack's includes the start of Node. {}",
             report.notes.join(" ")
         ),
