@@ -37,7 +37,6 @@ impl Output {
     }
 
     /// Says nothing.
-    #[cfg(test)]
     pub(crate) fn quiet() -> Self {
         Self {
             json: false,

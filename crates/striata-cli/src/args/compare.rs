@@ -29,7 +29,7 @@ pub(crate) struct CompareArgs {
     /// Write a page with charts too; it opens without a network
     #[arg(long, value_name = "OUT")]
     pub(crate) html: Option<PathBuf>,
-    /// What to measure, separated by commas: strips, models, views, patterns, rate
+    /// What to measure, separated by commas: strips, models, views, patterns, rate, assets
     #[arg(
         long,
         value_name = "PARTS",
@@ -53,6 +53,9 @@ pub(crate) struct CompareArgs {
     /// How bytes are compared.
     #[command(flatten)]
     pub(crate) rates: RateArgs,
+    /// How levels of assets are compared.
+    #[command(flatten)]
+    pub(crate) assets: AssetArgs,
 }
 
 /// What can be measured.
@@ -68,6 +71,8 @@ pub(crate) enum Part {
     Patterns,
     /// Distances after so many bytes, of streams and of what else is sent.
     Rate,
+    /// Levels next to those of other simplifiers: distances, attributes, pictures.
+    Assets,
 }
 
 /// How models are compared.
@@ -112,6 +117,58 @@ impl RateArgs {
     }
 }
 
+/// How levels of assets are compared.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Assets")]
+pub(crate) struct AssetArgs {
+    /// Percent of the triangles that levels are to have, separated by commas
+    #[arg(
+        long,
+        value_name = "PERCENT",
+        value_delimiter = ',',
+        default_value = "50,25,10,5,2",
+        value_parser = parse_percent
+    )]
+    pub(crate) shares: Vec<f64>,
+    /// Simplifiers to compare, separated by commas; gltfpack runs through npx, which may download it
+    #[arg(
+        long,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        default_value = "striata,meshoptimizer,meshoptimizer-permissive,gltfpack,gltfpack-sp",
+        hide_possible_values = true
+    )]
+    pub(crate) contenders: Vec<AssetContender>,
+}
+
+/// A simplifier of assets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum AssetContender {
+    /// Default options.
+    Striata,
+    /// Keeps seams.
+    Meshoptimizer,
+    /// Collapses across seams.
+    MeshoptimizerPermissive,
+    /// Keeps seams; each material by itself.
+    Gltfpack,
+    /// Collapses across seams of normals, keeps those of texture coordinates.
+    GltfpackSp,
+}
+
+impl AssetContender {
+    /// The name in reports.
+    pub(crate) const fn as_str(self) -> &'static str {
+        match self {
+            Self::Striata => "striata",
+            Self::Meshoptimizer => "meshoptimizer",
+            Self::MeshoptimizerPermissive => "meshoptimizer-permissive",
+            Self::Gltfpack => "gltfpack",
+            Self::GltfpackSp => "gltfpack-sp",
+        }
+    }
+}
+
 /// How stripifiers are compared.
 #[derive(Debug, Args)]
 #[command(next_help_heading = STRIPS)]
@@ -152,6 +209,13 @@ impl ModelArgs {
     /// The strips that models are built from.
     pub(crate) fn strip_plan(&self) -> StripPlan {
         StripPlan { chain: self.model_strips.clone(), search: Default::default() }
+    }
+}
+
+fn parse_percent(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(percent) if percent > 0.0 && percent < 100.0 => Ok(percent),
+        _ => Err("must be a number between 0 and 100".to_owned()),
     }
 }
 

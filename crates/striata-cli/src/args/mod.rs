@@ -24,7 +24,9 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 #[cfg(feature = "gpu")]
 pub(crate) use self::bench_gpu::BenchGpuArgs;
-pub(crate) use self::compare::{CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs};
+pub(crate) use self::compare::{
+    AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs,
+};
 use self::level::LEVEL;
 #[cfg(feature = "window")]
 use self::level::parse_detail;

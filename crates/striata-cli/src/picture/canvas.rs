@@ -31,7 +31,6 @@ impl Canvas {
     }
 
     /// The pixels, row by row.
-    #[cfg(test)]
     pub(crate) fn pixels(&self) -> &[Rgba] {
         &self.pixels
     }

@@ -3,6 +3,7 @@
 #[cfg(feature = "gpu")]
 mod bench_gpu;
 mod compare;
+mod compare_assets;
 mod compare_models;
 mod compare_patterns;
 mod compare_views;

@@ -13,8 +13,9 @@
 
 use glam::DVec3;
 
+use super::surface_samples::{Samples, Strata, in_chunks, spread};
 use super::triangle_tree::exact;
-use super::{IndexedMesh, MeshError, Random, TriangleTree};
+use super::{IndexedMesh, MeshError, TriangleTree};
 
 /// Options of [`surface_distance`].
 #[derive(Clone, Debug, PartialEq)]
@@ -139,49 +140,7 @@ fn surface_tree(mesh: &IndexedMesh, which: &'static str) -> Result<TriangleTree,
     if mesh.triangles.is_empty() { Err(DistanceError::Empty { which }) } else { Ok(tree) }
 }
 
-/// Area samples for each sample on a side.
-const AREA_PER_SIDE: usize = 4;
-
-/// Samples that one task measures: fixed, so that sums do not depend on the number of threads.
-const CHUNK: usize = 4_096;
-
-/// Where the samples of one surface lie; they are made when they are measured.
-struct Samples<'a> {
-    mesh: &'a IndexedMesh,
-    used_vertices: Vec<u32>,
-    sides: Strata,
-    areas: Strata,
-    seed: u64,
-}
-
-impl<'a> Samples<'a> {
-    fn new(mesh: &'a IndexedMesh, options: &DistanceOptions) -> Self {
-        let mut used = vec![false; mesh.positions.len()];
-        for &v in mesh.triangles.iter().flatten() {
-            used[v as usize] = true;
-        }
-        let mut random = Random::new(options.seed);
-        let areas = mesh.triangles.iter().map(|t| {
-            let [a, b, c] = t.map(|v| exact(mesh.positions[v as usize]));
-            (b - a).cross(c - a).length()
-        });
-        let lengths = mesh.triangles.iter().map(|t| {
-            let [a, b, c] = t.map(|v| exact(mesh.positions[v as usize]));
-            (b - a).length() + (c - b).length() + (a - c).length()
-        });
-        Self {
-            mesh,
-            used_vertices: (0..used.len() as u32).filter(|&v| used[v as usize]).collect(),
-            areas: Strata::new(areas, options.sample_count, random.unit()),
-            sides: Strata::new(lengths, options.sample_count.div_ceil(AREA_PER_SIDE), random.unit()),
-            seed: random.next_u64(),
-        }
-    }
-
-    fn point_count(&self) -> usize {
-        self.used_vertices.len() + self.sides.count() + self.areas.count()
-    }
-
+impl Samples<'_> {
     /// The mean is taken over the area; over the sides where there is no area; else over the vertices.
     fn measure(&self, tree: &TriangleTree) -> OneSided {
         let vertices = sum_chunks(self.used_vertices.len(), |range, sums| {
@@ -214,84 +173,6 @@ impl<'a> Samples<'a> {
             });
         })
     }
-
-    fn corners(&self, triangle: usize) -> [DVec3; 3] {
-        self.mesh.triangles[triangle].map(|v| exact(self.mesh.positions[v as usize]))
-    }
-
-    /// `u` runs once around the triangle, at equal speed.
-    fn point_on_side(&self, triangle: usize, u: f64) -> DVec3 {
-        let [a, b, c] = self.corners(triangle);
-        let lengths = [(b - a).length(), (c - b).length(), (a - c).length()];
-        let mut along = u * (lengths[0] + lengths[1] + lengths[2]);
-        for ((start, end), length) in [(a, b), (b, c), (c, a)].into_iter().zip(lengths) {
-            if along < length {
-                return start.lerp(end, along / length);
-            }
-            along -= length;
-        }
-        a
-    }
-
-    /// The square of `u` and `v` folded onto its lower half: equal areas stay equal.
-    fn point_on_triangle(&self, triangle: usize, [u, v]: [f64; 2]) -> DVec3 {
-        let [a, b, c] = self.corners(triangle);
-        let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
-        a + u * (b - a) + v * (c - a)
-    }
-}
-
-/// Point `k` of Roberts' two-dimensional sequence, whose first `n` points are evenly spread for every `n`.
-fn spread(seed: u64, k: usize) -> [f64; 2] {
-    // 2^64 divided by the plastic number and by its square; wrapping is the fractional part, exactly.
-    const STEPS: [u64; 2] = [0xC13F_A9A9_02A6_328F, 0x91E1_0DA5_C79E_7B1D];
-    let starts = [seed, seed.rotate_left(32)];
-    std::array::from_fn(|d| {
-        let bits = starts[d].wrapping_add(STEPS[d].wrapping_mul(k as u64));
-        (bits >> 11) as f64 / (1u64 << 53) as f64
-    })
-}
-
-/// Samples dealt to triangles in proportion to a weight, by systematic sampling.
-struct Strata {
-    /// First sample of each triangle, closed by the count.
-    first: Vec<usize>,
-}
-
-impl Strata {
-    /// Deals `count` samples, or none where all weights are 0; `shift` in 0..1 moves all of them.
-    fn new(weights: impl Iterator<Item = f64> + Clone, count: usize, shift: f64) -> Self {
-        let total: f64 = weights.clone().sum();
-        let mut first = vec![0];
-        let mut sum = 0.0;
-        let scale = if total > 0.0 { count as f64 / total } else { 0.0 };
-        for weight in weights {
-            sum += weight;
-            first.push(((sum * scale + shift) as usize).min(count));
-        }
-        // Rounding must not lose the last sample.
-        if total > 0.0
-            && let Some(last) = first.last_mut()
-        {
-            *last = count;
-        }
-        Self { first }
-    }
-
-    fn count(&self) -> usize {
-        self.first[self.first.len() - 1]
-    }
-
-    /// Calls `f` with each sample of the range and its triangle.
-    fn for_each(&self, range: std::ops::Range<usize>, mut f: impl FnMut(usize, usize)) {
-        let mut triangle = self.first.partition_point(|&first| first <= range.start) - 1;
-        for k in range {
-            while self.first[triangle + 1] <= k {
-                triangle += 1;
-            }
-            f(k, triangle);
-        }
-    }
 }
 
 #[derive(Clone, Copy, Default)]
@@ -322,18 +203,11 @@ impl Sums {
 
 /// Sums `0..count` chunk by chunk and joins the chunks in order, with or without threads.
 fn sum_chunks(count: usize, measure: impl Fn(std::ops::Range<usize>, &mut Sums) + Sync) -> Sums {
-    let chunk = |index: usize| {
+    let chunks = in_chunks(count, |range| {
         let mut sums = Sums::default();
-        measure(index * CHUNK..((index + 1) * CHUNK).min(count), &mut sums);
+        measure(range, &mut sums);
         sums
-    };
-    #[cfg(feature = "parallel")]
-    let chunks: Vec<Sums> = {
-        use rayon::prelude::*;
-        (0..count.div_ceil(CHUNK)).into_par_iter().map(chunk).collect()
-    };
-    #[cfg(not(feature = "parallel"))]
-    let chunks: Vec<Sums> = (0..count.div_ceil(CHUNK)).map(chunk).collect();
+    });
     chunks.into_iter().fold(Sums::default(), Sums::join)
 }
 
@@ -357,16 +231,6 @@ mod tests {
         assert!((d.a_to_b.mean - 0.5 * 2f64.sqrt() / 3.0).abs() < 1e-4);
         assert!((d.a_to_b.rms - (0.5f64 * 2.0 / 6.0).sqrt()).abs() < 1e-4);
         assert_eq!((d.max, d.rms), (d.a_to_b.max, d.a_to_b.rms));
-    }
-
-    #[test]
-    fn samples_follow_the_area() {
-        let strata = Strata::new([1.0, 0.0, 3.0, 0.5].into_iter(), 900, 0.3);
-        assert_eq!(strata.first, vec![0, 200, 200, 800, 900]);
-        let mut dealt = [0; 4];
-        strata.for_each(150..850, |_, t| dealt[t] += 1);
-        assert_eq!(dealt, [50, 0, 600, 50]);
-        assert_eq!(Strata::new([0.0, 0.0].into_iter(), 10, 0.5).count(), 0);
     }
 
     #[test]

@@ -5,6 +5,7 @@
 
 mod adjacency;
 mod appearance;
+mod attribute_distance;
 mod attributes;
 mod box_tree;
 mod defect;
@@ -21,6 +22,7 @@ mod replay;
 mod sequence;
 pub mod shapes;
 mod statistics;
+mod surface_samples;
 mod triangle_tree;
 mod validate;
 mod weld;
@@ -28,6 +30,7 @@ mod weld;
 pub(crate) use adjacency::is_proper;
 pub use adjacency::{Adjacency, Edge};
 pub use appearance::{Appearance, Image, Material};
+pub use attribute_distance::{AttributeDistance, AttributeSpread, attribute_distance};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
 pub(crate) use box_tree::{AxisBox, BoxTree};
 pub use defect::{Defect, DefectKind};

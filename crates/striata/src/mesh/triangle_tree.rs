@@ -112,6 +112,23 @@ impl TriangleTree {
         squared.sqrt()
     }
 
+    /// Hands over triangles that are within `reach` of a finite point, each with its distance, mesh units; near ones tend to
+    /// come first. `visit` returns the reach from then on, which may shrink. A few triangles beyond the reach come as well.
+    pub(super) fn visit_within(&self, point: DVec3, reach: f64, mut visit: impl FnMut(usize, f64) -> f64) {
+        let in_frame = (point - self.center) * self.scale;
+        let distance_to = |tried: usize| squared_distance_to_triangle(point, &self.corners[tried]).sqrt();
+        if in_frame.abs().max_element() > FAR {
+            for tried in 0..self.corners.len() {
+                visit(tried, distance_to(tried));
+            }
+            return;
+        }
+        // A reach of 0 must not leave out the boxes that the point is in.
+        let limit = |reach: f64| (((reach * self.scale).powi(2) * COST_MARGIN) as f32).max(f32::MIN_POSITIVE);
+        self.boxes
+            .visit_near(in_frame.as_vec3a(), limit(reach), |tried| limit(visit(tried, distance_to(tried))));
+    }
+
     fn box_of(&self, corners: &[[f32; 3]; 3]) -> AxisBox {
         let [a, b, c] = corners.map(|corner| ((exact(corner) - self.center) * self.scale).as_vec3a());
         let margin = Vec3A::splat(BOX_MARGIN);

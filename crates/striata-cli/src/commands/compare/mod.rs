@@ -3,6 +3,7 @@
 //! Each part that measures something is a file here with its `measure`, its `table` of rows for people, and its
 //! `section` of the page; this file puts parts and meshes together.
 
+mod assets;
 mod bars;
 mod contenders;
 mod contest;
@@ -32,6 +33,7 @@ use striata::mesh::{IndexedMesh, weld};
 use striata::strip::strip_count_bound;
 use striata_io::write_atomically;
 
+use self::assets::AssetsReport;
 pub(crate) use self::contenders::compared_models;
 use self::models::{ModelsReport, Sequenced};
 use self::page::MeshPart;
@@ -52,6 +54,8 @@ struct Report {
     command: String,
     machine: String,
     meshes: Vec<MeshReport>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    assets_summary: Vec<assets::Summary>,
     secs: f64,
 }
 
@@ -71,6 +75,8 @@ struct MeshReport {
     patterns: Option<PatternsReport>,
     #[serde(flatten)]
     rate: Option<RateReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    assets: Option<AssetsReport>,
     /// Empty where no paper measured this mesh.
     papers: Vec<PaperRow>,
 }
@@ -94,9 +100,12 @@ pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     contenders::entries(&args.models.names())?;
     // All are opened first: a file that is not there is told before minutes of work.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
-    let meshes = inputs.iter().map(|input| measure(input, args, output)).collect::<Result<_, _>>()?;
+    let meshes: Vec<MeshReport> =
+        inputs.iter().map(|input| measure(input, args, output)).collect::<Result<_, _>>()?;
+    let of_assets: Vec<&AssetsReport> = meshes.iter().filter_map(|mesh| mesh.assets.as_ref()).collect();
+    let assets_summary = assets::summarize(&of_assets);
     let (command, machine) = (command_line(std::env::args().skip(1)), machine());
-    let report = Report { command, machine, meshes, secs: started.elapsed().as_secs_f64() };
+    let report = Report { command, machine, meshes, assets_summary, secs: started.elapsed().as_secs_f64() };
     if let Some(path) = &args.html {
         let html = report.to_page()?;
         if is_stdout(path) {
@@ -139,6 +148,8 @@ fn measure_mesh(
         .map(|sequenced| patterns::measure(&mesh, (&sequenced.refinable, sequenced.secs), bar, say));
     let patterns = patterns.transpose()?;
     let rate = args.has(Part::Rate).then(|| rate::measure(&mesh, &args.rates, bar, say)).transpose()?;
+    let assets =
+        args.has(Part::Assets).then(|| assets::measure(&mesh, &args.assets, bar, say)).transpose()?;
     Ok(MeshReport {
         name,
         vertex_count: mesh.vertex_count(),
@@ -150,6 +161,7 @@ fn measure_mesh(
         views,
         patterns,
         rate,
+        assets,
     })
 }
 
@@ -174,6 +186,9 @@ impl Report {
             text.push_str(&format!("{}: {}\n\n", mesh.name, mesh.summary()));
             mesh.add_text(&mut text);
         }
+        if !self.assets_summary.is_empty() {
+            text.push_str(&assets::summary_text(&self.assets_summary, text_of));
+        }
         text.push_str(&format!("{}; all measured in {}\n", self.machine, lasted(self.secs)));
         text
     }
@@ -183,6 +198,7 @@ impl Report {
             self.meshes.iter().map(MeshReport::to_part).collect::<Result<_, Failure>>()?;
         let views: Vec<&ViewsReport> = self.meshes.iter().filter_map(|mesh| mesh.views.as_ref()).collect();
         parts.extend(views::by_size(&views)?);
+        parts.extend(assets::summary_part(&self.assets_summary));
         Ok(page::render(&self.command, &self.machine, &parts))
     }
 }
@@ -223,6 +239,10 @@ impl MeshReport {
             text.push_str(&rate::to_text(rate, text_of));
             text.push('\n');
         }
+        if let Some(assets) = &self.assets {
+            text.push_str(&assets::to_text(assets, text_of));
+            text.push('\n');
+        }
         if let Some(strips) = &self.strips {
             text.push_str(
                 "Strips by the longest tunnel: mean, lowest to highest, standard deviation of the sample\n",
@@ -250,6 +270,9 @@ impl MeshReport {
         }
         if let Some(rate) = &self.rate {
             sections.push(rate::section(rate)?);
+        }
+        if let Some(assets) = &self.assets {
+            sections.push(assets::section(assets)?);
         }
         if let Some(strips) = &self.strips {
             sections.push(tunnels::section(&strips.tunnel_lengths)?);

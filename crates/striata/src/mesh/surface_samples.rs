@@ -1,0 +1,166 @@
+//! Points spread over a surface: where samples lie, in proportion to area or length.
+//!
+//! Samples are stratified: sample `k` of `n` lies where the running weight passes `k / n`, and inside its triangle at the next
+//! point of a low-discrepancy sequence. They are computed when they are measured; none is stored.
+
+use std::ops::Range;
+
+use glam::DVec3;
+
+use super::triangle_tree::exact;
+use super::{DistanceOptions, IndexedMesh, Random};
+
+/// Area samples for each sample on a side.
+const AREA_PER_SIDE: usize = 4;
+
+/// Samples that one task measures: fixed, so that sums do not depend on the number of threads.
+const CHUNK: usize = 4_096;
+
+/// Where the samples of one surface lie; they are made when they are measured.
+pub(super) struct Samples<'a> {
+    pub(super) mesh: &'a IndexedMesh,
+    pub(super) used_vertices: Vec<u32>,
+    pub(super) sides: Strata,
+    pub(super) areas: Strata,
+    pub(super) seed: u64,
+}
+
+impl<'a> Samples<'a> {
+    pub(super) fn new(mesh: &'a IndexedMesh, options: &DistanceOptions) -> Self {
+        let mut used = vec![false; mesh.positions.len()];
+        for &v in mesh.triangles.iter().flatten() {
+            used[v as usize] = true;
+        }
+        let mut random = Random::new(options.seed);
+        let areas = mesh.triangles.iter().map(|t| {
+            let [a, b, c] = t.map(|v| exact(mesh.positions[v as usize]));
+            (b - a).cross(c - a).length()
+        });
+        let lengths = mesh.triangles.iter().map(|t| {
+            let [a, b, c] = t.map(|v| exact(mesh.positions[v as usize]));
+            (b - a).length() + (c - b).length() + (a - c).length()
+        });
+        Self {
+            mesh,
+            used_vertices: (0..used.len() as u32).filter(|&v| used[v as usize]).collect(),
+            areas: Strata::new(areas, options.sample_count, random.unit()),
+            sides: Strata::new(lengths, options.sample_count.div_ceil(AREA_PER_SIDE), random.unit()),
+            seed: random.next_u64(),
+        }
+    }
+
+    pub(super) fn point_count(&self) -> usize {
+        self.used_vertices.len() + self.sides.count() + self.areas.count()
+    }
+
+    pub(super) fn corners(&self, triangle: usize) -> [DVec3; 3] {
+        self.mesh.triangles[triangle].map(|v| exact(self.mesh.positions[v as usize]))
+    }
+
+    /// `u` runs once around the triangle, at equal speed.
+    pub(super) fn point_on_side(&self, triangle: usize, u: f64) -> DVec3 {
+        let [a, b, c] = self.corners(triangle);
+        let lengths = [(b - a).length(), (c - b).length(), (a - c).length()];
+        let mut along = u * (lengths[0] + lengths[1] + lengths[2]);
+        for ((start, end), length) in [(a, b), (b, c), (c, a)].into_iter().zip(lengths) {
+            if along < length {
+                return start.lerp(end, along / length);
+            }
+            along -= length;
+        }
+        a
+    }
+
+    /// A point of a triangle; points that are spread evenly over a square are spread evenly over the triangle.
+    pub(super) fn point_on_triangle(&self, triangle: usize, uv: [f64; 2]) -> DVec3 {
+        let [a, b, c] = self.corners(triangle);
+        let [_, v, w] = weights_on_triangle(uv);
+        a + v * (b - a) + w * (c - a)
+    }
+}
+
+/// Weights of the three corners: the square of `u` and `v` is folded onto its lower half, so equal areas stay equal.
+pub(super) fn weights_on_triangle([u, v]: [f64; 2]) -> [f64; 3] {
+    let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
+    [1.0 - u - v, u, v]
+}
+
+/// Point `k` of Roberts' two-dimensional sequence, whose first `n` points are evenly spread for every `n`.
+pub(super) fn spread(seed: u64, k: usize) -> [f64; 2] {
+    // 2^64 divided by the plastic number and by its square; wrapping is the fractional part, exactly.
+    const STEPS: [u64; 2] = [0xC13F_A9A9_02A6_328F, 0x91E1_0DA5_C79E_7B1D];
+    let starts = [seed, seed.rotate_left(32)];
+    std::array::from_fn(|d| {
+        let bits = starts[d].wrapping_add(STEPS[d].wrapping_mul(k as u64));
+        (bits >> 11) as f64 / (1u64 << 53) as f64
+    })
+}
+
+/// Samples dealt to triangles in proportion to a weight, by systematic sampling.
+pub(super) struct Strata {
+    /// First sample of each triangle, closed by the count.
+    first: Vec<usize>,
+}
+
+impl Strata {
+    /// Deals `count` samples, or none where all weights are 0; `shift` in 0..1 moves all of them.
+    pub(super) fn new(weights: impl Iterator<Item = f64> + Clone, count: usize, shift: f64) -> Self {
+        let total: f64 = weights.clone().sum();
+        let mut first = vec![0];
+        let mut sum = 0.0;
+        let scale = if total > 0.0 { count as f64 / total } else { 0.0 };
+        for weight in weights {
+            sum += weight;
+            first.push(((sum * scale + shift) as usize).min(count));
+        }
+        // Rounding must not lose the last sample.
+        if total > 0.0
+            && let Some(last) = first.last_mut()
+        {
+            *last = count;
+        }
+        Self { first }
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.first[self.first.len() - 1]
+    }
+
+    /// Calls `f` with each sample of the range and its triangle.
+    pub(super) fn for_each(&self, range: Range<usize>, mut f: impl FnMut(usize, usize)) {
+        let mut triangle = self.first.partition_point(|&first| first <= range.start) - 1;
+        for k in range {
+            while self.first[triangle + 1] <= k {
+                triangle += 1;
+            }
+            f(k, triangle);
+        }
+    }
+}
+
+/// Measures `0..count` chunk by chunk, with or without threads; results come in order.
+pub(super) fn in_chunks<T: Send>(count: usize, measure: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    let chunk = |index: usize| measure(index * CHUNK..((index + 1) * CHUNK).min(count));
+    #[cfg(feature = "parallel")]
+    {
+        use rayon::prelude::*;
+        (0..count.div_ceil(CHUNK)).into_par_iter().map(chunk).collect()
+    }
+    #[cfg(not(feature = "parallel"))]
+    (0..count.div_ceil(CHUNK)).map(chunk).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_follow_the_area() {
+        let strata = Strata::new([1.0, 0.0, 3.0, 0.5].into_iter(), 900, 0.3);
+        assert_eq!(strata.first, vec![0, 200, 200, 800, 900]);
+        let mut dealt = [0; 4];
+        strata.for_each(150..850, |_, t| dealt[t] += 1);
+        assert_eq!(dealt, [50, 0, 600, 50]);
+        assert_eq!(Strata::new([0.0, 0.0].into_iter(), 10, 0.5).count(), 0);
+    }
+}
