@@ -14,7 +14,7 @@ use crate::args::InfoArgs;
 use crate::commands::build::{PROGRESSIVE, errors_are_guaranteed, parts_of_fans, parts_of_patterns};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Output, Table, grouped, measured, sized};
+use crate::output::{Output, Table, counted, grouped, measured, sized};
 use crate::stream::{Received, facts_in_json};
 
 /// Defects that the text names one by one; JSON lists more of them.
@@ -250,7 +250,9 @@ impl Report {
         if let (Some(step_count), Some(base), Some(error)) = (self.step_count, &self.base, self.error_max) {
             row("levels", grouped(step_count + 1));
             let kind = if self.error_is_guaranteed == Some(true) { "guaranteed error" } else { "error" };
-            row("base", format!("{} triangles, {kind} {}", base["triangle_count"], measured(error.into())));
+            let triangles = base["triangle_count"].as_u64().unwrap_or(0) as usize;
+            let triangles = counted(triangles, "triangle", "triangles");
+            row("base", format!("{triangles}, {kind} {}", measured(error.into())));
         }
         for (name, value) in self.steps.iter().flat_map(Steps::rows) {
             row(name, value);
