@@ -47,8 +47,8 @@ impl LevelArgs {
     /// The target in mesh units, if one is given.
     pub(crate) fn target(&self, full: FullMesh) -> Option<Target> {
         let targets = [
-            self.triangle_count().map(|count| Target::Triangles(count.of(full.triangle_count))),
-            self.vertices.map(|count| Target::Vertices(count.of(full.vertex_count))),
+            self.triangle_count().map(|count| Target::Triangles(count.of_triangles(full.triangle_count))),
+            self.vertices.map(|count| Target::Vertices(count.of_vertices(full.vertex_count))),
             self.detail.map(Target::Detail),
             self.error.map(|error| Target::Error(error.in_units(full.diagonal))),
             self.split_count.map(Target::SplitCount),
@@ -93,7 +93,7 @@ pub(crate) fn wanted_levels(
     match &levels.levels {
         Some(levels) => {
             let paths = paths_of_levels(levels, output)?;
-            let target = |level: &Level| Target::Triangles(level.triangles.of(full.triangle_count));
+            let target = |level: &Level| Target::Triangles(level.triangles.of_triangles(full.triangle_count));
             let wanted = levels.iter().zip(paths).map(|(level, path)| Wanted {
                 name: Some(level.text.clone()),
                 target: Some(target(level)),

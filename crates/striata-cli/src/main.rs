@@ -19,6 +19,7 @@ mod sequence;
 mod shapes;
 mod stream;
 mod strip_chain;
+mod strip_lists;
 mod strip_report;
 mod viewer_page;
 

@@ -51,7 +51,7 @@ pub(crate) fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failur
 pub(crate) enum Drawn {
     /// Three indices each.
     Triangles,
-    /// As one strip a group, joined by degenerate triangles.
+    /// As one strip a group, joined by degenerate triangles; a group without one as single triangles.
     Strips(Vec<Vec<u32>>),
     /// As fans.
     Fans(Vec<Vec<Vec<u32>>>),

@@ -45,6 +45,17 @@ impl Default for SequencePlan {
     }
 }
 
+/// How steps are chosen, as far as it decides where they end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum StepKind {
+    /// One by one, among the vertices of the input.
+    Single,
+    /// In batches, as a stream needs them.
+    Batches,
+    /// With vertices placed freely.
+    Optimal,
+}
+
 /// The steps of a mesh.
 #[derive(Debug)]
 pub(crate) enum Steps {
@@ -309,13 +320,18 @@ impl SequenceArgs {
     }
 
     /// Why a mesh cannot be simplified any further, once nothing but the rules forbids it.
-    pub(crate) fn what_forbids_more(&self, comes_in_batches: bool) -> String {
+    pub(crate) fn what_forbids_more(&self, kind: StepKind) -> String {
         let step = match self.order {
             OrderArg::Quadric => "no more edges can be collapsed",
             OrderArg::Hausdorff => "no more vertices can be removed",
         };
-        let keeps_topology = self.order == OrderArg::Hausdorff || comes_in_batches;
-        let loss = if keeps_topology { "changing the topology" } else { "losing the last triangles" };
+        let loss = match (self.order, kind) {
+            (OrderArg::Quadric, StepKind::Single) => "losing the last triangles",
+            (OrderArg::Quadric, StepKind::Batches) => "changing the topology",
+            (OrderArg::Quadric, StepKind::Optimal) | (OrderArg::Hausdorff, _) => {
+                "changing the topology or crossing a seam"
+            }
+        };
         let mut text = format!("{step} without {loss}");
         let flags = [
             ("--lock-boundary", self.lock_boundary),
@@ -325,10 +341,13 @@ impl SequenceArgs {
             ("--feature-angle", self.removal.feature_angle.is_some()),
         ];
         let given: Vec<&str> = flags.into_iter().filter(|flag| flag.1).map(|flag| flag.0).collect();
-        if !given.is_empty() {
-            text.push_str(&format!(" or moving what {} keeps in place", given.join(" and ")));
+        if let [all @ .., last] = &given[..] {
+            let all =
+                if all.is_empty() { (*last).to_owned() } else { format!("{} and {last}", all.join(", ")) };
+            let verb = if given.len() == 1 { "protects" } else { "protect" };
+            text.push_str(&format!(" or changing what {all} {verb}"));
         }
-        if comes_in_batches {
+        if matches!(kind, StepKind::Batches) {
             text.push_str(", and a stream takes whole batches of collapses");
         }
         text

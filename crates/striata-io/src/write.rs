@@ -19,8 +19,8 @@ pub struct WriteOptions {
     /// Writes PLY as text instead of binary little-endian. Default: false.
     pub ascii: bool,
     /// glTF only: for each triangle group, one list of indices that form a single triangle strip
-    /// (joined by degenerate triangles, without restart indices), written instead of the triangles.
-    /// Default: none, so that triangles are written as lists.
+    /// (joined by degenerate triangles, without restart indices), written instead of the triangles. A group whose list is
+    /// empty is written as single triangles. Default: none, so that all groups are.
     pub strips: Option<Vec<Vec<u32>>>,
     /// glTF only: for each triangle group its fans, each a list of indices, written instead of the triangles. glTF
     /// knows no restart index, so each fan becomes a primitive, which takes some 140 bytes of JSON. Default: none.

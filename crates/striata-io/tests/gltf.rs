@@ -157,6 +157,21 @@ fn strips_are_written_and_read_as_strips() {
 }
 
 #[test]
+fn groups_may_be_strips_triangles_or_nothing() {
+    let mut mesh = square();
+    mesh.triangles.push([0, 1, 3]);
+    mesh.groups = vec![group("strip", None, 0, 2), group("nothing", None, 2, 0), group("plain", None, 2, 1)];
+    let options = WriteOptions::default().with_strips(vec![vec![1, 2, 0, 3], vec![], vec![]]);
+    let bytes = to_bytes(Format::Gltf, &mesh, &options).unwrap();
+    let root: Value = serde_json::from_slice(&bytes).unwrap();
+    let modes: Vec<_> =
+        root["meshes"].as_array().unwrap().iter().map(|m| &m["primitives"][0]["mode"]).collect();
+    assert_eq!(modes, [5, 4], "a group without triangles is no mesh");
+    let back = read("x.gltf", &bytes).unwrap();
+    assert_eq!(back.triangles, [[1, 2, 0], [0, 2, 3], [0, 1, 3]]);
+}
+
+#[test]
 fn every_mode_that_draws_triangles() {
     type Case<'a> = (u32, &'a [u8], &'a [[u32; 3]]);
     let cases: [Case<'_>; 5] = [

@@ -15,7 +15,7 @@ pub(super) const LEVEL: &str = "Level (exactly one)";
 #[group(required = true, multiple = true)]
 #[command(next_help_heading = LEVEL)]
 pub(crate) struct LevelArgs {
-    /// At most this many triangles, or this share of the full mesh's
+    /// At most this many triangles, or this share of the full mesh's (at least 2)
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, conflicts_with_all = ["ratio", "vertices", "detail", "error", "split_count"])]
     pub(crate) triangles: Option<Count>,
     /// At most this share of the full mesh's triangles: 0.1 is --triangles 10%
@@ -110,12 +110,23 @@ pub(crate) enum Count {
 }
 
 impl Count {
-    /// The number of triangles or vertices that it means for a full mesh of `full`.
-    pub(crate) fn of(self, full: usize) -> usize {
+    /// The number of triangles that it means for a full mesh of `full`; a share is at least what any closed surface has.
+    pub(crate) fn of_triangles(self, full: usize) -> usize {
+        self.of(full, 2)
+    }
+
+    /// The number of vertices that it means for a full mesh of `full`; a share is at least what two triangles can have.
+    pub(crate) fn of_vertices(self, full: usize) -> usize {
+        self.of(full, 6)
+    }
+
+    /// No share but 0 asks for less than `least`, so that shares of tiny meshes are in reach.
+    fn of(self, full: usize, least: usize) -> usize {
         match self {
             Self::Number(count) => count,
+            Self::Share(0.0) => 0,
             // The small term keeps a share that is a whole number from rounding down to the one before.
-            Self::Share(share) => ((share * full as f64 * (1.0 + 1e-12)) as usize).min(full),
+            Self::Share(share) => ((share * full as f64 * (1.0 + 1e-12)) as usize).max(least).min(full),
         }
     }
 
@@ -246,11 +257,19 @@ mod tests {
     #[test]
     fn shares_are_rounded_down_but_for_what_floats_lose() {
         for (share, full, expected) in
-            [(0.1, 99_938, 9993), (0.29, 100, 29), (0.07, 100, 7), (1.0, 7, 7), (0.0, 7, 0), (0.999, 1, 0)]
+            [(0.1, 99_938, 9993), (0.29, 100, 29), (0.07, 100, 7), (1.0, 7, 7), (0.0, 7, 0), (0.999, 3, 2)]
         {
-            assert_eq!(Count::Share(share).of(full), expected, "{share} of {full}");
+            assert_eq!(Count::Share(share).of_triangles(full), expected, "{share} of {full}");
         }
-        assert_eq!(Count::Number(50).of(7), 50);
+        assert_eq!(Count::Number(50).of_triangles(7), 50);
+    }
+
+    #[test]
+    fn shares_of_tiny_meshes_are_in_reach() {
+        let share = Count::Share(0.01);
+        assert_eq!([0, 1, 2, 50, 300].map(|full| share.of_triangles(full)), [0, 1, 2, 2, 3]);
+        assert_eq!([0, 1, 4, 50, 700].map(|full| share.of_vertices(full)), [0, 1, 4, 6, 7]);
+        assert_eq!(Count::Number(1).of_triangles(50), 1, "a number means what it says");
     }
 
     #[test]

@@ -393,7 +393,7 @@ pub(crate) enum FormatArg {
 pub(crate) enum TriangleForm {
     /// Three indices a triangle
     List,
-    /// Triangle strips joined by degenerate triangles
+    /// Triangle strips joined by degenerate triangles; single triangles for groups where these take fewer indices
     Strips,
     /// Triangle fans
     Fans,

@@ -26,10 +26,10 @@ pub(crate) struct SequenceArgs {
     /// Keep every vertex on a border between groups (materials) in place
     #[arg(long)]
     pub(crate) lock_groups: bool,
-    /// Move vertices on seams and material borders only along them; targets may be out of reach then
+    /// Move vertices on seams and material borders only along them; some targets are then out of reach
     #[arg(long)]
     pub(crate) keep_seams: bool,
-    /// Keep at least one triangle of every connected part; targets may be out of reach then
+    /// Keep at least one triangle of every connected part; some targets are then out of reach
     #[arg(long)]
     pub(crate) keep_parts: bool,
     /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal

@@ -18,7 +18,7 @@ use crate::input::Input;
 use crate::level::{Floor, FullMesh, Reached, check_strict, shortfall};
 use crate::output::{Bar, Output, Table, grouped, lasted, measured, sized};
 use crate::save::{CHOSEN_NAME, beside, check_not_packed, is_stdout, name_of, put};
-use crate::sequence::{Limits, SequencePlan, Sequenced, Steps, limit_in_units};
+use crate::sequence::{Limits, SequencePlan, Sequenced, StepKind, Steps, limit_in_units};
 use crate::stream::facts_in_json;
 use crate::strip_chain::StripPlan;
 use crate::strip_report::StripReport;
@@ -109,9 +109,9 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
 /// If the mesh's parts do not fit together.
 fn base_of(args: &BuildArgs, mesh: &IndexedMesh) -> Result<Option<usize>, MeshError> {
     Ok(match args.base {
-        Some(share) if share.is_share() => Some(share.of(FullMesh::of(mesh)?.triangle_count)),
+        Some(share) if share.is_share() => Some(share.of_triangles(FullMesh::of(mesh)?.triangle_count)),
         // No share: what the mesh has does not matter.
-        number => number.map(|count| count.of(0)),
+        number => number.map(|count| count.of_triangles(0)),
     })
 }
 
@@ -287,7 +287,8 @@ impl Built {
             triangle_count: levels.triangle_count_at(0),
             stop_reason: self.stop_reason,
         };
-        let why = sequence.what_forbids_more(self.models.stream.is_some());
+        let kind = if self.models.stream.is_some() { StepKind::Batches } else { StepKind::Single };
+        let why = sequence.what_forbids_more(kind);
         shortfall(Target::Triangles(base), reached, &Floor::Simplified(why))
     }
 

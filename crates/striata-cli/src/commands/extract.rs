@@ -11,7 +11,7 @@ use striata::model::{
     FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel,
 };
 use striata::simplify::{StopReason, Target};
-use striata::strip::{RESTART, StripOptions, StripSet, stripify};
+use striata::strip::{RESTART, StripSet};
 
 use super::extract_patterns::{Budget, PatternsOfFile};
 use super::extract_stream;
@@ -28,6 +28,7 @@ use crate::level::{
 };
 use crate::output::{Output, grouped, lasted, measured};
 use crate::save::{Drawn, LevelFiles, format_of, is_stdout, name_of, save};
+use crate::strip_lists::{StripLists, without_unused_vertices};
 
 /// Of several levels.
 #[derive(Serialize)]
@@ -105,6 +106,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let mut reports: Vec<Option<Report>> = wanted.iter().map(|_| None).collect();
     let mut take = |number: usize, extracted: Extracted| -> Result<(), Failure> {
         let Extracted { model, mesh, strips, seek_secs } = extracted;
+        let (mesh, strips) = without_unused_vertices(mesh, strips);
         let (wanted, (split_count, stop_reason)) = (&wanted[number], resolved[number]);
         let report = Report {
             error: levels.error_at(split_count),
@@ -238,7 +240,7 @@ fn each_level_of_strips<M: StripModel>(
     each_level(name, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
 }
 
-/// What is written of a level: strips are those of its model, or made where it has none.
+/// What is written of a level: strips are those of its model, or new ones where it has none or they are longer.
 ///
 /// # Errors
 /// Where the mesh's parts do not fit together.
@@ -247,11 +249,10 @@ pub(super) fn drawn(
     mesh: &IndexedMesh,
     strips: Option<StripSet>,
 ) -> Result<Drawn, Failure> {
-    Ok(match (form, strips) {
-        (TriangleForm::List, _) => Drawn::Triangles,
-        (TriangleForm::Strips, Some(strips)) => Drawn::Strips(stitched(&strips)),
-        (TriangleForm::Strips, None) => Drawn::Strips(stitched(&stripify(mesh, &StripOptions::default())?)),
-        (TriangleForm::Fans, _) => Drawn::Fans(fans_of(mesh)),
+    Ok(match form {
+        TriangleForm::List => Drawn::Triangles,
+        TriangleForm::Strips => Drawn::Strips(StripLists::of_level(mesh, strips.as_ref())?.lists),
+        TriangleForm::Fans => Drawn::Fans(fans_of(mesh)),
     })
 }
 
@@ -288,7 +289,7 @@ fn path_of_place(args: &ExtractArgs) -> Result<PathBuf, Failure> {
 
 /// The number of triangles that a view or a box may have.
 fn triangle_limit(args: &ExtractArgs, file: &StriataFile<'_>) -> Option<usize> {
-    args.level.triangle_count().map(|count| count.of(file.summary().triangle_count))
+    args.level.triangle_count().map(|count| count.of_triangles(file.summary().triangle_count))
 }
 
 /// The same for a view.
@@ -506,14 +507,6 @@ pub(crate) fn strips_of_level<M: StripModel>(model: &M, state: &M::State) -> Str
         strips.end_group();
     }
     strips
-}
-
-/// One list of indices a group, its strips joined by degenerate triangles.
-pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
-    let joined = strips.to_stitched_indices();
-    let of_group =
-        |range: &std::ops::Range<u32>| joined.indices[range.start as usize..range.end as usize].to_vec();
-    joined.group_ranges.iter().map(of_group).collect()
 }
 
 /// # Errors

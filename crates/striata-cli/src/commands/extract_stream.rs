@@ -91,7 +91,7 @@ pub(super) fn run(
     let mut reports = Vec::new();
     for (wanted, &target) in wanted.iter().zip(&targets) {
         let (split_count, end) = resolve(target, &received, refinable.sequence.levels());
-        let mesh = replay(&refinable, split_count);
+        let mesh = replay(&refinable, split_count).without_unused_vertices();
         let shortfall = match end {
             End::Input => Some("the input ends before this level".to_owned()),
             End::Level(stop_reason) => {

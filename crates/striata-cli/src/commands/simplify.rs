@@ -17,7 +17,7 @@ use crate::level::{
 };
 use crate::output::{Bar, Output, grouped, lasted, measured};
 use crate::save::{Drawn, LevelFiles, format_of, is_stdout, name_of};
-use crate::sequence::{Limits, SequencePlan, Sequenced, limit_in_units};
+use crate::sequence::{Limits, SequencePlan, Sequenced, StepKind, limit_in_units};
 
 /// Samples of each surface for the way back.
 const REVERSE_SAMPLES: usize = 100_000;
@@ -86,7 +86,11 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let plan = plan(args, &wanted, full.diagonal)?;
     let simplify_started = Instant::now();
     let maker = Maker::new(args, &plan, &mesh, &mut bar).map_err(|error| in_file(error.into()))?;
-    let floor = Floor::Simplified(args.sequence.what_forbids_more(false));
+    let kind = match args.placement {
+        PlacementArg::Subset => StepKind::Single,
+        PlacementArg::Optimal => StepKind::Optimal,
+    };
+    let floor = Floor::Simplified(args.sequence.what_forbids_more(kind));
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
     let mut levels = Vec::new();
     let mut simplify_secs = simplify_started.elapsed().as_secs_f64();

@@ -7,13 +7,13 @@ use serde::Serialize;
 use striata::mesh::weld;
 use striata_io::Format;
 
-use super::extract::stitched;
 use super::strip_blocks;
 use crate::args::{FormatArgs, StripArgs};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Output, grouped};
+use crate::output::{Output, counted, grouped};
 use crate::save::{Drawn, format_of, is_stdout, save};
+use crate::strip_lists::StripLists;
 use crate::strip_report::StripReport;
 
 #[derive(Serialize)]
@@ -22,8 +22,11 @@ struct Report {
     strips: StripReport,
     seed: u64,
     budget_secs: Option<f64>,
-    /// Indices of the file that was written: joined by degenerate triangles instead of restarts.
+    /// Indices of the file that was written: joined by degenerate triangles instead of restarts, or of single triangles for
+    /// groups where these are fewer.
     stitched_index_count: Option<usize>,
+    /// Groups that were written as single triangles, since these take fewer indices.
+    plain_group_count: Option<usize>,
     secs: f64,
 }
 
@@ -57,12 +60,14 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
         seed: args.search.seed,
         budget_secs: args.search.budget,
         stitched_index_count: None,
+        plain_group_count: None,
         secs: 0.0,
     };
     if let Some(path) = &args.output {
         bar.phase("write");
-        let lists = stitched(&stripped.strips);
-        report.stitched_index_count = Some(lists.iter().map(Vec::len).sum());
+        let StripLists { lists, index_count, plain_group_count } = StripLists::new(&mesh, &stripped.strips);
+        report.stitched_index_count = Some(index_count);
+        report.plain_group_count = Some(plain_group_count);
         save(&mesh, Drawn::Strips(lists), path, &format)?;
     }
     drop(bar);
@@ -72,9 +77,11 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
         Some(_) => output.summary(&report, &text)?,
         None => output.data(&report, &text)?,
     }
-    let StripReport { strip_count, triangle_count, .. } = report.strips;
+    let StripReport { strip_count, triangle_count, indices_per_triangle, .. } = report.strips;
     if !args.weld && triangle_count > 1 && strip_count == triangle_count {
         output.say("hint: no strip has two triangles; --weld merges vertices that are equal but not shared");
+    } else if indices_per_triangle > 3.0 {
+        output.say("hint: a list of single triangles takes fewer indices, since few triangles share an edge");
     }
     Ok(())
 }
@@ -84,8 +91,15 @@ impl Report {
         let mut text = self.strips.to_text();
         if let (Some(path), Some(count)) = (path, self.stitched_index_count) {
             let name = if is_stdout(path) { "stdout".into() } else { path.to_string_lossy() };
+            let plain = match self.plain_group_count {
+                None | Some(0) => String::new(),
+                Some(groups) => {
+                    let groups = counted(groups, "group", "groups");
+                    format!("; {groups} of single triangles, which take fewer")
+                }
+            };
             text.push_str(&format!(
-                "{name}: {} indices, strips joined by degenerate triangles\n",
+                "{name}: {} indices, strips joined by degenerate triangles{plain}\n",
                 grouped(count)
             ));
         }

@@ -14,6 +14,7 @@ mod outputs;
 mod patterns;
 mod refusals;
 mod render;
+mod seams;
 #[cfg(all(unix, feature = "serve"))]
 mod serve;
 #[cfg(all(unix, feature = "serve"))]

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use crate::serve_client::{Answer, Connection, PATIENCE, Server};
-use crate::serve_load::{FILE, Plan, run, write_file};
+use crate::serve_load::{FILE, Plan, memory_kb, run, write_file};
 use crate::workbench::{Workbench, assert_keys, sphere};
 
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
@@ -445,9 +445,11 @@ fn many_clients_get_every_byte_and_memory_stays_flat() {
     let bench = Workbench::new();
     write_file(&bench.path("."));
     let server = serve(&bench, ".", &[]);
+    let idle_kb = memory_kb(server.id(), "VmHWM:").unwrap_or(0);
     let outcome = run(&server, Plan { quick: 46, slow: 4, lasts: Duration::from_secs(3) });
     assert_eq!(outcome.errors, [""; 0]);
     assert!(outcome.latencies.len() > 46 && outcome.slow_bytes >= 4 * 2048, "{outcome:?}");
-    // Less than half of what the file and the buffers of its readers would take.
-    assert!(outcome.peak_kb < 80_000, "{} kB", outcome.peak_kb);
+    // The command's own code counts as memory, too, and takes more in builds for tests and with a window.
+    let used_kb = outcome.peak_kb - idle_kb;
+    assert!(used_kb < 60_000, "{used_kb} kB over {idle_kb} kB");
 }

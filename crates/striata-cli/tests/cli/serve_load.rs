@@ -144,7 +144,7 @@ fn mixed(number: u64) -> u64 {
 }
 
 /// What Linux says of a process's memory.
-fn memory_kb(process: u32, key: &str) -> Option<u64> {
+pub(crate) fn memory_kb(process: u32, key: &str) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix(key))?;
     line.trim().strip_suffix("kB")?.trim().parse().ok()

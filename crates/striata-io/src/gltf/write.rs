@@ -111,17 +111,17 @@ impl Builder {
         options: &WriteOptions,
     ) -> Result<(Vec<Value>, Vec<Value>), Refusal> {
         let groups = mesh.groups_or_whole();
-        let (mode, lists, group_of) = index_lists(mesh, &groups, options)?;
-        if lists.iter().all(|list| list.is_empty()) {
+        let lists = index_lists(mesh, &groups, options)?;
+        if lists.iter().all(|list| list.indices.is_empty()) {
             return Ok((Vec::new(), Vec::new()));
         }
         let attributes = attributes(self, mesh)?;
         let indices = self.push_indices(&lists, mesh.positions.len());
         let (mut meshes, mut nodes): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
         let mut open_name: Option<&str> = None;
-        for (group, accessor) in group_of.into_iter().map(|group| &groups[group]).zip(indices) {
-            let Some(accessor) = accessor else { continue };
-            let primitive = primitive(&attributes, accessor, mode, group.material);
+        for (list, accessor) in lists.iter().zip(indices) {
+            let (group, Some(accessor)) = (&groups[list.group], accessor) else { continue };
+            let primitive = primitive(&attributes, accessor, list.mode, group.material);
             if open_name == Some(group.name.as_str())
                 && let Some(Value::Array(primitives)) =
                     meshes.last_mut().and_then(|mesh| mesh.get_mut("primitives"))
@@ -143,14 +143,15 @@ impl Builder {
     }
 
     /// Adds all index lists to one view; one accessor a list, none for an empty one.
-    fn push_indices(&mut self, lists: &[Vec<u32>], vertex_count: usize) -> Vec<Option<usize>> {
+    fn push_indices(&mut self, lists: &[IndexList], vertex_count: usize) -> Vec<Option<usize>> {
         // The last 16-bit number is left for primitive restart.
         let component =
             if vertex_count <= u16::MAX as usize { ComponentType::U16 } else { ComponentType::U32 };
-        let mut bytes = Vec::with_capacity(lists.iter().map(Vec::len).sum::<usize>() * component.bytes());
+        let index_count: usize = lists.iter().map(|list| list.indices.len()).sum();
+        let mut bytes = Vec::with_capacity(index_count * component.bytes());
         let view = self.views.len();
         let mut accessors = Vec::with_capacity(lists.len());
-        for list in lists {
+        for IndexList { indices: list, .. } in lists {
             if list.is_empty() {
                 accessors.push(None);
                 continue;
@@ -247,30 +248,44 @@ fn primitive(attributes: &Attributes, indices: usize, mode: u32, material: Optio
     primitive
 }
 
-/// How indices are drawn, and lists of them with the group of each: one list a group of its triangles or of the strips that the
-/// caller gives, or one of each fan.
-type Lists = (u32, Vec<Vec<u32>>, Vec<usize>);
+/// The indices of a primitive.
+struct IndexList {
+    /// How they are drawn.
+    mode: u32,
+    group: usize,
+    indices: Vec<u32>,
+}
 
+/// One list for each group, of its triangles or of the strips that the caller gives, or one for each fan.
 fn index_lists(
     mesh: &IndexedMesh,
     groups: &[TriangleGroup],
     options: &WriteOptions,
-) -> Result<Lists, Refusal> {
-    let each_group = (0..groups.len()).collect();
-    if let Some(strips) = &options.strips {
-        check_lists("strip", strips, mesh)?;
-        check_groups("strips", strips.len(), groups)?;
-        return Ok((TRIANGLE_STRIP, strips.clone(), each_group));
-    }
+) -> Result<Vec<IndexList>, Refusal> {
     if let Some(fans) = &options.fans {
         check_groups("groups of fans", fans.len(), groups)?;
-        let group_of = fans.iter().enumerate().flat_map(|(group, fans)| fans.iter().map(move |_| group));
-        let lists: Vec<Vec<u32>> = fans.iter().flatten().cloned().collect();
-        check_lists("fan", &lists, mesh)?;
-        return Ok((TRIANGLE_FAN, lists, group_of.collect()));
+        let of_group = |(group, fans): (usize, &Vec<Vec<u32>>)| {
+            let list = |fan: &Vec<u32>| IndexList { mode: TRIANGLE_FAN, group, indices: fan.clone() };
+            fans.iter().map(list).collect::<Vec<_>>()
+        };
+        let lists: Vec<IndexList> = fans.iter().enumerate().flat_map(of_group).collect();
+        check_lists("fan", lists.iter().map(|list| &list.indices[..]), mesh)?;
+        return Ok(lists);
     }
-    let triangles = groups.iter().map(|g| mesh.triangles[g.range()].as_flattened().to_vec());
-    Ok((TRIANGLES, triangles.collect(), each_group))
+    if let Some(strips) = &options.strips {
+        check_lists("strip", strips.iter().map(|strip| &strip[..]), mesh)?;
+        check_groups("strips", strips.len(), groups)?;
+    }
+    let strip_of =
+        |group: usize| options.strips.as_ref().map(|strips| &strips[group]).filter(|s| !s.is_empty());
+    let lists = groups.iter().enumerate().map(|(group, triangles)| match strip_of(group) {
+        Some(strip) => IndexList { mode: TRIANGLE_STRIP, group, indices: strip.clone() },
+        None => {
+            let indices = mesh.triangles[triangles.range()].as_flattened().to_vec();
+            IndexList { mode: TRIANGLES, group, indices }
+        }
+    });
+    Ok(lists.collect())
 }
 
 fn check_groups(what: &str, found: usize, groups: &[TriangleGroup]) -> Result<(), Refusal> {
@@ -280,9 +295,13 @@ fn check_groups(what: &str, found: usize, groups: &[TriangleGroup]) -> Result<()
     Err(Refusal::BadMesh(format!("{found} {what} for {} triangle groups", groups.len())))
 }
 
-fn check_lists(what: &str, lists: &[Vec<u32>], mesh: &IndexedMesh) -> Result<(), Refusal> {
+fn check_lists<'a>(
+    what: &str,
+    lists: impl Iterator<Item = &'a [u32]>,
+    mesh: &IndexedMesh,
+) -> Result<(), Refusal> {
     let vertex_count = mesh.positions.len();
-    for (number, list) in lists.iter().enumerate() {
+    for (number, list) in lists.enumerate() {
         if let Some(place) = list.iter().position(|&v| v as usize >= vertex_count) {
             let vertex = list[place];
             let reason = format!("{what} {number}, index {place}: vertex {vertex} of {vertex_count}");

@@ -59,7 +59,7 @@ fn push_texcoord(out: &mut Vec<u8>, layer: Option<&AttributeLayer>, vertex: usiz
 fn push_groups(out: &mut Vec<u8>, mesh: &IndexedMesh, has_texcoord: bool, has_normal: bool) {
     let groups = mesh.groups_or_whole();
     let (mut name, mut material) = ("", None);
-    for group in &groups {
+    for group in groups.iter().filter(|group| group.count > 0) {
         if group.name != name {
             push_line(out, "g", &group.name);
         }

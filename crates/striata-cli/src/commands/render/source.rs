@@ -125,7 +125,7 @@ impl<'a> Source<'a> {
             Count::Number(count) => grouped(count),
             Count::Share(share) => format!("{} %", (100_000.0 * share).round() / 1000.0),
         };
-        let target = Target::Triangles(count.of(self.full().triangle_count));
+        let target = Target::Triangles(count.of_triangles(self.full().triangle_count));
         Ok(Figure { title, ..self.target(Some(target))? })
     }
 
@@ -143,7 +143,8 @@ impl<'a> Source<'a> {
         let camera = view.camera(eye, center).map_err(|error| {
             Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
         })?;
-        let limit = args.level.level.triangle_count().map(|count| count.of(self.full().triangle_count));
+        let limit =
+            args.level.level.triangle_count().map(|count| count.of_triangles(self.full().triangle_count));
         if let (Some(file), true) = (&levels.file, levels.has_patterns_only()) {
             let level = PatternsOfFile::read(file, input)?.level_of_view(&view, camera, limit);
             return Ok(Figure::of_view("patterns", level, limit));

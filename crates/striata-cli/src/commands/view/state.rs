@@ -266,7 +266,7 @@ impl ViewerState {
 
     /// A new model has come: numbers of triangles are no more than it has, and no view is kept.
     pub(super) fn meet(&mut self, triangle_count: usize, has_collapses: bool) {
-        let first = self.first_triangles.take().map(|share| share.of(triangle_count));
+        let first = self.first_triangles.take().map(|share| share.of_triangles(triangle_count));
         for count in [&mut self.triangles, &mut self.budget] {
             *count = first.or(*count);
             *count = Some(count.unwrap_or(triangle_count / 10).clamp(1, triangle_count.max(1)));

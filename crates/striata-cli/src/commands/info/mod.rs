@@ -1,17 +1,20 @@
 //! `info`: what is inside a file, mesh or container.
 
+mod limits;
+
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::codec::progressive::{StreamDefect, StreamFacts};
 use striata::codec::{DecodeError, FORMAT_VERSION, StriataFile};
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, validate};
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, validate, weld};
 use striata::model::{LodModel, PartBytes, StripModel};
 
+use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
 use crate::commands::build::{PROGRESSIVE, errors_are_guaranteed, parts_of_fans, parts_of_patterns};
 use crate::failure::Failure;
 use crate::input::Input;
-use crate::output::{Output, Table, grouped, measured, sized};
+use crate::output::{Output, Table, counted, grouped, measured, sized};
 use crate::stream::{Received, facts_in_json};
 
 /// Defects that the text names one by one; JSON lists more of them.
@@ -39,6 +42,10 @@ struct Report {
     genus: Option<usize>,
     is_closed: Option<bool>,
     area: Option<f64>,
+    /// Null where the mesh's parts do not fit together, or a coordinate is not finite.
+    seams: Option<Seams>,
+    /// Null where seams are, and if there are no triangles.
+    parts: Option<Parts>,
     attributes: Vec<Value>,
     groups: Vec<Value>,
     materials: Vec<String>,
@@ -49,6 +56,11 @@ struct Report {
     base: Option<Value>,
     error_max: Option<f32>,
     error_is_guaranteed: Option<bool>,
+    /// Of a file of collapses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    steps: Option<Steps>,
+    /// What limits simplification, in sentences.
+    notes: Vec<String>,
     /// Of a file with a stream.
     #[serde(skip_serializing_if = "Option::is_none")]
     stream: Option<Value>,
@@ -80,6 +92,10 @@ fn of_container(input: &Input, output: &Output) -> Result<Report, Failure> {
     report.add_levels(&file.levels().map_err(|error| input.damaged(&error))?);
     let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     report.error_is_guaranteed = Some(is_guaranteed);
+    if file.has_collapses() {
+        let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
+        report.steps = Some(Steps::of(&refinable));
+    }
     if let Some(model) = file.lod_strips() {
         let model = model.map_err(|error| input.damaged(&error))?;
         report.add_model("lodstrips", &model.bytes(), Some(model.strip_count()));
@@ -142,6 +158,9 @@ impl Report {
         let statistics = Statistics::of(mesh).ok();
         let count = |pick: fn(&Statistics) -> usize| statistics.as_ref().map(pick);
         let defects = validate(mesh);
+        let welded = weld(mesh).ok();
+        let (seams, parts) = (welded.as_ref().map(Seams::of), welded.as_ref().and_then(Parts::of));
+        let notes = notes(seams.as_ref(), parts.as_ref(), statistics.as_ref());
         Self {
             kind: input.kind(),
             format_version: None,
@@ -161,6 +180,8 @@ impl Report {
             genus: statistics.as_ref().and_then(|s| s.genus),
             is_closed: statistics.as_ref().map(|s| s.is_closed),
             area: statistics.as_ref().map(|s| s.area),
+            seams,
+            parts,
             attributes: mesh.layers.iter().map(described).collect(),
             groups: groups(mesh),
             materials: mesh.appearance.materials.iter().map(|material| material.name.clone()).collect(),
@@ -171,6 +192,8 @@ impl Report {
             base: None,
             error_max: None,
             error_is_guaranteed: None,
+            steps: None,
+            notes,
             stream: None,
             sections: Vec::new(),
             defect_counts: defects
@@ -197,15 +220,26 @@ impl Report {
         row("file", format!("{name} ({}{size})", self.kind));
         row("triangles", grouped(self.triangle_count));
         row("vertices", grouped(self.vertex_count));
-        for (what, count) in [
-            ("positions", self.position_count),
-            ("components", self.component_count),
-            ("boundary edges", self.boundary_edge_count),
-            ("non-manifold edges", self.non_manifold_edge_count),
-            ("genus", self.genus),
-        ] {
-            row(what, count.map_or_else(|| "unknown".to_owned(), grouped));
+        let number = |count: Option<usize>| count.map_or_else(|| "unknown".to_owned(), grouped);
+        row("positions", number(self.position_count));
+        row("connected parts", number(self.component_count));
+        for (name, value) in self.parts.iter().flat_map(Parts::rows) {
+            row(name, value);
         }
+        for (name, value) in self.seams.iter().flat_map(Seams::rows) {
+            row(name, value);
+        }
+        row("boundary edges", number(self.boundary_edge_count));
+        row("non-manifold edges", number(self.non_manifold_edge_count));
+        for (name, count) in [
+            ("degenerate triangles", self.degenerate_triangle_count),
+            ("duplicate triangles", self.duplicate_triangle_count),
+        ] {
+            if count.is_none_or(|count| count > 0) {
+                row(name, number(count));
+            }
+        }
+        row("genus", number(self.genus));
         let names = |values: &[Value]| {
             let names = values.iter().filter_map(|value| value["name"].as_str());
             names.collect::<Vec<_>>().join(", ")
@@ -216,7 +250,12 @@ impl Report {
         if let (Some(step_count), Some(base), Some(error)) = (self.step_count, &self.base, self.error_max) {
             row("levels", grouped(step_count + 1));
             let kind = if self.error_is_guaranteed == Some(true) { "guaranteed error" } else { "error" };
-            row("base", format!("{} triangles, {kind} {}", base["triangle_count"], measured(error.into())));
+            let triangles = base["triangle_count"].as_u64().unwrap_or(0) as usize;
+            let triangles = counted(triangles, "triangle", "triangles");
+            row("base", format!("{triangles}, {kind} {}", measured(error.into())));
+        }
+        for (name, value) in self.steps.iter().flat_map(Steps::rows) {
+            row(name, value);
         }
         for (model, facts) in &self.models {
             let bytes_per_vertex = facts["bytes_per_vertex"].as_f64().unwrap_or(0.0);
@@ -239,6 +278,9 @@ impl Report {
         let mut text = table.to_text();
         for defect in self.defects.iter().take(SPELLED_OUT) {
             text.push_str(&format!("  {defect}\n"));
+        }
+        for note in &self.notes {
+            text.push_str(&format!("\n{note}\n"));
         }
         text
     }

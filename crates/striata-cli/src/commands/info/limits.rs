@@ -1,0 +1,253 @@
+//! What limits how far a mesh can be simplified, and at which price: seams, connected parts, edges of many triangles.
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+use striata::mesh::{
+    PartStatistics, RefinableMesh, SeamCause, SeamStatistics, Semantic, Statistics, StepStatistics, Welded,
+};
+
+use crate::output::{counted, grouped};
+
+/// Parts with at most this many triangles are counted as tiny.
+const TINY_PART: usize = 16;
+
+/// A mesh is said to consist of seams if at least this share of its positions is split,
+const MOSTLY_SPLIT: f64 = 0.9;
+
+/// into at least so many vertices on average.
+const MANY_WEDGES: f64 = 3.0;
+
+/// Where attributes or materials split a position into several vertices.
+#[derive(Serialize)]
+pub(super) struct Seams {
+    seam_edge_count: usize,
+    inner_edge_count: usize,
+    split_position_count: usize,
+    largest_wedge_count: usize,
+    wedges_per_position: f64,
+    /// Split positions by layer, and by `material`.
+    split_by: Map<String, Value>,
+    #[serde(skip)]
+    position_count: usize,
+    /// For people: `normals`, the most frequent cause first.
+    #[serde(skip)]
+    causes: Vec<String>,
+}
+
+/// Pieces that share no position.
+#[derive(Serialize)]
+pub(super) struct Parts {
+    count: usize,
+    smallest_triangle_count: usize,
+    median_triangle_count: usize,
+    largest_triangle_count: usize,
+    /// Parts of at most 16 triangles.
+    tiny_count: usize,
+    /// No level that shows all parts has fewer triangles.
+    least_triangle_count: usize,
+}
+
+/// What the steps of a file do besides removing triangles.
+#[derive(Serialize)]
+pub(super) struct Steps {
+    crossing_count: usize,
+    empty_count: usize,
+    part_count: usize,
+    vanished_part_count: usize,
+    /// The coarsest level that shows something of every part.
+    all_parts_split_count: usize,
+    all_parts_triangle_count: usize,
+}
+
+impl Seams {
+    pub(super) fn of(welded: &Welded) -> Self {
+        let found = SeamStatistics::of(welded);
+        let mut causes = found.causes.clone();
+        causes.sort_by_key(|&(_, count)| std::cmp::Reverse(count));
+        let key = |cause: &SeamCause| match cause {
+            SeamCause::Layer(semantic) => semantic.to_string(),
+            _ => "material".to_owned(),
+        };
+        Self {
+            seam_edge_count: found.seam_edge_count,
+            inner_edge_count: found.inner_edge_count,
+            split_position_count: found.split_position_count,
+            largest_wedge_count: found.largest_wedge_count,
+            wedges_per_position: found.wedge_count as f64 / found.position_count.max(1) as f64,
+            split_by: found.causes.iter().map(|(cause, count)| (key(cause), (*count).into())).collect(),
+            position_count: found.position_count,
+            causes: causes.iter().map(|(cause, _)| name_of_cause(cause)).collect(),
+        }
+    }
+
+    fn split_share(&self) -> f64 {
+        self.split_position_count as f64 / self.position_count.max(1) as f64
+    }
+
+    /// The rows of the table.
+    pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
+        let inner = grouped(self.inner_edge_count);
+        let mut rows = vec![("seam edges", format!("{} of {inner}", grouped(self.seam_edge_count)))];
+        if self.split_position_count > 0 {
+            let [split, all] = [self.split_position_count, self.position_count].map(grouped);
+            let causes = listed(&self.causes);
+            rows.push(("split positions", format!("{split} of {all}, by {causes}")));
+            let per_position = self.wedges_per_position;
+            let most = self.largest_wedge_count;
+            rows.push(("vertices per position", format!("{per_position:.2}, at most {most}")));
+        }
+        rows
+    }
+
+    fn note(&self) -> Option<String> {
+        if self.split_position_count == 0 {
+            return None;
+        }
+        let by = listed(&self.causes);
+        if self.split_share() < MOSTLY_SPLIT || self.wedges_per_position < MANY_WEDGES {
+            let share = percent(self.seam_edge_count as f64 / self.inner_edge_count.max(1) as f64);
+            return Some(format!(
+                "Seams ({by}) run along {share} of the edges: simplification crosses them at a price. With --keep-seams, \
+                 vertices on them only move along them, and targets may be out of reach."
+            ));
+        }
+        let is_flat = self.causes == [NORMALS];
+        let shading = if is_flat { "the mesh is flat shaded" } else { "few triangles share a vertex" };
+        Some(format!(
+            "The {by} are split at {} of the positions: {shading}. Simplification crosses seams at a price; with \
+             --keep-seams, almost nothing could be removed.",
+            percent(self.split_share())
+        ))
+    }
+}
+
+impl Parts {
+    /// `None` if there are no triangles.
+    pub(super) fn of(welded: &Welded) -> Option<Self> {
+        let PartStatistics { triangle_counts, least_triangle_count, .. } = PartStatistics::of(welded);
+        let (&smallest, &largest) = (triangle_counts.first()?, triangle_counts.last()?);
+        Some(Self {
+            count: triangle_counts.len(),
+            smallest_triangle_count: smallest,
+            median_triangle_count: triangle_counts[triangle_counts.len() / 2],
+            largest_triangle_count: largest,
+            tiny_count: triangle_counts.partition_point(|&count| count <= TINY_PART),
+            least_triangle_count,
+        })
+    }
+
+    /// The rows of the table.
+    pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
+        if self.count == 1 {
+            return Vec::new();
+        }
+        let counts = [self.smallest_triangle_count, self.median_triangle_count, self.largest_triangle_count];
+        let [smallest, median, largest] = counts.map(grouped);
+        let tiny = grouped(self.tiny_count);
+        vec![
+            ("triangles per part", format!("{smallest} to {largest}, median {median}")),
+            ("tiny parts", format!("{tiny} of at most {TINY_PART} triangles")),
+        ]
+    }
+
+    fn note(&self) -> Option<String> {
+        let [count, least] = [self.count, self.least_triangle_count].map(grouped);
+        (self.count > 1).then(|| {
+            format!(
+                "{count} parts are not connected: a level of fewer than {least} triangles cannot show all of them, and a part \
+                 vanishes earlier if that costs less than changing others. With --keep-parts, no level has fewer than {least} \
+                 triangles."
+            )
+        })
+    }
+}
+
+impl Steps {
+    pub(super) fn of(refinable: &RefinableMesh) -> Self {
+        let found = StepStatistics::of(refinable);
+        Self {
+            crossing_count: found.crossing_count,
+            empty_count: found.empty_count,
+            part_count: found.part_count,
+            vanished_part_count: found.vanished_part_count,
+            all_parts_split_count: found.all_parts_split_count,
+            all_parts_triangle_count: refinable.sequence.triangle_count_at(found.all_parts_split_count),
+        }
+    }
+
+    /// The rows of the table.
+    pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
+        let mut rows = vec![
+            ("steps across seams", grouped(self.crossing_count)),
+            ("steps without triangles", grouped(self.empty_count)),
+        ];
+        if self.vanished_part_count > 0 {
+            let left = grouped(self.part_count - self.vanished_part_count);
+            let from = counted(self.all_parts_triangle_count, "triangle", "triangles");
+            rows.push((
+                "parts in the base",
+                format!("{left} of {}; all from {from} on", grouped(self.part_count)),
+            ));
+        }
+        rows
+    }
+}
+
+/// Sentences about what limits simplification, for people.
+pub(super) fn notes(
+    seams: Option<&Seams>,
+    parts: Option<&Parts>,
+    statistics: Option<&Statistics>,
+) -> Vec<String> {
+    let mut notes: Vec<String> = Vec::new();
+    notes.extend(seams.and_then(Seams::note));
+    notes.extend(parts.and_then(Parts::note));
+    let Some(statistics) = statistics else { return notes };
+    if statistics.non_manifold_edge_count > 0 {
+        let edges = counted(statistics.non_manifold_edge_count, "edge has", "edges have");
+        notes.push(format!(
+            "{edges} more than two triangles: simplification removes them like others, but a stream keeps their positions \
+             at every level."
+        ));
+    }
+    if statistics.duplicate_triangle_count > 0 {
+        let triangles = counted(statistics.duplicate_triangle_count, "triangle repeats", "triangles repeat");
+        notes.push(format!("{triangles} the positions of another one: each copy counts against a target."));
+    }
+    if statistics.degenerate_triangle_count > 0 {
+        let triangles = counted(statistics.degenerate_triangle_count, "triangle has", "triangles have");
+        notes.push(format!(
+            "{triangles} no area; those with two corners at one position are dropped before simplification."
+        ));
+    }
+    notes
+}
+
+const NORMALS: &str = "normals";
+
+fn name_of_cause(cause: &SeamCause) -> String {
+    match cause {
+        SeamCause::Layer(Semantic::Normal) => NORMALS.to_owned(),
+        SeamCause::Layer(Semantic::Tangent) => "tangents".to_owned(),
+        SeamCause::Layer(Semantic::TexCoord(_)) => "UVs".to_owned(),
+        SeamCause::Layer(Semantic::Color(_)) => "colors".to_owned(),
+        SeamCause::Layer(other) => other.to_string(),
+        _ => "materials".to_owned(),
+    }
+}
+
+/// Names for people: `normals, UVs and materials`.
+fn listed(names: &[String]) -> String {
+    match names {
+        [all @ .., before, last] if !all.is_empty() => format!("{}, {before} and {last}", all.join(", ")),
+        _ => names.join(" and "),
+    }
+}
+
+/// A share for people; one that is not 0 never looks like it.
+fn percent(share: f64) -> String {
+    match 100.0 * share {
+        percent if percent < 1.0 => "less than 1 %".to_owned(),
+        percent => format!("{percent:.0} %"),
+    }
+}

@@ -1,0 +1,145 @@
+//! Strips as glTF holds them: one list of indices for each group, without restarts.
+//!
+//! glTF knows no restart index, so the strips of a group are joined by degenerate triangles. A strip of one triangle then
+//! takes six indices, and groups of such strips (flat shading, soups, coarse levels) are shorter as single triangles.
+
+use striata::mesh::{IndexedMesh, MeshError};
+use striata::strip::{StripOptions, StripSet, stripify};
+
+/// One list of indices for each group: a single strip, or nothing if single triangles take fewer indices.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct StripLists {
+    /// The lists; an empty one stands for single triangles.
+    pub(crate) lists: Vec<Vec<u32>>,
+    /// Indices that drawing all groups takes.
+    pub(crate) index_count: usize,
+    /// Groups that are written as single triangles.
+    pub(crate) plain_group_count: usize,
+}
+
+impl StripLists {
+    /// Joins the strips of each group of a mesh.
+    pub(crate) fn new(mesh: &IndexedMesh, strips: &StripSet) -> Self {
+        let mut out = Self { lists: stitched(strips), index_count: 0, plain_group_count: 0 };
+        for (list, group) in out.lists.iter_mut().zip(mesh.groups_or_whole()) {
+            let plain_count = 3 * group.count as usize;
+            if list.len() > plain_count {
+                list.clear();
+                out.plain_group_count += 1;
+                out.index_count += plain_count;
+            }
+            out.index_count += list.len();
+        }
+        out
+    }
+
+    /// The strips that a level's model shows, or new ones where it has none or they are longer.
+    ///
+    /// # Errors
+    /// If the mesh's parts do not fit together.
+    pub(crate) fn of_level(mesh: &IndexedMesh, shown: Option<&StripSet>) -> Result<Self, MeshError> {
+        let anew = Self::new(mesh, &stripify(mesh, &StripOptions::default())?);
+        let shown = shown.map(|strips| Self::new(mesh, strips));
+        Ok(shown.filter(|shown| shown.index_count <= anew.index_count).unwrap_or(anew))
+    }
+}
+
+/// One list of indices for each group, its strips joined by degenerate triangles.
+pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
+    let joined = strips.to_stitched_indices();
+    let of_group =
+        |range: &std::ops::Range<u32>| joined.indices[range.start as usize..range.end as usize].to_vec();
+    joined.group_ranges.iter().map(of_group).collect()
+}
+
+/// A level without the vertices that none of its triangles use, and its strips over what is left; no strips if they use others.
+pub(crate) fn without_unused_vertices(
+    mesh: IndexedMesh,
+    strips: Option<StripSet>,
+) -> (IndexedMesh, Option<StripSet>) {
+    let mut is_used = vec![false; mesh.vertex_count()];
+    mesh.triangles.iter().flatten().for_each(|&v| is_used[v as usize] = true);
+    if is_used.iter().all(|&is_used| is_used) {
+        return (mesh, strips);
+    }
+    // Vertices that stay keep their order.
+    let new_index: Vec<Option<u32>> = is_used
+        .into_iter()
+        .scan(0, |next, is_used| {
+            let index = is_used.then_some(*next);
+            *next += u32::from(is_used);
+            Some(index)
+        })
+        .collect();
+    let strips = strips.and_then(|strips| renumbered(&strips, &new_index));
+    (mesh.without_unused_vertices(), strips)
+}
+
+fn renumbered(strips: &StripSet, new_index: &[Option<u32>]) -> Option<StripSet> {
+    let mut out = StripSet::new();
+    for group in 0..strips.group_count() {
+        for strip in strips.group_strips(group) {
+            let strip = strips.strip(strip).iter().map(|&v| new_index[v as usize]);
+            out.push(&strip.collect::<Option<Vec<u32>>>()?);
+        }
+        out.end_group();
+    }
+    Some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use striata::mesh::{TriangleGroup, canonical_triangles, shapes};
+
+    use super::*;
+
+    fn group(first: u32, count: u32) -> TriangleGroup {
+        TriangleGroup { name: String::new(), material: None, first, count }
+    }
+
+    #[test]
+    fn groups_of_lone_triangles_are_no_strips() {
+        let mut mesh = shapes::grid(4, 1);
+        let (strip_count, first) = (mesh.triangle_count() as u32, mesh.positions.len() as u32);
+        for i in 0..3 {
+            let at = i as f32;
+            mesh.positions.extend([[at, 9.0, 0.0], [at + 0.5, 9.0, 0.0], [at, 9.5, 0.0]]);
+            mesh.triangles.push([first + 3 * i, first + 3 * i + 1, first + 3 * i + 2]);
+        }
+        mesh.groups = vec![group(0, strip_count), group(strip_count, 3), group(strip_count + 3, 0)];
+        let strips = stripify(&mesh, &StripOptions::default()).expect("it is sound");
+        let lists = StripLists::new(&mesh, &strips);
+        assert_eq!((lists.lists[1].len(), lists.lists[2].len(), lists.plain_group_count), (0, 0, 1));
+        assert_eq!(lists.index_count, lists.lists[0].len() + 9);
+        assert_eq!(StripLists::of_level(&mesh, Some(&strips)).expect("it is sound"), lists);
+    }
+
+    #[test]
+    fn long_strips_of_a_level_give_way_to_new_ones() {
+        let mesh = shapes::grid(8, 8);
+        let mut alone = StripSet::new();
+        mesh.triangles.iter().for_each(|triangle| alone.push(triangle));
+        alone.end_group();
+        let found = StripLists::of_level(&mesh, Some(&alone)).expect("it is sound");
+        assert!(found.index_count < 2 * mesh.triangle_count(), "{}", found.index_count);
+        assert_eq!(found, StripLists::of_level(&mesh, None).expect("it is sound"));
+    }
+
+    #[test]
+    fn strips_follow_the_vertices_that_stay() {
+        let mut mesh = shapes::grid(2, 1);
+        mesh.positions.insert(0, [7.0; 3]);
+        mesh.triangles.iter_mut().flatten().for_each(|v| *v += 1);
+        let strips = stripify(&mesh, &StripOptions::default()).expect("it is sound");
+        let (less, renumbered) = without_unused_vertices(mesh.clone(), Some(strips));
+        assert_eq!(less.vertex_count() + 1, mesh.vertex_count());
+        let mut triangles = Vec::new();
+        renumbered.expect("all of its vertices stay").triangles_into(&mut triangles);
+        assert_eq!(canonical_triangles(&triangles), canonical_triangles(&less.triangles));
+        // A strip over a vertex without a triangle is no strip of what is left.
+        let mut others = StripSet::new();
+        others.push(&[1, 0, 0, 2]);
+        others.end_group();
+        assert_eq!(without_unused_vertices(mesh, Some(others)).1, None);
+    }
+}

@@ -1,0 +1,150 @@
+//! Seams: where vertices of one position differ, in what, and along which edges.
+//!
+//! A welded mesh keeps one vertex (wedge) for each different set of attributes at a position. An edge is a **seam** if its
+//! triangles use different wedges at one of its ends. The counts say how much of a mesh is seams, which is what
+//! simplification pays for when it crosses them. Time and memory O(n).
+
+use super::{Adjacency, Semantic, Welded};
+
+/// What the wedges of a position differ in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SeamCause {
+    /// The values of a layer.
+    Layer(Semantic),
+    /// The materials of their triangles.
+    Material,
+}
+
+/// How many positions and edges of a mesh are split, and by what.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SeamStatistics {
+    /// Positions that a triangle uses.
+    pub position_count: usize,
+    /// Wedges of all positions.
+    pub wedge_count: usize,
+    /// Positions with two or more wedges.
+    pub split_position_count: usize,
+    /// Wedges of the position that has the most.
+    pub largest_wedge_count: usize,
+    /// Edges with two or more triangles.
+    pub inner_edge_count: usize,
+    /// Inner edges along which wedges differ.
+    pub seam_edge_count: usize,
+    /// Split positions by what their wedges differ in, layers first. A position counts for each cause that it has; causes
+    /// without a position are left out.
+    pub causes: Vec<(SeamCause, usize)>,
+}
+
+impl SeamStatistics {
+    /// Counts the seams of a welded mesh.
+    pub fn of(welded: &Welded) -> Self {
+        let positions = &welded.positions;
+        let wedge_counts = || (0..positions.position_count() as u32).map(|p| positions.wedges(p).len());
+        let mut statistics = Self {
+            position_count: positions.position_count(),
+            wedge_count: positions.vertex_count(),
+            split_position_count: wedge_counts().filter(|&count| count > 1).count(),
+            largest_wedge_count: wedge_counts().max().unwrap_or(0),
+            causes: causes(welded),
+            ..Self::default()
+        };
+        for edge in Adjacency::of_positions(&welded.mesh, positions).edges().filter(|e| e.side_count() > 1) {
+            let mut ends = edge.sides().map(|side| ends_of_side(welded, side));
+            let first = ends.next();
+            statistics.inner_edge_count += 1;
+            statistics.seam_edge_count += usize::from(ends.any(|other| Some(other) != first));
+        }
+        statistics
+    }
+}
+
+/// The vertices at both ends of a side, that of the lower position first.
+fn ends_of_side(welded: &Welded, side: u32) -> [u32; 2] {
+    let corners = welded.mesh.triangles[side as usize / 3];
+    let (from, to) = (corners[side as usize % 3], corners[(side as usize + 1) % 3]);
+    // Wedges of a position are neighbors, so vertices are in the order of their positions.
+    [from.min(to), from.max(to)]
+}
+
+fn causes(welded: &Welded) -> Vec<(SeamCause, usize)> {
+    let mesh = &welded.mesh;
+    let layers = mesh.layers.iter().map(|layer| {
+        let (size, bytes) = (layer.vertex_bytes(), layer.data.as_bytes());
+        let value = |v: u32| &bytes[v as usize * size..][..size];
+        (SeamCause::Layer(layer.semantic.clone()), count_split(welded, value))
+    });
+    let materials = materials_of_vertices(welded);
+    let of_material = (SeamCause::Material, count_split(welded, |v| materials[v as usize]));
+    layers.chain([of_material]).filter(|&(_, count)| count > 0).collect()
+}
+
+/// Positions whose wedges do not all have the same value.
+fn count_split<T: PartialEq>(welded: &Welded, value: impl Fn(u32) -> T) -> usize {
+    let is_split = |&p: &u32| {
+        let mut values = welded.positions.wedges(p).map(&value);
+        let first = values.next();
+        values.any(|other| Some(other) != first)
+    };
+    (0..welded.positions.position_count() as u32).filter(is_split).count()
+}
+
+/// The material of each vertex; welding lets none serve two.
+fn materials_of_vertices(welded: &Welded) -> Vec<Option<u32>> {
+    let mut materials = vec![None; welded.mesh.vertex_count()];
+    for group in &welded.mesh.groups {
+        for &v in welded.mesh.triangles[group.range()].iter().flatten() {
+            materials[v as usize] = group.material;
+        }
+    }
+    materials
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{AttributeLayer, IndexedMesh, shapes, weld};
+
+    fn of(mesh: &IndexedMesh) -> SeamStatistics {
+        SeamStatistics::of(&weld(mesh).expect("shapes are sound"))
+    }
+
+    #[test]
+    fn smooth_meshes_have_no_seams() {
+        let found = of(&shapes::icosphere(1, 1.0));
+        assert_eq!((found.position_count, found.wedge_count, found.largest_wedge_count), (42, 42, 1));
+        assert_eq!((found.inner_edge_count, found.seam_edge_count), (120, 0));
+        assert_eq!(found.causes, vec![]);
+        assert_eq!(of(&IndexedMesh::default()), SeamStatistics::default());
+    }
+
+    #[test]
+    fn hard_edges_are_seams_of_the_normals() {
+        let found = of(&shapes::hard_cube());
+        // The diagonals of the sides are none.
+        assert_eq!((found.inner_edge_count, found.seam_edge_count), (18, 12));
+        assert_eq!((found.split_position_count, found.largest_wedge_count, found.wedge_count), (8, 3, 24));
+        assert_eq!(found.causes, vec![(SeamCause::Layer(Semantic::Normal), 8)]);
+    }
+
+    #[test]
+    fn borders_of_charts_and_materials_are_seams() {
+        let cylinder = of(&shapes::uv_cylinder(5, 2));
+        assert_eq!((cylinder.seam_edge_count, cylinder.split_position_count), (2, 3));
+        assert_eq!(cylinder.causes, vec![(SeamCause::Layer(Semantic::TexCoord(0)), 3)]);
+        let ball = of(&shapes::two_material_sphere(6, 8));
+        assert!(ball.seam_edge_count > 0);
+        assert_eq!(ball.causes, vec![(SeamCause::Material, ball.split_position_count)]);
+    }
+
+    #[test]
+    fn a_position_may_have_several_causes() {
+        let mut mesh = shapes::hard_cube();
+        let colors = (0..mesh.vertex_count()).flat_map(|v| [v as f32, 0.0, 0.0]).collect();
+        mesh.layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, colors));
+        let found = of(&mesh);
+        let [normal, color] = [Semantic::Normal, Semantic::Color(0)].map(|s| (SeamCause::Layer(s), 8));
+        assert_eq!(found.causes, vec![normal, color]);
+    }
+}
