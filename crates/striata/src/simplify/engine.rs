@@ -114,7 +114,7 @@ impl<'a> Engine<'a> {
                 self.decide(v, key);
                 continue;
             }
-            let u = self.target[v as usize];
+            let (mut v, mut u) = (v, self.target[v as usize]);
             if !self.is_still_allowed(v, u) {
                 // The target's surroundings have changed: look for another one.
                 self.target[v as usize] = UNDECIDED;
@@ -123,6 +123,13 @@ impl<'a> Engine<'a> {
             }
             if self.is_postponed(v, u, key) {
                 continue;
+            }
+            if self.tier[v as usize] == Tier::Vanish
+                && let Some((corner, choice)) = self.judge.absorber(v, u)
+            {
+                // What vanishes next is looked at anew after that.
+                self.choose(corner, &choice);
+                (v, u) = (corner, choice.target);
             }
             // As it will be reported, rounded and all, so that the limit holds for what is reported.
             let collapse_error = self.collapse(v, u).min(f64::from(f32::MAX)) as f32;
@@ -193,11 +200,7 @@ impl<'a> Engine<'a> {
         match choice {
             None => self.heap.remove(v),
             Some(choice) => {
-                self.target[v as usize] = choice.target;
-                self.tier[v as usize] = choice.tier;
-                self.distance_squared[v as usize] = choice.distance_squared;
-                self.protrusion_squared[v as usize] = choice.protrusion_squared;
-                self.outward[v as usize] = f32::NAN;
+                self.choose(v, &choice);
                 if choice.cost > bound {
                     self.heap.set(v, choice.cost);
                 }
@@ -239,6 +242,16 @@ impl<'a> Engine<'a> {
         judge.pairs.is_some() && judge.links.kind(u) != LinkKind::Empty
     }
 
+    /// Notes what is decided for `v`.
+    fn choose(&mut self, v: u32, choice: &Choice) {
+        let v = v as usize;
+        self.target[v] = choice.target;
+        self.tier[v] = choice.tier;
+        self.distance_squared[v] = choice.distance_squared;
+        self.protrusion_squared[v] = choice.protrusion_squared;
+        self.outward[v] = f32::NAN;
+    }
+
     /// What was decided for `v`.
     fn choice(&self, v: u32) -> Choice {
         let v = v as usize;
@@ -278,7 +291,7 @@ impl<'a> Engine<'a> {
                 }
             }
         }
-        if self.judge.pairs.is_some() && !self.course.ring.contains(&u) {
+        if !self.course.ring.contains(&u) {
             // A contraction of two parts: u was no neighbour.
             self.target[u as usize] = UNDECIDED;
             let bound = self.judge.lower_bound(u);

@@ -1,5 +1,6 @@
 //! From a mesh to its simplification sequence: half-edge collapses ordered by cost.
 
+mod absorb;
 mod attributes;
 mod batches;
 mod charts;

@@ -159,6 +159,18 @@ impl Parts {
         (area / triangle_count.max(1) as f32, reach)
     }
 
+    /// The area that a part stands for, and a corner of what would stand in for it, if that is known.
+    pub(super) fn estate(&self, part: u32) -> Option<(f32, u32)> {
+        let Part { area, fate, .. } = &self.parts[part as usize];
+        Some((*area, fate.as_ref()?.host))
+    }
+
+    /// How many triangles belong to parts of at most `most` triangles.
+    pub(super) fn triangles_in_small_parts(&self, most: usize) -> usize {
+        let counts = self.parts.iter().map(|part| part.triangle_count);
+        counts.filter(|&count| count <= most).sum()
+    }
+
     /// How many parts there were.
     pub(super) fn len(&self) -> usize {
         self.parts.len()

@@ -15,6 +15,7 @@ use glam::Vec3;
 
 use crate::mesh::Welded;
 
+use super::absorb::{LEAF_SHARE, MAX_LEAF};
 use super::fan::nearest;
 use super::judge::{Choice, Judge, Memory, Tier};
 use super::legality::MAX_REMOVED;
@@ -39,7 +40,7 @@ const MAX_COST: f32 = 1e30;
 /// What relaxed collapses need to know of the whole mesh.
 pub(super) struct Relaxed<'a> {
     welded: &'a Welded,
-    parts: Parts,
+    pub(super) parts: Parts,
     /// Where each position has gone, with shortcuts.
     current: Vec<u32>,
     /// Cycles of positions that have come together, and how many there are in the cycle of each that is still there.
@@ -56,6 +57,8 @@ pub(super) struct Relaxed<'a> {
     keeps_parts: bool,
     /// Whether relaxed collapses only come after all strict ones.
     pub(super) is_tail: bool,
+    /// Whether small parts make up most of the mesh.
+    pub(super) is_foliage: bool,
     has_locks: bool,
     /// True once a relaxed collapse has been carried out.
     has_relaxed: bool,
@@ -81,6 +84,7 @@ impl<'a> Relaxed<'a> {
             search: 0,
             keeps_parts,
             is_tail: false,
+            is_foliage: false,
             has_locks: false,
             has_relaxed: false,
             edges: Vec::new(),
@@ -108,12 +112,22 @@ impl<'a> Relaxed<'a> {
                 self.triangle_count += 1;
             }
         }
+        let leaves = self.parts.triangles_in_small_parts(MAX_LEAF);
+        self.is_foliage = !self.keeps_parts && leaves as f32 > LEAF_SHARE * self.triangle_count as f32;
         self.has_locks = judge.is_locked.contains(&true);
     }
 
     /// How many parts the mesh had.
     pub(super) fn part_count(&self) -> usize {
         self.parts.len()
+    }
+
+    /// Where a position is now.
+    pub(super) fn current_of(&self, mut p: u32) -> u32 {
+        while self.current[p as usize] != p {
+            p = self.current[p as usize];
+        }
+        p
     }
 
     /// Notes that what stood at `v` stands at `u` now.

@@ -1,0 +1,98 @@
+//! Foliage: a leaf that vanishes is made up for by its neighbor.
+//!
+//! A cloud of small parts that loses them one by one loses its area with them, and a tree becomes bare. Where small parts dominate,
+//! a corner of the part that stands in for a vanishing one is therefore contracted with one of its corners first:
+//!
+//! ```text
+//!  a---b   v---x          a--------v---x          a--------v
+//!  | H |   | P |    ->    |    H   | P |    ->    |    H  /
+//!  c---h   y---u          c-------`u---y          c------u
+//! ```
+//!
+//! The neighbor grows by about the area that the part stood for, and the part's own triangles then lie close to it, so that they go
+//! next (compare the stochastic simplification of aggregate detail, \[CHPR07\], which enlarges what remains; here no vertex is invented).
+
+use glam::Vec3;
+
+use super::judge::{Choice, Judge, Tier};
+use super::links::LinkEdge;
+
+/// Parts of more triangles than this are not foliage.
+pub(super) const MAX_LEAF: usize = 16;
+/// Share of the triangles that must belong to such parts.
+pub(super) const LEAF_SHARE: f32 = 0.5;
+/// Cosine of the angle by which a grown triangle may turn.
+const LEAST_COSINE: f32 = 0.5;
+/// Weight of the square of the longest edge against the area that is missing or too much.
+const LENGTH_WEIGHT: f32 = 0.1;
+
+impl Judge<'_> {
+    /// The contraction that makes up for the part of the edge between `v` and `u`, which vanishes with it: a corner of the part
+    /// nearest to it, and the choice to collapse that to `v` or `u`.
+    pub(super) fn absorber(&mut self, v: u32, u: u32) -> Option<(u32, Choice)> {
+        let relaxed = self.relaxed.as_ref().filter(|relaxed| relaxed.is_foliage)?;
+        let part = relaxed.parts.part_of(v);
+        let (area, host) = relaxed.parts.estate(part)?;
+        let host = relaxed.current_of(host);
+        let is_leaf = relaxed.parts.triangle_count(relaxed.parts.part_of(host)) <= MAX_LEAF;
+        if !is_leaf {
+            return None;
+        }
+        let mut corners = self.links.entries(host).to_vec();
+        corners.push(host);
+        corners.sort_unstable();
+        corners.dedup();
+        let mut best: Option<(f32, u32, u32)> = None;
+        let mut edges: Vec<LinkEdge> = Vec::new();
+        for h in corners {
+            if self.is_fixed(h) || h == v || h == u {
+                continue;
+            }
+            self.links.edges_into(h, &mut edges);
+            for to in [u, v] {
+                if let Some(score) = self.growth((h, to), &edges, area)
+                    && best.is_none_or(|(least, ..)| score < least)
+                {
+                    best = Some((score, h, to));
+                }
+            }
+        }
+        let (_, h, to) = best?;
+        let moved = self.at(h).distance_squared(self.at(to));
+        let choice = Choice {
+            tier: Tier::Fold,
+            cost: 0.0,
+            target: to,
+            distance_squared: moved,
+            protrusion_squared: moved,
+            outward: None,
+        };
+        Some((h, choice))
+    }
+
+    /// How badly the triangles of `h` with these opposite edges would fit if `h` moved to `to` and they were to gain an area; `None`
+    /// if they would turn or shrink.
+    fn growth(&self, (h, to): (u32, u32), edges: &[LinkEdge], gain: f32) -> Option<f32> {
+        let (mut before, mut after, mut longest) = (0.0, 0.0, 0.0f32);
+        let [from, to_at] = [h, to].map(|p| self.at(p));
+        for e in edges {
+            let [a, b] = [e.a, e.b].map(|p| self.at(p));
+            if e.a == to || e.b == to {
+                return None;
+            }
+            let [old, new] = [from, to_at].map(|p| (a - p).cross(b - p));
+            if new.dot(old) < LEAST_COSINE * new.length() * old.length() {
+                return None;
+            }
+            before += 0.5 * old.length();
+            after += 0.5 * new.length();
+            longest = longest.max(a.distance_squared(to_at)).max(b.distance_squared(to_at));
+        }
+        (after > before).then(|| (after - before - gain).abs() + LENGTH_WEIGHT * longest)
+    }
+
+    fn at(&self, p: u32) -> Vec3 {
+        let [x, y, z, _] = self.positions[p as usize];
+        Vec3::new(x, y, z)
+    }
+}
