@@ -116,7 +116,7 @@ impl AttributeSpace {
     }
 
     /// What it costs over a unit of area that `to` stands for `from` on the other side of a seam.
-    fn crossing_squared(&self, from: u32, to: u32) -> f32 {
+    pub(super) fn crossing_squared(&self, from: u32, to: u32) -> f32 {
         let pairs = self.of(from).iter().zip(self.of(to)).zip(&self.factors);
         let squared: f32 = pairs.map(|((x, y), factor)| factor * (x - y) * (x - y)).sum();
         if self.share_material(from, to) {

@@ -223,11 +223,16 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// Gathers the star of `v` with the vertices that it shows there.
+    pub(super) fn gather(&mut self, v: u32) {
+        self.star.gather(&self.links, &self.positions, v);
+        self.load_wedges(v);
+    }
+
     /// Gathers the star of `v` and pairs its wedges with those of its neighbor `u`; gives the neighbor's index in the star, if
     /// it is one.
     pub(super) fn gather_and_pair(&mut self, v: u32, u: u32) -> Option<usize> {
-        self.star.gather(&self.links, &self.positions, v);
-        self.load_wedges(v);
+        self.gather(v);
         let k = self.star.ids.iter().position(|&w| w == u)?;
         self.pair(v, k);
         Some(k)

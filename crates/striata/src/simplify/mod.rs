@@ -17,6 +17,7 @@ mod options;
 mod pairs;
 mod parts;
 mod quadric;
+mod relaxation;
 mod relaxed;
 mod removal;
 mod rest;
