@@ -62,7 +62,7 @@ use form::{EdgeForm, Form};
 use goal::{Counts, Goal};
 use hood::Hood;
 use measure::measured_error;
-use seams::{Merge, crossing_cost, merge_wedges, seam_weight};
+use seams::{Crossings, Merge, merge_wedges, seam_weight};
 
 /// No edge chosen yet: the key is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
@@ -400,7 +400,7 @@ impl<'a> Merger<'a> {
             let least = self.costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
             let Some(i) = least.filter(|(_, cost)| **cost < limit).map(|(i, _)| i) else { break };
             self.costs[i] = f32::INFINITY;
-            if let Some(found) = self.judge(v, i).filter(|(cost, _)| *cost < limit) {
+            if let Some(found) = self.judge(v, i, limit).filter(|(cost, _)| *cost < limit) {
                 best = Some(found);
             }
         }
@@ -428,25 +428,29 @@ impl<'a> Merger<'a> {
     }
 
     /// The first place for the vertex of an edge that passes all tests, or the cheapest if seams are crossed; and its cost.
-    fn judge(&mut self, v: u32, i: usize) -> Option<(f32, Choice)> {
+    fn judge(&mut self, v: u32, i: usize, limit: f32) -> Option<(f32, Choice)> {
         let course = self.course(v, i);
         let u = self.hood.ids[i];
         let edge = self.edge_form(v, i);
         let offset = self.hood.offsets[i];
         gather_into(&mut self.other_hood, (&self.judge, &self.positions, self.seams), u);
         let both_move = course == Course::Free;
+        let mut crossings = Crossings::default();
         let mut best: Option<(f32, Choice)> = None;
         for (local, is_kept) in places(&edge, course, offset).into_iter().flatten() {
             let (removed, kept) = if is_kept { (u, v) } else { (v, u) };
             let place = self.hood.centre + local;
             let merge = Merge { removed, kept, share: self.share_of(removed, kept, place) };
+            if edge.cost(local) as f32 >= best.map_or(limit, |(least, _)| least) {
+                continue;
+            }
             let Judge { legality, links, .. } = &mut self.judge;
             let is_allowed = legality.allows(links, removed, kept);
             if !is_allowed && both_move {
                 break;
             }
-            let crossing =
-                if is_allowed { crossing_cost(&mut self.judge, self.seams, merge, both_move) } else { None };
+            let seams = (&mut self.judge, self.seams);
+            let crossing = if is_allowed { crossings.cost(seams, (merge, v), both_move) } else { None };
             let Some(crossing) = crossing else {
                 if both_move && self.seams == SeamRule::Keep {
                     break;

@@ -21,30 +21,42 @@ pub(super) struct Merge {
     pub(super) share: f64,
 }
 
-/// What it costs that wedges cross seams; `None` if the rule for seams or a conflict forbids it.
-pub(super) fn crossing_cost(
-    judge: &mut Judge<'_>,
-    rule: SeamRule,
-    merge: Merge,
-    both_move: bool,
-) -> Option<f64> {
-    let Merge { removed, kept, share } = merge;
-    let is_split = |p| judge.wedges.as_ref().is_some_and(|wedges| wedges.is_split(p));
-    if !is_split(removed) && !is_split(kept) {
-        return Some(0.0);
-    }
-    let there = one_way(judge, removed, kept)?;
-    let is_whole = match rule {
-        SeamRule::Keep => !both_move,
-        SeamRule::Cross => share == 0.0,
-    };
-    if is_whole {
-        return Some(there);
-    }
-    Some(there + share * share * one_way(judge, kept, removed)?)
+/// What it costs that the wedges of an edge's ends cross seams, as far as it has been asked for.
+#[derive(Debug, Default)]
+pub(super) struct Crossings {
+    /// Those of the first end, and those of the second; `None` within where a conflict forbids it.
+    known: [Option<Option<f64>>; 2],
 }
 
-/// The same for the wedges of one end of an edge.
+impl Crossings {
+    /// What a merge costs, `first` being the first end of the edge; `None` if the rule for seams or a conflict forbids it.
+    pub(super) fn cost(
+        &mut self,
+        (judge, rule): (&mut Judge<'_>, SeamRule),
+        (merge, first): (Merge, u32),
+        both_move: bool,
+    ) -> Option<f64> {
+        let Merge { removed, kept, share } = merge;
+        let is_split = |p| judge.wedges.as_ref().is_some_and(|wedges| wedges.is_split(p));
+        if !is_split(removed) && !is_split(kept) {
+            return Some(0.0);
+        }
+        let mut of = |from: u32, to: u32| {
+            *self.known[usize::from(from != first)].get_or_insert_with(|| one_way(judge, from, to))
+        };
+        let there = of(removed, kept)?;
+        let is_whole = match rule {
+            SeamRule::Keep => !both_move,
+            SeamRule::Cross => share == 0.0,
+        };
+        if is_whole {
+            return Some(there);
+        }
+        Some(there + share * share * of(kept, removed)?)
+    }
+}
+
+/// What it costs that the wedges of one end cross seams to those of the other.
 fn one_way(judge: &mut Judge<'_>, from: u32, to: u32) -> Option<f64> {
     let k = judge.gather_and_pair(from, to)?;
     if !judge.pair(from, k) {
