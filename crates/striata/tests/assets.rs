@@ -4,7 +4,7 @@ mod meshes;
 
 mod support;
 
-use meshes::{COSTS, asset};
+use meshes::{COSTS, asset, random_options};
 use proptest::prelude::*;
 use striata::ignore_progress;
 use striata::mesh::{
@@ -16,8 +16,11 @@ use striata::strip::{StripOptions, stripify};
 use support::follows_the_oracle;
 
 fn refinable_asset(piece_count: usize, seed: u64, cost: usize) -> RefinableMesh {
-    let options = SequenceOptions::default().with_cost(COSTS[cost]);
     let mesh = asset(piece_count, seed);
+    let options = match seed % 2 {
+        0 => SequenceOptions::default().with_cost(COSTS[cost]),
+        _ => random_options(&mesh, seed, cost),
+    };
     build_sequence(&mesh, &options, &mut ignore_progress).expect("assets are sound").refinable
 }
 

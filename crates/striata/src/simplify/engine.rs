@@ -65,12 +65,12 @@ impl<'a> Engine<'a> {
         progress: &mut ProgressFn<'_>,
     ) -> Result<(Record, StopReason), SimplifyError> {
         let total = self.target.len() as u64;
-        if self.relaxation.is_possible() {
+        if self.relaxation.is_possible() || self.judge.pairs.is_some() {
             self.judge.lock_boundary();
-            if self.judge.pairs.is_some() || self.judge.wedges.is_some() {
-                // Even strict collapses may take whole parts, or move the surface by more than their stars tell.
-                self.relax();
-            }
+        }
+        if self.judge.pairs.is_some() || (self.relaxation.is_possible() && self.judge.wedges.is_some()) {
+            // Even strict collapses may take whole parts, or move the surface by more than their stars tell.
+            self.relax();
         }
         let keys: Vec<f32> = (0..total as u32).map(|v| self.judge.lower_bound(v)).collect();
         self.heap = IndexedHeap::new(&keys);
@@ -134,7 +134,7 @@ impl<'a> Engine<'a> {
     /// Judges `v` in full and puts it back with its true cost, or takes it out where no target is allowed.
     fn decide(&mut self, v: u32, bound: f32) {
         let mut choice = self.judge.best_choice(v);
-        if choice.is_none() {
+        if choice.is_none() && self.relaxation.is_possible() {
             let record = &self.course.record;
             self.relaxation.consider(&mut self.judge, (&record.removed, &record.targets));
             choice = self.judge.relaxed_choice(v);
@@ -160,7 +160,8 @@ impl<'a> Engine<'a> {
             return judge.relaxed_stands(v, u, tier);
         }
         if judge.links.entries(v).contains(&u) {
-            return judge.legality.allows(&judge.links, v, u);
+            return judge.legality.allows(&judge.links, v, u)
+                && (judge.pairs.is_none() || judge.leaves_enough(v, u));
         }
         // A contraction of two parts only needs both to be there, and still apart.
         judge.pairs.is_some() && judge.links.kind(u) != LinkKind::Empty

@@ -7,7 +7,7 @@ use crate::mesh::Welded;
 use super::attributes::AttributeSpace;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
-use super::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions};
+use super::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
 use super::pairs::Pairs;
 use super::quadric::Quadric;
 use super::relaxed::Relaxed;
@@ -139,7 +139,9 @@ impl<'a> Judge<'a> {
             let threshold = ((distance / scale) as f32).clamp(1e-6, 1.0);
             let is_neighbour = |p: u32, q: u32| judge.links.entries(p).contains(&q);
             judge.pairs = Some(Pairs::new(&judge.positions, threshold, is_neighbour));
-            judge.legality.may_vanish = true;
+            judge.legality.may_merge = true;
+            // Otherwise relaxed collapses let parts vanish, at a price.
+            judge.legality.may_vanish = options.topology == TopologyRule::Keep;
         }
         judge
     }
@@ -327,7 +329,8 @@ impl<'a> Judge<'a> {
 
     /// Whether neighbour `k` may be the target, and its cost with the distance of `v` from the fan.
     fn measure(&mut self, v: u32, k: usize) -> Option<f32> {
-        if !self.legality.allows(&self.links, v, self.star.ids[k]) {
+        let u = self.star.ids[k];
+        if !self.legality.allows(&self.links, v, u) || (self.pairs.is_some() && !self.leaves_enough(v, u)) {
             return None;
         }
         if !self.pair(v, k) {

@@ -70,11 +70,13 @@ impl<'a> Relaxation<'a> {
         }
     }
 
-    /// Lets relaxed collapses begin.
+    /// Lets relaxed collapses begin; if there are none, parts and what they have lost are followed all the same.
     pub(super) fn begin(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
         let mut relaxed = self.waiting.take().unwrap_or_else(|| Relaxed::new(self.welded, self.keeps_parts));
         relaxed.begin(judge, removed);
         judge.relaxed = Some(relaxed);
-        self.state = State::Now;
+        if self.state != State::Never {
+            self.state = State::Now;
+        }
     }
 }

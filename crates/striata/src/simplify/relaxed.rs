@@ -294,6 +294,14 @@ impl Judge<'_> {
             || relaxed.parts.knows_fate(part, relaxed.generation)
     }
 
+    /// True if a collapse leaves the mesh a triangle, and each locked position as well.
+    pub(super) fn leaves_enough(&self, v: u32, u: u32) -> bool {
+        let removed = shared_triangles(&self.links, v, u);
+        let kept = self.links.triangle_count(v) + self.links.triangle_count(u) - 2 * removed;
+        let is_last = self.relaxed.as_ref().is_some_and(|relaxed| removed >= relaxed.triangle_count);
+        !is_last && !self.strands_locked(v, u, kept)
+    }
+
     /// True if a locked position would lose its last triangle.
     fn strands_locked(&self, v: u32, u: u32, kept: usize) -> bool {
         if !self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_locks) {
