@@ -541,6 +541,11 @@ impl Judge<'_> {
                 self.note_end(part, &mut departure);
             }
         }
+        if departure.place.is_none() {
+            // The part goes on elsewhere: it has come apart before.
+            let (distance_squared, place) = self.standing(point(&self.positions, u), (f32::INFINITY, u), 0.0);
+            departure.place = (distance_squared < f32::INFINITY).then_some(place);
+        }
         if let (Some(relaxed), Some(place)) = (&mut self.relaxed, departure.place) {
             departure.lost.iter().for_each(|&p| relaxed.follow(p, place));
         }
