@@ -178,9 +178,13 @@ impl<'a> Judge<'a> {
 
     /// Fills the star of `v` with the costs of its candidates, as far as they are quadratic.
     fn load_star(&mut self, v: u32) {
-        self.star.gather(&self.links, &self.positions, v);
+        self.gather(v);
+        self.load_costs(v);
+    }
+
+    /// Fills in the costs of the gathered star's candidates, as far as they are quadratic.
+    pub(super) fn load_costs(&mut self, v: u32) {
         self.fill_costs(v);
-        self.load_wedges(v);
         self.apply_borders(v);
     }
 

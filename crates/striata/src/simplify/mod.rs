@@ -4,6 +4,7 @@ mod attributes;
 mod batches;
 mod course;
 mod cover;
+mod crossing;
 mod engine;
 mod fan;
 mod finish;

@@ -60,7 +60,7 @@ impl<'a> Relaxation<'a> {
         let relaxed = Relaxed::new(self.welded, self.keeps_parts);
         let is_closed = |p: u32| matches!(judge.links.kind(p), LinkKind::Closed | LinkKind::Empty);
         let part_count = relaxed.part_count();
-        let waits = judge.wedges.is_none()
+        let waits = self.welded.positions.is_identity()
             && (part_count == 1 || LEAST_CLOSED_PART * part_count <= self.welded.mesh.triangle_count())
             && (0..judge.positions.len() as u32).all(is_closed);
         self.waiting = Some(relaxed);

@@ -541,8 +541,8 @@ impl Judge<'_> {
                 self.note_end(part, &mut departure);
             }
         }
-        if departure.place.is_none() {
-            // The part goes on elsewhere: it has come apart before.
+        if departure.place.is_none_or(|p| self.links.kind(p) == LinkKind::Empty) {
+            // The part has come apart before, or what stood in for it has gone with it.
             let (distance_squared, place) = self.standing(point(&self.positions, u), (f32::INFINITY, u), 0.0);
             departure.place = (distance_squared < f32::INFINITY).then_some(place);
         }

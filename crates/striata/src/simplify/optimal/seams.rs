@@ -9,9 +9,6 @@ use glam::DVec3;
 use super::super::judge::Judge;
 use super::super::options::SeamRule;
 
-/// Mean square of a linear function over a triangle that is 1 at one corner and 0 at the others.
-const CORNER_SHARE: f64 = 1.0 / 6.0;
-
 /// What happens to the vertices of an edge.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Merge {
@@ -62,20 +59,7 @@ fn one_way(judge: &mut Judge<'_>, from: u32, to: u32) -> Option<f64> {
     if !judge.pair(from, k) {
         return None;
     }
-    let Judge { star, wedges: Some(wedges), attributes: Some(attributes), .. } = judge else {
-        return Some(0.0);
-    };
-    let mut cost = 0.0;
-    for t in 0..star.triangle_count() {
-        let [i, j] = star.triangle(t);
-        let wedge = star.shown[t];
-        if i != k && j != k && wedges.crosses(wedge) {
-            let (u, a, b) = (star.offset(k), star.offset(i), star.offset(j));
-            let areas = [a.cross(b), (a - u).cross(b - u)].map(|normal| 0.5 * normal.length());
-            cost += areas[0].max(areas[1]) * attributes.crossing_squared(wedge, wedges.paired(wedge, to));
-        }
-    }
-    Some(CORNER_SHARE * f64::from(cost))
+    Some(f64::from(judge.crossing_cost(k)))
 }
 
 /// Finds the partners of the wedges of `removed` that triangles show, and makes the triangles show those of `kept`; `targets`
