@@ -357,6 +357,28 @@ proptest! {
     }
 
     #[test]
+    fn locks_hold_on_assets(pieces in 1usize..7, seed: u64) {
+        let mesh = meshes::asset(pieces, seed);
+        let welded = weld(&mesh).unwrap();
+        let mut sequence = meshes::random_options(&mesh, seed, 0);
+        sequence.pair_distance = None;
+        let out = run(&mesh, &options(Target::Triangles(0)).with_sequence(sequence.clone()));
+        let bits = |p: &[f32; 3]| p.map(|x| (x + 0.0).to_bits());
+        let left: BTreeSet<_> = out.mesh.positions.iter().map(bits).collect();
+        let locked = sequence.locked_vertices.iter();
+        for &v in locked.filter(|&&v| welded.position_of_source[v as usize] != u32::MAX) {
+            prop_assert!(left.contains(&bits(&mesh.positions[v as usize])), "vertex {} was locked", v);
+        }
+        if sequence.boundary == BoundaryRule::Locked {
+            let adjacency = Adjacency::of_positions(&welded.mesh, &welded.positions);
+            for p in adjacency.edges().filter(|e| e.is_boundary()).flat_map(|e| e.ends) {
+                let place = welded.mesh.positions[welded.positions.first_vertex(p) as usize];
+                prop_assert!(left.contains(&bits(&place)), "a boundary vertex went");
+            }
+        }
+    }
+
+    #[test]
     fn limits_hold_on_assets(pieces in 1usize..7, seed: u64, share in 0.001f64..0.3) {
         let mesh = meshes::asset(pieces, seed);
         prop_assume!(!weld(&mesh).unwrap().mesh.triangles.is_empty());

@@ -439,7 +439,9 @@ impl<'a> Merger<'a> {
         let mut best: Option<(f32, Choice)> = None;
         for (local, is_kept) in places(&edge, course, offset).into_iter().flatten() {
             let (removed, kept) = if is_kept { (u, v) } else { (v, u) };
-            let place = self.hood.centre + local;
+            // Ends stay where they are, without any rounding.
+            let is_end = local == if is_kept { DVec3::ZERO } else { offset };
+            let place = if is_end { self.positions[kept as usize] } else { self.hood.centre + local };
             let merge = Merge { removed, kept, share: self.share_of(removed, kept, place) };
             if edge.cost(local) as f32 >= best.map_or(limit, |(least, _)| least) {
                 continue;
