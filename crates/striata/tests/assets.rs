@@ -4,20 +4,25 @@ mod meshes;
 
 mod support;
 
-use meshes::{COSTS, asset};
+use meshes::{COSTS, asset, random_options};
 use proptest::prelude::*;
 use striata::ignore_progress;
 use striata::mesh::{
     DistanceOptions, FragmentedMesh, RefinableMesh, canonical_triangles, replay, surface_distance,
 };
 use striata::model::{Fans, LodModel, LodStrips, Mts, Patterns};
-use striata::simplify::{SequenceOptions, build_sequence, certify_collapses};
+use striata::simplify::{
+    RemovalOptions, SequenceOptions, build_fragments, build_sequence, certify_collapses,
+};
 use striata::strip::{StripOptions, stripify};
-use support::follows_the_oracle;
+use support::{follows_the_fragments, follows_the_oracle};
 
 fn refinable_asset(piece_count: usize, seed: u64, cost: usize) -> RefinableMesh {
-    let options = SequenceOptions::default().with_cost(COSTS[cost]);
     let mesh = asset(piece_count, seed);
+    let options = match seed % 2 {
+        0 => SequenceOptions::default().with_cost(COSTS[cost]),
+        _ => random_options(&mesh, seed, cost),
+    };
     build_sequence(&mesh, &options, &mut ignore_progress).expect("assets are sound").refinable
 }
 
@@ -56,12 +61,21 @@ proptest! {
     }
 
     #[test]
+    fn patterns_follow_removals(pieces in 1usize..4, seed: u64) {
+        let mesh = asset(pieces, seed);
+        let removals = RemovalOptions::default();
+        let fragmented = build_fragments(&mesh, &removals, &mut ignore_progress).expect("assets are sound").fragmented;
+        follows_the_fragments(&fragmented, &Patterns::build(&fragmented).expect("fragments are sound"), 3);
+    }
+
+    #[test]
     fn certified_errors_hold(pieces in 1usize..5, seed: u64) {
         let refinable = refinable_asset(pieces, seed, 0);
         let certain = certify_collapses(&refinable, &mut ignore_progress).expect("nobody cancels");
         let options = DistanceOptions::default().with_sample_count(2000);
         for split_count in (0..refinable.sequence.step_count()).step_by(5) {
             let level = replay(&refinable, split_count);
+            if level.triangles.is_empty() { continue; }
             let found = surface_distance(&refinable.mesh, &level, &options).expect("both have triangles");
             let limit = f64::from(certain.sequence.error_at(split_count)) + 1e-14 * refinable.mesh.diagonal();
             prop_assert!(found.a_to_b.max <= limit, "{} of at most {} at {}", found.a_to_b.max, limit, split_count);

@@ -1,5 +1,7 @@
 //! Certified errors hold: no point of the original surface is farther from a state than its error says.
 
+mod meshes;
+
 mod support;
 
 use proptest::prelude::*;
@@ -108,6 +110,14 @@ proptest! {
     #[test]
     fn soups_hold(case in soups()) {
         everything_holds(&case);
+    }
+
+    #[test]
+    fn assets_hold(pieces in 1usize..4, seed: u64, cost in 0usize..3) {
+        let mesh = meshes::asset(pieces, seed);
+        let options = meshes::random_options(&mesh, seed, cost);
+        let refinable = build_sequence(&mesh, &options, &mut ignore_progress).unwrap().refinable;
+        everything_holds(&Case { stride: 1, seed, refinable });
     }
 
     #[test]

@@ -1,11 +1,15 @@
 //! Geomorphs: exactly one level at either end, nothing that jumps between, wedges and all; and instances that follow what is
 //! wanted frame by frame.
 
+mod meshes;
+
 mod support;
 
 use proptest::prelude::*;
+use striata::ignore_progress;
 use striata::mesh::{AttributeLayer, RefinableMesh, Semantic, canonical_triangles, replay};
 use striata::model::{FanInstance, FanMorphs, Fans, Geomorph, LodModel, MorphPlace};
+use striata::simplify::build_sequence;
 use support::{
     Case, Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
     with_seams_and_groups,
@@ -352,5 +356,15 @@ proptest! {
     fn random_meshes_morph_without_a_jump(case in soups(), frame_count in 1u16..6) {
         check_between(&case);
         check_running(&case, frame_count);
+    }
+
+    #[test]
+    fn random_assets_morph_without_a_jump(pieces in 1usize..4, seed: u64, cost in 0usize..3) {
+        let mesh = meshes::asset(pieces, seed);
+        let options = meshes::random_options(&mesh, seed, cost);
+        let refinable = build_sequence(&mesh, &options, &mut ignore_progress).unwrap().refinable;
+        let case = Case { stride: 1, seed: seed >> 1, refinable };
+        check_between(&case);
+        check_running(&case, 4);
     }
 }

@@ -1,12 +1,15 @@
 //! Free placement: one level with vertices anywhere.
 
+mod meshes;
+
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
-use striata::mesh::{IndexedMesh, Semantic, Statistics, shapes};
+use proptest::prelude::*;
+use striata::mesh::{Adjacency, IndexedMesh, Semantic, Statistics, shapes, weld};
 use striata::simplify::{
-    BoundaryRule, Placement, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target,
-    simplify,
+    BoundaryRule, Placement, SeamRule, SequenceOptions, Simplified, SimplifyError, SimplifyOptions,
+    StopReason, Target, TopologyRule, simplify,
 };
 
 fn options(target: Target) -> SimplifyOptions {
@@ -79,7 +82,8 @@ fn torus_keeps_its_handle_down_to_the_base() {
     let torus = shapes::torus(60, 30, 2.0, 0.7);
     let statistics = Statistics::of(&to_triangles(&torus, 300)).unwrap();
     assert_eq!((statistics.genus, statistics.is_closed), (Some(1), true));
-    let base = run(&torus, &options(Target::Detail(0.0)));
+    let keeping = SequenceOptions::default().with_topology(TopologyRule::Keep);
+    let base = run(&torus, &options(Target::Detail(0.0)).with_sequence(keeping));
     assert_eq!(base.stop_reason, StopReason::TargetReached);
     assert!(base.mesh.triangle_count() < 60, "{}", base.mesh.triangle_count());
     assert_eq!(Statistics::of(&base.mesh).unwrap().genus, Some(1));
@@ -286,4 +290,117 @@ fn cancelling_and_pairs_are_errors() {
         &mut striata::ignore_progress,
     );
     assert!(matches!(out, Err(SimplifyError::Option { option: "pair_distance", .. })));
+}
+
+/// The largest distance between samples of two meshes and the other mesh.
+fn sampled(a: &IndexedMesh, b: &IndexedMesh) -> f64 {
+    use striata::mesh::{DistanceOptions, surface_distance};
+    let sampling = DistanceOptions::default().with_sample_count(3_000);
+    let found = surface_distance(a, b, &sampling).unwrap();
+    found.a_to_b.max.max(found.b_to_a.max)
+}
+
+/// Runs down to a few targets, which must be undercut by no more than a step takes; errors must hold.
+fn reaches_all_targets(name: &str, mesh: &IndexedMesh, sequence: &SequenceOptions) {
+    // Welding drops triangles whose corners meet.
+    let welded = weld(mesh).unwrap().mesh;
+    let full = welded.triangle_count();
+    for target in [full * 3 / 4, full / 2, full / 4, full / 10, 16, 2].into_iter().filter(|&n| n < full) {
+        let out = run(mesh, &options(Target::Triangles(target)).with_sequence(sequence.clone()));
+        let left = out.mesh.triangle_count();
+        let at = format!("{name}: {left} of {full} triangles left for {target}");
+        // Three positions have triangles that only go all together.
+        let places: BTreeSet<_> = out.mesh.positions.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
+        assert!(left > 0 && (left <= target.max(8) || places.len() <= 3), "{at}");
+        assert!(left <= target || out.stop_reason == StopReason::BaseReached, "{at}");
+        assert_eq!(
+            out.mesh.clone().without_unused_vertices().vertex_count(),
+            out.mesh.vertex_count(),
+            "{at}"
+        );
+        let found = sampled(&welded, &out.mesh);
+        assert!(out.error >= 0.77 * found - 1e-6 * mesh.diagonal(), "{at}: {} but {found}", out.error);
+        // Samples miss peaks of small parts.
+        assert!(out.error <= 2.0 * found + 1e-6 * mesh.diagonal(), "{at}: {} but {found}", out.error);
+    }
+}
+
+#[test]
+fn every_target_is_reached_on_odd_meshes() {
+    for (name, mesh) in meshes::all() {
+        if mesh.triangles.is_empty() || weld(&mesh).unwrap().mesh.triangles.is_empty() {
+            continue;
+        }
+        reaches_all_targets(&name, &mesh, &SequenceOptions::default());
+    }
+}
+
+#[test]
+fn parts_stay_if_asked_for() {
+    let mesh = shapes::many_components(30);
+    let left = |rule| {
+        let sequence = SequenceOptions::default().with_topology(rule);
+        run(&mesh, &options(Target::Triangles(0)).with_sequence(sequence)).mesh
+    };
+    let parts = |mesh: &IndexedMesh| Statistics::of(mesh).unwrap().component_count;
+    assert_eq!(parts(&left(TopologyRule::KeepParts)), parts(&mesh));
+    // A tetrahedron folds into two triangles.
+    assert!(left(TopologyRule::Change).triangle_count() <= 2);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn every_target_is_reached_on_assets(pieces in 1usize..9, seed: u64) {
+        reaches_all_targets("asset", &meshes::asset(pieces, seed), &SequenceOptions::default());
+    }
+
+    #[test]
+    fn locks_hold_on_assets(pieces in 1usize..7, seed: u64) {
+        let mesh = meshes::asset(pieces, seed);
+        let welded = weld(&mesh).unwrap();
+        let mut sequence = meshes::random_options(&mesh, seed, 0);
+        sequence.pair_distance = None;
+        let out = run(&mesh, &options(Target::Triangles(0)).with_sequence(sequence.clone()));
+        let bits = |p: &[f32; 3]| p.map(|x| (x + 0.0).to_bits());
+        let left: BTreeSet<_> = out.mesh.positions.iter().map(bits).collect();
+        let locked = sequence.locked_vertices.iter();
+        for &v in locked.filter(|&&v| welded.position_of_source[v as usize] != u32::MAX) {
+            prop_assert!(left.contains(&bits(&mesh.positions[v as usize])), "vertex {} was locked", v);
+        }
+        if sequence.boundary == BoundaryRule::Locked {
+            let adjacency = Adjacency::of_positions(&welded.mesh, &welded.positions);
+            for p in adjacency.edges().filter(|e| e.is_boundary()).flat_map(|e| e.ends) {
+                let place = welded.mesh.positions[welded.positions.first_vertex(p) as usize];
+                prop_assert!(left.contains(&bits(&place)), "a boundary vertex went");
+            }
+        }
+    }
+
+    #[test]
+    fn limits_hold_on_assets(pieces in 1usize..7, seed: u64, share in 0.001f64..0.3) {
+        let mesh = meshes::asset(pieces, seed);
+        prop_assume!(!weld(&mesh).unwrap().mesh.triangles.is_empty());
+        let limit = share * mesh.diagonal();
+        let out = run(&mesh, &options(Target::Error(limit)));
+        prop_assert!(out.error <= limit);
+        let found = sampled(&weld(&mesh).unwrap().mesh, &out.mesh);
+        prop_assert!(found <= 1.1 * limit, "{found} for {limit}");
+    }
+
+    #[test]
+    fn seams_and_topology_stay_if_asked_for(pieces in 1usize..5, seed: u64) {
+        let mesh = meshes::asset(pieces, seed);
+        prop_assume!(!weld(&mesh).unwrap().mesh.triangles.is_empty());
+        let keeping = SequenceOptions::default().with_seams(SeamRule::Keep).with_topology(TopologyRule::Keep);
+        let kept = run(&mesh, &options(Target::Triangles(0)).with_sequence(keeping.clone()));
+        prop_assert_eq!(kept.stop_reason, StopReason::BaseReached);
+        let parts = |mesh: &IndexedMesh| {
+            let welded = weld(mesh).unwrap();
+            Adjacency::of_positions(&welded.mesh, &welded.positions).component_count()
+        };
+        // Parts that hang together by a vertex may come apart there.
+        prop_assert!(parts(&kept.mesh) >= parts(&mesh));
+    }
 }

@@ -119,6 +119,33 @@ fn check_attributes(name: &str, input: &IndexedMesh, built: &BuiltSequence) {
     }
 }
 
+/// What is locked is in the base and has a triangle there; nothing else stays unless a rule says so.
+fn check_locks(input: &IndexedMesh, options: &SequenceOptions, built: &BuiltSequence) {
+    let base = replay(&built.refinable, 0);
+    let used = base.clone().without_unused_vertices();
+    let used = positions_of(&used, used.vertex_count());
+    assert_eq!(
+        used.len(),
+        built.refinable.sequence.base_position_count(),
+        "positions without triangles stay"
+    );
+    let shown: BTreeSet<[u32; 3]> = triangles_in_space(input).into_iter().flatten().collect();
+    let mut locked: BTreeSet<[u32; 3]> =
+        options.locked_vertices.iter().map(|&v| key(input.positions[v as usize])).collect();
+    if options.boundary == BoundaryRule::Locked {
+        locked.extend(boundary_of(input).1);
+    }
+    if options.group_borders == BoundaryRule::Locked {
+        locked.extend(group_border_of(&weld(input).expect("assets are sound").mesh));
+    }
+    locked.retain(|place| shown.contains(place));
+    assert!(locked.is_subset(&used), "something locked went");
+    let keeps_something = options.topology != TopologyRule::Change || options.seams != SeamRule::Cross;
+    // A locked position needs two more for its triangle; parts of several layers may end before their last triangle.
+    let limit = 10 + 3 * locked.len();
+    assert!(keeps_something || used.len() <= limit, "{} positions of {limit} left", used.len());
+}
+
 /// No vertex serves two materials while seams are kept: a triangle that took one over from across the border would share it.
 fn check_materials(at: &str, level: &IndexedMesh) {
     let mut material_of = vec![None; level.vertex_count()];
@@ -495,6 +522,25 @@ proptest! {
             let place = key(mesh.positions[v as usize]);
             prop_assert!(base.contains(&place) || !shown.contains(&place), "vertex {} was locked", v);
         }
+    }
+
+    #[test]
+    fn random_options_keep_the_promises(pieces in 1usize..7, seed: u64, cost in 0usize..3) {
+        let mesh = meshes::asset(pieces, seed);
+        let options = meshes::random_options(&mesh, seed, cost);
+        let built = build(&mesh, &options);
+        prop_assume!(!built.refinable.mesh.triangles.is_empty());
+        check_sequence("asset", &mesh, &built);
+        check_locks(&mesh, &options, &built);
+        prop_assert_eq!(built.stop_reason, StopReason::BaseReached);
+        // A target within reach is met, by the same steps.
+        let sequence = &built.refinable.sequence;
+        let goal = (sequence.triangle_count_at(0) + sequence.triangle_count_at(sequence.step_count())) / 2;
+        let some = build(&mesh, &options.clone().with_base_triangle_count(goal));
+        prop_assert!(some.refinable.sequence.triangle_count_at(0) <= goal);
+        prop_assert_eq!(some.stop_reason, StopReason::TargetReached);
+        let below = build(&mesh, &options.with_base_triangle_count(sequence.triangle_count_at(0) - 1));
+        prop_assert_eq!(below.stop_reason, StopReason::BaseReached);
     }
 
     #[test]

@@ -87,6 +87,11 @@ impl TriangleTree {
     ///
     /// `triangle` carries that triangle from query to query; it changes the work, never the distance.
     pub(super) fn distance_from_hint(&self, point: DVec3, triangle: &mut usize) -> f64 {
+        self.distance_within(point, 0.0, triangle)
+    }
+
+    /// Distance as [`Self::distance_from_hint`] finds it, or that of any triangle that is no farther than `enough`.
+    pub(crate) fn distance_within(&self, point: DVec3, enough: f64, triangle: &mut usize) -> f64 {
         let in_frame = (point - self.center) * self.scale;
         let is_far = in_frame.abs().max_element() > FAR;
         if is_far || *triangle >= self.corners.len() {
@@ -98,7 +103,8 @@ impl TriangleTree {
         };
         // Squared: roots are taken once per query.
         let mut squared = squared_distance_to_triangle(point, corners);
-        if !is_far {
+        let enough = enough * enough;
+        if !is_far && squared > enough {
             let squared_scale = self.scale * self.scale * COST_MARGIN;
             let limit = (squared * squared_scale) as f32;
             self.boxes.visit_near(in_frame.as_vec3a(), limit, |tried| {
@@ -106,7 +112,7 @@ impl TriangleTree {
                 if other < squared {
                     (squared, *triangle) = (other, tried);
                 }
-                (squared * squared_scale) as f32
+                if squared <= enough { 0.0 } else { (squared * squared_scale) as f32 }
             });
         }
         squared.sqrt()

@@ -16,13 +16,14 @@ use glam::Vec3;
 
 use super::judge::{Choice, Judge, Tier};
 use super::links::LinkEdge;
+use super::parts::Estate;
 
 /// Parts of more triangles than this are not foliage.
 pub(super) const MAX_LEAF: usize = 16;
 /// Share of the triangles that must belong to such parts.
 pub(super) const LEAF_SHARE: f32 = 0.5;
 /// Cosine of the angle by which a grown triangle may turn.
-const LEAST_COSINE: f32 = 0.5;
+const LEAST_COSINE: f32 = 0.3;
 /// Weight of the square of the longest edge against the area that is missing or too much.
 const LENGTH_WEIGHT: f32 = 0.1;
 
@@ -31,17 +32,18 @@ impl Judge<'_> {
     /// nearest to it, and the choice to collapse that to `v` or `u`.
     pub(super) fn absorber(&mut self, v: u32, u: u32) -> Option<(u32, Choice)> {
         let relaxed = self.relaxed.as_ref().filter(|relaxed| relaxed.is_foliage)?;
-        let part = relaxed.parts.part_of(v);
-        let (area, host) = relaxed.parts.estate(part)?;
+        let Estate { cover, host, is_covered } = relaxed.parts.estate(relaxed.parts.part_of(v))?;
         let host = relaxed.current_of(host);
-        let is_leaf = relaxed.parts.triangle_count(relaxed.parts.part_of(host)) <= MAX_LEAF;
-        if !is_leaf {
+        let part = relaxed.parts.part_of(host);
+        if is_covered || relaxed.parts.triangle_count(part) > MAX_LEAF {
             return None;
         }
+        let wanted = cover + relaxed.parts.cover(part);
         let mut corners = self.links.entries(host).to_vec();
         corners.push(host);
         corners.sort_unstable();
         corners.dedup();
+        let gain = wanted - self.area_around(&corners);
         let mut best: Option<(f32, u32, u32)> = None;
         let mut edges: Vec<LinkEdge> = Vec::new();
         for h in corners {
@@ -50,7 +52,7 @@ impl Judge<'_> {
             }
             self.links.edges_into(h, &mut edges);
             for to in [u, v] {
-                if let Some(score) = self.growth((h, to), &edges, area)
+                if let Some(score) = self.growth((h, to), &edges, gain)
                     && best.is_none_or(|(least, ..)| score < least)
                 {
                     best = Some((score, h, to));
@@ -68,6 +70,21 @@ impl Judge<'_> {
             outward: None,
         };
         Some((h, choice))
+    }
+
+    /// The area of the triangles between some positions and their neighbors, those of several positions once.
+    fn area_around(&self, corners: &[u32]) -> f32 {
+        let mut sum = 0.0;
+        let mut edges: Vec<LinkEdge> = Vec::new();
+        for &p in corners {
+            self.links.edges_into(p, &mut edges);
+            let is_first = |q: u32| q > p || corners.binary_search(&q).is_err();
+            for e in edges.iter().filter(|e| is_first(e.a) && is_first(e.b)) {
+                let [p, a, b] = [p, e.a, e.b].map(|p| self.at(p));
+                sum += 0.5 * (a - p).cross(b - p).length();
+            }
+        }
+        sum
     }
 
     /// How badly the triangles of `h` with these opposite edges would fit if `h` moved to `to` and they were to gain an area; `None`

@@ -204,7 +204,7 @@ impl AttributeSpace {
     }
 
     /// What it costs over a unit of area that `to` stands for `from` on the other side of a seam.
-    fn crossing_squared(&self, from: u32, to: u32) -> f32 {
+    pub(super) fn crossing_squared(&self, from: u32, to: u32) -> f32 {
         let squared = self.weighted_squared(from, to, |factors| factors.crossing);
         if self.share_material(from, to) { squared } else { squared + TILED.crossing * self.material_squared }
     }

@@ -21,8 +21,8 @@ use super::finish::Record;
 use super::heap::IndexedHeap;
 use super::judge::{Choice, Judge, Memory, Tier};
 use super::links::LinkKind;
-use super::options::{SequenceOptions, SimplifyError, StopReason, TopologyRule};
-use super::relaxed::Relaxed;
+use super::options::{SequenceOptions, SimplifyError, StopReason};
+use super::relaxation::Relaxation;
 
 /// No target chosen yet: the key is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
@@ -31,24 +31,8 @@ const UNMEASURED: f32 = -1.0;
 /// Collapses between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
 
-/// A closed surface of several parts waits with relaxed collapses if its parts have this many triangles on average: strict ones
-/// lead it down to a twenty-fifth by themselves.
-const LEAST_CLOSED_PART: usize = 100;
-
-/// Whether positions without a strict target look for relaxed ones.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Relaxation {
-    Never,
-    /// No position has needed one yet.
-    Unknown,
-    /// Once no strict target is left anywhere.
-    Later,
-    Now,
-}
-
 /// All state of one simplification.
 pub(super) struct Engine<'a> {
-    welded: &'a Welded,
     options: &'a SequenceOptions,
     judge: Judge<'a>,
     heap: IndexedHeap,
@@ -58,9 +42,7 @@ pub(super) struct Engine<'a> {
     protrusion_squared: Vec<f32>,
     /// Distance from the original mesh of what the choice leaves; `UNMEASURED` if it is small, `NAN` if nobody has looked yet.
     outward: Vec<f32>,
-    relaxation: Relaxation,
-    /// What relaxed collapses will need later.
-    waiting: Option<Relaxed<'a>>,
+    relaxation: Relaxation<'a>,
     course: Course,
 }
 
@@ -68,11 +50,9 @@ impl<'a> Engine<'a> {
     pub(super) fn new(welded: &'a Welded, options: &'a SequenceOptions) -> Self {
         let scaled = scaled_positions(welded);
         let (position_count, scale) = (scaled.0.len(), scaled.1);
-        let may_relax = options.topology != TopologyRule::Keep;
         let judge = Judge::new(welded, options, scaled);
         let course = Course::new(welded, scale, judge.is_closed_scan());
         Self {
-            welded,
             options,
             judge,
             heap: IndexedHeap::new(&[]),
@@ -81,8 +61,7 @@ impl<'a> Engine<'a> {
             distance_squared: vec![0.0; position_count],
             protrusion_squared: vec![0.0; position_count],
             outward: vec![f32::NAN; position_count],
-            relaxation: if may_relax { Relaxation::Unknown } else { Relaxation::Never },
-            waiting: None,
+            relaxation: Relaxation::new(welded, options.topology),
             course,
         }
     }
@@ -93,12 +72,12 @@ impl<'a> Engine<'a> {
         progress: &mut ProgressFn<'_>,
     ) -> Result<(Record, StopReason), SimplifyError> {
         let total = self.target.len() as u64;
-        if self.relaxation != Relaxation::Never {
+        if self.relaxation.is_possible() || self.judge.pairs.is_some() {
             self.judge.lock_boundary();
-            if self.judge.pairs.is_some() || self.judge.wedges.is_some() {
-                // Even strict collapses may take whole parts, or move the surface by more than their stars tell.
-                self.relax(false);
-            }
+        }
+        if self.judge.pairs.is_some() || (self.relaxation.is_possible() && self.judge.wedges.is_some()) {
+            // Even strict collapses may take whole parts, or move the surface by more than their stars tell.
+            self.relax();
         }
         let keys: Vec<f32> = (0..total as u32).map(|v| self.judge.lower_bound(v)).collect();
         self.heap = IndexedHeap::new(&keys);
@@ -152,8 +131,8 @@ impl<'a> Engine<'a> {
 
     /// The position that comes next, and its key; lets relaxed collapses begin if they had to wait for the end.
     fn next(&mut self) -> Option<(f32, u32)> {
-        if self.heap.first().is_none() && self.relaxation == Relaxation::Later {
-            self.relax(true);
+        if self.heap.first().is_none() && self.relaxation.is_waiting() {
+            self.relax();
             for v in 0..self.target.len() as u32 {
                 self.target[v as usize] = UNDECIDED;
                 let bound = self.judge.lower_bound(v);
@@ -163,38 +142,18 @@ impl<'a> Engine<'a> {
         self.heap.first()
     }
 
-    /// Decides what happens now that a position has no strict target.
-    fn consider_relaxing(&mut self) {
-        if self.relaxation != Relaxation::Unknown {
-            return;
-        }
-        let relaxed = Relaxed::new(self.welded, self.options.topology == TopologyRule::KeepParts);
-        let part_count = relaxed.part_count();
-        let waits = self.judge.is_closed_scan()
-            && (part_count == 1 || LEAST_CLOSED_PART * part_count <= self.welded.mesh.triangle_count());
-        self.waiting = Some(relaxed);
-        self.relaxation = Relaxation::Later;
-        if !waits {
-            self.relax(false);
-        }
-    }
-
-    /// Lets relaxed collapses begin; `is_tail` says that all strict ones have been carried out.
-    fn relax(&mut self, is_tail: bool) {
+    /// Lets relaxed collapses begin.
+    fn relax(&mut self) {
         let record = &self.course.record;
-        let keeps_parts = self.options.topology == TopologyRule::KeepParts;
-        let mut relaxed = self.waiting.take().unwrap_or_else(|| Relaxed::new(self.welded, keeps_parts));
-        relaxed.is_tail = is_tail;
-        relaxed.begin(&self.judge, (&record.removed, &record.targets));
-        self.judge.relaxed = Some(relaxed);
-        self.relaxation = Relaxation::Now;
+        self.relaxation.begin(&mut self.judge, (&record.removed, &record.targets));
     }
 
     /// Judges `v` in full and puts it back with its true cost, or takes it out where no target is allowed.
     fn decide(&mut self, v: u32, bound: f32) {
         let mut choice = self.judge.best_choice(v);
-        if choice.is_none() {
-            self.consider_relaxing();
+        if choice.is_none() && self.relaxation.is_possible() {
+            let record = &self.course.record;
+            self.relaxation.consider(&mut self.judge, (&record.removed, &record.targets));
             choice = self.judge.relaxed_choice(v);
         }
         match choice {
@@ -233,10 +192,11 @@ impl<'a> Engine<'a> {
         let tier = choice.tier;
         let judge = &mut self.judge;
         if tier != Tier::Strict {
-            return judge.relaxed_stands(v, &choice);
+            return judge.relaxed_stands(v, u, (tier, choice.distance_squared));
         }
         if judge.links.entries(v).contains(&u) {
-            return judge.legality.allows(&judge.links, v, u);
+            return judge.legality.allows(&judge.links, v, u)
+                && (judge.pairs.is_none() || judge.leaves_enough(v, u));
         }
         // A contraction of two parts only needs both to be there, and still apart.
         judge.pairs.is_some() && judge.links.kind(u) != LinkKind::Empty

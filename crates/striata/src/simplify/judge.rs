@@ -7,7 +7,7 @@ use crate::mesh::Welded;
 use super::attributes::AttributeSpace;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
-use super::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions};
+use super::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
 use super::pairs::Pairs;
 use super::quadric::Quadric;
 use super::relaxed::Relaxed;
@@ -143,7 +143,9 @@ impl<'a> Judge<'a> {
             let threshold = ((distance / scale) as f32).clamp(1e-6, 1.0);
             let is_neighbour = |p: u32, q: u32| judge.links.entries(p).contains(&q);
             judge.pairs = Some(Pairs::new(&judge.positions, threshold, is_neighbour));
-            judge.legality.may_vanish = true;
+            judge.legality.may_merge = true;
+            // Otherwise relaxed collapses let parts vanish, at a price.
+            judge.legality.may_vanish = options.topology == TopologyRule::Keep;
         }
         judge
     }
@@ -180,9 +182,13 @@ impl<'a> Judge<'a> {
 
     /// Fills the star of `v` with the costs of its candidates, as far as they are quadratic.
     fn load_star(&mut self, v: u32) {
-        self.star.gather(&self.links, &self.positions, v);
+        self.gather(v);
+        self.load_costs(v);
+    }
+
+    /// Fills in the costs of the gathered star's candidates, as far as they are quadratic.
+    pub(super) fn load_costs(&mut self, v: u32) {
         self.fill_costs(v);
-        self.load_wedges(v);
         self.apply_borders(v);
     }
 
@@ -227,11 +233,16 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// Gathers the star of `v` with the vertices that it shows there.
+    pub(super) fn gather(&mut self, v: u32) {
+        self.star.gather(&self.links, &self.positions, v);
+        self.load_wedges(v);
+    }
+
     /// Gathers the star of `v` and pairs its wedges with those of its neighbor `u`; gives the neighbor's index in the star, if
     /// it is one.
     pub(super) fn gather_and_pair(&mut self, v: u32, u: u32) -> Option<usize> {
-        self.star.gather(&self.links, &self.positions, v);
-        self.load_wedges(v);
+        self.gather(v);
         let k = self.star.ids.iter().position(|&w| w == u)?;
         self.pair(v, k);
         Some(k)
@@ -333,7 +344,8 @@ impl<'a> Judge<'a> {
 
     /// Whether neighbour `k` may be the target, and its cost with the distance of `v` from the fan.
     fn measure(&mut self, v: u32, k: usize) -> Option<f32> {
-        if !self.legality.allows(&self.links, v, self.star.ids[k]) {
+        let u = self.star.ids[k];
+        if !self.legality.allows(&self.links, v, u) || (self.pairs.is_some() && !self.leaves_enough(v, u)) {
             return None;
         }
         if !self.pair(v, k) {

@@ -14,7 +14,9 @@ pub(super) const MAX_REMOVED: usize = 255;
 /// Scratch for checks on links that are no rings.
 #[derive(Debug, Default)]
 pub(super) struct Legality {
-    /// Whole parts may vanish: set where parts may also merge, so that a soup of them can shrink.
+    /// Parts may merge: what they share then keeps nothing apart.
+    pub(super) may_merge: bool,
+    /// Whole parts may vanish, so that a soup of them can shrink.
     pub(super) may_vanish: bool,
     apexes: Vec<u32>,
     edges: Vec<LinkEdge>,
@@ -26,7 +28,7 @@ impl Legality {
     pub(super) fn allows(&mut self, links: &Links, v: u32, u: u32) -> bool {
         let is_ring = |p| matches!(links.kind(p), LinkKind::Closed | LinkKind::Open);
         if is_ring(v) && is_ring(u) {
-            return rings_allow(links, v, u, self.may_vanish);
+            return rings_allow(links, v, u, (self.may_merge, self.may_vanish));
         }
         self.edges_allow(links, v, u)
     }
@@ -50,8 +52,8 @@ impl Legality {
         {
             return false;
         }
-        if self.may_vanish {
-            // Merged parts are tangled already: what they share keeps nothing apart.
+        if self.may_merge {
+            // Merged parts are tangled already.
             return true;
         }
         let is_apex = |x: u32| self.apexes.binary_search(&x).is_ok();
@@ -75,7 +77,7 @@ impl Legality {
 }
 
 /// The same where both links are rings: the usual case, without scratch.
-fn rings_allow(links: &Links, v: u32, u: u32, may_vanish: bool) -> bool {
+fn rings_allow(links: &Links, v: u32, u: u32, (may_merge, may_vanish): (bool, bool)) -> bool {
     let (ring, other) = (links.entries(v), links.entries(u));
     let n = ring.len();
     let Some(k) = ring.iter().position(|&w| w == u) else { return false };
@@ -95,7 +97,7 @@ fn rings_allow(links: &Links, v: u32, u: u32, may_vanish: bool) -> bool {
             return false;
         }
     }
-    if may_vanish {
+    if may_merge {
         return true;
     }
     // A boundary path of two has one apex only; a cycle of three joins its two apexes.

@@ -236,10 +236,10 @@ pub enum Placement {
     /// A subset of the input's vertices, attributes untouched.
     #[default]
     Subset,
-    /// Anywhere; attributes are interpolated. Nearer to the surface, but one level only. The cost is always memoryless
-    /// and counts no attributes; [`Target::Detail`] and [`Target::SplitCount`] count all vertices that are not locked as
-    /// removable; the error is the distance of the worst followed input vertex from the result, an estimate. Seams and the
-    /// topology are always kept, whatever the options say.
+    /// Anywhere; attributes are interpolated. Nearer to the surface, but one level only. The cost is always memoryless and counts
+    /// attributes at seams only; [`Target::Detail`] and [`Target::SplitCount`] count all vertices that are not locked as
+    /// removable. Collapses that cross a seam or change the topology follow the same rules as in a sequence. The error is
+    /// the largest distance between sampled points of one mesh and the other, both ways.
     Optimal,
 }
 

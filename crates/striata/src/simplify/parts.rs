@@ -18,6 +18,8 @@ use super::rest::{Rest, RestPoint};
 const MAX_SAMPLES: usize = 16;
 /// Triangles of a vanished part whose corners are measured for the error.
 const MAX_CORNER_SAMPLES: usize = 32;
+/// A part nearer to its host than this share of its radius covers what the host covers already.
+const COVERED_SHARE: f32 = 0.25;
 /// Points on the edges of a vanished part that look for further hosts, at most.
 const MAX_HOST_SAMPLES: usize = 48;
 /// Weight of the squared difference of unit normals against squared distances, so that decals and the two sides of a
@@ -46,9 +48,21 @@ impl Fate {
     }
 }
 
+/// What a part leaves behind.
+pub(super) struct Estate {
+    /// The area that it should show.
+    pub(super) cover: f32,
+    /// A corner of what stands in for it.
+    pub(super) host: u32,
+    /// Whether that lies so close that it covers the same places.
+    pub(super) is_covered: bool,
+}
+
 #[derive(Debug, Default)]
 struct Part {
     triangle_count: usize,
+    /// Area of the original part and of those that it has grown for.
+    cover: f32,
     /// Area of the original part and of what it stands for.
     area: f32,
     reach: f32,
@@ -144,6 +158,7 @@ impl Parts {
             let root = self.root(part);
             let into = &mut self.parts[root as usize];
             into.area += area;
+            into.cover += area;
             into.radius = into.radius.max(0.5 * (max - min).length());
         }
         self.members = Some(members);
@@ -159,10 +174,16 @@ impl Parts {
         (area / triangle_count.max(1) as f32, reach)
     }
 
-    /// The area that a part stands for, and a corner of what would stand in for it, if that is known.
-    pub(super) fn estate(&self, part: u32) -> Option<(f32, u32)> {
-        let Part { area, fate, .. } = &self.parts[part as usize];
-        Some((*area, fate.as_ref()?.host))
+    /// What a part leaves behind if it vanishes, if that is known.
+    pub(super) fn estate(&self, part: u32) -> Option<Estate> {
+        let Part { cover, radius, fate, .. } = &self.parts[part as usize];
+        let Fate { host, distance, .. } = fate.as_ref()?;
+        Some(Estate { cover: *cover, host: *host, is_covered: *distance < COVERED_SHARE * radius })
+    }
+
+    /// The area that a part should show, for itself and for what has vanished beside it.
+    pub(super) fn cover(&self, part: u32) -> f32 {
+        self.parts[part as usize].cover
     }
 
     /// How many triangles belong to parts of at most `most` triangles.
@@ -215,11 +236,12 @@ impl Parts {
         let is_less = self.parts[a as usize].triangle_count < self.parts[b as usize].triangle_count;
         let (small, large) = if is_less { (a, b) } else { (b, a) };
         self.merged[small as usize] = large;
-        let Part { triangle_count, area, reach, radius, .. } =
+        let Part { triangle_count, area, cover, reach, radius, .. } =
             std::mem::take(&mut self.parts[small as usize]);
         let into = &mut self.parts[large as usize];
         into.triangle_count += triangle_count;
         into.area += area;
+        into.cover += cover;
         into.reach = into.reach.max(reach);
         into.radius = into.radius.max(radius);
         into.fate = None;

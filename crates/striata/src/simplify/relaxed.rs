@@ -240,8 +240,7 @@ impl Judge<'_> {
     }
 
     /// True if a relaxed choice that was made before may still be carried out at its cost.
-    pub(super) fn relaxed_stands(&self, v: u32, choice: &Choice) -> bool {
-        let Choice { target: u, tier, distance_squared, .. } = *choice;
+    pub(super) fn relaxed_stands(&self, v: u32, u: u32, (tier, distance_squared): (Tier, f32)) -> bool {
         let Some(relaxed) = &self.relaxed else { return false };
         let entries = self.links.entries(v);
         if !entries.contains(&u) {
@@ -265,6 +264,14 @@ impl Judge<'_> {
             Tier::Vanish => is_last && relaxed.parts.knows_fate(part, relaxed.generation, distance_squared),
             Tier::Strict | Tier::Link | Tier::Fold | Tier::Fin => true,
         }
+    }
+
+    /// True if a collapse leaves the mesh a triangle, and each locked position as well.
+    pub(super) fn leaves_enough(&self, v: u32, u: u32) -> bool {
+        let removed = shared_triangles(&self.links, v, u);
+        let kept = self.links.triangle_count(v) + self.links.triangle_count(u) - 2 * removed;
+        let is_last = self.relaxed.as_ref().is_some_and(|relaxed| removed >= relaxed.triangle_count);
+        !is_last && !self.strands_locked(v, u, kept)
     }
 
     /// True if a locked position would lose its last triangle.
@@ -589,6 +596,11 @@ impl Judge<'_> {
             if relaxed.parts.triangle_count(part) == 0 {
                 self.note_end(part, &mut departure);
             }
+        }
+        if departure.place.is_none_or(|p| self.links.kind(p) == LinkKind::Empty) {
+            // The part has come apart before, or what stood in for it has gone with it.
+            let (distance_squared, place) = self.standing(point(&self.positions, u), (f32::INFINITY, u), 0.0);
+            departure.place = (distance_squared < f32::INFINITY).then_some(place);
         }
         if let (Some(relaxed), Some(place)) = (&mut self.relaxed, departure.place) {
             departure.lost.iter().for_each(|&p| relaxed.follow(p, place));

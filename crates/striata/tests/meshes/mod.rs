@@ -4,7 +4,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Material, Random, Semantic, TriangleGroup, shapes};
-use striata::simplify::{CollapseCost, SequenceOptions};
+use striata::simplify::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
 
 pub const COSTS: [CollapseCost; 3] =
     [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked];
@@ -138,10 +138,54 @@ pub fn with_patches(mesh: IndexedMesh, run: usize) -> IndexedMesh {
     out
 }
 
+/// A strip that lies on itself, with triangles that have no area between its runs.
+pub fn folded(count: u32) -> IndexedMesh {
+    let place = |i: u32| [f32::from(i as u8 % 2), (i / 2) as f32 * 0.25, 0.01 * (i % 3) as f32];
+    let positions = (0..2 * count + 2).map(place).chain([[0.5, 0.0, 0.0], [1.0, 0.0, 0.01]]).collect();
+    let n = 2 * count + 2;
+    let runs = (0..2 * count).flat_map(|i| [[i, i + 1, i + 2], [i + 2, i + 1, i]]);
+    IndexedMesh::new(positions, runs.chain([[0, n, 1], [0, n + 1, n]]).collect())
+}
+
+/// A body within a copy of it that faces the other way.
+pub fn inside_out(mesh: IndexedMesh) -> IndexedMesh {
+    let mut turned = mesh.clone();
+    turned.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+    joined(mesh, turned)
+}
+
+/// Options of all kinds for a mesh: locks, rules and contractions by chance.
+pub fn random_options(mesh: &IndexedMesh, seed: u64, cost: usize) -> SequenceOptions {
+    let mut random = Random::new(seed ^ 0x5EED);
+    let mut one_in = |n: u32| random.below(n) == 0;
+    let mut options = SequenceOptions::default().with_cost(COSTS[cost]);
+    if one_in(3) {
+        options = options.with_locked_vertices((0..mesh.vertex_count() as u32).step_by(29).collect());
+    }
+    if one_in(4) {
+        options = options.with_boundary(BoundaryRule::Locked);
+    }
+    if one_in(4) {
+        options = options.with_group_borders(BoundaryRule::Locked);
+    }
+    if one_in(4) {
+        options = options.with_seams(SeamRule::Keep);
+    }
+    if one_in(4) {
+        options = options.with_topology(TopologyRule::KeepParts);
+    }
+    for share in [0.01, 0.1, 1.0] {
+        if one_in(6) {
+            options = options.with_pair_distance(share * mesh.diagonal());
+        }
+    }
+    options
+}
+
 /// A piece of an asset: small bodies, sheets, cards and what modelers leave behind.
 fn piece(random: &mut Random) -> IndexedMesh {
     let seed = u64::from(random.below(1000));
-    match random.below(11) {
+    match random.below(16) {
         0 => shapes::cube(),
         1 => shapes::icosphere(1, 0.7),
         2 => shapes::terrain(5, seed),
@@ -152,6 +196,11 @@ fn piece(random: &mut Random) -> IndexedMesh {
         7 => shapes::many_components(5),
         8 => shapes::moebius_strip(7),
         9 => joined(shapes::icosphere(0, 0.5), shapes::icosphere(0, 0.5)),
+        10 => shapes::bow_tie(),
+        11 => shapes::needle(),
+        12 => shapes::closed_fan(4 + random.below(8)),
+        13 => folded(5),
+        14 => inside_out(shapes::icosphere(0, 0.5)),
         _ => shapes::torus(5, 4, 1.0, 0.4),
     }
 }

@@ -13,10 +13,13 @@
 //!         v
 //! ```
 
-use crate::mesh::FragmentSequence;
+use glam::{DVec3, Vec3, Vec3A};
 
-/// Faces that are looked at in all while islands look for the nearest face.
-const MAX_LOOKS: usize = 1 << 28;
+use crate::mesh::{AxisBox, BoxTree, FragmentSequence};
+use crate::simplify::fan::distance_squared;
+
+/// Points of an island that look for the nearest face, at most.
+const MAX_POINTS: usize = 24;
 
 /// Finds the faces nearby that take over.
 pub(super) struct Adopters {
@@ -25,7 +28,15 @@ pub(super) struct Adopters {
     /// Faces of all levels by position: first entry of each, closed by the number of entries.
     first_around: Vec<u32>,
     around: Vec<u32>,
-    looks_left: usize,
+    /// Made when the first island vanishes.
+    nearby: Option<Nearby>,
+}
+
+/// The faces of all levels in a tree of boxes, in a frame where the mesh spans about 1.
+struct Nearby {
+    middle: DVec3,
+    scale: f64,
+    tree: BoxTree,
 }
 
 impl Adopters {
@@ -45,10 +56,10 @@ impl Adopters {
             around[*at as usize] = face;
             *at += 1;
         }
-        Self { replaced_by: fragments.replaced_by(), first_around, around, looks_left: MAX_LOOKS }
+        Self { replaced_by: fragments.replaced_by(), first_around, around, nearby: None }
     }
 
-    /// Faces that are there without `step` and touch its ceiling; the nearest one where none does.
+    /// Faces that are there without `step` and touch its ceiling; those nearest to it if none does.
     pub(super) fn find(&mut self, mesh: (&FragmentSequence, &[[f32; 3]]), step: u32) -> Vec<u32> {
         let fragments = mesh.0;
         let positions = fragments.levels().positions();
@@ -83,18 +94,54 @@ impl Adopters {
         is_made && self.replaced_by[face as usize] > step
     }
 
-    /// The face with the corner nearest to one that the step takes away.
-    fn nearest(&mut self, (fragments, points): (&FragmentSequence, &[[f32; 3]]), step: u32) -> Option<u32> {
-        self.looks_left = self.looks_left.checked_sub(fragments.faces().len())?;
-        let own = fragments.faces()[fragments.ceiling(step).next()? as usize].corners[0];
-        let squared = |v: u32| -> f64 {
-            let [p, q] = [v, own].map(|v| points[v as usize].map(f64::from));
-            (0..3).map(|axis| (p[axis] - q[axis]) * (p[axis] - q[axis])).sum()
+    /// The faces nearest to corners and middles of those that the step takes away.
+    fn nearest(&mut self, (fragments, points): (&FragmentSequence, &[[f32; 3]]), step: u32) -> Vec<u32> {
+        let nearby = self.nearby.take().unwrap_or_else(|| Nearby::new(fragments, points));
+        let place = |v: u32| nearby.place(points[v as usize]);
+        let mut from = Vec::new();
+        for face in fragments.ceiling(step) {
+            let [a, b, c] = fragments.faces()[face as usize].corners.map(place);
+            from.extend([a, b, c, (a + b + c) / 3.0]);
+        }
+        let stride = from.len().div_ceil(MAX_POINTS).max(1);
+        let mut found = Vec::new();
+        for at in from.into_iter().step_by(stride) {
+            let (mut least, mut best) = (f32::INFINITY, None);
+            nearby.tree.visit_near(Vec3A::from(at), least, |face| {
+                if self.is_there(fragments, face as u32, step) {
+                    let [a, b, c] = fragments.faces()[face].corners.map(|v| place(v) - at);
+                    let squared = distance_squared(a, b, c);
+                    if squared < least {
+                        (least, best) = (squared, Some(face as u32));
+                    }
+                }
+                least
+            });
+            found.extend(best);
+        }
+        self.nearby = Some(nearby);
+        found
+    }
+}
+
+impl Nearby {
+    fn new(fragments: &FragmentSequence, points: &[[f32; 3]]) -> Self {
+        let all = || points.iter().map(|p| DVec3::from_array(p.map(f64::from)));
+        let (min, max) =
+            (all().fold(DVec3::INFINITY, DVec3::min), all().fold(DVec3::NEG_INFINITY, DVec3::max));
+        let extent = (max - min).max_element();
+        let scale = if extent > 0.0 { extent.recip() } else { 1.0 };
+        let mut nearby = Self { middle: 0.5 * (min + max), scale, tree: BoxTree::default() };
+        let box_of = |corners: [u32; 3]| {
+            let [a, b, c] = corners.map(|v| Vec3A::from(nearby.place(points[v as usize])));
+            AxisBox { min: a.min(b).min(c), max: a.max(b).max(c) }
         };
-        let there = (0..fragments.faces().len() as u32).filter(|&face| self.is_there(fragments, face, step));
-        let farness = |face: u32| {
-            fragments.faces()[face as usize].corners.map(squared).into_iter().fold(f64::MAX, f64::min)
-        };
-        there.map(|face| (farness(face), face)).min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
+        let boxes: Vec<AxisBox> = fragments.faces().iter().map(|face| box_of(face.corners)).collect();
+        nearby.tree = BoxTree::new(&boxes);
+        nearby
+    }
+
+    fn place(&self, point: [f32; 3]) -> Vec3 {
+        ((DVec3::from_array(point.map(f64::from)) - self.middle) * self.scale).as_vec3()
     }
 }

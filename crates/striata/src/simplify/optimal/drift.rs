@@ -7,6 +7,7 @@
 use glam::DVec3;
 
 use super::super::fan::nearest;
+use super::super::judge::Judge;
 use super::super::links::{LinkEdge, Links};
 
 const NONE: u32 = u32::MAX;
@@ -34,21 +35,38 @@ impl Drift {
         Self { of: (0..originals.len() as u32).map(own).collect(), originals, edges: Vec::new() }
     }
 
-    /// Called after `removed` was merged into `kept`; the largest squared distance among the witnesses of both.
-    pub(super) fn collapse(&mut self, links: &Links, positions: &[DVec3], removed: u32, kept: u32) -> f32 {
+    /// Called after the triangles of some positions have changed or gone: settles the witnesses of all that are `gone` anew, starting
+    /// at `place`, and with them the originals in `others`. Returns the largest squared distance among them; those above `worst` are
+    /// looked for everywhere.
+    pub(super) fn settle_all(
+        &mut self,
+        (judge, positions): (&mut Judge<'_>, &[DVec3]),
+        (gone, others): (&[u32], &[u32]),
+        place: u32,
+        worst: f32,
+    ) -> f32 {
         let nobody = Witness { original: NONE, distance_squared: 0.0 };
-        let candidates =
-            [removed, kept].map(|p| std::mem::replace(&mut self.of[p as usize], nobody).original);
-        let mut worst = 0.0f32;
-        for original in candidates.into_iter().filter(|&original| original != NONE) {
-            let (distance_squared, place) = self.settle(links, positions, kept, original);
-            worst = worst.max(distance_squared);
-            let there = &mut self.of[place as usize];
+        let mut found = 0.0f32;
+        for i in 0..gone.len() + others.len() {
+            let original = match gone.get(i) {
+                Some(&p) => std::mem::replace(&mut self.of[p as usize], nobody).original,
+                None => others[i - gone.len()],
+            };
+            if original == NONE {
+                continue;
+            }
+            let (mut distance_squared, mut at) = self.settle(&judge.links, positions, place, original);
+            if distance_squared > worst.max(found) && judge.has_relaxed() {
+                let from = self.originals[original as usize].as_vec3();
+                (distance_squared, at) = judge.standing(from, (distance_squared, at), worst.max(found));
+            }
+            found = found.max(distance_squared);
+            let there = &mut self.of[at as usize];
             if distance_squared >= there.distance_squared || there.original == NONE {
                 *there = Witness { original, distance_squared };
             }
         }
-        worst
+        found
     }
 
     /// Walks from the star of `place` towards the surface nearest to `original`.
@@ -87,19 +105,23 @@ impl Drift {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::shapes;
+    use crate::mesh::{shapes, weld};
+    use crate::simplify::SequenceOptions;
 
     #[test]
     fn witness_of_a_flattened_tip_is_found() {
         // A closed fan whose centre stands up: merged into a rim vertex, its height is the error.
-        let mesh = shapes::closed_fan(8);
-        let positions: Vec<DVec3> = mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
-        let mut links = Links::new(positions.len(), &mesh.triangles, false);
+        let welded = weld(&shapes::closed_fan(8)).expect("shapes are sound");
+        let number = |v| welded.source_vertex.iter().position(|&source| source == v).map_or(0, |v| v as u32);
+        let (tip, rim) = (number(0), number(1));
+        let positions: Vec<DVec3> =
+            welded.mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+        let scaled = positions.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32, 0.0]).collect();
+        let mut judge = Judge::new(&welded, &SequenceOptions::default(), (scaled, 1.0));
         let mut drift = Drift::new(positions.clone());
-        links.collapse(0, 1);
-        let worst = drift.collapse(&links, &positions, 0, 1);
-        let rim = positions[1].z;
-        let height = (positions[0].z - rim).abs() as f32;
+        judge.links.collapse(tip, rim);
+        let worst = drift.settle_all((&mut judge, &positions), (&[tip, rim], &[]), rim, 0.0);
+        let height = (positions[tip as usize].z - positions[rim as usize].z).abs() as f32;
         assert!(height > 0.0 && (worst - height * height).abs() < 1e-5, "{worst} {height}");
     }
 }

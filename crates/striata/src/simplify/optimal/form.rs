@@ -16,7 +16,7 @@
 use glam::DVec3;
 
 /// Weight of the squared area between the old and the new course of a border.
-const BORDER_WEIGHT: f64 = 4.0;
+pub(super) const BORDER_WEIGHT: f64 = 4.0;
 /// Pull to the edge's middle, as a share of the form's trace: decides where the planes do not.
 const MIDDLE_WEIGHT: f64 = 1e-5;
 /// Length of the summed normals, as a share of the summed lengths, below which the volume says nothing.
@@ -46,13 +46,13 @@ impl Form {
         }
     }
 
-    /// Adds the squared area that leaving the border edge `along` sweeps.
-    pub(super) fn add_border(&mut self, along: DVec3) {
-        let squared = BORDER_WEIGHT * along.length_squared();
+    /// Adds the squared area that leaving the border edge `along` sweeps, times a weight.
+    pub(super) fn add_border(&mut self, along: DVec3, weight: f64) {
+        let squared = weight * along.length_squared();
         for i in 0..3 {
             self.form[i] += squared;
         }
-        self.add_square(along, -BORDER_WEIGHT);
+        self.add_square(along, -weight);
     }
 
     fn add_square(&mut self, v: DVec3, weight: f64) {
@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn border_sweeps_area() {
         let mut form = Form::default();
-        form.add_border(DVec3::new(0.0, 2.0, 0.0));
+        form.add_border(DVec3::new(0.0, 2.0, 0.0), BORDER_WEIGHT);
         let edge = EdgeForm::new(&form, &Form::default(), Shared::default(), DVec3::X);
         assert_eq!(edge.cost(DVec3::new(3.0, 9.0, 0.0)), BORDER_WEIGHT * 36.0);
     }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::super::links::{LinkEdge, LinkKind, Links};
-use super::form::{Form, Shared};
+use super::form::{BORDER_WEIGHT, Form, Shared};
 
 /// Squared cosine that the normals of an old and a new triangle must at least have between them.
 const FLIP_COSINE_SQUARED: f64 = 0.04;
@@ -13,6 +13,9 @@ const SLIVER_QUALITY: f64 = 0.01;
 const NEEDLE_QUALITY: f64 = 0.02;
 /// Makes the quality of an equilateral triangle 1.
 const TWICE_ROOT_3: f64 = 3.464_101_615_137_754_6;
+
+/// For two triangles and the edge between them, what leaving the course of the seam there weighs.
+pub(super) type SeamWeight<'a> = &'a dyn Fn([u32; 2], DVec3) -> Option<f64>;
 
 /// Scratch that holds one star at a time; everything is relative to its centre.
 #[derive(Debug, Default)]
@@ -25,22 +28,26 @@ pub(super) struct Hood {
     pub(super) triangles: Vec<LinkEdge>,
     /// Unscaled normals of the triangles.
     normals: Vec<DVec3>,
-    /// Indices of neighbours across a border of any kind: boundary, seam, edge with three triangles.
+    /// Indices of neighbors across a border of any kind: boundary, seam that must stay, edge with three triangles.
     pub(super) borders: Vec<u32>,
+    /// Indices of neighbors across a seam that may be crossed, and what leaving its course weighs.
+    seams: Vec<(u32, f64)>,
 }
 
 impl Hood {
-    /// Gathers the star of `v`. `is_seam(s, t)` says whether two triangles show `v` different wedges.
+    /// Gathers the star of `v`. `seam_weight(triangles, along)` says what it weighs to leave the course of the edge `along` if both
+    /// triangles on it show `v` different wedges; infinite for seams that must stay.
     pub(super) fn gather(
         &mut self,
         links: &Links,
         positions: &[DVec3],
         v: u32,
-        is_seam: Option<&dyn Fn(u32, u32) -> bool>,
+        seam_weight: Option<SeamWeight<'_>>,
     ) {
         links.edges_into(v, &mut self.triangles);
         self.ids.clear();
         self.borders.clear();
+        self.seams.clear();
         let kind = links.kind(v);
         match kind {
             LinkKind::Empty => {}
@@ -56,9 +63,9 @@ impl Hood {
             .extend(self.triangles.iter().map(|t| offsets[t.a as usize].cross(offsets[t.b as usize])));
         match kind {
             LinkKind::Empty => {}
-            LinkKind::Closed if is_seam.is_none() => {}
-            LinkKind::Open if is_seam.is_none() => self.borders.extend([0, self.ids.len() as u32 - 1]),
-            _ => self.find_borders(is_seam),
+            LinkKind::Closed if seam_weight.is_none() => {}
+            LinkKind::Open if seam_weight.is_none() => self.borders.extend([0, self.ids.len() as u32 - 1]),
+            _ => self.find_borders(seam_weight),
         }
     }
 
@@ -80,12 +87,19 @@ impl Hood {
         }
     }
 
-    fn find_borders(&mut self, is_seam: Option<&dyn Fn(u32, u32) -> bool>) {
+    fn find_borders(&mut self, seam_weight: Option<SeamWeight<'_>>) {
         for i in 0..self.ids.len() as u32 {
             let mut after = self.triangles.iter().filter(|t| t.a == i);
             let mut before = self.triangles.iter().filter(|t| t.b == i);
             let is_inner = match (after.next(), before.next(), after.next(), before.next()) {
-                (Some(s), Some(t), None, None) => !is_seam.is_some_and(|f| f(s.triangle, t.triangle)),
+                (Some(s), Some(t), None, None) => {
+                    let along = self.offsets[i as usize];
+                    let weight = seam_weight.and_then(|f| f([s.triangle, t.triangle], along));
+                    if let Some(weight) = weight.filter(|weight| weight.is_finite()) {
+                        self.seams.push((i, weight));
+                    }
+                    weight.is_none_or(f64::is_finite)
+                }
                 _ => false,
             };
             if !is_inner {
@@ -98,7 +112,10 @@ impl Hood {
     pub(super) fn form(&self) -> Form {
         let mut form = Form::default();
         self.normals.iter().for_each(|&normal| form.add_triangle(normal));
-        self.borders.iter().for_each(|&i| form.add_border(self.offsets[i as usize]));
+        self.borders.iter().for_each(|&i| form.add_border(self.offsets[i as usize], BORDER_WEIGHT));
+        for &(i, weight) in &self.seams {
+            form.add_border(self.offsets[i as usize], weight.min(BORDER_WEIGHT));
+        }
         form
     }
 

@@ -17,11 +17,21 @@
 //! vertices from the new triangles are looked at when it reaches the top. An edge that has changed is known to the end that
 //! was looked at last, so the order is strict though the other end may hold an older cost.
 //!
-//! Borders (boundaries, seams, edges with three triangles) keep their course: a vertex on one merges along it only, an
-//! inner vertex merges into it without moving it, and where borders meet or end, the vertex stays in place.
+//! Borders (boundaries, edges with three triangles, seams that must stay) keep their course: a vertex on one merges along it only,
+//! an inner vertex merges into it without moving it, and where borders meet or end, the vertex stays in place. Seams that may be
+//! crossed are no borders; leaving their course and crossing them has a price (`seams`).
 //!
-//! Differs: always memoryless; attributes do not count in the cost, and pairs without an edge are never merged.
-//! Time O(n log n), about 300 bytes a vertex.
+//! A position without any such collapse gets a **relaxed** one, unless the topology must stay: the half-edge collapse that the
+//! subset mode would choose there, with its target in place, so that every target is reached. Both kinds share one queue, since
+//! their costs are squared distances over areas alike.
+//!
+//! The links, wedges and positions are those of a [`Judge`], which sees the current mesh in single precision.
+//!
+//! The loop stops at a limit of the error by an estimate from followed vertices (`drift`). The error of the finished level is measured against
+//! the original, both ways; if it exceeds the limit, everything is done again with a smaller one.
+//!
+//! Differs: always memoryless; attributes count only at seams and in relaxed collapses, and pairs without an edge are never merged.
+//! Time O(n log n), about 400 bytes a vertex.
 
 mod blend;
 mod course;
@@ -29,6 +39,7 @@ mod drift;
 mod form;
 mod goal;
 mod hood;
+mod measure;
 mod seams;
 
 use std::ops::ControlFlow;
@@ -38,22 +49,33 @@ use glam::DVec3;
 use crate::mesh::{IndexedMesh, Welded};
 use crate::{Cancelled, Progress, ProgressFn};
 
+use super::engine::scaled_positions;
 use super::heap::IndexedHeap;
-use super::legality::Legality;
-use super::links::Links;
-use super::options::{BoundaryRule, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason};
+use super::judge::{self, Judge, Tier};
+use super::options::{
+    CollapseCost, SeamRule, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason,
+};
+use super::relaxation::Relaxation;
 use course::{Course, first_cost, places};
 use drift::Drift;
 use form::{EdgeForm, Form};
 use goal::{Counts, Goal};
 use hood::Hood;
-use seams::Seams;
+use measure::measured_error;
+use seams::{Crossings, Merge, merge_wedges, seam_weight};
 
 /// No edge chosen yet: the key is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
 /// Weight of the squared distances of both ends from the new triangles, times the area: 1 % of RMS for maxima that
 /// are a fifth less, since planes alone do not see that a thin spike is lost.
 const DISTANCE_WEIGHT: f64 = 0.1;
+/// Area, in squared distances, that lost ends count for beyond the area of their stars: on meshes of thin parts, RMS falls by a fifth
+/// down to 10 % of the triangles, and on scans hardly anything changes.
+const SPIKE_WEIGHT: f64 = 32.0;
+/// Times that a level beyond the error limit is made again, each time with a smaller limit.
+const MAX_RETRIES: usize = 8;
+/// Share of the diagonal that single precision leaves of a distance of 0.
+const NOISE: f64 = 1e-6;
 
 /// Simplifies to one level with vertices anywhere; the options must be in range.
 ///
@@ -69,10 +91,24 @@ pub(super) fn simplify_optimal(
         return Err(SimplifyError::Option { option: "pair_distance", value: distance.to_string(), expected });
     }
     let mut merger = Merger::new(welded, &options.sequence);
-    let goal = Goal::new(options, merger.counts());
-    let stop_reason = merger.run(&goal, progress)?;
-    let error = merger.error;
-    Ok(Simplified { mesh: merger.finish(), error, stop_reason })
+    let mut goal = Goal::new(options, merger.counts());
+    let limit = goal.limit;
+    for retry in 0.. {
+        let stop_reason = merger.run(&goal, progress)?;
+        let (estimated, scale, removed_count) = (merger.error, merger.frame.scale, merger.removed_count);
+        let mesh = merger.finish();
+        let error = if removed_count > 0 { measured_error(&welded.mesh, &mesh) } else { 0.0 };
+        if error <= limit + NOISE * scale {
+            return Ok(Simplified { mesh, error: error.min(limit), stop_reason });
+        }
+        if goal.limit == 0.0 {
+            break;
+        }
+        let smaller = estimated.min(goal.limit) * (0.9 * limit / error);
+        goal.limit = if retry < MAX_RETRIES { smaller } else { 0.0 };
+        merger = Merger::new(welded, &options.sequence);
+    }
+    Ok(Simplified { mesh: welded.mesh.clone(), error: 0.0, stop_reason: goal.at_limit })
 }
 
 /// How the loop sees the mesh: the centre of its bounds and their diagonal.
@@ -108,9 +144,19 @@ struct Choice {
     /// True where the other end is removed and this one kept.
     is_kept: bool,
     place: DVec3,
+    tier: Tier,
+    /// Squared distance that a relaxed collapse leaves.
+    distance_squared: f32,
 }
 
-const NO_CHOICE: Choice = Choice { other: UNDECIDED, other_version: 0, is_kept: false, place: DVec3::ZERO };
+const NO_CHOICE: Choice = Choice {
+    other: UNDECIDED,
+    other_version: 0,
+    is_kept: false,
+    place: DVec3::ZERO,
+    tier: Tier::Strict,
+    distance_squared: 0.0,
+};
 
 /// What is known of a position and its star.
 #[derive(Clone, Copy, Debug, Default)]
@@ -127,24 +173,30 @@ struct Merger<'a> {
     frame: Frame,
     positions: Vec<DVec3>,
     is_moved: Vec<bool>,
-    is_locked: Vec<bool>,
-    links: Links,
-    seams: Option<Seams<'a>>,
+    judge: Judge<'a>,
+    seams: SeamRule,
+    relaxation: Relaxation<'a>,
     known: Vec<Known>,
     choices: Vec<Choice>,
     heap: IndexedHeap,
-    legality: Legality,
     drift: Drift,
     hood: Hood,
     other_hood: Hood,
     costs: Vec<f32>,
     ring: Vec<u32>,
+    /// Neighbors of the position removed last, each once.
+    removed_ring: Vec<u32>,
+    /// Positions whose witnesses settle anew, and others that do.
+    gone: Vec<u32>,
+    followers: Vec<u32>,
     pairs: Vec<(u32, u32)>,
     /// For every vertex, the one it merged into, or itself.
     targets: Vec<u32>,
     layers: Vec<crate::mesh::AttributeLayer>,
     triangle_count: usize,
     vertex_count: usize,
+    removed: Vec<u32>,
+    /// Positions that are not there any more.
     removed_count: usize,
     error: f64,
 }
@@ -156,36 +208,35 @@ impl<'a> Merger<'a> {
         let position_count = welded.positions.position_count();
         let place = |p| frame.enter(mesh.positions[welded.positions.first_vertex(p) as usize]);
         let positions: Vec<DVec3> = (0..position_count as u32).map(place).collect();
-        let has_wedges = !welded.positions.is_identity();
-        let links = if has_wedges {
-            let of = |t: &[u32; 3]| t.map(|v| welded.positions.position_of(v));
-            let triangles: Vec<[u32; 3]> = mesh.triangles.iter().map(of).collect();
-            Links::new(position_count, &triangles, true)
-        } else {
-            Links::new(position_count, &mesh.triangles, false)
-        };
+        let options =
+            SequenceOptions { cost: CollapseCost::Memoryless, pair_distance: None, ..options.clone() };
+        let mut judge = Judge::new(welded, &options, scaled_positions(welded));
+        judge.lock_boundary();
         Self {
             welded,
             frame,
             is_moved: vec![false; position_count],
-            is_locked: locked_positions(welded, &links, options),
-            links,
-            seams: has_wedges.then(|| Seams::new(welded, &positions)),
+            judge,
+            seams: options.seams,
+            relaxation: Relaxation::new(welded, options.topology),
             known: vec![Known::default(); position_count],
             choices: vec![NO_CHOICE; position_count],
             heap: IndexedHeap::new(&[]),
-            legality: Legality::default(),
             drift: Drift::new(positions.clone()),
             positions,
             hood: Hood::default(),
             other_hood: Hood::default(),
             costs: Vec::new(),
             ring: Vec::new(),
+            removed_ring: Vec::new(),
+            gone: Vec::new(),
+            followers: Vec::new(),
             pairs: Vec::new(),
             targets: (0..mesh.vertex_count() as u32).collect(),
             layers: mesh.layers.clone(),
             triangle_count: mesh.triangle_count(),
             vertex_count: mesh.vertex_count(),
+            removed: Vec::new(),
             removed_count: 0,
             error: 0.0,
         }
@@ -195,7 +246,7 @@ impl<'a> Merger<'a> {
         Counts {
             triangles: self.triangle_count,
             vertices: self.vertex_count,
-            removable: self.is_locked.iter().filter(|is_locked| !**is_locked).count(),
+            removable: self.judge.is_locked.iter().filter(|is_locked| !**is_locked).count(),
         }
     }
 
@@ -204,13 +255,16 @@ impl<'a> Merger<'a> {
         if let Some(reason) = goal.reached(self.triangle_count, self.vertex_count, 0) {
             return Ok(reason);
         }
+        if self.relaxation.is_possible() && self.judge.wedges.is_some() {
+            self.relaxation.begin(&mut self.judge, (&self.removed, &self.targets));
+        }
         let position_count = self.positions.len() as u32;
         (0..position_count).for_each(|v| self.renew(v));
         let keys: Vec<f32> = (0..position_count).map(|v| self.lower_bound(v)).collect();
         self.heap = IndexedHeap::new(&keys);
         drop(keys);
         let total = goal.removals.min(self.positions.len()) as u64;
-        while let Some((key, v)) = self.heap.first() {
+        while let Some((key, v)) = self.next() {
             if let Some(reason) = goal.reached(self.triangle_count, self.vertex_count, self.removed_count) {
                 return Ok(reason);
             }
@@ -231,6 +285,19 @@ impl<'a> Merger<'a> {
         Ok(goal.reached(self.triangle_count, self.vertex_count, self.removed_count).unwrap_or(goal.at_base))
     }
 
+    /// The position that comes next, and its key; lets relaxed collapses begin if they had to wait for the end.
+    fn next(&mut self) -> Option<(f32, u32)> {
+        if self.heap.first().is_none() && self.relaxation.is_waiting() {
+            self.relaxation.begin(&mut self.judge, (&self.removed, &self.targets));
+            for v in 0..self.positions.len() as u32 {
+                self.choices[v as usize] = NO_CHOICE;
+                let bound = self.lower_bound(v);
+                self.heap.set(v, bound);
+            }
+        }
+        self.heap.first()
+    }
+
     /// True where `v` has a choice that still stands; else it has none any more.
     fn is_decided(&mut self, v: u32) -> bool {
         let choice = self.choices[v as usize];
@@ -240,7 +307,12 @@ impl<'a> Merger<'a> {
         let is_fresh = self.known[choice.other as usize].version == choice.other_version;
         let (removed, kept) = if choice.is_kept { (choice.other, v) } else { (v, choice.other) };
         // Links beyond the two stars may have changed what is allowed.
-        let stands = is_fresh && self.legality.allows(&self.links, removed, kept);
+        let Judge { legality, links, .. } = &mut self.judge;
+        let stands = is_fresh
+            && match choice.tier {
+                Tier::Strict => legality.allows(links, removed, kept),
+                tier => self.judge.relaxed_stands(removed, kept, (tier, choice.distance_squared)),
+            };
         if !stands {
             self.choices[v as usize] = NO_CHOICE;
         }
@@ -248,7 +320,7 @@ impl<'a> Merger<'a> {
     }
 
     fn gather(&mut self, v: u32) {
-        gather_into(&mut self.hood, (&self.links, &self.positions, self.seams.as_ref()), v);
+        gather_into(&mut self.hood, (&self.judge, &self.positions, self.seams), v);
     }
 
     /// Computes the star of `v` anew after a change.
@@ -265,7 +337,13 @@ impl<'a> Merger<'a> {
     fn lower_bound(&mut self, v: u32) -> f32 {
         self.gather(v);
         self.fill_costs(v);
-        self.costs.iter().copied().fold(f32::INFINITY, f32::min)
+        let least = self.costs.iter().copied().fold(f32::INFINITY, f32::min);
+        if least < f32::INFINITY || !self.relaxation.is_possible() || self.judge.is_fixed(v) {
+            return least;
+        }
+        self.judge.gather(v);
+        self.judge.fill_costs(v);
+        self.judge.star.costs.iter().copied().fold(f32::INFINITY, f32::min)
     }
 
     /// Costs of all edges of the gathered `v`, by the forms alone.
@@ -289,7 +367,7 @@ impl<'a> Merger<'a> {
     fn course(&self, v: u32, i: usize) -> Course {
         let u = self.hood.ids[i];
         let borders = [v, u].map(|p| self.known[p as usize].border_count);
-        let locked = [v, u].map(|p| self.is_locked[p as usize]);
+        let locked = [v, u].map(|p| self.judge.is_locked[p as usize]);
         let stays = if self.hood.is_border(i) {
             // Where borders meet or end, the vertex holds them in place.
             [0, 1].map(|end| locked[end] || borders[end] != 2)
@@ -322,11 +400,11 @@ impl<'a> Merger<'a> {
             let least = self.costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
             let Some(i) = least.filter(|(_, cost)| **cost < limit).map(|(i, _)| i) else { break };
             self.costs[i] = f32::INFINITY;
-            if let Some(found) = self.judge(v, i).filter(|(cost, _)| *cost < limit) {
+            if let Some(found) = self.judge(v, i, limit).filter(|(cost, _)| *cost < limit) {
                 best = Some(found);
             }
         }
-        match best {
+        match best.or_else(|| self.relaxed(v)) {
             None => self.heap.remove(v),
             Some((cost, choice)) => {
                 self.choices[v as usize] = choice;
@@ -337,75 +415,142 @@ impl<'a> Merger<'a> {
         }
     }
 
-    /// The first place for the vertex of an edge that passes all tests, and its cost.
-    fn judge(&mut self, v: u32, i: usize) -> Option<(f32, Choice)> {
+    /// The relaxed collapse of `v`, if it may have one now, and its cost.
+    fn relaxed(&mut self, v: u32) -> Option<(f32, Choice)> {
+        if self.judge.is_fixed(v) {
+            return None;
+        }
+        self.relaxation.consider(&mut self.judge, (&self.removed, &self.targets));
+        self.judge.gather(v);
+        let judge::Choice { tier, cost, target, distance_squared, .. } = self.judge.relaxed_choice(v)?;
+        let (place, other_version) = (self.positions[target as usize], self.known[target as usize].version);
+        Some((cost, Choice { other: target, other_version, is_kept: false, place, tier, distance_squared }))
+    }
+
+    /// The first place for the vertex of an edge that passes all tests, or the cheapest if seams are crossed; and its cost.
+    fn judge(&mut self, v: u32, i: usize, limit: f32) -> Option<(f32, Choice)> {
         let course = self.course(v, i);
         let u = self.hood.ids[i];
         let edge = self.edge_form(v, i);
         let offset = self.hood.offsets[i];
-        gather_into(&mut self.other_hood, (&self.links, &self.positions, self.seams.as_ref()), u);
+        gather_into(&mut self.other_hood, (&self.judge, &self.positions, self.seams), u);
         let both_move = course == Course::Free;
+        let mut crossings = Crossings::default();
+        let mut best: Option<(f32, Choice)> = None;
         for (local, is_kept) in places(&edge, course, offset).into_iter().flatten() {
             let (removed, kept) = if is_kept { (u, v) } else { (v, u) };
-            if !self.legality.allows(&self.links, removed, kept)
-                || self.seams.as_mut().is_some_and(|s| !s.allow(&self.links, (removed, kept), both_move))
-            {
-                if both_move {
-                    return None;
-                }
+            // Ends stay where they are, without any rounding.
+            let is_end = local == if is_kept { DVec3::ZERO } else { offset };
+            let place = if is_end { self.positions[kept as usize] } else { self.hood.centre + local };
+            let merge = Merge { removed, kept, share: self.share_of(removed, kept, place) };
+            if edge.cost(local) as f32 >= best.map_or(limit, |(least, _)| least) {
                 continue;
             }
-            let place = self.hood.centre + local;
+            let Judge { legality, links, .. } = &mut self.judge;
+            let is_allowed = legality.allows(links, removed, kept);
+            if !is_allowed && both_move {
+                break;
+            }
+            let seams = (&mut self.judge, self.seams);
+            let crossing = if is_allowed { crossings.cost(seams, (merge, v), both_move) } else { None };
+            let Some(crossing) = crossing else {
+                if both_move && self.seams == SeamRule::Keep {
+                    break;
+                }
+                continue;
+            };
             let mean = edge.normal();
             if self.hood.may_move(place, u, mean) && self.other_hood.may_move(place, v, mean) {
                 let left = self.hood.distance_squared(place, u) + self.other_hood.distance_squared(place, v);
-                let cost = edge.cost(local) + DISTANCE_WEIGHT * edge.area() * left;
-                let other_version = self.known[u as usize].version;
-                return Some((cost as f32, Choice { other: u, other_version, is_kept, place }));
+                let distance_cost = DISTANCE_WEIGHT * (edge.area() + SPIKE_WEIGHT * left) * left;
+                let cost = (edge.cost(local) + distance_cost + crossing) as f32;
+                if best.is_none_or(|(least, _)| cost < least) {
+                    let other_version = self.known[u as usize].version;
+                    best = Some((cost, Choice { other: u, other_version, is_kept, place, ..NO_CHOICE }));
+                }
+                if crossing == 0.0 {
+                    break;
+                }
             }
         }
-        None
+        best
     }
 
     /// Does what was chosen for `v` and looks again at all around it; false, with nothing done, where
     /// the error would exceed the limit.
     fn collapse(&mut self, v: u32, limit: f64) -> bool {
-        let Choice { other, is_kept, place, .. } = self.choices[v as usize];
+        let Choice { other, is_kept, place, tier, distance_squared, .. } = self.choices[v as usize];
         let (removed, kept) = if is_kept { (other, v) } else { (v, other) };
+        self.removed_ring.clear();
+        self.removed_ring.extend_from_slice(self.judge.links.entries(removed));
         self.ring.clear();
         for p in [removed, kept] {
-            self.ring.extend(self.links.entries(p).iter().filter(|&&w| w != removed && w != kept));
+            self.ring.extend(self.judge.links.entries(p).iter().filter(|&&w| w != removed && w != kept));
         }
-        self.ring.sort_unstable();
-        self.ring.dedup();
+        for ring in [&mut self.ring, &mut self.removed_ring] {
+            ring.sort_unstable();
+            ring.dedup();
+        }
         self.ring.push(kept);
         let share = self.share_of(removed, kept, place);
         let undone = self.positions[kept as usize];
-        self.merge_vertices(removed, kept);
-        let count = |links: &Links, p| links.triangle_count(p);
-        let before = count(&self.links, removed) + count(&self.links, kept);
-        self.links.collapse(removed, kept);
-        self.positions[kept as usize] = place;
-        let worst = self.drift.collapse(&self.links, &self.positions, removed, kept);
+        merge_wedges(&mut self.judge, (removed, kept), &mut self.targets, &mut self.pairs);
+        let count = |judge: &Judge<'_>, p| judge.links.triangle_count(p);
+        let before = count(&self.judge, removed) + count(&self.judge, kept);
+        self.judge.links.collapse(removed, kept);
+        self.place(kept, place);
+        // Each vanished triangle stood in both links.
+        let removed_triangles = (before - count(&self.judge, kept)) / 2;
+        let worst = self.settle((removed, kept), tier, removed_triangles).max(distance_squared);
         let error = self.error.max(f64::from(worst).sqrt() * self.frame.scale);
         if error > limit {
-            self.positions[kept as usize] = undone;
+            self.place(kept, undone);
             self.welded.positions.wedges(removed).for_each(|w| self.targets[w as usize] = w);
             return false;
         }
         self.error = error;
-        // Each vanished triangle stood in both links.
-        self.triangle_count -= (before - count(&self.links, kept)) / 2;
-        self.vertex_count -= self.welded.positions.wedges(removed).len();
-        self.removed_count += 1;
-        if place != undone {
-            self.is_moved[kept as usize] = true;
-            self.seams.iter_mut().for_each(|seams| seams.place(kept, place));
+        self.triangle_count -= removed_triangles;
+        for &p in self.gone.iter().filter(|&&p| p != kept || self.judge.links.triangle_count(kept) == 0) {
+            self.vertex_count -= self.welded.positions.wedges(p).len();
+            self.removed_count += 1;
+            self.heap.remove(p);
         }
+        self.removed.push(removed);
+        self.is_moved[kept as usize] |= place != undone;
         self.pairs.iter().for_each(|&(from, to)| blend::blend(&mut self.layers, from, to, share));
-        self.heap.remove(removed);
         self.look_again();
         true
+    }
+
+    fn place(&mut self, p: u32, place: DVec3) {
+        self.positions[p as usize] = place;
+        let [x, y, z] = place.as_vec3().to_array();
+        self.judge.positions[p as usize] = [x, y, z, 0.0];
+    }
+
+    /// Settles what stood for the original at the ends of an edge that was collapsed; the largest squared distance. Leaves the
+    /// removed position, the kept one and all that have lost their last triangle in `gone`.
+    fn settle(&mut self, (removed, kept): (u32, u32), tier: Tier, removed_triangles: usize) -> f32 {
+        let departure = self.judge.note_departure(removed, kept, removed_triangles, &self.removed_ring);
+        self.gone.clear();
+        self.gone.extend([removed, kept]);
+        self.followers.clear();
+        let mut place = kept;
+        let mut is_plain = tier == Tier::Strict;
+        if let Some(departure) = departure {
+            self.gone.extend(departure.lost.iter().filter(|&&p| p != kept));
+            is_plain &= departure.lost.is_empty();
+            place = departure.place.unwrap_or(kept);
+            self.judge.forget(departure);
+        }
+        if !is_plain {
+            self.judge.note_relaxed();
+            self.judge.followers_into(place, 0, &mut self.followers);
+            self.followers.extend_from_slice(&self.gone);
+        }
+        let worst = (self.error / self.frame.scale).powi(2) as f32;
+        let around = (&mut self.judge, self.positions.as_slice());
+        self.drift.settle_all(around, (&self.gone, &self.followers), place, worst)
     }
 
     /// How far along the edge from `kept` to `removed` the new place lies, 0 to 1.
@@ -414,18 +559,6 @@ impl<'a> Merger<'a> {
         let along = self.positions[removed as usize] - from;
         let share = (place - from).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
         share.clamp(0.0, 1.0)
-    }
-
-    /// Writes the targets of the removed vertices and, into `pairs`, whose attributes mix.
-    fn merge_vertices(&mut self, removed: u32, kept: u32) {
-        self.pairs.clear();
-        match &mut self.seams {
-            Some(seams) => seams.merge(&self.links, (removed, kept), &mut self.targets, &mut self.pairs),
-            None => {
-                self.targets[removed as usize] = kept;
-                self.pairs.push((removed, kept));
-            }
-        }
     }
 
     fn look_again(&mut self) {
@@ -484,24 +617,11 @@ impl<'a> Merger<'a> {
 }
 
 /// Gathers the star of `v` with its seams.
-fn gather_into(hood: &mut Hood, (links, positions, seams): (&Links, &[DVec3], Option<&Seams<'_>>), v: u32) {
-    match seams {
-        Some(seams) if seams.wedges.is_split(v) => {
-            let is_seam = |s, t| seams.wedges.shown(s, v) != seams.wedges.shown(t, v);
-            hood.gather(links, positions, v, Some(&is_seam));
-        }
-        _ => hood.gather(links, positions, v, None),
+fn gather_into(hood: &mut Hood, (judge, positions, seams): (&Judge<'_>, &[DVec3], SeamRule), v: u32) {
+    if judge.wedges.as_ref().is_some_and(|wedges| wedges.is_split(v)) {
+        let weight = |triangles: [u32; 2], along: DVec3| seam_weight(judge, seams, (v, triangles), along);
+        hood.gather(&judge.links, positions, v, Some(&weight));
+    } else {
+        hood.gather(&judge.links, positions, v, None);
     }
-}
-
-/// Positions that may neither move nor go.
-fn locked_positions(welded: &Welded, links: &Links, options: &SequenceOptions) -> Vec<bool> {
-    let mut is_locked =
-        crate::simplify::judge::locked_positions(welded, &options.locked_vertices, options.group_borders);
-    if options.boundary == BoundaryRule::Locked {
-        for (p, is_locked) in (0..).zip(&mut is_locked) {
-            *is_locked |= links.is_boundary(p);
-        }
-    }
-    is_locked
 }

@@ -1,27 +1,24 @@
 //! Half-edge collapses, for stars that cannot be filled freely: at seams, between groups, where sheets meet.
 //!
-//! What may be collapsed, and along which edges, is what the collapse simplifier allows if it keeps seams and topology: the
-//! bounds that removals promise hold for such steps only.
+//! What may be collapsed, along which edges, and what crossing a seam costs is what the collapse simplifier says. If there is no
+//! such collapse either, `judge` tries relaxed ones.
 
+use crate::simplify::judge::Judge as CollapseJudge;
 use crate::simplify::links::LinkKind;
-use crate::simplify::star::Star;
 
 use super::hole::Features;
-use super::judge::{Filling, Judge, Verdict};
-
-/// Share of the memoryless cost beside the distances of what was removed before.
-const MEMORYLESS_SHARE: f32 = 0.2;
+use super::judge::{Filling, Judge, MEMORYLESS_SHARE, Verdict, fan_into};
 
 impl Judge<'_> {
     /// The best collapse of `v`; its fan is then in `floor`.
     pub(super) fn judge_collapses(&mut self, v: u32) -> Option<Verdict> {
-        self.load_costs(v);
+        self.collapses.load_costs(v);
         if !self.keep_to_features(v) {
             return None;
         }
         let mut best: Option<Verdict> = None;
-        for k in 0..self.star.ids.len() {
-            if self.star.costs[k] < f32::INFINITY
+        for k in 0..self.collapses.star.ids.len() {
+            if self.collapses.star.costs[k] < f32::INFINITY
                 && let Some(verdict) = self.judge_collapse(v, k)
                 && best.is_none_or(|best| verdict.cost < best.cost)
             {
@@ -34,28 +31,13 @@ impl Judge<'_> {
         best
     }
 
-    /// Fills the star with the memoryless costs of its neighbours, infinite off the borders that it is on.
-    fn load_costs(&mut self, v: u32) {
-        self.star.compute_costs();
-        let kind = self.links.kind(v);
-        let wedges = &self.wedges;
-        if !wedges.is_split(v) {
-            return self.star.apply_borders(kind, None);
-        }
-        let seam_between = |star: &Star, s: usize, t: usize| {
-            let is_seam = wedges.shown(star.triangles[s], v) != wedges.shown(star.triangles[t], v);
-            is_seam.then_some(f32::INFINITY)
-        };
-        self.star.apply_borders(kind, Some(&seam_between));
-    }
-
     /// Leaves only neighbours along the sharp edges of the star; false where those meet in it.
     fn keep_to_features(&mut self, v: u32) -> bool {
-        let kind = self.links.kind(v);
+        let kind = self.collapses.links.kind(v);
         let (Some(cosine), LinkKind::Closed | LinkKind::Open) = (self.feature_cosine, kind) else {
             return true;
         };
-        let star = &mut self.star;
+        let star = &mut self.collapses.star;
         let n = star.ids.len();
         self.hole.load((0..n).map(|i| star.offset(i)), kind == LinkKind::Closed);
         match self.hole.features(cosine) {
@@ -69,13 +51,14 @@ impl Judge<'_> {
     }
 
     fn judge_collapse(&mut self, v: u32, k: usize) -> Option<Verdict> {
-        let Self { star, wedges, legality, links, floor, .. } = self;
-        if !legality.allows(links, v, star.ids[k]) || !wedges.pair(star, v, k) {
+        let Self { collapses, floor, .. } = self;
+        let CollapseJudge { star, legality, links, .. } = collapses;
+        if !legality.allows(links, v, star.ids[k]) || !collapses.pair(v, k) {
             return None;
         }
-        floor.clear();
-        let kept = (0..star.triangle_count()).map(|t| star.triangle(t)).filter(|pair| !pair.contains(&k));
-        floor.extend(kept.map(|[a, b]| [k, a, b].map(|i| i as u8)));
+        let crossing = collapses.crossing_cost(k);
+        let star = &mut collapses.star;
+        fan_into(star, k, floor);
         if floor.is_empty() {
             return None;
         }
@@ -85,7 +68,7 @@ impl Judge<'_> {
         self.place_floor();
         let (increase, worst) = self.increase();
         let worst = worst.max(protrusion);
-        let cost = increase.max(0.0) + MEMORYLESS_SHARE * still + Self::spike_cost(worst);
+        let cost = increase.max(0.0) + MEMORYLESS_SHARE * still + crossing + Self::spike_cost(worst);
         Some(Verdict { cost, filling: Filling::Collapse(k), worst })
     }
 }

@@ -5,10 +5,13 @@ use std::ops::ControlFlow;
 use crate::mesh::Welded;
 use crate::simplify::cover::Cover;
 use crate::simplify::heap::IndexedHeap;
-use crate::simplify::options::{SimplifyError, StopReason};
+use crate::simplify::judge::Judge as CollapseJudge;
+use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
+use crate::simplify::relaxation::Relaxation;
+use crate::simplify::wedges::Wedges;
 use crate::{Cancelled, Progress, ProgressFn};
 
-use super::judge::{Depth, Filling, Judge};
+use super::judge::{Depth, Filling, Judge, Reach};
 use super::options::{RemovalOptions, Retriangulation};
 use super::record::{Faces, RemovalRecord};
 
@@ -23,6 +26,9 @@ pub(super) struct Engine<'a> {
     options: &'a RemovalOptions,
     welded: &'a Welded,
     judge: Judge<'a>,
+    relaxation: Relaxation<'a>,
+    /// True once a floor was empty, for which the error is no more than the size of the mesh.
+    has_vanished: bool,
     cover: Cover,
     heap: IndexedHeap,
     triangle_count: usize,
@@ -35,6 +41,8 @@ pub(super) struct Engine<'a> {
 
 impl<'a> Engine<'a> {
     pub(super) fn new(welded: &'a Welded, options: &'a RemovalOptions) -> Self {
+        let keeps_features = options.feature_angle.is_some();
+        let topology = if keeps_features { TopologyRule::Keep } else { options.topology };
         let judge = Judge::new(welded, options);
         let is_collapsing = options.retriangulation == Retriangulation::Collapse;
         let targets = is_collapsing.then(|| vec![0; welded.mesh.vertex_count()]);
@@ -42,6 +50,9 @@ impl<'a> Engine<'a> {
             options,
             welded,
             judge,
+            // Sharp edges stay, whatever the price.
+            relaxation: Relaxation::new(welded, topology),
+            has_vanished: false,
             cover: Cover::new(&welded.mesh.positions, &welded.mesh.triangles),
             heap: IndexedHeap::new(&[]),
             triangle_count: welded.mesh.triangle_count(),
@@ -58,8 +69,16 @@ impl<'a> Engine<'a> {
         mut self,
         progress: &mut ProgressFn<'_>,
     ) -> Result<(RemovalRecord, Faces, StopReason), SimplifyError> {
-        let total = self.judge.positions.len() as u64;
-        let mut keys = Vec::with_capacity(self.judge.positions.len());
+        let total = self.judge.collapses.positions.len() as u64;
+        if self.relaxation.is_possible() {
+            self.relaxation.consider(&mut self.judge.collapses, (&[], &[]));
+            if self.relaxation.is_waiting() {
+                self.relaxation.begin(&mut self.judge.collapses, (&[], &[]));
+            } else {
+                self.judge.reach = Reach::Relaxed;
+            }
+        }
+        let mut keys = Vec::with_capacity(self.judge.collapses.positions.len());
         for v in 0..total as u32 {
             keys.push(self.key(v));
         }
@@ -67,7 +86,7 @@ impl<'a> Engine<'a> {
         drop(keys);
         let limit = self.options.max_error.unwrap_or(f64::INFINITY);
         let mut is_limited = false;
-        while let Some((key, v)) = self.heap.first() {
+        while let Some((key, v)) = self.next() {
             if self.triangle_count <= self.options.base_triangle_count {
                 return Ok(self.end(StopReason::TargetReached));
             }
@@ -80,18 +99,21 @@ impl<'a> Engine<'a> {
                 continue;
             }
             let error = self.propose(v, verdict.filling);
+            let vanishes = self.floor.is_empty();
             if f64::from(error) > limit {
                 is_limited = true;
                 self.heap.remove(v);
                 continue;
             }
             // The bound takes the place of what points have seen.
-            let bound = self.judge.scaled_squared(error).max(verdict.worst);
+            let known = if vanishes { 0.0 } else { self.judge.scaled_squared(error) };
+            let bound = known.max(verdict.worst);
             let rise = Judge::spike_cost(bound) - Judge::spike_cost(verdict.worst);
             if self.has_to_wait(v, key.max(verdict.cost), verdict.cost + rise) {
                 continue;
             }
             self.remove(v, verdict.filling, error);
+            self.has_vanished |= vanishes;
             let done = self.record.removed.len() as u64;
             let is_report = done.is_multiple_of(REPORT_INTERVAL);
             if is_report && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(()) {
@@ -107,6 +129,22 @@ impl<'a> Engine<'a> {
         Ok(self.end(reason))
     }
 
+    /// The vertex that comes next, and its key; lets more vertices be removed if nothing is left.
+    fn next(&mut self) -> Option<(f32, u32)> {
+        while self.heap.first().is_none() && self.relaxation.is_possible() {
+            self.judge.reach = match self.judge.reach {
+                Reach::Strict => Reach::Relaxed,
+                Reach::Relaxed => Reach::Hubs,
+                Reach::Hubs => break,
+            };
+            for v in 0..self.judge.collapses.positions.len() as u32 {
+                let key = self.key(v);
+                self.heap.set(v, key);
+            }
+        }
+        self.heap.first()
+    }
+
     /// Puts `v` back where its true cost is well over the key that it came up with; true if others come first then.
     fn has_to_wait(&mut self, v: u32, key: f32, cost: f32) -> bool {
         if cost <= TOLERANCE * key {
@@ -116,8 +154,9 @@ impl<'a> Engine<'a> {
         self.heap.first().is_some_and(|(_, first)| first != v)
     }
 
-    fn end(self, reason: StopReason) -> (RemovalRecord, Faces, StopReason) {
-        let corners = self.judge.wedges.into_corners();
+    fn end(mut self, reason: StopReason) -> (RemovalRecord, Faces, StopReason) {
+        let corners = self.judge.collapses.wedges.map(Wedges::into_corners).unwrap_or_default();
+        self.record.has_vanished = self.has_vanished;
         (self.record, Faces { corners, groups: self.judge.groups }, reason)
     }
 
@@ -134,7 +173,7 @@ impl<'a> Engine<'a> {
         let place = |corner: u32| positions[corner as usize].map(f64::from);
         self.placed.clear();
         self.placed.extend((first..).zip(&self.floor).map(|(number, face)| (number, face.0.map(place))));
-        let bound = self.cover.propose(&judge.star.triangles, &self.placed);
+        let bound = self.cover.propose(&judge.collapses.star.triangles, &self.placed);
         let nearest = bound as f32;
         let up = if f64::from(nearest) < bound { nearest.next_up() } else { nearest };
         up.min(f32::MAX)
@@ -143,27 +182,50 @@ impl<'a> Engine<'a> {
     fn remove(&mut self, v: u32, filling: Filling, error: f32) {
         self.cover.commit();
         let judge = &mut self.judge;
-        if let (Some(targets), Filling::Collapse(k)) = (&mut self.record.targets, filling) {
-            judge.wedges.pair(&judge.star, v, k);
-            judge.wedges.write_targets(v, judge.star.ids[k], targets);
+        let nearest = (0..judge.collapses.star.ids.len()).min_by(|&a, &b| {
+            let squared = |i| judge.collapses.star.offset(i).length_squared();
+            squared(a).total_cmp(&squared(b))
+        });
+        let k = match filling {
+            Filling::Collapse(k) | Filling::Relaxed(k) => k,
+            Filling::Free => nearest.unwrap_or(0),
+        };
+        let target = judge.collapses.star.ids[k];
+        if let Some(targets) = &mut self.record.targets {
+            judge.collapses.pair(v, k);
+            if let Some(wedges) = &judge.collapses.wedges {
+                wedges.write_targets(v, target, targets);
+            }
         }
         let first = judge.groups.len() as u32;
         self.filled.clear();
-        for (number, &(corners, group)) in (first..).zip(&self.floor) {
-            judge.wedges.push(corners);
-            judge.groups.push(group);
-            self.filled.push((number, corners.map(|c| judge.wedges.position_of(c))));
+        let CollapseJudge { star, wedges, links, .. } = &mut judge.collapses;
+        if let Some(wedges) = wedges {
+            for (number, &(corners, group)) in (first..).zip(&self.floor) {
+                wedges.push(corners);
+                judge.groups.push(group);
+                self.filled.push((number, corners.map(|c| wedges.position_of(c))));
+            }
         }
         judge.points.settle(first, &judge.floor_corners);
         self.ring.clear();
-        self.ring.extend_from_slice(&judge.star.ids);
-        self.record.removed.push(v);
-        self.record.errors.push(error);
-        self.record.ceilings.extend_from_slice(&judge.star.triangles);
-        self.record.ceiling_ends.push(self.record.ceilings.len() as u32);
-        self.record.face_ends.push(judge.groups.len() as u32);
-        self.triangle_count -= judge.star.triangle_count() - self.floor.len();
-        judge.links.fill(v, &self.filled);
+        self.ring.extend_from_slice(&star.ids);
+        self.record.ceilings.extend_from_slice(&star.triangles);
+        let removed = star.triangle_count() - self.floor.len();
+        self.triangle_count -= removed;
+        links.fill(v, &self.filled);
+        self.record.push(v, error, judge.groups.len() as u32);
+        if let Some(departure) = judge.collapses.note_departure(v, target, removed, &self.ring) {
+            let place = departure.place.unwrap_or(target);
+            for &p in &departure.lost {
+                self.record.push(p, error, judge.groups.len() as u32);
+                if let Some(targets) = &mut self.record.targets {
+                    judge.collapses.write_single_target(p, place, targets);
+                }
+                self.heap.remove(p);
+            }
+            judge.collapses.forget(departure);
+        }
         self.heap.remove(v);
         let ring = std::mem::take(&mut self.ring);
         for &w in &ring {

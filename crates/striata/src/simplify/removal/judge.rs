@@ -7,10 +7,9 @@
 
 use crate::mesh::Welded;
 use crate::simplify::engine::scaled_positions;
-use crate::simplify::judge::locked_positions;
-use crate::simplify::legality::Legality;
+use crate::simplify::judge::{Choice, Judge as CollapseJudge};
 use crate::simplify::links::{LinkKind, Links};
-use crate::simplify::options::BoundaryRule;
+use crate::simplify::options::SequenceOptions;
 use crate::simplify::star::Star;
 use crate::simplify::wedges::Wedges;
 
@@ -33,6 +32,23 @@ const NONE: u32 = u32::MAX;
 /// More neighbours than this no position gets by a new edge: hubs cost quadratic time.
 const MAX_VALENCE: usize = 40;
 
+/// Share of the memoryless cost of a collapse beside the distances of what was removed before.
+pub(super) const MEMORYLESS_SHARE: f32 = 0.2;
+
+/// Relaxed collapses take no more triangles around a vertex than this: indices into a star are bytes.
+const MAX_HUB: usize = 127;
+
+/// Which collapses are tried for a vertex that no hole can be filled of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Reach {
+    /// Those that keep the topology.
+    Strict,
+    /// Relaxed ones as well.
+    Relaxed,
+    /// Relaxed ones of vertices over the limit of degrees, too.
+    Hubs,
+}
+
 /// How closely to look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Depth {
@@ -48,6 +64,8 @@ pub(super) enum Filling {
     Free,
     /// By moving the removed vertex to a neighbour, an index into the star.
     Collapse(usize),
+    /// In the same way, but without keeping the topology or the course of borders.
+    Relaxed(usize),
 }
 
 /// A removal that may be made; its triangles are with the judge.
@@ -62,19 +80,16 @@ pub(super) struct Verdict {
 /// The mesh as it is, and all that judges it.
 pub(super) struct Judge<'a> {
     pub(super) options: &'a RemovalOptions,
-    /// Positions about the bounds' centre, diagonal 1, padded to a vector register.
-    pub(super) positions: Vec<[f32; 4]>,
+    /// Positions, links, wedges and the star, and what judges relaxed collapses.
+    pub(super) collapses: CollapseJudge<'a>,
+    /// Which collapses are tried where no other removal is allowed.
+    pub(super) reach: Reach,
     /// Mesh units of one scaled unit.
     pub(super) scale: f64,
-    pub(super) links: Links,
-    pub(super) wedges: Wedges<'a>,
     /// Group of each face.
     pub(super) groups: Vec<u32>,
     pub(super) points: Points,
-    pub(super) star: Star,
     pub(super) hole: Hole,
-    pub(super) legality: Legality,
-    is_locked: Vec<bool>,
     /// Of the angle between normals from which on an edge is a feature.
     pub(super) feature_cosine: Option<f32>,
     has_wedges: bool,
@@ -93,36 +108,40 @@ impl<'a> Judge<'a> {
     pub(super) fn new(welded: &'a Welded, options: &'a RemovalOptions) -> Self {
         let (positions, scale) = scaled_positions(welded);
         let has_wedges = !welded.positions.is_identity();
-        let links = if has_wedges {
-            let of = |t: &[u32; 3]| t.map(|v| welded.positions.position_of(v));
-            let triangles: Vec<[u32; 3]> = welded.mesh.triangles.iter().map(of).collect();
-            Links::new(positions.len(), &triangles, true)
-        } else {
-            Links::new(positions.len(), &welded.mesh.triangles, true)
+        let position_count = positions.len();
+        let rules = SequenceOptions {
+            boundary: options.boundary,
+            group_borders: options.group_borders,
+            seams: options.seams,
+            topology: options.topology,
+            locked_vertices: options.locked_vertices.clone(),
+            ..SequenceOptions::default()
         };
+        let mut collapses = CollapseJudge::new(welded, &rules, (positions, scale));
+        if !has_wedges {
+            // Triangles are followed here in any case.
+            collapses.links = Links::new(position_count, &welded.mesh.triangles, true);
+            collapses.wedges = Some(Wedges::new(&welded.positions, welded.mesh.triangles.clone()));
+        }
+        collapses.lock_boundary();
         let mut groups = vec![0; welded.mesh.triangle_count()];
         for (number, group) in welded.mesh.groups.iter().enumerate() {
             groups[group.range()].fill(number as u32);
         }
-        let mut star = Star::default();
-        let weight = (0..positions.len() as u32).map(|v| {
-            star.gather(&links, &positions, v);
-            star.compute_costs();
-            star.area() / 3.0
+        let weight = (0..position_count as u32).map(|v| {
+            collapses.gather(v);
+            collapses.star.compute_costs();
+            collapses.star.area() / 3.0
         });
         let points = Points::new(welded.mesh.triangle_count(), weight.collect());
         Self {
             options,
-            positions,
+            collapses,
+            reach: Reach::Strict,
             scale,
-            links,
-            wedges: Wedges::new(&welded.positions, welded.mesh.triangles.clone()),
             groups,
             points,
-            star,
             hole: Hole::default(),
-            legality: Legality::default(),
-            is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
             feature_cosine: options.feature_angle.map(|angle| cosine(angle) as f32),
             has_wedges,
             is_plain: false,
@@ -135,18 +154,40 @@ impl<'a> Judge<'a> {
 
     /// The best filling of the hole that `v` would leave; its triangles are then in `floor`.
     pub(super) fn judge(&mut self, v: u32, depth: Depth) -> Option<Verdict> {
-        let degree = self.links.triangle_count(v);
-        if self.is_locked[v as usize] || degree == 0 || degree > self.options.degree_limit {
+        let degree = self.collapses.links.triangle_count(v);
+        if self.collapses.is_fixed(v) || degree == 0 || degree > MAX_HUB {
             return None;
         }
-        if self.options.boundary == BoundaryRule::Locked && self.links.is_boundary(v) {
+        self.collapses.gather(v);
+        let CollapseJudge { links, star, positions, .. } = &self.collapses;
+        let is_ring = matches!(links.kind(v), LinkKind::Closed | LinkKind::Open);
+        if degree > self.options.degree_limit && self.reach < Reach::Hubs {
             return None;
         }
-        self.star.gather(&self.links, &self.positions, v);
-        self.points.load(&self.star.triangles, &self.positions, v);
-        let is_ring = matches!(self.links.kind(v), LinkKind::Closed | LinkKind::Open);
-        self.is_plain = is_ring && degree > 1 && self.find_shown();
-        if self.is_plain { self.judge_ring(v, depth) } else { self.judge_collapses(v) }
+        self.points.load(&star.triangles, positions, v);
+        let strict = if degree > self.options.degree_limit {
+            None
+        } else {
+            self.is_plain = is_ring && degree > 1 && self.find_shown();
+            if self.is_plain { self.judge_ring(v, depth) } else { self.judge_collapses(v) }
+        };
+        if strict.is_none() && self.reach > Reach::Strict { self.judge_relaxed(v) } else { strict }
+    }
+
+    /// The best relaxed collapse of `v`; its fan is then in `floor`.
+    fn judge_relaxed(&mut self, v: u32) -> Option<Verdict> {
+        self.is_plain = false;
+        self.collapses.gather(v);
+        let choice = self.collapses.relaxed_choice(v)?;
+        let Choice { cost, target, distance_squared, protrusion_squared, .. } = choice;
+        let Self { collapses: CollapseJudge { star, .. }, floor, .. } = self;
+        let k = star.ids.iter().position(|&id| id == target)?;
+        fan_into(star, k, floor);
+        self.place_floor();
+        let (increase, worst) = self.increase();
+        let worst = worst.max(distance_squared).max(protrusion_squared);
+        let cost = increase.max(0.0) + MEMORYLESS_SHARE * cost + Self::spike_cost(worst);
+        Some(Verdict { cost, filling: Filling::Relaxed(k), worst })
     }
 
     /// The square of a distance in mesh units, in scaled units.
@@ -157,7 +198,10 @@ impl<'a> Judge<'a> {
 
     /// True where the star, a ring, shows one vertex at each of its positions and lies in one group.
     fn find_shown(&mut self) -> bool {
-        let Self { star, wedges, shown, groups, .. } = self;
+        let Self { collapses: CollapseJudge { star, wedges: Some(wedges), .. }, shown, groups, .. } = self
+        else {
+            return false;
+        };
         let group = groups[star.triangles[0] as usize];
         if star.triangles.iter().any(|&t| groups[t as usize] != group) {
             return false;
@@ -218,8 +262,8 @@ impl<'a> Judge<'a> {
 
     /// Loads the ring of `v` with the new edges that it may get; false where it can have no floor.
     fn load_hole(&mut self, v: u32) -> bool {
-        let is_closed = self.links.kind(v) == LinkKind::Closed;
-        let star = &self.star;
+        let CollapseJudge { links, star, .. } = &self.collapses;
+        let is_closed = links.kind(v) == LinkKind::Closed;
         let n = star.ids.len();
         self.hole.load((0..n).map(|i| star.offset(i)), is_closed);
         if is_closed && n == 3 {
@@ -228,7 +272,7 @@ impl<'a> Judge<'a> {
             return !self.has_triangle(a, b, c);
         }
         for i in 0..n {
-            let entries = self.links.entries(star.ids[i]);
+            let entries = links.entries(star.ids[i]);
             let is_full = entries.len() > MAX_VALENCE;
             for j in 0..n {
                 let is_old = j.abs_diff(i) <= 1 || (is_closed && j.abs_diff(i) == n - 1);
@@ -241,13 +285,14 @@ impl<'a> Judge<'a> {
     }
 
     fn has_triangle(&self, a: u32, b: u32, c: u32) -> bool {
-        let entries = self.links.entries(a);
+        let links = &self.collapses.links;
+        let entries = links.entries(a);
         let n = entries.len();
         let is_pair = |i: usize| {
             let pair = (entries[i], entries[if i + 1 == n { 0 } else { i + 1 }]);
             pair == (b, c) || pair == (c, b)
         };
-        match self.links.kind(a) {
+        match links.kind(a) {
             LinkKind::Empty => false,
             LinkKind::Closed => (0..n).any(is_pair),
             LinkKind::Open => (0..n - 1).any(is_pair),
@@ -270,7 +315,7 @@ impl<'a> Judge<'a> {
 
     /// Puts the floor into space.
     pub(super) fn place_floor(&mut self) {
-        let Self { star, floor, floor_corners, .. } = self;
+        let Self { collapses: CollapseJudge { star, .. }, floor, floor_corners, .. } = self;
         floor_corners.clear();
         floor_corners.extend(floor.iter().map(|t| t.map(|i| star.offset(usize::from(i)))));
     }
@@ -283,8 +328,9 @@ impl<'a> Judge<'a> {
 
     /// The area between the old and the new course of the boundary, squared.
     fn border_cost(&self) -> f32 {
-        let n = self.star.ids.len();
-        if self.star.triangle_count() == n {
+        let star = &self.collapses.star;
+        let n = star.ids.len();
+        if star.triangle_count() == n {
             return 0.0;
         }
         BORDER_WEIGHT * self.hole.at(0).cross(self.hole.at(n - 1)).length_squared()
@@ -318,14 +364,15 @@ impl<'a> Judge<'a> {
     /// The vertices of the floor's faces and their groups, for a verdict given last.
     pub(super) fn floor_faces(&mut self, v: u32, filling: Filling, out: &mut Vec<([u32; 3], u32)>) {
         out.clear();
-        let Self { star, wedges, groups, floor, shown, .. } = self;
+        let Self { collapses, groups, floor, shown, .. } = self;
         if self.is_plain {
-            let group = groups[star.triangles[0] as usize];
+            let group = groups[collapses.star.triangles[0] as usize];
             out.extend(floor.iter().map(|t| (t.map(|i| shown[i as usize]), group)));
             return;
         }
-        let Filling::Collapse(k) = filling else { return };
-        wedges.pair(star, v, k);
+        let (Filling::Collapse(k) | Filling::Relaxed(k)) = filling else { return };
+        collapses.pair(v, k);
+        let CollapseJudge { star, wedges: Some(wedges), .. } = collapses else { return };
         for t in 0..star.triangle_count() {
             if star.triangle(t).contains(&k) {
                 continue;
@@ -337,6 +384,13 @@ impl<'a> Judge<'a> {
             out.push((corners, groups[triangle as usize]));
         }
     }
+}
+
+/// The triangles that stay if the center of a star moves to its neighbor `k`, as indices into the star.
+pub(super) fn fan_into(star: &Star, k: usize, floor: &mut Vec<RingTriangle>) {
+    floor.clear();
+    let kept = (0..star.triangle_count()).map(|t| star.triangle(t)).filter(|pair| !pair.contains(&k));
+    floor.extend(kept.map(|[a, b]| [k, a, b].map(|i| i as u8)));
 }
 
 /// The cosine of an angle of at most half a turn: the same bits on every machine, which platform cosines are not.

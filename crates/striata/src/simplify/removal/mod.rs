@@ -18,7 +18,12 @@
 //! hole with an upper limit on its size. Differs: the order is not by that distance alone, which made the RMS of
 //! levels 5 to 30 % larger for maxima that were 10 to 40 % smaller; and what sticks out of the surface counts, which one-sided
 //! distances do not see. The bound is certain, not a sample. A collapse
-//! is one way to fill a hole, and the only one at seams, between groups of triangles and where sheets meet.
+//! is one way to fill a hole, and the only one at seams, between groups of triangles and where sheets meet; crossing a seam has a price.
+//!
+//! A vertex that has no such removal gets a **relaxed** collapse, as in the first simplifier: handles close, thin parts fold flat and small
+//! parts vanish, in the order of cost, so that every number of triangles is reached. A part that vanishes leaves a floor without
+//! triangles; the bounds of all steps are then found again by [`certify`](super::certify), which knows what stands in for it. On
+//! closed surfaces of a few large parts relaxed collapses begin when nothing else is left.
 //!
 //! Order and holes follow rounded distances in single precision, so that they are the same on every machine. Time
 //! O(n log n), most of it distances of followed vertices; 22 µs a triangle on the bunny with the bound.
@@ -81,5 +86,5 @@ pub fn build_welded_fragments(
 ) -> Result<BuiltFragments, SimplifyError> {
     options.check()?;
     let (record, faces, stop_reason) = engine::Engine::new(&welded, options).run(progress)?;
-    record.finish(welded, &faces, stop_reason)
+    record.finish(welded, &faces, stop_reason, progress)
 }

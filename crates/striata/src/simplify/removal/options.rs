@@ -1,7 +1,7 @@
 //! What a caller may ask of the removal of vertices, and what it gives.
 
 use crate::mesh::{FragmentedMesh, RefinableMesh};
-use crate::simplify::options::{BoundaryRule, SimplifyError, StopReason};
+use crate::simplify::options::{BoundaryRule, SeamRule, SimplifyError, StopReason, TopologyRule};
 
 /// Which triangulations of a hole are tried.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,7 +39,7 @@ pub struct RemovalOptions {
     /// Which filling is the best; default by distance. Half-edge collapses always go by distance.
     pub criterion: HoleCriterion,
     /// Most triangles around a vertex that may be removed, 3 to 16; default 8: more make many more patterns and next to no better
-    /// levels.
+    /// levels. Only collapses that change the topology may exceed it, once nothing else is left.
     pub degree_limit: usize,
     /// Stop once no more triangles than this are left; default 0: as far as it goes.
     pub base_triangle_count: usize,
@@ -54,6 +54,11 @@ pub struct RemovalOptions {
     /// What may happen to borders between triangle groups; default kept. Locked, every vertex whose position is used by more
     /// than one group stays.
     pub group_borders: BoundaryRule,
+    /// What collapses may do at seams, where they are the only way to fill a hole; default cross them.
+    pub seams: SeamRule,
+    /// Whether a vertex without any removal that keeps the topology may be collapsed all the same; default it may. No
+    /// part vanishes if [`Self::max_error`] is set, and the topology stays if [`Self::feature_angle`] is.
+    pub topology: TopologyRule,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
 }
@@ -69,6 +74,8 @@ impl Default for RemovalOptions {
             boundary: BoundaryRule::default(),
             feature_angle: None,
             group_borders: BoundaryRule::default(),
+            seams: SeamRule::default(),
+            topology: TopologyRule::default(),
             locked_vertices: Vec::new(),
         }
     }
@@ -124,6 +131,14 @@ impl RemovalOptions {
     /// Sets [`Self::group_borders`].
     pub fn with_group_borders(self, group_borders: BoundaryRule) -> Self {
         Self { group_borders, ..self }
+    }
+    /// Sets [`Self::seams`].
+    pub fn with_seams(self, seams: SeamRule) -> Self {
+        Self { seams, ..self }
+    }
+    /// Sets [`Self::topology`].
+    pub fn with_topology(self, topology: TopologyRule) -> Self {
+        Self { topology, ..self }
     }
     /// Sets [`Self::locked_vertices`].
     pub fn with_locked_vertices(self, locked_vertices: Vec<u32>) -> Self {

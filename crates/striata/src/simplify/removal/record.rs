@@ -1,6 +1,8 @@
 //! What was removed, and the mesh and its fragments in refinement order made of it.
 
+use crate::ProgressFn;
 use crate::mesh::{Face, Fragment, FragmentSequence, FragmentedMesh, PositionIndex, Welded};
+use crate::simplify::cover::{certify, certify_collapses};
 use crate::simplify::finish::{Record, RefinementOrder, finish};
 use crate::simplify::options::{SimplifyError, StopReason};
 
@@ -21,6 +23,8 @@ pub(super) struct RemovalRecord {
     pub(super) errors: Vec<f32>,
     /// Where each vertex collapses to; only where all steps are collapses.
     pub(super) targets: Option<Vec<u32>>,
+    /// True if the floor of a step is empty though its ceiling is not.
+    pub(super) has_vanished: bool,
 }
 
 /// All faces that ever were, by number, in the numbering of the welded mesh.
@@ -30,11 +34,20 @@ pub(super) struct Faces {
 }
 
 impl RemovalRecord {
+    /// Adds a step whose ceiling and floor are complete.
+    pub(super) fn push(&mut self, removed: u32, error: f32, face_end: u32) {
+        self.removed.push(removed);
+        self.errors.push(error);
+        self.ceiling_ends.push(self.ceilings.len() as u32);
+        self.face_ends.push(face_end);
+    }
+
     pub(super) fn finish(
         self,
         welded: Welded,
         faces: &Faces,
         stop_reason: StopReason,
+        progress: &mut ProgressFn<'_>,
     ) -> Result<BuiltFragments, SimplifyError> {
         let order = RefinementOrder::new(&welded.positions, &self.removed);
         let source_vertex = order.vertex_order.iter().map(|&v| welded.source_vertex[v as usize]).collect();
@@ -62,12 +75,20 @@ impl RemovalRecord {
         let positions = PositionIndex::from_first(order.first.clone());
         let fragments = FragmentSequence::from_fragments(positions, base, steps)?;
         let mesh = welded.mesh.gather(&order.vertex_order, &order.new_index);
+        let mut fragmented = FragmentedMesh { mesh, fragments };
+        if self.has_vanished {
+            // What an empty floor stood for lies nearest to others.
+            fragmented = certify(&fragmented, progress)?;
+        }
         let (degenerate_triangle_count, merged_vertex_count) =
             (welded.degenerate_triangle_count, welded.merged_vertex_count);
         let refinable = match self.targets {
             None => None,
             Some(targets) => {
-                let mut errors = self.errors;
+                let step_count = self.removed.len() as u32;
+                let fragments = &fragmented.fragments;
+                let mut errors: Vec<f32> =
+                    (0..step_count).rev().map(|step| fragments.floor_error(step)).collect();
                 for step in 1..errors.len() {
                     errors[step] = errors[step].max(errors[step - 1]);
                 }
@@ -76,10 +97,11 @@ impl RemovalRecord {
                 let counts = counts.map(|s| levels.triangle_count_at(s + 1) - levels.triangle_count_at(s));
                 let removed_triangle_counts = counts.map(|n| n as u8).collect();
                 let record = Record { removed: self.removed, errors, removed_triangle_counts, targets };
-                Some(finish(welded, record)?.0)
+                let refinable = finish(welded, record)?.0;
+                // A sequence of collapses is for its levels alone.
+                Some(if self.has_vanished { certify_collapses(&refinable, progress)? } else { refinable })
             }
         };
-        let fragmented = FragmentedMesh { mesh, fragments };
         Ok(BuiltFragments {
             fragmented,
             refinable,

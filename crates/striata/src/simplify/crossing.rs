@@ -1,0 +1,25 @@
+//! What crossing seams costs in attributes, by itself.
+
+use super::judge::Judge;
+
+/// Mean square of a linear function over a triangle that is 1 at one corner and 0 at the others.
+const CORNER_SHARE: f32 = 1.0 / 6.0;
+
+impl Judge<'_> {
+    /// What it costs that wedges of the gathered star cross seams to those of its neighbor `k`; the wedges must be paired.
+    pub(super) fn crossing_cost(&self, k: usize) -> f32 {
+        let Self { star, wedges: Some(wedges), attributes: Some(attributes), .. } = self else { return 0.0 };
+        let mut cost = 0.0;
+        for t in 0..star.triangle_count() {
+            let [i, j] = star.triangle(t);
+            let wedge = star.shown[t];
+            if i != k && j != k && wedges.crosses(wedge) {
+                let (u, a, b) = (star.offset(k), star.offset(i), star.offset(j));
+                let areas = [a.cross(b), (a - u).cross(b - u)].map(|normal| 0.5 * normal.length());
+                let squared = attributes.crossing_squared(wedge, wedges.paired(wedge, star.ids[k]));
+                cost += areas[0].max(areas[1]) * squared;
+            }
+        }
+        CORNER_SHARE * cost
+    }
+}

@@ -1,0 +1,90 @@
+//! The error of a finished level: the distance between it and the original mesh, both ways.
+//!
+//! All vertices are measured, then the middles of all triangles. A triangle is no farther away than its middle and its radius together;
+//! if that exceeds the worst distance so far, the triangle is cut into four and each of them looked at, as often as a number of
+//! points allows that is about twice the number of original triangles.
+
+use glam::DVec3;
+
+use crate::mesh::{IndexedMesh, TriangleTree};
+
+/// Times that a triangle is cut, at most.
+const MAX_CUTS: u32 = 5;
+/// Points that are measured in any case.
+const LEAST_BUDGET: usize = 60_000;
+
+/// A search for the point of a surface that is farthest from another one.
+struct Search {
+    tree: TriangleTree,
+    /// The triangle that was nearest to the last point.
+    hint: usize,
+    worst: f64,
+}
+
+impl Search {
+    /// Looks at a point; true if nothing within `radius` around it is farther than the worst point so far.
+    fn visit(&mut self, point: DVec3, radius: f64) -> bool {
+        let distance = self.tree.distance_within(point, (self.worst - radius).max(0.0), &mut self.hint);
+        if distance.is_finite() {
+            self.worst = self.worst.max(distance);
+        }
+        distance + radius <= self.worst
+    }
+
+    /// Looks at a triangle and at its parts.
+    fn visit_triangle(&mut self, [a, b, c]: [DVec3; 3], cuts: u32) {
+        let middle = (a + b + c) / 3.0;
+        let radius = [a, b, c].iter().map(|corner| corner.distance(middle)).fold(0.0, f64::max);
+        if self.visit(middle, radius) || cuts == 0 {
+            return;
+        }
+        let [x, y, z] = [0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
+        for part in [[a, z, y], [z, b, x], [y, x, c], [x, y, z]] {
+            self.visit_triangle(part, cuts - 1);
+        }
+    }
+}
+
+/// The largest distance of points of `from` from `to`, or `worst` if none is farther.
+fn one_sided(from: &IndexedMesh, to: &IndexedMesh, budget: usize, worst: f64) -> f64 {
+    let Ok(tree) = TriangleTree::new(to) else { return worst };
+    let mut search = Search { tree, hint: 0, worst };
+    let place = |v: u32| DVec3::from(from.positions[v as usize].map(f64::from));
+    for v in 0..from.vertex_count() as u32 {
+        search.visit(place(v), 0.0);
+    }
+    let cuts = (budget / from.triangle_count().max(1)).checked_ilog(4).unwrap_or(0).min(MAX_CUTS);
+    for t in &from.triangles {
+        search.visit_triangle(t.map(place), cuts);
+    }
+    search.worst
+}
+
+/// The largest distance between points of two meshes without unused vertices and the other mesh, mesh units.
+pub(super) fn measured_error(original: &IndexedMesh, level: &IndexedMesh) -> f64 {
+    let budget = LEAST_BUDGET.max(2 * original.triangle_count());
+    let outward = one_sided(level, original, budget, 0.0);
+    one_sided(original, level, budget, outward)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes;
+
+    #[test]
+    fn the_farthest_point_is_found_on_either_side() {
+        let large = shapes::grid(2, 2);
+        let mut tent = large.clone();
+        tent.positions[4][2] = 0.5;
+        let mut part = large.clone();
+        part.triangles.truncate(6);
+        let part = part.without_unused_vertices();
+        for (a, b, expected) in [(&large, &large, 0.0), (&tent, &large, 0.5), (&part, &large, 1.0)] {
+            for (from, to) in [(a, b), (b, a)] {
+                let found = measured_error(from, to);
+                assert!(found <= expected && found >= 0.95 * expected, "{found} but {expected}");
+            }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! When relaxed collapses begin.
+//!
+//! A position that has no strict collapse gets a relaxed one at its price. On a closed surface of a few large parts, relaxed
+//! collapses begin only after the last strict one; there, nothing is prepared for them until then.
+
+use crate::mesh::Welded;
+
+use super::judge::Judge;
+use super::links::LinkKind;
+use super::options::TopologyRule;
+use super::relaxed::Relaxed;
+
+/// A closed surface of several parts waits with relaxed collapses if its parts have this many triangles on average: strict ones
+/// lead it down to a twenty-fifth by themselves.
+const LEAST_CLOSED_PART: usize = 100;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Never,
+    /// No position has needed one yet.
+    Unknown,
+    /// Once no strict collapse is left anywhere.
+    Later,
+    Now,
+}
+
+/// Whether positions without a strict collapse look for relaxed ones.
+pub(super) struct Relaxation<'a> {
+    welded: &'a Welded,
+    keeps_parts: bool,
+    state: State,
+    /// What relaxed collapses will need later.
+    waiting: Option<Relaxed<'a>>,
+}
+
+/// Positions removed so far, and the target of each vertex of them.
+pub(super) type Removed<'r> = (&'r [u32], &'r [u32]);
+
+impl<'a> Relaxation<'a> {
+    pub(super) fn new(welded: &'a Welded, rule: TopologyRule) -> Self {
+        let state = if rule == TopologyRule::Keep { State::Never } else { State::Unknown };
+        Self { welded, keeps_parts: rule == TopologyRule::KeepParts, state, waiting: None }
+    }
+
+    /// True if there may be relaxed collapses at some time.
+    pub(super) fn is_possible(&self) -> bool {
+        self.state != State::Never
+    }
+
+    /// True if relaxed collapses wait until no strict one is left.
+    pub(super) fn is_waiting(&self) -> bool {
+        self.state == State::Later
+    }
+
+    /// Decides what happens now that a position has no strict collapse.
+    pub(super) fn consider(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
+        if self.state != State::Unknown {
+            return;
+        }
+        let relaxed = Relaxed::new(self.welded, self.keeps_parts);
+        let is_closed = |p: u32| matches!(judge.links.kind(p), LinkKind::Closed | LinkKind::Empty);
+        let part_count = relaxed.part_count();
+        let waits = self.welded.positions.is_identity()
+            && (part_count == 1 || LEAST_CLOSED_PART * part_count <= self.welded.mesh.triangle_count())
+            && (0..judge.positions.len() as u32).all(is_closed);
+        self.waiting = Some(relaxed);
+        if waits {
+            self.state = State::Later;
+        } else {
+            self.begin(judge, removed);
+        }
+    }
+
+    /// Lets relaxed collapses begin; if there are none, parts and what they have lost are followed all the same.
+    pub(super) fn begin(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
+        let mut relaxed = self.waiting.take().unwrap_or_else(|| Relaxed::new(self.welded, self.keeps_parts));
+        relaxed.is_tail = self.is_waiting();
+        relaxed.begin(judge, removed);
+        judge.relaxed = Some(relaxed);
+        if self.state != State::Never {
+            self.state = State::Now;
+        }
+    }
+}
