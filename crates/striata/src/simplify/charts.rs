@@ -9,6 +9,8 @@ use crate::mesh::{AttributeLayer, IndexedMesh, Welded};
 
 /// Cells of the square along each side.
 const CELL_COUNT: usize = 512;
+/// So many cells are more than may be covered with that.
+const MAX_CELLS: u64 = 3 * (CELL_COUNT * CELL_COUNT) as u64;
 /// Most that the coordinates may extend along each axis: charts are let out of the unit square a little.
 const MAX_EXTENT: f32 = 1.25;
 /// Share of the covered cells that may be covered twice.
@@ -89,6 +91,10 @@ impl Cover {
         }
         (self.number, self.cells, self.doubles) = (self.number + 1, 0, 0);
         for t in lists.iter().copied().flatten() {
+            if self.cells > MAX_CELLS {
+                // Covered several times over.
+                return false;
+            }
             self.paint(t.map(|v| [0, 1].map(|c| layer.get(v as usize, c) * CELL_COUNT as f32 - 0.5)));
         }
         self.doubles as f64 <= MAX_OVERLAP * self.cells as f64

@@ -155,6 +155,10 @@ impl<'a> Engine<'a> {
             let record = &self.course.record;
             self.relaxation.consider(&mut self.judge, (&record.removed, &record.targets));
             choice = self.judge.relaxed_choice(v);
+        } else if let Some(strict) = choice
+            && self.judge.is_nearly_gone(v)
+        {
+            choice = self.judge.ending_choice(v, strict.cost).or(choice);
         }
         match choice {
             None => self.heap.remove(v),

@@ -289,6 +289,10 @@ impl<'a> Judge<'a> {
             return 0.0;
         }
         let least = self.star.costs.iter().copied().fold(f32::INFINITY, f32::min);
+        if least > 0.0 && self.is_nearly_gone(v) {
+            // Its part may vanish at once, at a price that nobody knows yet.
+            return 0.0;
+        }
         if matches!(self.memory, Memory::Accumulated(_)) { least } else { BOUND_FACTOR * least }
     }
 

@@ -533,7 +533,7 @@ mod tests {
         let (host, gone) = (parts.part_of(large[0]), parts.part_of(small[0]));
         assert!(parts.fate(gone, &around).is_some());
         parts.collapse(small[0], small[1], 1);
-        assert!(parts.bequeath(gone).is_some_and(|fate| parts.part_of(fate.host) == host));
+        assert!(parts.bequeath(gone, &around).is_some_and(|fate| parts.part_of(fate.host) == host));
         let Part { area, reach, .. } = parts.parts[host as usize];
         assert_eq!((area, reach), (41.0, 0.5));
         assert_eq!(parts.triangle_count(gone), 0);

@@ -34,6 +34,8 @@ const EDGE_WEIGHT: f32 = 4.0;
 const FIN_NORMAL_WEIGHT: f32 = 1e-4;
 /// Positions that have come together at one are measured again one by one, up to this many of them.
 const MAX_FOLLOWERS: usize = 24;
+/// Parts of up to this many triangles may vanish although they could lose single triangles.
+const NEARLY_GONE: usize = 4;
 /// Costs stay below this, so that even the worst candidate is one.
 const MAX_COST: f32 = 1e30;
 
@@ -237,6 +239,30 @@ impl Judge<'_> {
             relaxed.order = order;
         }
         best
+    }
+
+    /// True if the part of `v` is down to so few triangles that one collapse may take all of them.
+    pub(super) fn is_nearly_gone(&self, v: u32) -> bool {
+        self.relaxed.as_ref().is_some_and(|relaxed| {
+            relaxed.is_foliage && relaxed.parts.triangle_count(relaxed.parts.part_of(v)) <= NEARLY_GONE
+        })
+    }
+
+    /// The collapse of `v` that takes all triangles of its part, if there is one that is cheaper than `limit`; right after
+    /// [`Self::best_choice`]. Cutting a card to a single triangle may be worse than doing without it.
+    pub(super) fn ending_choice(&mut self, v: u32, limit: f32) -> Option<Choice> {
+        self.fill_costs(v);
+        for k in 0..self.star.ids.len() {
+            let takes_all = (0..self.star.triangle_count()).all(|t| self.star.triangle(t).contains(&k));
+            if takes_all
+                && let Some(choice) = self.relaxed_candidate(v, k, limit)
+                && choice.tier == Tier::Vanish
+                && choice.cost < limit
+            {
+                return Some(choice);
+            }
+        }
+        None
     }
 
     /// True if a relaxed choice that was made before may still be carried out at its cost.
