@@ -186,12 +186,6 @@ impl Parts {
         self.parts[part as usize].cover
     }
 
-    /// How many triangles belong to parts of at most `most` triangles.
-    pub(super) fn triangles_in_small_parts(&self, most: usize) -> usize {
-        let counts = self.parts.iter().map(|part| part.triangle_count);
-        counts.filter(|&count| count <= most).sum()
-    }
-
     /// How many parts there were.
     pub(super) fn len(&self) -> usize {
         self.parts.len()

@@ -114,9 +114,20 @@ impl<'a> Relaxed<'a> {
                 self.triangle_count += 1;
             }
         }
-        let leaves = self.parts.triangles_in_small_parts(MAX_LEAF);
-        self.is_foliage = !self.keeps_parts && leaves as f32 > LEAF_SHARE * self.triangle_count as f32;
+        self.is_foliage = !self.keeps_parts && self.has_many_leaves(judge);
         self.has_locks = judge.is_locked.contains(&true);
+    }
+
+    /// True if small open parts make up most of the mesh.
+    fn has_many_leaves(&mut self, judge: &Judge<'_>) -> bool {
+        let mut count = 0;
+        for p in (0..judge.positions.len() as u32).filter(|&p| judge.links.is_boundary(p)) {
+            if self.parts.triangle_count(self.parts.part_of(p)) <= MAX_LEAF {
+                judge.links.edges_into(p, &mut self.edges);
+                count += self.edges.iter().filter(|e| p < e.a && p < e.b).count();
+            }
+        }
+        count as f32 > LEAF_SHARE * self.triangle_count as f32
     }
 
     /// How many parts the mesh had.
