@@ -85,7 +85,7 @@ impl Cover {
             let low = values().fold(f32::INFINITY, f32::min);
             let high = values().fold(f32::NEG_INFINITY, f32::max);
             // Neither if there are none, or some that are no numbers.
-            if !(high - low <= MAX_EXTENT) {
+            if (high - low).is_nan() || high - low > MAX_EXTENT {
                 return false;
             }
         }
@@ -124,5 +124,49 @@ impl Cover {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{LayerData, Semantic, weld};
+
+    /// A row of squares, each with its own part of the texture, `repeat` times as large as it should be.
+    fn lengths(count: usize, repeat: f32, overlap: bool) -> Vec<f32> {
+        let (mut positions, mut triangles, mut uvs) = (Vec::new(), Vec::new(), Vec::new());
+        for i in 0..count {
+            let first = positions.len() as u32;
+            for (x, y) in [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)] {
+                positions.push([2.0 * i as f32 + x, y, 0.0]);
+                let chart = if overlap { 0.0 } else { i as f32 };
+                uvs.extend([repeat * (chart + 0.9 * x) / count as f32, repeat * 0.9 * y / count as f32]);
+            }
+            triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+        }
+        let mut mesh = IndexedMesh::new(positions, triangles);
+        let layer = AttributeLayer {
+            semantic: Semantic::TexCoord(0),
+            component_count: 2,
+            normalized: false,
+            data: LayerData::F32(uvs),
+        };
+        mesh.layers.push(layer);
+        let welded = weld(&mesh).expect("it is sound");
+        atlas_lengths(&welded, &welded.mesh.layers[0])
+    }
+
+    #[test]
+    fn charts_side_by_side_are_an_atlas() {
+        let found = lengths(4, 1.0, false);
+        // A square of side 1 covers 0.9 / 4 of the texture; the diagonal is that of a row of 7 by 1.
+        let expected = (4.0 / 0.9) / 50.0f32.sqrt();
+        assert!(found.iter().all(|length| (length - expected).abs() < 1e-4), "{found:?}");
+    }
+
+    #[test]
+    fn tiles_and_stacks_are_none() {
+        assert!(lengths(4, 8.0, false).iter().all(|&length| length == 0.0), "it is repeated");
+        assert!(lengths(8, 8.0, true).iter().all(|&length| length == 0.0), "all show the same");
     }
 }

@@ -118,3 +118,50 @@ fn distance_squared_from(
     });
     least
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{IndexedMesh, weld};
+
+    /// A valley of two slopes along y, 1 deep and 2 wide.
+    fn valley() -> (Welded, Vec<[f32; 4]>) {
+        let corners = [[0., 0., 1.], [1., 0., 0.], [2., 0., 1.], [0., 4., 1.], [1., 4., 0.], [2., 4., 1.]];
+        let triangles = vec![[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
+        let welded = weld(&IndexedMesh::new(corners.to_vec(), triangles)).expect("it is sound");
+        let positions = welded.mesh.positions.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
+        (welded, positions)
+    }
+
+    fn corner(positions: &[[f32; 4]], at: [f32; 3]) -> u32 {
+        positions.iter().position(|p| p[..3] == at).expect("there is such a corner") as u32
+    }
+
+    #[test]
+    fn a_bridge_is_as_far_from_the_valley_as_its_slopes_are() {
+        let (welded, positions) = valley();
+        // The triangle 0 2 5 lies over the valley; the middle of its edge 0 2 is 1 above the ground, the slopes are nearer.
+        let [p, a, b] = [[0., 0., 1.], [2., 0., 1.], [2., 4., 1.]].map(|at| corner(&positions, at));
+        let edges = [LinkEdge { a, b, triangle: 0 }];
+        let found = Outward::default().measure((&welded, &positions), (p, &edges), 0.0);
+        assert!((found - 0.5f32.sqrt()).abs() < 1e-5, "{found}");
+    }
+
+    #[test]
+    fn what_is_small_against_the_error_is_not_told_apart() {
+        let (welded, positions) = valley();
+        let [p, a, b] = [[0., 0., 1.], [1., 0., 0.], [1., 4., 0.]].map(|at| corner(&positions, at));
+        let edges = [LinkEdge { a, b, triangle: 0 }];
+        let found = Outward::default().measure((&welded, &positions), (p, &edges), 4.0);
+        assert_eq!(found, 1.0, "half the error, for a triangle of the valley itself");
+    }
+
+    #[test]
+    fn bounds_add_up_until_they_are_measured() {
+        let mut outward = Outward::default();
+        assert_eq!(outward.bound_after(1, 4.0, (0.0, 3)), 2.0);
+        outward.note(1, &[2], 2.0);
+        assert_eq!(outward.bound_after(2, 1.0, (0.0, 3)), 3.0);
+        assert_eq!(outward.bound_after(0, 1.0, (0.0, 3)), 1.0);
+    }
+}

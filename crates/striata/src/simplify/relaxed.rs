@@ -171,8 +171,7 @@ impl Relaxed<'_> {
         &mut self,
         (links, positions): (&Links, &[[f32; 4]]),
         from: Vec3,
-        known: Standing,
-        enough: f32,
+        (known, enough): (Standing, f32),
         is_counted: impl Fn(u32) -> bool,
     ) -> Standing {
         let Self { rest, current, stamps, search, edges, .. } = self;
@@ -492,7 +491,7 @@ impl Judge<'_> {
         let from = point(positions, v);
         let is_other = |p: u32| p != v && !star.ids.contains(&p);
         let nobody = (f32::INFINITY, v);
-        let (distance_squared, _) = relaxed.standing((links, positions), from, nobody, 0.0, is_other);
+        let (distance_squared, _) = relaxed.standing((links, positions), from, (nobody, 0.0), is_other);
         let (area, reach) = relaxed.parts.share(part);
         let extent = distance_squared.sqrt() + longest.sqrt() + reach;
         let area = star.area().max(removed as f32 * area);
@@ -562,7 +561,7 @@ impl Judge<'_> {
             return known;
         }
         relaxed.refresh(links, wedges.as_ref(), positions);
-        relaxed.standing((links, positions), from, known, enough, |_| true)
+        relaxed.standing((links, positions), from, (known, enough), |_| true)
     }
 
     /// The distance from the original mesh of the triangles that the collapse of `v` to its neighbor `u` would leave, if they
