@@ -4,10 +4,10 @@ use glam::Vec3;
 
 use crate::mesh::Welded;
 
+use super::aftermath::Departure;
 use super::finish::Record;
 use super::judge::{Choice, Judge, Memory, Tier};
 use super::links::LinkKind;
-use super::relaxed::Departure;
 use super::witness::Witnesses;
 
 /// Squared protrusions under this share of the squared edge are what single precision leaves of flat places.

@@ -1,6 +1,7 @@
 //! From a mesh to its simplification sequence: half-edge collapses ordered by cost.
 
 mod absorb;
+mod aftermath;
 mod attributes;
 mod batches;
 mod charts;

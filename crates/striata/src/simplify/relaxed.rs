@@ -32,8 +32,6 @@ const LINK_FACTOR: f32 = 4.0;
 const EDGE_WEIGHT: f32 = 4.0;
 /// Weight of the squared difference of unit normals between a fin and what is left behind.
 const FIN_NORMAL_WEIGHT: f32 = 1e-4;
-/// Positions that have come together at one are measured again one by one, up to this many of them.
-const MAX_FOLLOWERS: usize = 24;
 /// Parts of up to this many triangles may vanish although they could lose single triangles.
 const NEARLY_GONE: usize = 4;
 /// Costs stay below this, so that even the worst candidate is one.
@@ -41,32 +39,32 @@ const MAX_COST: f32 = 1e30;
 
 /// What relaxed collapses need to know of the whole mesh.
 pub(super) struct Relaxed<'a> {
-    welded: &'a Welded,
+    pub(super) welded: &'a Welded,
     pub(super) parts: Parts,
     /// Where each position has gone, with shortcuts.
-    current: Vec<u32>,
+    pub(super) current: Vec<u32>,
     /// Cycles of positions that have come together, and how many there are in the cycle of each that is still there.
-    next: Vec<u32>,
-    follower_count: Vec<u32>,
-    triangle_count: usize,
-    rest: Rest,
+    pub(super) next: Vec<u32>,
+    pub(super) follower_count: Vec<u32>,
+    pub(super) triangle_count: usize,
+    pub(super) rest: Rest,
     /// Counts the builds of `rest`.
-    generation: u32,
-    outward: Outward,
+    pub(super) generation: u32,
+    pub(super) outward: Outward,
     /// The last search that looked at the star of each position.
-    stamps: Vec<u32>,
-    search: u32,
-    keeps_parts: bool,
+    pub(super) stamps: Vec<u32>,
+    pub(super) search: u32,
+    pub(super) keeps_parts: bool,
     /// Whether relaxed collapses only come after all strict ones.
     pub(super) is_tail: bool,
     /// Whether small parts make up most of the mesh.
     pub(super) is_foliage: bool,
-    has_locks: bool,
+    pub(super) has_locks: bool,
     /// True once a relaxed collapse has been carried out.
-    has_relaxed: bool,
-    edges: Vec<LinkEdge>,
-    order: Vec<u32>,
-    lost: Vec<u32>,
+    pub(super) has_relaxed: bool,
+    pub(super) edges: Vec<LinkEdge>,
+    pub(super) order: Vec<u32>,
+    pub(super) lost: Vec<u32>,
 }
 
 impl<'a> Relaxed<'a> {
@@ -144,7 +142,7 @@ impl<'a> Relaxed<'a> {
     }
 
     /// Notes that what stood at `v` stands at `u` now.
-    fn follow(&mut self, v: u32, u: u32) {
+    pub(super) fn follow(&mut self, v: u32, u: u32) {
         self.current[v as usize] = u;
         // Swapping two links of two cycles makes one of them.
         self.next.swap(v as usize, u as usize);
@@ -152,7 +150,7 @@ impl<'a> Relaxed<'a> {
     }
 
     /// Builds the tree of the rest anew if half of its triangles are gone.
-    fn refresh(&mut self, links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) {
+    pub(super) fn refresh(&mut self, links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) {
         if self.generation == 0 || 2 * self.triangle_count < self.rest.triangle_count() {
             self.rest = Rest::new(links, wedges, positions);
             self.generation += 1;
@@ -167,7 +165,7 @@ impl Relaxed<'_> {
     /// Looks for what stands nearest to a point: in the tree of the rest for triangles of the past, and from their corners
     /// for the stars that they have become, as far as these are counted. Never farther than `known`; stops at a squared distance
     /// of `enough`.
-    fn standing(
+    pub(super) fn standing(
         &mut self,
         (links, positions): (&Links, &[[f32; 4]]),
         from: Vec3,
@@ -202,7 +200,7 @@ impl Relaxed<'_> {
 }
 
 /// Where a position is now.
-fn find(current: &mut [u32], mut p: u32) -> u32 {
+pub(super) fn find(current: &mut [u32], mut p: u32) -> u32 {
     while current[p as usize] != p {
         let above = current[p as usize];
         current[p as usize] = current[above as usize];
@@ -211,19 +209,9 @@ fn find(current: &mut [u32], mut p: u32) -> u32 {
     p
 }
 
-fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
+pub(super) fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
     let [x, y, z, _] = positions[p as usize];
     Vec3::new(x, y, z)
-}
-
-/// What vanishes with a position that loses all its triangles, and what is left to stand in for it.
-pub(super) struct Departure {
-    /// Where what stood at the lost positions is from now on; none if nothing is left.
-    pub(super) place: Option<u32>,
-    /// Positions that have no triangles any more, besides the collapsed one.
-    pub(super) lost: Vec<u32>,
-    /// Points of a part that has vanished.
-    pub(super) points: Vec<Vec3>,
 }
 
 impl Judge<'_> {
@@ -499,7 +487,7 @@ impl Judge<'_> {
     }
 
     /// What happens if a part vanishes.
-    fn fate(&mut self, part: u32) -> Option<&Fate> {
+    pub(super) fn fate(&mut self, part: u32) -> Option<&Fate> {
         let Self { relaxed: Some(relaxed), links, wedges, positions, attributes, .. } = self else {
             return None;
         };
@@ -512,160 +500,6 @@ impl Judge<'_> {
             generation: relaxed.generation,
         };
         relaxed.parts.fate(part, &around)
-    }
-
-    /// Notes that a relaxed collapse has been carried out.
-    pub(super) fn note_relaxed(&mut self) {
-        if let Some(relaxed) = &mut self.relaxed {
-            relaxed.has_relaxed = true;
-        }
-    }
-
-    /// True if steps are measured against the original mesh: with seams, or once a relaxed collapse has been carried out.
-    /// Closed scans do without, which would take a third of their time.
-    pub(super) fn is_measured_outward(&self) -> bool {
-        let Some(relaxed) = &self.relaxed else { return false };
-        self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.is_tail)
-    }
-
-    /// True once a relaxed collapse has been carried out.
-    pub(super) fn has_relaxed(&self) -> bool {
-        self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_relaxed)
-    }
-
-    /// Some of the positions that have come together at `u`, if they are at least so many, evenly spread over all of them.
-    pub(super) fn followers_into(&self, u: u32, least: usize, out: &mut Vec<u32>) {
-        out.clear();
-        let Some(relaxed) = &self.relaxed else { return };
-        let count = relaxed.follower_count[u as usize] as usize;
-        if count < least {
-            return;
-        }
-        let stride = count.div_ceil(MAX_FOLLOWERS);
-        let mut at = u;
-        for i in 0..count {
-            at = relaxed.next[at as usize];
-            if i % stride == 0 && at != u {
-                out.push(at);
-            }
-        }
-    }
-
-    /// Looks for what stands nearest to a point that may have lost what stood for it: see [`Relaxed::standing`].
-    pub(super) fn standing(&mut self, from: Vec3, known: Standing, enough: f32) -> Standing {
-        if self.wedges.is_none() && !self.has_relaxed() {
-            return known;
-        }
-        let Self { relaxed: Some(relaxed), links, wedges, positions, .. } = self else { return known };
-        if known.0 <= enough {
-            return known;
-        }
-        relaxed.refresh(links, wedges.as_ref(), positions);
-        relaxed.standing((links, positions), from, (known, enough), |_| true)
-    }
-
-    /// The distance from the original mesh of the triangles that the collapse of `v` to its neighbor `u` would leave, if they
-    /// may stick out farther than anything so far; `worst` is the largest squared error.
-    pub(super) fn outward_ahead(&mut self, (v, u): (u32, u32), protrusion: f32, worst: f32) -> Option<f32> {
-        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
-        let bound = relaxed.outward.bound_after(v, protrusion, (worst, positions.len()));
-        if bound * bound <= worst {
-            return None;
-        }
-        links.edges_into(v, &mut relaxed.edges);
-        relaxed.edges.retain(|e| e.a != u && e.b != u);
-        Some(relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst))
-    }
-
-    /// Notes how far what the collapse of `v` to `u` has left sticks out of the original, at most.
-    pub(super) fn note_outward(&mut self, (v, u): (u32, u32), ring: &[u32], choice: &Choice, worst: f32) {
-        let Self { relaxed: Some(relaxed), positions, .. } = self else { return };
-        let bound = match choice.outward {
-            Some(measured) => measured,
-            None => {
-                let moved = if choice.tier == Tier::Fold { choice.distance_squared } else { 0.0 };
-                let squared = choice.protrusion_squared.max(moved);
-                relaxed.outward.bound_after(v, squared, (worst, positions.len()))
-            }
-        };
-        relaxed.outward.note(u, ring, bound);
-    }
-
-    /// The largest distance from the original mesh of the triangles around `u` after the collapse of `v` to it, if they may stick
-    /// out farther than anything so far; `worst` is the square of that.
-    pub(super) fn outward_behind(&mut self, (v, u): (u32, u32), choice: &Choice, worst: f32) -> Option<f32> {
-        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
-        // A fold moves its triangles by the whole edge.
-        let moved = if choice.tier == Tier::Fold { choice.distance_squared } else { 0.0 };
-        let squared = choice.protrusion_squared.max(moved);
-        let bound = relaxed.outward.bound_after(v, squared, (worst, positions.len()));
-        if bound * bound <= worst {
-            return None;
-        }
-        links.edges_into(u, &mut relaxed.edges);
-        Some(relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst))
-    }
-
-    /// Notes a collapse that has been carried out, `ring` being the neighbors that `v` had; says who lost everything by it.
-    pub(super) fn note_departure(
-        &mut self,
-        v: u32,
-        u: u32,
-        removed: usize,
-        ring: &[u32],
-    ) -> Option<Departure> {
-        let relaxed = self.relaxed.as_mut()?;
-        relaxed.parts.collapse(v, u, removed);
-        relaxed.triangle_count -= removed;
-        relaxed.follow(v, u);
-        let mut lost = std::mem::take(&mut relaxed.lost);
-        lost.clear();
-        let is_lost = |p: u32| self.links.kind(p) == LinkKind::Empty;
-        lost.extend(ring.iter().copied().filter(|&p| is_lost(p)));
-        if is_lost(u) && !lost.contains(&u) {
-            lost.push(u);
-        }
-        let mut departure = Departure { place: Some(u), lost, points: Vec::new() };
-        if departure.lost.contains(&u) {
-            departure.place = ring.iter().copied().find(|&p| !is_lost(p));
-            let part = relaxed.parts.part_of(u);
-            if relaxed.parts.triangle_count(part) == 0 {
-                self.note_end(part, &mut departure);
-            }
-        }
-        if departure.place.is_none_or(|p| self.links.kind(p) == LinkKind::Empty) {
-            // The part has come apart before, or what stood in for it has gone with it.
-            let (distance_squared, place) = self.standing(point(&self.positions, u), (f32::INFINITY, u), 0.0);
-            departure.place = (distance_squared < f32::INFINITY).then_some(place);
-        }
-        if let (Some(relaxed), Some(place)) = (&mut self.relaxed, departure.place) {
-            departure.lost.iter().for_each(|&p| relaxed.follow(p, place));
-        }
-        Some(departure)
-    }
-
-    /// Notes that a part has vanished.
-    fn note_end(&mut self, part: u32, departure: &mut Departure) {
-        self.fate(part);
-        let Self { relaxed: Some(relaxed), positions, attributes, .. } = self else { return };
-        let around = Surroundings {
-            welded: relaxed.welded,
-            positions,
-            attributes: attributes.as_ref(),
-            rest: &relaxed.rest,
-            generation: relaxed.generation,
-        };
-        if let Some(fate) = relaxed.parts.bequeath(part, &around) {
-            relaxed.parts.corners_into(part, (relaxed.welded, positions), &mut departure.points);
-            departure.place = Some(find(&mut relaxed.current, fate.host));
-        }
-    }
-
-    /// Takes back the scratch of a departure.
-    pub(super) fn forget(&mut self, departure: Departure) {
-        if let Some(relaxed) = &mut self.relaxed {
-            relaxed.lost = departure.lost;
-        }
     }
 }
 

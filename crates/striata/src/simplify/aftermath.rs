@@ -1,0 +1,178 @@
+//! What follows a collapse that may have changed the topology: who has lost everything, what stands in for it, and how far the new
+//! surface lies from the original.
+
+use glam::Vec3;
+
+use super::judge::{Choice, Judge, Tier};
+use super::links::LinkKind;
+use super::parts::Surroundings;
+use super::relaxed::{Standing, find, point};
+
+/// Positions that have come together at one are measured again one by one, up to this many of them.
+const MAX_FOLLOWERS: usize = 24;
+
+/// What vanishes with a position that loses all its triangles, and what is left to stand in for it.
+pub(super) struct Departure {
+    /// Where what stood at the lost positions is from now on; none if nothing is left.
+    pub(super) place: Option<u32>,
+    /// Positions that have no triangles any more, besides the collapsed one.
+    pub(super) lost: Vec<u32>,
+    /// Points of a part that has vanished.
+    pub(super) points: Vec<Vec3>,
+}
+
+impl Judge<'_> {
+    /// Notes that a relaxed collapse has been carried out.
+    pub(super) fn note_relaxed(&mut self) {
+        if let Some(relaxed) = &mut self.relaxed {
+            relaxed.has_relaxed = true;
+        }
+    }
+
+    /// True if steps are measured against the original mesh: with seams, or once a relaxed collapse has been carried out.
+    /// Closed scans do without, which would take a third of their time.
+    pub(super) fn is_measured_outward(&self) -> bool {
+        let Some(relaxed) = &self.relaxed else { return false };
+        self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.is_tail)
+    }
+
+    /// True once a relaxed collapse has been carried out.
+    pub(super) fn has_relaxed(&self) -> bool {
+        self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_relaxed)
+    }
+
+    /// Some of the positions that have come together at `u`, if they are at least so many, evenly spread over all of them.
+    pub(super) fn followers_into(&self, u: u32, least: usize, out: &mut Vec<u32>) {
+        out.clear();
+        let Some(relaxed) = &self.relaxed else { return };
+        let count = relaxed.follower_count[u as usize] as usize;
+        if count < least {
+            return;
+        }
+        let stride = count.div_ceil(MAX_FOLLOWERS);
+        let mut at = u;
+        for i in 0..count {
+            at = relaxed.next[at as usize];
+            if i % stride == 0 && at != u {
+                out.push(at);
+            }
+        }
+    }
+
+    /// Looks for what stands nearest to a point that may have lost what stood for it: see [`Relaxed::standing`].
+    pub(super) fn standing(&mut self, from: Vec3, known: Standing, enough: f32) -> Standing {
+        if self.wedges.is_none() && !self.has_relaxed() {
+            return known;
+        }
+        let Self { relaxed: Some(relaxed), links, wedges, positions, .. } = self else { return known };
+        if known.0 <= enough {
+            return known;
+        }
+        relaxed.refresh(links, wedges.as_ref(), positions);
+        relaxed.standing((links, positions), from, (known, enough), |_| true)
+    }
+
+    /// The distance from the original mesh of the triangles that the collapse of `v` to its neighbor `u` would leave, if they
+    /// may stick out farther than anything so far; `worst` is the largest squared error.
+    pub(super) fn outward_ahead(&mut self, (v, u): (u32, u32), protrusion: f32, worst: f32) -> Option<f32> {
+        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
+        let bound = relaxed.outward.bound_after(v, protrusion, (worst, positions.len()));
+        if bound * bound <= worst {
+            return None;
+        }
+        links.edges_into(v, &mut relaxed.edges);
+        relaxed.edges.retain(|e| e.a != u && e.b != u);
+        Some(relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst))
+    }
+
+    /// Notes how far what the collapse of `v` to `u` has left sticks out of the original, at most.
+    pub(super) fn note_outward(&mut self, (v, u): (u32, u32), ring: &[u32], choice: &Choice, worst: f32) {
+        let Self { relaxed: Some(relaxed), positions, .. } = self else { return };
+        let bound = match choice.outward {
+            Some(measured) => measured,
+            None => {
+                let moved = if choice.tier == Tier::Fold { choice.distance_squared } else { 0.0 };
+                let squared = choice.protrusion_squared.max(moved);
+                relaxed.outward.bound_after(v, squared, (worst, positions.len()))
+            }
+        };
+        relaxed.outward.note(u, ring, bound);
+    }
+
+    /// The largest distance from the original mesh of the triangles around `u` after the collapse of `v` to it, if they may stick
+    /// out farther than anything so far; `worst` is the square of that.
+    pub(super) fn outward_behind(&mut self, (v, u): (u32, u32), choice: &Choice, worst: f32) -> Option<f32> {
+        let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
+        // A fold moves its triangles by the whole edge.
+        let moved = if choice.tier == Tier::Fold { choice.distance_squared } else { 0.0 };
+        let squared = choice.protrusion_squared.max(moved);
+        let bound = relaxed.outward.bound_after(v, squared, (worst, positions.len()));
+        if bound * bound <= worst {
+            return None;
+        }
+        links.edges_into(u, &mut relaxed.edges);
+        Some(relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst))
+    }
+
+    /// Notes a collapse that has been carried out, `ring` being the neighbors that `v` had; says who lost everything by it.
+    pub(super) fn note_departure(
+        &mut self,
+        v: u32,
+        u: u32,
+        removed: usize,
+        ring: &[u32],
+    ) -> Option<Departure> {
+        let relaxed = self.relaxed.as_mut()?;
+        relaxed.parts.collapse(v, u, removed);
+        relaxed.triangle_count -= removed;
+        relaxed.follow(v, u);
+        let mut lost = std::mem::take(&mut relaxed.lost);
+        lost.clear();
+        let is_lost = |p: u32| self.links.kind(p) == LinkKind::Empty;
+        lost.extend(ring.iter().copied().filter(|&p| is_lost(p)));
+        if is_lost(u) && !lost.contains(&u) {
+            lost.push(u);
+        }
+        let mut departure = Departure { place: Some(u), lost, points: Vec::new() };
+        if departure.lost.contains(&u) {
+            departure.place = ring.iter().copied().find(|&p| !is_lost(p));
+            let part = relaxed.parts.part_of(u);
+            if relaxed.parts.triangle_count(part) == 0 {
+                self.note_end(part, &mut departure);
+            }
+        }
+        if departure.place.is_none_or(|p| self.links.kind(p) == LinkKind::Empty) {
+            // The part has come apart before, or what stood in for it has gone with it.
+            let (distance_squared, place) = self.standing(point(&self.positions, u), (f32::INFINITY, u), 0.0);
+            departure.place = (distance_squared < f32::INFINITY).then_some(place);
+        }
+        if let (Some(relaxed), Some(place)) = (&mut self.relaxed, departure.place) {
+            departure.lost.iter().for_each(|&p| relaxed.follow(p, place));
+        }
+        Some(departure)
+    }
+
+    /// Notes that a part has vanished.
+    fn note_end(&mut self, part: u32, departure: &mut Departure) {
+        self.fate(part);
+        let Self { relaxed: Some(relaxed), positions, attributes, .. } = self else { return };
+        let around = Surroundings {
+            welded: relaxed.welded,
+            positions,
+            attributes: attributes.as_ref(),
+            rest: &relaxed.rest,
+            generation: relaxed.generation,
+        };
+        if let Some(fate) = relaxed.parts.bequeath(part, &around) {
+            relaxed.parts.corners_into(part, (relaxed.welded, positions), &mut departure.points);
+            departure.place = Some(find(&mut relaxed.current, fate.host));
+        }
+    }
+
+    /// Takes back the scratch of a departure.
+    pub(super) fn forget(&mut self, departure: Departure) {
+        if let Some(relaxed) = &mut self.relaxed {
+            relaxed.lost = departure.lost;
+        }
+    }
+}
