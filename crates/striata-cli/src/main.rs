@@ -21,6 +21,7 @@ mod stream;
 mod strip_chain;
 mod strip_lists;
 mod strip_report;
+mod texture_contrast;
 mod viewer_page;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};

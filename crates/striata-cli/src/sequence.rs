@@ -13,6 +13,7 @@ use striata::simplify::{
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
 use crate::failure::Failure;
 use crate::output::Output;
+use crate::texture_contrast::texture_contrasts;
 
 /// How a mesh is simplified.
 #[derive(Clone, Debug)]
@@ -266,7 +267,33 @@ impl SequenceArgs {
     ///
     /// # Errors
     /// Where a flag belongs to the other order.
-    pub(crate) fn plan(&self, diagonal: f64, limits: Limits) -> Result<SequencePlan, Failure> {
+    pub(crate) fn plan_for(
+        &self,
+        mesh: &IndexedMesh,
+        limits: Limits,
+        output: &Output,
+    ) -> Result<SequencePlan, Failure> {
+        let mut plan = self.plan(mesh.diagonal(), limits)?;
+        if let SequencePlan::Quadric { options, .. } = &mut plan
+            && self.weights.uv_contrast
+        {
+            let contrasts = texture_contrasts(mesh);
+            if contrasts.iter().all(Option::is_none) {
+                output.say(
+                    "warning: --uv-contrast changes nothing: no material has a readable base color texture",
+                );
+            }
+            options.texcoord_factors =
+                contrasts.into_iter().map(|contrast| contrast.unwrap_or(1.0)).collect();
+        }
+        Ok(plan)
+    }
+
+    /// The plan without what depends on the mesh's textures.
+    ///
+    /// # Errors
+    /// If a flag belongs to the other order.
+    fn plan(&self, diagonal: f64, limits: Limits) -> Result<SequencePlan, Failure> {
         let Limits { base_triangle_count, max_error } = limits;
         let rule = |is_locked| if is_locked { BoundaryRule::Locked } else { BoundaryRule::Kept };
         let (boundary, group_borders) = (rule(self.lock_boundary), rule(self.lock_groups));

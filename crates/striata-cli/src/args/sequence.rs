@@ -51,6 +51,10 @@ pub(crate) struct WeightArgs {
     normal_weight: Option<f32>,
     #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, help = weight_help(|w| w.texcoord, "texture coordinates"))]
     uv_weight: Option<f32>,
+    /// Scale the weight of texture coordinates by the contrast of each material's base color texture (PNG or JPEG, glTF
+    /// input), 0.1 to 2 times
+    #[arg(long)]
+    pub(crate) uv_contrast: bool,
     #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, alias = "colour-weight", help = weight_help(|w| w.color, "colors"))]
     color_weight: Option<f32>,
 }
@@ -61,10 +65,11 @@ impl WeightArgs {
 
     /// The first flag that was given.
     pub(crate) fn given(&self) -> Option<&'static str> {
-        let Self { normal_weight, uv_weight, color_weight } = self;
+        let Self { normal_weight, uv_weight, uv_contrast, color_weight } = self;
         let flags = [
             ("--normal-weight", normal_weight.is_some()),
             ("--uv-weight", uv_weight.is_some()),
+            ("--uv-contrast", *uv_contrast),
             ("--color-weight", color_weight.is_some()),
         ];
         flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)

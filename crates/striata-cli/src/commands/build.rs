@@ -78,7 +78,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         base_triangle_count: base.unwrap_or(0),
         max_error: limit_in_units(args.max_error, diagonal),
     };
-    let mut sequence = args.sequence.plan(diagonal, limits)?;
+    let mut sequence = args.sequence.plan_for(&mesh, limits, output)?;
     if let Some(remark) = fill_as_models_need(&mut sequence, &models, args.sequence.is_free())? {
         output.say(&remark);
     }

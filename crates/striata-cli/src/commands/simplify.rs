@@ -83,7 +83,8 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
         FullMesh { diagonal: mesh.diagonal(), ..FullMesh::default() }
     };
     let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
-    let plan = plan(args, &wanted, full.diagonal)?;
+    let limits = limits(args, &wanted, full.diagonal);
+    let plan = args.sequence.plan_for(&mesh, limits, output)?;
     let simplify_started = Instant::now();
     let maker = Maker::new(args, &plan, &mesh, &mut bar).map_err(|error| in_file(error.into()))?;
     let kind = match args.placement {
@@ -147,7 +148,8 @@ fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
     }
 }
 
-fn plan(args: &SimplifyArgs, wanted: &[Wanted], diagonal: f64) -> Result<SequencePlan, Failure> {
+/// How far any of the wanted levels needs the simplification to go.
+fn limits(args: &SimplifyArgs, wanted: &[Wanted], diagonal: f64) -> Limits {
     let mut limits = Limits { max_error: limit_in_units(args.max_error, diagonal), ..Limits::default() };
     let triangles = wanted.iter().map(|wanted| match wanted.target {
         Some(Target::Triangles(count)) => count,
@@ -161,7 +163,7 @@ fn plan(args: &SimplifyArgs, wanted: &[Wanted], diagonal: f64) -> Result<Sequenc
         // What would exceed the error is left, and what is left besides goes on.
         limits.max_error = Some(limits.max_error.map_or(*error, |limit| limit.min(*error)));
     }
-    args.sequence.plan(diagonal, limits)
+    limits
 }
 
 /// Makes levels of a mesh.

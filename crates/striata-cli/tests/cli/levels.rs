@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use serde_json::Value;
 
 use crate::workbench::{Workbench, asset, sphere};
@@ -279,6 +281,96 @@ fn attributes_weigh_what_is_said() {
     assert!(order.contains("--uv-weight means nothing in hausdorff order"), "{order}");
     let place = bench.refused("simplify shape:cube -o y.ply --triangles 5 --placement optimal --uv-weight 1");
     assert!(place.contains("--uv-weight"), "{place}");
+}
+
+#[test]
+fn contrast_of_textures_weighs_texture_coordinates() {
+    let bench = Workbench::new();
+    let mut png = Vec::new();
+    let mut encoder = png::Encoder::new(&mut png, 16, 16);
+    encoder.set_color(png::ColorType::Grayscale);
+    let mut writer = encoder.write_header().expect("memory takes it");
+    writer.write_image_data(&[120; 256]).expect("memory takes it");
+    writer.finish().expect("memory takes it");
+    bench.write("gray.gltf", textured_hill(Some(&png)));
+    bench.write("broken.gltf", textured_hill(Some(&png[..50])));
+    bench.write("plain.gltf", textured_hill(None));
+    let level = |line: &str| {
+        let output = bench.run(&format!("{line} --json")).success();
+        (bench.read("level.ply"), String::from_utf8_lossy(&output.get_output().stderr).into_owned())
+    };
+    let simplified =
+        |input: &str, flag: &str| level(&format!("simplify {input} -o level.ply --triangles 60 {flag}"));
+    let (usual, said) = simplified("gray.gltf", "");
+    assert_eq!(said, "");
+    let (weighed, said) = simplified("gray.gltf", "--uv-contrast");
+    assert_ne!(weighed, usual, "a uniform texture counts less");
+    assert_eq!(said, "");
+    for input in ["broken.gltf", "plain.gltf"] {
+        let (level, said) = simplified(input, "--uv-contrast");
+        assert_eq!(level, usual, "{input}");
+        assert!(
+            said.starts_with("warning: --uv-contrast changes nothing") && said.lines().count() == 1,
+            "{said}"
+        );
+    }
+    bench.run("build plain.gltf -o usual.striata --quiet").success();
+    let warned = bench.run("build plain.gltf -o plain.striata --uv-contrast").success();
+    let said = String::from_utf8_lossy(&warned.get_output().stderr).into_owned();
+    assert!(said.contains("no material has a readable base color texture"), "{said}");
+    bench.run("build gray.gltf -o gray.striata --uv-contrast --quiet").success();
+    bench.run("extract gray.striata -o level.ply --triangles 60 --quiet").success();
+    bench.run("extract usual.striata -o usual.ply --triangles 60 --quiet").success();
+    assert_ne!(bench.read("level.ply"), bench.read("usual.ply"));
+    for flags in ["--order hausdorff", "--placement optimal"] {
+        let said = bench.refused(&format!("simplify gray.gltf -o y.ply --triangles 5 {flags} --uv-contrast"));
+        assert!(said.contains("--uv-contrast"), "{said}");
+    }
+}
+
+/// A bumpy square with distorted texture coordinates as glTF, its base color texture embedded.
+fn textured_hill(png: Option<&[u8]>) -> String {
+    const SIDE: u16 = 16;
+    let n = SIDE + 1;
+    let places = || (0..n * n).map(|i| [i % n, i / n].map(|step| f32::from(step) / f32::from(SIDE)));
+    let positions = places().flat_map(|[x, y]| [x, y, 0.1 * (5.0 * x).sin() * (4.0 * y).cos()]);
+    let uvs = places().flat_map(|[x, y]| [x + 0.2 * (6.0 * y).sin(), y * y]);
+    let mut bytes: Vec<u8> = positions.chain(uvs).flat_map(f32::to_le_bytes).collect();
+    let vertex_count = usize::from(n * n);
+    for i in (0..SIDE * SIDE).map(|i| i / SIDE * n + i % SIDE) {
+        for corner in [i, i + 1, i + n + 1, i, i + n + 1, i + n] {
+            bytes.extend(corner.to_le_bytes());
+        }
+    }
+    let index_count = 6 * usize::from(SIDE * SIDE);
+    let uri = |kind: &str, bytes: &[u8]| format!("data:{kind};base64,{}", STANDARD.encode(bytes));
+    let mut gltf = serde_json::json!({
+        "asset": { "version": "2.0" },
+        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2, "material": 0 }] }],
+        "nodes": [{ "mesh": 0 }],
+        "scenes": [{ "nodes": [0] }],
+        "scene": 0,
+        "materials": [{}],
+        "accessors": [
+            { "bufferView": 0, "componentType": 5126, "count": vertex_count, "type": "VEC3",
+              "min": [0, 0, -1], "max": [1, 1, 1] },
+            { "bufferView": 1, "componentType": 5126, "count": vertex_count, "type": "VEC2" },
+            { "bufferView": 2, "componentType": 5123, "count": index_count, "type": "SCALAR" },
+        ],
+        "bufferViews": [
+            { "buffer": 0, "byteOffset": 0, "byteLength": 12 * vertex_count },
+            { "buffer": 0, "byteOffset": 12 * vertex_count, "byteLength": 8 * vertex_count },
+            { "buffer": 0, "byteOffset": 20 * vertex_count, "byteLength": 2 * index_count },
+        ],
+        "buffers": [{ "byteLength": bytes.len(), "uri": uri("application/octet-stream", &bytes) }],
+    });
+    if let Some(png) = png {
+        gltf["materials"] =
+            serde_json::json!([{ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 } } }]);
+        gltf["textures"] = serde_json::json!([{ "source": 0 }]);
+        gltf["images"] = serde_json::json!([{ "uri": uri("image/png", png) }]);
+    }
+    gltf.to_string()
 }
 
 /// A flat square of `side` by `side` quads.

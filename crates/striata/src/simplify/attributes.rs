@@ -64,8 +64,8 @@ pub(super) struct AttributeSpace {
 }
 
 impl AttributeSpace {
-    /// The weighted layers of a mesh; `None` where no layer has a weight.
-    pub(super) fn new(welded: &Welded, weights: &AttributeWeights) -> Option<Self> {
+    /// The weighted layers of a mesh, texture coordinates with a factor for each material; `None` if no layer has a weight.
+    pub(super) fn new(welded: &Welded, weights: &AttributeWeights, texcoord_factors: &[f32]) -> Option<Self> {
         let weight = |semantic: &Semantic| match semantic {
             Semantic::Normal => weights.normal,
             Semantic::TexCoord(_) => weights.texcoord,
@@ -96,18 +96,25 @@ impl AttributeSpace {
         };
         let mut first = 0;
         for (layer, weight) in layers {
-            space.fill(welded, layer, (first, weight));
+            space.fill(welded, layer, (first, weight), texcoord_factors);
             first += layer.component_count as usize;
         }
         Some(space)
     }
 
     /// Fills in the coordinates of a layer, which begin with number `first`.
-    fn fill(&mut self, welded: &Welded, layer: &AttributeLayer, (first, weight): (usize, f32)) {
+    fn fill(
+        &mut self,
+        welded: &Welded,
+        layer: &AttributeLayer,
+        (first, weight): (usize, f32),
+        texcoord_factors: &[f32],
+    ) {
         let count = layer.component_count as usize;
         let bits = (first..first + count).filter(|&d| d < 32).fold(0, |bits, d| bits | 1 << d);
         let mut lengths = Vec::new();
-        if matches!(layer.semantic, Semantic::TexCoord(_)) {
+        let is_texcoord = matches!(layer.semantic, Semantic::TexCoord(_));
+        if is_texcoord {
             self.texcoords |= bits;
             lengths = charts::atlas_lengths(welded, layer);
             self.atlases.resize(lengths.len(), 0);
@@ -120,13 +127,25 @@ impl AttributeSpace {
                 Some(&length) if length > 0.0 => (SLIDE_FACTOR * length).clamp(LEAST_SLIDE, MOST_SLIDE),
                 _ => 1.0,
             };
+            let factor =
+                if is_texcoord { self.texcoord_factor(welded, vertex, texcoord_factors) } else { 1.0 };
             for c in 0..count {
-                let value = slide * weight * layer.get(vertex, c);
+                let value = factor * slide * weight * layer.get(vertex, c);
                 // A value that is no number must not decide anything.
                 self.values[vertex * self.dimension + first + c] =
                     if value.is_finite() { value } else { 0.0 };
             }
         }
+    }
+
+    /// The factor of a vertex's material; 1 if it has no material or the list ends before it.
+    fn texcoord_factor(&self, welded: &Welded, vertex: usize, factors: &[f32]) -> f32 {
+        let material = match self.materials.get(vertex) {
+            Some(&material) => material.checked_sub(1),
+            // All groups share one.
+            None => welded.mesh.groups.first().and_then(|group| group.material),
+        };
+        material.and_then(|m| factors.get(m as usize)).copied().unwrap_or(1.0)
     }
 
     /// What coordinate `d` of a vertex counts at seams.
@@ -262,7 +281,8 @@ impl AttributeSpace {
     }
 }
 
-/// The material of every vertex, which welding keeps to one, or nothing if all share it.
+/// For each vertex, the index of its material plus one, or 0 if it has none; empty if all vertices share one material. Welding
+/// keeps every vertex to one material.
 fn materials_of(welded: &Welded) -> Vec<u32> {
     let groups = &welded.mesh.groups;
     if groups.windows(2).all(|pair| pair[0].material == pair[1].material) {
@@ -275,4 +295,46 @@ fn materials_of(welded: &Welded) -> Vec<u32> {
         }
     }
     materials
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::mesh::{IndexedMesh, Material, TriangleGroup, weld};
+
+    use super::*;
+
+    /// Two triangles apart from each other, with texture coordinates that differ at every corner.
+    fn two_triangles(materials: [Option<u32>; 2]) -> Welded {
+        let positions = (0..6).map(|i| [i as f32, (i * i) as f32, 0.0]).collect();
+        let mut mesh = IndexedMesh::new(positions, vec![[0, 1, 2], [3, 4, 5]]);
+        let uvs = (0..6).flat_map(|i| [0.1 * i as f32, 0.05 * (i * i) as f32]).collect();
+        mesh.layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, uvs));
+        mesh.appearance.materials = vec![Material::default(); 2];
+        mesh.groups = materials
+            .into_iter()
+            .zip(0..)
+            .map(|(material, first)| TriangleGroup { first, count: 1, material, ..TriangleGroup::default() })
+            .collect();
+        weld(&mesh).expect("the mesh is sound")
+    }
+
+    /// Squared difference of two vertices of the first triangle, and of the second.
+    fn differences(welded: &Welded, factors: &[f32]) -> [f32; 2] {
+        let space =
+            AttributeSpace::new(welded, &AttributeWeights::default(), factors).expect("there are UVs");
+        [welded.mesh.triangles[0], welded.mesh.triangles[1]].map(|[a, b, _]| space.difference_squared(a, b))
+    }
+
+    #[test]
+    fn factors_weigh_texture_coordinates_by_material() {
+        for materials in [[Some(0), Some(1)], [None, Some(1)], [Some(1), Some(1)]] {
+            let welded = two_triangles(materials);
+            let usual = differences(&welded, &[]);
+            assert!(usual.iter().all(|&squared| squared > 0.0));
+            assert_eq!(differences(&welded, &[1.0, 1.0]), usual, "{materials:?}");
+            assert_eq!(differences(&welded, &[1.0]), usual, "material 1 is not listed: {materials:?}");
+            let expected = |at: usize| if materials[at] == Some(1) { 0.0 } else { usual[at] };
+            assert_eq!(differences(&welded, &[1.0, 0.0]), [expected(0), expected(1)], "{materials:?}");
+        }
+    }
 }

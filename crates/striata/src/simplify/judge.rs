@@ -131,7 +131,7 @@ impl<'a> Judge<'a> {
             star: Star::default(),
             legality: Legality::default(),
             relaxed: None,
-            attributes: AttributeSpace::new(welded, &options.attribute_weights),
+            attributes: AttributeSpace::new(welded, &options.attribute_weights, &options.texcoord_factors),
             is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
             seams: options.seams,
             locks_boundary: options.boundary == BoundaryRule::Locked,

@@ -130,6 +130,11 @@ pub struct SequenceOptions {
     pub max_error: Option<f64>,
     /// How much attributes count; see [`AttributeWeights`].
     pub attribute_weights: AttributeWeights,
+    /// For each material, a factor on the weight of texture coordinates, at least 0; default 1 for every material.
+    ///
+    /// Indices are those of [`TriangleGroup::material`](crate::mesh::TriangleGroup). Materials beyond the end of the list and
+    /// groups without a material have factor 1. Small factors suit textures of low contrast, on which sliding is hardly visible.
+    pub texcoord_factors: Vec<f32>,
     /// What may happen to boundaries; default kept.
     pub boundary: BoundaryRule,
     /// What may happen to borders between triangle groups; default kept. Locked, every vertex whose position is used by more
@@ -162,7 +167,8 @@ impl SequenceOptions {
         let numbers = limits
             .into_iter()
             .filter_map(|(option, value)| Some((option, value?)))
-            .chain(weights.map(|(option, value)| (option, f64::from(value))));
+            .chain(weights.map(|(option, value)| (option, f64::from(value))))
+            .chain(self.texcoord_factors.iter().map(|&factor| ("texcoord_factors", f64::from(factor))));
         for (option, value) in numbers {
             if !(value >= 0.0 && value.is_finite()) {
                 return Err(SimplifyError::Option { option, value: value.to_string(), expected });
@@ -190,6 +196,10 @@ impl SequenceOptions {
     /// Sets [`Self::attribute_weights`].
     pub fn with_attribute_weights(self, attribute_weights: AttributeWeights) -> Self {
         Self { attribute_weights, ..self }
+    }
+    /// Sets [`Self::texcoord_factors`].
+    pub fn with_texcoord_factors(self, texcoord_factors: Vec<f32>) -> Self {
+        Self { texcoord_factors, ..self }
     }
     /// Sets [`Self::boundary`].
     pub fn with_boundary(self, boundary: BoundaryRule) -> Self {
