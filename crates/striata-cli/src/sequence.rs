@@ -297,12 +297,12 @@ impl SequenceArgs {
         let Limits { base_triangle_count, max_error } = limits;
         let rule = |is_locked| if is_locked { BoundaryRule::Locked } else { BoundaryRule::Kept };
         let (boundary, group_borders) = (rule(self.lock_boundary), rule(self.lock_groups));
+        let seams = if self.keep_seams { SeamRule::Keep } else { SeamRule::Cross };
+        let topology = if self.keep_parts { TopologyRule::KeepParts } else { TopologyRule::Change };
         let foreign = match self.order {
             OrderArg::Quadric => self.removal.given(),
             OrderArg::Hausdorff if self.cost.is_some() => Some("--cost"),
             OrderArg::Hausdorff if self.pair_distance.is_some() => Some("--pair-distance"),
-            OrderArg::Hausdorff if self.keep_seams => Some("--keep-seams"),
-            OrderArg::Hausdorff if self.keep_parts => Some("--keep-parts"),
             OrderArg::Hausdorff => self.weights.given(),
         };
         if let Some(flag) = foreign {
@@ -316,13 +316,9 @@ impl SequenceArgs {
                 let mut options = SequenceOptions::default()
                     .with_boundary(boundary)
                     .with_group_borders(group_borders)
+                    .with_seams(seams)
+                    .with_topology(topology)
                     .with_attribute_weights(self.weights.weights());
-                if self.keep_seams {
-                    options.seams = SeamRule::Keep;
-                }
-                if self.keep_parts {
-                    options.topology = TopologyRule::KeepParts;
-                }
                 options.cost = self.cost.map_or_else(CollapseCost::default, CollapseCost::from);
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
@@ -332,8 +328,11 @@ impl SequenceArgs {
                 Ok(SequencePlan::Quadric { options, promise, batches: None })
             }
             OrderArg::Hausdorff => {
-                let mut options =
-                    RemovalOptions::default().with_boundary(boundary).with_group_borders(group_borders);
+                let mut options = RemovalOptions::default()
+                    .with_boundary(boundary)
+                    .with_group_borders(group_borders)
+                    .with_seams(seams)
+                    .with_topology(topology);
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
                 let removal = &self.removal;
@@ -352,12 +351,9 @@ impl SequenceArgs {
             OrderArg::Quadric => "no more edges can be collapsed",
             OrderArg::Hausdorff => "no more vertices can be removed",
         };
-        let loss = match (self.order, kind) {
-            (OrderArg::Quadric, StepKind::Single) => "losing the last triangles",
-            (OrderArg::Quadric, StepKind::Batches) => "changing the topology",
-            (OrderArg::Quadric, StepKind::Optimal) | (OrderArg::Hausdorff, _) => {
-                "changing the topology or crossing a seam"
-            }
+        let loss = match kind {
+            StepKind::Single | StepKind::Optimal => "losing the last triangles",
+            StepKind::Batches => "changing the topology",
         };
         let mut text = format!("{step} without {loss}");
         let flags = [

@@ -136,8 +136,6 @@ fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
         ("--cost", args.sequence.cost.is_some()),
         (weight.unwrap_or_default(), weight.is_some()),
         ("--pair-distance", args.sequence.pair_distance.is_some()),
-        ("--keep-seams", args.sequence.keep_seams),
-        ("--keep-parts", args.sequence.keep_parts),
     ];
     match flags.into_iter().find(|&(_, is_given)| is_given) {
         None => Ok(()),

@@ -203,8 +203,6 @@ fn what_contradicts_itself_is_refused() {
             "hint: say --order quadric",
         ),
         (format!("simplify sphere.obj {level} --order hausdorff --pair-distance 1"), "--pair-distance means"),
-        (format!("simplify sphere.obj {level} --order hausdorff --keep-seams"), "--keep-seams means"),
-        (format!("simplify sphere.obj {level} --keep-parts --placement optimal"), "or --keep-parts"),
         (
             format!("simplify sphere.obj {level} --order hausdorff --placement optimal"),
             "--placement optimal out",

@@ -113,6 +113,15 @@ fn parts_are_kept_if_asked_for() {
     // What leaves a triangle to each is reached.
     bench.json("simplify boxes.obj -o kept.ply --triangles 200 --keep-parts --strict");
     assert_eq!(parts("kept.ply"), 24);
+    // So do vertices that are removed or placed freely.
+    for way in ["--order hausdorff", "--placement optimal"] {
+        bench.json(&format!("simplify boxes.obj -o free.ply --triangles 20 {way} --strict"));
+        assert!(parts("free.ply") < 24, "{way}");
+        let kept = bench.json(&format!("simplify boxes.obj -o kept.ply --triangles 20 {way} --keep-parts"));
+        assert_eq!(parts("kept.ply"), 24, "{way}");
+        let why = kept["shortfall"].as_str().expect("a reason");
+        assert!(why.ends_with("or changing what --keep-parts protects"), "{way}: {why}");
+    }
     // Each card is a part and can lose one of its triangles.
     let cards = bench.json("simplify cards.obj -o cards.ply --triangles 1 --keep-parts");
     assert_eq!((count(&cards, "triangle_count"), parts("cards.ply")), (90, 90));
