@@ -36,6 +36,11 @@ impl Judge<'_> {
         self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.is_tail)
     }
 
+    /// True if what would raise the error is looked for in all of the mesh: with seams, or once a relaxed collapse has been carried out.
+    pub(super) fn looks_everywhere(&self) -> bool {
+        self.relaxed.is_some() && (self.wedges.is_some() || self.has_relaxed())
+    }
+
     /// True once a relaxed collapse has been carried out.
     pub(super) fn has_relaxed(&self) -> bool {
         self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_relaxed)
@@ -61,7 +66,7 @@ impl Judge<'_> {
 
     /// Looks for what stands nearest to a point that may have lost what stood for it: see [`Relaxed::standing`].
     pub(super) fn standing(&mut self, from: Vec3, known: Standing, enough: f32) -> Standing {
-        if self.wedges.is_none() && !self.has_relaxed() {
+        if !self.looks_everywhere() {
             return known;
         }
         let Self { relaxed: Some(relaxed), links, wedges, positions, .. } = self else { return known };

@@ -139,9 +139,13 @@ impl Witnesses {
     /// what, and raises it. What the walk finds beyond a `limit`, squared, has lost its way.
     fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3, limit: f32) -> (f32, u32) {
         let settled = self.settle(&judge.links, &judge.positions, place, from);
-        let known = if settled.0 > limit { (limit, place) } else { settled };
+        let is_lost = settled.0 > limit;
+        let known = if is_lost { (limit, place) } else { settled };
         let found = judge.standing(from, known, self.worst);
-        self.worst = self.worst.max(found.0);
+        if !is_lost || judge.looks_everywhere() {
+            // A limit that nobody has measured must not be reported.
+            self.worst = self.worst.max(found.0);
+        }
         found
     }
 
