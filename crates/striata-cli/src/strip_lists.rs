@@ -33,7 +33,7 @@ impl StripLists {
         out
     }
 
-    /// The strips that a level's model shows, or new ones where it has none or they are longer.
+    /// The strips that a level's model shows, or new strips if it has none or if new ones are shorter.
     ///
     /// # Errors
     /// If the mesh's parts do not fit together.

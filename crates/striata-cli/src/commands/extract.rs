@@ -240,7 +240,7 @@ fn each_level_of_strips<M: StripModel>(
     each_level(name, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
 }
 
-/// What is written of a level: strips are those of its model, or new ones where it has none or they are longer.
+/// What is written of a level. Strips come from its model, or are made anew if it has none or if new ones are shorter.
 ///
 /// # Errors
 /// Where the mesh's parts do not fit together.

@@ -1,6 +1,6 @@
 //! Foliage: a leaf that vanishes is made up for by its neighbor.
 //!
-//! A cloud of small parts that loses them one by one loses its area with them, and a tree becomes bare. Where small parts dominate,
+//! A cloud of small parts that loses them one by one loses its area with them, and a tree becomes bare. If small parts make up most of the mesh,
 //! a corner of the part that stands in for a vanishing one is therefore contracted with one of its corners first:
 //!
 //! ```text

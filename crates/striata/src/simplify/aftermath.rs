@@ -3,10 +3,11 @@
 
 use glam::Vec3;
 
-use super::judge::{Choice, Judge, Tier};
+use super::fan::point;
+use super::judge::{Choice, Judge};
 use super::links::LinkKind;
 use super::parts::Surroundings;
-use super::relaxed::{Standing, find, point};
+use super::relaxed::{Standing, find};
 
 /// Positions that have come together at one are measured again one by one, up to this many of them.
 const MAX_FOLLOWERS: usize = 24;
@@ -95,11 +96,7 @@ impl Judge<'_> {
         let Self { relaxed: Some(relaxed), positions, .. } = self else { return };
         let bound = match choice.outward {
             Some(measured) => measured,
-            None => {
-                let moved = if choice.tier == Tier::Fold { choice.distance_squared } else { 0.0 };
-                let squared = choice.protrusion_squared.max(moved);
-                relaxed.outward.bound_after(v, squared, (worst, positions.len()))
-            }
+            None => relaxed.outward.bound_after(v, choice.sticks_out_squared(), (worst, positions.len())),
         };
         relaxed.outward.note(u, ring, bound);
     }
@@ -108,10 +105,7 @@ impl Judge<'_> {
     /// out farther than anything so far; `worst` is the square of that.
     pub(super) fn outward_behind(&mut self, (v, u): (u32, u32), choice: &Choice, worst: f32) -> Option<f32> {
         let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
-        // A fold moves its triangles by the whole edge.
-        let moved = if choice.tier == Tier::Fold { choice.distance_squared } else { 0.0 };
-        let squared = choice.protrusion_squared.max(moved);
-        let bound = relaxed.outward.bound_after(v, squared, (worst, positions.len()));
+        let bound = relaxed.outward.bound_after(v, choice.sticks_out_squared(), (worst, positions.len()));
         if bound * bound <= worst {
             return None;
         }

@@ -225,7 +225,9 @@ impl AttributeSpace {
     /// What it costs over a unit of area that `to` stands for `from` on the other side of a seam.
     pub(super) fn crossing_squared(&self, from: u32, to: u32) -> f32 {
         let squared = self.weighted_squared(from, to, |factors| factors.crossing);
-        if self.share_material(from, to) { squared } else { squared + TILED.crossing * self.material_squared }
+        let material =
+            if self.share_material(from, to) { 0.0 } else { TILED.crossing * self.material_squared };
+        (squared + material).min(MAX_SMEAR)
     }
 
     /// What collapsing `v` to neighbour `k` of its star costs in attributes; the wedges must be paired already.
@@ -255,7 +257,7 @@ impl AttributeSpace {
             if wedges.is_some_and(|w| w.crosses(wedge)) {
                 let target = wedges.map_or(wedge, |w| w.paired(wedge, star.ids[k]));
                 let areas = [a.cross(b), (a - u).cross(b - u)].map(|normal| 0.5 * normal.length());
-                crossing += areas[0].max(areas[1]) * self.crossing_squared(wedge, target).min(MAX_SMEAR);
+                crossing += areas[0].max(areas[1]) * self.crossing_squared(wedge, target);
                 continue;
             }
             let Some(slot) = found.iter_mut().find(|f| f.0 == wedge || f.0 == u32::MAX) else { continue };

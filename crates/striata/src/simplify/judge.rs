@@ -1,10 +1,11 @@
 //! What collapsing a position costs: a lower bound quickly, the best target in full.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 use crate::mesh::Welded;
 
 use super::attributes::AttributeSpace;
+use super::fan::point;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
 use super::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
@@ -83,6 +84,15 @@ pub(super) struct Choice {
     pub(super) protrusion_squared: f32,
     /// Distance of the fan from the original mesh, if it has been measured.
     pub(super) outward: Option<f32>,
+}
+
+impl Choice {
+    /// How far, squared, what it leaves sticks out of what it replaces, at most.
+    pub(super) fn sticks_out_squared(&self) -> f32 {
+        // A fold moves its triangles by the whole edge.
+        let moved = if self.tier == Tier::Fold { self.distance_squared } else { 0.0 };
+        self.protrusion_squared.max(moved)
+    }
 }
 
 /// The mesh as it is, and all that judges it.
@@ -454,11 +464,6 @@ impl<'a> Judge<'a> {
             attributes.as_ref().map_or(0.0, |space| space.difference_squared(a, b))
         });
     }
-}
-
-fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
-    let [x, y, z, _] = positions[p as usize];
-    Vec3::new(x, y, z)
 }
 
 fn accumulated_cost(quadrics: &[Quadric], positions: &[[f32; 4]], v: u32, u: u32) -> f32 {

@@ -10,6 +10,7 @@ use glam::Vec3;
 use crate::mesh::Welded;
 
 use super::fan::nearest;
+use super::fan::point;
 use super::links::LinkEdge;
 use super::rest::{Rest, RestTriangle};
 
@@ -95,11 +96,6 @@ fn original(welded: &Welded, positions: &[[f32; 4]]) -> Rest {
         vertices,
     };
     Rest::of_triangles(welded.mesh.triangles.iter().map(of).collect(), positions)
-}
-
-fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
-    let [x, y, z, _] = positions[p as usize];
-    Vec3::new(x, y, z)
 }
 
 /// Squared distance of a point from the triangles of a tree, at most `known`; once something is within `enough`, that will do.

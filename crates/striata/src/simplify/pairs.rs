@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use glam::Vec3;
+use super::fan::point;
 
 /// Partners that a position may have at the start, the nearest ones.
 const MAX_PARTNERS: usize = 8;
@@ -23,11 +23,6 @@ pub(super) struct Pairs {
     entries: Vec<(u32, u32)>,
     /// Where each position has gone, with shortcuts.
     current: Vec<u32>,
-}
-
-fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
-    let [x, y, z, _] = positions[p as usize];
-    Vec3::new(x, y, z)
 }
 
 impl Pairs {

@@ -12,6 +12,7 @@ use glam::Vec3;
 use crate::mesh::{DisjointSets, Welded};
 
 use super::attributes::AttributeSpace;
+use super::fan::point;
 use super::rest::{Rest, RestPoint};
 
 /// Triangles of the original part that are measured, at most.
@@ -106,11 +107,6 @@ struct Sample {
     vertices: [u32; 3],
     weights: [f32; 3],
     share: f32,
-}
-
-fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
-    let [x, y, z, _] = positions[p as usize];
-    Vec3::new(x, y, z)
 }
 
 impl Parts {
@@ -469,6 +465,10 @@ mod tests {
         weld(&mesh).expect("it is sound")
     }
 
+    fn around<'a>(welded: &'a Welded, positions: &'a [[f32; 4]], rest: &'a Rest) -> Surroundings<'a> {
+        Surroundings { welded, positions, attributes: None, rest, generation: 1 }
+    }
+
     fn fates(heights: &[f32]) -> Vec<Option<Fate>> {
         let welded = with_decals(heights);
         let positions: Vec<[f32; 4]> =
@@ -479,13 +479,7 @@ mod tests {
         }
         assert_eq!(parts.len(), 1 + heights.len());
         let rest = Rest::new(&Links::new(positions.len(), &welded.mesh.triangles, false), None, &positions);
-        let around = Surroundings {
-            welded: &welded,
-            positions: &positions,
-            attributes: None,
-            rest: &rest,
-            generation: 1,
-        };
+        let around = around(&welded, &positions, &rest);
         let small = welded.mesh.triangles[1..].iter().map(|t| parts.part_of(t[0])).collect::<Vec<_>>();
         small.into_iter().map(|part| parts.fate(part, &around).cloned()).collect()
     }
@@ -516,13 +510,7 @@ mod tests {
         let mut parts = Parts::new(&welded);
         welded.mesh.triangles.iter().for_each(|t| parts.count(t[0]));
         let rest = Rest::new(&Links::new(positions.len(), &welded.mesh.triangles, false), None, &positions);
-        let around = Surroundings {
-            welded: &welded,
-            positions: &positions,
-            attributes: None,
-            rest: &rest,
-            generation: 1,
-        };
+        let around = around(&welded, &positions, &rest);
         let [large, small] = [0, 1].map(|t: usize| welded.mesh.triangles[t]);
         let (host, gone) = (parts.part_of(large[0]), parts.part_of(small[0]));
         assert!(parts.fate(gone, &around).is_some());

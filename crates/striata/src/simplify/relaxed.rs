@@ -16,7 +16,7 @@ use glam::Vec3;
 use crate::mesh::Welded;
 
 use super::absorb::{LEAF_SHARE, MAX_LEAF};
-use super::fan::nearest;
+use super::fan::{nearest, point};
 use super::judge::{Choice, Judge, Memory, Tier};
 use super::legality::MAX_REMOVED;
 use super::links::{LinkEdge, LinkKind, Links};
@@ -207,11 +207,6 @@ pub(super) fn find(current: &mut [u32], mut p: u32) -> u32 {
         p = above;
     }
     p
-}
-
-pub(super) fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
-    let [x, y, z, _] = positions[p as usize];
-    Vec3::new(x, y, z)
 }
 
 impl Judge<'_> {

@@ -10,6 +10,7 @@ use glam::{Vec3, Vec3A};
 use crate::mesh::{AxisBox, BoxTree};
 
 use super::fan::nearest;
+use super::fan::point;
 use super::links::{LinkEdge, Links};
 use super::wedges::Wedges;
 
@@ -34,11 +35,6 @@ pub(super) struct RestPoint {
 pub(super) struct Rest {
     tree: BoxTree,
     triangles: Vec<RestTriangle>,
-}
-
-fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
-    let [x, y, z, _] = positions[p as usize];
-    Vec3::new(x, y, z)
 }
 
 impl Rest {

@@ -9,6 +9,7 @@
 use glam::Vec3;
 
 use super::fan::nearest;
+use super::fan::point;
 use super::judge::Judge;
 use super::links::{LinkEdge, Links};
 
@@ -34,11 +35,6 @@ pub(super) struct Witnesses {
     /// Whether witnesses beside a collapse are looked at too; closed scans do without, which saves a quarter of their time.
     follows_rings: bool,
     edges: Vec<LinkEdge>,
-}
-
-fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
-    let [x, y, z, _] = positions[p as usize];
-    Vec3::new(x, y, z)
 }
 
 impl Witnesses {

@@ -42,7 +42,7 @@ struct Report {
     genus: Option<usize>,
     is_closed: Option<bool>,
     area: Option<f64>,
-    /// Null where the mesh's parts do not fit together, or a coordinate is not finite.
+    /// Null if an index is out of range, if a layer has the wrong length, or if a coordinate is not finite.
     seams: Option<Seams>,
     /// Null where seams are, and if there are no triangles.
     parts: Option<Parts>,

@@ -19,7 +19,7 @@ pub(super) struct Request {
 }
 
 impl Request {
-    /// So many percent of the triangles.
+    /// Target, as a percentage of the mesh's triangles.
     pub(super) fn new(percent: f64, triangle_count: usize) -> Self {
         let target_count = (percent / 100.0 * triangle_count as f64 + 1e-6) as usize;
         Self { percent, target_count }
