@@ -6,7 +6,7 @@ mod support;
 use proptest::prelude::*;
 use striata::codec::DecodeError;
 use striata::codec::progressive::{
-    Effort, EncodedStream, Precision, StreamDecoder, StreamOptions, encode_stream,
+    Effort, EncodedStream, Precision, StreamDecoder, StreamOptions, StreamVersion, encode_stream,
 };
 use striata::mesh::{IndexedMesh, LayerData, RefinableMesh, canonical_triangles, replay, shapes};
 use striata::simplify::{BatchOptions, SequenceOptions, TopologyRule, build_batches, build_sequence};
@@ -272,7 +272,8 @@ fn nonsense_in_the_last_chunk_gives_a_mesh() {
 /// A mesh with a boundary, seams, groups and layers, and the streams of it that are kept beside the tests.
 fn kept_streams() -> (IndexedMesh, Vec<(&'static str, StreamOptions)>) {
     let mesh = meshes::with_patches(meshes::rough(shapes::terrain(24, 3), 0.01, 7), 140);
-    let options = StreamOptions::default().with_precision(Precision::Bits(12));
+    let options =
+        StreamOptions::default().with_precision(Precision::Bits(12)).with_version(StreamVersion::One);
     let kept = vec![
         ("fast", options.clone().with_effort(Effort::Fast)),
         ("default", options.clone()),
@@ -283,7 +284,7 @@ fn kept_streams() -> (IndexedMesh, Vec<(&'static str, StreamOptions)>) {
 }
 
 fn path_of_kept(name: &str) -> std::path::PathBuf {
-    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/kept_streams/{name}.stri"))
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/kept_streams/version1/{name}.stri"))
 }
 
 /// The files were written by another build, of other optimisation and on another machine than most that run this.

@@ -195,6 +195,7 @@ impl StreamDecoder {
     ) -> Result<(), StreamDefect> {
         let Some(head) = &self.head else { return Ok(()) };
         let terms = Terms {
+            version: head.version,
             effort: head.effort,
             grid: head.grid,
             is_exact: head.is_exact,

@@ -1,7 +1,7 @@
 //! The writer's front: options, the stream's bytes, and what they were spent on.
 
 use super::super::EncodeError;
-use super::Effort;
+use super::{Effort, StreamVersion};
 use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_chunks};
 use super::cutting::Closed;
@@ -41,6 +41,8 @@ pub struct StreamOptions {
     pub effort: Effort,
     /// How exactly attribute layers are kept.
     pub layers: LayerOptions,
+    /// What the bits mean; default [`StreamVersion::Two`].
+    pub version: StreamVersion,
     /// Texts about the stream, key and value; default none.
     pub metadata: Vec<(String, String)>,
 }
@@ -54,6 +56,11 @@ impl StreamOptions {
     /// Sets [`Self::effort`].
     pub fn with_effort(self, effort: Effort) -> Self {
         Self { effort, ..self }
+    }
+
+    /// Sets [`Self::version`].
+    pub fn with_version(self, version: StreamVersion) -> Self {
+        Self { version, ..self }
     }
 
     /// Sets [`Self::layers`].
@@ -158,6 +165,7 @@ pub fn encode_stream(
     let points = points_of(refinable, &grid, &forms);
     let position_count = points.places.len() as u32;
     let terms = Terms {
+        version: options.version,
         effort: options.effort,
         grid,
         is_exact,
@@ -243,6 +251,7 @@ fn head_of(
     });
     Head {
         length: 0,
+        version: options.version,
         effort: options.effort,
         is_exact: options.precision == Precision::Lossless,
         position_count: sequence.positions().position_count() as u32,

@@ -1,7 +1,7 @@
 //! What the head of a stream says of the whole of it.
 
 use super::super::DecodeError;
-use super::Effort;
+use super::{Effort, StreamVersion};
 use super::head::{Head, head_length};
 
 /// What a stream holds, in numbers; all of it is known as soon as its head is there.
@@ -18,6 +18,8 @@ pub struct StreamFacts {
     pub chunk_count: usize,
     /// How hard the coder tried.
     pub effort: Effort,
+    /// What its bits mean.
+    pub version: StreamVersion,
     /// Whether positions are the very floats of the mesh that was coded.
     pub is_exact: bool,
     /// Bits of a coordinate on the grid of positions.
@@ -57,6 +59,7 @@ impl StreamFacts {
             base_bytes: head.length + base_bytes,
             chunk_count: head.rows.len(),
             effort: head.effort,
+            version: head.version,
             is_exact: head.is_exact,
             grid_bits: head.grid.bits,
             grid_step: head.grid.step,

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! 0   4 bytes  89 53 54 52
-//! 4   u8       version, 1
+//! 4   u8       version, 1 or 2
 //! 5   u8       effort
 //! 6   u16      flags; bit 0: positions are exact
 //! 8   u32      length of the head, these 16 bytes included
@@ -15,14 +15,14 @@ use super::super::mesh_sections::{appearance_from_bytes, appearance_to_bytes};
 use super::super::{DecodeError, EncodeError, SectionKind};
 use super::grid::PositionGrid;
 use super::layers::LayerForm;
-use super::{Effort, StreamDefect};
+use super::{Effort, StreamDefect, StreamVersion};
 use crate::mesh::Appearance;
 use crate::model::write_varint;
 
 /// The first bytes of a stream.
 pub const STREAM_MAGIC: [u8; 4] = *b"\x89STR";
-/// The only version of streams that is written and read.
-const VERSION: u8 = 1;
+/// The newest version of streams that is read.
+const NEWEST: u8 = 2;
 /// Bytes of the head that are always there.
 pub(super) const FIXED_BYTES: usize = 16;
 const EXACT: u16 = 1;
@@ -77,6 +77,7 @@ pub(super) struct Row {
 pub(super) struct Head {
     /// Bytes of the head.
     pub(super) length: u64,
+    pub(super) version: StreamVersion,
     pub(super) effort: Effort,
     /// Whether positions are the very floats of the mesh, beside the grid.
     pub(super) is_exact: bool,
@@ -113,8 +114,8 @@ pub(super) fn head_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> {
         return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
     }
     let Some(fixed) = bytes.get(..FIXED_BYTES) else { return Ok(None) };
-    if fixed[4] != VERSION {
-        let (found, supported) = (u32::from(fixed[4]), u32::from(VERSION));
+    if version_of(fixed[4]).is_none() {
+        let (found, supported) = (u32::from(fixed[4]), u32::from(NEWEST));
         return Err(DecodeError::Version { found, supported });
     }
     let length = u32::from_le_bytes([fixed[8], fixed[9], fixed[10], fixed[11]]) as usize;
@@ -123,6 +124,14 @@ pub(super) fn head_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> {
         return Err(DecodeError::Malformed { kind: SectionKind::STREAM, offset: 8, reason });
     }
     Ok(Some(length))
+}
+
+fn version_of(byte: u8) -> Option<StreamVersion> {
+    match byte {
+        1 => Some(StreamVersion::One),
+        2 => Some(StreamVersion::Two),
+        _ => None,
+    }
 }
 
 fn checksum(head: &[u8]) -> u32 {
@@ -144,7 +153,11 @@ impl Head {
             Effort::Default => 1,
             Effort::Small => 2,
         };
-        out.extend([VERSION, effort]);
+        let version = match self.version {
+            StreamVersion::One => 1,
+            StreamVersion::Two => 2,
+        };
+        out.extend([version, effort]);
         out.extend((if self.is_exact { EXACT } else { 0 }).to_le_bytes());
         out.extend([0; 8]);
         let counts = [self.position_count, self.vertex_count, self.triangle_count, self.step_count];
@@ -205,7 +218,7 @@ impl Head {
             return Err(DecodeError::HeaderChecksum { found, expected });
         }
         let mut reader = ByteReader::new(SectionKind::STREAM, bytes);
-        reader.bytes(5)?;
+        let version = version_of(reader.bytes(5)?[4]).unwrap_or_default();
         let effort = match reader.u8()? {
             0 => Effort::Fast,
             1 => Effort::Default,
@@ -254,6 +267,7 @@ impl Head {
         reader.end()?;
         Ok(Self {
             length: bytes.len() as u64,
+            version,
             effort,
             is_exact: flags[0] & 1 != 0,
             position_count,

@@ -62,6 +62,17 @@ pub enum Effort {
     Small,
 }
 
+/// What the bits of a stream mean.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum StreamVersion {
+    /// The first one: splits of a surface only. It can still be written, for readers that know no other.
+    One,
+    /// The present one.
+    #[default]
+    Two,
+}
+
 /// What can be wrong within a stream whose bytes are as they were written.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]

@@ -21,7 +21,7 @@ use super::rings::Rings;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::Walk;
 use super::wedges::{Split, SplitWedges, WedgeModel};
-use super::{Effort, StreamDefect};
+use super::{Effort, StreamDefect, StreamVersion};
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.
 const STRETCH: usize = 1024;
@@ -31,6 +31,8 @@ const GROUP: usize = 24;
 /// What both sides agree on before the first bit.
 #[derive(Clone, Debug)]
 pub(super) struct Terms {
+    /// What the bits mean.
+    pub(super) version: StreamVersion,
     /// How hard models try.
     pub(super) effort: Effort,
     /// The grid of positions.
