@@ -23,9 +23,14 @@ fn build(mesh: &IndexedMesh, options: &BatchOptions) -> BuiltBatches {
     build_batches(mesh, options, &mut ignore_progress).expect("sound meshes are simplified")
 }
 
+/// Batches of splits of a surface alone.
+fn on_the_surface() -> BatchOptions {
+    BatchOptions::default().with_general(false)
+}
+
 /// As far as it goes.
 fn to_the_end() -> BatchOptions {
-    BatchOptions::default().with_least_batch(1)
+    on_the_surface().with_least_batch(1)
 }
 
 fn position_triangles(refinable: &RefinableMesh, mesh: &IndexedMesh) -> Vec<[u32; 3]> {

@@ -33,6 +33,13 @@ pub(super) struct Around<'a> {
     pub(super) told: Option<&'a SplitWedges>,
 }
 
+/// A vertex next to one that is coded, and its place on the grid.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RingVertex {
+    pub(super) vertex: u32,
+    pub(super) place: [i32; 3],
+}
+
 /// What a writer knows: all layers, and the vertex there.
 pub(super) type Actual<'a> = Option<(&'a [LayerValues], u32)>;
 
@@ -74,6 +81,23 @@ impl Attributes {
     ) {
         let is_closed = self.gather(around, wedge);
         self.fit.measure(place, &self.places, is_closed);
+        let hood = LayerHood { target: Some(target), ring: &self.ring, fit: &self.fit };
+        self.model.code(coder, &mut self.values, &hood, actual);
+    }
+
+    /// Codes a vertex that a general step brings; `ring` are those that it shares triangles with.
+    pub(super) fn general_vertex<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        ring: &[RingVertex],
+        (place, target): ([i32; 3], u32),
+        actual: Actual<'_>,
+    ) {
+        self.ring.clear();
+        self.ring.extend(ring.iter().map(|there| there.vertex));
+        self.places.clear();
+        self.places.extend(ring.iter().map(|there| there.place));
+        self.fit.measure(place, &self.places, false);
         let hood = LayerHood { target: Some(target), ring: &self.ring, fit: &self.fit };
         self.model.code(coder, &mut self.values, &hood, actual);
     }

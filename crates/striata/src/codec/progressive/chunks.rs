@@ -3,13 +3,11 @@
 use super::super::entropy::RangeWriter;
 use super::base::Base;
 use super::base_coder::BaseLimits;
-use super::cutting::{Closed, close};
+use super::descent::Descent;
 use super::growth::Growth;
 use super::head::{least_bytes, least_bytes_in_all};
 use super::refiner::{Refiner, Terms};
-use super::shown::{ShownDown, groups_of_triangles};
-use super::splits::{StepDefect, collapse_all};
-use super::surface::Undo;
+use super::surface_stage::StepDefect;
 use super::truth::{Points, Truth, base_of};
 use crate::mesh::RefinableMesh;
 
@@ -34,6 +32,8 @@ pub(super) struct Chunks {
     pub(super) chunks: Vec<Chunk>,
     /// Most triangles that a new vertex takes over.
     pub(super) max_patch: u32,
+    /// Whether there are general batches.
+    pub(super) has_general: bool,
     /// Steps of the sequence in the order of the stream.
     pub(super) order: Vec<u32>,
     /// Positions of the base in the order of the stream.
@@ -70,28 +70,15 @@ pub enum BatchDefect {
     },
 }
 
-/// The positions of a mesh as a closed surface.
-pub(super) fn close_positions(refinable: &RefinableMesh) -> Closed {
-    let positions = refinable.sequence.positions();
-    let triangles: Vec<[u32; 3]> =
-        refinable.mesh.triangles.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
-    close(&triangles, positions.position_count())
-}
-
-/// Codes a sequence on the closed surface of its positions; the patch of the terms is found here.
+/// Codes a sequence whose way down is known.
 pub(super) fn encode_chunks(
-    mut closed: Closed,
     refinable: &RefinableMesh,
-    batches: &[u32],
+    (descent, batches): (&Descent, &[u32]),
     (points, terms): (&Points, &Terms),
 ) -> Result<Chunks, BatchDefect> {
-    let has_more = !refinable.sequence.positions().is_identity() || refinable.mesh.groups.len() > 1;
-    let mut shown = has_more.then(|| ShownDown::new(&refinable.mesh, &closed.surface));
-    let undo = collapse_all(&mut closed, refinable, shown.as_mut())
-        .map_err(|(step, defect)| BatchDefect::Step { step, defect })?;
-    let shown = shown.map(|shown| shown.into_up(&undo, groups_of_triangles(&refinable.mesh)));
-    let (base, truth) = base_of(&closed, &undo, batches, (points, shown), refinable);
-    write(&undo, base, truth, terms)
+    let (base, truth) = base_of(descent, batches, points, refinable);
+    let terms = Terms { max_patch: descent.max_patch(), has_general: descent.has_general(), ..terms.clone() };
+    write(base, truth, (&terms, refinable.sequence.step_count()))
 }
 
 /// # Errors
@@ -104,14 +91,17 @@ pub(super) fn check_batches(batches: &[u32], step_count: usize) -> Result<(), Ba
     Err(BatchDefect::Cover { step_count })
 }
 
-fn write(undo: &[Undo], base: Base, mut truth: Truth<'_>, terms: &Terms) -> Result<Chunks, BatchDefect> {
-    let max_patch = undo.iter().map(|u| u.cut.length).max().unwrap_or(0);
+fn write(
+    base: Base,
+    mut truth: Truth<'_>,
+    (terms, step_count): (&Terms, usize),
+) -> Result<Chunks, BatchDefect> {
     let limits = BaseLimits {
         triangle_count: base.triangles.len() as u32,
         position_count: base.places.len() as u32,
         wedges_beyond: u32::MAX,
     };
-    let terms = Terms { max_patch, base: limits, ..terms.clone() };
+    let terms = Terms { base: limits, ..terms.clone() };
     let mut spent = [0.0; 4];
     let mut chunks = Vec::new();
     let mut writer = RangeWriter::new();
@@ -119,13 +109,14 @@ fn write(undo: &[Undo], base: Base, mut truth: Truth<'_>, terms: &Terms) -> Resu
     let mut refiner = Refiner::begin(&mut writer, &base, &terms, &mut truth)
         .unwrap_or_else(|defect| panic!("collapses keep a surface closed: {defect}"));
     push(&mut chunks, writer, (&refiner.growth, base.triangles.len()), &mut spent);
-    while truth.order.len() < undo.len() {
+    while truth.order.len() < step_count {
         let mut writer = RangeWriter::new();
-        code_chunk(&mut refiner, &mut writer, &mut truth, undo.len())?;
+        code_chunk(&mut refiner, &mut writer, &mut truth, step_count)?;
         push(&mut chunks, writer, (&refiner.growth, 0), &mut spent);
     }
     let Truth { order, source_vertex, base_positions, .. } = truth;
-    Ok(Chunks { chunks, max_patch, order, base_positions, source_vertex, spent })
+    let Terms { max_patch, has_general, .. } = terms;
+    Ok(Chunks { chunks, max_patch, has_general, order, base_positions, source_vertex, spent })
 }
 
 fn push(

@@ -13,7 +13,7 @@ pub(super) struct Closed {
     /// Virtual vertices first, then the copies: copy `i` is vertex `virtual_count + i`. Triangles of the mesh come
     /// first and in its order.
     pub(super) surface: Surface,
-    /// The vertex of the mesh that each copy stands for; the first copies are the vertices themselves.
+    /// The vertex of the mesh that each copy stands for; the first copies are the vertices that are used, in their order.
     pub(super) vertex_of_copy: Vec<u32>,
     /// True for vertices of the mesh that must stay: those of several copies, and the ends of cut edges that are no
     /// boundary.
@@ -36,6 +36,26 @@ pub(super) fn close(triangles: &[[u32; 3]], vertex_count: usize) -> Closed {
     let surface =
         Surface::from_opposites(&corners, &opposite, (copy_count + virtual_count) as usize, virtual_count);
     Closed { surface, vertex_of_copy, is_locked }
+}
+
+/// Cuts triangles over positions of which some may be in no triangle: these have no copy, and copies stand for positions.
+pub(super) fn close_used(triangles: &[[u32; 3]], position_count: usize) -> Closed {
+    let mut number = vec![NONE; position_count];
+    triangles.as_flattened().iter().for_each(|&p| number[p as usize] = 0);
+    let used: Vec<u32> = (0..position_count as u32).filter(|&p| number[p as usize] == 0).collect();
+    if used.len() == position_count {
+        return close(triangles, position_count);
+    }
+    (0..).zip(&used).for_each(|(new, &p)| number[p as usize] = new);
+    let dense: Vec<[u32; 3]> = triangles.iter().map(|t| t.map(|p| number[p as usize])).collect();
+    let Closed { surface, vertex_of_copy, is_locked: locked } = close(&dense, used.len());
+    let mut is_locked = vec![true; position_count];
+    used.iter().zip(locked).for_each(|(&p, locked)| is_locked[p as usize] = locked);
+    Closed {
+        surface,
+        vertex_of_copy: vertex_of_copy.iter().map(|&v| used[v as usize]).collect(),
+        is_locked,
+    }
 }
 
 /// Pairs the half-edges that are manifold; the ends of edges of more than two triangles, or of two that run the same

@@ -196,6 +196,7 @@ impl StreamDecoder {
         let Some(head) = &self.head else { return Ok(()) };
         let terms = Terms {
             version: head.version,
+            has_general: head.has_general,
             effort: head.effort,
             grid: head.grid,
             is_exact: head.is_exact,

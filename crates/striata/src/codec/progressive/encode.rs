@@ -3,8 +3,8 @@
 use super::super::EncodeError;
 use super::{Effort, StreamVersion};
 use super::base_coder::BaseLimits;
-use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_chunks};
-use super::cutting::Closed;
+use super::chunks::{BatchDefect, Chunks, check_batches, encode_chunks};
+use super::descent::Descent;
 use super::grid::{GridError, PositionGrid};
 use super::head::{GroupName, Head, MOST_NUMBERS, Row};
 use super::layer_model::LayerValues;
@@ -166,6 +166,7 @@ pub fn encode_stream(
     let position_count = points.places.len() as u32;
     let terms = Terms {
         version: options.version,
+        has_general: false,
         effort: options.effort,
         grid,
         is_exact,
@@ -176,13 +177,16 @@ pub fn encode_stream(
         group_count: refinable.mesh.groups.len() as u32,
         layers: forms,
     };
-    let closed = close_positions(refinable);
-    let first = first_batch(&terms, &closed, batches);
+    let mut descent = Descent::new(refinable, batches, terms.version)?;
+    let first = first_batch(&terms, &descent);
     let shortened = (first > 0).then(|| refinable.clone().without_levels_below(batches[first] as usize));
     let refinable = shortened.as_ref().unwrap_or(refinable);
     let batches: Vec<u32> = batches[first..].iter().map(|n| n - batches[first]).collect();
     let batches = batches.as_slice();
-    let chunks = encode_chunks(closed, refinable, batches, (&points, &terms))?;
+    if first > 0 {
+        descent = Descent::new(refinable, batches, terms.version)?;
+    }
+    let chunks = encode_chunks(refinable, (&descent, batches), (&points, &terms))?;
     let head = head_of(refinable, batches, &chunks, (options, &terms)).to_bytes()?;
     let mut bytes = head;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
@@ -193,16 +197,12 @@ pub fn encode_stream(
     Ok(EncodedStream { bytes, sizes, source_vertex: source_vertices(refinable, &chunks) })
 }
 
-/// The batch to begin with: earlier ones go to the base where there are too many that split next to nothing, as
-/// where most of a mesh is not manifold.
-fn first_batch(terms: &Terms, closed: &Closed, batches: &[u32]) -> usize {
+/// The batch to begin with: earlier ones go to the base where there are too many that bring next to nothing.
+fn first_batch(terms: &Terms, descent: &Descent) -> usize {
     let mut visits_left = terms.most_visits();
-    let step_count = batches.last().copied().unwrap_or(0);
-    let mut first = batches.len().saturating_sub(1);
+    let mut first = descent.visits.len();
     while first > 0 {
-        let gone = u64::from(step_count.saturating_sub(batches[first - 1]));
-        let visits = (closed.surface.vertex_count() as u64).saturating_sub(gone);
-        let Some(left) = visits_left.checked_sub(visits) else { break };
+        let Some(left) = visits_left.checked_sub(descent.visits[first - 1]) else { break };
         visits_left = left;
         first -= 1;
     }
@@ -259,6 +259,7 @@ fn head_of(
         triangle_count: mesh.triangle_count() as u32,
         step_count: sequence.step_count() as u32,
         max_patch: chunks.max_patch,
+        has_general: chunks.has_general,
         grid: terms.grid,
         layers: terms.layers.clone(),
         groups: mesh.groups.iter().map(group).collect(),

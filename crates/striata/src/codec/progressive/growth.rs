@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::base::Base;
+use super::general::CodedStep;
 use super::surface::{NONE, Surface, next, triangle_of};
 use super::wedges::SplitWedges;
 
@@ -88,6 +89,42 @@ impl Growth {
     pub(super) fn group(&self, surface: &Surface, triangle: u32) -> Option<u32> {
         let label = surface.label(triangle);
         (label != NONE).then(|| self.groups.get(label as usize).copied().unwrap_or(0))
+    }
+
+    /// The position of a vertex of the surface that is not virtual.
+    pub(super) fn position_of(&self, surface_vertex: u32) -> u32 {
+        self.position_of[surface_vertex as usize]
+    }
+
+    /// The position of each vertex of the mesh.
+    pub(super) fn positions_of_vertices(&self) -> Vec<u32> {
+        let wedges = self.first_vertex.windows(2).zip(0..);
+        wedges.flat_map(|(w, position)| std::iter::repeat_n(position, (w[1] - w[0]) as usize)).collect()
+    }
+
+    /// The surface was built anew: its virtual vertices are so many, and the others are at these positions.
+    pub(super) fn renumber(&mut self, virtual_count: usize, positions: &[u32]) {
+        self.position_of = std::iter::repeat_n(NONE, virtual_count).chain(positions.iter().copied()).collect();
+    }
+
+    /// Adds the position of a general step; the surface does not show it before it is built anew.
+    pub(super) fn add_general(&mut self, position: [f32; 3], step: &CodedStep) {
+        let first = self.vertex_count();
+        self.targets.extend_from_slice(&step.targets);
+        self.begin_position(step.targets.len() as u32, position);
+        for (&corner, &wedge) in step.fan.iter().zip(&step.wedges) {
+            self.triangles[corner as usize / 3][corner as usize % 3] = first + wedge;
+            self.changed.push(corner / 3);
+        }
+        let wedges = &step.wedges[step.fan.len()..];
+        for (at, born) in step.born.iter().enumerate() {
+            let [split, third] = step.others[at];
+            self.triangles.push(born.ordered([first + wedges[at], split, third]));
+            if self.group_count > 1 {
+                self.groups.push(step.groups[at]);
+            }
+        }
+        self.added.push(step.born.len() as u8);
     }
 
     fn push(&mut self, surface: &mut Surface, triangle: u32, shown: [u32; 3], group: u32) {

@@ -4,7 +4,7 @@
 //! 0   4 bytes  89 53 54 52
 //! 4   u8       version, 1 or 2
 //! 5   u8       effort
-//! 6   u16      flags; bit 0: positions are exact
+//! 6   u16      flags; bit 0: positions are exact; bit 1, from version 2 on: there are general batches
 //! 8   u32      length of the head, these 16 bytes included
 //! 12  u32      CRC-32 of the head, this field left out
 //! 16           counts, grid, layers, groups, appearance, metadata, chunks
@@ -26,6 +26,7 @@ const NEWEST: u8 = 2;
 /// Bytes of the head that are always there.
 pub(super) const FIXED_BYTES: usize = 16;
 const EXACT: u16 = 1;
+const GENERAL: u16 = 2;
 /// A chunk may hold so many splits a byte and for one byte more; a writer that needs less appends zeros.
 const MAX_SPLITS_A_BYTE: u64 = 256;
 /// The same of the triangles of the base.
@@ -86,6 +87,8 @@ pub(super) struct Head {
     pub(super) triangle_count: u32,
     pub(super) step_count: u32,
     pub(super) max_patch: u32,
+    /// Whether there are general batches.
+    pub(super) has_general: bool,
     pub(super) grid: PositionGrid,
     pub(super) layers: Vec<LayerForm>,
     pub(super) groups: Vec<GroupName>,
@@ -158,7 +161,8 @@ impl Head {
             StreamVersion::Two => 2,
         };
         out.extend([version, effort]);
-        out.extend((if self.is_exact { EXACT } else { 0 }).to_le_bytes());
+        let flags = if self.is_exact { EXACT } else { 0 } | if self.has_general { GENERAL } else { 0 };
+        out.extend(flags.to_le_bytes());
         out.extend([0; 8]);
         let counts = [self.position_count, self.vertex_count, self.triangle_count, self.step_count];
         counts.into_iter().chain([self.max_patch]).for_each(|n| write_varint(n, &mut out));
@@ -226,7 +230,9 @@ impl Head {
             _ => return Err(reader.malformed("unknown effort")),
         };
         let flags = reader.bytes(2)?;
-        if flags[0] > 1 || flags[1] != 0 {
+        let flags = u16::from_le_bytes([flags[0], flags[1]]);
+        let known = if version == StreamVersion::One { EXACT } else { EXACT | GENERAL };
+        if flags & !known != 0 {
             return Err(reader.malformed("unknown flags"));
         }
         reader.bytes(8)?;
@@ -269,7 +275,8 @@ impl Head {
             length: bytes.len() as u64,
             version,
             effort,
-            is_exact: flags[0] & 1 != 0,
+            is_exact: flags & EXACT != 0,
+            has_general: flags & GENERAL != 0,
             position_count,
             vertex_count,
             triangle_count,

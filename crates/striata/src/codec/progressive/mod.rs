@@ -12,10 +12,13 @@ mod chunks;
 mod connectivity;
 mod cutting;
 mod decode;
+mod descent;
 mod direction_model;
 mod directions;
 mod encode;
 mod facts;
+mod general;
+mod general_stage;
 mod grid;
 mod growth;
 mod head;
@@ -30,9 +33,8 @@ mod refiner;
 mod residuals;
 mod ring_fit;
 mod rings;
-mod shown;
-mod splits;
 mod surface;
+mod surface_stage;
 mod truth;
 mod walk;
 mod wedges;
@@ -46,7 +48,7 @@ pub use facts::StreamFacts;
 pub use grid::GridError;
 pub use head::STREAM_MAGIC;
 pub use layers::{LayerBitsError, LayerOptions};
-pub use splits::StepDefect;
+pub use surface_stage::StepDefect;
 pub use surface::SurfaceDefect;
 
 /// How hard the coder tries.
@@ -125,6 +127,12 @@ pub enum StreamDefect {
         found: u64,
         /// What was promised.
         expected: u64,
+    },
+    /// A step brings a triangle that has two corners at one position.
+    #[error("step {step} brings a triangle without three different corners")]
+    Step {
+        /// The step, from 0.
+        step: usize,
     },
     /// A batch splits nothing, so that the stream would never end.
     #[error("batch {batch} splits no vertex")]

@@ -80,6 +80,16 @@ impl QuickModel {
         }
     }
 
+    /// The surface was built anew; entry `i` is what its vertex `i` was called before, or none.
+    pub(super) fn renumber(&mut self, surface: &Surface, old_of_new: &[u32]) {
+        let kept = |(new, &old): (u32, &u32)| {
+            let triangles = surface.ring(new).take(255).count() as u8;
+            let before = self.kept.get(old as usize).copied();
+            Kept { triangles, ..before.unwrap_or(Kept { made: self.batch, split: self.batch, ..Kept::default() }) }
+        };
+        self.kept = (0..).zip(old_of_new).map(kept).collect();
+    }
+
     /// A batch begins.
     pub(super) fn begin_batch(&mut self, surface: &Surface) {
         self.batch = self.batch.wrapping_add(1);

@@ -11,6 +11,7 @@ use super::base::Base;
 use super::base_coder::{BaseLimits, BaseOrder, code_base};
 use super::connectivity::{ConnectivityModel, Scene};
 use super::grid::{CorrectionModel, PositionGrid};
+use super::general::{CodedStep, General, KnownStep};
 use super::growth::Growth;
 use super::hood::Hood;
 use super::layer_model::LayerValues;
@@ -33,6 +34,8 @@ const GROUP: usize = 24;
 pub(super) struct Terms {
     /// What the bits mean.
     pub(super) version: StreamVersion,
+    /// Whether there are general batches.
+    pub(super) has_general: bool,
     /// How hard models try.
     pub(super) effort: Effort,
     /// The grid of positions.
@@ -95,6 +98,14 @@ pub(super) trait Source {
     fn place(&self, vertex: u32) -> [i32; 3];
     /// Where a vertex is exactly, mesh units.
     fn exact(&self, vertex: u32) -> [f32; 3];
+    /// Steps of the batch that has begun, if it is a general one; else 0.
+    fn general_count(&self) -> u32;
+    /// The next step of a general batch.
+    fn general_step(&mut self) -> KnownStep;
+    /// That step has been done.
+    fn born_general(&mut self, step: &CodedStep);
+    /// A general batch has ended, and the surface has been built anew.
+    fn rebuilt(&mut self, surface: &Surface);
 }
 
 /// A reader's source: nothing is known.
@@ -133,6 +144,14 @@ impl Source for Unknown {
     fn exact(&self, _: u32) -> [f32; 3] {
         [0.0; 3]
     }
+    fn general_count(&self) -> u32 {
+        0
+    }
+    fn general_step(&mut self) -> KnownStep {
+        KnownStep::default()
+    }
+    fn born_general(&mut self, _: &CodedStep) {}
+    fn rebuilt(&mut self, _: &Surface) {}
 }
 
 /// How a stretch of the stream ended.
@@ -146,7 +165,7 @@ pub(super) enum Ended {
 
 /// Who is asked which vertices split.
 #[derive(Clone, Debug)]
-enum Connectivity {
+pub(super) enum Connectivity {
     /// All that is around a vertex is looked at.
     Thorough(Box<ConnectivityModel>),
     /// Next to nothing is.
@@ -156,26 +175,28 @@ enum Connectivity {
 /// A surface under refinement, with all models.
 #[derive(Clone, Debug)]
 pub(super) struct Refiner {
-    surface: Surface,
+    pub(super) surface: Surface,
     /// Grid coordinates by vertex of the surface.
-    places: Vec<[i32; 3]>,
-    walk: Walk,
-    is_in_batch: bool,
+    pub(super) places: Vec<[i32; 3]>,
+    pub(super) walk: Walk,
+    pub(super) is_in_batch: bool,
     splits_in_batch: usize,
     /// Vertices that may still be asked.
     visits_left: u64,
     max_patch: u32,
-    grid: PositionGrid,
-    connectivity: Connectivity,
-    positions: PositionModel,
+    pub(super) grid: PositionGrid,
+    pub(super) connectivity: Connectivity,
+    pub(super) positions: PositionModel,
     /// What grid coordinates lack, where positions are exact.
-    corrections: Option<CorrectionModel>,
+    pub(super) corrections: Option<CorrectionModel>,
     /// What corners show, where positions have several vertices or triangles several groups.
-    wedges: Option<WedgeModel>,
+    pub(super) wedges: Option<WedgeModel>,
     told: SplitWedges,
     /// Vertices beyond one a position that there may be; a reader's bytes cannot tell more.
-    most_wedges: u64,
-    attributes: Option<Attributes>,
+    pub(super) most_wedges: u64,
+    pub(super) attributes: Option<Attributes>,
+    /// Where there are general batches.
+    pub(super) general: Option<General>,
     /// Corners of the patches of splits that are still to be done, and where each one's end.
     patches: Vec<u32>,
     pending: Vec<u32>,
@@ -258,6 +279,7 @@ impl Refiner {
             told: SplitWedges::default(),
             most_wedges: terms.base.wedges_beyond.into(),
             attributes,
+            general: terms.has_general.then(|| General::new(base.places.clone())),
             patches: Vec::new(),
             pending: Vec::new(),
             corners: Vec::new(),
@@ -275,19 +297,20 @@ impl Refiner {
         most: usize,
     ) -> Result<Ended, StreamDefect> {
         if !self.is_in_batch {
-            let visits = self.surface.vertex_count() as u64;
-            let Some(left) = self.visits_left.checked_sub(visits) else {
-                return Err(StreamDefect::Batches { batch_count: self.walk.batch() });
-            };
-            self.visits_left = left;
+            self.spend_visits(self.surface.vertex_count() as u64)?;
+            source.begin_batch();
+            self.is_in_batch = true;
+            if self.begin_general(coder, source)? {
+                return self.general_stretch(coder, source, most);
+            }
             self.walk.begin(&self.surface);
             match &mut self.connectivity {
                 Connectivity::Thorough(model) => model.begin_batch(&self.surface, self.walk.end()),
                 Connectivity::Quick(model) => model.begin_batch(&self.surface),
             }
-            source.begin_batch();
-            self.is_in_batch = true;
             self.splits_in_batch = 0;
+        } else if self.general.as_ref().is_some_and(General::is_under_way) {
+            return self.general_stretch(coder, source, most);
         }
         coder.part(Part::Connectivity);
         self.connectivity(coder, source, most.min(STRETCH));
@@ -316,6 +339,16 @@ impl Refiner {
             }
         }
         Ok(Ended::Whole)
+    }
+
+    /// Notes that so many vertices or triangles are looked at.
+    ///
+    /// # Errors
+    /// Where they are too many for so few splits.
+    pub(super) fn spend_visits(&mut self, visits: u64) -> Result<(), StreamDefect> {
+        let batch_count = self.walk.batch();
+        self.visits_left = self.visits_left.checked_sub(visits).ok_or(StreamDefect::Batches { batch_count })?;
+        Ok(())
     }
 
     /// Which vertices split and how, until there are `most` or the batch is done.
@@ -474,6 +507,9 @@ impl Refiner {
             None => self.grid.place(place),
         };
         self.places.push(place);
+        if let Some(general) = &mut self.general {
+            general.push_place(place);
+        }
         coder.part(Part::Attributes);
         self.shown(coder, source, vertex);
         let is_full =
@@ -573,6 +609,6 @@ fn take(surface: &mut Surface, (patches, ends): (&mut Vec<u32>, &mut Vec<u32>), 
 }
 
 /// A writer's layers and the vertex there.
-fn actual_layers<C: Coder>(source: &impl Source, vertex: u32) -> Actual<'_> {
+pub(super) fn actual_layers<C: Coder>(source: &impl Source, vertex: u32) -> Actual<'_> {
     (!C::READS).then(|| (source.layers(), vertex))
 }

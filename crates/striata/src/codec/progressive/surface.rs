@@ -304,6 +304,28 @@ impl Surface {
     }
 }
 
+impl Surface {
+    /// Takes a collapse back, the last one that was done; all numbers are as they were before.
+    pub(super) fn take_back(&mut self, undo: &Undo) {
+        let [a, b] = undo.gone;
+        let vertex = self.vertex(a);
+        let mut corner = undo.cut.first;
+        let mut patch = Vec::with_capacity(undo.cut.length as usize);
+        for _ in 0..undo.cut.length {
+            patch.push(corner);
+            corner = self.swing(corner);
+        }
+        patch.iter().for_each(|&corner| self.corners[corner as usize].vertex = vertex);
+        // A and B still know who was beside them.
+        for corner in [a, next(a), b, previous(b)] {
+            let beside = self.opposite(corner);
+            self.corners[beside as usize].opposite = corner;
+        }
+        self.corner_of[vertex as usize] = a;
+        self.corner_of[undo.kept as usize] = next(a);
+    }
+}
+
 /// # Errors
 /// Where the triangles at an edge do not name each other, or do not run along it in opposite directions.
 fn check_edges(triangles: &[[u32; 3]], opposite: &[u32]) -> Result<(), SurfaceDefect> {

@@ -56,6 +56,12 @@ impl Walk {
         self.seen.resize(self.end as usize, 0);
     }
 
+    /// The surface was built anew; entry `i` is what its vertex `i` was called before, or none.
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        let seen = |&old: &u32| self.seen.get(old as usize).copied().unwrap_or(0);
+        self.seen = old_of_new.iter().map(seen).collect();
+    }
+
     /// The number of the batch, from 1.
     pub(super) fn batch(&self) -> u32 {
         self.batch

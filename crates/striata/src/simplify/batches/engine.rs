@@ -4,6 +4,9 @@
 //! rings only: they are judged again before the next one. Elsewhere only the link of a target may have changed, so
 //! whether a collapse is allowed is looked at again when it is its turn; a position whose target is taken already, or no
 //! longer allowed, gets its next best one if that is still among the cheap.
+//!
+//! A position that no batch of a surface can take, because it is not manifold or each of its collapses would change the topology,
+//! waits for a general batch (`general.rs`).
 
 use std::ops::ControlFlow;
 
@@ -11,8 +14,9 @@ use crate::mesh::Welded;
 use crate::simplify::course::Course;
 use crate::simplify::engine::scaled_positions;
 use crate::simplify::finish::Record;
-use crate::simplify::judge::{Choice, Judge, Memory};
-use crate::simplify::options::{SimplifyError, StopReason};
+use crate::simplify::judge::{Choice, Judge, Memory, Tier};
+use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
+use crate::simplify::relaxation::Relaxation;
 use crate::{Cancelled, Progress, ProgressFn};
 
 use super::options::BatchOptions;
@@ -31,23 +35,32 @@ pub(super) struct Outcome {
 
 /// All state of one simplification in batches.
 pub(super) struct Engine<'a> {
-    options: &'a BatchOptions,
-    judge: Judge<'a>,
-    course: Course,
+    pub(super) options: &'a BatchOptions,
+    pub(super) judge: Judge<'a>,
+    pub(super) course: Course,
     taste: Taste,
+    pub(super) relaxation: Relaxation<'a>,
     /// The best target of each position, where there is one; those of positions to be judged again are out of date.
-    choices: Vec<Option<Choice>>,
-    /// Positions that may be removed at all: manifold in the full mesh, not locked.
-    is_removable: Vec<bool>,
+    pub(super) choices: Vec<Option<Choice>>,
+    /// Positions whose choice only a general batch can carry out.
+    pub(super) is_general: Vec<bool>,
+    /// Positions that a batch of the surface may remove: manifold after the last general batch, not locked.
+    pub(super) is_removable: Vec<bool>,
     /// Positions whose stars have changed, each once.
     changed: Vec<u32>,
     is_changed: Vec<bool>,
     candidates: Vec<(f32, u32)>,
+    /// Choices that wait for a general batch and cost no more than those of the last batch.
+    pub(super) waiting: Vec<(f32, u32)>,
+    /// What candidates of the last batch could cost at most.
+    pub(super) dearest: f32,
+    /// Positions that were left after the last general batch.
+    pub(super) left_after_general: usize,
     selection: Selection,
     /// Whether the last batch met choices that are no longer allowed.
     was_out_of_date: bool,
     ends: Vec<u32>,
-    error: f32,
+    pub(super) error: f32,
 }
 
 impl<'a> Engine<'a> {
@@ -55,23 +68,30 @@ impl<'a> Engine<'a> {
         let scaled = scaled_positions(welded);
         let (position_count, scale) = (scaled.0.len(), scaled.1);
         let judge = Judge::new(welded, &options.sequence, scaled);
-        let removable = |v: u32| surface::is_manifold(&judge.links, v) && !judge.is_fixed(v);
-        let is_removable = (0..position_count as u32).map(removable).collect();
-        Self {
+        let rule = if options.general { options.sequence.topology } else { TopologyRule::Keep };
+        let mut engine = Self {
             options,
             course: Course::new(welded, scale, judge.is_closed_scan()),
             taste: Taste::new(options, scale),
+            relaxation: Relaxation::new(welded, rule),
             choices: vec![None; position_count],
-            is_removable,
+            is_general: vec![false; position_count],
+            is_removable: vec![false; position_count],
             changed: (0..position_count as u32).collect(),
             is_changed: vec![true; position_count],
             candidates: Vec::new(),
+            waiting: Vec::new(),
+            dearest: 0.0,
+            left_after_general: position_count,
             selection: Selection::new(position_count),
             was_out_of_date: false,
             ends: Vec::new(),
             error: 0.0,
             judge,
-        }
+        };
+        engine.find_removable();
+        engine.prepare_general();
+        engine
     }
 
     /// Batch after batch until nothing can be removed, the base is reached, batches get too small or an error limit forbids
@@ -86,17 +106,21 @@ impl<'a> Engine<'a> {
             self.taste.fade(all - self.course.record.removed.len(), all);
             self.judge_changed();
             let before = self.course.record.removed.len();
-            let stopped = self.do_batch();
-            let done = self.course.record.removed.len();
-            if done > before {
-                self.course.record.errors.resize(done, self.error);
-                self.ends.push(done as u32);
+            let mut stopped = self.do_batch();
+            let taken = self.end_batch(before);
+            if stopped.is_none() && self.is_general_due(taken) {
+                let before = self.course.record.removed.len();
+                stopped = self.general_batch();
+                if self.end_batch(before) > 0 {
+                    self.find_removable();
+                }
             }
             if let Some(stop_reason) = stopped {
                 break stop_reason;
             }
+            let done = self.course.record.removed.len();
             // Positions that were found out of date are judged again before that says anything.
-            if done - before < self.options.least_batch.max(1) && !self.was_out_of_date {
+            if done - before < self.options.least_batch.max(1) && !self.was_out_of_date && !self.relax_at_last() {
                 break StopReason::BaseReached;
             }
             let report = Progress { phase: "simplify", done: done as u64, total };
@@ -107,19 +131,46 @@ impl<'a> Engine<'a> {
         Ok(Outcome { record: self.course.record, ends: self.ends, stop_reason })
     }
 
-    fn is_base_reached(&self) -> bool {
+    /// Closes a batch that began after so many collapses; gives how many it has.
+    fn end_batch(&mut self, before: usize) -> usize {
+        let done = self.course.record.removed.len();
+        if done > before {
+            self.course.record.errors.resize(done, self.error);
+            self.ends.push(done as u32);
+        }
+        done - before
+    }
+
+    /// Finds the positions that batches of the surface may remove from now on; those for which that changes are judged again.
+    fn find_removable(&mut self) {
+        for v in 0..self.is_removable.len() as u32 {
+            let is_removable = surface::is_manifold(&self.judge.links, v) && !self.judge.is_fixed(v);
+            if std::mem::replace(&mut self.is_removable[v as usize], is_removable) != is_removable {
+                self.note_change(v);
+            }
+        }
+    }
+
+    pub(super) fn is_base_reached(&self) -> bool {
         self.course.triangle_count <= self.options.sequence.base_triangle_count
     }
 
     /// Finds the best targets of all whose stars have changed.
-    fn judge_changed(&mut self) {
+    pub(super) fn judge_changed(&mut self) {
         let changed = std::mem::take(&mut self.changed);
         for &v in &changed {
             self.is_changed[v as usize] = false;
-            self.choices[v as usize] = self.choice_of(v, |_| true);
+            self.choose(v);
         }
         self.changed = changed;
         self.changed.clear();
+    }
+
+    /// Judges a position: the best that a batch of the surface can do with it, or else a general one.
+    pub(super) fn choose(&mut self, v: u32) {
+        let choice = self.choice_of(v, |_| true);
+        self.is_general[v as usize] = choice.is_none();
+        self.choices[v as usize] = choice.or_else(|| self.general_choice(v));
     }
 
     /// The cheapest target of `v` among those that `is_free` admits.
@@ -151,13 +202,15 @@ impl<'a> Engine<'a> {
         let costs = self.choices.iter().zip(0..).filter_map(|(choice, v)| Some((choice.as_ref()?.cost, v)));
         candidates.extend(costs);
         keep_cheapest(&mut candidates, self.options.share);
-        let dearest = candidates.last().map_or(0.0, |last| last.0);
+        self.dearest = candidates.last().map_or(0.0, |last| last.0);
+        self.waiting.clear();
+        self.waiting.extend(candidates.extract_if(.., |&mut (_, v)| self.is_general[v as usize]));
         self.selection.begin();
         self.selection.bring_forward_lonely(&mut candidates, &self.judge.links);
         self.was_out_of_date = false;
         let mut stopped = None;
         for &(_, v) in &candidates {
-            stopped = self.take(v, dearest);
+            stopped = self.take(v);
             if stopped.is_some() {
                 break;
             }
@@ -166,22 +219,52 @@ impl<'a> Engine<'a> {
         stopped
     }
 
-    /// Removes `v` if nothing of the batch stands against it and it costs no more than `dearest`.
-    fn take(&mut self, v: u32, dearest: f32) -> Option<StopReason> {
+    /// Removes `v` if nothing of the batch stands against it and it costs no more than the dearest candidate.
+    fn take(&mut self, v: u32) -> Option<StopReason> {
         if !self.selection.is_free(v) {
             return None;
         }
-        let choice = self.choice_in_batch(v).filter(|choice| choice.cost <= dearest)?;
-        let error = self.course.collapse(&mut self.judge, v, &choice).min(f64::from(f32::MAX)) as f32;
-        if self.options.sequence.max_error.is_some_and(|limit| f64::from(error) > limit) {
-            self.course.forget_last();
-            return Some(StopReason::ErrorLimit);
+        let choice = self.choice_in_batch(v)?;
+        let choice = self.measured(v, choice).filter(|choice| choice.cost <= self.dearest)?;
+        if let Err(stop_reason) = self.collapse(v, &choice) {
+            return Some(stop_reason);
         }
-        self.error = self.error.max(error);
-        self.choices[v as usize] = None;
         self.selection.take(choice.target, &self.course.ring);
         self.note_changes(choice.target);
         self.is_base_reached().then_some(StopReason::TargetReached)
+    }
+
+    /// Carries a choice out.
+    ///
+    /// # Errors
+    /// Where the error would exceed its limit: then it is as if nothing had been done, but for no batch to follow.
+    pub(super) fn collapse(&mut self, v: u32, choice: &Choice) -> Result<(), StopReason> {
+        let error = self.course.collapse(&mut self.judge, v, choice).min(f64::from(f32::MAX)) as f32;
+        if self.options.sequence.max_error.is_some_and(|limit| f64::from(error) > limit) {
+            self.course.forget_last();
+            return Err(StopReason::ErrorLimit);
+        }
+        self.error = self.error.max(error);
+        self.choices[v as usize] = None;
+        Ok(())
+    }
+
+    /// The choice with how far it lies from the original mesh, if that may be farther than anything so far. Costs know only the
+    /// current mesh, so the choice may become dearer by that; it is kept with its new cost.
+    pub(super) fn measured(&mut self, v: u32, mut choice: Choice) -> Option<Choice> {
+        if choice.tier != Tier::Strict || choice.outward.is_some() || !self.judge.is_measured_outward() {
+            return Some(choice);
+        }
+        let worst = self.course.worst();
+        let edge = (v, choice.target);
+        choice.outward = self.judge.outward_ahead(edge, choice.protrusion_squared, worst);
+        let inward = self.course.witness_ahead(&mut self.judge, edge, choice.distance_squared).unwrap_or(0.0);
+        let ahead = inward.max(choice.outward.map_or(0.0, |outward| outward * outward));
+        if ahead > worst {
+            choice.cost += self.judge.distance_cost(v, ahead);
+            self.choices[v as usize] = Some(choice);
+        }
+        Some(choice)
     }
 
     /// The best target of `v` that the batch leaves free.
@@ -202,7 +285,7 @@ impl<'a> Engine<'a> {
     }
 
     /// Notes whose star has changed, and who sees the quadric of `u` grow.
-    fn note_changes(&mut self, u: u32) {
+    pub(super) fn note_changes(&mut self, u: u32) {
         let ring = std::mem::take(&mut self.course.ring);
         ring.iter().for_each(|&w| self.note_change(w));
         self.course.ring = ring;
@@ -213,7 +296,7 @@ impl<'a> Engine<'a> {
         }
     }
 
-    fn note_change(&mut self, v: u32) {
+    pub(super) fn note_change(&mut self, v: u32) {
         if !std::mem::replace(&mut self.is_changed[v as usize], true) {
             self.changed.push(v);
         }

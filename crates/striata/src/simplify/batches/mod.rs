@@ -20,6 +20,7 @@
 //! that of one at a time; at the default share five or six batches for each factor e in size.
 
 mod engine;
+mod general;
 mod options;
 mod select;
 mod surface;

@@ -7,8 +7,14 @@ use crate::simplify::options::{SequenceOptions, SimplifyError};
 #[non_exhaustive]
 pub struct BatchOptions {
     /// What orders the collapses and what they must respect; `pair_distance` must be none or 0, since parts that do not touch
-    /// cannot be split in batches. Batches always keep the topology, whatever `topology` says, so their bases may be large.
+    /// cannot be split in batches.
     pub sequence: SequenceOptions,
+    /// Whether there are general batches as well, whose collapses are done one after another and may be any: where the mesh is not
+    /// manifold, and where the topology changes, as far as `sequence.topology` lets it. Default true; without them, the base of a
+    /// mesh of many parts is large.
+    pub general: bool,
+    /// No general batch begins once this many triangles are left, since its steps take many bits; default 300.
+    pub general_floor: usize,
     /// Each batch takes from the cheapest of the removable positions only: this share of them, over 0 and up to 1; default 0.35.
     /// More makes fewer, larger batches, which are coded in fewer bits, and worse levels.
     pub share: f64,
@@ -32,6 +38,8 @@ impl Default for BatchOptions {
     fn default() -> Self {
         Self {
             sequence: SequenceOptions::default(),
+            general: true,
+            general_floor: 300,
             share: 0.35,
             shape_step: None,
             max_valence: 7,
@@ -71,6 +79,14 @@ impl BatchOptions {
     /// Sets [`Self::sequence`].
     pub fn with_sequence(self, sequence: SequenceOptions) -> Self {
         Self { sequence, ..self }
+    }
+    /// Sets [`Self::general`].
+    pub fn with_general(self, general: bool) -> Self {
+        Self { general, ..self }
+    }
+    /// Sets [`Self::general_floor`].
+    pub fn with_general_floor(self, general_floor: usize) -> Self {
+        Self { general_floor, ..self }
     }
     /// Sets [`Self::share`].
     pub fn with_share(self, share: f64) -> Self {

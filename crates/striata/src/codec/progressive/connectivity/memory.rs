@@ -76,6 +76,17 @@ impl Memory {
         self.begins = [count as u32, self.begins[0], self.begins[1]];
     }
 
+    /// The surface was built anew; entry `i` is what its vertex `i` was called before, or none.
+    pub(super) fn renumber(&mut self, surface: &Surface, old_of_new: &[u32]) {
+        let trace = |(new, &old): (u32, &u32)| {
+            let valence = surface.ring(new).take(255).count() as u8;
+            Trace { valence, ..self.traces.get(old as usize).copied().unwrap_or(Trace::NEW) }
+        };
+        self.traces = (0..).zip(old_of_new).map(trace).collect();
+        // Numbers no longer say when a vertex was made.
+        self.begins = [old_of_new.len() as u32; 3];
+    }
+
     /// What is remembered of a vertex.
     #[inline]
     pub(super) fn trace(&self, vertex: u32) -> Trace {

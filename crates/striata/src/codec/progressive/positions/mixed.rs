@@ -13,6 +13,9 @@ use super::sight::{FEATURES, Sight, normal_order};
 /// Logarithms of half the widths of bumps, along the surface and across it, in local units.
 type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
 
+/// The errors of a vertex of which nothing is known.
+const UNKNOWN: [u8; 2] = [7; 2];
+
 /// A model of positions with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
 pub(super) struct MixedModel<
@@ -42,6 +45,12 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTO
             blends: [[Blend::new(std::array::from_fn(|k| if k < KINDS { 10_000 } else { 0 })); 4]; 2],
             errors: Vec::new(),
         }
+    }
+
+    /// The surface was built anew; entry `i` is what its vertex `i` was called before, or none.
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        let errors = |&old: &u32| self.errors.get(old as usize).copied().unwrap_or(UNKNOWN);
+        self.errors = old_of_new.iter().map(errors).collect();
     }
 
     /// Codes the place of a new vertex.
@@ -92,7 +101,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTO
     }
 
     fn note(&mut self, vertex: u32, errors: [u32; 2]) {
-        self.errors.resize(vertex as usize, [7; 2]);
+        self.errors.resize(vertex as usize, UNKNOWN);
         self.errors
             .push(errors.map(|error| (error * 1024 / self.sight.local.radius as u32 + 1).ilog2() as u8));
     }

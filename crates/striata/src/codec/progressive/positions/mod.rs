@@ -58,6 +58,15 @@ impl PositionModel {
         })
     }
 
+    /// The surface was built anew; entry `i` is what its vertex `i` was called before, or none.
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        match &mut self.0 {
+            Model::One(_) => {}
+            Model::Some(model) => model.renumber(old_of_new),
+            Model::All(model) => model.renumber(old_of_new),
+        }
+    }
+
     /// Codes the place of the new vertex; a reader ignores `actual`.
     pub(super) fn code<C: Coder>(&mut self, coder: &mut C, hood: &Hood<'_>, actual: [i32; 3]) -> [i32; 3] {
         match &mut self.0 {
