@@ -176,7 +176,7 @@ fn check_each(meshes: Vec<Named>, ways: &[(&str, BatchOptions)]) {
 #[test]
 fn batches_keep_their_promises_on_all_meshes() {
     let ways = [
-        ("default", BatchOptions::default()),
+        ("default", on_the_surface()),
         ("to the end", to_the_end()),
         ("all at once", to_the_end().with_share(1.0).with_max_valence(12)),
         ("shape", to_the_end().with_shape_step(Some(0.05)).with_max_valence(6)),
@@ -230,7 +230,7 @@ fn surfaces_shrink_to_small_bases() {
         (with_patches(shapes::torus(60, 40, 2.0, 0.7), 600), 700),
     ];
     for (mesh, most) in cases {
-        let built = build(&mesh, &BatchOptions::default());
+        let built = build(&mesh, &on_the_surface());
         let sequence = &built.built.refinable.sequence;
         let left = sequence.base_position_count();
         assert!(left <= most, "{left} positions are left of {}", sequence.positions().position_count());
@@ -244,7 +244,7 @@ fn surfaces_shrink_to_small_bases() {
 fn limits_are_kept() {
     let mesh = rough(shapes::torus(40, 30, 2.0, 0.7), 0.01, 5);
     let sequence = || SequenceOptions::default();
-    let limited = |sequence| build(&mesh, &BatchOptions::default().with_sequence(sequence)).built;
+    let limited = |sequence| build(&mesh, &on_the_surface().with_sequence(sequence)).built;
     let base = limited(sequence().with_base_triangle_count(500));
     assert_eq!(base.stop_reason, StopReason::TargetReached);
     assert!((498..=500).contains(&base.refinable.sequence.triangle_count_at(0)));
@@ -315,7 +315,7 @@ fn same_input_gives_same_batches() {
     let mesh = with_patches(rough(shapes::torus(40, 30, 2.0, 0.7), 0.05, 9), 50);
     let [one, other] = [(); 2].map(|()| {
         let welded = weld(&mesh).expect("a sound mesh");
-        build_welded_batches(welded, &BatchOptions::default(), &mut ignore_progress).expect("a sound mesh")
+        build_welded_batches(welded, &on_the_surface(), &mut ignore_progress).expect("a sound mesh")
     });
     assert_eq!(one.built.refinable, other.built.refinable);
     assert_eq!(one.batches, other.batches);

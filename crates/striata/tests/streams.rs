@@ -6,11 +6,11 @@ mod support;
 use proptest::prelude::*;
 use striata::codec::DecodeError;
 use striata::codec::progressive::{
-    Effort, EncodedStream, Precision, StreamDecoder, StreamOptions, StreamVersion, encode_stream,
+    Effort, EncodedStream, Precision, StreamDecoder, StreamError, StreamOptions, StreamVersion, encode_stream,
 };
 use striata::mesh::{IndexedMesh, LayerData, RefinableMesh, canonical_triangles, replay, shapes};
 use striata::simplify::{BatchOptions, SequenceOptions, TopologyRule, build_batches, build_sequence};
-use support::{Random, soup, with_seams_and_groups};
+use support::{Random, Wildness, random_refinable, soup, with_seams_and_groups};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
 
@@ -313,7 +313,78 @@ fn streams_are_written_anew() {
     }
 }
 
+/// Cuts the steps of a sequence into batches anywhere.
+fn random_batches(refinable: &RefinableMesh, random: &mut Random) -> Vec<u32> {
+    let step_count = refinable.sequence.step_count() as u32;
+    let mut batches = vec![0];
+    while *batches.last().unwrap() < step_count {
+        let last = *batches.last().unwrap();
+        batches.push((last + 1 + random.below(30) as u32).min(step_count));
+    }
+    batches
+}
+
+/// Leaves the coarsest levels out until all positions of the base are in triangles.
+fn with_used_base(refinable: RefinableMesh) -> RefinableMesh {
+    let is_used = |&split_count: &usize| {
+        let level = replay(&refinable, split_count);
+        (0..level.positions.len() as u32).all(|v| level.triangles.as_flattened().contains(&v))
+    };
+    let first = (0..refinable.sequence.step_count()).find(is_used).unwrap_or(refinable.sequence.step_count());
+    refinable.clone().without_levels_below(first)
+}
+
+fn check_sequence(source: RefinableMesh, options: &StreamOptions, seed: u64) {
+    let mut random = Random::new(seed);
+    let batches = random_batches(&source, &mut random);
+    let stream = encode_stream(&source, &batches, options).unwrap();
+    let written = Written { source, stream };
+    let whole = check_whole(&written, options);
+    check_parts(&written.stream.bytes, &whole, &mut random);
+}
+
+/// Parts that vanish, edges of many triangles, folds: nothing is left that a stream cannot tell.
+#[test]
+fn assets_go_down_to_next_to_nothing() {
+    for seed in 0..6 {
+        let mesh = meshes::asset(40, seed);
+        let built = build_batches(&mesh, &BatchOptions::default().with_general_floor(60), &mut striata::ignore_progress);
+        let built = built.unwrap();
+        let sequence = &built.built.refinable.sequence;
+        let (full, base) = (mesh.triangle_count(), sequence.triangle_count_at(0));
+        assert!(full > 500 && base <= 60, "{base} of {full} triangles are left");
+        for effort in EFFORTS {
+            let options = StreamOptions::default().with_effort(effort);
+            let stream = encode_stream(&built.built.refinable, &built.batches, &options).unwrap();
+            let written = Written { source: built.built.refinable.clone(), stream };
+            let whole = check_whole(&written, &options);
+            check_parts(&written.stream.bytes, &whole, &mut Random::new(seed));
+        }
+        let old = StreamOptions::default().with_version(StreamVersion::One);
+        let error = encode_stream(&built.built.refinable, &built.batches, &old).unwrap_err();
+        assert!(matches!(error, StreamError::Batches(_)), "{error}");
+    }
+}
+
 proptest! {
+    #[test]
+    fn any_sequence_in_any_batches_comes_back(seed: u64, vertices in 3usize..40, triangles in 0usize..80, far in 0usize..60) {
+        let mut random = Random::new(seed);
+        let mesh = soup(vertices, triangles, &mut random);
+        let wildness = Wildness { far_percent: far, base_position_count: 1 };
+        let source = with_used_base(random_refinable(&mesh, wildness, &mut random));
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
+        check_sequence(source, &options, seed);
+    }
+
+    #[test]
+    fn sequences_of_assets_in_any_batches_come_back(seed: u64, pieces in 1usize..12) {
+        let mesh = meshes::asset(pieces, seed);
+        let built = build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap();
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
+        check_sequence(built.refinable, &options, seed);
+    }
+
     #[test]
     fn streams_of_soups_come_back(seed in any::<u64>(), vertices in 3usize..40, triangles in 0usize..80, has_seams: bool) {
         let mut mesh = soup(vertices, triangles, &mut Random::new(seed));

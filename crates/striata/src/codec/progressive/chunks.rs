@@ -56,6 +56,18 @@ pub enum BatchDefect {
         /// What is wrong.
         defect: StepDefect,
     },
+    /// A triangle would have two vertices of one position below a step.
+    #[error("step {step} leaves a triangle with two corners at one position")]
+    Wedges {
+        /// The step, coarse to fine.
+        step: usize,
+    },
+    /// A position of the base is in no triangle.
+    #[error("position {position} of the base is in no triangle")]
+    Lonely {
+        /// The position.
+        position: usize,
+    },
     /// The splits of a batch are not independent of each other.
     #[error("the steps of batch {batch} depend on each other")]
     Dependent {

@@ -66,6 +66,7 @@ impl Descent {
             };
             match result {
                 Ok(()) => visits[batch] = stage.vertex_count() as u64,
+                Err(defect @ BatchDefect::Wedges { .. }) => return Err(defect),
                 Err(defect) if version == StreamVersion::One => return Err(defect),
                 Err(_) => {
                     stage.finish(&mut level);
@@ -73,7 +74,7 @@ impl Descent {
                         return Ok(Err(stage.batches()));
                     }
                     stages.push(Stage::Surface(stage));
-                    let general = GeneralStage::new(&mut level, refinable, steps);
+                    let general = GeneralStage::new(&mut level, refinable, steps)?;
                     visits[batch] = general.visits;
                     stages.push(Stage::General(general));
                     stage = SurfaceStage::new(&level, refinable, batch);
@@ -82,6 +83,7 @@ impl Descent {
             }
         }
         stage.finish(&mut level);
+        check_base(&level, refinable)?;
         stages.push(Stage::Surface(stage));
         stages.reverse();
         Ok(Ok(Self { stages, shown: level.shown, visits }))
@@ -99,6 +101,19 @@ impl Descent {
     /// Whether there are general batches.
     pub(super) fn has_general(&self) -> bool {
         self.stages.len() > 1
+    }
+}
+
+/// # Errors
+/// Where a position of the base is in no triangle: a base is told by its triangles.
+fn check_base(level: &LevelTriangles, refinable: &RefinableMesh) -> Result<(), BatchDefect> {
+    let mut is_used = vec![false; refinable.sequence.base_position_count()];
+    for &triangle in &level.alive {
+        level.positions(refinable, triangle).iter().for_each(|&p| is_used[p as usize] = true);
+    }
+    match is_used.iter().position(|is_used| !is_used) {
+        None => Ok(()),
+        Some(position) => Err(BatchDefect::Lonely { position }),
     }
 }
 

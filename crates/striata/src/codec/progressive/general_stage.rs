@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::chunks::BatchDefect;
 use super::surface::NONE;
 use crate::mesh::RefinableMesh;
 
@@ -19,6 +20,15 @@ impl LevelTriangles {
     pub(super) fn new(refinable: &RefinableMesh) -> Self {
         let shown = refinable.mesh.triangles.clone();
         Self { alive: (0..shown.len() as u32).collect(), shown }
+    }
+
+    /// Whether a triangle loses a corner where a position collapses to another one of its positions.
+    pub(super) fn vanishes(&self, refinable: &RefinableMesh, triangle: u32, [from, to]: [u32; 2]) -> bool {
+        let positions = self.positions(refinable, triangle);
+        let corner = |wanted: u32| positions.iter().position(|&p| p == wanted);
+        let (Some(from), Some(to)) = (corner(from), corner(to)) else { return false };
+        let shown = self.shown[triangle as usize];
+        refinable.sequence.target(shown[from]) == shown[to]
     }
 
     /// The positions of a triangle.
@@ -98,7 +108,14 @@ impl Incidence {
 
 impl GeneralStage {
     /// Goes down some steps, the last of them first.
-    pub(super) fn new(level: &mut LevelTriangles, refinable: &RefinableMesh, steps: Range<usize>) -> Self {
+    ///
+    /// # Errors
+    /// Where a triangle would stay that has two corners at one position.
+    pub(super) fn new(
+        level: &mut LevelTriangles,
+        refinable: &RefinableMesh,
+        steps: Range<usize>,
+    ) -> Result<Self, BatchDefect> {
         let sequence = &refinable.sequence;
         let base = sequence.base_position_count() as u32;
         let mut incidence = Incidence::new(level, refinable);
@@ -120,6 +137,9 @@ impl GeneralStage {
                 let triangle = corner / 3;
                 let positions = level.positions(refinable, triangle);
                 if positions.contains(&target) {
+                    if !level.vanishes(refinable, triangle, [position, target]) {
+                        return Err(BatchDefect::Wedges { step });
+                    }
                     incidence.is_gone[triangle as usize] = true;
                     stage.gone.push(triangle);
                     for other in positions.into_iter().filter(|&p| p != position) {
@@ -140,7 +160,7 @@ impl GeneralStage {
         level.alive.retain(|&t| !incidence.is_gone[t as usize]);
         stage.steps.reverse();
         stage.undo.reverse();
-        stage
+        Ok(stage)
     }
 
     /// Whether its first step is so many steps above the base.

@@ -36,6 +36,8 @@ pub(super) struct SurfaceStage {
     /// Copies that are the first of their position: they come before the others and rise.
     first_copy_count: usize,
     is_locked: Vec<bool>,
+    /// The batch, counted from 1, in which something went to each vertex last.
+    kept_in: Vec<u32>,
     /// The mesh's triangle of each of its triangles that is not virtual.
     pub(super) triangles: Vec<u32>,
     /// The collapses; coarse to fine once [`Self::finish`] was called, and so are the lists below.
@@ -56,6 +58,7 @@ impl SurfaceStage {
         let Closed { surface, vertex_of_copy, is_locked } = close_level(level, refinable);
         let first_copy_count = vertex_of_copy.windows(2).position(|w| w[1] <= w[0]);
         Self {
+            kept_in: vec![0; surface.vertex_count()],
             surface,
             first_copy_count: first_copy_count.map_or(vertex_of_copy.len(), |last| last + 1),
             position_of_copy: vertex_of_copy,
@@ -98,8 +101,10 @@ impl SurfaceStage {
             let target = sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
             let found = self.find(position, target).map_err(|defect| BatchDefect::Step { step, defect });
             let found = found.and_then(|corner| {
-                let is_free = self.mark_ring(corner, batch as u32 + 1);
-                is_free.then_some(corner).ok_or(BatchDefect::Dependent { batch })
+                let mark = batch as u32 + 1;
+                let kept = self.surface.vertex(next(corner)) as usize;
+                let is_free = std::mem::replace(&mut self.kept_in[kept], mark) != mark;
+                (is_free && self.mark_ring(corner, mark)).then_some(corner).ok_or(BatchDefect::Dependent { batch })
             });
             match found {
                 Ok(corner) => {
@@ -115,7 +120,8 @@ impl SurfaceStage {
                 }
             }
         }
-        for at in before..self.undo.len() {
+        for (at, step) in (before..self.undo.len()).zip(steps.clone().rev()) {
+            self.check_gone(at, step, (level, refinable))?;
             self.follow(at, level, refinable);
         }
         self.batches.start = batch;
@@ -170,6 +176,23 @@ impl SurfaceStage {
                 return true;
             }
         }
+    }
+
+    /// # Errors
+    /// Where a triangle that a step takes would still have three vertices.
+    fn check_gone(
+        &self,
+        at: usize,
+        step: usize,
+        (level, refinable): (&LevelTriangles, &RefinableMesh),
+    ) -> Result<(), BatchDefect> {
+        let undo = &self.undo[at];
+        let virtual_count = self.surface.virtual_count();
+        let position = |vertex: u32| self.position_of_copy[(vertex - virtual_count) as usize];
+        let ends = [self.surface.vertex(undo.gone[0]), undo.kept].map(position);
+        let mut gone = undo.gone.iter().filter_map(|&corner| self.mesh_corner(corner));
+        let is_sound = !self.follows || gone.all(|(triangle, _)| level.vanishes(refinable, triangle, ends));
+        is_sound.then_some(()).ok_or(BatchDefect::Wedges { step })
     }
 
     /// A step was done: the corners of its cut show targets now.
