@@ -55,8 +55,10 @@ pub(super) struct GeneralStage {
     undo: Vec<GeneralUndo>,
     /// Corners that changed position, `3 triangle + corner`, and the vertices that they showed before.
     moved: Vec<(u32, u32)>,
-    /// Triangles that vanished.
+    /// Triangles that vanished, and their third positions.
     gone: Vec<u32>,
+    thirds: Vec<u32>,
+    first_position: u32,
     /// What the ways around the positions of a reader come to.
     pub(super) visits: u64,
 }
@@ -125,6 +127,8 @@ impl GeneralStage {
             undo: Vec::new(),
             moved: Vec::new(),
             gone: Vec::new(),
+            thirds: Vec::new(),
+            first_position: base + steps.start as u32,
             visits: 0,
         };
         let mut corners = Vec::new();
@@ -142,6 +146,8 @@ impl GeneralStage {
                     }
                     incidence.is_gone[triangle as usize] = true;
                     stage.gone.push(triangle);
+                    let third = positions.into_iter().find(|&p| p != position && p != target);
+                    stage.thirds.push(third.unwrap_or(NONE));
                     for other in positions.into_iter().filter(|&p| p != position) {
                         incidence.counts[other as usize] -= 1;
                     }
@@ -166,6 +172,22 @@ impl GeneralStage {
     /// Whether its first step is so many steps above the base.
     pub(super) fn begins(&self, split_count: u32) -> bool {
         self.first_step == split_count
+    }
+
+    /// The triangles that a step moves or brings.
+    pub(super) fn triangles(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
+        let undo = &self.undo[step as usize];
+        let moved = self.moved(undo).iter().map(|moved| moved.0 / 3);
+        moved.chain(self.gone(undo).iter().copied())
+    }
+
+    /// The steps, none for what was there before, that bring the positions that a step needs.
+    pub(super) fn needs(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
+        let undo = &self.undo[step as usize];
+        let step_of = |position: u32| position.checked_sub(self.first_position).unwrap_or(NONE);
+        let thirds = self.thirds[undo.gone.start as usize..undo.gone.end as usize].iter();
+        let needed = thirds.copied().chain([undo.target]).map(step_of);
+        needed.filter(|&other| (other as usize) < self.undo.len())
     }
 
     /// How to undo one of the steps.

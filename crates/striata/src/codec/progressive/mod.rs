@@ -18,6 +18,7 @@ mod directions;
 mod encode;
 mod facts;
 mod general;
+mod general_order;
 mod general_stage;
 mod grid;
 mod growth;

@@ -6,6 +6,7 @@ use super::base::Base;
 use super::base_coder::BaseOrder;
 use super::descent::{Descent, Stage};
 use super::general::{Born, CodedStep, KnownBorn, KnownStep};
+use super::general_order::GeneralOrder;
 use super::layer_model::LayerValues;
 use super::refiner::Source;
 use super::surface::{Cut, NONE, Surface, Undo, triangle_of};
@@ -47,9 +48,10 @@ impl Turned {
 /// The steps of a sequence in the numbering of a reader.
 pub(super) struct Truth<'a> {
     descent: &'a Descent,
-    /// The stage that is under way, and the steps of it that have been done.
+    /// The stage that is under way; of a general one, what is left of it and the step that is told.
     stage: usize,
-    done: usize,
+    general_order: GeneralOrder,
+    told: u32,
     /// Split counts at which batches begin, closed by the number of steps.
     batches: &'a [u32],
     batch: usize,
@@ -100,7 +102,8 @@ pub(super) fn base_of<'a>(
     let mut truth = Truth {
         descent,
         stage: 0,
-        done: 0,
+        general_order: GeneralOrder::default(),
+        told: 0,
         batches,
         batch: 0,
         points,
@@ -300,7 +303,9 @@ impl Source for Truth<'_> {
         if let Some(Stage::General(stage)) = self.descent.stages.get(self.stage + 1)
             && stage.begins(batch.start)
         {
-            (self.stage, self.done) = (self.stage + 1, 0);
+            self.stage += 1;
+            let number = |position: u32| self.number_of_position[position as usize];
+            self.general_order = GeneralOrder::new(stage, self.shown.len(), number);
         }
         let Some(stage) = self.surface_stage() else { return };
         for step in batch {
@@ -398,9 +403,10 @@ impl Source for Truth<'_> {
         let Some(Stage::General(stage)) = self.descent.stages.get(self.stage) else {
             return KnownStep::default();
         };
-        let undo = stage.undo(self.done);
+        self.told = self.general_order.next().unwrap_or(0);
+        let undo = stage.undo(self.told as usize);
         let base = self.refinable.sequence.base_position_count() as u32;
-        let position = base + stage.steps[self.done];
+        let position = base + stage.steps[self.told as usize];
         for &(corner, shown) in stage.moved(undo) {
             self.shown[corner as usize / 3][corner as usize % 3] = shown;
         }
@@ -425,8 +431,8 @@ impl Source for Truth<'_> {
 
     fn born_general(&mut self, step: &CodedStep) {
         let Some(Stage::General(stage)) = self.descent.stages.get(self.stage) else { return };
-        let undo = stage.undo(self.done);
-        let index = stage.steps[self.done];
+        let undo = stage.undo(self.told as usize);
+        let index = stage.steps[self.told as usize];
         let position = self.refinable.sequence.base_position_count() as u32 + index;
         for &known in &step.known {
             let triangle = stage.gone(undo)[known];
@@ -437,7 +443,6 @@ impl Source for Truth<'_> {
         }
         self.push_position(position);
         self.order.push(index);
-        self.done += 1;
     }
 
     fn rebuilt(&mut self, surface: &Surface) {

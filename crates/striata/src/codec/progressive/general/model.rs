@@ -31,6 +31,8 @@ pub(super) struct GeneralModel {
     is_forward: [AdaptiveBit; 3],
     residuals: AdaptiveNumber,
     last_split: u32,
+    /// How far the rising numbers of positions have come.
+    reached: u32,
     /// New positions of this batch without triangles, the latest last.
     lonely: Vec<u32>,
     /// The size of the last residual of a position without triangles, and whether the last position was one.
@@ -65,6 +67,7 @@ impl GeneralModel {
             is_forward: [bit; 3],
             residuals: AdaptiveNumber::new(4 * SIZES, Rate::Steady),
             last_split: 0,
+            reached: 0,
             lonely: Vec::new(),
             lonely_size: 0,
             follows_lonely: false,
@@ -76,6 +79,7 @@ impl GeneralModel {
     /// A batch begins.
     pub(super) fn begin_batch(&mut self) {
         self.last_split = 0;
+        self.reached = 0;
         self.lonely.clear();
         self.follows_lonely = false;
     }
@@ -90,11 +94,12 @@ impl GeneralModel {
                 return near;
             }
         }
-        // Steps come by rising positions as far as they do not depend on each other.
-        let forward = meant.wrapping_sub(self.last_split) as i32;
-        let found = self.last_split.wrapping_add(self.gap.signed(coder, 0, forward) as u32);
-        self.last_split = found.min(newest);
-        self.last_split
+        // Steps come by rising positions as far as they do not wait for each other.
+        let forward = meant.wrapping_sub(self.reached) as i32;
+        let found = self.reached.wrapping_add(self.gap.signed(coder, 0, forward) as u32);
+        self.reached = found.min(newest);
+        self.last_split = self.reached;
+        self.reached
     }
 
     /// Codes which corners at the split position go to the new one; fills in `moved` and `fan`.
