@@ -1,5 +1,7 @@
 //! Streams whose checksums hold and whose contents lie: an error or a mesh, in bounded time and memory.
 
+mod meshes;
+
 mod support;
 
 use striata::codec::progressive::{
@@ -13,7 +15,8 @@ use support::{Random, soup, with_seams_and_groups};
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
 
 fn stream_of(mesh: &IndexedMesh, options: &StreamOptions) -> Vec<u8> {
-    let built = build_batches(mesh, &BatchOptions::default(), &mut striata::ignore_progress).unwrap();
+    let batches = BatchOptions::default().with_general_floor(0);
+    let built = build_batches(mesh, &batches, &mut striata::ignore_progress).unwrap();
     encode_stream(&built.built.refinable, &built.batches, options).unwrap().bytes
 }
 
@@ -81,7 +84,9 @@ type Counts = [u32; 5];
 /// A head without names, layers and groups; a chunk is what it claims, bytes and splits, and its bytes.
 fn head(effort: u8, counts: Counts, chunks: &[(u32, u32, &[u8])]) -> Vec<u8> {
     let mut out = b"\x89STR".to_vec();
-    out.extend([1, effort, 0, 0]);
+    // Efforts from 3 on: version 2, with general batches.
+    let (version, flags) = if effort < 3 { (1, 0) } else { (2, 2) };
+    out.extend([version, effort % 3, flags, 0]);
     out.extend([0; 8]);
     counts.into_iter().for_each(|n| put_varint(n, &mut out));
     out.push(14);
@@ -118,7 +123,7 @@ fn a_head_that_claims_billions_gets_no_memory_for_them() {
     let base = base_of_a_triangle();
     let steps = 3_000_000_000;
     let chunks = [(base.len() as u32, 0, &base[..]), (steps / 256, steps, &[])];
-    for effort in 0..3 {
+    for effort in 0..6 {
         let mut bytes = head(effort, [3 + steps, 3 + steps, 1, steps, 7], &chunks);
         bytes.extend(&base);
         let mut decoder = StreamDecoder::new();
@@ -177,7 +182,7 @@ fn any_chunks_give_an_error_or_a_mesh() {
             (0..count).map(byte).collect::<Vec<u8>>()
         });
         let chunks = [(base.len() as u32, 0, &base[..]), (splits.len() as u32, steps, &splits[..])];
-        let mut bytes = head((round % 3) as u8, counts, &chunks);
+        let mut bytes = head((round % 6) as u8, counts, &chunks);
         bytes.extend(&base);
         bytes.extend(&splits);
         let mut decoder = StreamDecoder::new();
@@ -194,9 +199,9 @@ fn any_chunks_give_an_error_or_a_mesh() {
 #[test]
 fn changed_bytes_behind_right_checksums_do_no_harm() {
     let mut random = Random::new(7);
-    for mesh in
-        [triangle(), with_seams_and_groups(support::grid(12, true)), soup(20, 40, &mut Random::new(2))]
-    {
+    let soup = soup(20, 40, &mut Random::new(2));
+    let surface = with_seams_and_groups(support::grid(12, true));
+    for mesh in [triangle(), surface, soup.clone(), with_seams_and_groups(soup), meshes::asset(9, 4)] {
         for effort in EFFORTS {
             for precision in [Precision::Bits(10), Precision::Lossless] {
                 let options = StreamOptions::default().with_effort(effort).with_precision(precision);
@@ -217,12 +222,14 @@ fn changed_bytes_behind_right_checksums_do_no_harm() {
 
 #[test]
 fn every_truncation_of_a_small_stream_is_a_prefix() {
-    let mesh = with_seams_and_groups(support::grid(9, true));
-    for effort in EFFORTS {
-        let bytes = stream_of(&mesh, &StreamOptions::default().with_effort(effort));
-        let facts = StreamFacts::read(&bytes).unwrap().unwrap();
+    let surface = with_seams_and_groups(support::grid(9, true));
+    let streams = [&surface, &meshes::asset(3, 8)].map(|mesh| {
+        EFFORTS.map(|effort| stream_of(mesh, &StreamOptions::default().with_effort(effort)))
+    });
+    for bytes in streams.as_flattened() {
+        let facts = StreamFacts::read(bytes).unwrap().unwrap();
         let mut whole = StreamDecoder::new();
-        whole.push(&bytes).unwrap();
+        whole.push(bytes).unwrap();
         let (mut splits, mut error) = (0, f32::INFINITY);
         for length in 0..bytes.len() {
             let mut decoder = StreamDecoder::new();

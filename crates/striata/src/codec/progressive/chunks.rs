@@ -142,7 +142,7 @@ fn push(
     let splits = split_count - chunks.last().map_or(0, |chunk| chunk.split_count as usize);
     // The reader takes what is beyond the end for zeros, so zeros change nothing.
     let told: usize = chunks.iter().map(|chunk| chunk.bytes.len()).sum();
-    let least = least_bytes_in_all(growth.wedges_beyond()).saturating_sub(told);
+    let least = least_bytes_in_all(growth.beyond()).saturating_sub(told);
     bytes.resize(bytes.len().max(least).max(least_bytes(splits, base_triangles)), 0);
     spent.iter_mut().zip(bits).for_each(|(sum, bits)| *sum += bits);
     chunks.push(Chunk { bytes, split_count: split_count as u32 });

@@ -158,8 +158,9 @@ impl GeneralStage {
                 *shown = sequence.target(*shown);
                 incidence.push(target, corner);
             }
-            stage.visits += 1 + u64::from(incidence.counts[target as usize]);
             let (moved, gone) = (moved..stage.moved.len() as u32, gone..stage.gone.len() as u32);
+            let ring = u64::from(incidence.counts[target as usize]);
+            stage.visits += (1 + ring) * (1 + gone.len() as u64);
             stage.steps.push(step as u32);
             stage.undo.push(GeneralUndo { target, moved, gone });
         }

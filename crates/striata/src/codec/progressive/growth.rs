@@ -26,6 +26,7 @@ pub(super) struct Growth {
     pub(super) changed: Vec<u32>,
     /// First vertex of each position, closed by the number of vertices.
     pub(super) first_vertex: Vec<u32>,
+    triangles_beyond: usize,
     /// Position of each vertex of the surface; virtual ones have none.
     position_of: Vec<u32>,
 }
@@ -66,9 +67,9 @@ impl Growth {
         self.first_vertex.last().copied().unwrap_or(0)
     }
 
-    /// Vertices beyond one a position.
-    pub(super) fn wedges_beyond(&self) -> usize {
-        self.vertex_count() as usize - (self.first_vertex.len() - 1)
+    /// Vertices beyond one a position, and triangles beyond two a general step: what bytes must pay for.
+    pub(super) fn beyond(&self) -> usize {
+        self.vertex_count() as usize - (self.first_vertex.len() - 1) + self.triangles_beyond
     }
 
     /// The vertices of the position of a vertex of the surface.
@@ -124,6 +125,7 @@ impl Growth {
                 self.groups.push(step.groups[at]);
             }
         }
+        self.triangles_beyond += step.born.len().saturating_sub(2);
         self.added.push(step.born.len() as u8);
     }
 

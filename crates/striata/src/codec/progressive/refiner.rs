@@ -513,7 +513,7 @@ impl Refiner {
         coder.part(Part::Attributes);
         self.shown(coder, source, vertex);
         let is_full =
-            self.growth.wedges_beyond() as u64 + self.told.targets.len() as u64 > self.most_wedges + 1;
+            self.growth.beyond() as u64 + self.told.targets.len() as u64 > self.most_wedges + 1;
         if coder.overran() || is_full {
             if let Some(attributes) = &mut self.attributes {
                 attributes.truncate(self.growth.positions.len());
@@ -536,7 +536,7 @@ impl Refiner {
                 growth: &self.growth,
                 corners: &self.corners,
                 source: &*source,
-                most_beyond: self.most_wedges.saturating_sub(self.growth.wedges_beyond() as u64),
+                most_beyond: self.most_wedges.saturating_sub(self.growth.beyond() as u64),
             };
             model.code(coder, &split, &mut self.told);
             source.name(self.told.named.iter().copied());

@@ -3,6 +3,8 @@
 //! Steps are few next to splits of the surface, so each is told by itself. What nearly all of them have in common makes them cheap:
 //! triangles that move hang together, new triangles fill the gaps at the ends of what moves, and fit their neighbors' winding.
 
+use std::collections::HashMap;
+
 use super::super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
 use super::complex::Complex;
 use super::step::{Born, CodedStep, KnownStep};
@@ -184,18 +186,16 @@ impl GeneralModel {
     /// Lists the positions that may be the third of a new triangle, likely ones first.
     fn find_thirds(&mut self, complex: &Complex, split: u32) {
         self.thirds.clear();
+        // By position, in the order in which they are met.
         let mut met: Vec<(u32, [u32; 2])> = Vec::with_capacity(2 * self.ring.len());
+        let mut place_of = HashMap::new();
         for spoke in &self.ring {
             for position in spoke.edge {
-                let entry = match met.iter_mut().find(|met| met.0 == position) {
-                    Some(entry) if self.ring.len() <= LARGE_RING => entry,
-                    _ => {
-                        met.push((position, [0; 2]));
-                        let last = met.len() - 1;
-                        &mut met[last]
-                    }
-                };
-                entry.1[usize::from(spoke.moves)] += 1;
+                let place = *place_of.entry(position).or_insert(met.len());
+                if place == met.len() {
+                    met.push((position, [0; 2]));
+                }
+                met[place].1[usize::from(spoke.moves)] += 1;
             }
         }
         let class = |[stay, go]: [u32; 2]| match (stay, go) {

@@ -2,6 +2,7 @@
 //!
 //! As at a split of the surface (`wedges.rs`), all is asked as "is it the one that one would expect?".
 
+use std::collections::HashMap;
 use std::ops::Range;
 
 use super::super::super::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
@@ -12,6 +13,8 @@ use super::step::{CodedStep, KnownBorn, KnownStep};
 
 /// Guesses for one corner.
 const GUESSES: usize = 3;
+/// Wedges of one target that are asked for one by one.
+const ASKED_ALONE: usize = 3;
 
 /// Models of wedges and groups at general steps.
 #[derive(Clone, Debug)]
@@ -19,9 +22,12 @@ pub(super) struct ShownModel {
     /// Whether a corner shows the wedge of the corner before, another one that is there.
     goes_on: [AdaptiveBit; 2],
     is_other: AdaptiveBit,
+    is_older: AdaptiveBit,
     /// Whether a guess is right, by what is asked and which guess it is.
     is_guess: [[AdaptiveBit; GUESSES]; 4],
     has_more: [AdaptiveBit; 2],
+    /// The wedges of the new position by what they collapse to.
+    by_target: HashMap<u32, Vec<u32>>,
 }
 
 #[derive(Clone, Copy)]
@@ -36,7 +42,14 @@ impl ShownModel {
     /// Nothing learned.
     pub(super) fn new() -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
-        Self { goes_on: [bit; 2], is_other: bit, is_guess: [[bit; GUESSES]; 4], has_more: [bit; 2] }
+        Self {
+            goes_on: [bit; 2],
+            is_other: bit,
+            is_older: bit,
+            is_guess: [[bit; GUESSES]; 4],
+            has_more: [bit; 2],
+            by_target: HashMap::new(),
+        }
     }
 
     /// Codes a number of a range: one of the guesses, or any.
@@ -72,6 +85,7 @@ impl ShownModel {
         out.wedges.clear();
         out.others.clear();
         out.groups.clear();
+        self.by_target.clear();
         let mut before = NONE;
         for at in 0..out.fan.len() {
             let corner = out.fan[at];
@@ -95,19 +109,30 @@ impl ShownModel {
         before: u32,
         out: &mut CodedStep,
     ) -> u32 {
-        let fits = |wedge: u32| out.targets[wedge as usize] == target;
         let is_known = |wedge: u32| out.named[wedge as usize] == name;
         let goes_on = &mut self.goes_on[usize::from(out.fan.is_empty())];
-        if before != NONE && fits(before) && goes_on.code(coder, is_known(before)) {
+        let may_go_on = before != NONE && out.targets[before as usize] == target;
+        if may_go_on && goes_on.code(coder, is_known(before)) {
             return before;
         }
-        let mut others = (0..out.targets.len() as u32).rev().filter(|&wedge| wedge != before && fits(wedge));
-        if let Some(other) = others.find(|&wedge| self.is_other.code(coder, is_known(wedge))) {
-            return other;
+        let others = self.by_target.entry(target).or_default();
+        for &other in others.iter().rev().filter(|&&wedge| wedge != before).take(ASKED_ALONE) {
+            if self.is_other.code(coder, is_known(other)) {
+                return other;
+            }
         }
+        if others.len() > ASKED_ALONE + usize::from(may_go_on) {
+            let place = others.iter().position(|&wedge| is_known(wedge));
+            if self.is_older.code(coder, place.is_some()) {
+                let place = code_uniform(coder, others.len() as u32, place.unwrap_or(0) as u32);
+                return others[place as usize];
+            }
+        }
+        let new = out.targets.len() as u32;
+        others.push(new);
         out.targets.push(target);
         out.named.push(name);
-        out.targets.len() as u32 - 1
+        new
     }
 
     /// What the corners of a new triangle show, and its group.

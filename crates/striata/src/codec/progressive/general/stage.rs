@@ -71,9 +71,10 @@ impl Refiner {
         let super::General { model, shown, complex, places, .. } = general;
         coder.part(Part::Connectivity);
         step.split = model.split(coder, complex.position_count() as u32, known);
-        self.spend_visits(1 + complex.corners(step.split).count() as u64)?;
         model.moved(coder, complex, (known, &mut *step));
         model.born(coder, complex, (known, &mut *step));
+        let ring = complex.corners(step.split).count() as u64;
+        self.spend_visits((1 + ring) * (1 + step.born.len() as u64))?;
         coder.part(Part::Positions);
         model.place(coder, (complex, places), (known, &mut *step));
         if !self.grid.holds(step.place) {
@@ -86,7 +87,7 @@ impl Refiner {
             None => self.grid.place(step.place),
         };
         coder.part(Part::Attributes);
-        let beyond = self.growth.wedges_beyond() as u64;
+        let beyond = (self.growth.beyond() + step.born.len().saturating_sub(2)) as u64;
         if self.wedges.is_some() {
             let most = self.most_wedges.saturating_sub(beyond);
             shown.code(coder, (complex, &self.growth, most), (known, &mut *step));
