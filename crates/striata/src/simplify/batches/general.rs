@@ -20,6 +20,9 @@ const SMALL_BATCH: usize = 64;
 /// The share of the positions that may be left after one general batch when the next one comes, in quarters.
 const LEFT_QUARTERS: usize = 3;
 
+/// The part of its usual share that a batch takes once general ones have come.
+const CAUTION: f64 = 0.7;
+
 /// A cost in the order of a queue: costs are not negative, so their bits rise with them.
 type Entry = Reverse<(u32, u32)>;
 
@@ -88,6 +91,12 @@ impl Engine<'_> {
         let is_small = taken < self.options.least_batch.max(left / SMALL_BATCH);
         let are_many = self.waiting.len() * WAITING_SHARE >= left;
         is_small || (are_many && 4 * left <= LEFT_QUARTERS * self.left_after_general)
+    }
+
+    /// The part of its usual share that a batch takes: the costs of assets, which need general batches, differ more than those of
+    /// scans.
+    pub(super) fn caution(&self) -> f64 {
+        if self.left_after_general < self.choices.len() { CAUTION } else { 1.0 }
     }
 
     /// A general batch; the reason where it is to be the last one.

@@ -10,10 +10,10 @@
 //! coarse   a --------- b --------- c      b is on the rings of both, and a target: it stays
 //! ```
 //!
-//! What is removed is manifold, and stays so with every boundary closed by a virtual vertex: the link condition holds on
+//! What such a batch removes is manifold, and stays so with every boundary closed by a virtual vertex: the link condition holds on
 //! that closed surface, a position of a boundary goes only along it, and of each part a tetrahedron or a triangle stays.
-//! What is not manifold in the full mesh is never removed. Collapses may cross seams, but relaxed ones, which change the
-//! topology, are left out: a coder has no words for them. The base of a mesh of many parts is therefore large.
+//! What is not manifold, and collapses that change the topology, wait for a **general batch**, whose collapses are done one after another and
+//! may be any (`general.rs`). Closed scans have none, or a few at their coarse end.
 //!
 //! Differs: removed positions must not be neighbours, but their stars may touch, which makes batches twice as large as
 //! disjoint stars do. Levels lie 3 to 8 % farther off in RMS than those of one collapse at a time. Time O(n log n), 1.5 times
