@@ -9,13 +9,13 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use meshes::{COSTS, Named, all, closed, open, rough, with_patches};
+use meshes::{COSTS, Named, all, asset, closed, open, rough, with_patches};
 use proptest::prelude::*;
 use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, Statistics, canonical_triangles, replay, shapes, weld};
 use striata::simplify::{
-    BatchOptions, BoundaryRule, BuiltBatches, SequenceOptions, SimplifyError, StopReason, build_batches,
-    build_welded_batches,
+    BatchOptions, BoundaryRule, BuiltBatches, SequenceOptions, SimplifyError, StopReason, TopologyRule,
+    build_batches, build_welded_batches,
 };
 use support::{ClosedSurface, nasty};
 
@@ -237,6 +237,34 @@ fn surfaces_shrink_to_small_bases() {
         assert_eq!(built.built.stop_reason, StopReason::BaseReached);
         // A tenth of what is there in each batch, or so.
         assert!(built.batches.len() < 80, "{} batches", built.batches.len());
+    }
+}
+
+#[test]
+fn general_batches_lead_assets_down() {
+    for seed in 0..8 {
+        let mesh = asset(30, seed);
+        let [surface, general] =
+            [on_the_surface(), BatchOptions::default().with_general_floor(40)].map(|options| build(&mesh, &options));
+        let left = |built: &BuiltBatches| built.built.refinable.sequence.triangle_count_at(0);
+        assert!(left(&general) <= 40 && left(&surface) > 100, "{} and {}", left(&general), left(&surface));
+        let RefinableMesh { sequence, .. } = &general.built.refinable;
+        for split_count in 0..=sequence.step_count() {
+            let level = replay(&general.built.refinable, split_count);
+            assert_eq!(level.triangle_count(), sequence.triangle_count_at(split_count), "level {split_count}");
+        }
+        let sequence = SequenceOptions::default().with_topology(TopologyRule::Keep);
+        let kept = build(&mesh, &BatchOptions::default().with_general_floor(0).with_sequence(sequence));
+        assert!(left(&kept) > left(&general), "the topology stays");
+    }
+}
+
+#[test]
+fn closed_scans_have_no_general_batches() {
+    for mesh in [shapes::icosphere(4, 1.0), rough(shapes::torus(60, 40, 2.0, 0.7), 0.01, 3)] {
+        let [with, without] =
+            [BatchOptions::default(), on_the_surface()].map(|options| build(&mesh, &options));
+        assert_eq!((with.built.refinable, with.batches), (without.built.refinable, without.batches));
     }
 }
 
