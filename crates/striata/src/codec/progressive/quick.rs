@@ -9,6 +9,8 @@ use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::connectivity::Scene;
 use super::rings::Rings;
 use super::surface::{Cut, NONE, Surface, triangle_of};
+use super::walk::Walk;
+use super::StreamVersion;
 
 /// What is kept with a vertex.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,9 +34,6 @@ const MOST_STEPS: usize = 4096;
 #[derive(Clone, Debug)]
 pub(super) struct QuickModel {
     kept: Vec<Kept>,
-    /// The next vertex to be asked, and one past the last one of the batch.
-    next: u32,
-    end: u32,
     batch: u8,
     /// The last few flags.
     history: usize,
@@ -44,6 +43,8 @@ pub(super) struct QuickModel {
     /// Vertices that split, and the corners around them.
     splits: Vec<u32>,
     rings: Rings,
+    /// Whether how many triangles lie around its ends counts for a run.
+    weighs_valence: bool,
     spokes: Vec<Spoke>,
     starts: Vec<(i64, u32)>,
 }
@@ -53,6 +54,8 @@ pub(super) struct QuickModel {
 struct Spoke {
     /// Its squared length.
     square: i64,
+    /// What it counts more where a run ends at it.
+    as_end: i64,
     is_virtual: bool,
     /// Whether the triangle counter-clockwise of it is free.
     is_free: bool,
@@ -60,14 +63,12 @@ struct Spoke {
 
 impl QuickModel {
     /// Nothing learned; counts the triangles around the vertices of a base.
-    pub(super) fn new(surface: &Surface) -> Self {
+    pub(super) fn new(surface: &Surface, version: StreamVersion) -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
         let triangles = |v: u32| surface.ring(v).take(255).count() as u8;
         let kept = |v: u32| Kept { triangles: triangles(v), ..Kept::default() };
         Self {
             kept: (0..surface.vertex_count() as u32).map(kept).collect(),
-            next: 0,
-            end: 0,
             batch: 0,
             history: 0,
             flags: vec![bit; 16 * 4 * 4 * 8],
@@ -75,16 +76,15 @@ impl QuickModel {
             ranks: vec![bit; MOST * MOST * MOST],
             splits: Vec::new(),
             rings: Rings::default(),
+            weighs_valence: version >= StreamVersion::Two,
             spokes: Vec::new(),
             starts: Vec::new(),
         }
     }
 
     /// A batch begins.
-    pub(super) fn begin_batch(&mut self, surface: &Surface) {
+    pub(super) fn begin_batch(&mut self) {
         self.batch = self.batch.wrapping_add(1);
-        self.next = surface.virtual_count();
-        self.end = surface.vertex_count() as u32;
     }
 
     /// Vertices that split, as far as flags have been coded.
@@ -101,17 +101,18 @@ impl QuickModel {
     pub(super) fn flags<C: Coder>(
         &mut self,
         coder: &mut C,
+        walk: &mut Walk,
         most: usize,
         does_split: impl Fn(u32) -> bool,
     ) -> bool {
         self.splits.clear();
         let mut history = self.history;
-        for vertex in self.next..self.end {
+        let mut asked = 0;
+        for &vertex in walk.rest() {
             if self.splits.len() == most {
-                self.next = vertex;
-                self.history = history;
-                return false;
+                break;
             }
+            asked += 1;
             let kept = self.kept[vertex as usize];
             let age = usize::from(self.batch.wrapping_sub(kept.made) - 1).min(3);
             let rest = usize::from(self.batch.wrapping_sub(kept.split) - 1).min(3);
@@ -123,9 +124,9 @@ impl QuickModel {
                 self.splits.push(vertex);
             }
         }
-        self.next = self.end;
+        walk.pass(asked);
         self.history = history;
-        true
+        walk.rest().is_empty()
     }
 
     /// Finds the corners around the vertices that split.
@@ -183,18 +184,22 @@ impl QuickModel {
             let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum::<i64>();
             Spoke {
                 square: if is_virtual { 0 } else { square },
+                as_end: 0,
                 is_virtual,
                 is_free: !scene.is_taken(triangle_of(corner)),
             }
         }));
+        if self.weighs_valence {
+            self.weigh_valence(split);
+        }
         self.starts.clear();
         if n * length > MOST_STEPS {
-            self.find_far_starts(corners.len(), length);
+            self.find_far_starts(n, length);
             return;
         }
         'starts: for start in 0..n {
             let mut at = start;
-            let mut sum = self.spokes[start].square;
+            let mut sum = self.spokes[start].square + self.spokes[start].as_end;
             for left in (0..length).rev() {
                 let is_free = self.spokes[at].is_free;
                 at = if at + 1 == n { 0 } else { at + 1 };
@@ -205,7 +210,20 @@ impl QuickModel {
                 }
                 sum += spoke.square << u32::from(left > 0);
             }
+            sum += self.spokes[at].as_end;
             self.starts.push((sum, start as u32));
+        }
+    }
+
+    /// Runs end more often at vertices with few triangles, which get one more.
+    fn weigh_valence(&mut self, split: usize) {
+        let sum = self.spokes.iter().map(|spoke| spoke.square >> 1).sum::<i64>();
+        let unit = sum / self.spokes.len().max(1) as i64;
+        for (spoke, neighbour) in self.spokes.iter_mut().zip(self.rings.neighbours(split)) {
+            if !spoke.is_virtual {
+                let triangles = self.kept[neighbour.vertex as usize].triangles;
+                spoke.as_end = unit * (6 - i64::from(triangles.min(15)));
+            }
         }
     }
 
@@ -234,7 +252,8 @@ impl QuickModel {
             let is_free = sums[end].1 == sums[start].1;
             if is_free && sums[end].2 == sums[first].2 {
                 let inside = sums[end].0.wrapping_sub(sums[first].0);
-                let ends = self.spokes[start].square.wrapping_add(self.spokes[end % n].square);
+                let ends = [start, end % n].map(|at| self.spokes[at].square.wrapping_add(self.spokes[at].as_end));
+                let ends = ends[0].wrapping_add(ends[1]);
                 self.starts.push((ends.wrapping_add(inside).wrapping_add(inside), start as u32));
             }
         }

@@ -19,7 +19,7 @@ use super::positions::PositionModel;
 use super::quick::QuickModel;
 use super::rings::Rings;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
-use super::walk::Walk;
+use super::walk::{Walk, WalkOrder};
 use super::wedges::{Split, SplitWedges, WedgeModel};
 use super::{Effort, StreamDefect, StreamVersion};
 
@@ -57,6 +57,15 @@ impl Terms {
     /// Whether what corners show has to be told.
     pub(super) fn has_wedges(&self) -> bool {
         self.vertex_count != self.position_count || self.group_count > 1
+    }
+
+    /// Which vertex is asked next.
+    fn walk_order(&self) -> WalkOrder {
+        match (self.version, self.effort) {
+            (StreamVersion::One, Effort::Small) => WalkOrder::Near,
+            (StreamVersion::One, _) => WalkOrder::Numbers,
+            _ => WalkOrder::Families,
+        }
     }
 
     /// How often vertices may be asked in all: what real batches need many times over, and a bound for hostile ones.
@@ -239,13 +248,13 @@ impl Refiner {
         }
         let Terms { grid, effort, max_patch, .. } = *terms;
         let connectivity = match effort {
-            Effort::Fast => Connectivity::Quick(Box::new(QuickModel::new(&surface))),
+            Effort::Fast => Connectivity::Quick(Box::new(QuickModel::new(&surface, terms.version))),
             _ => Connectivity::Thorough(Box::new(ConnectivityModel::new(effort))),
         };
         Ok(Self {
             surface,
             places: base.surface_places(),
-            walk: Walk::new(effort == Effort::Small),
+            walk: Walk::new(terms.walk_order()),
             is_in_batch: false,
             splits_in_batch: 0,
             visits_left: terms.most_visits(),
@@ -283,7 +292,7 @@ impl Refiner {
             self.walk.begin(&self.surface);
             match &mut self.connectivity {
                 Connectivity::Thorough(model) => model.begin_batch(&self.surface, self.walk.end()),
-                Connectivity::Quick(model) => model.begin_batch(&self.surface),
+                Connectivity::Quick(model) => model.begin_batch(),
             }
             source.begin_batch();
             self.is_in_batch = true;
@@ -391,7 +400,7 @@ impl Refiner {
     /// The same for the quick model: all flags, then all cuts.
     fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         let Connectivity::Quick(model) = &mut self.connectivity else { return };
-        self.is_in_batch = !model.flags(coder, most, |vertex| source.cut(vertex).is_some());
+        self.is_in_batch = !model.flags(coder, &mut self.walk, most, |vertex| source.cut(vertex).is_some());
         model.find_rings(&self.surface, &self.places);
         for split in 0..model.split_count() {
             let scene = Scene {
@@ -428,6 +437,7 @@ impl Refiner {
             if let Connectivity::Quick(model) = &mut self.connectivity {
                 model.split(&self.surface, patch.len(), kept);
             }
+            self.walk.born(kept);
             source.born(vertex, kept);
         }
     }
