@@ -454,7 +454,6 @@ impl Refiner {
             for &corner in patch {
                 sum ^= place(surface.vertex(next(corner)));
                 sum ^= place(surface.vertex(surface.opposite(corner)));
-                sum ^= self.growth.first_shown(surface, corner) as i32;
             }
             for corner in [a, a + 4] {
                 sum ^= place(surface.vertex(next(corner)));
@@ -496,7 +495,7 @@ impl Refiner {
         }
         match &self.wedges {
             Some(_) => self.growth.add_wedges(&mut self.surface, &self.corners, position, &self.told),
-            None => self.growth.add(&mut self.surface, &self.corners, position),
+            None => self.growth.add(&self.surface, &self.corners, position),
         }
         Ok(Ended::Whole)
     }
@@ -551,6 +550,11 @@ impl Refiner {
         self.surface.reserve(steps);
         self.places.reserve(steps);
         self.growth.reserve(steps);
+    }
+
+    /// Brings the list of triangles up to date.
+    pub(super) fn catch_up(&mut self) {
+        self.growth.catch_up(&mut self.surface);
     }
 
     /// Splits done and told in full.
