@@ -7,7 +7,9 @@
 
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::connectivity::Scene;
-use super::rings::Rings;
+use super::positions::Surroundings;
+use super::quick_cuts::{self, Edge, QuickCuts};
+use super::rings::{Neighbour, Rings};
 use super::surface::{Cut, NONE, Surface, triangle_of};
 use super::walk::Walk;
 use super::StreamVersion;
@@ -43,8 +45,10 @@ pub(super) struct QuickModel {
     /// Vertices that split, and the corners around them.
     splits: Vec<u32>,
     rings: Rings,
-    /// Whether how many triangles lie around its ends counts for a run.
-    weighs_valence: bool,
+    /// Cuts around vertices of few triangles, as symbols; none in streams of the first version.
+    cuts: Option<QuickCuts>,
+    /// Where the runs of the stretch begin: which of the vertices that split, and which of the corners around it.
+    begins: Vec<(u32, u32)>,
     spokes: Vec<Spoke>,
     starts: Vec<(i64, u32)>,
 }
@@ -54,8 +58,6 @@ pub(super) struct QuickModel {
 struct Spoke {
     /// Its squared length.
     square: i64,
-    /// What it counts more where a run ends at it.
-    as_end: i64,
     is_virtual: bool,
     /// Whether the triangle counter-clockwise of it is free.
     is_free: bool,
@@ -76,7 +78,8 @@ impl QuickModel {
             ranks: vec![bit; MOST * MOST * MOST],
             splits: Vec::new(),
             rings: Rings::default(),
-            weighs_valence: version >= StreamVersion::Two,
+            cuts: (version >= StreamVersion::Two).then(QuickCuts::new),
+            begins: Vec::new(),
             spokes: Vec::new(),
             starts: Vec::new(),
         }
@@ -131,6 +134,7 @@ impl QuickModel {
 
     /// Finds the corners around the vertices that split.
     pub(super) fn find_rings(&mut self, surface: &Surface, places: &[[i32; 3]]) {
+        self.begins.clear();
         self.rings.find(surface, &self.splits);
         self.rings.look(surface, places);
     }
@@ -143,6 +147,53 @@ impl QuickModel {
         (split, actual): (usize, Option<Cut>),
         patch: &mut Vec<u32>,
     ) -> bool {
+        let n = self.rings.of(split).len();
+        let run = if self.cuts.is_some() && (2..=quick_cuts::MOST).contains(&n) {
+            self.short_run(coder, scene, (split, actual))
+        } else {
+            self.run(coder, scene, (split, actual))
+        };
+        let Some((start, length)) = run else { return false };
+        let ring = self.rings.of(split);
+        patch.extend((start..start + length).map(|at| ring[if at < n { at } else { at - n }]));
+        self.begins.push((split as u32, start as u32));
+        true
+    }
+
+    /// Codes a cut around a vertex of few triangles: where it begins in the ring, and its length.
+    fn short_run<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        scene: &Scene<'_>,
+        (split, actual): (usize, Option<Cut>),
+    ) -> Option<(usize, usize)> {
+        let ring = self.rings.of(split);
+        let kept = scene.places[self.splits[split] as usize];
+        let mut edges = [Edge::default(); quick_cuts::MOST];
+        for ((edge, &corner), neighbour) in edges.iter_mut().zip(ring).zip(self.rings.neighbours(split)) {
+            let is_virtual = scene.surface.is_virtual(neighbour.vertex);
+            let square = (0..3).map(|a| i64::from(neighbour.place[a] - kept[a]).pow(2)).sum::<i64>();
+            *edge = Edge {
+                square: if is_virtual { 0 } else { square },
+                few: if is_virtual { 0 } else { 6 - self.kept[neighbour.vertex as usize].triangles.min(15) as i8 },
+                is_virtual,
+                is_free: !scene.is_taken(triangle_of(corner)),
+            };
+        }
+        let meant = actual.map_or((0, 1), |cut| {
+            let start = ring.iter().position(|&corner| corner == cut.first);
+            (start.unwrap_or(0), cut.length as usize)
+        });
+        self.cuts.as_mut()?.code(coder, &edges[..ring.len()], scene.max_patch as usize, meant)
+    }
+
+    /// The same around any vertex, as a chain of decisions.
+    fn run<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        scene: &Scene<'_>,
+        (split, actual): (usize, Option<Cut>),
+    ) -> Option<(usize, usize)> {
         let n = self.rings.of(split).len();
         let most = (scene.max_patch as usize).min(n - 1);
         let meant = actual.map_or(0, |cut| cut.length as usize);
@@ -159,7 +210,7 @@ impl QuickModel {
         let key = (n.min(MOST - 1) * MOST + length.min(MOST - 1)) * MOST;
         let mut rank = 0;
         let start = loop {
-            let Some(start) = self.next_start(n * length > MOST_STEPS) else { return false };
+            let start = self.next_start(n * length > MOST_STEPS)?;
             let is_meant = self.rings.of(split)[start as usize] == meant;
             let is_last = self.starts.is_empty();
             if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, is_meant) {
@@ -167,9 +218,28 @@ impl QuickModel {
             }
             rank += 1;
         };
-        let ring = self.rings.of(split);
-        patch.extend((start..start + length).map(|at| ring[if at < n { at } else { at - n }]));
-        true
+        Some((start, length))
+    }
+
+    /// Tells what is around the vertices that the cuts make, in order, before any is made; `patches` has the corners of their
+    /// patches, up to `ends`.
+    pub(super) fn look_around(
+        &self,
+        surface: &Surface,
+        places: &[[i32; 3]],
+        (patches, ends): (&[u32], &[u32]),
+        mut tell: impl FnMut(&Surroundings),
+    ) {
+        let mut first = 0;
+        let mut around = Surroundings::default();
+        for (&(split, begin), &end) in self.begins.iter().zip(ends) {
+            let patch = &patches[first..end as usize];
+            first = end as usize;
+            let neighbours = self.rings.neighbours(split as usize);
+            let kept = places[self.splits[split as usize] as usize];
+            look_around(surface, places, (neighbours, begin as usize), (patch, kept), &mut around);
+            tell(&around);
+        }
     }
 
     /// Where in a ring a run of free triangles can begin, and how long its edges are.
@@ -184,14 +254,10 @@ impl QuickModel {
             let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum::<i64>();
             Spoke {
                 square: if is_virtual { 0 } else { square },
-                as_end: 0,
                 is_virtual,
                 is_free: !scene.is_taken(triangle_of(corner)),
             }
         }));
-        if self.weighs_valence {
-            self.weigh_valence(split);
-        }
         self.starts.clear();
         if n * length > MOST_STEPS {
             self.find_far_starts(n, length);
@@ -199,7 +265,7 @@ impl QuickModel {
         }
         'starts: for start in 0..n {
             let mut at = start;
-            let mut sum = self.spokes[start].square + self.spokes[start].as_end;
+            let mut sum = self.spokes[start].square;
             for left in (0..length).rev() {
                 let is_free = self.spokes[at].is_free;
                 at = if at + 1 == n { 0 } else { at + 1 };
@@ -210,20 +276,7 @@ impl QuickModel {
                 }
                 sum += spoke.square << u32::from(left > 0);
             }
-            sum += self.spokes[at].as_end;
             self.starts.push((sum, start as u32));
-        }
-    }
-
-    /// Runs end more often at vertices with few triangles, which get one more.
-    fn weigh_valence(&mut self, split: usize) {
-        let sum = self.spokes.iter().map(|spoke| spoke.square >> 1).sum::<i64>();
-        let unit = sum / self.spokes.len().max(1) as i64;
-        for (spoke, neighbour) in self.spokes.iter_mut().zip(self.rings.neighbours(split)) {
-            if !spoke.is_virtual {
-                let triangles = self.kept[neighbour.vertex as usize].triangles;
-                spoke.as_end = unit * (6 - i64::from(triangles.min(15)));
-            }
         }
     }
 
@@ -252,8 +305,7 @@ impl QuickModel {
             let is_free = sums[end].1 == sums[start].1;
             if is_free && sums[end].2 == sums[first].2 {
                 let inside = sums[end].0.wrapping_sub(sums[first].0);
-                let ends = [start, end % n].map(|at| self.spokes[at].square.wrapping_add(self.spokes[at].as_end));
-                let ends = ends[0].wrapping_add(ends[1]);
+                let ends = self.spokes[start].square.wrapping_add(self.spokes[end % n].square);
                 self.starts.push((ends.wrapping_add(inside).wrapping_add(inside), start as u32));
             }
         }
@@ -277,4 +329,37 @@ impl QuickModel {
         }
         kept.split = self.batch;
     }
+}
+
+/// What is around the vertex that takes over a patch.
+#[inline]
+fn look_around(
+    surface: &Surface,
+    places: &[[i32; 3]],
+    (neighbours, begin): (&[Neighbour], usize),
+    (patch, [x, y, z]): (&[u32], [i32; 3]),
+    around: &mut Surroundings,
+) {
+    let n = neighbours.len();
+    let wrap = |at: usize| if at < n { at } else { at - n };
+    let spot = |vertex: u32, [x, y, z]: [i32; 3]| {
+        if surface.is_virtual(vertex) { [0; 4] } else { [x, y, z, 1] }
+    };
+    let neighbour = |at: usize| {
+        let neighbour = &neighbours[wrap(at)];
+        spot(neighbour.vertex, neighbour.place)
+    };
+    around.ring[0] = [x, y, z, 1];
+    around.across[0] = neighbour(begin + n - 1);
+    let places_left = around.ring.len() - 1;
+    for (at, &corner) in patch.iter().enumerate().take(places_left) {
+        around.ring[at + 1] = neighbour(begin + at);
+        let across = surface.vertex(surface.opposite(corner));
+        around.across[at + 1] = spot(across, places[across as usize]);
+    }
+    if let Some(last) = around.ring.get_mut(patch.len() + 1) {
+        *last = neighbour(begin + patch.len());
+        around.across[patch.len() + 1] = neighbour(wrap(begin + patch.len()) + 1);
+    }
+    around.count = (patch.len() + 2).min(around.ring.len());
 }

@@ -261,7 +261,7 @@ impl Refiner {
             max_patch,
             grid,
             connectivity,
-            positions: PositionModel::new(effort),
+            positions: PositionModel::new(effort, terms.version),
             corrections,
             wedges,
             told: SplitWedges::default(),
@@ -308,8 +308,11 @@ impl Refiner {
             return Err(StreamDefect::EmptyBatch { batch: self.walk.batch() });
         }
         let (first, mut start) = (self.surface.vertex_count() as u32, 0);
+        let is_ahead = self.look_ahead(first);
         self.split_pending(source);
-        self.fetch(first);
+        if !is_ahead {
+            self.fetch(first);
+        }
         for split in 0..self.pending.len() {
             let vertex = first + split as u32;
             let end = self.pending[split] as usize;
@@ -419,6 +422,15 @@ impl Refiner {
             }
             self.pending.push(self.patches.len() as u32);
         }
+    }
+
+    /// Looks at what is around the vertices that come next; false where that is done one by one.
+    fn look_ahead(&mut self, first: u32) -> bool {
+        let Connectivity::Quick(model) = &self.connectivity else { return false };
+        let Some(positions) = self.positions.ahead(first) else { return false };
+        let patches = (self.patches.as_slice(), self.pending.as_slice());
+        model.look_around(&self.surface, &self.places, patches, |around| positions.look_ahead(around));
+        true
     }
 
     fn split_pending(&mut self, source: &mut impl Source) {
