@@ -30,7 +30,7 @@ pub(crate) use adaptive::{AdaptiveBit, Rate};
 pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixer::{Mixer, Refiner};
 pub(crate) use number::{AdaptiveNumber, code_uniform};
-pub(crate) use quick_symbol::{QuickShares, QuickSymbol, code_by_two};
+pub(crate) use quick_symbol::{QuickShares, QuickSymbol, code_by_two, code_shares};
 pub(crate) use range::{RangeReader, RangeWriter};
 pub(crate) use symbol::{AdaptiveSymbol, Shares, code_symbol};
 pub(crate) use wide_mixer::WideMixer;

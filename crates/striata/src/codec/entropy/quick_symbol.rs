@@ -90,6 +90,12 @@ fn shares_of(begins: [i16x8; 2]) -> QuickShares {
     shares
 }
 
+/// Codes a symbol by where shares begin as a model has them: an even share is mixed in.
+#[inline]
+pub(crate) fn code_shares<C: Coder>(coder: &mut C, meant: usize, begins: &QuickShares) -> usize {
+    coder.quick_symbol(meant, &shares_of(halves(begins)))
+}
+
 /// Codes a symbol by the mean of two models, which learn it.
 #[inline]
 pub(crate) fn code_by_two<C: Coder>(

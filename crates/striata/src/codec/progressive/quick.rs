@@ -91,13 +91,8 @@ impl QuickModel {
     }
 
     /// Vertices that split, as far as flags have been coded.
-    pub(super) fn split_count(&self) -> usize {
-        self.splits.len()
-    }
-
-    /// One of them.
-    pub(super) fn vertex(&self, split: usize) -> u32 {
-        self.splits[split]
+    pub(super) fn splits(&self) -> &[u32] {
+        &self.splits
     }
 
     /// Codes which vertices split, until there are `most`; true where the batch is done.
@@ -127,7 +122,7 @@ impl QuickModel {
                 self.splits.push(vertex);
             }
         }
-        walk.pass(asked);
+        walk.pass(asked, &self.splits);
         self.history = history;
         walk.rest().is_empty()
     }

@@ -105,7 +105,7 @@ fn scores(edges: &[Edge], length: usize) -> [i64; MOST] {
     let n = edges.len();
     let wrap = |at: usize| if at < n { at } else { at - n };
     let sum: i64 = edges.iter().map(|edge| edge.square).sum();
-    let unit = (sum * INVERSES[n.min(MOST)]) >> 16;
+    let unit = ((sum >> 8) * INVERSES[n.min(MOST)]) >> 8;
     let mut inner: i64 = edges[1..length].iter().map(|edge| edge.square).sum();
     let mut ends = [0; MOST];
     for (end, edge) in ends.iter_mut().zip(edges) {

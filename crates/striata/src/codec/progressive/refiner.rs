@@ -60,12 +60,13 @@ impl Terms {
     }
 
     /// Which vertex is asked next.
-    fn walk_order(&self) -> WalkOrder {
-        match (self.version, self.effort) {
+    fn walk(&self) -> Walk {
+        let order = match (self.version, self.effort) {
             (StreamVersion::One, Effort::Small) => WalkOrder::Near,
             (StreamVersion::One, _) => WalkOrder::Numbers,
             _ => WalkOrder::Families,
-        }
+        };
+        if self.effort == Effort::Fast { Walk::forgetful(order) } else { Walk::new(order) }
     }
 
     /// How often vertices may be asked in all: what real batches need many times over, and a bound for hostile ones.
@@ -160,6 +161,8 @@ enum Connectivity {
     Thorough(Box<ConnectivityModel>),
     /// Next to nothing is.
     Quick(Box<QuickModel>),
+    /// Next to nothing is to see whether it splits, and all to see how.
+    Joint(Box<QuickModel>, Box<ConnectivityModel>),
 }
 
 /// A surface under refinement, with all models.
@@ -249,12 +252,16 @@ impl Refiner {
         let Terms { grid, effort, max_patch, .. } = *terms;
         let connectivity = match effort {
             Effort::Fast => Connectivity::Quick(Box::new(QuickModel::new(&surface, terms.version))),
+            Effort::Default if terms.version > StreamVersion::One => Connectivity::Joint(
+                Box::new(QuickModel::new(&surface, terms.version)),
+                Box::new(ConnectivityModel::new(effort)),
+            ),
             _ => Connectivity::Thorough(Box::new(ConnectivityModel::new(effort))),
         };
         Ok(Self {
             surface,
             places: base.surface_places(),
-            walk: Walk::new(terms.walk_order()),
+            walk: terms.walk(),
             is_in_batch: false,
             splits_in_batch: 0,
             visits_left: terms.most_visits(),
@@ -293,6 +300,10 @@ impl Refiner {
             match &mut self.connectivity {
                 Connectivity::Thorough(model) => model.begin_batch(&self.surface, self.walk.end()),
                 Connectivity::Quick(model) => model.begin_batch(),
+                Connectivity::Joint(flags, cuts) => {
+                    flags.begin_batch();
+                    cuts.begin_batch(&self.surface, self.walk.end());
+                }
             }
             source.begin_batch();
             self.is_in_batch = true;
@@ -336,6 +347,7 @@ impl Refiner {
         self.patches.clear();
         match &self.connectivity {
             Connectivity::Quick(_) => self.ask_quickly(coder, source, most),
+            Connectivity::Joint(..) => self.ask_jointly(coder, source, most),
             Connectivity::Thorough(model) if model.is_thorough() => self.ask_thoroughly(coder, source, most),
             Connectivity::Thorough(_) => self.ask_in_groups(coder, source, most),
         }
@@ -400,19 +412,38 @@ impl Refiner {
         }
     }
 
-    /// The same for the quick model: all flags, then all cuts.
-    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
-        let Connectivity::Quick(model) = &mut self.connectivity else { return };
-        self.is_in_batch = !model.flags(coder, &mut self.walk, most, |vertex| source.cut(vertex).is_some());
-        model.find_rings(&self.surface, &self.places);
-        for split in 0..model.split_count() {
+    /// All flags by the quick model, then all cuts by the thorough one.
+    fn ask_jointly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+        let Connectivity::Joint(flags, cuts) = &mut self.connectivity else { return };
+        self.is_in_batch = !flags.flags(coder, &mut self.walk, most, |vertex| source.cut(vertex).is_some());
+        self.rings.find(&self.surface, flags.splits());
+        for (at, &vertex) in flags.splits().iter().enumerate() {
             let scene = Scene {
                 surface: &self.surface,
                 places: &self.places,
                 walk: &self.walk,
                 max_patch: self.max_patch,
             };
-            let actual = if C::READS { None } else { source.cut(model.vertex(split)) };
+            let actual = if C::READS { None } else { source.cut(vertex) };
+            if let Some(cut) = cuts.cut(coder, &scene, (vertex, self.rings.of(at)), actual) {
+                take(&mut self.surface, (&mut self.patches, &mut self.pending), cut, self.walk.batch());
+            }
+        }
+    }
+
+    /// The same for the quick model: all flags, then all cuts.
+    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+        let Connectivity::Quick(model) = &mut self.connectivity else { return };
+        self.is_in_batch = !model.flags(coder, &mut self.walk, most, |vertex| source.cut(vertex).is_some());
+        model.find_rings(&self.surface, &self.places);
+        for split in 0..model.splits().len() {
+            let scene = Scene {
+                surface: &self.surface,
+                places: &self.places,
+                walk: &self.walk,
+                max_patch: self.max_patch,
+            };
+            let actual = if C::READS { None } else { source.cut(model.splits()[split]) };
             if !model.cut(coder, &scene, (split, actual), &mut self.patches) {
                 continue;
             }
@@ -446,7 +477,7 @@ impl Refiner {
                 // No part of the mesh before the vertex's values are known.
                 self.surface.set_label(triangle, NONE);
             }
-            if let Connectivity::Quick(model) = &mut self.connectivity {
+            if let Connectivity::Quick(model) | Connectivity::Joint(model, _) = &mut self.connectivity {
                 model.split(&self.surface, patch.len(), kept);
             }
             self.walk.born(kept);

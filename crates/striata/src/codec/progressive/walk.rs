@@ -46,6 +46,8 @@ pub(super) enum WalkOrder {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Walk {
     order: WalkOrder,
+    /// Whether it is told what became of vertices that were asked in one go.
+    remembers: bool,
     /// For each vertex: four times the batch in which it was seen last, and what became of it.
     seen: Vec<u32>,
     batch: u32,
@@ -69,7 +71,12 @@ const SPLITS: u32 = 2;
 impl Walk {
     /// No batch yet.
     pub(super) fn new(order: WalkOrder) -> Self {
-        Self { order, ..Self::default() }
+        Self { order, remembers: true, ..Self::default() }
+    }
+
+    /// The same, where nobody asks what has become of vertices.
+    pub(super) fn forgetful(order: WalkOrder) -> Self {
+        Self { remembers: false, ..Self::new(order) }
     }
 
     /// Begins a batch.
@@ -174,9 +181,18 @@ impl Walk {
         &self.queue[self.head..]
     }
 
-    /// The next so many vertices have been asked.
-    pub(super) fn pass(&mut self, count: usize) {
-        self.head += count;
+    /// The next so many vertices have been asked, and these of them split.
+    pub(super) fn pass(&mut self, count: usize, splits: &[u32]) {
+        let asked = self.head..self.head + count;
+        self.head = asked.end;
+        if !self.remembers {
+            return;
+        }
+        self.seen.resize(self.end as usize, 0);
+        let marks = [(&self.queue[asked], STAYS), (splits, SPLITS)];
+        for (vertices, mark) in marks {
+            vertices.iter().for_each(|&vertex| self.seen[vertex as usize] = 4 * self.batch + mark);
+        }
     }
 
     /// The next vertex to ask; none when all were.
@@ -267,7 +283,7 @@ mod tests {
         }
         walk.begin(&surface);
         assert_eq!(walk.rest()[..5], [1, count + 2, 2, count, count + 3]);
-        walk.pass(2);
+        walk.pass(2, &[]);
         assert_eq!(walk.next_vertex(), Some(2));
         assert_eq!(walk.rest().len(), surface.vertex_count() - 4);
     }

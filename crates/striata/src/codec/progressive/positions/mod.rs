@@ -13,6 +13,7 @@
 //! | `blend.rs` | the one place that is expected |
 //! | `sight.rs` | what of this goes into each axis, given the axes before |
 //! | `axis.rs` | a coordinate as a chain of mixed decisions |
+//! | `cells.rs` | a coordinate as one of sixteen cells |
 //! | `mixed.rs` | the thorough models: these together |
 //! | `plain.rs` | the quick model of the first version: one prediction, counters alone |
 //! | `ahead.rs` | predictions for many vertices at once |
@@ -25,6 +26,7 @@ mod ahead;
 mod axis;
 mod blend;
 mod bumps;
+mod cells;
 mod guesses;
 mod local;
 mod mixed;
@@ -36,6 +38,8 @@ use super::super::entropy::Coder;
 use super::{Effort, StreamVersion};
 pub(super) use ahead::Surroundings;
 use super::hood::Hood;
+use axis::AxisModel;
+use cells::CellModel;
 use mixed::MixedModel;
 use plain::PlainModel;
 use quick::QuickPositions;
@@ -51,9 +55,11 @@ enum Model {
     /// One prediction, made ahead.
     Ahead(Box<QuickPositions>),
     /// Guesses from the ring and the triangles around it.
-    Some(Box<MixedModel<4, 1, 1, 1>>),
+    Some(Box<MixedModel<4, 1, 1, AxisModel<1>>>),
+    /// The same, an axis at once.
+    Cells(Box<MixedModel<4, 1, 1, CellModel>>),
     /// Guesses from two rings, under several widths.
-    All(Box<MixedModel<6, 6, 3, 3>>),
+    All(Box<MixedModel<6, 6, 3, AxisModel<3>>>),
 }
 
 impl PositionModel {
@@ -62,6 +68,7 @@ impl PositionModel {
         Self(match effort {
             Effort::Fast if version > StreamVersion::One => Model::Ahead(Box::new(QuickPositions::new())),
             Effort::Fast => Model::One(Box::new(PlainModel::new())),
+            Effort::Default if version > StreamVersion::One => Model::Cells(Box::new(MixedModel::new([[5], [4]]))),
             Effort::Default => Model::Some(Box::new(MixedModel::new([[5], [4]]))),
             Effort::Small => Model::All(Box::new(MixedModel::new([[2, 5, 8], [1, 4, 7]]))),
         })
@@ -81,6 +88,7 @@ impl PositionModel {
             Model::One(model) => model.code(coder, hood, actual),
             Model::Ahead(model) => model.code(coder, hood.vertex, actual),
             Model::Some(model) => model.code(coder, hood, actual),
+            Model::Cells(model) => model.code(coder, hood, actual),
             Model::All(model) => model.code(coder, hood, actual),
         }
     }

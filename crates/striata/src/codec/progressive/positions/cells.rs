@@ -1,0 +1,290 @@
+//! One coordinate as one of sixteen cells, and what is left within it.
+//!
+//! Around the expected place lie fourteen cells, narrow in the middle and wider outside, and two more hold all the rest. What
+//! speaks for a cell adds up, as logarithms: how much of the density of guesses lies there, and for each of four
+//! circumstances a weight for each cell. After each coordinate all of these move along the gradient of what it cost. So an
+//! axis takes one decision among sixteen where halving takes four or five.
+
+use wide::{i16x8, i32x4};
+
+use super::super::super::entropy::{
+    AdaptiveBit, AdaptiveNumber, Coder, QuickShares, Rate, code_shares, log2_q8,
+};
+use super::axis::{Axis, DISTANCES, PLACES, SIZES, SPREADS};
+use super::bumps::{Bumps, Width, below};
+use super::mixed::AxisCoder;
+
+/// Cells of an axis.
+const CELLS: usize = 16;
+/// Where cells end, in steps of the grid or of a power of two of it; the last one does not.
+const ENDS: [i32; CELLS - 1] = [-16, -10, -7, -5, -3, -2, -1, 0, 1, 2, 3, 5, 7, 10, 16];
+/// Steps of cells are wider than one where half the interval is wider than 2 to this.
+const SPAN_LOG: u32 = 5;
+
+/// One in scores, as a power of two: a bit.
+const SCORE_LOG: u32 = 9;
+/// Weights are finer than scores by this power of two.
+const WEIGHT_LOG: u32 = 8;
+/// One in the weight of the density.
+const DENSITY_ONE: i32 = 1 << 14;
+/// Mass that lies in every cell, of 2^14.
+const DOUBT: u32 = 6;
+/// Powers of two from 0 down, in steps of 1/64.
+const POWERS: usize = 1024;
+
+/// `2^(15 - at / 64)`, rounded down: by repeated multiplication with `2^(-1/64)` in 1/2^62.
+static EXPONENTIALS: [u16; POWERS] = {
+    let mut table = [0; POWERS];
+    let mut power: u128 = (1 << 62) - 1;
+    let mut at = 0;
+    while at < POWERS {
+        table[at] = (power >> 47) as u16;
+        power = (power * 4_562_008_997_483_360_256) >> 62;
+        at += 1;
+    }
+    table
+};
+
+/// Weights of all cells under one circumstance.
+#[derive(Clone, Copy, Debug)]
+struct Weights {
+    weights: [i32x4; CELLS / 4],
+    seen: u32,
+}
+
+/// What is learned about one axis.
+#[derive(Clone, Debug)]
+pub(super) struct CellModel {
+    by_size: Vec<Weights>,
+    by_place: Vec<Weights>,
+    by_spread: Vec<Weights>,
+    by_distance: Vec<Weights>,
+    /// How much the density counts, by place.
+    density: [i32; PLACES],
+    /// Whether a coordinate lies in the upper part of what is left of a cell, by its width and what the density says.
+    halves: Vec<AdaptiveBit>,
+    far: AdaptiveNumber,
+}
+
+/// Kinds of widths, and kinds of what the density says, of halves.
+const WIDTHS: usize = 16;
+const CHANCES: usize = 32;
+
+impl CellModel {
+    /// Knows nothing yet.
+    pub(super) fn new() -> Self {
+        let weights = |count: usize| vec![Weights { weights: [i32x4::ZERO; CELLS / 4], seen: 0 }; count];
+        Self {
+            by_size: weights(SIZES),
+            by_place: weights(PLACES),
+            by_spread: weights(SPREADS),
+            by_distance: weights(DISTANCES),
+            density: [DENSITY_ONE * 3 / 4; PLACES],
+            halves: vec![AdaptiveBit::new(Rate::Steady); WIDTHS * CHANCES],
+            far: AdaptiveNumber::new(2 * SIZES, Rate::Steady),
+        }
+    }
+
+    fn circumstances<const K: usize, const W: usize>(&mut self, axis: &Axis<'_, K, W>) -> [&mut Weights; 4] {
+        [
+            &mut self.by_size[axis.size],
+            &mut self.by_place[axis.place],
+            &mut self.by_spread[axis.spread],
+            &mut self.by_distance[axis.distance],
+        ]
+    }
+
+    /// Codes a cell as counters see it, given what the density says of each, in 1/256 of bits.
+    fn cell<C: Coder, const K: usize, const W: usize>(
+        &mut self,
+        coder: &mut C,
+        axis: &Axis<'_, K, W>,
+        density: &[i16; CELLS],
+        meant: usize,
+    ) -> usize {
+        let trust = self.density[axis.place];
+        let circumstances = self.circumstances(axis);
+        let scores = scores(&circumstances, trust, density);
+        let (parts, shares) = parts_of(&scores);
+        let cell = code_shares(coder, meant, &shares);
+        let mut errors = parts.map(|part| -part);
+        errors[cell & 15] += 32_767;
+        circumstances.into_iter().for_each(|weights| weights.learn(&errors));
+        let pull: i32 = errors.iter().zip(density).map(|(&e, &d)| i32::from(e) * i32::from(d)).sum();
+        let trust = &mut self.density[axis.place];
+        *trust = (*trust + (pull >> TRUST_SHIFT)).clamp(DENSITY_ONE / 8, 2 * DENSITY_ONE - 1);
+        cell
+    }
+
+    /// Codes what is left of a cell between two offsets from the center.
+    fn within<C: Coder, const K: usize, const W: usize>(
+        &mut self,
+        coder: &mut C,
+        axis: &Axis<'_, K, W>,
+        (mut low, mut high): (i32, i32),
+        actual: i32,
+    ) -> i32 {
+        if high - low < 2 {
+            return low;
+        }
+        let width = [axis.widths[W / 2]];
+        let mass = |off: i32| below_all(axis, off, &width);
+        let [mut below_low, mut below_high] = [low, high].map(mass);
+        while high - low > 1 {
+            let middle = low.midpoint(high);
+            let below = mass(middle);
+            let [up, all] = [below_high - below, below_high - below_low].map(|m| i64::from(m.max(0)) + (1 << 16));
+            let chance = ((up * CHANCES as i64) / (all + (1 << 16))).clamp(0, CHANCES as i64 - 1) as usize;
+            let width = (high - low).ilog2().min(WIDTHS as u32 - 1) as usize;
+            let is_up = self.halves[width * CHANCES + chance].code(coder, actual >= middle);
+            if is_up {
+                (low, below_low) = (middle, below);
+            } else {
+                (high, below_high) = (middle, below);
+            }
+        }
+        low
+    }
+}
+
+/// How slowly weights and the trust in densities are learned.
+const FIRST_SHIFT: u32 = 0;
+const LAST_SHIFT: u32 = 5;
+const TRUST_SHIFT: u32 = 18;
+
+impl Weights {
+    #[inline]
+    fn learn(&mut self, errors: &[i16; CELLS]) {
+        self.seen = (self.seen + 1).min(1 << 12);
+        let shift = (FIRST_SHIFT + (1 + (self.seen >> 1)).ilog2()).min(LAST_SHIFT);
+        for (weights, errors) in self.weights.iter_mut().zip(errors.chunks_exact(4)) {
+            let errors = i32x4::new(std::array::from_fn(|at| i32::from(errors[at]) << 1));
+            *weights += errors >> shift;
+        }
+    }
+}
+
+/// What speaks for each cell.
+#[inline]
+fn scores(circumstances: &[&mut Weights; 4], trust: i32, density: &[i16; CELLS]) -> [i16; CELLS] {
+    let mut scores = [0; CELLS];
+    for (quarter, scores) in scores.chunks_exact_mut(4).enumerate() {
+        let sum = circumstances.iter().fold(i32x4::ZERO, |sum, weights| sum + weights.weights[quarter]);
+        let sum = (sum >> WEIGHT_LOG).to_array();
+        for (at, score) in scores.iter_mut().enumerate() {
+            // Of the density, in 1/256 bits.
+            let said = (i32::from(density[4 * quarter + at]) * trust) >> (14 + 8 - SCORE_LOG);
+            *score = (sum[at] + said).clamp(-16_000, 16_000) as i16;
+        }
+    }
+    scores
+}
+
+/// The probability of each cell, in 1/32768, and where each one's share begins.
+#[inline]
+fn parts_of(scores: &[i16; CELLS]) -> ([i16; CELLS], QuickShares) {
+    let best = scores.iter().copied().max().unwrap_or(0);
+    let powers = scores.map(|score| {
+        let below = (i32::from(best) - i32::from(score)) >> (SCORE_LOG - 6);
+        u32::from(EXPONENTIALS[(below as usize).min(POWERS - 1)])
+    });
+    let inverse = ((1u32 << 31) - 1) / powers.iter().sum::<u32>().max(1);
+    let parts = powers.map(|power| ((power * inverse) >> 16) as i16);
+    let mut begin = 0;
+    let shares = parts.map(|part| {
+        begin += part;
+        begin - part
+    });
+    (parts, shares)
+}
+
+/// The ends of cells in local units for each power of two of a step, from [`LEAST_STEP_LOG`] on; the last one is beyond all.
+static LOCAL_ENDS: [[i16; CELLS]; 16 - LEAST_STEP_LOG as usize] = {
+    let mut table = [[i16::MAX; CELLS]; 16 - LEAST_STEP_LOG as usize];
+    let mut log = 0;
+    while log < table.len() {
+        let mut at = 0;
+        while at < CELLS - 1 {
+            let end = ENDS[at] << (log + LEAST_STEP_LOG as usize);
+            table[log][at] = if end > 16_000 {
+                16_000
+            } else if end < -16_000 {
+                -16_000
+            } else {
+                end as i16
+            };
+            at += 1;
+        }
+        log += 1;
+    }
+    table
+};
+const LEAST_STEP_LOG: u32 = 4;
+
+/// How much of the density lies below a coordinate so far from the center.
+fn below_all<const K: usize, const W: usize>(axis: &Axis<'_, K, W>, off: i32, width: &[Width; 1]) -> i32 {
+    let x = axis.local.border(axis.centre.wrapping_add(off), axis.axis);
+    below(axis.bumps, x, width)[0]
+}
+
+/// The logarithm to base 2 of the part of the density in each cell, in 1/256, cells in the order in which counters see them.
+#[inline]
+fn logarithms<const K: usize, const W: usize>(axis: &Axis<'_, K, W>, step_log: u32) -> [i16; CELLS] {
+    let local_log = (step_log as i32 + axis.local.shift - LEAST_STEP_LOG as i32).max(0) as usize;
+    let center = i16x8::splat(axis.local.border(axis.centre, axis.axis));
+    let (low, high) = LOCAL_ENDS[local_log.min(LOCAL_ENDS.len() - 1)].split_at(8);
+    let ends = [low, high].map(|ends| i16x8::from_slice_unaligned(ends).saturating_add(center));
+    let sums = below_ends(axis.bumps, ends, axis.widths[W / 2]);
+    let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
+    std::array::from_fn(|at| {
+        let cell = at ^ flip;
+        let below = if cell > 0 { sums[cell - 1] } else { 0 };
+        log2_q8((i32::from(sums[cell]) - i32::from(below)).max(0) as u32 + DOUBT) as i16
+    })
+}
+
+/// How much of the density lies below each end, all of it being about 2^13 to 2^14.
+#[inline]
+fn below_ends(density: &[Bumps], ends: [i16x8; 2], width: Width) -> [i16; CELLS] {
+    let mut sums = [i16x8::ZERO; 2];
+    for bumps in density {
+        for (&at, &weight) in bumps.at.iter().zip(&bumps.weight).filter(|&(_, &weight)| weight > 0) {
+            let (at, weight) = (i16x8::splat(at), i16x8::splat(weight));
+            for (sum, end) in sums.iter_mut().zip(ends) {
+                let below: i16x8 = width.below(end.saturating_sub(at)) << 2u32;
+                *sum += below.mul_keep_high(weight);
+            }
+        }
+    }
+    let mut all = [0; CELLS];
+    all[..8].copy_from_slice(sums[0].as_array());
+    all[8..].copy_from_slice(sums[1].as_array());
+    all
+}
+
+impl<const KINDS: usize, const WIDTH_COUNT: usize> AxisCoder<KINDS, WIDTH_COUNT> for CellModel {
+    fn new(_: bool) -> Self {
+        Self::new()
+    }
+
+    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, KINDS, WIDTH_COUNT>, actual: i32) -> i32 {
+        let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
+        let step_log = span_log.saturating_sub(SPAN_LOG);
+        let density = logarithms(axis, step_log);
+        let actual = actual.wrapping_sub(axis.centre);
+        let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
+        let meant = ENDS.iter().filter(|&&end| actual >= end << step_log).count() ^ flip;
+        let cell = self.cell(coder, axis, &density, meant) ^ flip;
+        let off = if cell == 0 {
+            let beyond = (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(actual) as u32;
+            (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(self.far.unsigned(coder, axis.size, beyond) as i32)
+        } else if cell == CELLS - 1 {
+            let first = ENDS[CELLS - 2] << step_log;
+            let beyond = actual.wrapping_sub(first) as u32;
+            first.wrapping_add(self.far.unsigned(coder, SIZES + axis.size, beyond) as i32)
+        } else {
+            self.within(coder, axis, (ENDS[cell - 1] << step_log, ENDS[cell] << step_log), actual)
+        };
+        axis.centre.wrapping_add(off)
+    }
+}
