@@ -37,6 +37,8 @@ const MOST_STEPS: usize = 4096;
 pub(super) struct QuickModel {
     kept: Vec<Kept>,
     batch: u8,
+    /// How many triangles lie around each vertex has to be counted again.
+    is_renumbered: bool,
     /// The last few flags.
     history: usize,
     flags: Vec<AdaptiveBit>,
@@ -72,6 +74,7 @@ impl QuickModel {
         Self {
             kept: (0..surface.vertex_count() as u32).map(kept).collect(),
             batch: 0,
+            is_renumbered: false,
             history: 0,
             flags: vec![bit; 16 * 4 * 4 * 8],
             lengths: vec![bit; MOST * MOST],
@@ -86,8 +89,21 @@ impl QuickModel {
     }
 
     /// A batch begins.
-    pub(super) fn begin_batch(&mut self) {
+    pub(super) fn begin_batch(&mut self, surface: &Surface) {
         self.batch = self.batch.wrapping_add(1);
+        if std::mem::take(&mut self.is_renumbered) {
+            for (vertex, kept) in (0..).zip(&mut self.kept) {
+                kept.triangles = surface.ring(vertex).take(255).count() as u8;
+            }
+        }
+    }
+
+    /// The surface has been built anew between two batches: here is the old number of each vertex, or [`NONE`]. Those count as made
+    /// just now.
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        let new = Kept { triangles: 6, made: self.batch, split: self.batch };
+        self.kept = old_of_new.iter().map(|&old| self.kept.get(old as usize).copied().unwrap_or(new)).collect();
+        self.is_renumbered = true;
     }
 
     /// Vertices that split, as far as flags have been coded.

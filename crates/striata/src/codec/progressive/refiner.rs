@@ -299,9 +299,9 @@ impl Refiner {
             self.walk.begin(&self.surface);
             match &mut self.connectivity {
                 Connectivity::Thorough(model) => model.begin_batch(&self.surface, self.walk.end()),
-                Connectivity::Quick(model) => model.begin_batch(),
+                Connectivity::Quick(model) => model.begin_batch(&self.surface),
                 Connectivity::Joint(flags, cuts) => {
-                    flags.begin_batch();
+                    flags.begin_batch(&self.surface);
                     cuts.begin_batch(&self.surface, self.walk.end());
                 }
             }
@@ -593,6 +593,23 @@ impl Refiner {
         self.surface.reserve(steps);
         self.places.reserve(steps);
         self.growth.reserve(steps);
+    }
+
+    /// All models follow a surface that was built anew between two batches: here is the old number of each of its vertices, or
+    /// [`NONE`] for those that are new. Only in streams of the second version; the surface, its places and what has grown
+    /// are up to the caller.
+    #[cfg_attr(not(test), expect(dead_code, reason = "batches that build the surface anew are to come"))]
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        self.walk.renumber(old_of_new);
+        match &mut self.connectivity {
+            Connectivity::Thorough(model) => model.renumber(old_of_new),
+            Connectivity::Quick(model) => model.renumber(old_of_new),
+            Connectivity::Joint(flags, cuts) => {
+                flags.renumber(old_of_new);
+                cuts.renumber(old_of_new);
+            }
+        }
+        self.positions.renumber(old_of_new);
     }
 
     /// Brings the list of triangles up to date.

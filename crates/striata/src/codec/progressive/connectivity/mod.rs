@@ -107,6 +107,12 @@ impl ConnectivityModel {
         self.memory.begin_batch(surface);
     }
 
+    /// The surface has been built anew between two batches: here is the old number of each vertex, or
+    /// [`NONE`](super::surface::NONE).
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        self.memory.renumber(old_of_new);
+    }
+
     /// Whether every ring is looked at: then [`code`](Self::code) tells all of a vertex at once; else flags come first,
     /// by [`flag`](Self::flag), and [`cut`](Self::cut) tells how those vertices split.
     pub(super) fn is_thorough(&self) -> bool {

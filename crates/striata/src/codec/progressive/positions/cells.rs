@@ -183,18 +183,23 @@ fn scores(circumstances: &[&mut Weights; 4], trust: i32, density: &[i16; CELLS])
 /// The probability of each cell, in 1/32768, and where each one's share begins.
 #[inline]
 fn parts_of(scores: &[i16; CELLS]) -> ([i16; CELLS], QuickShares) {
-    let best = scores.iter().copied().max().unwrap_or(0);
-    let powers = scores.map(|score| {
-        let below = (i32::from(best) - i32::from(score)) >> (SCORE_LOG - 6);
-        u32::from(EXPONENTIALS[(below as usize).min(POWERS - 1)])
-    });
-    let inverse = ((1u32 << 31) - 1) / powers.iter().sum::<u32>().max(1);
-    let parts = powers.map(|power| ((power * inverse) >> 16) as i16);
+    let [low, high] = [0, 8].map(|at| i16x8::from_slice_unaligned(&scores[at..at + 8]));
+    let best = i16x8::splat(low.max(high).reduce_max());
+    let last = i16x8::splat(POWERS as i16 - 1);
+    let steps = [low, high].map(|half| (best.saturating_sub(half) >> (SCORE_LOG - 6)).min(last).to_array());
+    let (mut parts, mut shares) = ([0; CELLS], [0; CELLS]);
+    let mut sum = 0;
+    for (part, &step) in parts.iter_mut().zip(steps.as_flattened()) {
+        *part = EXPONENTIALS[step as usize % POWERS] as i16;
+        sum += *part as u32;
+    }
+    let inverse = ((1u32 << 31) - 1) / sum.max(1);
     let mut begin = 0;
-    let shares = parts.map(|part| {
-        begin += part;
-        begin - part
-    });
+    for (part, share) in parts.iter_mut().zip(&mut shares) {
+        *part = ((*part as u32 * inverse) >> 16) as i16;
+        *share = begin;
+        begin += *part;
+    }
     (parts, shares)
 }
 
@@ -246,13 +251,15 @@ fn logarithms<const K: usize, const W: usize>(axis: &Axis<'_, K, W>, step_log: u
 /// How much of the density lies below each end, all of it being about 2^13 to 2^14.
 #[inline]
 fn below_ends(density: &[Bumps], ends: [i16x8; 2], width: Width) -> [i16; CELLS] {
+    // Zeros that the compiler does not know of: it would take shifts and products apart into 32-bit lanes.
+    let opaque = i16x8::new(std::hint::black_box([0; 8]));
     let mut sums = [i16x8::ZERO; 2];
     for bumps in density {
-        for (&at, &weight) in bumps.at.iter().zip(&bumps.weight).filter(|&(_, &weight)| weight > 0) {
-            let (at, weight) = (i16x8::splat(at), i16x8::splat(weight));
+        for (&at, &weight) in bumps.at.iter().zip(&bumps.weight).filter(|&(_, &weight)| weight != 0) {
+            let (at, weight) = (i16x8::splat(at), i16x8::splat(weight) ^ opaque);
             for (sum, end) in sums.iter_mut().zip(ends) {
-                let below: i16x8 = width.below(end.saturating_sub(at)) << 2u32;
-                *sum += below.mul_keep_high(weight);
+                let below: i16x8 = (width.below(end.saturating_sub(at)) ^ opaque) << 2u32;
+                *sum += (below ^ opaque).mul_keep_high(weight);
             }
         }
     }

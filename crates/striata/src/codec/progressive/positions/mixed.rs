@@ -22,6 +22,9 @@ pub(super) trait AxisCoder<const DENSITIES: usize, const WIDTHS: usize> {
     fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, DENSITIES, WIDTHS>, actual: i32) -> i32;
 }
 
+/// Where it is not known how large the error was.
+const NO_ERRORS: [u8; 2] = [7; 2];
+
 /// A model of positions with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
 pub(super) struct MixedModel<
@@ -100,8 +103,15 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
         [class(sums[0], 5), class(sums[1], 4)]
     }
 
+    /// The surface has been built anew: here is the old number of each vertex, or
+    /// [`NONE`](super::super::surface::NONE).
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        let errors = |&old: &u32| self.errors.get(old as usize).copied().unwrap_or(NO_ERRORS);
+        self.errors = old_of_new.iter().map(errors).collect();
+    }
+
     fn note(&mut self, vertex: u32, errors: [u32; 2]) {
-        self.errors.resize(vertex as usize, [7; 2]);
+        self.errors.resize(vertex as usize, NO_ERRORS);
         self.errors
             .push(errors.map(|error| (error * 1024 / self.sight.local.radius as u32 + 1).ilog2() as u8));
     }

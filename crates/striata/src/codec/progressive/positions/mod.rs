@@ -74,6 +74,17 @@ impl PositionModel {
         })
     }
 
+    /// The surface has been built anew between two batches: here is the old number of each vertex, or
+    /// [`NONE`](super::surface::NONE).
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        match &mut self.0 {
+            Model::One(_) | Model::Ahead(_) => {}
+            Model::Some(model) => model.renumber(old_of_new),
+            Model::Cells(model) => model.renumber(old_of_new),
+            Model::All(model) => model.renumber(old_of_new),
+        }
+    }
+
     /// The model that looks ahead at all vertices that a stretch makes, from `first` on, before they are made; none if the
     /// model looks around each one when it comes.
     pub(super) fn ahead(&mut self, first: u32) -> Option<&mut QuickPositions> {
