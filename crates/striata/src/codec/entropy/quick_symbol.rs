@@ -64,7 +64,7 @@ impl QuickSymbol {
 
     #[inline]
     fn learn(&mut self, symbol: usize, last_shift: u32) {
-        let shift = (FIRST_SHIFT + (u32::from(self.seen) + 1).ilog2()).min(last_shift);
+        let shift = (FIRST_SHIFT + (u32::from(self.seen >> 2) + 1).ilog2()).min(last_shift);
         self.seen = (self.seen + 1).min(1 << 10);
         for (begins, goal) in self.begins.iter_mut().zip(halves(&GOALS[symbol & 15])) {
             *begins += (goal - *begins) >> shift;

@@ -8,7 +8,7 @@ use super::super::entropy::{Coder, QuickSymbol};
 /// Rings have at most so many triangles here.
 pub(super) const MOST: usize = 16;
 /// How slowly symbols are learned in the end.
-const LAST_SHIFT: u32 = 6;
+const LAST_SHIFT: u32 = 7;
 
 /// An edge from the vertex that splits, and the triangle behind it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -109,7 +109,7 @@ fn scores(edges: &[Edge], length: usize) -> [i64; MOST] {
     let mut inner: i64 = edges[1..length].iter().map(|edge| edge.square).sum();
     let mut ends = [0; MOST];
     for (end, edge) in ends.iter_mut().zip(edges) {
-        *end = 2 * edge.square + unit * i64::from(edge.few);
+        *end = 2 * edge.square + ((3 * unit * i64::from(edge.few)) >> 1);
     }
     let mut scores = [0; MOST];
     for (at, score) in scores[..n].iter_mut().enumerate() {

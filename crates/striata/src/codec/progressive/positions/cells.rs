@@ -8,7 +8,7 @@
 use wide::{i16x8, i32x4};
 
 use super::super::super::entropy::{
-    AdaptiveBit, AdaptiveNumber, Coder, QuickShares, Rate, code_shares, log2_q8,
+    AdaptiveBit, AdaptiveNumber, Coder, QuickShares, Rate, code_shares, log2_q16,
 };
 use super::axis::{Axis, DISTANCES, PLACES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width, below};
@@ -27,8 +27,10 @@ const SCORE_LOG: u32 = 9;
 const WEIGHT_LOG: u32 = 8;
 /// One in the weight of the density.
 const DENSITY_ONE: i32 = 1 << 14;
-/// Mass that lies in every cell, of 2^14.
-const DOUBT: u32 = 6;
+/// Mass that lies in every cell, of 2^14, as a multiple of a step.
+const DOUBT: usize = 192 >> MASS_LOG;
+/// Masses are told apart in steps of 2 to this.
+const MASS_LOG: u32 = 2;
 /// Powers of two from 0 down, in steps of 1/64.
 const POWERS: usize = 1024;
 
@@ -45,6 +47,20 @@ static EXPONENTIALS: [u16; POWERS] = {
     table
 };
 
+/// Logarithms to base 2 of masses and a little more, in 1/256.
+static LOGARITHMS: [i16; (1 << (14 - MASS_LOG)) + 1] = {
+    let mut table = [0; (1 << (14 - MASS_LOG)) + 1];
+    let mut at = 0;
+    while at < table.len() {
+        table[at] = (log2_q16((at + DOUBT) as u64) >> 8) as i16;
+        at += 1;
+    }
+    table
+};
+
+/// What a density says of all cells: logarithms to base 2, in 1/256.
+type Said = [i16x8; 2];
+
 /// Weights of all cells under one circumstance.
 #[derive(Clone, Copy, Debug)]
 struct Weights {
@@ -60,7 +76,7 @@ pub(super) struct CellModel {
     by_spread: Vec<Weights>,
     by_distance: Vec<Weights>,
     /// How much the density counts, by place.
-    density: [i32; PLACES],
+    trust: [i32; PLACES],
     /// Whether a coordinate lies in the upper part of what is left of a cell, by its width and what the density says.
     halves: Vec<AdaptiveBit>,
     far: AdaptiveNumber,
@@ -79,13 +95,13 @@ impl CellModel {
             by_place: weights(PLACES),
             by_spread: weights(SPREADS),
             by_distance: weights(DISTANCES),
-            density: [DENSITY_ONE * 3 / 4; PLACES],
+            trust: [FIRST_TRUST; PLACES],
             halves: vec![AdaptiveBit::new(Rate::Steady); WIDTHS * CHANCES],
             far: AdaptiveNumber::new(2 * SIZES, Rate::Steady),
         }
     }
 
-    fn circumstances<const K: usize, const W: usize>(&mut self, axis: &Axis<'_, K, W>) -> [&mut Weights; 4] {
+    fn circumstances(&mut self, axis: &Axis<'_, 1, 1>) -> [&mut Weights; 4] {
         [
             &mut self.by_size[axis.size],
             &mut self.by_place[axis.place],
@@ -94,40 +110,44 @@ impl CellModel {
         ]
     }
 
-    /// Codes a cell as counters see it, given what the density says of each, in 1/256 of bits.
-    fn cell<C: Coder, const K: usize, const W: usize>(
+    /// Codes a cell as counters see it, given what the density says.
+    #[inline]
+    fn cell<C: Coder>(
         &mut self,
         coder: &mut C,
-        axis: &Axis<'_, K, W>,
-        density: &[i16; CELLS],
+        axis: &Axis<'_, 1, 1>,
+        said: &Said,
         meant: usize,
     ) -> usize {
-        let trust = self.density[axis.place];
+        let trust = i16x8::splat(self.trust[axis.place] as i16);
+        // Of 1/256 and 1/16384, in scores.
+        let scores = said.map(|said| (said << (SCORE_LOG - 6)).mul_keep_high(trust));
         let circumstances = self.circumstances(axis);
-        let scores = scores(&circumstances, trust, density);
+        let scores = add_weights(&circumstances, scores);
         let (parts, shares) = parts_of(&scores);
         let cell = code_shares(coder, meant, &shares);
         let mut errors = parts.map(|part| -part);
-        errors[cell & 15] += 32_767;
+        errors[cell & 15] += i16::MAX;
         circumstances.into_iter().for_each(|weights| weights.learn(&errors));
-        let pull: i32 = errors.iter().zip(density).map(|(&e, &d)| i32::from(e) * i32::from(d)).sum();
-        let trust = &mut self.density[axis.place];
-        *trust = (*trust + (pull >> TRUST_SHIFT)).clamp(DENSITY_ONE / 8, 2 * DENSITY_ONE - 1);
+        let errors = [0, 8].map(|at| i16x8::from_slice_unaligned(&errors[at..at + 8]));
+        let pull: i32 = (said[0].dot(errors[0]) + said[1].dot(errors[1])).to_array().iter().sum();
+        let trust = &mut self.trust[axis.place];
+        *trust = (*trust + (pull >> TRUST_SHIFT)).clamp(0, 2 * DENSITY_ONE - 1);
         cell
     }
 
     /// Codes what is left of a cell between two offsets from the center.
-    fn within<C: Coder, const K: usize, const W: usize>(
+    fn within<C: Coder>(
         &mut self,
         coder: &mut C,
-        axis: &Axis<'_, K, W>,
+        axis: &Axis<'_, 1, 1>,
         (mut low, mut high): (i32, i32),
         actual: i32,
     ) -> i32 {
         if high - low < 2 {
             return low;
         }
-        let width = [axis.widths[W / 2]];
+        let width = axis.widths;
         let mass = |off: i32| below_all(axis, off, &width);
         let [mut below_low, mut below_high] = [low, high].map(mass);
         while high - low > 1 {
@@ -147,16 +167,17 @@ impl CellModel {
     }
 }
 
-/// How slowly weights and the trust in densities are learned.
-const FIRST_SHIFT: u32 = 0;
-const LAST_SHIFT: u32 = 5;
-const TRUST_SHIFT: u32 = 18;
+/// How slowly weights are learned in the end, and the trust in densities.
+const LAST_SHIFT: u32 = 4;
+const TRUST_SHIFT: u32 = 15;
+/// How much the density counts at first.
+const FIRST_TRUST: i32 = 16_000;
 
 impl Weights {
     #[inline]
     fn learn(&mut self, errors: &[i16; CELLS]) {
         self.seen = (self.seen + 1).min(1 << 12);
-        let shift = (FIRST_SHIFT + (1 + (self.seen >> 1)).ilog2()).min(LAST_SHIFT);
+        let shift = (1 + (self.seen >> 2)).ilog2().min(LAST_SHIFT);
         for (weights, errors) in self.weights.iter_mut().zip(errors.chunks_exact(4)) {
             let errors = i32x4::new(std::array::from_fn(|at| i32::from(errors[at]) << 1));
             *weights += errors >> shift;
@@ -164,17 +185,16 @@ impl Weights {
     }
 }
 
-/// What speaks for each cell.
+/// Adds to what the density says what weights say under all circumstances.
 #[inline]
-fn scores(circumstances: &[&mut Weights; 4], trust: i32, density: &[i16; CELLS]) -> [i16; CELLS] {
+fn add_weights(circumstances: &[&mut Weights; 4], said: [i16x8; 2]) -> [i16; CELLS] {
     let mut scores = [0; CELLS];
-    for (quarter, scores) in scores.chunks_exact_mut(4).enumerate() {
+    let said = said.map(|said| said.to_array());
+    for (quarter, (scores, said)) in scores.chunks_exact_mut(4).zip(said.as_flattened().chunks_exact(4)).enumerate() {
         let sum = circumstances.iter().fold(i32x4::ZERO, |sum, weights| sum + weights.weights[quarter]);
         let sum = (sum >> WEIGHT_LOG).to_array();
-        for (at, score) in scores.iter_mut().enumerate() {
-            // Of the density, in 1/256 bits.
-            let said = (i32::from(density[4 * quarter + at]) * trust) >> (14 + 8 - SCORE_LOG);
-            *score = (sum[at] + said).clamp(-16_000, 16_000) as i16;
+        for ((score, sum), &said) in scores.iter_mut().zip(sum).zip(said) {
+            *score = (sum + i32::from(said)).clamp(-16_000, 16_000) as i16;
         }
     }
     scores
@@ -227,25 +247,26 @@ static LOCAL_ENDS: [[i16; CELLS]; 16 - LEAST_STEP_LOG as usize] = {
 const LEAST_STEP_LOG: u32 = 4;
 
 /// How much of the density lies below a coordinate so far from the center.
-fn below_all<const K: usize, const W: usize>(axis: &Axis<'_, K, W>, off: i32, width: &[Width; 1]) -> i32 {
+fn below_all(axis: &Axis<'_, 1, 1>, off: i32, width: &[Width; 1]) -> i32 {
     let x = axis.local.border(axis.centre.wrapping_add(off), axis.axis);
     below(axis.bumps, x, width)[0]
 }
 
-/// The logarithm to base 2 of the part of the density in each cell, in 1/256, cells in the order in which counters see them.
+/// What the density says of the cells, these in the order in which counters see them.
 #[inline]
-fn logarithms<const K: usize, const W: usize>(axis: &Axis<'_, K, W>, step_log: u32) -> [i16; CELLS] {
+fn said_of(axis: &Axis<'_, 1, 1>, step_log: u32) -> Said {
     let local_log = (step_log as i32 + axis.local.shift - LEAST_STEP_LOG as i32).max(0) as usize;
     let center = i16x8::splat(axis.local.border(axis.centre, axis.axis));
     let (low, high) = LOCAL_ENDS[local_log.min(LOCAL_ENDS.len() - 1)].split_at(8);
     let ends = [low, high].map(|ends| i16x8::from_slice_unaligned(ends).saturating_add(center));
-    let sums = below_ends(axis.bumps, ends, axis.widths[W / 2]);
     let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
-    std::array::from_fn(|at| {
-        let cell = at ^ flip;
-        let below = if cell > 0 { sums[cell - 1] } else { 0 };
-        log2_q8((i32::from(sums[cell]) - i32::from(below)).max(0) as u32 + DOUBT) as i16
-    })
+    let (mut said, mut below) = ([0; CELLS], 0);
+    for (cell, &sum) in below_ends(axis.bumps, ends, axis.widths[0]).iter().enumerate() {
+        let mass = (sum - below).max(0) as usize >> MASS_LOG;
+        said[cell ^ flip] = LOGARITHMS[mass.min(LOGARITHMS.len() - 1)];
+        below = sum;
+    }
+    [0, 8].map(|at| i16x8::from_slice_unaligned(&said[at..at + 8]))
 }
 
 /// How much of the density lies below each end, all of it being about 2^13 to 2^14.
@@ -269,19 +290,19 @@ fn below_ends(density: &[Bumps], ends: [i16x8; 2], width: Width) -> [i16; CELLS]
     all
 }
 
-impl<const KINDS: usize, const WIDTH_COUNT: usize> AxisCoder<KINDS, WIDTH_COUNT> for CellModel {
+impl AxisCoder<1, 1> for CellModel {
     fn new(_: bool) -> Self {
         Self::new()
     }
 
-    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, KINDS, WIDTH_COUNT>, actual: i32) -> i32 {
+    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, 1, 1>, actual: i32) -> i32 {
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let step_log = span_log.saturating_sub(SPAN_LOG);
-        let density = logarithms(axis, step_log);
+        let said = said_of(axis, step_log);
         let actual = actual.wrapping_sub(axis.centre);
         let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
         let meant = ENDS.iter().filter(|&&end| actual >= end << step_log).count() ^ flip;
-        let cell = self.cell(coder, axis, &density, meant) ^ flip;
+        let cell = self.cell(coder, axis, &said, meant) ^ flip;
         let off = if cell == 0 {
             let beyond = (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(actual) as u32;
             (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(self.far.unsigned(coder, axis.size, beyond) as i32)

@@ -17,7 +17,7 @@ const FAR: usize = 15;
 /// The buckets that have symbols, and the number that lies beyond them.
 const NEAR: u32 = 1 << 7;
 /// How slowly symbols are learned in the end.
-const LAST_SHIFT: u32 = 6;
+const LAST_SHIFT: u32 = 7;
 
 /// A model of positions that looks ahead.
 #[derive(Clone, Debug)]
@@ -149,4 +149,4 @@ fn learn(weights: &mut [i32; POINTS], features: &[i32; POINTS], error: i32) {
 }
 
 /// Weights move by the product of feature and error over 2 to this.
-const LEARN_SHIFT: u32 = 11;
+const LEARN_SHIFT: u32 = 10;
