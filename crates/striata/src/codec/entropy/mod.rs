@@ -14,12 +14,14 @@
 //! | `mixer.rs` | [`Mixer`]: many opinions about one decision weighted online; [`Refiner`]: what is left to learn |
 //! | `wide_mixer.rs` | [`WideMixer`]: the same in 16-bit lanes |
 //! | `symbol.rs` | [`AdaptiveSymbol`]: one of sixteen at once |
+//! | `quick_symbol.rs` | [`QuickSymbol`]: the same in 16-bit lanes |
 //! | `number.rs` | [`AdaptiveNumber`]: integers of any size |
 
 mod adaptive;
 mod logistic;
 mod mixer;
 mod number;
+mod quick_symbol;
 mod range;
 mod symbol;
 mod wide_mixer;
@@ -28,6 +30,7 @@ pub(crate) use adaptive::{AdaptiveBit, Rate};
 pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
 pub(crate) use mixer::{Mixer, Refiner};
 pub(crate) use number::{AdaptiveNumber, code_uniform};
+pub(crate) use quick_symbol::{QuickShares, QuickSymbol, code_by_two, code_shares};
 pub(crate) use range::{RangeReader, RangeWriter};
 pub(crate) use symbol::{AdaptiveSymbol, Shares, code_symbol};
 pub(crate) use wide_mixer::WideMixer;
@@ -59,6 +62,9 @@ pub(crate) trait Coder {
 
     /// Codes one of sixteen symbols by where their shares begin, in rising order.
     fn symbol(&mut self, meant: usize, begins: &Shares) -> usize;
+
+    /// Codes one of sixteen symbols by where their shares begin, in rising order.
+    fn quick_symbol(&mut self, meant: usize, begins: &QuickShares) -> usize;
 
     /// True where a reader needed bytes beyond the end: what it returned last means nothing.
     fn overran(&self) -> bool;

@@ -10,6 +10,7 @@
 //! are, zeros follow; where they are cut off, it says so at the first decision that the missing bytes might have turned.
 
 use super::logistic::log2_q16;
+use super::quick_symbol::{QuickShares, symbol_at};
 use super::symbol::Shares;
 use super::{Coder, Part};
 
@@ -122,6 +123,17 @@ impl Coder for RangeWriter {
     #[inline]
     fn symbol(&mut self, meant: usize, begins: &Shares) -> usize {
         let unit = self.range >> 16;
+        let low = unit * begins[meant] as u64;
+        let high = begins.get(meant + 1).map_or(self.range, |&end| unit * end as u64);
+        self.raise(low);
+        self.range = high - low;
+        self.move_on();
+        meant
+    }
+
+    #[inline]
+    fn quick_symbol(&mut self, meant: usize, begins: &QuickShares) -> usize {
+        let unit = self.range >> 15;
         let low = unit * begins[meant] as u64;
         let high = begins.get(meant + 1).map_or(self.range, |&end| unit * end as u64);
         self.raise(low);
@@ -250,6 +262,22 @@ impl Coder for RangeReader<'_> {
         let above = begins.iter().map(|&begin| i32::from(begin <= place)).sum::<i32>() as usize;
         let symbol = above.saturating_sub(1);
         let low = unit * begins[symbol] as u64;
+        let high = begins.get(symbol + 1).map_or(self.range, |&end| unit * end as u64);
+        if self.doubt != 0 {
+            self.look_out(high);
+        }
+        self.value = self.value.saturating_sub(low);
+        self.range = high - low;
+        self.move_on();
+        symbol
+    }
+
+    #[inline]
+    fn quick_symbol(&mut self, _: usize, begins: &QuickShares) -> usize {
+        let unit = self.range >> 15;
+        // What rounding leaves above belongs to the last symbol.
+        let symbol = symbol_at(begins, (self.value / unit).min(32_767) as i16);
+        let low = unit * begins[symbol & 15] as u64;
         let high = begins.get(symbol + 1).map_or(self.range, |&end| unit * end as u64);
         if self.doubt != 0 {
             self.look_out(high);

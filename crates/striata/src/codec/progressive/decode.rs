@@ -80,6 +80,7 @@ impl StreamDecoder {
         waiting.extend_from_slice(bytes);
         let start = self.read;
         let result = self.read_all(&waiting);
+        self.catch_up();
         self.is_over = result.is_err();
         // Once for all chunks, since what follows them moves.
         waiting.drain(..(self.read - start) as usize);
@@ -137,7 +138,9 @@ impl StreamDecoder {
         self.is_over = true;
         if let Some(row) = self.next_row() {
             let rest = std::mem::take(&mut self.waiting);
-            self.read_chunk(&rest, row, (0, false))?;
+            let result = self.read_chunk(&rest, row, (0, false));
+            self.catch_up();
+            result?;
         }
         Ok(self.update_since(before))
     }
@@ -223,7 +226,7 @@ impl StreamDecoder {
         let (Some(head), Some(growth)) = (&self.head, self.growth()) else { return Ok(()) };
         let counts = [
             ("vertices", growth.positions.len(), head.vertex_count),
-            ("triangles", growth.triangles.len(), head.triangle_count),
+            ("triangles", growth.triangle_count(), head.triangle_count),
             ("steps", growth.added.len(), head.step_count),
         ];
         for (what, found, expected) in counts {
@@ -232,6 +235,13 @@ impl StreamDecoder {
             }
         }
         Ok(())
+    }
+
+    /// Brings the list of triangles up to date with what has been read.
+    fn catch_up(&mut self) {
+        if let Some(refiner) = &mut self.refiner {
+            refiner.catch_up();
+        }
     }
 
     fn growth(&self) -> Option<&Growth> {

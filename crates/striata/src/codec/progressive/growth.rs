@@ -1,10 +1,13 @@
 //! What a stream has given so far: triangles of a level and the sequence that leads to it.
+//!
+//! If each position is one vertex, the list of triangles follows from the surface. It is then brought up to date once for many
+//! splits ([`Growth::catch_up`]), since changing it split by split would mean waiting for memory at each triangle of a patch.
 
 use std::ops::Range;
 
 use super::base::Base;
 use super::general::CodedStep;
-use super::surface::{NONE, Surface, next, triangle_of};
+use super::surface::{NONE, Surface, next, previous, triangle_of};
 use super::wedges::SplitWedges;
 
 /// Triangles and steps, growing with each split. Vertices are numbered as in the mesh: base first, then step by step.
@@ -12,7 +15,7 @@ use super::wedges::SplitWedges;
 pub(super) struct Growth {
     /// Where the vertices are, mesh units.
     pub(super) positions: Vec<[f32; 3]>,
-    /// Corners of each triangle of the level, in the order in which they came.
+    /// Corners of each triangle of the level, in the order in which they came, as of when the list last caught up.
     pub(super) triangles: Vec<[u32; 3]>,
     /// The group of each triangle, where there are several.
     pub(super) groups: Vec<u32>,
@@ -29,6 +32,13 @@ pub(super) struct Growth {
     triangles_beyond: usize,
     /// Position of each vertex of the surface; virtual ones have none.
     position_of: Vec<u32>,
+    /// Triangles of the surface that are told in full, and those of them that have come to the list.
+    told_triangles: u32,
+    listed_triangles: u32,
+    /// Triangles of the level that have not come to the list yet.
+    unlisted_count: usize,
+    /// Triangles of the surface that are in the list with the corners that they had before.
+    outdated: Vec<u32>,
 }
 
 impl Growth {
@@ -40,6 +50,8 @@ impl Growth {
             group_count,
             first_vertex: base.first_vertex.clone(),
             position_of: virtual_vertices.chain(base.position_of_copy.iter().copied()).collect(),
+            told_triangles: base.shown.len() as u32,
+            listed_triangles: base.shown.len() as u32,
             ..Self::default()
         };
         for (t, (&shown, &group)) in base.shown.iter().zip(&base.groups).enumerate() {
@@ -103,8 +115,10 @@ impl Growth {
         wedges.flat_map(|(w, position)| std::iter::repeat_n(position, (w[1] - w[0]) as usize)).collect()
     }
 
-    /// The surface was built anew: its virtual vertices are so many, and the others are at these positions.
-    pub(super) fn renumber(&mut self, virtual_count: usize, positions: &[u32]) {
+    /// The surface was built anew: it has so many virtual vertices, the others are at these positions, and so many triangles.
+    pub(super) fn renumber(&mut self, virtual_count: usize, positions: &[u32], triangle_count: usize) {
+        self.told_triangles = triangle_count as u32;
+        self.listed_triangles = self.told_triangles;
         self.position_of = std::iter::repeat_n(NONE, virtual_count).chain(positions.iter().copied()).collect();
     }
 
@@ -137,36 +151,61 @@ impl Growth {
         }
     }
 
-    /// Adds a position of one vertex, where all positions have one; `corners` are those around it, A's first and B's
-    /// last.
-    pub(super) fn add(&mut self, surface: &mut Surface, corners: &[u32], position: [f32; 3]) {
-        let new = self.vertex_count();
-        let kept = surface.vertex(next(corners[0]));
-        self.targets.push(self.vertex_of(kept));
+    /// Adds a position of one vertex, if all positions have one; `corners` are those around it, A's first and B's
+    /// last. The list of triangles is as before until it [catches up](Self::catch_up).
+    pub(super) fn add(&mut self, surface: &Surface, corners: &[u32], position: [f32; 3]) {
+        let last = corners.len() - 1;
+        self.targets.push(self.vertex_of(surface.vertex(next(corners[0]))));
         self.begin_position(1, position);
-        for &corner in &corners[1..corners.len() - 1] {
-            self.change(surface, corner, new);
-        }
-        let mut added = 0;
-        for corner in [corners[0], corners[corners.len() - 1]] {
-            let triangle = triangle_of(corner);
-            let vertices = surface.triangle(triangle);
-            if vertices.iter().all(|&v| !surface.is_virtual(v)) {
-                self.push(surface, triangle, vertices.map(|v| self.vertex_of(v)), 0);
-                added += 1;
+        let patch = corners[1..last].iter().map(|&corner| triangle_of(corner));
+        self.outdated.extend(patch.filter(|&triangle| triangle < self.listed_triangles));
+        // A is (new, kept, r0), B (new, rk, kept).
+        let ends = [previous(corners[0]), next(corners[last])];
+        let added = ends.map(|end| u8::from(!surface.is_virtual(surface.vertex(end))));
+        self.added.push(added[0] + added[1]);
+        self.told_triangles += 2;
+        self.unlisted_count += usize::from(added[0] + added[1]);
+    }
+
+    /// Brings the list of triangles up to date after [`add`](Self::add).
+    pub(super) fn catch_up(&mut self, surface: &mut Surface) {
+        let mut outdated = std::mem::take(&mut self.outdated);
+        outdated.sort_unstable();
+        outdated.dedup();
+        for triangle in outdated.drain(..) {
+            let label = surface.label(triangle);
+            if label != NONE {
+                self.triangles[label as usize] = self.shown_now(surface, triangle);
+                self.changed.push(label);
             }
         }
-        self.added.push(added);
+        self.outdated = outdated;
+        for triangle in self.listed_triangles..self.told_triangles {
+            if surface.triangle(triangle).iter().all(|&v| !surface.is_virtual(v)) {
+                let shown = self.shown_now(surface, triangle);
+                self.push(surface, triangle, shown, 0);
+            }
+        }
+        self.listed_triangles = self.told_triangles;
+        self.unlisted_count = 0;
     }
 
-    /// The vertex of a position, where all positions have one: it has the same number.
+    /// The vertices of a triangle; what has been split off and is not told yet shows what it was split off.
+    fn shown_now(&self, surface: &Surface, triangle: u32) -> [u32; 3] {
+        surface.triangle(triangle).map(|vertex| match self.position_of.get(vertex as usize) {
+            Some(&position) => position,
+            None => self.vertex_of(surface.vertex(next(surface.corner_of(vertex)))),
+        })
+    }
+
+    /// Triangles of the level.
+    pub(super) fn triangle_count(&self) -> usize {
+        self.triangles.len() + self.unlisted_count
+    }
+
+    /// The vertex of a position, if all positions have one: it has the same number.
     fn vertex_of(&self, surface_vertex: u32) -> u32 {
         self.position_of[surface_vertex as usize]
-    }
-
-    /// The first corner that a triangle shows; 0 for those that show none.
-    pub(super) fn first_shown(&self, surface: &Surface, corner: u32) -> u32 {
-        self.triangles.get(surface.label(triangle_of(corner)) as usize).map_or(0, |shown| shown[0])
     }
 
     fn begin_position(&mut self, vertex_count: u32, position: [f32; 3]) {

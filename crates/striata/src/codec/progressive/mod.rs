@@ -30,6 +30,7 @@ mod mixed_number;
 mod order;
 mod positions;
 mod quick;
+mod quick_cuts;
 mod refiner;
 mod residuals;
 mod ring_fit;

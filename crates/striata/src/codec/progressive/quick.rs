@@ -7,8 +7,12 @@
 
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::connectivity::Scene;
-use super::rings::Rings;
+use super::positions::Surroundings;
+use super::quick_cuts::{self, Edge, QuickCuts};
+use super::rings::{Neighbour, Rings};
 use super::surface::{Cut, NONE, Surface, triangle_of};
+use super::walk::Walk;
+use super::StreamVersion;
 
 /// What is kept with a vertex.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,10 +36,9 @@ const MOST_STEPS: usize = 4096;
 #[derive(Clone, Debug)]
 pub(super) struct QuickModel {
     kept: Vec<Kept>,
-    /// The next vertex to be asked, and one past the last one of the batch.
-    next: u32,
-    end: u32,
     batch: u8,
+    /// How many triangles lie around each vertex has to be counted again.
+    is_renumbered: bool,
     /// The last few flags.
     history: usize,
     flags: Vec<AdaptiveBit>,
@@ -44,6 +47,10 @@ pub(super) struct QuickModel {
     /// Vertices that split, and the corners around them.
     splits: Vec<u32>,
     rings: Rings,
+    /// Cuts around vertices of few triangles, as symbols; none in streams of the first version.
+    cuts: Option<QuickCuts>,
+    /// Where the runs of the stretch begin: which of the vertices that split, and which of the corners around it.
+    begins: Vec<(u32, u32)>,
     spokes: Vec<Spoke>,
     starts: Vec<(i64, u32)>,
 }
@@ -60,71 +67,70 @@ struct Spoke {
 
 impl QuickModel {
     /// Nothing learned; counts the triangles around the vertices of a base.
-    pub(super) fn new(surface: &Surface) -> Self {
+    pub(super) fn new(surface: &Surface, version: StreamVersion) -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
         let triangles = |v: u32| surface.ring(v).take(255).count() as u8;
         let kept = |v: u32| Kept { triangles: triangles(v), ..Kept::default() };
         Self {
             kept: (0..surface.vertex_count() as u32).map(kept).collect(),
-            next: 0,
-            end: 0,
             batch: 0,
+            is_renumbered: false,
             history: 0,
             flags: vec![bit; 16 * 4 * 4 * 8],
             lengths: vec![bit; MOST * MOST],
             ranks: vec![bit; MOST * MOST * MOST],
             splits: Vec::new(),
             rings: Rings::default(),
+            cuts: (version >= StreamVersion::Two).then(QuickCuts::new),
+            begins: Vec::new(),
             spokes: Vec::new(),
             starts: Vec::new(),
         }
     }
 
-    /// The surface was built anew; entry `i` is what its vertex `i` was called before, or none.
-    pub(super) fn renumber(&mut self, surface: &Surface, old_of_new: &[u32]) {
-        let kept = |(new, &old): (u32, &u32)| {
-            let triangles = surface.ring(new).take(255).count() as u8;
-            let before = self.kept.get(old as usize).copied();
-            Kept { triangles, ..before.unwrap_or(Kept { made: self.batch, split: self.batch, ..Kept::default() }) }
-        };
-        self.kept = (0..).zip(old_of_new).map(kept).collect();
-    }
-
     /// A batch begins.
     pub(super) fn begin_batch(&mut self, surface: &Surface) {
         self.batch = self.batch.wrapping_add(1);
-        self.next = surface.virtual_count();
-        self.end = surface.vertex_count() as u32;
+        if std::mem::take(&mut self.is_renumbered) {
+            for (vertex, kept) in (0..).zip(&mut self.kept) {
+                kept.triangles = surface.ring(vertex).take(255).count() as u8;
+            }
+        }
+    }
+
+    /// The surface has been built anew between two batches: here is the old number of each vertex, or [`NONE`]. Those count as made
+    /// just now.
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        let new = Kept { triangles: 6, made: self.batch, split: self.batch };
+        self.kept = old_of_new.iter().map(|&old| self.kept.get(old as usize).copied().unwrap_or(new)).collect();
+        self.is_renumbered = true;
     }
 
     /// Vertices that split, as far as flags have been coded.
-    pub(super) fn split_count(&self) -> usize {
-        self.splits.len()
-    }
-
-    /// One of them.
-    pub(super) fn vertex(&self, split: usize) -> u32 {
-        self.splits[split]
+    pub(super) fn splits(&self) -> &[u32] {
+        &self.splits
     }
 
     /// Codes which vertices split, until there are `most`; true where the batch is done.
     pub(super) fn flags<C: Coder>(
         &mut self,
         coder: &mut C,
+        walk: &mut Walk,
         most: usize,
         does_split: impl Fn(u32) -> bool,
     ) -> bool {
         self.splits.clear();
         let mut history = self.history;
-        for vertex in self.next..self.end {
+        let mut asked = 0;
+        for &vertex in walk.rest() {
             if self.splits.len() == most {
-                self.next = vertex;
-                self.history = history;
-                return false;
+                break;
             }
+            asked += 1;
             let kept = self.kept[vertex as usize];
-            let age = usize::from(self.batch.wrapping_sub(kept.made) - 1).min(3);
-            let rest = usize::from(self.batch.wrapping_sub(kept.split) - 1).min(3);
+            // After 256 batches the difference is 0 again, which stands for long ago as well.
+            let age = usize::from(self.batch.wrapping_sub(kept.made)).wrapping_sub(1).min(3);
+            let rest = usize::from(self.batch.wrapping_sub(kept.split)).wrapping_sub(1).min(3);
             let recent = (history & HISTORY).count_ones().min(7) as usize;
             let context = ((usize::from(kept.triangles.min(15)) * 4 + age) * 4 + rest) * 8 + recent;
             let splits = self.flags[context].code(coder, !C::READS && does_split(vertex));
@@ -133,13 +139,14 @@ impl QuickModel {
                 self.splits.push(vertex);
             }
         }
-        self.next = self.end;
+        walk.pass(asked, &self.splits);
         self.history = history;
-        true
+        walk.rest().is_empty()
     }
 
     /// Finds the corners around the vertices that split.
     pub(super) fn find_rings(&mut self, surface: &Surface, places: &[[i32; 3]]) {
+        self.begins.clear();
         self.rings.find(surface, &self.splits);
         self.rings.look(surface, places);
     }
@@ -152,6 +159,53 @@ impl QuickModel {
         (split, actual): (usize, Option<Cut>),
         patch: &mut Vec<u32>,
     ) -> bool {
+        let n = self.rings.of(split).len();
+        let run = if self.cuts.is_some() && (2..=quick_cuts::MOST).contains(&n) {
+            self.short_run(coder, scene, (split, actual))
+        } else {
+            self.run(coder, scene, (split, actual))
+        };
+        let Some((start, length)) = run else { return false };
+        let ring = self.rings.of(split);
+        patch.extend((start..start + length).map(|at| ring[if at < n { at } else { at - n }]));
+        self.begins.push((split as u32, start as u32));
+        true
+    }
+
+    /// Codes a cut around a vertex of few triangles: where it begins in the ring, and its length.
+    fn short_run<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        scene: &Scene<'_>,
+        (split, actual): (usize, Option<Cut>),
+    ) -> Option<(usize, usize)> {
+        let ring = self.rings.of(split);
+        let kept = scene.places[self.splits[split] as usize];
+        let mut edges = [Edge::default(); quick_cuts::MOST];
+        for ((edge, &corner), neighbour) in edges.iter_mut().zip(ring).zip(self.rings.neighbours(split)) {
+            let is_virtual = scene.surface.is_virtual(neighbour.vertex);
+            let square = (0..3).map(|a| i64::from(neighbour.place[a] - kept[a]).pow(2)).sum::<i64>();
+            *edge = Edge {
+                square: if is_virtual { 0 } else { square },
+                few: if is_virtual { 0 } else { 6 - self.kept[neighbour.vertex as usize].triangles.min(15) as i8 },
+                is_virtual,
+                is_free: !scene.is_taken(triangle_of(corner)),
+            };
+        }
+        let meant = actual.map_or((0, 1), |cut| {
+            let start = ring.iter().position(|&corner| corner == cut.first);
+            (start.unwrap_or(0), cut.length as usize)
+        });
+        self.cuts.as_mut()?.code(coder, &edges[..ring.len()], scene.max_patch as usize, meant)
+    }
+
+    /// The same around any vertex, as a chain of decisions.
+    fn run<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        scene: &Scene<'_>,
+        (split, actual): (usize, Option<Cut>),
+    ) -> Option<(usize, usize)> {
         let n = self.rings.of(split).len();
         let most = (scene.max_patch as usize).min(n - 1);
         let meant = actual.map_or(0, |cut| cut.length as usize);
@@ -168,7 +222,7 @@ impl QuickModel {
         let key = (n.min(MOST - 1) * MOST + length.min(MOST - 1)) * MOST;
         let mut rank = 0;
         let start = loop {
-            let Some(start) = self.next_start(n * length > MOST_STEPS) else { return false };
+            let start = self.next_start(n * length > MOST_STEPS)?;
             let is_meant = self.rings.of(split)[start as usize] == meant;
             let is_last = self.starts.is_empty();
             if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, is_meant) {
@@ -176,9 +230,28 @@ impl QuickModel {
             }
             rank += 1;
         };
-        let ring = self.rings.of(split);
-        patch.extend((start..start + length).map(|at| ring[if at < n { at } else { at - n }]));
-        true
+        Some((start, length))
+    }
+
+    /// Tells what is around the vertices that the cuts make, in order, before any is made; `patches` has the corners of their
+    /// patches, up to `ends`.
+    pub(super) fn look_around(
+        &self,
+        surface: &Surface,
+        places: &[[i32; 3]],
+        (patches, ends): (&[u32], &[u32]),
+        mut tell: impl FnMut(&Surroundings),
+    ) {
+        let mut first = 0;
+        let mut around = Surroundings::default();
+        for (&(split, begin), &end) in self.begins.iter().zip(ends) {
+            let patch = &patches[first..end as usize];
+            first = end as usize;
+            let neighbours = self.rings.neighbours(split as usize);
+            let kept = places[self.splits[split as usize] as usize];
+            look_around(surface, places, (neighbours, begin as usize), (patch, kept), &mut around);
+            tell(&around);
+        }
     }
 
     /// Where in a ring a run of free triangles can begin, and how long its edges are.
@@ -199,7 +272,7 @@ impl QuickModel {
         }));
         self.starts.clear();
         if n * length > MOST_STEPS {
-            self.find_far_starts(corners.len(), length);
+            self.find_far_starts(n, length);
             return;
         }
         'starts: for start in 0..n {
@@ -268,4 +341,37 @@ impl QuickModel {
         }
         kept.split = self.batch;
     }
+}
+
+/// What is around the vertex that takes over a patch.
+#[inline]
+fn look_around(
+    surface: &Surface,
+    places: &[[i32; 3]],
+    (neighbours, begin): (&[Neighbour], usize),
+    (patch, [x, y, z]): (&[u32], [i32; 3]),
+    around: &mut Surroundings,
+) {
+    let n = neighbours.len();
+    let wrap = |at: usize| if at < n { at } else { at - n };
+    let spot = |vertex: u32, [x, y, z]: [i32; 3]| {
+        if surface.is_virtual(vertex) { [0; 4] } else { [x, y, z, 1] }
+    };
+    let neighbour = |at: usize| {
+        let neighbour = &neighbours[wrap(at)];
+        spot(neighbour.vertex, neighbour.place)
+    };
+    around.ring[0] = [x, y, z, 1];
+    around.across[0] = neighbour(begin + n - 1);
+    let places_left = around.ring.len() - 1;
+    for (at, &corner) in patch.iter().enumerate().take(places_left) {
+        around.ring[at + 1] = neighbour(begin + at);
+        let across = surface.vertex(surface.opposite(corner));
+        around.across[at + 1] = spot(across, places[across as usize]);
+    }
+    if let Some(last) = around.ring.get_mut(patch.len() + 1) {
+        *last = neighbour(begin + patch.len());
+        around.across[patch.len() + 1] = neighbour(wrap(begin + patch.len()) + 1);
+    }
+    around.count = (patch.len() + 2).min(around.ring.len());
 }

@@ -20,7 +20,7 @@ use super::positions::PositionModel;
 use super::quick::QuickModel;
 use super::rings::Rings;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
-use super::walk::Walk;
+use super::walk::{Walk, WalkOrder};
 use super::wedges::{Split, SplitWedges, WedgeModel};
 use super::{Effort, StreamDefect, StreamVersion};
 
@@ -60,6 +60,16 @@ impl Terms {
     /// Whether what corners show has to be told.
     pub(super) fn has_wedges(&self) -> bool {
         self.vertex_count != self.position_count || self.group_count > 1
+    }
+
+    /// Which vertex is asked next.
+    fn walk(&self) -> Walk {
+        let order = match (self.version, self.effort) {
+            (StreamVersion::One, Effort::Small) => WalkOrder::Near,
+            (StreamVersion::One, _) => WalkOrder::Numbers,
+            _ => WalkOrder::Families,
+        };
+        if self.effort == Effort::Fast { Walk::forgetful(order) } else { Walk::new(order) }
     }
 
     /// How often vertices may be asked in all: what real batches need many times over, and a bound for hostile ones.
@@ -170,6 +180,8 @@ pub(super) enum Connectivity {
     Thorough(Box<ConnectivityModel>),
     /// Next to nothing is.
     Quick(Box<QuickModel>),
+    /// Next to nothing is to see whether it splits, and all to see how.
+    Joint(Box<QuickModel>, Box<ConnectivityModel>),
 }
 
 /// A surface under refinement, with all models.
@@ -260,20 +272,24 @@ impl Refiner {
         }
         let Terms { grid, effort, max_patch, .. } = *terms;
         let connectivity = match effort {
-            Effort::Fast => Connectivity::Quick(Box::new(QuickModel::new(&surface))),
+            Effort::Fast => Connectivity::Quick(Box::new(QuickModel::new(&surface, terms.version))),
+            Effort::Default if terms.version > StreamVersion::One => Connectivity::Joint(
+                Box::new(QuickModel::new(&surface, terms.version)),
+                Box::new(ConnectivityModel::new(effort)),
+            ),
             _ => Connectivity::Thorough(Box::new(ConnectivityModel::new(effort))),
         };
         Ok(Self {
             surface,
             places: base.surface_places(),
-            walk: Walk::new(effort == Effort::Small),
+            walk: terms.walk(),
             is_in_batch: false,
             splits_in_batch: 0,
             visits_left: terms.most_visits(),
             max_patch,
             grid,
             connectivity,
-            positions: PositionModel::new(effort),
+            positions: PositionModel::new(effort, terms.version),
             corrections,
             wedges,
             told: SplitWedges::default(),
@@ -307,6 +323,10 @@ impl Refiner {
             match &mut self.connectivity {
                 Connectivity::Thorough(model) => model.begin_batch(&self.surface, self.walk.end()),
                 Connectivity::Quick(model) => model.begin_batch(&self.surface),
+                Connectivity::Joint(flags, cuts) => {
+                    flags.begin_batch(&self.surface);
+                    cuts.begin_batch(&self.surface, self.walk.end());
+                }
             }
             self.splits_in_batch = 0;
         } else if self.general.as_ref().is_some_and(General::is_under_way) {
@@ -322,8 +342,11 @@ impl Refiner {
             return Err(StreamDefect::EmptyBatch { batch: self.walk.batch() });
         }
         let (first, mut start) = (self.surface.vertex_count() as u32, 0);
+        let is_ahead = self.look_ahead(first);
         self.split_pending(source);
-        self.fetch(first);
+        if !is_ahead {
+            self.fetch(first);
+        }
         for split in 0..self.pending.len() {
             let vertex = first + split as u32;
             let end = self.pending[split] as usize;
@@ -357,6 +380,7 @@ impl Refiner {
         self.patches.clear();
         match &self.connectivity {
             Connectivity::Quick(_) => self.ask_quickly(coder, source, most),
+            Connectivity::Joint(..) => self.ask_jointly(coder, source, most),
             Connectivity::Thorough(model) if model.is_thorough() => self.ask_thoroughly(coder, source, most),
             Connectivity::Thorough(_) => self.ask_in_groups(coder, source, most),
         }
@@ -421,19 +445,38 @@ impl Refiner {
         }
     }
 
-    /// The same for the quick model: all flags, then all cuts.
-    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
-        let Connectivity::Quick(model) = &mut self.connectivity else { return };
-        self.is_in_batch = !model.flags(coder, most, |vertex| source.cut(vertex).is_some());
-        model.find_rings(&self.surface, &self.places);
-        for split in 0..model.split_count() {
+    /// All flags by the quick model, then all cuts by the thorough one.
+    fn ask_jointly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+        let Connectivity::Joint(flags, cuts) = &mut self.connectivity else { return };
+        self.is_in_batch = !flags.flags(coder, &mut self.walk, most, |vertex| source.cut(vertex).is_some());
+        self.rings.find(&self.surface, flags.splits());
+        for (at, &vertex) in flags.splits().iter().enumerate() {
             let scene = Scene {
                 surface: &self.surface,
                 places: &self.places,
                 walk: &self.walk,
                 max_patch: self.max_patch,
             };
-            let actual = if C::READS { None } else { source.cut(model.vertex(split)) };
+            let actual = if C::READS { None } else { source.cut(vertex) };
+            if let Some(cut) = cuts.cut(coder, &scene, (vertex, self.rings.of(at)), actual) {
+                take(&mut self.surface, (&mut self.patches, &mut self.pending), cut, self.walk.batch());
+            }
+        }
+    }
+
+    /// The same for the quick model: all flags, then all cuts.
+    fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+        let Connectivity::Quick(model) = &mut self.connectivity else { return };
+        self.is_in_batch = !model.flags(coder, &mut self.walk, most, |vertex| source.cut(vertex).is_some());
+        model.find_rings(&self.surface, &self.places);
+        for split in 0..model.splits().len() {
+            let scene = Scene {
+                surface: &self.surface,
+                places: &self.places,
+                walk: &self.walk,
+                max_patch: self.max_patch,
+            };
+            let actual = if C::READS { None } else { source.cut(model.splits()[split]) };
             if !model.cut(coder, &scene, (split, actual), &mut self.patches) {
                 continue;
             }
@@ -443,6 +486,15 @@ impl Refiner {
             }
             self.pending.push(self.patches.len() as u32);
         }
+    }
+
+    /// Looks at what is around the vertices that come next; false where that is done one by one.
+    fn look_ahead(&mut self, first: u32) -> bool {
+        let Connectivity::Quick(model) = &self.connectivity else { return false };
+        let Some(positions) = self.positions.ahead(first) else { return false };
+        let patches = (self.patches.as_slice(), self.pending.as_slice());
+        model.look_around(&self.surface, &self.places, patches, |around| positions.look_ahead(around));
+        true
     }
 
     fn split_pending(&mut self, source: &mut impl Source) {
@@ -458,9 +510,10 @@ impl Refiner {
                 // No part of the mesh before the vertex's values are known.
                 self.surface.set_label(triangle, NONE);
             }
-            if let Connectivity::Quick(model) = &mut self.connectivity {
+            if let Connectivity::Quick(model) | Connectivity::Joint(model, _) = &mut self.connectivity {
                 model.split(&self.surface, patch.len(), kept);
             }
+            self.walk.born(kept);
             source.born(vertex, kept);
         }
     }
@@ -477,7 +530,6 @@ impl Refiner {
             for &corner in patch {
                 sum ^= place(surface.vertex(next(corner)));
                 sum ^= place(surface.vertex(surface.opposite(corner)));
-                sum ^= self.growth.first_shown(surface, corner) as i32;
             }
             for corner in [a, a + 4] {
                 sum ^= place(surface.vertex(next(corner)));
@@ -522,7 +574,7 @@ impl Refiner {
         }
         match &self.wedges {
             Some(_) => self.growth.add_wedges(&mut self.surface, &self.corners, position, &self.told),
-            None => self.growth.add(&mut self.surface, &self.corners, position),
+            None => self.growth.add(&self.surface, &self.corners, position),
         }
         Ok(Ended::Whole)
     }
@@ -577,6 +629,27 @@ impl Refiner {
         self.surface.reserve(steps);
         self.places.reserve(steps);
         self.growth.reserve(steps);
+    }
+
+    /// All models follow a surface that was built anew between two batches: here is the old number of each of its vertices, or
+    /// [`NONE`] for those that are new. Only in streams of the second version; the surface, its places and what has grown
+    /// are up to the caller.
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        self.walk.renumber(old_of_new);
+        match &mut self.connectivity {
+            Connectivity::Thorough(model) => model.renumber(old_of_new),
+            Connectivity::Quick(model) => model.renumber(old_of_new),
+            Connectivity::Joint(flags, cuts) => {
+                flags.renumber(old_of_new);
+                cuts.renumber(old_of_new);
+            }
+        }
+        self.positions.renumber(old_of_new);
+    }
+
+    /// Brings the list of triangles up to date.
+    pub(super) fn catch_up(&mut self) {
+        self.growth.catch_up(&mut self.surface);
     }
 
     /// Splits done and told in full.

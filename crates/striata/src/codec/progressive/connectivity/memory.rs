@@ -45,6 +45,8 @@ pub(super) struct Memory {
     traces: Vec<Trace>,
     /// Where the vertices made in this batch, the last one and the one before begin.
     begins: [u32; 3],
+    /// How many triangles lie around each vertex has to be counted again.
+    is_renumbered: bool,
     /// Share of all vertices that split lately, in 1/65536.
     share: i32,
 }
@@ -69,6 +71,11 @@ impl Memory {
         }
         self.traces.truncate(count);
         self.traces.iter_mut().for_each(Trace::begin_batch);
+        let first = if std::mem::take(&mut self.is_renumbered) { 0 } else { self.traces.len() };
+        for (vertex, trace) in self.traces.iter_mut().enumerate().skip(first) {
+            trace.valence = surface.ring(vertex as u32).take(255).count() as u8;
+            trace.free = trace.valence;
+        }
         for vertex in self.traces.len()..count {
             let valence = surface.ring(vertex as u32).take(255).count() as u8;
             self.traces.push(Trace { valence, free: valence, ..Trace::NEW });
@@ -76,15 +83,12 @@ impl Memory {
         self.begins = [count as u32, self.begins[0], self.begins[1]];
     }
 
-    /// The surface was built anew; entry `i` is what its vertex `i` was called before, or none.
-    pub(super) fn renumber(&mut self, surface: &Surface, old_of_new: &[u32]) {
-        let trace = |(new, &old): (u32, &u32)| {
-            let valence = surface.ring(new).take(255).count() as u8;
-            Trace { valence, ..self.traces.get(old as usize).copied().unwrap_or(Trace::NEW) }
-        };
-        self.traces = (0..).zip(old_of_new).map(trace).collect();
-        // Numbers no longer say when a vertex was made.
+    /// The surface has been built anew between two batches: here is the old number of each vertex, or
+    /// [`NONE`](super::super::surface::NONE). How old vertices are is forgotten: that is told by their numbers.
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        self.traces = old_of_new.iter().map(|&old| self.trace(old)).collect();
         self.begins = [old_of_new.len() as u32; 3];
+        self.is_renumbered = true;
     }
 
     /// What is remembered of a vertex.

@@ -101,15 +101,16 @@ impl ConnectivityModel {
         }
     }
 
-    /// The surface was built anew; entry `i` is what its vertex `i` was called before, or none.
-    pub(super) fn renumber(&mut self, surface: &Surface, old_of_new: &[u32]) {
-        self.memory.renumber(surface, old_of_new);
-    }
-
     /// Told when a batch begins; `end` is the number of vertices, all with places.
     pub(super) fn begin_batch(&mut self, surface: &Surface, end: u32) {
         debug_assert_eq!(surface.vertex_count(), end as usize);
         self.memory.begin_batch(surface);
+    }
+
+    /// The surface has been built anew between two batches: here is the old number of each vertex, or
+    /// [`NONE`](super::surface::NONE).
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        self.memory.renumber(old_of_new);
     }
 
     /// Whether every ring is looked at: then [`code`](Self::code) tells all of a vertex at once; else flags come first,

@@ -244,7 +244,7 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::walk::Walk;
+    use super::super::super::walk::{Walk, WalkOrder};
     use super::super::tests::surface_of;
     use super::*;
 
@@ -259,7 +259,7 @@ mod tests {
         let hexagon = [[2 * x, 0], [x, y], [-x, y], [-2 * x, 0], [-x, -y], [x, -y]];
         let places: Vec<[i32; 3]> =
             [[0; 3], [70, 80, 90]].into_iter().chain(hexagon.map(|[x, y]| [70 + x, 80 + y, 90])).collect();
-        let mut walk = Walk::new(true);
+        let mut walk = Walk::new(WalkOrder::Near);
         walk.begin(&surface);
         let mut memory = Memory::default();
         memory.begin_batch(&surface);

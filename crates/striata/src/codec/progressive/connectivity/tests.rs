@@ -2,6 +2,7 @@
 
 use super::super::super::entropy::{RangeReader, RangeWriter};
 use super::super::surface::{Surface, previous};
+use super::super::walk::WalkOrder;
 use super::*;
 use crate::mesh::{IndexedMesh, Random, shapes};
 
@@ -19,7 +20,7 @@ struct World {
 
 impl World {
     fn new(surface: Surface, places: Vec<[i32; 3]>, effort: Effort) -> Self {
-        let walk = Walk::new(effort == Effort::Small);
+        let walk = Walk::new(if effort == Effort::Small { WalkOrder::Near } else { WalkOrder::Numbers });
         let model = ConnectivityModel::new(effort);
         Self { surface, places, walk, model, corners: Vec::new(), asked: 0 }
     }

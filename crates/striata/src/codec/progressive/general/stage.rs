@@ -3,7 +3,7 @@
 use super::super::super::entropy::{Coder, Part};
 use super::super::attributes::RingVertex;
 use super::super::cutting::{Closed, close_used};
-use super::super::refiner::{Connectivity, Ended, Refiner, Source, actual_layers};
+use super::super::refiner::{Ended, Refiner, Source, actual_layers};
 use super::super::surface::NONE;
 use super::super::StreamDefect;
 use super::{CodedStep, Complex, KnownStep};
@@ -22,8 +22,9 @@ impl Refiner {
             return Ok(false);
         }
         general.left = count;
-        let triangle_count = self.growth.triangles.len();
+        let triangle_count = self.growth.triangle_count();
         self.spend_visits(triangle_count as u64)?;
+        self.growth.catch_up(&mut self.surface);
         let Some(general) = &mut self.general else { return Ok(false) };
         let growth = &self.growth;
         let position_of = growth.positions_of_vertices();
@@ -173,13 +174,8 @@ impl Refiner {
             .for_each(|t| surface.set_label(t, if t < triangle_count { t } else { NONE }));
         let virtual_places = std::iter::repeat_n([0; 3], virtual_count);
         self.places = virtual_places.chain(positions.iter().map(|&p| general.places[p as usize])).collect();
-        self.growth.renumber(virtual_count, &positions);
-        self.walk.renumber(&old_of_new);
-        self.positions.renumber(&old_of_new);
-        match &mut self.connectivity {
-            Connectivity::Thorough(model) => model.renumber(&surface, &old_of_new),
-            Connectivity::Quick(model) => model.renumber(&surface, &old_of_new),
-        }
+        self.growth.renumber(virtual_count, &positions, surface.triangle_count());
+        self.renumber(&old_of_new);
         source.rebuilt(&surface);
         self.surface = surface;
     }

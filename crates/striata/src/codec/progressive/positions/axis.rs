@@ -10,6 +10,7 @@ use super::super::super::entropy::{
 };
 use super::bumps::{Bumps, Width, below};
 use super::local::Local;
+use super::mixed::AxisCoder;
 
 const COUNTERS: usize = 4;
 const DEPTHS: usize = 6;
@@ -103,9 +104,10 @@ pub(super) struct AxisModel<const VECTORS: usize> {
     refiner: Option<Refiner>,
 }
 
-impl<const VECTORS: usize> AxisModel<VECTORS> {
-    /// Knows nothing yet.
-    pub(super) fn new(is_thorough: bool) -> Self {
+impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KINDS, WIDTHS>
+    for AxisModel<VECTORS>
+{
+    fn new(is_thorough: bool) -> Self {
         let bits = |count: usize| vec![AdaptiveBit::new(Rate::Steady); count * NODES];
         let mut first = [[(18_000 / VECTORS / 8) as i16; 8]; VECTORS];
         first.as_flattened_mut()[..COUNTERS].fill(3250);
@@ -123,13 +125,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         }
     }
 
-    /// Codes a grid coordinate.
-    pub(super) fn code<C: Coder, const KINDS: usize, const WIDTHS: usize>(
-        &mut self,
-        coder: &mut C,
-        axis: &Axis<'_, KINDS, WIDTHS>,
-        actual: i32,
-    ) -> i32 {
+    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, KINDS, WIDTHS>, actual: i32) -> i32 {
         const { assert!(8 * VECTORS > KINDS * WIDTHS + COUNTERS, "one opinion each") }
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let half = 1i32 << span_log;
@@ -145,7 +141,9 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         };
         axis.centre.wrapping_add(off)
     }
+}
 
+impl<const VECTORS: usize> AxisModel<VECTORS> {
     #[inline]
     fn is_outside<C: Coder, const KINDS: usize, const WIDTHS: usize>(
         &mut self,

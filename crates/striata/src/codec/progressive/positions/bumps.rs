@@ -26,6 +26,14 @@ impl Width {
     pub(super) fn new(log: u32) -> Self {
         Self { width: i16x8::splat(1 << log), lift: 14 - log }
     }
+
+    /// How much of a bump lies below what is so far above its middle, in 1/8192 of it.
+    #[inline]
+    pub(super) fn below(self, off: i16x8) -> i16x8 {
+        // With one as 2^14: of a triangle over -1..1, 1/2 + t (2 - |t|) / 2 lies below t.
+        let t = off.max(-self.width).min(self.width) << self.lift;
+        t.mul_keep_high(i16x8::splat(i16::MAX) - t.abs()) + i16x8::splat(4096)
+    }
 }
 
 /// How much of a density lies below `x`, in 1/8192 of weights, with bumps of each of these widths.
@@ -35,11 +43,8 @@ pub(super) fn below<const N: usize>(density: &[Bumps], x: i16, widths: &[Width; 
     for (mass, width) in masses.iter_mut().zip(widths) {
         let mut sum = i32x4::ZERO;
         for bumps in density {
-            // With one as 2^14: of a triangle over -1..1, 1/2 + t (2 - |t|) / 2 lies below t.
             let off = i16x8::splat(x).saturating_sub(i16x8::new(bumps.at));
-            let t = off.max(-width.width).min(width.width) << width.lift;
-            let below = t.mul_keep_high(i16x8::splat(i16::MAX) - t.abs()) + i16x8::splat(4096);
-            sum += i16x8::new(bumps.weight).dot(below);
+            sum += i16x8::new(bumps.weight).dot(width.below(off));
         }
         *mass = sum.to_array().iter().sum();
     }

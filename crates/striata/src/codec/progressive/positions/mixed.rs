@@ -5,7 +5,7 @@
 
 use super::super::super::entropy::Coder;
 use super::super::hood::Hood;
-use super::axis::AxisModel;
+use super::axis::Axis;
 use super::blend::Blend;
 use super::guesses::KINDS;
 use super::sight::{FEATURES, Sight, normal_order};
@@ -13,8 +13,17 @@ use super::sight::{FEATURES, Sight, normal_order};
 /// Logarithms of half the widths of bumps, along the surface and across it, in local units.
 type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
 
-/// The errors of a vertex of which nothing is known.
-const UNKNOWN: [u8; 2] = [7; 2];
+/// What codes a coordinate from what is known of it.
+pub(super) trait AxisCoder<const DENSITIES: usize, const WIDTHS: usize> {
+    /// Nothing learned.
+    fn new(is_thorough: bool) -> Self;
+
+    /// Codes a grid coordinate.
+    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, DENSITIES, WIDTHS>, actual: i32) -> i32;
+}
+
+/// Where it is not known how large the error was.
+const NO_ERRORS: [u8; 2] = [7; 2];
 
 /// A model of positions with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
@@ -22,35 +31,29 @@ pub(super) struct MixedModel<
     const USED: usize,
     const DENSITIES: usize,
     const WIDTHS: usize,
-    const VECTORS: usize,
+    A,
 > {
     widths: Widths<WIDTHS>,
     sight: Sight<USED>,
-    axes: [AxisModel<VECTORS>; 3],
+    axes: [A; 3],
     /// Along the surface and across it, by valence.
     blends: [[Blend<FEATURES>; 4]; 2],
     /// How large the error was at each vertex, along the surface and across it.
     errors: Vec<[u8; 2]>,
 }
 
-impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTORS: usize>
-    MixedModel<USED, DENSITIES, WIDTHS, VECTORS>
+impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCoder<DENSITIES, WIDTHS>>
+    MixedModel<USED, DENSITIES, WIDTHS, A>
 {
     /// Knows nothing yet.
     pub(super) fn new(widths: Widths<WIDTHS>) -> Self {
         Self {
             widths,
             sight: Sight::new(),
-            axes: std::array::from_fn(|_| AxisModel::new(Sight::<USED>::LOOKS_BEYOND)),
+            axes: std::array::from_fn(|_| A::new(Sight::<USED>::LOOKS_BEYOND)),
             blends: [[Blend::new(std::array::from_fn(|k| if k < KINDS { 10_000 } else { 0 })); 4]; 2],
             errors: Vec::new(),
         }
-    }
-
-    /// The surface was built anew; entry `i` is what its vertex `i` was called before, or none.
-    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
-        let errors = |&old: &u32| self.errors.get(old as usize).copied().unwrap_or(UNKNOWN);
-        self.errors = old_of_new.iter().map(errors).collect();
     }
 
     /// Codes the place of a new vertex.
@@ -100,8 +103,15 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, const VECTO
         [class(sums[0], 5), class(sums[1], 4)]
     }
 
+    /// The surface has been built anew: here is the old number of each vertex, or
+    /// [`NONE`](super::super::surface::NONE).
+    pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
+        let errors = |&old: &u32| self.errors.get(old as usize).copied().unwrap_or(NO_ERRORS);
+        self.errors = old_of_new.iter().map(errors).collect();
+    }
+
     fn note(&mut self, vertex: u32, errors: [u32; 2]) {
-        self.errors.resize(vertex as usize, UNKNOWN);
+        self.errors.resize(vertex as usize, NO_ERRORS);
         self.errors
             .push(errors.map(|error| (error * 1024 / self.sight.local.radius as u32 + 1).ilog2() as u8));
     }

@@ -1,0 +1,153 @@
+//! Predictions for a whole stretch before any of its places is read.
+//!
+//! What is around a new vertex is almost all older than the stretch: no two vertices of a batch are neighbors, so its ring is,
+//! and of the vertices beyond the ring those are taken that lie there before the stretch's splits are done. So all looking around
+//! and all arithmetic of many vertices is done in one go, without waiting for a decision in between, and the decisions
+//! then follow each other without waiting for memory.
+
+use wide::i32x4;
+
+use super::local::LANES;
+use super::sight::INVERSES;
+
+/// Three grid coordinates, and whether they are known: all zeros if not, which is so of virtual vertices.
+pub(in super::super) type Spot = [i32; 4];
+
+/// What is around a new vertex: its ring from the vertex that split on, and what lies across each edge from there
+/// to the next ring vertex.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in super::super) struct Surroundings {
+    /// Length of both lists.
+    pub(in super::super) count: usize,
+    pub(in super::super) ring: [Spot; LANES],
+    pub(in super::super) across: [Spot; LANES],
+}
+
+/// Three predictions of a place: the mean of parallelograms across ring edges, the vertex that split, and the middle of its
+/// neighbors in the ring.
+pub(super) const POINTS: usize = 3;
+
+/// What is foretold of a new vertex. Local units are such that the ring's radius has eleven bits.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outlook {
+    /// The vertex that split: all is counted from it.
+    base: [i32; 3],
+    /// The middle of the ring, in 1/16 grid steps.
+    middle: [i32; 3],
+    /// Local units are 1/16 grid steps shifted up and then down by this.
+    up: u32,
+    down: u32,
+    /// A class of the ring's radius: two for each doubling.
+    pub(super) size: usize,
+    /// The radius, in local units.
+    pub(super) radius: i32,
+    /// Length of the ring.
+    pub(super) count: usize,
+    /// Axes from the most tangential to the most normal, and how the surface rises along the last one over the others, in
+    /// 1/4096.
+    pub(super) axes: [usize; 3],
+    pub(super) slopes: [i32; 2],
+    /// By axis, how far from the middle of the ring points lie, in local units.
+    pub(super) features: [[i32; POINTS]; 3],
+}
+
+/// Local coordinates stay within this.
+const REACH: i32 = 4095;
+/// Radii, in 1/16 grid steps, are below 2 to this.
+const RADIUS_BITS: u32 = 28;
+
+impl Outlook {
+    /// Looks ahead from what is around a vertex.
+    #[inline]
+    pub(super) fn new(around: &Surroundings) -> Self {
+        let n = around.count.min(LANES);
+        let base = i32x4::new(around.ring[0]);
+        let rings = around.ring[..n].iter().fold(i32x4::ZERO, |sum, &spot| sum + i32x4::new(spot));
+        let middle = mean(rings, base).map(i32x4::new).unwrap_or_default();
+        let off = |sum: Option<[i32; 4]>| sum.map_or(i32x4::ZERO, |mean| i32x4::new(mean) - middle);
+        let of_one = |spot: Spot| off(mean(i32x4::new(spot), base));
+        let quarter = (n / 4).max(1);
+        let [d, e] = [[0, n / 2], [quarter, (quarter + n / 2) % n.max(1)]]
+            .map(|[i, j]| of_one(around.ring[i]) - of_one(around.ring[j]));
+        let reach = (d.abs() >> 2u32) + (e.abs() >> 2u32);
+        let [x, y, z, _] = reach.to_array();
+        // Ways along axes are longer than straight ones by a half.
+        let radius = ((x + y + z).clamp(12, 1 << (RADIUS_BITS - 1)) as u32 / 3) * 2;
+        let scale = 10 - radius.ilog2() as i32;
+        let (up, down) = (scale.max(0) as u32, (-scale).max(0) as u32);
+        let radius = ((radius << up) >> down) as i32;
+        let beside = i32x4::new(around.ring[1]) + i32x4::new(around.ring[n.max(1) - 1]);
+        let points = [off(mean(parallelograms(around, n, rings), base)), -middle, off(mean(beside, base))];
+        let limit = i32x4::splat((REACH << down) >> up);
+        let localise = |x: i32x4| ((x.max(-limit).min(limit) << up) >> down).to_array();
+        let points = points.map(localise);
+        let (axes, slopes) = face(localise(d), localise(e));
+        let [base, middle] = [base, middle].map(|x| x.to_array()).map(|[x, y, z, _]| [x, y, z]);
+        let size = (2 * (20 + scale) + (radius >> 9 & 1)).clamp(0, 63) as usize;
+        let features = [0, 1, 2].map(|a| points.map(|point| point[a]));
+        Self { base, middle, up, down, size, radius, count: n, axes, slopes, features }
+    }
+
+    /// The grid coordinate nearest to one that lies so far from the middle, in local units.
+    #[inline]
+    pub(super) fn to_grid(&self, local: i32, axis: usize) -> i32 {
+        let off = (local << self.down) >> self.up;
+        self.base[axis].wrapping_add((self.middle[axis] + off + 8) >> 4)
+    }
+
+    /// How far a grid coordinate lies from the middle, in local units.
+    #[inline]
+    pub(super) fn off_middle(&self, coordinate: i32, axis: usize) -> i32 {
+        let off = coordinate.wrapping_sub(self.base[axis]).clamp(-1 << 26, 1 << 26);
+        let limit = (REACH << self.down) >> self.up;
+        (((off << 4) - self.middle[axis]).clamp(-limit, limit) << self.up) >> self.down
+    }
+
+    /// How many of the lowest bits of what is left along an axis, by its rank, tell nothing: where rings are wide.
+    #[inline]
+    pub(super) fn noise(&self, slot: usize) -> u32 {
+        (self.down + 1).saturating_sub(self.up + slot as u32 / 2)
+    }
+}
+
+/// The sum of what is opposite across each ring edge, mirrored at its middle.
+fn parallelograms(around: &Surroundings, n: usize, rings: i32x4) -> i32x4 {
+    let across = around.across[..n].iter().fold(i32x4::ZERO, |sum, &spot| sum + i32x4::new(spot));
+    if rings.to_array()[3] + across.to_array()[3] == 2 * n as i32 {
+        return rings + rings - across;
+    }
+    let mut sum = i32x4::ZERO;
+    for i in 0..n {
+        let [p, q] = [i, if i + 1 < n { i + 1 } else { 0 }].map(|i| around.ring[i]);
+        let r = around.across[i];
+        if p[3] & q[3] & r[3] != 0 {
+            sum += i32x4::new(p) + i32x4::new(q) - i32x4::new(r);
+        }
+    }
+    sum
+}
+
+/// The mean of as many points as a sum has, as steps of 1/16 from the base.
+#[inline]
+fn mean(sum: i32x4, base: i32x4) -> Option<[i32; 4]> {
+    let [x, y, z, count] = sum.to_array();
+    let [a, b, c, _] = base.to_array();
+    let inverse = i64::from(*INVERSES.get(count as usize)?);
+    let part = |x: i32, a: i32| ((i64::from(x.wrapping_sub(a.wrapping_mul(count))) * inverse) >> 8) as i32;
+    (count > 0).then(|| [part(x, a), part(y, b), part(z, c), 0])
+}
+
+/// The axes from the most tangential to the most normal, and slopes, from two diagonals of the ring.
+fn face(d: [i32; 4], e: [i32; 4]) -> ([usize; 3], [i32; 2]) {
+    let normal = [[1, 2], [2, 0], [0, 1]].map(|[a, b]| d[a] * e[b] - d[b] * e[a]);
+    let steep = normal.map(i32::unsigned_abs);
+    // The order of three, without branches that nobody can foretell.
+    let [xy, xz, yz] = [steep[0] > steep[1], steep[0] > steep[2], steep[1] > steep[2]].map(usize::from);
+    let mut axes = [0; 3];
+    for (axis, rank) in [xy + xz, 1 - xy + yz, 2 - xz - yz].into_iter().enumerate() {
+        axes[rank] = axis;
+    }
+    let steepest = normal[axes[2]] >> 12;
+    let slope = |a: usize| if steepest == 0 { 0 } else { (normal[a] / steepest).clamp(-4096, 4096) };
+    (axes, [slope(axes[0]), slope(axes[1])])
+}
