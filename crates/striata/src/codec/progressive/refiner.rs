@@ -598,7 +598,7 @@ impl Refiner {
     /// All models follow a surface that was built anew between two batches: here is the old number of each of its vertices, or
     /// [`NONE`] for those that are new. Only in streams of the second version; the surface, its places and what has grown
     /// are up to the caller.
-    #[cfg_attr(not(test), expect(dead_code, reason = "batches that build the surface anew are to come"))]
+    #[expect(dead_code, reason = "batches that build the surface anew are to come")]
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         self.walk.renumber(old_of_new);
         match &mut self.connectivity {

@@ -129,8 +129,8 @@ impl Walk {
     /// Only for the order of families.
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         debug_assert_eq!(self.order, WalkOrder::Families, "the order that outlives new numbers");
+        let mut new_of_old = vec![NONE; self.end as usize + self.born.len()];
         self.take_in_born();
-        let mut new_of_old = vec![NONE; self.end as usize];
         for (new, &old) in old_of_new.iter().enumerate() {
             if let Some(new_of_old) = new_of_old.get_mut(old as usize) {
                 *new_of_old = new as u32;
@@ -276,7 +276,8 @@ mod tests {
             split(&mut walk, &mut surface, vertex);
         }
         walk.begin(&surface);
-        let first: Vec<u32> = (1..=2).chain([count]).chain(3..=5).chain([count + 1]).chain(6..count).collect();
+        let first: Vec<u32> =
+            (1..=2).chain([count]).chain(3..=5).chain([count + 1]).chain(6..count).collect();
         assert_eq!(asked(&mut walk), first);
         for vertex in [1, count] {
             split(&mut walk, &mut surface, vertex);
