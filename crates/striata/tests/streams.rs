@@ -13,6 +13,14 @@ use striata::simplify::{BatchOptions, SequenceOptions, TopologyRule, build_batch
 use support::{Random, Wildness, random_refinable, soup, with_seams_and_groups};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
+const VERSIONS: [StreamVersion; 2] = [StreamVersion::One, StreamVersion::Two];
+
+/// All efforts in both versions.
+fn kinds() -> impl Iterator<Item = StreamOptions> {
+    let options =
+        |version| EFFORTS.map(|effort| StreamOptions::default().with_effort(effort).with_version(version));
+    VERSIONS.into_iter().flat_map(options)
+}
 
 struct Written {
     source: RefinableMesh,
@@ -162,9 +170,7 @@ fn check(mesh: &IndexedMesh, options: &StreamOptions, seed: u64) {
 fn streams_of_all_meshes_come_back_whole_and_in_parts() {
     for (index, (name, mesh)) in meshes::all().into_iter().enumerate() {
         eprintln!("{name}");
-        for effort in EFFORTS {
-            check(&mesh, &StreamOptions::default().with_effort(effort), index as u64);
-        }
+        kinds().for_each(|options| check(&mesh, &options, index as u64));
     }
 }
 
@@ -191,9 +197,7 @@ fn seams_groups_and_layers_come_back() {
     for (name, mesh) in meshes::all() {
         eprintln!("{name}");
         let mesh = with_seams_and_groups(mesh);
-        for effort in EFFORTS {
-            check(&mesh, &StreamOptions::default().with_effort(effort), 4);
-        }
+        kinds().for_each(|options| check(&mesh, &options, 4));
         check(&mesh, &StreamOptions::default().with_precision(Precision::Lossless), 5);
     }
 }
@@ -202,9 +206,7 @@ fn seams_groups_and_layers_come_back() {
 #[test]
 fn hubs_of_thousands_of_triangles_come_back() {
     for mesh in [shapes::closed_fan(5000), shapes::uv_sphere(3, 3000, 1.0)] {
-        for effort in EFFORTS {
-            check(&mesh, &StreamOptions::default().with_effort(effort), 9);
-        }
+        kinds().for_each(|options| check(&mesh, &options, 9));
     }
 }
 
@@ -225,8 +227,8 @@ fn steps_one_at_a_time_are_batches_too() {
 #[test]
 fn damaged_bytes_are_refused_or_give_a_mesh() {
     let mesh = with_seams_and_groups(support::grid(14, true));
-    for effort in EFFORTS {
-        let bytes = write(&mesh, &StreamOptions::default().with_effort(effort)).stream.bytes;
+    for options in kinds() {
+        let bytes = write(&mesh, &options).stream.bytes;
         for at in 0..bytes.len() {
             let mut damaged = bytes.clone();
             damaged[at] ^= 1 << (at % 8);
@@ -247,8 +249,8 @@ fn damaged_bytes_are_refused_or_give_a_mesh() {
 fn nonsense_in_the_last_chunk_gives_a_mesh() {
     let mut random = Random::new(8);
     let mesh = with_seams_and_groups(support::grid(20, false));
-    for effort in EFFORTS {
-        let bytes = write(&mesh, &StreamOptions::default().with_effort(effort)).stream.bytes;
+    for options in kinds() {
+        let bytes = write(&mesh, &options).stream.bytes;
         for _ in 0..300 {
             let mut damaged = bytes[..bytes.len() - 1].to_vec();
             for _ in 0..1 + random.below(4) {
@@ -391,7 +393,7 @@ proptest! {
         if has_seams {
             mesh = with_seams_and_groups(mesh);
         }
-        let effort = EFFORTS[seed as usize % 3];
-        check(&mesh, &StreamOptions::default().with_effort(effort), seed);
+        let options = kinds().nth(seed as usize % 6).unwrap();
+        check(&mesh, &options, seed);
     }
 }

@@ -117,3 +117,77 @@ pub(super) fn symbol_at(shares: &QuickShares, place: i16) -> usize {
     let above = low | high << 8 | 1 << SYMBOLS;
     (above.trailing_zeros() as usize).saturating_sub(1)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{RangeReader, RangeWriter};
+    use super::*;
+    use crate::mesh::Random;
+
+    fn triangular(count: usize, seed: u64) -> Vec<usize> {
+        let mut random = Random::new(seed);
+        (0..count).map(|_| (random.below(4) + random.below(4)) as usize).collect()
+    }
+
+    fn models() -> [QuickSymbol; 2] {
+        [QuickSymbol::new(16), QuickSymbol::new(7)]
+    }
+
+    fn write(symbols: &[usize]) -> Vec<u8> {
+        let (mut writer, mut models) = (RangeWriter::new(), models());
+        for &symbol in symbols {
+            let [one, other] = &mut models;
+            assert_eq!(code_by_two(&mut writer, [one, other], symbol, 7), symbol);
+        }
+        writer.finish().0
+    }
+
+    #[test]
+    fn symbols_come_back_near_their_entropy() {
+        let symbols = triangular(20_000, 21);
+        let weights = [1.0, 2.0, 3.0, 4.0, 3.0, 2.0, 1.0].map(|w: f64| w / 16.0);
+        let entropy: f64 = weights.iter().map(|w| -w * w.log2()).sum();
+        let bytes = write(&symbols);
+        let bits = bytes.len() as f64 * 8.0 / symbols.len() as f64;
+        assert!(bits < entropy * 1.03, "{bits} bits for {entropy}");
+        let (mut reader, mut models) = (RangeReader::new(&bytes, true), models());
+        for symbol in symbols {
+            let [one, other] = &mut models;
+            assert_eq!(code_by_two(&mut reader, [one, other], 0, 7), symbol);
+        }
+    }
+
+    #[test]
+    fn shares_stay_in_order() {
+        let mut random = Random::new(22);
+        let mut model = QuickSymbol::new(3);
+        for round in 0..5000 {
+            model
+                .learn(if round % 100 < 90 { 15 * (round / 1000 % 2) } else { random.below(16) as usize }, 5);
+            let shares = shares_of(model.begins);
+            assert!(shares[0] == 0 && shares.windows(2).all(|w| w[0] < w[1]), "{shares:?}");
+            for place in [0, 1, shares[7] - 1, shares[7], i16::MAX] {
+                let expected = shares.iter().rposition(|&begin| begin <= place);
+                assert_eq!(Some(symbol_at(&shares, place)), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn a_cut_message_is_noticed() {
+        let symbols = triangular(400, 23);
+        let bytes = write(&symbols);
+        for cut in 0..bytes.len() {
+            let (mut reader, mut models) = (RangeReader::new(&bytes[..cut], false), models());
+            for &symbol in &symbols {
+                let [one, other] = &mut models;
+                let found = code_by_two(&mut reader, [one, other], 0, 7);
+                if reader.overran() {
+                    break;
+                }
+                assert_eq!(found, symbol);
+            }
+            assert!(reader.overran());
+        }
+    }
+}

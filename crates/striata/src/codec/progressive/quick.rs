@@ -6,13 +6,13 @@
 //! ones with the longest edges first, since that is where a vertex is missing.
 
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
+use super::StreamVersion;
 use super::connectivity::Scene;
 use super::positions::Surroundings;
 use super::quick_cuts::{self, Edge, QuickCuts};
 use super::rings::{Neighbour, Rings};
 use super::surface::{Cut, NONE, Surface, triangle_of};
 use super::walk::Walk;
-use super::StreamVersion;
 
 /// What is kept with a vertex.
 #[derive(Clone, Copy, Debug, Default)]
@@ -102,7 +102,8 @@ impl QuickModel {
     /// just now.
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         let new = Kept { triangles: 6, made: self.batch, split: self.batch };
-        self.kept = old_of_new.iter().map(|&old| self.kept.get(old as usize).copied().unwrap_or(new)).collect();
+        self.kept =
+            old_of_new.iter().map(|&old| self.kept.get(old as usize).copied().unwrap_or(new)).collect();
         self.is_renumbered = true;
     }
 
@@ -128,9 +129,8 @@ impl QuickModel {
             }
             asked += 1;
             let kept = self.kept[vertex as usize];
-            // After 256 batches the difference is 0 again, which stands for long ago as well.
-            let age = usize::from(self.batch.wrapping_sub(kept.made)).wrapping_sub(1).min(3);
-            let rest = usize::from(self.batch.wrapping_sub(kept.split)).wrapping_sub(1).min(3);
+            let age = usize::from(self.batch.wrapping_sub(kept.made).wrapping_sub(1)).min(3);
+            let rest = usize::from(self.batch.wrapping_sub(kept.split).wrapping_sub(1)).min(3);
             let recent = (history & HISTORY).count_ones().min(7) as usize;
             let context = ((usize::from(kept.triangles.min(15)) * 4 + age) * 4 + rest) * 8 + recent;
             let splits = self.flags[context].code(coder, !C::READS && does_split(vertex));
@@ -187,7 +187,11 @@ impl QuickModel {
             let square = (0..3).map(|a| i64::from(neighbour.place[a] - kept[a]).pow(2)).sum::<i64>();
             *edge = Edge {
                 square: if is_virtual { 0 } else { square },
-                few: if is_virtual { 0 } else { 6 - self.kept[neighbour.vertex as usize].triangles.min(15) as i8 },
+                few: if is_virtual {
+                    0
+                } else {
+                    6 - self.kept[neighbour.vertex as usize].triangles.min(15) as i8
+                },
                 is_virtual,
                 is_free: !scene.is_taken(triangle_of(corner)),
             };
@@ -374,4 +378,29 @@ fn look_around(
         around.across[patch.len() + 1] = neighbour(wrap(begin + patch.len()) + 1);
     }
     around.count = (patch.len() + 2).min(around.ring.len());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::cutting::close;
+    use super::*;
+    use crate::mesh::shapes;
+
+    #[test]
+    fn what_is_kept_follows_vertices_to_new_numbers() {
+        let mesh = shapes::grid(5, 4);
+        let mut surface = close(&mesh.triangles, mesh.positions.len()).surface;
+        let mut model = QuickModel::new(&surface, StreamVersion::Two);
+        model.begin_batch(&surface);
+        let corner = surface.corner_of(7);
+        let new = surface.split(&[corner]);
+        model.split(&surface, 1, 7);
+        model.renumber(&[0, new, 7, 2, NONE]);
+        assert_eq!([1, 2, 3, 4].map(|v| model.kept[v].split), [1, 1, 0, 1]);
+        assert_eq!([1, 2, 3, 4].map(|v| model.kept[v].made), [1, 0, 0, 1]);
+        model.begin_batch(&surface);
+        for (vertex, kept) in (0..).zip(&model.kept) {
+            assert_eq!(usize::from(kept.triangles), surface.ring(vertex).count());
+        }
+    }
 }

@@ -105,7 +105,8 @@ fn scores(edges: &[Edge], length: usize) -> [i64; MOST] {
     let n = edges.len();
     let wrap = |at: usize| if at < n { at } else { at - n };
     let sum: i64 = edges.iter().map(|edge| edge.square).sum();
-    let unit = ((sum >> 8) * INVERSES[n.min(MOST)]) >> 8;
+    let inverse = INVERSES[n.min(MOST)];
+    let unit = if sum < 1 << 40 { (sum * inverse) >> 16 } else { (sum >> 16) * inverse };
     let mut inner: i64 = edges[1..length].iter().map(|edge| edge.square).sum();
     let mut ends = [0; MOST];
     for (end, edge) in ends.iter_mut().zip(edges) {
@@ -142,4 +143,85 @@ fn best(mut starts: u32, scores: &[i64; MOST]) -> usize {
         }
     }
     best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::entropy::{RangeReader, RangeWriter};
+    use super::*;
+    use crate::mesh::Random;
+
+    fn random_edges(random: &mut Random) -> Vec<Edge> {
+        let edge = |random: &mut Random| Edge {
+            square: i64::from(random.below(1000)) << (10 * random.below(5)),
+            few: random.below(9) as i8 - 4,
+            is_virtual: random.below(12) == 0,
+            is_free: random.below(4) > 0,
+        };
+        (0..2 + random.below(MOST as u32 - 1)).map(|_| edge(random)).collect()
+    }
+
+    /// Whether a run can go to a new vertex, edge by edge.
+    fn is_free(edges: &[Edge], start: usize, length: usize) -> bool {
+        let n = edges.len();
+        (0..length)
+            .all(|at| edges[(start + at) % n].is_free && (at == 0 || !edges[(start + at) % n].is_virtual))
+    }
+
+    #[test]
+    fn runs_are_found_and_scored() {
+        let mut random = Random::new(4);
+        for _ in 0..300 {
+            let edges = random_edges(&mut random);
+            let n = edges.len();
+            for length in 1..n {
+                let starts = free_starts(n, masks(&edges), length);
+                let scores = scores(&edges, length);
+                let unit = edges.iter().map(|edge| edge.square).sum::<i64>() as f64 / n as f64;
+                for start in 0..n {
+                    assert_eq!(starts >> start & 1 != 0, is_free(&edges, start, length));
+                    let inner: i64 = (1..length).map(|at| edges[(start + at) % n].square).sum();
+                    let ends = [start, (start + length) % n].map(|at| edges[at]);
+                    let of_end = |edge: Edge| 2.0 * edge.square as f64 + 1.5 * unit * f64::from(edge.few);
+                    let expected = 4.0 * inner as f64 + ends.map(of_end).iter().sum::<f64>();
+                    let off = (scores[start] as f64 - expected).abs();
+                    assert!(off < 40.0 + 4e-3 * unit, "{} for {expected}", scores[start]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn cuts_come_back() {
+        let mut random = Random::new(5);
+        let (mut writer, mut cuts) = (RangeWriter::new(), QuickCuts::new());
+        let mut message = Vec::new();
+        while message.len() < 2000 {
+            let edges = random_edges(&mut random);
+            let n = edges.len();
+            let (start, length) = (random.below(n as u32) as usize, 1 + random.below(n as u32 - 1) as usize);
+            if is_free(&edges, start, length) {
+                assert_eq!(cuts.code(&mut writer, &edges, MOST, (start, length)), Some((start, length)));
+                message.push((edges, (start, length)));
+            }
+        }
+        let bytes = writer.finish().0;
+        let (mut reader, mut cuts) = (RangeReader::new(&bytes, true), QuickCuts::new());
+        for (edges, run) in message {
+            assert_eq!(cuts.code(&mut reader, &edges, MOST, (0, 1)), Some(run));
+        }
+    }
+
+    #[test]
+    fn any_bytes_give_free_runs_or_none() {
+        let mut random = Random::new(6);
+        let bytes: Vec<u8> = (0..3000).map(|_| random.next_u64() as u8).collect();
+        let (mut reader, mut cuts) = (RangeReader::new(&bytes, true), QuickCuts::new());
+        for _ in 0..3000 {
+            let edges = random_edges(&mut random);
+            if let Some((start, length)) = cuts.code(&mut reader, &edges, 5, (0, 1)) {
+                assert!(length <= 5 && is_free(&edges, start, length));
+            }
+        }
+    }
 }

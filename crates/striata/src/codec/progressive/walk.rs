@@ -281,7 +281,8 @@ mod tests {
             split(&mut walk, &mut surface, vertex);
         }
         walk.begin(&surface);
-        let first: Vec<u32> = (1..=2).chain([count]).chain(3..=5).chain([count + 1]).chain(6..count).collect();
+        let first: Vec<u32> =
+            (1..=2).chain([count]).chain(3..=5).chain([count + 1]).chain(6..count).collect();
         assert_eq!(asked(&mut walk), first);
         for vertex in [1, count] {
             split(&mut walk, &mut surface, vertex);

@@ -243,3 +243,31 @@ fn regular_splits_become_cheap() {
     // Without a model: one of some twenty runs, and a flag for each vertex.
     assert!(bits / cuts.len() as f64 <= 6.5, "{} bits a split", bits / cuts.len() as f64);
 }
+
+#[test]
+fn traces_follow_their_vertices_to_new_numbers() {
+    let (surface, places) = closed(&shapes::grid(6, 5));
+    let (_, _, mut world) = write(&surface, &places, Effort::Default, 8);
+    let count = world.surface.vertex_count() as u32;
+    let memory = &mut world.model.memory;
+    memory.begin_batch(&world.surface);
+    let densities: Vec<u8> = (0..count).map(|v| memory.trace(v).density).collect();
+    // As if the surface had been built anew with vertices 3 and 5 in each other's place and vertex 4 as a new one.
+    let old_of_new: Vec<u32> = (0..count)
+        .map(|v| match v {
+            3 => 5,
+            4 => super::super::surface::NONE,
+            5 => 3,
+            _ => v,
+        })
+        .collect();
+    memory.renumber(&old_of_new);
+    memory.begin_batch(&world.surface);
+    for vertex in 0..count {
+        let trace = memory.trace(vertex);
+        assert_eq!(usize::from(trace.valence), world.surface.ring(vertex).count());
+        let old = old_of_new[vertex as usize];
+        assert_eq!(trace.density, densities.get(old as usize).copied().unwrap_or(40));
+        assert_eq!(memory.age(vertex), 3);
+    }
+}

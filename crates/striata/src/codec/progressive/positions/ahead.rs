@@ -151,3 +151,65 @@ fn face(d: [i32; 4], e: [i32; 4]) -> ([usize; 3], [i32; 2]) {
     let slope = |a: usize| if steepest == 0 { 0 } else { (normal[a] / steepest).clamp(-4096, 4096) };
     (axes, [slope(axes[0]), slope(axes[1])])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A hexagon around the vertex that is looked for, at (1000, 2000, 300), and what lies across its edges.
+    fn hexagon() -> Surroundings {
+        let mut around = Surroundings { count: 6, ..Surroundings::default() };
+        let corners = [[200, 0], [100, 173], [-100, 173], [-200, 0], [-100, -173], [100, -173]];
+        let spot = |[x, y]: [i32; 2]| [1000 + x, 2000 + y, 300, 1];
+        for (i, [x, y]) in corners.into_iter().enumerate() {
+            let [p, q] = corners[(i + 1) % 6];
+            around.ring[i] = spot([x, y]);
+            around.across[i] = spot([x + p, y + q]);
+        }
+        around
+    }
+
+    #[test]
+    fn all_points_of_a_regular_ring_agree() {
+        let outlook = Outlook::new(&hexagon());
+        let place = [0, 1, 2].map(|a| outlook.to_grid(0, a));
+        assert_eq!(place, [1000, 2000, 300]);
+        assert_eq!((outlook.axes[2], outlook.slopes), (2, [0, 0]));
+        assert!((1024..2048).contains(&outlook.radius), "{}", outlook.radius);
+        for feature in outlook.features {
+            assert!(feature[0].abs() < 12, "{:?}", outlook.features);
+        }
+        // The vertex that split lies a radius away.
+        assert!((900..2048).contains(&outlook.features[0][1]), "{:?}", outlook.features);
+    }
+
+    #[test]
+    fn what_is_not_known_does_not_count() {
+        let whole = Outlook::new(&hexagon());
+        let mut around = hexagon();
+        around.across[2] = [0; 4];
+        assert!(Outlook::new(&around).features[0][0].abs() < 12);
+        around.ring[3] = [0; 4];
+        let part = Outlook::new(&around);
+        // The middle of five moves away from the one that is missing, by a fifth of the radius.
+        assert_eq!(whole.to_grid(0, 0) + 40, part.to_grid(0, 0));
+    }
+
+    #[test]
+    fn places_are_the_same_in_local_units() {
+        for factor in [1, 7, 1000, 40_000] {
+            let mut around = hexagon();
+            let scaled = |spot: Spot| [spot[0] * factor, spot[1] * factor, spot[2] * factor, spot[3]];
+            around.ring = around.ring.map(scaled);
+            around.across = around.across.map(scaled);
+            let outlook = Outlook::new(&around);
+            assert_eq!(outlook.axes[2], 2);
+            for off in [-150, -3, 0, 40, 199] {
+                let place = (1000 + off) * factor;
+                let found = outlook.to_grid(outlook.off_middle(place, 0), 0);
+                // Local units are coarser than the grid where rings are wide.
+                assert!((found - place).abs() <= factor / 4 + 1, "{found} for {place}");
+            }
+        }
+    }
+}

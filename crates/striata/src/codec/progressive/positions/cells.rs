@@ -112,13 +112,7 @@ impl CellModel {
 
     /// Codes a cell as counters see it, given what the density says.
     #[inline]
-    fn cell<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        axis: &Axis<'_, 1, 1>,
-        said: &Said,
-        meant: usize,
-    ) -> usize {
+    fn cell<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, 1, 1>, said: &Said, meant: usize) -> usize {
         let trust = i16x8::splat(self.trust[axis.place] as i16);
         // Of 1/256 and 1/16384, in scores.
         let scores = said.map(|said| (said << (SCORE_LOG - 6)).mul_keep_high(trust));
@@ -128,7 +122,10 @@ impl CellModel {
         let cell = code_shares(coder, meant, &shares);
         let mut errors = parts.map(|part| -part);
         errors[cell & 15] += i16::MAX;
-        circumstances.into_iter().for_each(|weights| weights.learn(&errors));
+        let steps: [i32x4; CELLS / 4] = std::array::from_fn(|quarter| {
+            i32x4::new(std::array::from_fn(|at| i32::from(errors[4 * quarter + at]) << 1))
+        });
+        circumstances.into_iter().for_each(|weights| weights.learn(&steps));
         let errors = [0, 8].map(|at| i16x8::from_slice_unaligned(&errors[at..at + 8]));
         let pull: i32 = (said[0].dot(errors[0]) + said[1].dot(errors[1])).to_array().iter().sum();
         let trust = &mut self.trust[axis.place];
@@ -153,7 +150,8 @@ impl CellModel {
         while high - low > 1 {
             let middle = low.midpoint(high);
             let below = mass(middle);
-            let [up, all] = [below_high - below, below_high - below_low].map(|m| i64::from(m.max(0)) + (1 << 16));
+            let [up, all] =
+                [below_high - below, below_high - below_low].map(|m| i64::from(m.max(0)) + (1 << 16));
             let chance = ((up * CHANCES as i64) / (all + (1 << 16))).clamp(0, CHANCES as i64 - 1) as usize;
             let width = (high - low).ilog2().min(WIDTHS as u32 - 1) as usize;
             let is_up = self.halves[width * CHANCES + chance].code(coder, actual >= middle);
@@ -175,12 +173,11 @@ const FIRST_TRUST: i32 = 16_000;
 
 impl Weights {
     #[inline]
-    fn learn(&mut self, errors: &[i16; CELLS]) {
+    fn learn(&mut self, steps: &[i32x4; CELLS / 4]) {
         self.seen = (self.seen + 1).min(1 << 12);
         let shift = (1 + (self.seen >> 2)).ilog2().min(LAST_SHIFT);
-        for (weights, errors) in self.weights.iter_mut().zip(errors.chunks_exact(4)) {
-            let errors = i32x4::new(std::array::from_fn(|at| i32::from(errors[at]) << 1));
-            *weights += errors >> shift;
+        for (weights, &step) in self.weights.iter_mut().zip(steps) {
+            *weights += step >> shift;
         }
     }
 }
@@ -190,7 +187,9 @@ impl Weights {
 fn add_weights(circumstances: &[&mut Weights; 4], said: [i16x8; 2]) -> [i16; CELLS] {
     let mut scores = [0; CELLS];
     let said = said.map(|said| said.to_array());
-    for (quarter, (scores, said)) in scores.chunks_exact_mut(4).zip(said.as_flattened().chunks_exact(4)).enumerate() {
+    for (quarter, (scores, said)) in
+        scores.chunks_exact_mut(4).zip(said.as_flattened().chunks_exact(4)).enumerate()
+    {
         let sum = circumstances.iter().fold(i32x4::ZERO, |sum, weights| sum + weights.weights[quarter]);
         let sum = (sum >> WEIGHT_LOG).to_array();
         for ((score, sum), &said) in scores.iter_mut().zip(sum).zip(said) {
@@ -305,7 +304,9 @@ impl AxisCoder<1, 1> for CellModel {
         let cell = self.cell(coder, axis, &said, meant) ^ flip;
         let off = if cell == 0 {
             let beyond = (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(actual) as u32;
-            (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(self.far.unsigned(coder, axis.size, beyond) as i32)
+            (ENDS[0] << step_log)
+                .wrapping_sub(1)
+                .wrapping_sub(self.far.unsigned(coder, axis.size, beyond) as i32)
         } else if cell == CELLS - 1 {
             let first = ENDS[CELLS - 2] << step_log;
             let beyond = actual.wrapping_sub(first) as u32;
@@ -314,5 +315,69 @@ impl AxisCoder<1, 1> for CellModel {
             self.within(coder, axis, (ENDS[cell - 1] << step_log, ENDS[cell] << step_log), actual)
         };
         axis.centre.wrapping_add(off)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::local::Local;
+    use super::*;
+
+    #[test]
+    fn exponentials_and_logarithms_are_right() {
+        for (at, &power) in EXPONENTIALS.iter().enumerate() {
+            let expected = 32_768.0 * (-(at as f64) / 64.0).exp2();
+            assert!((f64::from(power) - expected).abs() <= 1.01, "{at}: {power} for {expected}");
+        }
+        for (at, &logarithm) in LOGARITHMS.iter().enumerate() {
+            let expected = ((at + DOUBT) as f64).log2() * 256.0;
+            assert!((f64::from(logarithm) - expected).abs() < 1.01, "{at}: {logarithm} for {expected}");
+        }
+    }
+
+    #[test]
+    fn parts_are_probabilities() {
+        let mut scores = [-600; CELLS];
+        scores[3] = 512;
+        scores[9] = 1024;
+        let (parts, shares) = parts_of(&scores);
+        // One bit apart.
+        assert!((parts[9] - 2 * parts[3]).abs() < 40, "{parts:?}");
+        assert!(shares.is_sorted() && shares[0] == 0);
+        let sum: i32 = parts.iter().map(|&part| i32::from(part)).sum();
+        assert!((32_700..=32_768).contains(&sum), "{sum}");
+        let even = parts_of(&[-16_000; CELLS]).0;
+        assert!(even.iter().all(|&part| (2040..=2048).contains(&part)), "{even:?}");
+    }
+
+    /// A density of one bump, and an axis where that stands.
+    fn axis<'a>(local: &'a Local, bumps: &'a [Bumps], is_mirrored: bool) -> Axis<'a, 1, 1> {
+        Axis {
+            local,
+            axis: 0,
+            bumps,
+            widths: [Width::new(7)],
+            centre: 40,
+            is_mirrored,
+            is_last: false,
+            size: 20,
+            place: 1,
+            distance: 2,
+            spread: 3,
+        }
+    }
+
+    #[test]
+    fn densities_speak_for_the_cells_where_they_lie() {
+        // One step of the grid is 64 local units.
+        let local = Local { origin: [40, 0, 0], shift: 6, factor: 1 << 22, radius: 1200, ..Local::default() };
+        let bumps = [Bumps { at: [130, 0, 0, 0, 0, 0, 0, 0], weight: [16_000, 0, 0, 0, 0, 0, 0, 0] }];
+        for is_mirrored in [false, true] {
+            let said = said_of(&axis(&local, &bumps, is_mirrored), 0).map(|half| half.to_array());
+            let said = said.as_flattened();
+            let best = (0..CELLS).max_by_key(|&cell| said[cell]).unwrap();
+            // Two steps above the center, counted from either end.
+            assert_eq!(best, if is_mirrored { CELLS - 1 - 10 } else { 10 }, "{said:?}");
+        }
     }
 }

@@ -27,19 +27,14 @@ const NO_ERRORS: [u8; 2] = [7; 2];
 
 /// A model of positions with the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
-pub(super) struct MixedModel<
-    const USED: usize,
-    const DENSITIES: usize,
-    const WIDTHS: usize,
-    A,
-> {
+pub(super) struct MixedModel<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A> {
     widths: Widths<WIDTHS>,
     sight: Sight<USED>,
     axes: [A; 3],
     /// Along the surface and across it, by valence.
     blends: [[Blend<FEATURES>; 4]; 2],
     /// How large the error was at each vertex, along the surface and across it.
-    errors: Vec<[u8; 2]>,
+    pub(super) errors: Vec<[u8; 2]>,
 }
 
 impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCoder<DENSITIES, WIDTHS>>

@@ -35,9 +35,9 @@ mod quick;
 mod sight;
 
 use super::super::entropy::Coder;
+use super::hood::Hood;
 use super::{Effort, StreamVersion};
 pub(super) use ahead::Surroundings;
-use super::hood::Hood;
 use axis::AxisModel;
 use cells::CellModel;
 use mixed::MixedModel;
@@ -68,7 +68,9 @@ impl PositionModel {
         Self(match effort {
             Effort::Fast if version > StreamVersion::One => Model::Ahead(Box::new(QuickPositions::new())),
             Effort::Fast => Model::One(Box::new(PlainModel::new())),
-            Effort::Default if version > StreamVersion::One => Model::Cells(Box::new(MixedModel::new([[5], [4]]))),
+            Effort::Default if version > StreamVersion::One => {
+                Model::Cells(Box::new(MixedModel::new([[5], [4]])))
+            }
             Effort::Default => Model::Some(Box::new(MixedModel::new([[5], [4]]))),
             Effort::Small => Model::All(Box::new(MixedModel::new([[2, 5, 8], [1, 4, 7]]))),
         })

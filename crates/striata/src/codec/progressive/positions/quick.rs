@@ -119,7 +119,8 @@ impl QuickPositions {
             let expected = predict(weights, features);
             let lifted = if slot < 2 { expected } else { (expected + rise).clamp(-8000, 8000) };
             let center = outlook.to_grid(lifted, a);
-            let spread = ((log2_q8(features[0].unsigned_abs() + 16) - 1024) >> 7).clamp(0, SPREADS as i32 - 1);
+            let spread =
+                ((log2_q8(features[0].unsigned_abs() + 16) - 1024) >> 7).clamp(0, SPREADS as i32 - 1);
             let circumstances = (outlook.size, spread as usize * VALENCES + valence, outlook.noise(slot));
             let residual = actual[a].wrapping_sub(center);
             place[a] = center.wrapping_add(self.axes[slot].code(coder, circumstances, residual));

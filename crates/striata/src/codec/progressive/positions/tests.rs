@@ -1,14 +1,22 @@
 //! Positions of made-up surfaces, there and back.
 
 use super::super::super::entropy::{Coder, RangeReader, RangeWriter};
-use super::super::Effort;
 use super::super::cutting::close;
 use super::super::hood::Hood;
-use super::super::surface::Surface;
-use super::PositionModel;
+use super::super::surface::{NONE, Surface, next};
+use super::super::{Effort, StreamVersion};
+use super::{CellModel, MixedModel, PositionModel, Surroundings};
 use crate::mesh::{IndexedMesh, Random, shapes};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
+/// All models that there are.
+const KINDS: [(Effort, StreamVersion); 5] = [
+    (Effort::Fast, StreamVersion::One),
+    (Effort::Default, StreamVersion::One),
+    (Effort::Small, StreamVersion::One),
+    (Effort::Fast, StreamVersion::Two),
+    (Effort::Default, StreamVersion::Two),
+];
 
 /// A closed surface, and a place for each of its vertices.
 struct Sample {
@@ -45,46 +53,73 @@ fn samples() -> Vec<Sample> {
     ]
 }
 
+/// Samples that a model knows how to code: what looks ahead takes places of grids only.
+fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
+    let is_on_grid =
+        |sample: &Sample| sample.places.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
+    let is_ahead = kind == (Effort::Fast, StreamVersion::Two);
+    samples().into_iter().filter(|sample| !is_ahead || is_on_grid(sample)).collect()
+}
+
+/// What lies around a vertex as far as it is known.
+fn around(hood: &Hood<'_>) -> Surroundings {
+    let mut around = Surroundings { count: hood.corners.len().min(8), ..Surroundings::default() };
+    let spot = |vertex: u32| hood.place(vertex).map_or([0; 4], |[x, y, z]| [x, y, z, 1]);
+    for (i, &corner) in hood.corners.iter().enumerate().take(8) {
+        around.ring[i] = spot(hood.surface.vertex(next(corner)));
+        around.across[i] = spot(hood.surface.vertex(hood.surface.opposite(corner)));
+    }
+    around
+}
+
 /// Codes all places but the first few in order; `unseen` stands where places are not known yet.
-fn code<C: Coder>(coder: &mut C, sample: &Sample, effort: Effort, unseen: [i32; 3]) -> Vec<[i32; 3]> {
+fn code<C: Coder>(
+    coder: &mut C,
+    sample: &Sample,
+    (effort, version): (Effort, StreamVersion),
+    unseen: [i32; 3],
+) -> Vec<[i32; 3]> {
     let first = sample.surface.virtual_count() as usize + 4;
     let mut places = sample.places[..first].to_vec();
     places.resize(sample.places.len(), unseen);
-    let mut model = PositionModel::new(effort);
+    let mut model = PositionModel::new(effort, version);
     for vertex in first..places.len() {
         let corners: Vec<u32> = sample.surface.ring(vertex as u32).collect();
         let hood =
             Hood { surface: &sample.surface, places: &places, vertex: vertex as u32, corners: &corners };
+        if let Some(ahead) = model.ahead(vertex as u32) {
+            ahead.look_ahead(&around(&hood));
+        }
         let actual = if C::READS { [0; 3] } else { sample.places[vertex] };
         places[vertex] = model.code(coder, &hood, actual);
     }
     places
 }
 
-fn write(sample: &Sample, effort: Effort, unseen: [i32; 3]) -> Vec<u8> {
+fn write(sample: &Sample, kind: (Effort, StreamVersion), unseen: [i32; 3]) -> Vec<u8> {
     let mut writer = RangeWriter::new();
-    assert_eq!(code(&mut writer, sample, effort, unseen), sample.places);
+    assert_eq!(code(&mut writer, sample, kind, unseen), sample.places);
     writer.finish().0
 }
 
 #[test]
 fn places_of_all_sizes_come_back() {
-    for (at, sample) in samples().iter().enumerate() {
-        for effort in EFFORTS {
-            let bytes = write(sample, effort, [0; 3]);
-            let places = code(&mut RangeReader::new(&bytes, true), sample, effort, [1; 3]);
-            assert_eq!(places, sample.places, "sample {at}, {effort:?}");
+    for kind in KINDS {
+        for (at, sample) in samples_for(kind).iter().enumerate() {
+            let bytes = write(sample, kind, [0; 3]);
+            let places = code(&mut RangeReader::new(&bytes, true), sample, kind, [1; 3]);
+            assert_eq!(places, sample.places, "sample {at}, {kind:?}");
         }
     }
 }
 
 #[test]
 fn nothing_is_seen_before_its_time() {
-    for (at, sample) in samples().iter().enumerate() {
-        for effort in EFFORTS {
-            let expected = write(sample, effort, [0; 3]);
+    for kind in KINDS {
+        for (at, sample) in samples_for(kind).iter().enumerate() {
+            let expected = write(sample, kind, [0; 3]);
             for rubbish in [[i32::MAX; 3], [-5, 4000, 77]] {
-                assert_eq!(write(sample, effort, rubbish), expected, "sample {at}, {effort:?}");
+                assert_eq!(write(sample, kind, rubbish), expected, "sample {at}, {kind:?}");
             }
         }
     }
@@ -93,12 +128,14 @@ fn nothing_is_seen_before_its_time() {
 #[test]
 fn any_bytes_give_places() {
     let mut random = Random::new(6);
-    for sample in &samples() {
-        for effort in EFFORTS {
+    // What looks ahead is told at once of places that are off the grid, and asked no more.
+    let kinds = KINDS.into_iter().filter(|&kind| kind != (Effort::Fast, StreamVersion::Two));
+    for kind in kinds {
+        for sample in &samples() {
             let bytes: Vec<u8> = (0..400).map(|_| random.next_u64() as u8).collect();
-            code(&mut RangeReader::new(&bytes, true), sample, effort, [0; 3]);
+            code(&mut RangeReader::new(&bytes, true), sample, kind, [0; 3]);
             let mut cut = RangeReader::new(&bytes[..40], false);
-            code(&mut cut, sample, effort, [0; 3]);
+            code(&mut cut, sample, kind, [0; 3]);
             assert!(cut.overran());
         }
     }
@@ -113,16 +150,27 @@ fn more_effort_takes_fewer_bytes() {
         mesh.positions.iter().map(|_| [(); 3].map(|()| random.between(-4.0, 4.0))).collect();
     let sample =
         sample(&mesh, |v| [0, 1, 2].map(|a| (mesh.positions[v][a] * 1000.0 + noise[v][a]).round() as i32));
-    let bits =
-        EFFORTS.map(|effort| write(&sample, effort, [0; 3]).len() as f64 * 8.0 / mesh.positions.len() as f64);
+    let bits = EFFORTS.map(|effort| {
+        write(&sample, (effort, StreamVersion::One), [0; 3]).len() as f64 * 8.0 / mesh.positions.len() as f64
+    });
     // The noise alone is 9.5 bits.
     assert!(bits[0] < 20.0 && bits[1] < 15.5 && bits[2] < 15.0, "{bits:?}");
     assert!(bits[2] < bits[1] && bits[1] < bits[0], "{bits:?}");
+    let of_cells = write(&sample, (Effort::Default, StreamVersion::Two), [0; 3]).len() as f64 * 8.0;
+    assert!(of_cells / (mesh.positions.len() as f64) < bits[1] * 1.02, "{of_cells}");
 }
 
 #[test]
 fn bytes_are_the_same_everywhere() {
     let samples = samples();
-    let found = EFFORTS.map(|effort| crc32fast::hash(&write(&samples[0], effort, [0; 3])));
-    assert_eq!(found, [541_360_663, 4_176_046_866, 815_267_749]);
+    let found = KINDS.map(|kind| crc32fast::hash(&write(&samples[0], kind, [0; 3])));
+    assert_eq!(found, [541_360_663, 4_176_046_866, 815_267_749, 1_581_675_626, 1_206_542_486]);
+}
+
+#[test]
+fn errors_follow_their_vertices_to_new_numbers() {
+    let mut model = MixedModel::<4, 1, 1, CellModel>::new([[5], [4]]);
+    model.errors = vec![[1, 2], [3, 4], [5, 6]];
+    model.renumber(&[2, NONE, 0]);
+    assert_eq!(model.errors, [[5, 6], [7, 7], [1, 2]]);
 }
