@@ -6,7 +6,7 @@
 //!
 //! Integers only; all that is looked at is what a reader has.
 
-use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
+use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
 use super::Effort;
 use super::direction_model::{DirectionModel, TangentSources};
 use super::layers::{LayerForm, NumberType, Transform};
@@ -74,8 +74,8 @@ impl LayerValues {
 #[derive(Clone, Debug)]
 pub(super) struct LayerModel {
     layers: Vec<OneLayer>,
-    /// The order in which layers are coded: what others are predicted from goes first.
-    order: Vec<usize>,
+    /// The order in which layers are coded, what others are predicted from first; and whose the bits are.
+    order: Vec<(usize, Part)>,
 }
 
 #[derive(Clone, Debug)]
@@ -111,8 +111,8 @@ impl LayerModel {
             .collect();
         let is_last =
             |index: &usize| matches!(layers[*index], OneLayer::Tangents(..) | OneLayer::Weights(..));
-        let mut order: Vec<usize> = (0..layers.len()).collect();
-        order.sort_by_key(is_last);
+        let mut order: Vec<_> = (0..).zip(forms).map(|(index, form)| (index, part_of(form))).collect();
+        order.sort_by_key(|(index, _)| is_last(index));
         Self { layers, order }
     }
 
@@ -126,7 +126,8 @@ impl LayerModel {
         hood: &LayerHood<'_>,
         actual: Option<(&[LayerValues], u32)>,
     ) {
-        for &index in &self.order {
+        for &(index, part) in &self.order {
+            coder.part(part);
             let meant = actual.map(|(layers, vertex)| layers[index].of(vertex));
             let mut own = std::mem::take(&mut values[index]);
             match &mut self.layers[index] {
@@ -147,6 +148,14 @@ impl LayerModel {
             }
             values[index] = own;
         }
+    }
+}
+
+fn part_of(form: &LayerForm) -> Part {
+    match form.semantic {
+        Semantic::Normal => Part::Normals,
+        Semantic::TexCoord(_) => Part::TexCoords,
+        _ => Part::OtherLayers,
     }
 }
 

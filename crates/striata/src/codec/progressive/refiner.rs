@@ -215,6 +215,7 @@ impl Refiner {
                 }
                 let most = terms.base.position_count.saturating_add(terms.base.wedges_beyond);
                 let counts = (terms.vertex_count.min(most), terms.group_count);
+                coder.part(Part::Wedges);
                 base.code_wedges(coder, model, source, (counts, &vertex_of_position));
             }
             None => base.show_positions(),
@@ -224,6 +225,7 @@ impl Refiner {
         let mut growth = Growth::of_base(&base, &mut surface, terms.group_count);
         for (position, &vertex) in vertex_of_position.iter().enumerate() {
             let place = base.places[position];
+            coder.part(Part::Base);
             let exact = match &mut corrections {
                 Some(model) => model.code(coder, &terms.grid, place, source.exact(vertex)),
                 None => terms.grid.place(place),
@@ -474,7 +476,7 @@ impl Refiner {
             None => self.grid.place(place),
         };
         self.places.push(place);
-        coder.part(Part::Attributes);
+        coder.part(Part::Wedges);
         self.shown(coder, source, vertex);
         let is_full =
             self.growth.wedges_beyond() as u64 + self.told.targets.len() as u64 > self.most_wedges + 1;
