@@ -6,11 +6,12 @@
 //! each degree of conflict between geometry and neighbours: where they agree geometry is best, where not the mean.
 
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
-use super::Effort;
 use super::directions::{Octahedron, scaled};
-use super::layer_model::{LayerHood, LayerValues};
+use super::layer_history::LayerHistory;
+use super::layer_hood::{KINDS, LayerHood, LayerValues};
 use super::layers::{LayerForm, Transform};
 use super::residuals::{Contest, Residuals, SCALES, scale_of};
+use super::{Effort, StreamVersion};
 use crate::mesh::Semantic;
 
 /// Bits of the length that directions have where they are added.
@@ -19,8 +20,12 @@ const UNIT_BITS: u32 = 15;
 /// Bits of a reciprocal.
 const RECIPROCAL_BITS: u32 = 44;
 
-/// Predictions that compete.
+/// Predictions that compete at the only vertex of a position.
 const CANDIDATES: usize = 10;
+/// Predictions that compete at one of several vertices of a position.
+const MOST_CANDIDATES: usize = CANDIDATES + 4;
+/// Classes of conflicts.
+const CONFLICTS: usize = SCALES.div_ceil(4);
 
 /// Vertices after which only every fourth tells which prediction did best.
 const LEARNING: u32 = 2048;
@@ -29,11 +34,13 @@ const LEARNING: u32 = 2048;
 #[derive(Clone, Debug)]
 pub(super) struct DirectionModel {
     grid: Octahedron,
-    /// By scale of the conflict, two octaves each.
-    contests: Vec<Contest<CANDIDATES>>,
+    /// By kind of vertex and scale of the conflict, two octaves each.
+    contests: Vec<Contest<MOST_CANDIDATES>>,
     residuals: Residuals,
-    /// What was off lately, in 1/16.
+    /// What was off lately, in 1/16, for version 1.
     recent: u64,
+    /// What is known of earlier vertices, from version 2 on.
+    history: Option<LayerHistory>,
     coded_count: u32,
     /// Whether the sign of a fourth component is as the target's.
     is_same_sign: Option<AdaptiveBit>,
@@ -111,14 +118,74 @@ fn distance(a: [i64; 3], b: [i64; 3]) -> u64 {
     (0..3).map(|axis| (a[axis] - b[axis]).unsigned_abs()).sum()
 }
 
+/// Predictions of a direction, and how sure they are.
+struct Forecast {
+    /// As many as `count`, then repetitions.
+    candidates: [[i64; 3]; MOST_CANDIDATES],
+    count: usize,
+    /// How far the ring is from its mean, and neighbors from the geometry, in 1/16 of the grid.
+    spread: u64,
+    conflict: u64,
+}
+
+impl Forecast {
+    fn of(
+        grid: Octahedron,
+        values: &LayerValues,
+        (hood, geometric): (&LayerHood<'_>, [i64; 3]),
+        kind: usize,
+    ) -> Self {
+        let outlook = Outlook::of(grid, values, (hood, geometric));
+        let in_grid = |off: u64| off * 16 * grid.side() as u64 / unit_of(grid) as u64;
+        let conflict = in_grid(distance(outlook.geometric, outlook.mirrored));
+        let own = outlook.candidates();
+        let mut candidates = [own[CANDIDATES - 1]; MOST_CANDIDATES];
+        candidates[..CANDIDATES].copy_from_slice(&own);
+        let mut forecast = Self { candidates, count: CANDIDATES, spread: outlook.spread, conflict };
+        if kind > 0 {
+            forecast.add_position(grid, values, (hood, &outlook));
+        }
+        forecast
+    }
+
+    /// What the whole position says of one of its vertices: seams of texture coordinates are none of normals.
+    fn add_position(
+        &mut self,
+        grid: Octahedron,
+        values: &LayerValues,
+        (hood, own): (&LayerHood<'_>, &Outlook),
+    ) {
+        let whole = hood.whole.filter(|_| !hood.is_hidden).map(|(ring, fit)| {
+            let hood = LayerHood { ring, fit, ..*hood };
+            Outlook::of(grid, values, (&hood, fit.normal))
+        });
+        let whole = whole.as_ref().unwrap_or(own);
+        let sum = |a: [i64; 3], b: [i64; 3]| -> [i64; 3] { std::array::from_fn(|i| a[i] + b[i]) };
+        let unit = unit_of(grid);
+        let direction = |vertex: u32| {
+            let of = values.of(vertex);
+            grid.direction([of[0], of[1]]).map(|x| x * (unit / grid.side()))
+        };
+        // As far from the target as the vertex before it is from its own.
+        let beside = hood.sibling_target.map_or(own.target, |other| {
+            let change = sum(direction(values.vertex_count() as u32 - 1), direction(other).map(|x| -x));
+            sum(own.target, change)
+        });
+        let more = [whole.geometric, whole.mirrored, sum(whole.geometric, whole.mirrored), beside];
+        self.candidates[CANDIDATES..].copy_from_slice(&more);
+        self.count = MOST_CANDIDATES;
+    }
+}
+
 impl DirectionModel {
     /// Nothing learned, for integers of so many bits.
-    pub(super) fn new(bits: u32, has_sign: bool, effort: Effort) -> Self {
+    pub(super) fn new(bits: u32, has_sign: bool, terms: (Effort, StreamVersion)) -> Self {
         Self {
             grid: Octahedron::new(bits),
-            contests: vec![Contest::new(); SCALES.div_ceil(4)],
-            residuals: Residuals::new(effort, 2),
+            contests: vec![Contest::new(); KINDS * CONFLICTS],
+            residuals: Residuals::new(terms, 2),
             recent: 0,
+            history: (terms.1 > StreamVersion::One).then(LayerHistory::new),
             coded_count: 0,
             is_same_sign: has_sign.then(|| AdaptiveBit::new(Rate::Steady)),
         }
@@ -132,21 +199,22 @@ impl DirectionModel {
         (hood, geometric): (&LayerHood<'_>, [i64; 3]),
         meant: Option<&[i32]>,
     ) {
-        let outlook = Outlook::of(self.grid, values, (hood, geometric));
-        let conflict = distance(outlook.geometric, outlook.mirrored) * 16 * self.grid.side() as u64
-            / unit_of(self.grid) as u64;
-        let candidates = outlook.candidates();
-        let contest = scale_of(conflict) / 4;
-        let predicted = self.grid.point(candidates[self.contests[contest].best()]);
+        if let Some(history) = &mut self.history
+            && let Some(vertex) = history.copied(coder, values, hood, meant)
+        {
+            values.copy(vertex);
+            history.note_copy();
+            return;
+        }
+        let kind = if self.history.is_some() { hood.kind() } else { 0 };
+        let forecast = Forecast::of(self.grid, values, (hood, geometric), kind);
+        let contest = kind * CONFLICTS + scale_of(forecast.conflict) / 4;
+        let best = self.contests[contest].best(forecast.count);
+        let predicted = self.grid.point(forecast.candidates[best]);
         let off = meant.map_or([0; 2], |m| self.grid.difference([m[0], m[1]], predicted));
-        let ring = 1 << (hood.ring.len() / 2).min(16);
-        let scales = [outlook.spread, conflict, self.recent, ring].map(scale_of);
-        let x = self.residuals.signed(coder, 0, scales, off[0]);
-        let scales = [scales[0], scales[1], scales[2], scale_of(16 * u64::from(x.unsigned_abs()))];
-        let y = self.residuals.signed(coder, 1, scales, off[1]);
-        self.recent = (7 * self.recent + 8 * (u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs()))) / 8;
-        let point = self.grid.moved(predicted, [x, y]);
-        self.learn(point, &candidates, contest);
+        let off = self.residual(coder, (hood, kind), &forecast, off);
+        let point = self.grid.moved(predicted, off);
+        self.learn(point, &forecast, contest);
         let target_sign = hood.target.and_then(|v| values.of(v).get(2).copied()).unwrap_or(1);
         values.push(&point);
         if let Some(is_same) = &mut self.is_same_sign {
@@ -155,17 +223,50 @@ impl DirectionModel {
         }
     }
 
-    fn learn(&mut self, point: [i32; 2], candidates: &[[i64; 3]; CANDIDATES], contest: usize) {
+    /// Codes what a prediction was off.
+    fn residual<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        (hood, kind): (&LayerHood<'_>, usize),
+        forecast: &Forecast,
+        off: [i32; 2],
+    ) -> [i32; 2] {
+        let lately = match &self.history {
+            Some(history) => history.scale_around(hood),
+            None => scale_of(self.recent),
+        };
+        let ring = scale_of(1 << (hood.ring.len() / 2).min(16));
+        let scales = [scale_of(forecast.spread), scale_of(forecast.conflict), lately];
+        let [a, b, c] = scales;
+        let x = self.residuals.signed(coder, 2 * kind, [a, b, c, ring], off[0]);
+        let first = scale_of(16 * u64::from(x.unsigned_abs()));
+        let y = self.residuals.signed(coder, 2 * kind + 1, [a, b, c, first], off[1]);
+        let size = u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs());
+        self.recent = (7 * self.recent + 8 * size) / 8;
+        if let Some(history) = &mut self.history {
+            history.note(size);
+        }
+        [x, y]
+    }
+
+    fn learn(&mut self, point: [i32; 2], forecast: &Forecast, contest: usize) {
         self.coded_count = self.coded_count.wrapping_add(1);
         if self.coded_count > LEARNING && !self.coded_count.is_multiple_of(4) {
             return;
         }
-        let mut off = [0; CANDIDATES];
-        for (off, &candidate) in off.iter_mut().zip(candidates) {
+        let mut off = [0; MOST_CANDIDATES];
+        for (off, &candidate) in off.iter_mut().zip(&forecast.candidates[..forecast.count]) {
             let [x, y] = self.grid.difference(point, self.grid.point(candidate));
             *off = u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs());
         }
         self.contests[contest].learn(off);
+    }
+
+    /// Forgets what is known of all but the first vertices.
+    pub(super) fn truncate(&mut self, vertex_count: usize) {
+        if let Some(history) = &mut self.history {
+            history.truncate(vertex_count);
+        }
     }
 }
 
@@ -245,7 +346,7 @@ mod tests {
         let ring = [[40, 0, 8], [10, 30, 2], [-30, 10, -6], [-20, -30, -4], [20, -20, 4]];
         let mut fit = RingFit::default();
         fit.measure([0; 3], &ring, true);
-        let hood = LayerHood { target: Some(0), ring: &[0, 1, 2, 3, 4], fit: &fit };
+        let hood = LayerHood::new(Some(0), &[0, 1, 2, 3, 4], &fit);
         for mirror in [1, -1] {
             // The plane is z = x / 5; u rises along x + y there, v across it.
             let texcoord = |p: &[i32; 3]| [500 + p[0] + p[1], 500 + mirror * (p[1] - p[0])];
@@ -285,7 +386,7 @@ mod tests {
         let values = LayerValues::from_integers(ring.iter().flat_map(|&d| point(d)).collect(), 2);
         let mut fit = RingFit::default();
         fit.measure(place(here), &ring.map(place), true);
-        let hood = LayerHood { target: Some(0), ring: &[0, 1, 2, 3], fit: &fit };
+        let hood = LayerHood::new(Some(0), &[0, 1, 2, 3], &fit);
         let outlook = Outlook::of(grid, &values, (&hood, fit.normal));
         let off = |d: [i64; 3]| {
             let difference = grid.difference(point(here), grid.point(d));

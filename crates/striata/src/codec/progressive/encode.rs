@@ -7,7 +7,7 @@ use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_
 use super::cutting::Closed;
 use super::grid::{GridError, PositionGrid};
 use super::head::{GroupName, Head, MOST_NUMBERS, Row};
-use super::layer_model::LayerValues;
+use super::layer_hood::LayerValues;
 use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
 use super::truth::Points;

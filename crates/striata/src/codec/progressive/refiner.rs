@@ -9,11 +9,12 @@ use super::super::entropy::{Coder, Part};
 use super::attributes::{Actual, Around, Attributes};
 use super::base::Base;
 use super::base_coder::{BaseLimits, BaseOrder, code_base};
+use super::base_hood::BaseHoods;
 use super::connectivity::{ConnectivityModel, Scene};
 use super::grid::{CorrectionModel, PositionGrid};
 use super::growth::Growth;
 use super::hood::Hood;
-use super::layer_model::LayerValues;
+use super::layer_hood::LayerValues;
 use super::layers::LayerForm;
 use super::positions::PositionModel;
 use super::quick::QuickModel;
@@ -221,7 +222,8 @@ impl Refiner {
             None => base.show_positions(),
         }
         let mut corrections = terms.is_exact.then(CorrectionModel::new);
-        let mut attributes = Attributes::new(&terms.layers, terms.effort);
+        let mut attributes = Attributes::new(&terms.layers, (terms.effort, terms.version));
+        let hoods = BaseHoods::new(&base);
         let mut growth = Growth::of_base(&base, &mut surface, terms.group_count);
         for (position, &vertex) in vertex_of_position.iter().enumerate() {
             let place = base.places[position];
@@ -235,7 +237,7 @@ impl Refiner {
             if let Some(attributes) = &mut attributes {
                 for (wedge, new) in wedges.enumerate() {
                     let actual = actual_layers::<C>(source, source.wedges(vertex).start + wedge as u32);
-                    attributes.base_vertex(coder, new, actual);
+                    attributes.base_vertex(coder, (&hoods, place), (new, wedge as u32), actual);
                 }
             }
         }
@@ -522,6 +524,7 @@ impl Refiner {
             attributes.vertex(coder, around, (place, 0, self.growth.wedges(kept).start), actual);
             return;
         }
+        attributes.begin_position(around, place);
         for (wedge, &target) in self.told.targets.iter().enumerate() {
             let actual = actual_layers::<C>(source, self.told.named[wedge]);
             attributes.vertex(coder, around, (place, wedge as u32, target), actual);

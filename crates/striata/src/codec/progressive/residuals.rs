@@ -1,8 +1,9 @@
 //! What predictions were off, under what is expected of them; and which of several predictions to trust.
 
 use super::super::entropy::{AdaptiveNumber, Coder, Rate, log2_q8};
-use super::Effort;
+use super::layer_hood::KINDS;
 use super::mixed_number::MixedNumber;
+use super::{Effort, StreamVersion};
 
 /// Buckets of half octaves for what is expected.
 pub(super) const SCALES: usize = 36;
@@ -13,6 +14,9 @@ pub(super) fn scale_of(sixteenths: u64) -> usize {
     (log2_q8(bounded) / 128).clamp(0, SCALES as i32 - 1) as usize
 }
 
+/// Buckets of one and a half octaves for two sizes together.
+const PAIRS: usize = SCALES.div_ceil(3) * SCALES.div_ceil(3);
+
 /// Codes what predictions were off.
 #[derive(Clone, Debug)]
 pub(super) enum Residuals {
@@ -20,32 +24,35 @@ pub(super) enum Residuals {
     Quick(AdaptiveNumber),
     /// Under all contexts.
     Mixed(MixedNumber<4>),
+    /// Under all contexts, the first two also together.
+    Paired(MixedNumber<5>),
 }
 
 impl Residuals {
-    pub(super) fn new(effort: Effort, component_count: usize) -> Self {
-        let count = component_count * SCALES;
-        match effort {
-            Effort::Fast => Self::Quick(AdaptiveNumber::new(count, Rate::Steady)),
-            _ => Self::Mixed(MixedNumber::new([count; 4])),
+    /// Nothing learned; version 1 does not tell kinds of vertices apart.
+    pub(super) fn new((effort, version): (Effort, StreamVersion), component_count: usize) -> Self {
+        let sets = if version == StreamVersion::One { component_count } else { KINDS * component_count };
+        let count = sets * SCALES;
+        match (effort, version) {
+            (Effort::Fast, _) => Self::Quick(AdaptiveNumber::new(count, Rate::Steady)),
+            (_, StreamVersion::One) => Self::Mixed(MixedNumber::new([count; 4], 1)),
+            _ => Self::Paired(MixedNumber::new([count, count, count, count, sets * PAIRS], sets)),
         }
     }
 
-    /// Codes what a prediction of a component was off, given four scales that tell of that.
-    pub(super) fn signed<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        component: usize,
-        scales: [usize; 4],
-        off: i32,
-    ) -> i32 {
+    /// Codes what a prediction was off, given four scales that tell of that; `set` is a component of a kind of vertex.
+    pub(super) fn signed<C: Coder>(&mut self, coder: &mut C, set: usize, scales: [usize; 4], off: i32) -> i32 {
+        let contexts = scales.map(|scale| set * SCALES + scale);
         match self {
             Self::Quick(numbers) => {
                 let scale = (2 * scales[0] + scales[1] + scales[2]) / 4;
-                numbers.signed(coder, component * SCALES + scale, off)
+                numbers.signed(coder, set * SCALES + scale, off)
             }
-            Self::Mixed(numbers) => {
-                numbers.signed(coder, scales.map(|scale| component * SCALES + scale), off)
+            Self::Mixed(numbers) => numbers.signed(coder, (contexts, 0), off),
+            Self::Paired(numbers) => {
+                let pair = set * PAIRS + scales[0] / 3 * SCALES.div_ceil(3) + scales[1] / 3;
+                let [a, b, c, d] = contexts;
+                numbers.signed(coder, ([a, b, c, d, pair], set), off)
             }
         }
     }
@@ -63,8 +70,9 @@ impl<const N: usize> Contest<N> {
         Self { losses: [0; N] }
     }
 
-    pub(super) fn best(&self) -> usize {
-        (0..N).min_by_key(|&i| self.losses[i]).unwrap_or(0)
+    /// The best of the first `count`.
+    pub(super) fn best(&self, count: usize) -> usize {
+        (0..count).min_by_key(|&i| self.losses[i]).unwrap_or(0)
     }
 
     pub(super) fn learn(&mut self, off: [u64; N]) {
@@ -90,10 +98,10 @@ mod tests {
     fn the_better_prediction_wins_and_loses_again() {
         let mut contest = Contest::<3>::new();
         (0..50).for_each(|_| contest.learn([9, 2, 7]));
-        assert_eq!(contest.best(), 1);
+        assert_eq!(contest.best(3), 1);
         (0..100).for_each(|_| contest.learn([9, 20, 7]));
-        assert_eq!(contest.best(), 2);
+        assert_eq!(contest.best(3), 2);
         (0..500).for_each(|_| contest.learn([0, u64::MAX, u64::MAX]));
-        assert_eq!(contest.best(), 0);
+        assert_eq!(contest.best(3), 0);
     }
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::base::Base;
 use super::base_coder::BaseOrder;
 use super::cutting::Closed;
-use super::layer_model::LayerValues;
+use super::layer_hood::LayerValues;
 use super::refiner::Source;
 use super::shown::ShownUp;
 use super::surface::{Cut, NONE, Surface, Undo};
