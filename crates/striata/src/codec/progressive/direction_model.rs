@@ -10,7 +10,7 @@ use super::directions::{Octahedron, scaled};
 use super::layer_history::LayerHistory;
 use super::layer_hood::{KINDS, LayerHood, LayerValues};
 use super::layers::{LayerForm, Transform};
-use super::residuals::{Contest, Residuals, SCALES, scale_of};
+use super::residuals::{Contest, Expected, Residuals, SCALES, scale_of};
 use super::{Effort, StreamVersion};
 use crate::mesh::Semantic;
 
@@ -24,6 +24,12 @@ const RECIPROCAL_BITS: u32 = 44;
 const CANDIDATES: usize = 10;
 /// Predictions that compete at one of several vertices of a position.
 const MOST_CANDIDATES: usize = CANDIDATES + 4;
+/// Places among the predictions.
+const AFFINE: usize = 0;
+const GEOMETRIC: usize = 2;
+const MIRRORED: usize = 5;
+const TARGET: usize = 7;
+const BESIDE: usize = CANDIDATES + 3;
 /// Classes of conflicts.
 const CONFLICTS: usize = SCALES.div_ceil(4);
 
@@ -148,6 +154,16 @@ impl Forecast {
         forecast
     }
 
+    /// The predictions that differ most in kind.
+    fn main(&self, kind: usize) -> [[i64; 3]; 3] {
+        let places = match kind {
+            0 => [AFFINE, GEOMETRIC, MIRRORED],
+            1 => [AFFINE, CANDIDATES, BESIDE],
+            _ => [TARGET, CANDIDATES, BESIDE],
+        };
+        places.map(|place| self.candidates[place])
+    }
+
     /// What the whole position says of one of its vertices: seams of texture coordinates are none of normals.
     fn add_position(
         &mut self,
@@ -212,7 +228,7 @@ impl DirectionModel {
         let best = self.contests[contest].best(forecast.count);
         let predicted = self.grid.point(forecast.candidates[best]);
         let off = meant.map_or([0; 2], |m| self.grid.difference([m[0], m[1]], predicted));
-        let off = self.residual(coder, (hood, kind), &forecast, off);
+        let off = self.residual(coder, (hood, kind), (&forecast, predicted), off);
         let point = self.grid.moved(predicted, off);
         self.learn(point, &forecast, contest);
         let target_sign = hood.target.and_then(|v| values.of(v).get(2).copied()).unwrap_or(1);
@@ -228,7 +244,7 @@ impl DirectionModel {
         &mut self,
         coder: &mut C,
         (hood, kind): (&LayerHood<'_>, usize),
-        forecast: &Forecast,
+        (forecast, predicted): (&Forecast, [i32; 2]),
         off: [i32; 2],
     ) -> [i32; 2] {
         let lately = match &self.history {
@@ -238,9 +254,17 @@ impl DirectionModel {
         let ring = scale_of(1 << (hood.ring.len() / 2).min(16));
         let scales = [scale_of(forecast.spread), scale_of(forecast.conflict), lately];
         let [a, b, c] = scales;
-        let x = self.residuals.signed(coder, 2 * kind, [a, b, c, ring], off[0]);
+        let others = if self.residuals.looks_at_others() {
+            forecast.main(kind).map(|other| self.grid.difference(self.grid.point(other), predicted))
+        } else {
+            [[0; 2]; 3]
+        };
+        let others = [0, 1].map(|axis| others.map(|other| i64::from(other[axis])));
+        let expected = Expected { scales: [a, b, c, ring], others: others[0] };
+        let x = self.residuals.signed(coder, 2 * kind, expected, off[0]);
         let first = scale_of(16 * u64::from(x.unsigned_abs()));
-        let y = self.residuals.signed(coder, 2 * kind + 1, [a, b, c, first], off[1]);
+        let expected = Expected { scales: [a, b, c, first], others: others[1] };
+        let y = self.residuals.signed(coder, 2 * kind + 1, expected, off[1]);
         let size = u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs());
         self.recent = (7 * self.recent + 8 * size) / 8;
         if let Some(history) = &mut self.history {

@@ -20,6 +20,7 @@ mod facts;
 mod grid;
 mod growth;
 mod head;
+mod hidden_wedges;
 mod hood;
 mod layer_history;
 mod layer_hood;

@@ -8,7 +8,7 @@ use super::super::entropy::Coder;
 use super::layer_history::LayerHistory;
 use super::layer_hood::{KINDS, LayerHood, LayerValues};
 use super::layers::{LayerForm, NumberType, Transform};
-use super::residuals::{Contest, Residuals, scale_of};
+use super::residuals::{Contest, Expected, Residuals, scale_of};
 use super::ring_fit::WEIGHT_BITS;
 use super::{Effort, StreamVersion};
 
@@ -149,7 +149,10 @@ impl NumberModel {
             let lately = around.unwrap_or_else(|| scale_of(self.recent[component]));
             let scales = [scale_of(spread), scale_of(conflict), lately, scale_of(before)];
             let off = meant.map_or(0, |m| m[component].wrapping_sub(predicted));
-            let off = self.residuals.signed(coder, set, scales, off);
+            let [affine, mean, _, target, beside] = predictions;
+            let third = if kind == 0 { target } else { beside };
+            let others = [affine, mean, third].map(|other| other - i64::from(predicted));
+            let off = self.residuals.signed(coder, set, Expected { scales, others }, off);
             let value = predicted.wrapping_add(off);
             contest.learn(predictions.map(|p| (p - i64::from(value)).unsigned_abs()));
             before = 16 * u64::from(off.unsigned_abs());

@@ -208,7 +208,7 @@ impl Refiner {
         }
         let vertex_of_position = base.vertex_of_position()?;
         let mut surface = base.surface()?;
-        let mut wedges = terms.has_wedges().then(|| WedgeModel::new(terms.vertex_count));
+        let mut wedges = terms.has_wedges().then(|| WedgeModel::new(terms.vertex_count, terms.version));
         match &mut wedges {
             Some(model) => {
                 for &vertex in &vertex_of_position {

@@ -17,15 +17,28 @@ pub(super) fn scale_of(sixteenths: u64) -> usize {
 /// Buckets of one and a half octaves for two sizes together.
 const PAIRS: usize = SCALES.div_ceil(3) * SCALES.div_ceil(3);
 
+/// Buckets of half octaves on either side of zero, up to 2^11.
+const SIDE: usize = 23;
+const TURNS: usize = 1 + 2 * SIDE;
+
+/// What is expected of a residual.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Expected {
+    /// How far the values around spread, predictions conflict, predictions were off around, and anything else.
+    pub(super) scales: [usize; 4],
+    /// Where other predictions are, as seen from the one that was taken.
+    pub(super) others: [i64; 3],
+}
+
 /// Codes what predictions were off.
 #[derive(Clone, Debug)]
 pub(super) enum Residuals {
     /// Under one context for each scale.
     Quick(AdaptiveNumber),
-    /// Under all contexts.
+    /// Under the four scales.
     Mixed(MixedNumber<4>),
-    /// Under all contexts, the first two also together.
-    Paired(MixedNumber<5>),
+    /// Under scales and where other predictions are: what was off often leads to one of them.
+    Directed(MixedNumber<6>),
 }
 
 impl Residuals {
@@ -36,25 +49,50 @@ impl Residuals {
         match (effort, version) {
             (Effort::Fast, _) => Self::Quick(AdaptiveNumber::new(count, Rate::Steady)),
             (_, StreamVersion::One) => Self::Mixed(MixedNumber::new([count; 4], 1)),
-            _ => Self::Paired(MixedNumber::new([count, count, count, count, sets * PAIRS], sets)),
+            _ => {
+                let [turns, pairs] = [TURNS, PAIRS].map(|each| sets * each);
+                Self::Directed(MixedNumber::new([count, turns, turns, turns, pairs, count], sets))
+            }
         }
     }
 
-    /// Codes what a prediction was off, given four scales that tell of that; `set` is a component of a kind of vertex.
-    pub(super) fn signed<C: Coder>(&mut self, coder: &mut C, set: usize, scales: [usize; 4], off: i32) -> i32 {
-        let contexts = scales.map(|scale| set * SCALES + scale);
+    /// True if it matters where other predictions are.
+    pub(super) fn looks_at_others(&self) -> bool {
+        matches!(self, Self::Directed(_))
+    }
+
+    /// Codes what a prediction was off; `set` is a component of a kind of vertex.
+    pub(super) fn signed<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        set: usize,
+        Expected { scales, others }: Expected,
+        off: i32,
+    ) -> i32 {
         match self {
             Self::Quick(numbers) => {
                 let scale = (2 * scales[0] + scales[1] + scales[2]) / 4;
                 numbers.signed(coder, set * SCALES + scale, off)
             }
-            Self::Mixed(numbers) => numbers.signed(coder, (contexts, 0), off),
-            Self::Paired(numbers) => {
-                let pair = set * PAIRS + scales[0] / 3 * SCALES.div_ceil(3) + scales[1] / 3;
-                let [a, b, c, d] = contexts;
-                numbers.signed(coder, ([a, b, c, d, pair], set), off)
+            Self::Mixed(numbers) => numbers.signed(coder, (scales.map(|scale| set * SCALES + scale), 0), off),
+            Self::Directed(numbers) => {
+                let [spread, conflict, around, last] = scales;
+                let [a, b, c] = others.map(|other| set * TURNS + turn_of(other));
+                let pair = set * PAIRS + around / 3 * SCALES.div_ceil(3) + conflict / 3;
+                let [spread, last] = [spread, last].map(|scale| set * SCALES + scale);
+                numbers.signed(coder, ([spread, a, b, c, pair, last], set), off)
             }
         }
+    }
+}
+
+/// The bucket of a number of either sign.
+fn turn_of(number: i64) -> usize {
+    let size = scale_of(number.unsigned_abs()).min(SIDE - 1);
+    match number.signum() {
+        0 => 0,
+        1 => 1 + size,
+        _ => 1 + SIDE + size,
     }
 }
 
