@@ -10,6 +10,7 @@ use super::directions::{Octahedron, scaled};
 use super::layer_history::LayerHistory;
 use super::layer_hood::{KINDS, LayerHood, LayerValues};
 use super::layers::{LayerForm, Transform};
+use super::least_squares::LeastSquares;
 use super::residuals::{Contest, Expected, Residuals, SCALES, scale_of};
 use super::{Effort, StreamVersion};
 use crate::mesh::Semantic;
@@ -22,14 +23,25 @@ const RECIPROCAL_BITS: u32 = 44;
 
 /// Predictions that compete at the only vertex of a position.
 const CANDIDATES: usize = 10;
+/// The same from version 2 on, where a learned sum is among them.
+const SUMMED_CANDIDATES: usize = CANDIDATES + 1;
 /// Predictions that compete at one of several vertices of a position.
-const MOST_CANDIDATES: usize = CANDIDATES + 4;
+const MOST_CANDIDATES: usize = SUMMED_CANDIDATES + 4;
+/// Predictions that are added up, besides the first.
+const TERMS: usize = 4;
+/// Their weights at first, in 1/65536, at the only vertex of a position: of the affine fit, the mean, near neighbors and all
+/// of them.
+const FIRST_WEIGHTS: [i64; TERMS] = [26_000, -20_000, 10_000, 8_000];
 /// Places among the predictions.
 const AFFINE: usize = 0;
+const MEAN: usize = 1;
 const GEOMETRIC: usize = 2;
+const NEAR: usize = 4;
 const MIRRORED: usize = 5;
 const TARGET: usize = 7;
-const BESIDE: usize = CANDIDATES + 3;
+const SUM: usize = CANDIDATES;
+const WHOLE: usize = SUMMED_CANDIDATES;
+const BESIDE: usize = SUMMED_CANDIDATES + 3;
 /// Classes of conflicts.
 const CONFLICTS: usize = SCALES.div_ceil(4);
 
@@ -47,6 +59,8 @@ pub(super) struct DirectionModel {
     recent: u64,
     /// What is known of earlier vertices, from version 2 on.
     history: Option<LayerHistory>,
+    /// Weights of sums of predictions, for each contest.
+    sums: Vec<LeastSquares<TERMS>>,
     coded_count: u32,
     /// Whether the sign of a fourth component is as the target's.
     is_same_sign: Option<AdaptiveBit>,
@@ -120,6 +134,10 @@ fn unit_of(grid: Octahedron) -> i64 {
     grid.side() * (1 << UNIT_BITS >> (grid.side() + 1).ilog2()).max(1)
 }
 
+fn difference(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}
+
 fn distance(a: [i64; 3], b: [i64; 3]) -> u64 {
     (0..3).map(|axis| (a[axis] - b[axis]).unsigned_abs()).sum()
 }
@@ -135,31 +153,51 @@ struct Forecast {
 }
 
 impl Forecast {
+    /// What version 1 predicts.
     fn of(
         grid: Octahedron,
         values: &LayerValues,
         (hood, geometric): (&LayerHood<'_>, [i64; 3]),
-        kind: usize,
-    ) -> Self {
+    ) -> (Self, Outlook) {
         let outlook = Outlook::of(grid, values, (hood, geometric));
         let in_grid = |off: u64| off * 16 * grid.side() as u64 / unit_of(grid) as u64;
         let conflict = in_grid(distance(outlook.geometric, outlook.mirrored));
         let own = outlook.candidates();
         let mut candidates = [own[CANDIDATES - 1]; MOST_CANDIDATES];
         candidates[..CANDIDATES].copy_from_slice(&own);
-        let mut forecast = Self { candidates, count: CANDIDATES, spread: outlook.spread, conflict };
-        if kind > 0 {
-            forecast.add_position(grid, values, (hood, &outlook));
-        }
-        forecast
+        (Self { candidates, count: CANDIDATES, spread: outlook.spread, conflict }, outlook)
+    }
+
+    /// The prediction that others are added to, and what they are added as: differences from it.
+    fn terms(&self, grid: Octahedron, kind: usize) -> ([i64; 3], [[i64; 3]; TERMS]) {
+        let (first, others) = match kind {
+            0 => (GEOMETRIC, [AFFINE, MEAN, NEAR, MIRRORED]),
+            _ => (MEAN, [AFFINE, GEOMETRIC, WHOLE, BESIDE]),
+        };
+        let of = |place: usize| scaled(self.candidates[place], unit_of(grid));
+        let first = of(first);
+        (first, others.map(|place| difference(of(place), first)))
+    }
+
+    /// Adds the sum whose weights were learned.
+    fn add_sum(&mut self, grid: Octahedron, kind: usize, sums: &[LeastSquares<TERMS>]) {
+        let (first, terms) = self.terms(grid, kind);
+        let sum = sums[self.contest(kind)].predict(&terms);
+        self.candidates[SUM] = std::array::from_fn(|axis| first[axis] + sum[axis]);
+        self.count = self.count.max(SUMMED_CANDIDATES);
+    }
+
+    /// Which contest its predictions are in.
+    fn contest(&self, kind: usize) -> usize {
+        kind * CONFLICTS + scale_of(self.conflict) / 4
     }
 
     /// The predictions that differ most in kind.
     fn main(&self, kind: usize) -> [[i64; 3]; 3] {
         let places = match kind {
             0 => [AFFINE, GEOMETRIC, MIRRORED],
-            1 => [AFFINE, CANDIDATES, BESIDE],
-            _ => [TARGET, CANDIDATES, BESIDE],
+            1 => [AFFINE, WHOLE, BESIDE],
+            _ => [TARGET, WHOLE, BESIDE],
         };
         places.map(|place| self.candidates[place])
     }
@@ -188,7 +226,7 @@ impl Forecast {
             sum(own.target, change)
         });
         let more = [whole.geometric, whole.mirrored, sum(whole.geometric, whole.mirrored), beside];
-        self.candidates[CANDIDATES..].copy_from_slice(&more);
+        self.candidates[WHOLE..].copy_from_slice(&more);
         self.count = MOST_CANDIDATES;
     }
 }
@@ -202,6 +240,9 @@ impl DirectionModel {
             residuals: Residuals::new(terms, 2),
             recent: 0,
             history: (terms.1 > StreamVersion::One).then(LayerHistory::new),
+            sums: (0..KINDS * CONFLICTS)
+                .map(|contest| LeastSquares::new(if contest < CONFLICTS { FIRST_WEIGHTS } else { [0; TERMS] }))
+                .collect(),
             coded_count: 0,
             is_same_sign: has_sign.then(|| AdaptiveBit::new(Rate::Steady)),
         }
@@ -223,20 +264,36 @@ impl DirectionModel {
             return;
         }
         let kind = if self.history.is_some() { hood.kind() } else { 0 };
-        let forecast = Forecast::of(self.grid, values, (hood, geometric), kind);
-        let contest = kind * CONFLICTS + scale_of(forecast.conflict) / 4;
-        let best = self.contests[contest].best(forecast.count);
+        let forecast = self.forecast(values, (hood, geometric), kind);
+        let best = self.contests[forecast.contest(kind)].best(forecast.count);
         let predicted = self.grid.point(forecast.candidates[best]);
         let off = meant.map_or([0; 2], |m| self.grid.difference([m[0], m[1]], predicted));
         let off = self.residual(coder, (hood, kind), (&forecast, predicted), off);
         let point = self.grid.moved(predicted, off);
-        self.learn(point, &forecast, contest);
+        self.learn(point, &forecast, kind);
         let target_sign = hood.target.and_then(|v| values.of(v).get(2).copied()).unwrap_or(1);
         values.push(&point);
         if let Some(is_same) = &mut self.is_same_sign {
             let is_same = is_same.code(coder, meant.is_none_or(|m| m[2] == target_sign));
             values.push(&[if is_same { target_sign } else { -target_sign }]);
         }
+    }
+
+    /// All predictions of the next vertex.
+    fn forecast(
+        &self,
+        values: &LayerValues,
+        (hood, geometric): (&LayerHood<'_>, [i64; 3]),
+        kind: usize,
+    ) -> Forecast {
+        let (mut forecast, outlook) = Forecast::of(self.grid, values, (hood, geometric));
+        if kind > 0 {
+            forecast.add_position(self.grid, values, (hood, &outlook));
+        }
+        if self.history.is_some() {
+            forecast.add_sum(self.grid, kind, &self.sums);
+        }
+        forecast
     }
 
     /// Codes what a prediction was off.
@@ -273,7 +330,15 @@ impl DirectionModel {
         [x, y]
     }
 
-    fn learn(&mut self, point: [i32; 2], forecast: &Forecast, contest: usize) {
+    fn learn(&mut self, point: [i32; 2], forecast: &Forecast, kind: usize) {
+        let contest = forecast.contest(kind);
+        if self.history.is_some() {
+            let unit = unit_of(self.grid);
+            let (first, terms) = forecast.terms(self.grid, kind);
+            let meant = self.grid.direction(point).map(|x| x * (unit / self.grid.side()));
+            // Errors of two steps are as good as none.
+            self.sums[contest].learn(&terms, difference(meant, first), 2 * unit / self.grid.side());
+        }
         self.coded_count = self.coded_count.wrapping_add(1);
         if self.coded_count > LEARNING && !self.coded_count.is_multiple_of(4) {
             return;

@@ -26,6 +26,7 @@ mod layer_history;
 mod layer_hood;
 mod layer_model;
 mod layers;
+mod least_squares;
 mod mixed_number;
 mod number_model;
 mod order;

@@ -144,12 +144,12 @@ impl NumberModel {
         for component in 0..count {
             let Hints { predictions, conflict, spread } = hints(values, &self.coded);
             let set = kind * count + component;
+            let [affine, mean, _, target, beside] = predictions;
             let contest = &mut self.contests[set];
             let predicted = predictions[contest.best(known)].clamp(self.limits.0, self.limits.1) as i32;
             let lately = around.unwrap_or_else(|| scale_of(self.recent[component]));
             let scales = [scale_of(spread), scale_of(conflict), lately, scale_of(before)];
             let off = meant.map_or(0, |m| m[component].wrapping_sub(predicted));
-            let [affine, mean, _, target, beside] = predictions;
             let third = if kind == 0 { target } else { beside };
             let others = [affine, mean, third].map(|other| other - i64::from(predicted));
             let off = self.residuals.signed(coder, set, Expected { scales, others }, off);
