@@ -96,6 +96,7 @@ impl Attributes {
         }
         let mut hood = LayerHood::new(ring.first().copied().or(before), ring, fit);
         hood.sibling_count = wedge;
+        hood.is_base = true;
         self.model.code(coder, &mut self.values, &hood, actual);
     }
 

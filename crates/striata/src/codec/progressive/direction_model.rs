@@ -8,7 +8,7 @@
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::directions::{Octahedron, scaled};
 use super::layer_history::LayerHistory;
-use super::layer_hood::{KINDS, LayerHood, LayerValues};
+use super::layer_hood::{BASE_KIND, KINDS, LayerHood, LayerValues};
 use super::layers::{LayerForm, Transform};
 use super::least_squares::LeastSquares;
 use super::residuals::{Contest, Expected, Residuals, SCALES, scale_of};
@@ -147,6 +147,9 @@ struct Forecast {
     /// As many as `count`, then repetitions.
     candidates: [[i64; 3]; MOST_CANDIDATES],
     count: usize,
+    /// What is added up: a first prediction, and differences of others from it.
+    first: [i64; 3],
+    terms: [[i64; 3]; TERMS],
     /// How far the ring is from its mean, and neighbors from the geometry, in 1/16 of the grid.
     spread: u64,
     conflict: u64,
@@ -165,25 +168,22 @@ impl Forecast {
         let own = outlook.candidates();
         let mut candidates = [own[CANDIDATES - 1]; MOST_CANDIDATES];
         candidates[..CANDIDATES].copy_from_slice(&own);
-        (Self { candidates, count: CANDIDATES, spread: outlook.spread, conflict }, outlook)
+        let (first, terms) = ([0; 3], [[0; 3]; TERMS]);
+        let forecast =
+            Self { candidates, count: CANDIDATES, first, terms, spread: outlook.spread, conflict };
+        (forecast, outlook)
     }
 
-    /// The prediction that others are added to, and what they are added as: differences from it.
-    fn terms(&self, grid: Octahedron, kind: usize) -> ([i64; 3], [[i64; 3]; TERMS]) {
+    /// Adds the sum whose weights were learned. What is added up is of one length as it is.
+    fn add_sum(&mut self, kind: usize, sums: &[LeastSquares<TERMS>]) {
         let (first, others) = match kind {
             0 => (GEOMETRIC, [AFFINE, MEAN, NEAR, MIRRORED]),
             _ => (MEAN, [AFFINE, GEOMETRIC, WHOLE, BESIDE]),
         };
-        let of = |place: usize| scaled(self.candidates[place], unit_of(grid));
-        let first = of(first);
-        (first, others.map(|place| difference(of(place), first)))
-    }
-
-    /// Adds the sum whose weights were learned.
-    fn add_sum(&mut self, grid: Octahedron, kind: usize, sums: &[LeastSquares<TERMS>]) {
-        let (first, terms) = self.terms(grid, kind);
-        let sum = sums[self.contest(kind)].predict(&terms);
-        self.candidates[SUM] = std::array::from_fn(|axis| first[axis] + sum[axis]);
+        self.first = self.candidates[first];
+        self.terms = others.map(|place| difference(self.candidates[place], self.first));
+        let sum = sums[self.contest(kind)].predict(&self.terms);
+        self.candidates[SUM] = std::array::from_fn(|axis| self.first[axis] + sum[axis]);
         self.count = self.count.max(SUMMED_CANDIDATES);
     }
 
@@ -195,7 +195,7 @@ impl Forecast {
     /// The predictions that differ most in kind.
     fn main(&self, kind: usize) -> [[i64; 3]; 3] {
         let places = match kind {
-            0 => [AFFINE, GEOMETRIC, MIRRORED],
+            0 | BASE_KIND => [AFFINE, GEOMETRIC, MIRRORED],
             1 => [AFFINE, WHOLE, BESIDE],
             _ => [TARGET, WHOLE, BESIDE],
         };
@@ -287,11 +287,12 @@ impl DirectionModel {
         kind: usize,
     ) -> Forecast {
         let (mut forecast, outlook) = Forecast::of(self.grid, values, (hood, geometric));
-        if kind > 0 {
+        if kind > 0 && kind != BASE_KIND {
             forecast.add_position(self.grid, values, (hood, &outlook));
         }
-        if self.history.is_some() {
-            forecast.add_sum(self.grid, kind, &self.sums);
+        // Around a vertex of the base little is known, and that is as nothing elsewhere.
+        if self.history.is_some() && kind != BASE_KIND {
+            forecast.add_sum(kind, &self.sums);
         }
         forecast
     }
@@ -332,14 +333,14 @@ impl DirectionModel {
 
     fn learn(&mut self, point: [i32; 2], forecast: &Forecast, kind: usize) {
         let contest = forecast.contest(kind);
-        if self.history.is_some() {
-            let unit = unit_of(self.grid);
-            let (first, terms) = forecast.terms(self.grid, kind);
-            let meant = self.grid.direction(point).map(|x| x * (unit / self.grid.side()));
-            // Errors of two steps are as good as none.
-            self.sums[contest].learn(&terms, difference(meant, first), 2 * unit / self.grid.side());
-        }
         self.coded_count = self.coded_count.wrapping_add(1);
+        let is_early = self.coded_count < LEARNING;
+        if forecast.count > CANDIDATES && (is_early || self.coded_count.is_multiple_of(2)) {
+            let unit = unit_of(self.grid) / self.grid.side();
+            let meant = self.grid.direction(point).map(|x| x * unit);
+            // Errors of two steps are as good as none.
+            self.sums[contest].learn(&forecast.terms, difference(meant, forecast.first), 2 * unit);
+        }
         if self.coded_count > LEARNING && !self.coded_count.is_multiple_of(4) {
             return;
         }

@@ -3,7 +3,9 @@
 use super::ring_fit::RingFit;
 
 /// Kinds of vertices; see [`LayerHood::kind`].
-pub(super) const KINDS: usize = 3;
+pub(super) const KINDS: usize = 4;
+/// The kind of vertices of the base.
+pub(super) const BASE_KIND: usize = 3;
 
 /// What is known around a vertex when its attributes are coded.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +24,8 @@ pub(super) struct LayerHood<'a> {
     pub(super) whole: Option<(&'a [u32], &'a RingFit)>,
     /// True if no triangle shows the vertex yet. Its ring is that of the whole position then.
     pub(super) is_hidden: bool,
+    /// True in the base, where the ring is what was coded before.
+    pub(super) is_base: bool,
 }
 
 impl<'a> LayerHood<'a> {
@@ -35,14 +39,17 @@ impl<'a> LayerHood<'a> {
             sibling_target: None,
             whole: None,
             is_hidden: false,
+            is_base: false,
         }
     }
 
-    /// 0 for the only vertex of a position, 1 for one of several, 2 for one that no triangle shows yet.
+    /// 0 for the only vertex of a position, 1 for one of several, 2 for one that no triangle shows yet, 3 for those of the
+    /// base.
     pub(super) fn kind(&self) -> usize {
-        match (self.is_hidden, self.whole) {
-            (true, _) => 2,
-            (_, Some(_)) => 1,
+        match (self.is_base, self.is_hidden, self.whole) {
+            (true, ..) => BASE_KIND,
+            (_, true, _) => 2,
+            (_, _, Some(_)) => 1,
             _ => 0,
         }
     }

@@ -10,7 +10,7 @@ const FADE: u32 = 8;
 const PERIOD: u32 = 8;
 const BEGIN: u32 = 256;
 /// What holds weights to their first values, as if this had been seen, and as a share of what was.
-const HOLD: i64 = 1 << 33;
+const HOLD: i64 = 1 << 29;
 const HOLD_SHARE: u32 = 6;
 /// Largest numbers in the equations, as a power of two.
 const MOST_LOG: u32 = 38;
@@ -53,8 +53,11 @@ impl<const N: usize> LeastSquares<N> {
         let share = (1 << 16) / (error + small.max(128));
         let dot = |a: &[i64; D], b: &[i64; D]| a.iter().zip(b).map(|(x, y)| x * y).sum::<i64>();
         for (i, d) in differences.iter().enumerate() {
-            for (product, other) in self.products[i].iter_mut().zip(&differences) {
-                *product += share * dot(d, other) - (*product >> FADE);
+            for (j, other) in differences.iter().enumerate().skip(i) {
+                let product = self.products[i][j];
+                let product = product + share * dot(d, other) - (product >> FADE);
+                self.products[i][j] = product;
+                self.products[j][i] = product;
             }
             self.aims[i] += share * dot(d, &meant) - (self.aims[i] >> FADE);
         }

@@ -150,7 +150,7 @@ impl NumberModel {
             let lately = around.unwrap_or_else(|| scale_of(self.recent[component]));
             let scales = [scale_of(spread), scale_of(conflict), lately, scale_of(before)];
             let off = meant.map_or(0, |m| m[component].wrapping_sub(predicted));
-            let third = if kind == 0 { target } else { beside };
+            let third = if hood.sibling_target.is_none() { target } else { beside };
             let others = [affine, mean, third].map(|other| other - i64::from(predicted));
             let off = self.residuals.signed(coder, set, Expected { scales, others }, off);
             let value = predicted.wrapping_add(off);
