@@ -21,6 +21,11 @@ const SHARES: usize = 5;
 const RESEMBLANCES: usize = 4;
 /// Kinds of vertices that are copied.
 const SOURCES: usize = 6;
+/// Classes of how many distinct values are around: not counted, one, two, more.
+const VARIETIES: usize = 4;
+
+/// The kind of a vertex of the ring; those above it are had by several.
+const RING: usize = 2;
 
 /// A value that can be copied.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +51,7 @@ impl LayerHistory {
         let bit = AdaptiveBit::new(Rate::Steady);
         Self {
             sizes: Vec::new(),
-            is_copy: vec![bit; KINDS * SHARES * RESEMBLANCES],
+            is_copy: vec![bit; KINDS * SHARES * RESEMBLANCES * VARIETIES],
             is_source: [bit; 2 * SOURCES],
             sources: Vec::new(),
         }
@@ -60,16 +65,21 @@ impl LayerHistory {
         hood: &LayerHood<'_>,
         meant: Option<&[i32]>,
     ) -> Option<u32> {
-        if !C::READS {
+        let share = self.share(hood);
+        // Counting pays where copies are common.
+        let counts = share > 1;
+        if counts || !C::READS {
             self.find_sources(values, hood);
         }
         let is_meant = |source: &CopySource| meant.is_some_and(|m| m == values.of(source.vertex));
-        let place = self.sources.iter().position(is_meant);
-        let context = (hood.kind() * SHARES + self.share(hood)) * RESEMBLANCES + resemblance(values, hood);
-        if !self.is_copy[context].code(coder, !C::READS && place.is_some()) {
+        let place = if C::READS { None } else { self.sources.iter().position(is_meant) };
+        let variety = if counts { self.variety() } else { 0 };
+        let context = (hood.kind() * SHARES + share) * RESEMBLANCES + resemblance(values, hood);
+        let context = context * VARIETIES + variety;
+        if !self.is_copy[context].code(coder, place.is_some()) {
             return None;
         }
-        if C::READS {
+        if C::READS && !counts {
             self.find_sources(values, hood);
         }
         let (last, others) = self.sources.split_last()?;
@@ -90,10 +100,10 @@ impl LayerHistory {
             self.add_source(values, next - back, if back == 1 { 0 } else { 1 });
         }
         for &vertex in hood.ring.iter().take(MOST_AROUND) {
-            self.add_source(values, vertex, 2);
+            self.add_source(values, vertex, RING);
         }
         if let Some(target) = hood.target {
-            self.add_source(values, target, 5);
+            self.add_source(values, target, SOURCES - 1);
         }
     }
 
@@ -102,11 +112,16 @@ impl LayerHistory {
         let value = values.of(vertex);
         let is_full = self.sources.len() == MOST_SOURCES;
         match self.sources.iter_mut().find(|source| values.of(source.vertex) == value) {
-            Some(source) if (2..4).contains(&source.kind) => source.kind += 1,
+            Some(source) if (RING..RING + 2).contains(&source.kind) => source.kind += 1,
             Some(_) => {}
             None if is_full => {}
             None => self.sources.push(CopySource { vertex, kind }),
         }
+    }
+
+    /// How many distinct values the ring and the target have.
+    fn variety(&self) -> usize {
+        self.sources.iter().filter(|source| source.kind >= RING).count().min(VARIETIES - 1)
     }
 
     /// Which share of the vertices around are copies.
