@@ -42,6 +42,8 @@ const TARGET: usize = 7;
 const SUM: usize = CANDIDATES;
 const WHOLE: usize = SUMMED_CANDIDATES;
 const BESIDE: usize = SUMMED_CANDIDATES + 3;
+/// Vertices of the same position that a hidden one is predicted from.
+const MOST_SIBLINGS: u32 = 6;
 /// Classes of conflicts.
 const CONFLICTS: usize = SCALES.div_ceil(4);
 
@@ -178,7 +180,8 @@ impl Forecast {
     fn add_sum(&mut self, kind: usize, sums: &[LeastSquares<TERMS>]) {
         let (first, others) = match kind {
             0 => (GEOMETRIC, [AFFINE, MEAN, NEAR, MIRRORED]),
-            _ => (MEAN, [AFFINE, GEOMETRIC, WHOLE, BESIDE]),
+            1 => (MEAN, [AFFINE, GEOMETRIC, WHOLE, BESIDE]),
+            _ => (TARGET, [MEAN, WHOLE, WHOLE + 1, BESIDE]),
         };
         self.first = self.candidates[first];
         self.terms = others.map(|place| difference(self.candidates[place], self.first));
@@ -225,7 +228,16 @@ impl Forecast {
             let change = sum(direction(values.vertex_count() as u32 - 1), direction(other).map(|x| -x));
             sum(own.target, change)
         });
-        let more = [whole.geometric, whole.mirrored, sum(whole.geometric, whole.mirrored), beside];
+        let more = if hood.is_hidden && hood.sibling_count > 0 {
+            // The geometry of the whole position is among the predictions already.
+            let last = values.vertex_count() as u32 - 1;
+            let latest = hood.sibling_count.min(MOST_SIBLINGS);
+            let mean = (0..latest).fold([0; 3], |mean, back| sum(mean, direction(last - back)));
+            let mean = scaled(mean, unit);
+            [direction(last), mean, sum(own.target, mean), beside]
+        } else {
+            [whole.geometric, whole.mirrored, sum(whole.geometric, whole.mirrored), beside]
+        };
         self.candidates[WHOLE..].copy_from_slice(&more);
         self.count = MOST_CANDIDATES;
     }

@@ -57,6 +57,11 @@ impl HiddenWedges {
         &self.found
     }
 
+    /// True if one corner at most shows a vertex, as where each corner has one of its own.
+    pub(super) fn is_lone(&self, vertex: u32) -> bool {
+        self.corner_counts.get(vertex as usize).is_none_or(|count| *count < 2)
+    }
+
     /// What [`find`](Self::find) found last.
     pub(super) fn found(&self) -> &[u32] {
         &self.found
@@ -73,6 +78,7 @@ mod tests {
         assert_eq!(hidden.find(&(4..9), 6), [6, 7, 5, 8, 4]);
         [5, 6, 6, 8].into_iter().for_each(|vertex| hidden.show(vertex));
         assert_eq!(hidden.find(&(4..9), 6), [7, 4]);
+        assert!(hidden.is_lone(5) && !hidden.is_lone(6) && hidden.is_lone(99));
         hidden.hide(6);
         hidden.hide(5);
         hidden.hide(5);

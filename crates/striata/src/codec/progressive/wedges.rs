@@ -38,13 +38,17 @@ pub(super) struct WedgeModel {
     is_other: [AdaptiveBit; PLACES],
     /// Whether it shows one that is too far down that list.
     is_older: AdaptiveBit,
-    /// Whether A's and B's show what the patch beside them does, by what the end of the ring shows.
-    joins_patch: [AdaptiveBit; OUTCOMES],
-    is_guess: [AdaptiveBit; GUESSES * OUTCOMES * HIDDEN],
+    /// Whether A's and B's show what the patch beside them does, by what the end of the ring shows, and whether the kept
+    /// position's vertex is shown elsewhere.
+    joins_patch: [AdaptiveBit; OUTCOMES * 2],
+    /// Whether a guess is right, also by whether other corners show it.
+    is_guess: [AdaptiveBit; GUESSES * OUTCOMES * HIDDEN * 2],
     /// Whether a hidden vertex is meant, and which.
     is_hidden: [AdaptiveBit; ASKED * HIDDEN],
     is_this: [AdaptiveBit; ASKED * PLACES],
-    has_more: [AdaptiveBit; 4 * 4 * HIDDEN],
+    /// Whether there are wedges that no corner shows, by how many are shown, whether each corner shows another one, how many
+    /// have come, and how many of the kept position are hidden.
+    has_more: [AdaptiveBit; 8 * 2 * 4 * HIDDEN],
     hidden: HiddenWedges,
     /// The wedge of each vertex that a writer has named at this position.
     wedge_of: HashMap<u32, u32>,
@@ -59,6 +63,13 @@ enum Asked {
     Group,
     BaseCorner,
     BaseGroup,
+}
+
+impl Asked {
+    /// True if not a vertex is asked for, but a group of triangles.
+    fn is_group(self) -> bool {
+        matches!(self, Self::Group | Self::BaseGroup)
+    }
 }
 
 /// How many kinds of [`Asked`] there are.
@@ -102,11 +113,11 @@ impl WedgeModel {
             goes_on: [bit; 2 * 3],
             is_other: [bit; PLACES],
             is_older: bit,
-            joins_patch: [bit; OUTCOMES],
-            is_guess: [bit; GUESSES * OUTCOMES * HIDDEN],
+            joins_patch: [bit; OUTCOMES * 2],
+            is_guess: [bit; GUESSES * OUTCOMES * HIDDEN * 2],
             is_hidden: [bit; ASKED * HIDDEN],
             is_this: [bit; ASKED * PLACES],
-            has_more: [bit; 4 * 4 * HIDDEN],
+            has_more: [bit; 8 * 2 * 4 * HIDDEN],
             hidden: HiddenWedges::default(),
             wedge_of: HashMap::new(),
         }
@@ -132,10 +143,13 @@ impl WedgeModel {
         let outcome = if self.is_first_version() { 0 } else { outcome };
         let key = (asked as usize * 2 + usize::from(guesses[0] == guesses[1])) * 2;
         let key = key + GUESSES * (outcome * HIDDEN + class);
+        let knows_corners = !self.is_first_version() && !asked.is_group();
         let mut tried = NONE;
         for (place, guess) in guesses.into_iter().enumerate() {
             let Some(guess) = guess.filter(|guess| all.contains(guess) && *guess != tried) else { continue };
-            if self.is_guess[key + place].code(coder, guess == meant) {
+            let is_lone = knows_corners && self.hidden.is_lone(guess);
+            let key = key + place + GUESSES * OUTCOMES * HIDDEN * usize::from(is_lone);
+            if self.is_guess[key].code(coder, guess == meant) {
                 return guess;
             }
             tried = guess;
@@ -148,8 +162,7 @@ impl WedgeModel {
 
     /// Finds hidden vertices that may be meant, and gives the class of how many there are.
     fn find_hidden(&mut self, asked: Asked, guesses: &[Option<u32>; 2], all: &Range<u32>) -> usize {
-        let is_group = matches!(asked, Asked::Group | Asked::BaseGroup);
-        if self.is_first_version() || is_group {
+        if self.is_first_version() || asked.is_group() {
             return 0;
         }
         let near = guesses.iter().flatten().next().copied().unwrap_or(all.start);
@@ -212,6 +225,8 @@ impl WedgeModel {
         let left = source.wedges(surface.vertex(corners[0]));
         let mut meant = left.filter(|wedge| !self.wedge_of.contains_key(wedge)).collect::<Vec<_>>().into_iter();
         let shown = out.targets.len();
+        let corner_count = out.wedges.iter().filter(|wedge| **wedge != NONE).count();
+        let shown_class = 2 * shown.min(7) + usize::from(shown == corner_count);
         let near = out.targets.last().copied();
         let class = if kept.len() > 1 { self.find_hidden(Asked::Target, &[near, None], &kept) } else { 0 };
         loop {
@@ -223,7 +238,7 @@ impl WedgeModel {
             let context = if self.is_first_version() {
                 usize::from(count > 1)
             } else {
-                (shown.min(3) * 4 + (count - shown).min(3)) * HIDDEN + class
+                (shown_class * 4 + (count - shown).min(3)) * HIDDEN + class
             };
             if count > 0 && (is_full || !self.has_more[context].code(coder, more.is_some())) {
                 break;
@@ -402,7 +417,8 @@ impl WedgeModel {
             return self.other_wedge(coder, (meant, kept), None, out);
         }
         let is_beside = out.named[beside as usize] == meant;
-        let context = if self.is_first_version() { 0 } else { of_end };
+        let is_lone = self.hidden.is_lone(kept);
+        let context = if self.is_first_version() { 0 } else { 2 * of_end + usize::from(is_lone) };
         if self.joins_patch[context].code(coder, is_beside) {
             return beside;
         }
