@@ -8,7 +8,9 @@ use striata::codec::DecodeError;
 use striata::codec::progressive::{
     Effort, EncodedStream, Precision, StreamDecoder, StreamOptions, StreamVersion, encode_stream,
 };
-use striata::mesh::{IndexedMesh, LayerData, RefinableMesh, canonical_triangles, replay, shapes};
+use striata::mesh::{
+    AttributeLayer, IndexedMesh, LayerData, RefinableMesh, Semantic, canonical_triangles, replay, shapes,
+};
 use striata::simplify::{BatchOptions, SequenceOptions, TopologyRule, build_batches, build_sequence};
 use support::{Random, soup, with_seams_and_groups};
 
@@ -204,6 +206,46 @@ fn hubs_of_thousands_of_triangles_come_back() {
             check(&mesh, &StreamOptions::default().with_effort(effort), 9);
         }
     }
+}
+
+/// Triangles around a hub, nothing shared: each has its own normal, so the hub has as many vertices as triangles.
+fn split_fan(triangle_count: u32, height: f32) -> IndexedMesh {
+    let mut mesh = IndexedMesh::new(Vec::new(), Vec::new());
+    let mut normals = Vec::new();
+    // The first one is far from the others, so that the hub can go there and turns no triangle over.
+    let rim = |i: u32| {
+        let share = f64::from(i % triangle_count) / f64::from(triangle_count);
+        let angle = if share == 0.0 { 0.0 } else { 0.5 + share * (std::f64::consts::TAU - 1.0) };
+        [angle.cos() as f32, angle.sin() as f32, 0.0]
+    };
+    for i in 0..triangle_count {
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend([[0.0, 0.0, height], rim(i), rim(i + 1)]);
+        mesh.triangles.push([first, first + 1, first + 2]);
+        let [x, y, _] = rim(i);
+        normals.extend([[0.6 * x, 0.6 * y, 0.8]; 3].as_flattened());
+    }
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals));
+    mesh
+}
+
+/// Each vertex of a hub may be asked about a few of the others only, or this takes minutes.
+#[test]
+fn hubs_of_thousands_of_vertices_take_linear_time() {
+    let cone = split_fan(20_000, 1.0);
+    for version in [StreamVersion::One, StreamVersion::Two] {
+        check(&cone, &StreamOptions::default().with_version(version), 3);
+    }
+    // Only the hub can be removed, so that all its vertices come with one step.
+    let disk = split_fan(20_000, 0.0);
+    let rim = (0..disk.vertex_count() as u32).filter(|v| v % 3 != 0).collect();
+    let options = SequenceOptions::default().with_topology(TopologyRule::Keep).with_locked_vertices(rim);
+    let built = build_sequence(&disk, &options, &mut striata::ignore_progress).unwrap();
+    assert_eq!(built.refinable.sequence.step_count(), 1);
+    let options = StreamOptions::default();
+    let stream = encode_stream(&built.refinable, &[0, 1], &options).unwrap();
+    assert!(stream.sizes.wedge_bits < 20.0 * 20_000.0, "{:?}", stream.sizes);
+    check_whole(&Written { source: built.refinable, stream }, &options);
 }
 
 /// Nothing is asked of the order of steps where each is a batch of its own.

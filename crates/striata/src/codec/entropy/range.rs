@@ -32,7 +32,14 @@ pub(crate) struct RangeWriter {
 impl RangeWriter {
     /// An empty message.
     pub(crate) fn new() -> Self {
-        Self { bytes: Vec::new(), low: 0, range: u64::MAX, part: Part::Base, part_began: 0, spent: [0; PART_COUNT] }
+        Self {
+            bytes: Vec::new(),
+            low: 0,
+            range: u64::MAX,
+            part: Part::Base,
+            part_began: 0,
+            spent: [0; PART_COUNT],
+        }
     }
 
     /// The bytes of the message without the zeros at its end, and how many bits each [`Part`] took, in the order

@@ -58,7 +58,8 @@ impl<'a> BaseHoods<'a> {
     pub(super) fn gather(&self, vertex: u32, ring: &mut Vec<u32>, places: &mut Vec<[i32; 3]>) -> [i64; 3] {
         ring.clear();
         places.clear();
-        let range = self.first_corner[vertex as usize] as usize..self.first_corner[vertex as usize + 1] as usize;
+        let range =
+            self.first_corner[vertex as usize] as usize..self.first_corner[vertex as usize + 1] as usize;
         let corners = &self.corners[range];
         let mut normal = [0; 3];
         let mut add = |corner: u32| {

@@ -1,7 +1,6 @@
 //! The writer's front: options, the stream's bytes, and what they were spent on.
 
 use super::super::EncodeError;
-use super::{Effort, StreamVersion};
 use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, close_positions, encode_chunks};
 use super::cutting::Closed;
@@ -11,6 +10,7 @@ use super::layer_hood::LayerValues;
 use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
 use super::truth::Points;
+use super::{Effort, StreamVersion};
 use crate::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
 
 /// How exactly positions are kept.
@@ -109,7 +109,8 @@ pub struct StreamSizes {
 
 impl StreamSizes {
     fn of(byte_count: usize, chunks: &Chunks) -> Self {
-        let [connectivity_bits, position_bits, wedge_bits, normal_bits, texcoord_bits, other_layers, _] = chunks.spent;
+        let [connectivity_bits, position_bits, wedge_bits, normal_bits, texcoord_bits, other_layers, _] =
+            chunks.spent;
         let attribute_bits = wedge_bits + normal_bits + texcoord_bits + other_layers;
         let other_bits = byte_count as f64 * 8.0 - connectivity_bits - position_bits - attribute_bits;
         Self {

@@ -213,7 +213,11 @@ mod tests {
         assert_eq!(written, read);
         for (vertex, from) in written.iter().enumerate() {
             let expected = values[..vertex].iter().rev().take(2).any(|v| *v == values[vertex]);
-            assert_eq!(from.map(|from| values[from as usize]), expected.then_some(values[vertex]), "{vertex}");
+            assert_eq!(
+                from.map(|from| values[from as usize]),
+                expected.then_some(values[vertex]),
+                "{vertex}"
+            );
         }
     }
 

@@ -1,16 +1,18 @@
 //! Codes the integers of attribute layers, vertex by vertex, relative to the vertices around.
 //!
 //! For each layer there are a few predictions (the target's value, the ring's mean, its affine fit, for normals the
-//! geometry too), and the one that did best lately is taken. The rest is a number whose context is how far the ring spreads around the
-//! prediction. Joints are labels: mostly the same as a neighbour's; weights follow the joints that they belong to.
+//! geometry too), and the one that did best lately is taken. The rest is a number whose context is how far the ring spreads
+//! around the prediction. From version 2 on, exact copies are coded first ([`LayerHistory`](super::layer_history::LayerHistory)).
+//! Joints are labels: mostly the same as a neighbor's; weights follow the joints that they belong to.
 //!
 //! Integers only; all that is looked at is what a reader has.
 
 use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
-use super::direction_model::{DirectionModel, TangentSources};
+use super::direction_model::DirectionModel;
 use super::layer_hood::{LayerHood, LayerValues};
 use super::layers::{LayerForm, NumberType, Transform};
 use super::number_model::{NumberModel, plain_hints, weight_hints};
+use super::tangents::TangentSources;
 use super::{Effort, StreamVersion};
 use crate::mesh::Semantic;
 
@@ -83,7 +85,9 @@ impl LayerModel {
                 }
                 OneLayer::Labels(model) => model.code(coder, &mut own, hood, meant),
                 OneLayer::Numbers(model) => {
-                    model.code(coder, &mut own, (hood, meant), |own, coded| plain_hints(own, hood, coded.len()));
+                    model.code(coder, &mut own, (hood, meant), |own, coded| {
+                        plain_hints(own, hood, coded.len())
+                    });
                 }
                 OneLayer::Weights(model, joints) => {
                     let joints = &values[*joints];

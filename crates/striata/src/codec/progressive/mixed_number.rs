@@ -117,9 +117,9 @@ mod tests {
         let entropy: f64 = numbers.iter().map(|&(bits, _)| bits as f64 + 1.0).sum();
         let mut writer = RangeWriter::new();
         let mut model = MixedNumber::new([1, 8], 1);
-        numbers
-            .iter()
-            .for_each(|&(bits, number)| assert_eq!(model.signed(&mut writer, ([0, bits], 0), number), number));
+        numbers.iter().for_each(|&(bits, number)| {
+            assert_eq!(model.signed(&mut writer, ([0, bits], 0), number), number)
+        });
         let mixed = writer.finish().0.len() as f64 * 8.0;
         let mut writer = RangeWriter::new();
         let mut model = AdaptiveNumber::new(1, Rate::Steady);

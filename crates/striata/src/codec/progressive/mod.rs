@@ -39,6 +39,7 @@ mod rings;
 mod shown;
 mod splits;
 mod surface;
+mod tangents;
 mod truth;
 mod walk;
 mod wedges;

@@ -35,9 +35,9 @@ pub(super) fn plain_hints(values: &LayerValues, hood: &LayerHood<'_>, component:
     let value = |vertex: u32| i64::from(values.of(vertex)[component]);
     let Some(target) = hood.target.map(value) else { return Hints::alone(0) };
     // As far from the target as the vertex before it at the same position is from its own.
-    let beside = hood.sibling_target.map_or(target, |other| {
-        target + value(values.vertex_count() as u32 - 1) - value(other)
-    });
+    let beside = hood
+        .sibling_target
+        .map_or(target, |other| target + value(values.vertex_count() as u32 - 1) - value(other));
     if hood.ring.is_empty() {
         return Hints::alone(target);
     }
@@ -60,7 +60,12 @@ pub(super) fn plain_hints(values: &LayerValues, hood: &LayerHood<'_>, component:
 }
 
 /// Predictions of the weight of a component's joint, by the weights that the vertices around give to that joint.
-pub(super) fn weight_hints(values: &LayerValues, joints: &LayerValues, hood: &LayerHood<'_>, coded: &[i32]) -> Hints {
+pub(super) fn weight_hints(
+    values: &LayerValues,
+    joints: &LayerValues,
+    hood: &LayerHood<'_>,
+    coded: &[i32],
+) -> Hints {
     let component = coded.len();
     let joint = joints.of(values.vertex_count() as u32)[component];
     let weight = |vertex: u32| -> i64 {

@@ -223,7 +223,8 @@ impl WedgeModel {
         let Split { surface, growth, corners, source, .. } = *split;
         let kept = growth.wedges(surface.vertex(next(corners[0])));
         let left = source.wedges(surface.vertex(corners[0]));
-        let mut meant = left.filter(|wedge| !self.wedge_of.contains_key(wedge)).collect::<Vec<_>>().into_iter();
+        let mut meant =
+            left.filter(|wedge| !self.wedge_of.contains_key(wedge)).collect::<Vec<_>>().into_iter();
         let shown = out.targets.len();
         let corner_count = out.wedges.iter().filter(|wedge| **wedge != NONE).count();
         let shown_class = 2 * shown.min(7) + usize::from(shown == corner_count);
@@ -289,11 +290,7 @@ impl WedgeModel {
                     let context = usize::from(ring != ring_before) + 2 * earlier;
                     let goes_on = self.goes_on[context].code(coder, out.named[wedge as usize] == meant);
                     outcome = 1 + usize::from(goes_on);
-                    if goes_on {
-                        wedge
-                    } else {
-                        self.other_wedge(coder, (meant, old), Some(wedge), out)
-                    }
+                    if goes_on { wedge } else { self.other_wedge(coder, (meant, old), Some(wedge), out) }
                 }
                 _ => self.other_wedge(coder, (meant, old), None, out),
             };
@@ -402,11 +399,13 @@ impl WedgeModel {
         let offer = (guesses, growth.wedges(positions[2]));
         out.ends[side] = self.choose(coder, (Asked::RingCorner, of_kept), offer, source.vertex_at(end));
         let of_end = outcome(guesses, out.ends[side]);
-        let new = New { of_end,  meant: source.wedge(corner), beside: out.wedges[beside], kept: out.kept[side] };
+        let new =
+            New { of_end, meant: source.wedge(corner), beside: out.wedges[beside], kept: out.kept[side] };
         out.wedges[at] = self.new_corner(coder, new, out);
         let guesses = [across, inside].map(|c| growth.group(surface, triangle_of(c)));
         let offer = (guesses, 0..growth.group_count.max(1));
-        out.groups[side] = self.choose(coder, (Asked::Group, of_end), offer, source.group(triangle_of(corner)));
+        out.groups[side] =
+            self.choose(coder, (Asked::Group, of_end), offer, source.group(triangle_of(corner)));
     }
 
     /// The wedge at the corner of A or B: that of the patch beside it, another one, or a new one. It collapses to what the
