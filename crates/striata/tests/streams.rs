@@ -242,7 +242,7 @@ fn split_cone(n: u32) -> RefinableMesh {
     RefinableMesh { mesh, sequence: sequence.unwrap() }
 }
 
-/// If each vertex of a hub were held against all others, this would take minutes.
+/// If each vertex of a hub were held against all others, this would take a minute.
 #[test]
 fn hubs_of_thousands_of_vertices_take_linear_time() {
     let cone = split_cone(100_000);

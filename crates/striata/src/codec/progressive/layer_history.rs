@@ -142,12 +142,12 @@ impl LayerHistory {
     /// The mean scale of what predictions of the vertices around were off; the largest if there are none.
     pub(super) fn scale_around(&self, hood: &LayerHood<'_>) -> usize {
         let around = hood.target.iter().chain(hood.ring.iter().take(MOST_AROUND));
-        let (mut count, mut sum) = (0, 0);
+        let (mut count, mut sum) = (0usize, 0);
         for &vertex in around {
             count += 1;
             sum += usize::from(self.sizes[vertex as usize]).saturating_sub(1);
         }
-        if count == 0 { SCALES - 1 } else { (sum / count).min(SCALES - 1) }
+        usize::checked_div(sum, count).map_or(SCALES - 1, |mean| mean.min(SCALES - 1))
     }
 
     /// The next vertex is a copy.

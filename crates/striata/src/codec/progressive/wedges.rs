@@ -181,7 +181,7 @@ impl WedgeModel {
             return None;
         }
         let offered = self.hidden.found().iter().filter(|vertex| !guesses.contains(&Some(**vertex)));
-        let last = *offered.clone().last()?;
+        let last = *offered.clone().next_back()?;
         let is_meant = offered.clone().any(|vertex| *vertex == meant);
         if !self.is_hidden[asked as usize * HIDDEN + class].code(coder, is_meant) {
             return None;
