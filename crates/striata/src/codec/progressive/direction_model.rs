@@ -245,7 +245,7 @@ impl DirectionModel {
     pub(super) fn new(bits: u32, has_sign: bool, terms: (Effort, StreamVersion)) -> Self {
         Self {
             grid: Octahedron::new(bits),
-            contests: vec![Contest::new(); KINDS * CONFLICTS],
+            contests: vec![Contest::new(terms.1); KINDS * CONFLICTS],
             residuals: Residuals::new(terms, 2),
             recent: 0,
             history: (terms.1 > StreamVersion::One).then(LayerHistory::new),

@@ -5,7 +5,7 @@
 //! square, since a few large ones would rule. Integers only: both sides of a stream get the same weights.
 
 /// How fast earlier vertices fade: by one part in 2 to this each time.
-const FADE: u32 = 8;
+const FADE: u32 = 7;
 /// Vertices from one step of the solver to the next, once it has begun well.
 const PERIOD: u32 = 8;
 const BEGIN: u32 = 256;

@@ -116,7 +116,7 @@ impl NumberModel {
         };
         let count = form.integer_count();
         Self {
-            contests: vec![Contest::new(); KINDS * count],
+            contests: vec![Contest::new(terms.1); KINDS * count],
             residuals: Residuals::new(terms, count),
             recent: vec![0; count],
             history: (terms.1 > StreamVersion::One).then(LayerHistory::new),

@@ -101,11 +101,14 @@ fn turn_of(number: i64) -> usize {
 pub(super) struct Contest<const N: usize> {
     /// Fading sums of the logarithms of what each was off.
     losses: [i32; N],
+    /// How fast: by one part in 2 to this each time.
+    fade: u32,
 }
 
 impl<const N: usize> Contest<N> {
-    pub(super) fn new() -> Self {
-        Self { losses: [0; N] }
+    /// Nothing learned; version 1 forgets faster.
+    pub(super) fn new(version: StreamVersion) -> Self {
+        Self { losses: [0; N], fade: if version == StreamVersion::One { 5 } else { 6 } }
     }
 
     /// The best of the first `count`.
@@ -116,7 +119,7 @@ impl<const N: usize> Contest<N> {
     pub(super) fn learn(&mut self, off: [u64; N]) {
         for (loss, off) in self.losses.iter_mut().zip(off) {
             let bits = log2_q8(off.saturating_add(1).min(u64::from(u32::MAX)) as u32) << 8;
-            *loss += (bits - *loss) >> 5;
+            *loss += (bits - *loss) >> self.fade;
         }
     }
 }
@@ -134,7 +137,7 @@ mod tests {
 
     #[test]
     fn the_better_prediction_wins_and_loses_again() {
-        let mut contest = Contest::<3>::new();
+        let mut contest = Contest::<3>::new(StreamVersion::One);
         (0..50).for_each(|_| contest.learn([9, 2, 7]));
         assert_eq!(contest.best(3), 1);
         (0..100).for_each(|_| contest.learn([9, 20, 7]));
