@@ -8,7 +8,10 @@ use striata::codec::DecodeError;
 use striata::codec::progressive::{
     Effort, EncodedStream, Precision, StreamDecoder, StreamError, StreamOptions, StreamVersion, encode_stream,
 };
-use striata::mesh::{IndexedMesh, LayerData, RefinableMesh, canonical_triangles, replay, shapes};
+use striata::mesh::{
+    AttributeLayer, CollapseSequence, IndexedMesh, LayerData, PositionIndex, RefinableMesh, Semantic,
+    SequenceParts, canonical_triangles, replay, shapes,
+};
 use striata::simplify::{BatchOptions, SequenceOptions, TopologyRule, build_batches, build_sequence};
 use support::{Random, Wildness, random_refinable, soup, with_seams_and_groups};
 
@@ -207,6 +210,57 @@ fn seams_groups_and_layers_come_back() {
 fn hubs_of_thousands_of_triangles_come_back() {
     for mesh in [shapes::closed_fan(5000), shapes::uv_sphere(3, 3000, 1.0)] {
         kinds().for_each(|options| check(&mesh, &options, 9));
+    }
+}
+
+/// A cone whose triangles share no vertices, so that its tip has as many as there are triangles.
+fn split_cone(n: u32) -> RefinableMesh {
+    let rim = |i: u32| {
+        let angle = f64::from(i) / f64::from(n) * std::f64::consts::TAU;
+        [angle.cos() as f32, angle.sin() as f32, 0.0]
+    };
+    let normal = |i: u32| [0.6 * rim(i)[0], 0.6 * rim(i)[1], 0.8];
+    let (mut positions, mut normals) = (Vec::new(), Vec::new());
+    for i in 0..n {
+        // In the triangle that begins at this place of the rim, and in the one before.
+        positions.extend([rim(i); 2]);
+        normals.extend([normal(i), normal((i + n - 1) % n)]);
+    }
+    positions.extend((0..n).map(|_| [0.0, 0.0, 1.0]));
+    normals.extend((0..n).map(normal));
+    // The step takes the last two triangles away.
+    let order = (1..n - 1).chain([0, n - 1]);
+    let triangles = order.map(|i| [2 * n + i, 2 * i, 2 * ((i + 1) % n) + 1]).collect();
+    let mut mesh = IndexedMesh::new(positions, triangles);
+    let normals = normals.into_iter().flatten().collect();
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals));
+    let first = (0..n).map(|i| 2 * i).chain([2 * n, 3 * n]).collect();
+    let sequence = CollapseSequence::from_parts(SequenceParts {
+        positions: PositionIndex::from_first(first),
+        base_position_count: n as usize,
+        targets: (0..n).map(|i| u32::from(i == n - 1)).collect(),
+        errors: vec![1.0],
+        removed_triangle_counts: vec![2],
+        triangle_count: n as usize,
+    });
+    RefinableMesh { mesh, sequence: sequence.unwrap() }
+}
+
+/// If each vertex of a hub were held against all others, this would take a minute.
+#[test]
+fn hubs_of_thousands_of_vertices_take_linear_time() {
+    let cone = split_cone(100_000);
+    let options = StreamOptions::default();
+    let stream = encode_stream(&cone, &[0, 1], &options).unwrap();
+    assert!(stream.sizes.wedge_bits < 40.0 * 100_000.0, "{:?}", stream.sizes);
+    check_whole(&Written { source: cone, stream }, &options);
+    let made = build_batches(&split_cone(5000).mesh, &BatchOptions::default(), &mut striata::ignore_progress);
+    let made = made.unwrap();
+    for version in [StreamVersion::One, StreamVersion::Two] {
+        let options = StreamOptions::default().with_version(version);
+        let source = made.built.refinable.clone();
+        let stream = encode_stream(&source, &made.batches, &options).unwrap();
+        check_whole(&Written { source, stream }, &options);
     }
 }
 

@@ -42,11 +42,20 @@ pub(crate) enum Part {
     Connectivity,
     /// Coordinates of new vertices.
     Positions,
-    /// Wedges and their attributes.
-    Attributes,
+    /// Which vertices corners show, and groups.
+    Wedges,
+    /// Normals of vertices.
+    Normals,
+    /// Texture coordinates of vertices.
+    TexCoords,
+    /// All other attribute layers.
+    OtherLayers,
     /// The base mesh and everything else.
     Base,
 }
+
+/// How many kinds of [`Part`] there are.
+pub(crate) const PART_COUNT: usize = Part::Base as usize + 1;
 
 /// The writer or the reader of a chain of decisions.
 pub(crate) trait Coder {

@@ -12,7 +12,7 @@
 use super::logistic::log2_q16;
 use super::quick_symbol::{QuickShares, symbol_at};
 use super::symbol::Shares;
-use super::{Coder, Part};
+use super::{Coder, PART_COUNT, Part};
 
 /// Below this width the interval moves on.
 const NARROW: u64 = 1 << 32;
@@ -27,18 +27,25 @@ pub(crate) struct RangeWriter {
     /// Where the part began, in 1/65536 bits.
     part_began: u64,
     /// What each part took, in 1/65536 bits.
-    spent: [u64; 4],
+    spent: [u64; PART_COUNT],
 }
 
 impl RangeWriter {
     /// An empty message.
     pub(crate) fn new() -> Self {
-        Self { bytes: Vec::new(), low: 0, range: u64::MAX, part: Part::Base, part_began: 0, spent: [0; 4] }
+        Self {
+            bytes: Vec::new(),
+            low: 0,
+            range: u64::MAX,
+            part: Part::Base,
+            part_began: 0,
+            spent: [0; PART_COUNT],
+        }
     }
 
     /// The bytes of the message without the zeros at its end, and how many bits each [`Part`] took, in the order
     /// of their declaration.
-    pub(crate) fn finish(mut self) -> (Vec<u8>, [f64; 4]) {
+    pub(crate) fn finish(mut self) -> (Vec<u8>, [f64; PART_COUNT]) {
         self.part(Part::Base);
         for kept_bits in (0..=64).step_by(8) {
             let free = u64::MAX.checked_shr(kept_bits).unwrap_or(0);

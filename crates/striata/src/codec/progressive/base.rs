@@ -59,6 +59,11 @@ impl Base {
         virtual_places.chain(self.position_of_copy.iter().map(|&p| self.places[p as usize])).collect()
     }
 
+    /// Grid coordinates of a vertex of the surface that is not virtual.
+    pub(super) fn place(&self, vertex: u32) -> [i32; 3] {
+        self.places[self.position_of_copy[(vertex - self.virtual_count) as usize] as usize]
+    }
+
     /// Some vertex of the surface for each position.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! From a sequence in batch order to compressed chunks.
 
-use super::super::entropy::RangeWriter;
+use super::super::entropy::{PART_COUNT, RangeWriter};
 use super::base::Base;
 use super::base_coder::BaseLimits;
 use super::descent::Descent;
@@ -40,8 +40,8 @@ pub(super) struct Chunks {
     pub(super) base_positions: Vec<u32>,
     /// Vertices of the mesh in the order of the stream; empty where each position is one.
     pub(super) source_vertex: Vec<u32>,
-    /// Bits by part.
-    pub(super) spent: [f64; 4],
+    /// Bits by part, in the order of [`Part`](super::super::entropy::Part).
+    pub(super) spent: [f64; PART_COUNT],
 }
 
 /// Why a sequence is not one of batches.
@@ -114,7 +114,7 @@ fn write(
         wedges_beyond: u32::MAX,
     };
     let terms = Terms { base: limits, ..terms.clone() };
-    let mut spent = [0.0; 4];
+    let mut spent = [0.0; PART_COUNT];
     let mut chunks = Vec::new();
     let mut writer = RangeWriter::new();
     // A surface that was collapsed to is closed.
@@ -135,7 +135,7 @@ fn push(
     chunks: &mut Vec<Chunk>,
     writer: RangeWriter,
     (growth, base_triangles): (&Growth, usize),
-    spent: &mut [f64; 4],
+    spent: &mut [f64; PART_COUNT],
 ) {
     let (mut bytes, bits) = writer.finish();
     let split_count = growth.added.len();

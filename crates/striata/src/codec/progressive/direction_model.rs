@@ -6,21 +6,44 @@
 //! each degree of conflict between geometry and neighbours: where they agree geometry is best, where not the mean.
 
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
-use super::Effort;
 use super::directions::{Octahedron, scaled};
-use super::layer_model::{LayerHood, LayerValues};
-use super::layers::{LayerForm, Transform};
-use super::residuals::{Contest, Residuals, SCALES, scale_of};
-use crate::mesh::Semantic;
+use super::layer_history::LayerHistory;
+use super::layer_hood::{BASE_KIND, KINDS, LayerHood, LayerValues};
+use super::least_squares::LeastSquares;
+use super::residuals::{Contest, Expected, Residuals, SCALES, scale_of};
+use super::{Effort, StreamVersion};
 
 /// Bits of the length that directions have where they are added.
-const UNIT_BITS: u32 = 15;
+pub(super) const UNIT_BITS: u32 = 15;
 
 /// Bits of a reciprocal.
 const RECIPROCAL_BITS: u32 = 44;
 
-/// Predictions that compete.
+/// Predictions that compete at the only vertex of a position.
 const CANDIDATES: usize = 10;
+/// The same from version 2 on, where a learned sum is among them.
+const SUMMED_CANDIDATES: usize = CANDIDATES + 1;
+/// Predictions that compete at one of several vertices of a position.
+const MOST_CANDIDATES: usize = SUMMED_CANDIDATES + 4;
+/// Predictions that are added up, besides the first.
+const TERMS: usize = 4;
+/// Their weights at first, in 1/65536, at the only vertex of a position: of the affine fit, the mean, near neighbors and all
+/// of them.
+const FIRST_WEIGHTS: [i64; TERMS] = [26_000, -20_000, 10_000, 8_000];
+/// Places among the predictions.
+const AFFINE: usize = 0;
+const MEAN: usize = 1;
+const GEOMETRIC: usize = 2;
+const NEAR: usize = 4;
+const MIRRORED: usize = 5;
+const TARGET: usize = 7;
+const SUM: usize = CANDIDATES;
+const WHOLE: usize = SUMMED_CANDIDATES;
+const BESIDE: usize = SUMMED_CANDIDATES + 3;
+/// Vertices of the same position that a hidden one is predicted from.
+const MOST_SIBLINGS: u32 = 6;
+/// Classes of conflicts.
+const CONFLICTS: usize = SCALES.div_ceil(4);
 
 /// Vertices after which only every fourth tells which prediction did best.
 const LEARNING: u32 = 2048;
@@ -29,11 +52,15 @@ const LEARNING: u32 = 2048;
 #[derive(Clone, Debug)]
 pub(super) struct DirectionModel {
     grid: Octahedron,
-    /// By scale of the conflict, two octaves each.
-    contests: Vec<Contest<CANDIDATES>>,
+    /// By kind of vertex and scale of the conflict, two octaves each.
+    contests: Vec<Contest<MOST_CANDIDATES>>,
     residuals: Residuals,
-    /// What was off lately, in 1/16.
+    /// What was off lately, in 1/16, for version 1.
     recent: u64,
+    /// What is known of earlier vertices, from version 2 on.
+    history: Option<LayerHistory>,
+    /// Weights of sums of predictions, for each contest.
+    sums: Vec<LeastSquares<TERMS>>,
     coded_count: u32,
     /// Whether the sign of a fourth component is as the target's.
     is_same_sign: Option<AdaptiveBit>,
@@ -107,18 +134,126 @@ fn unit_of(grid: Octahedron) -> i64 {
     grid.side() * (1 << UNIT_BITS >> (grid.side() + 1).ilog2()).max(1)
 }
 
+fn difference(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}
+
 fn distance(a: [i64; 3], b: [i64; 3]) -> u64 {
     (0..3).map(|axis| (a[axis] - b[axis]).unsigned_abs()).sum()
 }
 
+/// Predictions of a direction, and how sure they are.
+struct Forecast {
+    /// As many as `count`, then repetitions.
+    candidates: [[i64; 3]; MOST_CANDIDATES],
+    count: usize,
+    /// What is added up: a first prediction, and differences of others from it.
+    first: [i64; 3],
+    terms: [[i64; 3]; TERMS],
+    /// How far the ring is from its mean, and neighbors from the geometry, in 1/16 of the grid.
+    spread: u64,
+    conflict: u64,
+}
+
+impl Forecast {
+    /// What version 1 predicts.
+    fn of(
+        grid: Octahedron,
+        values: &LayerValues,
+        (hood, geometric): (&LayerHood<'_>, [i64; 3]),
+    ) -> (Self, Outlook) {
+        let outlook = Outlook::of(grid, values, (hood, geometric));
+        let in_grid = |off: u64| off * 16 * grid.side() as u64 / unit_of(grid) as u64;
+        let conflict = in_grid(distance(outlook.geometric, outlook.mirrored));
+        let own = outlook.candidates();
+        let mut candidates = [own[CANDIDATES - 1]; MOST_CANDIDATES];
+        candidates[..CANDIDATES].copy_from_slice(&own);
+        let (first, terms) = ([0; 3], [[0; 3]; TERMS]);
+        let forecast = Self { candidates, count: CANDIDATES, first, terms, spread: outlook.spread, conflict };
+        (forecast, outlook)
+    }
+
+    /// Adds the sum whose weights were learned. What is added up is of one length as it is.
+    fn add_sum(&mut self, kind: usize, sums: &[LeastSquares<TERMS>]) {
+        let (first, others) = match kind {
+            0 => (GEOMETRIC, [AFFINE, MEAN, NEAR, MIRRORED]),
+            1 => (MEAN, [AFFINE, GEOMETRIC, WHOLE, BESIDE]),
+            _ => (TARGET, [MEAN, WHOLE, WHOLE + 1, BESIDE]),
+        };
+        self.first = self.candidates[first];
+        self.terms = others.map(|place| difference(self.candidates[place], self.first));
+        let sum = sums[self.contest(kind)].predict(&self.terms);
+        self.candidates[SUM] = std::array::from_fn(|axis| self.first[axis] + sum[axis]);
+        self.count = self.count.max(SUMMED_CANDIDATES);
+    }
+
+    /// Which contest its predictions are in.
+    fn contest(&self, kind: usize) -> usize {
+        kind * CONFLICTS + scale_of(self.conflict) / 4
+    }
+
+    /// The predictions that differ most in kind.
+    fn main(&self, kind: usize) -> [[i64; 3]; 3] {
+        let places = match kind {
+            0 | BASE_KIND => [AFFINE, GEOMETRIC, MIRRORED],
+            1 => [AFFINE, WHOLE, BESIDE],
+            _ => [TARGET, WHOLE, BESIDE],
+        };
+        places.map(|place| self.candidates[place])
+    }
+
+    /// What the whole position says of one of its vertices: seams of texture coordinates are none of normals.
+    fn add_position(
+        &mut self,
+        grid: Octahedron,
+        values: &LayerValues,
+        (hood, own): (&LayerHood<'_>, &Outlook),
+    ) {
+        let whole = hood.whole.filter(|_| !hood.is_hidden).map(|(ring, fit)| {
+            let hood = LayerHood { ring, fit, ..*hood };
+            Outlook::of(grid, values, (&hood, fit.normal))
+        });
+        let whole = whole.as_ref().unwrap_or(own);
+        let sum = |a: [i64; 3], b: [i64; 3]| -> [i64; 3] { std::array::from_fn(|i| a[i] + b[i]) };
+        let unit = unit_of(grid);
+        let direction = |vertex: u32| {
+            let of = values.of(vertex);
+            grid.direction([of[0], of[1]]).map(|x| x * (unit / grid.side()))
+        };
+        // As far from the target as the vertex before it is from its own.
+        let beside = hood.sibling_target.map_or(own.target, |other| {
+            let change = sum(direction(values.vertex_count() as u32 - 1), direction(other).map(|x| -x));
+            sum(own.target, change)
+        });
+        let more = if hood.is_hidden && hood.sibling_count > 0 {
+            // The geometry of the whole position is among the predictions already.
+            let last = values.vertex_count() as u32 - 1;
+            let latest = hood.sibling_count.min(MOST_SIBLINGS);
+            let mean = (0..latest).fold([0; 3], |mean, back| sum(mean, direction(last - back)));
+            let mean = scaled(mean, unit);
+            [direction(last), mean, sum(own.target, mean), beside]
+        } else {
+            [whole.geometric, whole.mirrored, sum(whole.geometric, whole.mirrored), beside]
+        };
+        self.candidates[WHOLE..].copy_from_slice(&more);
+        self.count = MOST_CANDIDATES;
+    }
+}
+
 impl DirectionModel {
     /// Nothing learned, for integers of so many bits.
-    pub(super) fn new(bits: u32, has_sign: bool, effort: Effort) -> Self {
+    pub(super) fn new(bits: u32, has_sign: bool, terms: (Effort, StreamVersion)) -> Self {
         Self {
             grid: Octahedron::new(bits),
-            contests: vec![Contest::new(); SCALES.div_ceil(4)],
-            residuals: Residuals::new(effort, 2),
+            contests: vec![Contest::new(terms.1); KINDS * CONFLICTS],
+            residuals: Residuals::new(terms, 2),
             recent: 0,
+            history: (terms.1 > StreamVersion::One).then(LayerHistory::new),
+            sums: (0..KINDS * CONFLICTS)
+                .map(|contest| {
+                    LeastSquares::new(if contest < CONFLICTS { FIRST_WEIGHTS } else { [0; TERMS] })
+                })
+                .collect(),
             coded_count: 0,
             is_same_sign: has_sign.then(|| AdaptiveBit::new(Rate::Steady)),
         }
@@ -132,21 +267,21 @@ impl DirectionModel {
         (hood, geometric): (&LayerHood<'_>, [i64; 3]),
         meant: Option<&[i32]>,
     ) {
-        let outlook = Outlook::of(self.grid, values, (hood, geometric));
-        let conflict = distance(outlook.geometric, outlook.mirrored) * 16 * self.grid.side() as u64
-            / unit_of(self.grid) as u64;
-        let candidates = outlook.candidates();
-        let contest = scale_of(conflict) / 4;
-        let predicted = self.grid.point(candidates[self.contests[contest].best()]);
+        if let Some(history) = &mut self.history
+            && let Some(vertex) = history.copied(coder, values, hood, meant)
+        {
+            values.copy(vertex);
+            history.note_copy();
+            return;
+        }
+        let kind = if self.history.is_some() { hood.kind() } else { 0 };
+        let forecast = self.forecast(values, (hood, geometric), kind);
+        let best = self.contests[forecast.contest(kind)].best(forecast.count);
+        let predicted = self.grid.point(forecast.candidates[best]);
         let off = meant.map_or([0; 2], |m| self.grid.difference([m[0], m[1]], predicted));
-        let ring = 1 << (hood.ring.len() / 2).min(16);
-        let scales = [outlook.spread, conflict, self.recent, ring].map(scale_of);
-        let x = self.residuals.signed(coder, 0, scales, off[0]);
-        let scales = [scales[0], scales[1], scales[2], scale_of(16 * u64::from(x.unsigned_abs()))];
-        let y = self.residuals.signed(coder, 1, scales, off[1]);
-        self.recent = (7 * self.recent + 8 * (u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs()))) / 8;
-        let point = self.grid.moved(predicted, [x, y]);
-        self.learn(point, &candidates, contest);
+        let off = self.residual(coder, (hood, kind), (&forecast, predicted), off);
+        let point = self.grid.moved(predicted, off);
+        self.learn(point, &forecast, kind);
         let target_sign = hood.target.and_then(|v| values.of(v).get(2).copied()).unwrap_or(1);
         values.push(&point);
         if let Some(is_same) = &mut self.is_same_sign {
@@ -155,120 +290,91 @@ impl DirectionModel {
         }
     }
 
-    fn learn(&mut self, point: [i32; 2], candidates: &[[i64; 3]; CANDIDATES], contest: usize) {
+    /// All predictions of the next vertex.
+    fn forecast(
+        &self,
+        values: &LayerValues,
+        (hood, geometric): (&LayerHood<'_>, [i64; 3]),
+        kind: usize,
+    ) -> Forecast {
+        let (mut forecast, outlook) = Forecast::of(self.grid, values, (hood, geometric));
+        if kind > 0 && kind != BASE_KIND {
+            forecast.add_position(self.grid, values, (hood, &outlook));
+        }
+        // Around a vertex of the base little is known, and that is as nothing elsewhere.
+        if self.history.is_some() && kind != BASE_KIND {
+            forecast.add_sum(kind, &self.sums);
+        }
+        forecast
+    }
+
+    /// Codes what a prediction was off.
+    fn residual<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        (hood, kind): (&LayerHood<'_>, usize),
+        (forecast, predicted): (&Forecast, [i32; 2]),
+        off: [i32; 2],
+    ) -> [i32; 2] {
+        let lately = match &self.history {
+            Some(history) => history.scale_around(hood),
+            None => scale_of(self.recent),
+        };
+        let ring = scale_of(1 << (hood.ring.len() / 2).min(16));
+        let scales = [scale_of(forecast.spread), scale_of(forecast.conflict), lately];
+        let [a, b, c] = scales;
+        let others = if self.residuals.looks_at_others() {
+            forecast.main(kind).map(|other| self.grid.difference(self.grid.point(other), predicted))
+        } else {
+            [[0; 2]; 3]
+        };
+        let others = [0, 1].map(|axis| others.map(|other| i64::from(other[axis])));
+        let expected = Expected { scales: [a, b, c, ring], others: others[0] };
+        let x = self.residuals.signed(coder, 2 * kind, expected, off[0]);
+        let first = scale_of(16 * u64::from(x.unsigned_abs()));
+        let expected = Expected { scales: [a, b, c, first], others: others[1] };
+        let y = self.residuals.signed(coder, 2 * kind + 1, expected, off[1]);
+        let size = u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs());
+        self.recent = (7 * self.recent + 8 * size) / 8;
+        if let Some(history) = &mut self.history {
+            history.note(size);
+        }
+        [x, y]
+    }
+
+    fn learn(&mut self, point: [i32; 2], forecast: &Forecast, kind: usize) {
+        let contest = forecast.contest(kind);
         self.coded_count = self.coded_count.wrapping_add(1);
+        let is_early = self.coded_count < LEARNING;
+        if forecast.count > CANDIDATES && (is_early || self.coded_count.is_multiple_of(2)) {
+            let unit = unit_of(self.grid) / self.grid.side();
+            let meant = self.grid.direction(point).map(|x| x * unit);
+            // Errors of two steps are as good as none.
+            self.sums[contest].learn(&forecast.terms, difference(meant, forecast.first), 2 * unit);
+        }
         if self.coded_count > LEARNING && !self.coded_count.is_multiple_of(4) {
             return;
         }
-        let mut off = [0; CANDIDATES];
-        for (off, &candidate) in off.iter_mut().zip(candidates) {
+        let mut off = [0; MOST_CANDIDATES];
+        for (off, &candidate) in off.iter_mut().zip(&forecast.candidates[..forecast.count]) {
             let [x, y] = self.grid.difference(point, self.grid.point(candidate));
             *off = u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs());
         }
         self.contests[contest].learn(off);
     }
-}
 
-/// What tangents follow from: texture coordinates, in whose first direction they point, and normals, which they are
-/// perpendicular to.
-#[derive(Clone, Debug)]
-pub(super) struct TangentSources {
-    texcoords: usize,
-    normals: Option<(usize, Octahedron)>,
-}
-
-impl TangentSources {
-    /// The layers of a stream that tangents are made from, if it has them.
-    pub(super) fn of(forms: &[LayerForm]) -> Option<Self> {
-        let texcoords = forms.iter().position(|form| {
-            let is_grid = matches!(form.transform, Transform::Uniform { .. });
-            matches!(form.semantic, Semantic::TexCoord(_)) && is_grid && form.component_count == 2
-        })?;
-        let normals = forms.iter().enumerate().find_map(|(index, form)| match form.transform {
-            Transform::Octahedral { bits } if form.semantic == Semantic::Normal => {
-                Some((index, Octahedron::new(bits)))
-            }
-            _ => None,
-        });
-        Some(Self { texcoords, normals })
-    }
-
-    /// The direction in which the first texture coordinate rises at a vertex, by the triangles around it.
-    pub(super) fn tangent(&self, values: &[LayerValues], hood: &LayerHood<'_>, vertex: u32) -> [i64; 3] {
-        let texcoords = |vertex: u32| -> [i64; 2] {
-            let of = values[self.texcoords].of(vertex);
-            [i64::from(of[0]), i64::from(of[1])]
-        };
-        let here = texcoords(vertex);
-        let mut sum = [0i64; 3];
-        let mut add = |a: usize, b: usize| {
-            let [p, q] = [a, b].map(|i| {
-                let there = texcoords(hood.ring[i]);
-                [there[0] - here[0], there[1] - here[1]]
-            });
-            let sign =
-                (i128::from(p[0]) * i128::from(q[1]) - i128::from(p[1]) * i128::from(q[0])).signum() as i64;
-            for (axis, sum) in sum.iter_mut().enumerate() {
-                *sum += sign * (hood.fit.arms[a][axis] * q[1] - hood.fit.arms[b][axis] * p[1]);
-            }
-        };
-        (1..hood.ring.len()).for_each(|i| add(i - 1, i));
-        if hood.fit.is_closed && hood.ring.len() > 2 {
-            add(hood.ring.len() - 1, 0);
-        }
-        match self.normals {
-            Some((layer, grid)) => {
-                let of = values[layer].of(vertex);
-                across(scaled(sum, 1 << UNIT_BITS), grid.direction([of[0], of[1]]))
-            }
-            None => sum,
+    /// Forgets what is known of all but the first vertices.
+    pub(super) fn truncate(&mut self, vertex_count: usize) {
+        if let Some(history) = &mut self.history {
+            history.truncate(vertex_count);
         }
     }
-}
-
-/// What is left of a direction perpendicular to another.
-fn across(direction: [i64; 3], normal: [i64; 3]) -> [i64; 3] {
-    let dot = |a: [i64; 3], b: [i64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let (along, squared) = (dot(direction, normal), dot(normal, normal).max(1));
-    std::array::from_fn(|a| direction[a] - normal[a] * along / squared)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::layers::{LayerOptions, NumberType};
     use super::super::ring_fit::RingFit;
     use super::*;
-    use crate::mesh::AttributeLayer;
-
-    #[test]
-    fn tangents_follow_texture_coordinates() {
-        let ring = [[40, 0, 8], [10, 30, 2], [-30, 10, -6], [-20, -30, -4], [20, -20, 4]];
-        let mut fit = RingFit::default();
-        fit.measure([0; 3], &ring, true);
-        let hood = LayerHood { target: Some(0), ring: &[0, 1, 2, 3, 4], fit: &fit };
-        for mirror in [1, -1] {
-            // The plane is z = x / 5; u rises along x + y there, v across it.
-            let texcoord = |p: &[i32; 3]| [500 + p[0] + p[1], 500 + mirror * (p[1] - p[0])];
-            let integers = ring.iter().chain(&[[0; 3]]).flat_map(texcoord).collect();
-            let layers = [
-                AttributeLayer::from_f32(Semantic::TexCoord(0), 2, vec![0.0, 1000.0, 0.0, 1000.0]),
-                AttributeLayer::from_f32(Semantic::Normal, 3, vec![0.0, 0.0, 1.0]),
-            ];
-            let forms = layers.map(|layer| LayerForm::of(&layer, &LayerOptions::default()));
-            assert_eq!(forms[0].number_type, NumberType::F32);
-            let texcoords = LayerValues::from_integers(integers, 2);
-            let normals = LayerValues::from_integers(vec![0; 12], 2);
-            let values = [texcoords, normals];
-            let alone = TangentSources::of(&forms[..1]).unwrap().tangent(&values, &hood, 5);
-            let [x, y, z] = scaled(alone, 1100);
-            assert!((x - 500).abs() < 3 && (y - 500).abs() < 3 && (z - 100).abs() < 3, "{alone:?}");
-            // The normal given is upright, so what rises goes.
-            let level = TangentSources::of(&forms).unwrap().tangent(&values, &hood, 5);
-            let [x, y, z] = scaled(level, 1000);
-            assert!((x - 500).abs() < 3 && (y - 500).abs() < 3 && z.abs() < 3, "{level:?}");
-        }
-        assert!(TangentSources::of(&[]).is_none());
-    }
 
     #[test]
     fn on_a_sphere_mirrored_neighbours_are_exact() {
@@ -285,7 +391,7 @@ mod tests {
         let values = LayerValues::from_integers(ring.iter().flat_map(|&d| point(d)).collect(), 2);
         let mut fit = RingFit::default();
         fit.measure(place(here), &ring.map(place), true);
-        let hood = LayerHood { target: Some(0), ring: &[0, 1, 2, 3], fit: &fit };
+        let hood = LayerHood::new(Some(0), &[0, 1, 2, 3], &fit);
         let outlook = Outlook::of(grid, &values, (&hood, fit.normal));
         let off = |d: [i64; 3]| {
             let difference = grid.difference(point(here), grid.point(d));

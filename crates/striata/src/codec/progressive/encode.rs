@@ -6,7 +6,7 @@ use super::chunks::{BatchDefect, Chunks, check_batches, encode_chunks};
 use super::descent::Descent;
 use super::grid::{GridError, PositionGrid};
 use super::head::{GroupName, Head, MOST_NUMBERS, Row};
-use super::layer_model::LayerValues;
+use super::layer_hood::LayerValues;
 use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
 use super::truth::Points;
@@ -95,10 +95,34 @@ pub struct StreamSizes {
     pub connectivity_bits: f64,
     /// Bits of coordinates.
     pub position_bits: f64,
-    /// Bits of wedges, groups and attribute layers.
+    /// Bits of wedges, groups and attribute layers: the next three, and other layers.
     pub attribute_bits: f64,
+    /// Bits that say which vertices corners show, and groups.
+    pub wedge_bits: f64,
+    /// Bits of normals.
+    pub normal_bits: f64,
+    /// Bits of texture coordinates.
+    pub texcoord_bits: f64,
     /// Bits of the base mesh, of the head and of what is lost between chunks.
     pub other_bits: f64,
+}
+
+impl StreamSizes {
+    fn of(byte_count: usize, chunks: &Chunks) -> Self {
+        let [connectivity_bits, position_bits, wedge_bits, normal_bits, texcoord_bits, other_layers, _] =
+            chunks.spent;
+        let attribute_bits = wedge_bits + normal_bits + texcoord_bits + other_layers;
+        let other_bits = byte_count as f64 * 8.0 - connectivity_bits - position_bits - attribute_bits;
+        Self {
+            connectivity_bits,
+            position_bits,
+            attribute_bits,
+            wedge_bits,
+            normal_bits,
+            texcoord_bits,
+            other_bits,
+        }
+    }
 }
 
 /// A stream, and the mesh in its order.
@@ -190,10 +214,7 @@ pub fn encode_stream(
     let head = head_of(refinable, batches, &chunks, (options, &terms)).to_bytes()?;
     let mut bytes = head;
     chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
-    let [connectivity_bits, position_bits, attribute_bits, _] = chunks.spent;
-    let told = connectivity_bits + position_bits + attribute_bits;
-    let other_bits = bytes.len() as f64 * 8.0 - told;
-    let sizes = StreamSizes { connectivity_bits, position_bits, attribute_bits, other_bits };
+    let sizes = StreamSizes::of(bytes.len(), &chunks);
     Ok(EncodedStream { bytes, sizes, source_vertex: source_vertices(refinable, &chunks) })
 }
 

@@ -1,81 +1,27 @@
 //! Codes the integers of attribute layers, vertex by vertex, relative to the vertices around.
 //!
 //! For each layer there are a few predictions (the target's value, the ring's mean, its affine fit, for normals the
-//! geometry too), and the one that did best lately is taken. The rest is a number whose context is how far the ring spreads around the
-//! prediction. Joints are labels: mostly the same as a neighbour's; weights follow the joints that they belong to.
+//! geometry too), and the one that did best lately is taken. The rest is a number whose context is how far the ring spreads
+//! around the prediction. From version 2 on, exact copies are coded first ([`LayerHistory`](super::layer_history::LayerHistory)).
+//! Joints are labels: mostly the same as a neighbor's; weights follow the joints that they belong to.
 //!
 //! Integers only; all that is looked at is what a reader has.
 
-use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
-use super::Effort;
-use super::direction_model::{DirectionModel, TangentSources};
+use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
+use super::direction_model::DirectionModel;
+use super::layer_hood::{LayerHood, LayerValues};
 use super::layers::{LayerForm, NumberType, Transform};
-use super::residuals::{Contest, Residuals, scale_of};
-use super::ring_fit::{RingFit, WEIGHT_BITS};
+use super::number_model::{NumberModel, plain_hints, weight_hints};
+use super::tangents::TangentSources;
+use super::{Effort, StreamVersion};
 use crate::mesh::Semantic;
-
-/// What is known around a vertex when its attributes are coded.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct LayerHood<'a> {
-    /// The vertex that it collapses to, or any that is near; none for the first of all.
-    pub(super) target: Option<u32>,
-    /// Vertices that it shares triangles with, in ring order; those of other places are not among them.
-    pub(super) ring: &'a [u32],
-    /// Fitted to the places of the ring.
-    pub(super) fit: &'a RingFit,
-}
-
-/// The integers of a layer, vertex by vertex.
-#[derive(Clone, Debug, Default)]
-pub(super) struct LayerValues {
-    integers: Vec<i32>,
-    count: usize,
-}
-
-impl LayerValues {
-    /// No vertices, so many integers each.
-    pub(super) fn new(integer_count: usize) -> Self {
-        Self { integers: Vec::new(), count: integer_count }
-    }
-
-    /// All integers of a layer.
-    pub(super) fn from_integers(integers: Vec<i32>, integer_count: usize) -> Self {
-        Self { integers, count: integer_count }
-    }
-
-    /// The integers of a vertex.
-    #[inline]
-    pub(super) fn of(&self, vertex: u32) -> &[i32] {
-        &self.integers[vertex as usize * self.count..][..self.count]
-    }
-
-    /// The integers of all vertices.
-    pub(super) fn integers(&self) -> &[i32] {
-        &self.integers
-    }
-
-    /// Appends integers of the next vertex.
-    pub(super) fn push(&mut self, integers: &[i32]) {
-        self.integers.extend_from_slice(integers);
-    }
-
-    /// Vertices that are whole.
-    pub(super) fn vertex_count(&self) -> usize {
-        self.integers.len() / self.count
-    }
-
-    /// Forgets all but the first vertices.
-    pub(super) fn truncate(&mut self, vertex_count: usize) {
-        self.integers.truncate(vertex_count * self.count);
-    }
-}
 
 /// All layers of a stream.
 #[derive(Clone, Debug)]
 pub(super) struct LayerModel {
     layers: Vec<OneLayer>,
-    /// The order in which layers are coded: what others are predicted from goes first.
-    order: Vec<usize>,
+    /// The order in which layers are coded, what others are predicted from first; and whose the bits are.
+    order: Vec<(usize, Part)>,
 }
 
 #[derive(Clone, Debug)]
@@ -91,12 +37,12 @@ enum OneLayer {
 
 impl LayerModel {
     /// Nothing learned.
-    pub(super) fn new(forms: &[LayerForm], effort: Effort) -> Self {
+    pub(super) fn new(forms: &[LayerForm], terms: (Effort, StreamVersion)) -> Self {
         let layers: Vec<_> = forms
             .iter()
             .map(|form| match form.transform {
                 Transform::Octahedral { bits } => {
-                    let model = DirectionModel::new(bits, form.integer_count() > 2, effort);
+                    let model = DirectionModel::new(bits, form.integer_count() > 2, terms);
                     match form.semantic {
                         Semantic::Tangent => OneLayer::Tangents(model, TangentSources::of(forms)),
                         _ => OneLayer::Directions(model),
@@ -104,15 +50,15 @@ impl LayerModel {
                 }
                 _ if is_label(form) => OneLayer::Labels(LabelModel::new(form)),
                 _ => match joints_of(forms, form) {
-                    Some(joints) => OneLayer::Weights(NumberModel::new(form, effort), joints),
-                    None => OneLayer::Numbers(NumberModel::new(form, effort)),
+                    Some(joints) => OneLayer::Weights(NumberModel::new(form, terms), joints),
+                    None => OneLayer::Numbers(NumberModel::new(form, terms)),
                 },
             })
             .collect();
         let is_last =
             |index: &usize| matches!(layers[*index], OneLayer::Tangents(..) | OneLayer::Weights(..));
-        let mut order: Vec<usize> = (0..layers.len()).collect();
-        order.sort_by_key(is_last);
+        let mut order: Vec<_> = (0..).zip(forms).map(|(index, form)| (index, part_of(form))).collect();
+        order.sort_by_key(|(index, _)| is_last(index));
         Self { layers, order }
     }
 
@@ -126,7 +72,8 @@ impl LayerModel {
         hood: &LayerHood<'_>,
         actual: Option<(&[LayerValues], u32)>,
     ) {
-        for &index in &self.order {
+        for &(index, part) in &self.order {
+            coder.part(part);
             let meant = actual.map(|(layers, vertex)| layers[index].of(vertex));
             let mut own = std::mem::take(&mut values[index]);
             match &mut self.layers[index] {
@@ -138,15 +85,37 @@ impl LayerModel {
                 }
                 OneLayer::Labels(model) => model.code(coder, &mut own, hood, meant),
                 OneLayer::Numbers(model) => {
-                    model.code(coder, &mut own, meant, |own, coded| plain_hints(own, hood, coded.len()));
+                    model.code(coder, &mut own, (hood, meant), |own, coded| {
+                        plain_hints(own, hood, coded.len())
+                    });
                 }
                 OneLayer::Weights(model, joints) => {
                     let joints = &values[*joints];
-                    model.code(coder, &mut own, meant, |own, coded| weight_hints(own, joints, hood, coded));
+                    let hints = |own: &LayerValues, coded: &[i32]| weight_hints(own, joints, hood, coded);
+                    model.code(coder, &mut own, (hood, meant), hints);
                 }
             }
             values[index] = own;
         }
+    }
+
+    /// Forgets what is known of all but the first vertices.
+    pub(super) fn truncate(&mut self, vertex_count: usize) {
+        for layer in &mut self.layers {
+            match layer {
+                OneLayer::Directions(model) | OneLayer::Tangents(model, _) => model.truncate(vertex_count),
+                OneLayer::Numbers(model) | OneLayer::Weights(model, _) => model.truncate(vertex_count),
+                OneLayer::Labels(_) => {}
+            }
+        }
+    }
+}
+
+fn part_of(form: &LayerForm) -> Part {
+    match form.semantic {
+        Semantic::Normal => Part::Normals,
+        Semantic::TexCoord(_) => Part::TexCoords,
+        _ => Part::OtherLayers,
     }
 }
 
@@ -162,127 +131,6 @@ fn joints_of(forms: &[LayerForm], form: &LayerForm) -> Option<usize> {
     let matches =
         |f: &LayerForm| f.semantic == Semantic::Joints(set) && f.component_count == form.component_count;
     forms.iter().position(|f| is_label(f) && matches(f))
-}
-
-/// Predictions of one integer, and how far those around spread.
-struct Hints {
-    predictions: [i64; 4],
-    /// How far two of them are from each other, in 1/16.
-    conflict: u64,
-    /// The mean distance of the ring's values from their mean, in 1/16.
-    spread: u64,
-}
-
-impl Hints {
-    fn alone(value: i64) -> Self {
-        Self { predictions: [value; 4], conflict: u64::from(u32::MAX), spread: u64::from(u32::MAX) }
-    }
-}
-
-fn plain_hints(values: &LayerValues, hood: &LayerHood<'_>, component: usize) -> Hints {
-    let value = |vertex: u32| i64::from(values.of(vertex)[component]);
-    let Some(target) = hood.target.map(value) else { return Hints::alone(0) };
-    if hood.ring.is_empty() {
-        return Hints::alone(target);
-    }
-    let n = hood.ring.len() as i64;
-    let (mut sum, mut weighted) = (0, 0);
-    for (&vertex, &weight) in hood.ring.iter().zip(&hood.fit.weights) {
-        let from_target = value(vertex) - target;
-        sum += from_target;
-        weighted += from_target * i64::from(weight);
-    }
-    let mean = target + (2 * sum + n).div_euclid(2 * n);
-    let affine = target + ((weighted + (1 << WEIGHT_BITS >> 1)) >> WEIGHT_BITS);
-    let spread: u64 = hood.ring.iter().map(|&v| (value(v) - mean).unsigned_abs()).sum();
-    let conflict = 16 * (affine - mean).unsigned_abs();
-    Hints {
-        conflict,
-        predictions: [affine, mean, (affine + mean) >> 1, target],
-        spread: 16 * spread / n as u64,
-    }
-}
-
-/// Predictions of the weight of a component's joint, by the weights that the vertices around give to that joint.
-fn weight_hints(values: &LayerValues, joints: &LayerValues, hood: &LayerHood<'_>, coded: &[i32]) -> Hints {
-    let component = coded.len();
-    let joint = joints.of(values.vertex_count() as u32)[component];
-    let weight = |vertex: u32| -> i64 {
-        let (joints, weights) = (joints.of(vertex), values.of(vertex));
-        // The same joint at the same place, since names of joints without weight repeat.
-        let at = Some(component).filter(|&c| joints[c] == joint);
-        at.or_else(|| joints.iter().position(|&j| j == joint)).map_or(0, |c| i64::from(weights[c]))
-    };
-    let Some(target) = hood.target else { return Hints::alone(0) };
-    let sum: i64 = values.of(target).iter().map(|&w| i64::from(w)).sum();
-    let left = sum - coded.iter().map(|&w| i64::from(w)).sum::<i64>();
-    let n = hood.ring.len().max(1) as i64;
-    let mean = hood.ring.iter().map(|&v| weight(v)).sum::<i64>() / n;
-    let spread: u64 = hood.ring.iter().map(|&v| (weight(v) - mean).unsigned_abs()).sum();
-    let rest = left.clamp(0, sum.max(0));
-    let conflict = 16 * (mean - rest).unsigned_abs();
-    Hints {
-        conflict,
-        predictions: [mean, rest, weight(target), mean.min(rest)],
-        spread: 16 * spread / n as u64,
-    }
-}
-
-/// Integers on an even scale.
-#[derive(Clone, Debug)]
-struct NumberModel {
-    contests: Vec<Contest<4>>,
-    residuals: Residuals,
-    recent: Vec<u64>,
-    /// Smallest and largest value there can be.
-    limits: (i64, i64),
-    /// The vertex that is being coded.
-    coded: Vec<i32>,
-}
-
-impl NumberModel {
-    fn new(form: &LayerForm, effort: Effort) -> Self {
-        let limits = match (&form.transform, form.number_type) {
-            (Transform::Uniform { bits, .. }, _) => (0, (1i64 << bits) - 1),
-            (_, NumberType::U8) => (0, 0xFF),
-            (_, NumberType::U16) => (0, 0xFFFF),
-            _ => (i64::from(i32::MIN), i64::from(i32::MAX)),
-        };
-        let count = form.integer_count();
-        Self {
-            contests: vec![Contest::new(); count],
-            residuals: Residuals::new(effort, count),
-            recent: vec![0; count],
-            limits,
-            coded: Vec::with_capacity(count),
-        }
-    }
-
-    fn code<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        values: &mut LayerValues,
-        meant: Option<&[i32]>,
-        hints: impl Fn(&LayerValues, &[i32]) -> Hints,
-    ) {
-        self.coded.clear();
-        let mut before = 0u64;
-        for component in 0..values.count {
-            let Hints { predictions, conflict, spread } = hints(values, &self.coded);
-            let contest = &mut self.contests[component];
-            let predicted = predictions[contest.best()].clamp(self.limits.0, self.limits.1) as i32;
-            let scales = [spread, conflict, self.recent[component], before].map(scale_of);
-            let off = meant.map_or(0, |m| m[component].wrapping_sub(predicted));
-            let off = self.residuals.signed(coder, component, scales, off);
-            let value = predicted.wrapping_add(off);
-            contest.learn(predictions.map(|p| (p - i64::from(value)).unsigned_abs()));
-            let size = 16 * u64::from(off.unsigned_abs());
-            self.recent[component] = (7 * self.recent[component] + size) / 8;
-            before = size;
-            self.coded.push(value);
-        }
-        values.integers.extend_from_slice(&self.coded);
-    }
 }
 
 /// Kinds of labels around a vertex that are asked for.
@@ -325,17 +173,15 @@ impl LabelModel {
         for (at, &vertex) in self.known.iter().enumerate() {
             let bit = &mut self.is_known[at.min(3)];
             if bit.code(coder, meant.is_some_and(|m| m == values.of(vertex))) {
-                let from = vertex as usize * values.count;
-                values.integers.extend_from_within(from..from + values.count);
+                values.copy(vertex);
                 return;
             }
         }
-        let from = hood.target.map(|v| v as usize * values.count);
-        for component in 0..values.count {
-            let near = from.map_or(0, |from| values.integers[from + component]);
+        for component in 0..values.integer_count() {
+            let near = hood.target.map_or(0, |v| values.of(v)[component]);
             let off = meant.map_or(0, |m| m[component].wrapping_sub(near));
             let value = near.wrapping_add(self.numbers.signed(coder, component, off));
-            values.integers.push(value);
+            values.push(&[value]);
         }
     }
 }
@@ -344,6 +190,7 @@ impl LabelModel {
 mod tests {
     use super::super::super::entropy::{RangeReader, RangeWriter};
     use super::super::layers::LayerOptions;
+    use super::super::ring_fit::RingFit;
     use super::*;
     use crate::mesh::{AttributeLayer, LayerData, Random};
 
@@ -460,13 +307,13 @@ mod tests {
         actual: Option<&[LayerValues]>,
         effort: Effort,
     ) -> Vec<LayerValues> {
-        let mut model = LayerModel::new(forms, effort);
+        let mut model = LayerModel::new(forms, (effort, StreamVersion::Two));
         let mut values: Vec<_> = forms.iter().map(|form| LayerValues::new(form.integer_count())).collect();
         let mut fit = RingFit::default();
         for (vertex, site) in sites.iter().enumerate() {
             let places: Vec<_> = site.ring.iter().map(|&v| sites[v as usize].place).collect();
             fit.measure(site.place, &places, true);
-            let hood = LayerHood { target: site.target, ring: &site.ring, fit: &fit };
+            let hood = LayerHood::new(site.target, &site.ring, &fit);
             model.code(coder, &mut values, &hood, actual.map(|layers| (layers, vertex as u32)));
         }
         values

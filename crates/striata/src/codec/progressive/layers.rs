@@ -284,7 +284,7 @@ fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerO
         _ => false,
     };
     let bits = options.bits_of(semantic);
-    if is_direction && numbers.chunks_exact(n).all(|v| is_unit([v[0], v[1], v[2]])) {
+    if is_direction && numbers.chunks_exact(n).all(|v| is_unit([v[0], v[1], v[2]]) || is_none(v)) {
         return Transform::Octahedral { bits };
     }
     let mut ranges = vec![(f32::INFINITY, f32::NEG_INFINITY); n];
@@ -310,6 +310,11 @@ fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerO
 fn is_unit(v: [f32; 3]) -> bool {
     let squared: f64 = v.iter().map(|&x| f64::from(x) * f64::from(x)).sum();
     (squared - 1.0).abs() < 0.01
+}
+
+/// True where a vector is too short to have a direction: normals of triangles without area.
+fn is_none(v: &[f32]) -> bool {
+    v[..3].iter().all(|x| x.abs() < 1e-6)
 }
 
 fn has_one_unit(semantic: &Semantic) -> bool {

@@ -11,6 +11,9 @@ const NODES: usize = 2 + 31 + 32 * 3;
 const ABOVE: usize = 2;
 const TOP: usize = 33;
 
+/// A context of each kind, and the set of weights that they are mixed with.
+pub(super) type Contexts<const N: usize> = ([usize; N], usize);
+
 /// Codes integers of up to 32 bits under `N` contexts.
 #[derive(Clone, Debug)]
 pub(super) struct MixedNumber<const N: usize> {
@@ -20,15 +23,21 @@ pub(super) struct MixedNumber<const N: usize> {
 }
 
 impl<const N: usize> MixedNumber<N> {
-    /// Nothing learned; so many contexts of each kind.
-    pub(super) fn new(context_counts: [usize; N]) -> Self {
+    /// Nothing learned; so many contexts of each kind, and sets of weights.
+    pub(super) fn new(context_counts: [usize; N], set_count: usize) -> Self {
         let bits = context_counts.map(|count| vec![AdaptiveBit::new(Rate::Steady); count * NODES]);
-        Self { bits, mixer: Mixer::new(NODES, [(1 << 16) * 5 / (4 * N as i32); N]) }
+        Self { bits, mixer: Mixer::new(set_count * NODES, [(1 << 16) * 5 / (4 * N as i32); N]) }
     }
 
-    fn bit<C: Coder>(&mut self, coder: &mut C, contexts: &[usize; N], node: usize, bit: bool) -> bool {
+    fn bit<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        (contexts, set): &Contexts<N>,
+        node: usize,
+        bit: bool,
+    ) -> bool {
         let inputs = std::array::from_fn(|i| log_odds(self.bits[i][contexts[i] * NODES + node].p_one()));
-        self.mixer.mix(&inputs, node);
+        self.mixer.mix(&inputs, set * NODES + node);
         let bit = coder.bit(bit, self.mixer.p_one());
         self.mixer.update(bit);
         for (bits, context) in self.bits.iter_mut().zip(contexts) {
@@ -38,7 +47,7 @@ impl<const N: usize> MixedNumber<N> {
     }
 
     /// Codes a number of either sign.
-    pub(super) fn signed<C: Coder>(&mut self, coder: &mut C, contexts: [usize; N], value: i32) -> i32 {
+    pub(super) fn signed<C: Coder>(&mut self, coder: &mut C, contexts: Contexts<N>, value: i32) -> i32 {
         if self.bit(coder, &contexts, 0, value == 0) {
             return 0;
         }
@@ -48,7 +57,7 @@ impl<const N: usize> MixedNumber<N> {
     }
 
     /// Codes a number above zero.
-    fn magnitude<C: Coder>(&mut self, coder: &mut C, contexts: &[usize; N], value: u32) -> u32 {
+    fn magnitude<C: Coder>(&mut self, coder: &mut C, contexts: &Contexts<N>, value: u32) -> u32 {
         let meant = value.max(1).ilog2();
         let mut bucket = 0;
         while bucket < 31 && self.bit(coder, contexts, ABOVE + bucket as usize, meant > bucket) {
@@ -83,15 +92,15 @@ mod tests {
         let mut numbers = vec![0, 1, -1, 2, -2, 3, 4, 7, 8, i32::MAX, i32::MIN, i32::MIN + 1, i32::MAX - 1];
         numbers.extend((0..4000).map(|_| (random.next_u64() as i32) >> random.below(32)));
         let mut writer = RangeWriter::new();
-        let mut model = MixedNumber::new([1, 2, 3]);
+        let mut model = MixedNumber::new([1, 2, 3], 2);
         for (at, &number) in numbers.iter().enumerate() {
-            assert_eq!(model.signed(&mut writer, [0, at % 2, at % 3], number), number);
+            assert_eq!(model.signed(&mut writer, ([0, at % 2, at % 3], at % 2), number), number);
         }
         let (bytes, _) = writer.finish();
         let mut reader = RangeReader::new(&bytes, true);
-        let mut model = MixedNumber::new([1, 2, 3]);
+        let mut model = MixedNumber::new([1, 2, 3], 2);
         for (at, &number) in numbers.iter().enumerate() {
-            assert_eq!(model.signed(&mut reader, [0, at % 2, at % 3], 0), number);
+            assert_eq!(model.signed(&mut reader, ([0, at % 2, at % 3], at % 2), 0), number);
         }
     }
 
@@ -107,10 +116,10 @@ mod tests {
             .collect();
         let entropy: f64 = numbers.iter().map(|&(bits, _)| bits as f64 + 1.0).sum();
         let mut writer = RangeWriter::new();
-        let mut model = MixedNumber::new([1, 8]);
-        numbers
-            .iter()
-            .for_each(|&(bits, number)| assert_eq!(model.signed(&mut writer, [0, bits], number), number));
+        let mut model = MixedNumber::new([1, 8], 1);
+        numbers.iter().for_each(|&(bits, number)| {
+            assert_eq!(model.signed(&mut writer, ([0, bits], 0), number), number)
+        });
         let mixed = writer.finish().0.len() as f64 * 8.0;
         let mut writer = RangeWriter::new();
         let mut model = AdaptiveNumber::new(1, Rate::Steady);

@@ -9,12 +9,13 @@ use super::super::entropy::{Coder, Part};
 use super::attributes::{Actual, Around, Attributes};
 use super::base::Base;
 use super::base_coder::{BaseLimits, BaseOrder, code_base};
+use super::base_hood::BaseHoods;
 use super::connectivity::{ConnectivityModel, Scene};
 use super::grid::{CorrectionModel, PositionGrid};
 use super::general::{CodedStep, General, KnownStep};
 use super::growth::Growth;
 use super::hood::Hood;
-use super::layer_model::LayerValues;
+use super::layer_hood::LayerValues;
 use super::layers::LayerForm;
 use super::positions::PositionModel;
 use super::quick::QuickModel;
@@ -240,7 +241,7 @@ impl Refiner {
         }
         let vertex_of_position = base.vertex_of_position()?;
         let mut surface = base.surface()?;
-        let mut wedges = terms.has_wedges().then(|| WedgeModel::new(terms.vertex_count));
+        let mut wedges = terms.has_wedges().then(|| WedgeModel::new(terms.vertex_count, terms.version));
         match &mut wedges {
             Some(model) => {
                 for &vertex in &vertex_of_position {
@@ -248,15 +249,18 @@ impl Refiner {
                 }
                 let most = terms.base.position_count.saturating_add(terms.base.wedges_beyond);
                 let counts = (terms.vertex_count.min(most), terms.group_count);
+                coder.part(Part::Wedges);
                 base.code_wedges(coder, model, source, (counts, &vertex_of_position));
             }
             None => base.show_positions(),
         }
         let mut corrections = terms.is_exact.then(CorrectionModel::new);
-        let mut attributes = Attributes::new(&terms.layers, terms.effort);
+        let mut attributes = Attributes::new(&terms.layers, (terms.effort, terms.version));
+        let hoods = BaseHoods::new(&base);
         let mut growth = Growth::of_base(&base, &mut surface, terms.group_count);
         for (position, &vertex) in vertex_of_position.iter().enumerate() {
             let place = base.places[position];
+            coder.part(Part::Base);
             let exact = match &mut corrections {
                 Some(model) => model.code(coder, &terms.grid, place, source.exact(vertex)),
                 None => terms.grid.place(place),
@@ -266,7 +270,7 @@ impl Refiner {
             if let Some(attributes) = &mut attributes {
                 for (wedge, new) in wedges.enumerate() {
                     let actual = actual_layers::<C>(source, source.wedges(vertex).start + wedge as u32);
-                    attributes.base_vertex(coder, new, actual);
+                    attributes.base_vertex(coder, (&hoods, place), (new, wedge as u32), actual);
                 }
             }
         }
@@ -562,7 +566,7 @@ impl Refiner {
         if let Some(general) = &mut self.general {
             general.push_place(place);
         }
-        coder.part(Part::Attributes);
+        coder.part(Part::Wedges);
         self.shown(coder, source, vertex);
         let is_full =
             self.growth.beyond() as u64 + self.told.targets.len() as u64 > self.most_wedges + 1;
@@ -608,6 +612,7 @@ impl Refiner {
             attributes.vertex(coder, around, (place, 0, self.growth.wedges(kept).start), actual);
             return;
         }
+        attributes.begin_position(around, place);
         for (wedge, &target) in self.told.targets.iter().enumerate() {
             let actual = actual_layers::<C>(source, self.told.named[wedge]);
             attributes.vertex(coder, around, (place, wedge as u32, target), actual);

@@ -7,7 +7,7 @@ use super::base_coder::BaseOrder;
 use super::descent::{Descent, Stage};
 use super::general::{Born, CodedStep, KnownBorn, KnownStep};
 use super::general_order::GeneralOrder;
-use super::layer_model::LayerValues;
+use super::layer_hood::LayerValues;
 use super::refiner::Source;
 use super::surface::{Cut, NONE, Surface, Undo, triangle_of};
 use super::surface_stage::SurfaceStage;

@@ -8,6 +8,7 @@ use std::ops::Range;
 use super::super::super::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
 use super::super::growth::Growth;
 use super::super::surface::NONE;
+use super::super::wedges::WedgeModel;
 use super::complex::Complex;
 use super::step::{CodedStep, KnownBorn, KnownStep};
 
@@ -79,6 +80,7 @@ impl ShownModel {
         coder: &mut C,
         (complex, growth, most_beyond): (&Complex, &Growth, u64),
         (meant, out): (Option<&KnownStep>, &mut CodedStep),
+        wedges: &mut WedgeModel,
     ) {
         out.targets.clear();
         out.named.clear();
@@ -96,7 +98,7 @@ impl ShownModel {
         }
         for at in 0..out.born.len() {
             let known = meant.map(|step| step.born[out.known[at]]);
-            self.born(coder, (complex, growth), (known, at), out);
+            self.born(coder, (complex, growth), (known, at), (out, wedges));
         }
         self.rest(coder, (growth, most_beyond), meant, out);
     }
@@ -141,7 +143,7 @@ impl ShownModel {
         coder: &mut C,
         (complex, growth): (&Complex, &Growth),
         (known, at): (Option<KnownBorn>, usize),
-        out: &mut CodedStep,
+        (out, wedges): (&mut CodedStep, &mut WedgeModel),
     ) {
         let third = out.born[at].third;
         let [mut by_split, mut by_third] = [None; 2];
@@ -162,11 +164,15 @@ impl ShownModel {
         };
         let meant = known.map_or([NONE; 2], |known| known.others);
         let last = out.others.last().map(|others| others[0]);
+        let mut unshown = |all: &Range<u32>, near: Option<u32>| {
+            let found = wedges.hidden(all, near.unwrap_or(all.start));
+            found.first().copied()
+        };
         let all = of_position(out.split);
-        let offer = ([by_split, last, Some(all.start)], all);
+        let offer = ([by_split, last, unshown(&all, by_split)], all);
         let split = self.choose(coder, Asked::Split, offer, meant[0]);
         let all = of_position(third);
-        let offer = ([by_third, Some(all.start), Some(all.end - 1)], all);
+        let offer = ([by_third, unshown(&all, by_third), Some(all.start)], all);
         let third = self.choose(coder, Asked::Third, offer, meant[1]);
         out.others.push([split, third]);
         let before = out.wedges.last().copied().unwrap_or(NONE);

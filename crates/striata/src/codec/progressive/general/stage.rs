@@ -1,7 +1,7 @@
 //! A general batch within the loop that both sides run.
 
 use super::super::super::entropy::{Coder, Part};
-use super::super::attributes::RingVertex;
+use super::super::attributes::{GeneralVertex, RingVertex};
 use super::super::cutting::{Closed, close_used};
 use super::super::refiner::{Ended, Refiner, Source, actual_layers};
 use super::super::surface::NONE;
@@ -87,11 +87,11 @@ impl Refiner {
             Some(model) => model.code(coder, &self.grid, step.place, exact),
             None => self.grid.place(step.place),
         };
-        coder.part(Part::Attributes);
+        coder.part(Part::Wedges);
         let beyond = (self.growth.beyond() + step.born.len().saturating_sub(2)) as u64;
-        if self.wedges.is_some() {
+        if let Some(wedges) = &mut self.wedges {
             let most = self.most_wedges.saturating_sub(beyond);
-            shown.code(coder, (complex, &self.growth, most), (known, &mut *step));
+            shown.code(coder, (complex, &self.growth, most), (known, &mut *step), wedges);
             source.name(step.named.iter().copied());
         } else {
             step.show_positions();
@@ -109,6 +109,9 @@ impl Refiner {
             } else {
                 Ok(Ended::Short)
             };
+        }
+        if let Some(wedges) = &mut self.wedges {
+            wedges.follow_general(&self.growth, step);
         }
         let new = complex.position_count() as u32;
         complex.push_position();
@@ -128,31 +131,27 @@ impl Refiner {
         (complex, places): (&Complex, &[[i32; 3]]),
     ) {
         let Some(attributes) = &mut self.attributes else { return };
-        let growth = &self.growth;
-        let place_of = |position: u32| places[position as usize];
-        for (wedge, &target) in step.targets.iter().enumerate() {
-            let mut ring: Vec<RingVertex> = Vec::new();
-            let mut add = |vertex: u32, place: [i32; 3]| {
-                if !ring.iter().any(|there| there.vertex == vertex) {
-                    ring.push(RingVertex { vertex, place });
-                }
-            };
-            let (fan, born) = step.wedges.split_at(step.fan.len());
-            for (&corner, _) in step.fan.iter().zip(fan).filter(|(_, shown)| **shown == wedge as u32) {
-                let (t, i) = (corner / 3, corner as usize % 3);
-                let (vertices, positions) = (growth.triangles[t as usize], complex.triangle(t));
-                [(i + 1) % 3, (i + 2) % 3].iter().for_each(|&j| add(vertices[j], place_of(positions[j])));
-            }
-            for (at, _) in born.iter().enumerate().filter(|(_, shown)| **shown == wedge as u32) {
-                add(step.others[at][0], place_of(step.split));
-                add(step.others[at][1], place_of(step.born[at].third));
-            }
-            let name = match self.wedges {
-                Some(_) => step.named[wedge],
-                None => known.map_or(NONE, |step| step.wedges.start),
-            };
-            attributes.general_vertex(coder, &ring, (step.place, target), actual_layers::<C>(source, name));
+        let mut vertices: Vec<GeneralVertex> =
+            step.targets.iter().map(|&target| GeneralVertex { target, ..GeneralVertex::default() }).collect();
+        let mut add = |wedge: u32, vertex: u32, position: u32| {
+            let ring = &mut vertices[wedge as usize].ring;
+            ring.push(RingVertex { vertex, place: places[position as usize] });
+        };
+        let (fan, born) = step.wedges.split_at(step.fan.len());
+        for (&corner, &wedge) in step.fan.iter().zip(fan) {
+            let (t, i) = (corner / 3, corner as usize % 3);
+            let (shown, positions) = (self.growth.triangles[t as usize], complex.triangle(t));
+            [(i + 1) % 3, (i + 2) % 3].iter().for_each(|&j| add(wedge, shown[j], positions[j]));
         }
+        for (at, &wedge) in born.iter().enumerate() {
+            add(wedge, step.others[at][0], step.split);
+            add(wedge, step.others[at][1], step.born[at].third);
+        }
+        let has_names = self.wedges.is_some();
+        let first = known.map_or(NONE, |step| step.wedges.start);
+        attributes.general_position(coder, step.place, &vertices, |wedge| {
+            actual_layers::<C>(source, if has_names { step.named[wedge] } else { first })
+        });
     }
 
     /// Builds the surface anew from the triangles that are there; what models keep of vertices moves along.
