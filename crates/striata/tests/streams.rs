@@ -102,7 +102,13 @@ fn check_layers(written: &Written, options: &StreamOptions, decoded: &RefinableM
         let range = (0..n).map(range_of).fold(2.0, f32::max);
         for v in 0..expected.data.len() {
             let off = (found.get(v / n, v % n) - number(v)).abs();
-            assert!(off <= range / 200.0 || !number(v).is_finite(), "{}: {off} of {range}", found.semantic);
+            // A direction of no length may become any.
+            let is_nothing = (0..n).all(|component| expected.get(v / n, component) == 0.0);
+            assert!(
+                off <= range / 200.0 || !number(v).is_finite() || is_nothing,
+                "{}: {off} of {range}",
+                found.semantic
+            );
         }
     }
 }
