@@ -1,9 +1,10 @@
 //! Connectivity for those who cannot wait: what is asked of every vertex depends on numbers that are kept with it.
 //!
-//! Vertices are asked in the order of their numbers, and a vertex that does not split costs one look at four bytes: its
-//! triangles, and how long ago it came and split. Only around those that split the surface is walked, many at a time, so that no
-//! walk waits for memory alone. Then the length of each cut is told, and which of the free runs of that length, the
-//! ones with the longest edges first, since that is where a vertex is missing.
+//! A vertex that does not split costs one look at three bytes: its triangles, and how long ago it came and split. Only around
+//! those that split the surface is walked, many at a time, so that no walk waits for memory alone. Then the length of each
+//! cut is told, and which of the free runs of that length, the ones with the longest edges first, since that is where a
+//! vertex is missing. Cuts around vertices of few triangles are two symbols (`quick_cuts.rs`); around others, and in streams of
+//! the first version, they are chains of decisions. Effort default takes flags from here and cuts from `connectivity/`.
 
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::StreamVersion;
@@ -86,6 +87,11 @@ impl QuickModel {
             spokes: Vec::new(),
             starts: Vec::new(),
         }
+    }
+
+    /// Makes room for so many splits.
+    pub(super) fn reserve(&mut self, splits: usize) {
+        self.kept.reserve_exact(splits);
     }
 
     /// A batch begins.

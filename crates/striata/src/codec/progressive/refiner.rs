@@ -634,6 +634,16 @@ impl Refiner {
         self.surface.reserve(steps);
         self.places.reserve(steps);
         self.growth.reserve(steps);
+        self.walk.reserve(steps);
+        self.positions.reserve(steps);
+        match &mut self.connectivity {
+            Connectivity::Thorough(model) => model.reserve(steps),
+            Connectivity::Quick(model) => model.reserve(steps),
+            Connectivity::Joint(flags, cuts) => {
+                flags.reserve(steps);
+                cuts.reserve(steps);
+            }
+        }
     }
 
     /// All models follow a surface that was built anew between two batches: here is the old number of each of its vertices, or

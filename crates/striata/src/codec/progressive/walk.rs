@@ -79,6 +79,14 @@ impl Walk {
         Self { remembers: false, ..Self::new(order) }
     }
 
+    /// Makes room for so many vertices more.
+    pub(super) fn reserve(&mut self, vertex_count: usize) {
+        self.queue.reserve_exact(vertex_count);
+        if self.remembers {
+            self.seen.reserve_exact(vertex_count);
+        }
+    }
+
     /// Begins a batch.
     pub(super) fn begin(&mut self, surface: &Surface) {
         self.batch += 1;

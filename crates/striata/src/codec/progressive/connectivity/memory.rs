@@ -63,6 +63,11 @@ fn middle(a: u8, b: u8) -> u8 {
 }
 
 impl Memory {
+    /// Makes room for so many splits.
+    pub(super) fn reserve(&mut self, splits: usize) {
+        self.traces.reserve_exact(splits);
+    }
+
     /// Told when a batch begins.
     pub(super) fn begin_batch(&mut self, surface: &Surface) {
         let count = surface.vertex_count();

@@ -107,6 +107,11 @@ impl ConnectivityModel {
         self.memory.begin_batch(surface);
     }
 
+    /// Makes room for so many splits.
+    pub(super) fn reserve(&mut self, splits: usize) {
+        self.memory.reserve(splits);
+    }
+
     /// The surface has been built anew between two batches: here is the old number of each vertex, or
     /// [`NONE`](super::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {

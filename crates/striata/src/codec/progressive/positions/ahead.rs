@@ -28,7 +28,7 @@ pub(in super::super) struct Surroundings {
 pub(super) const POINTS: usize = 3;
 
 /// What is foretold of a new vertex. Local units are such that the ring's radius has eleven bits.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Outlook {
     /// The vertex that split: all is counted from it.
     base: [i32; 3],

@@ -98,6 +98,11 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
         [class(sums[0], 5), class(sums[1], 4)]
     }
 
+    /// Makes room for so many vertices more.
+    pub(super) fn reserve(&mut self, vertex_count: usize) {
+        self.errors.reserve_exact(vertex_count);
+    }
+
     /// The surface has been built anew: here is the old number of each vertex, or
     /// [`NONE`](super::super::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
