@@ -12,7 +12,8 @@ use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length, most_wedges_be
 use super::layers::LayerForm;
 use super::refiner::{Ended, Refiner, Terms, Unknown};
 use crate::mesh::{
-    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
+    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, PrefixMesh, RefinableMesh, SequenceParts,
+    TriangleGroup,
 };
 
 /// What some bytes have brought: append [`vertices`](Self::vertices) to a vertex buffer, write
@@ -301,6 +302,17 @@ impl StreamDecoder {
     /// Triangles that each vertex split has brought.
     pub fn added_triangle_counts(&self) -> &[u8] {
         self.growth().map_or(&[], |growth| &growth.added)
+    }
+
+    /// What has come, as models that grow with it take it; empty before the base has come.
+    pub fn prefix(&self) -> PrefixMesh<'_> {
+        self.growth().map_or(PrefixMesh::default(), |growth| PrefixMesh {
+            positions: &growth.positions,
+            first_vertices: &growth.first_vertex,
+            targets: &growth.targets,
+            triangles: &growth.triangles,
+            added_triangle_counts: &growth.added,
+        })
     }
 
     /// Vertex splits that have come.
