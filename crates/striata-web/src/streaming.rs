@@ -1,12 +1,13 @@
-//! A model whose bytes are still coming: what is there, and any level of it.
+//! A model that is read from a stream: what has arrived, any level of it, and any view.
 //!
-//! A level of a prefix has the first vertices, and the triangles of what has come with each corner moved to where its
-//! vertex has collapsed to; so it takes a walk over the triangles and nothing that would have to be built first.
+//! A level has the first vertices, and the first triangles with each corner moved to where its vertex has collapsed to, so it
+//! needs no model. Views are taken from a hierarchy that grows with the stream.
 
 use striata::codec::progressive::{StreamDecoder, StreamFacts};
 use striata::mesh::Bounds;
+use striata::model::{GrowingHierarchy, HierarchyCut};
 
-use crate::built::Built;
+use crate::camera::View;
 use crate::shown::{Shown, Wish};
 use crate::vertices::Vertices;
 use crate::{Failure, limits};
@@ -27,6 +28,10 @@ pub(crate) struct Streaming {
     bounds: Option<Bounds>,
     /// Vertices that the bounds hold.
     bounded_count: usize,
+    hierarchy: GrowingHierarchy,
+    /// Triangles that have changed since the hierarchy last grew, with repetitions.
+    changed: Vec<u32>,
+    cut: HierarchyCut,
 }
 
 impl Streaming {
@@ -36,9 +41,13 @@ impl Streaming {
         if self.facts.is_none() {
             return self.push_head(bytes);
         }
-        let result = bytes.chunks(PIECE_BYTES).try_for_each(|piece| self.decoder.push(piece).map(drop));
+        let result = bytes.chunks(PIECE_BYTES).try_for_each(|piece| {
+            let update = self.decoder.push(piece)?;
+            self.changed.extend(update.changed_triangles);
+            Ok::<(), Failure>(())
+        });
         self.grow_bounds();
-        Ok(result?)
+        result
     }
 
     /// Keeps bytes back until the head says what the whole is: nothing is decoded of what would not fit.
@@ -66,22 +75,18 @@ impl Streaming {
         }
         let result = self.decoder.finish();
         self.grow_bounds();
-        result.map(drop).map_err(|error| Failure::from(error).with_hint("the stream is cut off very early"))
+        let update = result.map_err(|error| Failure::from(error).with_hint("the stream is cut off very early"))?;
+        self.changed.extend(update.changed_triangles);
+        Ok(())
     }
 
-    /// Builds what views are taken from, of what has come.
-    ///
-    /// # Errors
-    /// Where that is no mesh yet.
-    pub(crate) fn into_built(self) -> Result<Built, Failure> {
-        let decoder = self.decoder;
-        let Some(refinable) = decoder.refinable_mesh() else {
-            return Err(Failure::corrupt("what has come of the stream is no mesh yet"));
-        };
-        let rest_error = decoder.error_at(decoder.split_count()).unwrap_or(0.0);
-        // Its memory is free before the table takes its own.
-        drop(decoder);
-        Ok(Built::new(refinable, rest_error))
+    /// Grows the hierarchy to all steps that have arrived.
+    pub(crate) fn grow(&mut self) {
+        self.changed.sort_unstable();
+        self.changed.dedup();
+        let error = |step| self.decoder.error_at(step).unwrap_or(0.0);
+        self.hierarchy.grow(&self.decoder.prefix(), &self.changed, error);
+        self.changed.clear();
     }
 
     fn grow_bounds(&mut self) {
@@ -121,34 +126,32 @@ impl Streaming {
     pub(crate) fn show(&self, wish: Wish) -> Shown {
         let split_count = self.split_count_for(wish);
         let mut triangles = Vec::new();
-        let mut groups = Vec::new();
-        let all = self.decoder.triangle_groups();
-        for (t, corners) in self.triangles_at(split_count) {
-            triangles.push(corners);
-            groups.extend(all.get(t));
-        }
-        let group_counts = order_by_group(&mut triangles, &groups, self.group_count());
-        let error = self.decoder.error_at(split_count).unwrap_or(0.0);
-        Shown { triangles, group_counts, split_count, error }
+        self.decoder.prefix().triangles_at_into(split_count, &mut triangles);
+        self.shown(&triangles, split_count, split_count)
     }
 
-    /// Triangles of a level with the number of the triangle of all that each is.
-    fn triangles_at(&self, split_count: usize) -> impl Iterator<Item = (usize, [u32; 3])> + '_ {
-        let (firsts, targets) = (self.decoder.first_vertices(), self.decoder.targets());
-        let base_position_count = firsts.len().saturating_sub(1 + self.decoder.split_count());
-        let vertex_count = firsts.get(base_position_count + split_count).copied().unwrap_or(0);
-        let base_vertex_count = firsts.get(base_position_count).copied().unwrap_or(0);
-        let shown = move |mut vertex: u32| {
-            while vertex >= vertex_count {
-                vertex = targets[(vertex - base_vertex_count) as usize];
-            }
-            vertex
-        };
-        let is_all = split_count == self.decoder.split_count();
-        let triangles = self.decoder.triangles().iter().enumerate();
-        let moved =
-            triangles.map(move |(t, &corners)| (t, if is_all { corners } else { corners.map(shown) }));
-        moved.filter(move |&(_, [a, b, c])| is_all || (a != b && b != c && c != a))
+    /// What a camera asks for, of what has arrived.
+    ///
+    /// # Errors
+    /// If such a camera sees nothing.
+    pub(crate) fn show_view(&mut self, view: &View) -> Result<Shown, Failure> {
+        let criterion = view.criterion()?;
+        self.grow();
+        let mesh = self.decoder.prefix();
+        let limit = if view.triangle_limit == 0 { usize::MAX } else { view.triangle_limit as usize };
+        self.cut.refine(&self.hierarchy, &mesh, &criterion, limit);
+        let mut triangles = Vec::new();
+        self.cut.triangles_into(&self.hierarchy, &mesh, &mut triangles);
+        let coarsest = self.cut.first_coarse_step(&self.hierarchy);
+        Ok(self.shown(&triangles, self.cut.split_count(), coarsest))
+    }
+
+    /// Triangles with their numbers, group after group; the error is that of the level that lacks the step `coarsest`.
+    fn shown(&self, numbered: &[(u32, [u32; 3])], split_count: usize, coarsest: usize) -> Shown {
+        let (triangles, group_counts) =
+            by_group(numbered, self.decoder.triangle_groups(), self.group_count());
+        let error = self.decoder.error_at(coarsest).unwrap_or(0.0);
+        Shown { triangles, group_counts, split_count, error }
     }
 
     fn split_count_for(&self, wish: Wish) -> usize {
@@ -160,16 +163,7 @@ impl Streaming {
                 // The small term keeps `k / step_count` from rounding down to k - 1.
                 ((exact + 1e-9 * exact.max(1.0)) as usize).min(there)
             }
-            Wish::Triangles(most) => {
-                let added = self.decoder.added_triangle_counts();
-                let mut count = self.decoder.triangles().len();
-                let mut split_count = there;
-                while count > most && split_count > 0 {
-                    split_count -= 1;
-                    count -= usize::from(added[split_count]);
-                }
-                split_count
-            }
+            Wish::Triangles(most) => self.decoder.prefix().split_count_for_triangles(most),
             Wish::Error(most) => {
                 let is_farther = |s: usize| self.decoder.error_at(s).is_some_and(|e| f64::from(e) > most);
                 // Errors never rise.
@@ -184,25 +178,29 @@ impl Streaming {
     }
 }
 
-/// Puts triangles group after group, where their groups are told; counts those of each.
-fn order_by_group(triangles: &mut Vec<[u32; 3]>, groups: &[u32], group_count: usize) -> Vec<u32> {
-    if groups.len() != triangles.len() || group_count < 2 {
-        return vec![triangles.len() as u32];
+/// Puts numbered triangles group after group; counts those of each group.
+fn by_group(
+    numbered: &[(u32, [u32; 3])],
+    groups: &[u32],
+    group_count: usize,
+) -> (Vec<[u32; 3]>, Vec<u32>) {
+    if groups.is_empty() || group_count < 2 {
+        return (numbered.iter().map(|&(_, corners)| corners).collect(), vec![numbered.len() as u32]);
     }
+    let group_of = |number: u32| groups[number as usize] as usize;
     let mut counts = vec![0u32; group_count];
-    groups.iter().for_each(|&group| counts[group as usize] += 1);
+    numbered.iter().for_each(|&(number, _)| counts[group_of(number)] += 1);
     let mut next = Vec::with_capacity(group_count);
     let mut first = 0;
     for &count in &counts {
         next.push(first as usize);
         first += count;
     }
-    let mut ordered = vec![[0; 3]; triangles.len()];
-    for (&corners, &group) in triangles.iter().zip(groups) {
-        let place = &mut next[group as usize];
+    let mut ordered = vec![[0; 3]; numbered.len()];
+    for &(number, corners) in numbered {
+        let place = &mut next[group_of(number)];
         ordered[*place] = corners;
         *place += 1;
     }
-    *triangles = ordered;
-    counts
+    (ordered, counts)
 }
