@@ -106,14 +106,14 @@ export class Engine {
         this.#end = { error: asPlain(error) };
         break;
       }
-      if (this.#model.is_ready && performance.now() >= this.#nextUpdate) this.#attempt(() => this.#tell(0));
+      if (performance.now() >= this.#nextUpdate) this.#attempt(() => this.#update());
       await turn();
     }
     this.#isPumping = false;
     if (this.#end && !this.#isOver) this.#finish(this.#end.error);
   }
 
-  /** Decodes for a few milliseconds, and makes views see what came; returns what is wrong with the bytes. */
+  /** Decodes for a few milliseconds; returns what is wrong with the bytes. */
   #slice(): StriataError | undefined {
     const start = performance.now();
     try {
@@ -127,11 +127,15 @@ export class Engine {
     } catch (thrown) {
       return asStriataError(thrown);
     } finally {
-      const end = performance.now();
-      this.#decodeMs += end - start;
-      this.#model.grow();
-      this.#buildMs += performance.now() - end;
+      this.#decodeMs += performance.now() - start;
     }
+  }
+
+  /** Makes levels and views show what has been decoded. */
+  #grow(): void {
+    const start = performance.now();
+    this.#model.grow();
+    this.#buildMs += performance.now() - start;
   }
 
   #finish(error: PlainError | undefined): void {
@@ -143,6 +147,7 @@ export class Engine {
       }
       // Of damaged bytes nothing more is read; of bytes that are missing, what the last ones tell.
       if (failure?.code !== 'corrupt' || !error) this.#finishDecoding();
+      this.#grow();
       if (!this.#model.is_ready) throw new StriataError('corrupt', 'the stream ends before there is anything to draw');
       this.#phase = 'done';
       this.#tell(0);
@@ -195,6 +200,15 @@ export class Engine {
       this.#isOver = true;
       this.#report({ type: 'failed', error: asPlain(asStriataError(thrown)) });
     }
+  }
+
+  /**
+   * Tells what has been decoded since the last update. Only updates bring new vertices and normals: answers to requests
+   * in between are of what the page has already, so that many of them do not hold decoding up.
+   */
+  #update(): void {
+    this.#grow();
+    if (this.#model.is_ready) this.#tell(0);
   }
 
   /** Shows what is wished for, and tells it with what is new. */

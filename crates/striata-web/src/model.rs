@@ -41,7 +41,7 @@ impl Kind {
     }
 }
 
-/// A model. Streams are pushed bytes; other files are read whole.
+/// A model. Streams are [pushed](Model::push) bytes and then [grown](Model::grow); other files are read whole.
 ///
 /// A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
 #[wasm_bindgen]
@@ -96,8 +96,8 @@ impl Model {
         }
     }
 
-    /// Makes views see what has arrived since the last call. [`show_view`](Self::show_view) does so by itself; a call between pushes
-    /// spreads the work.
+    /// Makes levels and views show what has been decoded since the last call. Counts, vertices and normals are of what is
+    /// shown, but for [`is_complete`](Self::is_complete).
     pub fn grow(&mut self) {
         if let Stage::Streaming(streaming) = &mut self.stage {
             streaming.grow();
@@ -126,7 +126,7 @@ impl Model {
     #[wasm_bindgen(getter)]
     pub fn vertex_count(&self) -> usize {
         match &self.stage {
-            Stage::Streaming(streaming) => streaming.decoder().positions().len(),
+            Stage::Streaming(streaming) => streaming.vertex_count(),
             Stage::Built(built) => built.refinable().mesh.vertex_count(),
         }
     }
@@ -135,7 +135,7 @@ impl Model {
     #[wasm_bindgen(getter)]
     pub fn triangle_count(&self) -> usize {
         match &self.stage {
-            Stage::Streaming(streaming) => streaming.decoder().triangles().len(),
+            Stage::Streaming(streaming) => streaming.triangle_count(),
             Stage::Built(built) => built.refinable().mesh.triangle_count(),
         }
     }
@@ -198,10 +198,7 @@ impl Model {
     /// Normals of all vertices that are there, made from the finest level of what has come.
     pub fn smooth_normals(&self) -> Vec<f32> {
         let normals = match &self.stage {
-            Stage::Streaming(streaming) => {
-                let decoder = streaming.decoder();
-                normals::of_vertices(decoder.positions(), decoder.triangles(), decoder.first_vertices())
-            }
+            Stage::Streaming(streaming) => streaming.smooth_normals(),
             Stage::Built(built) => {
                 let (mesh, positions) = (&built.refinable().mesh, built.refinable().sequence.positions());
                 normals::of_vertices(&mesh.positions, &mesh.triangles, positions.first_vertices())
@@ -338,5 +335,6 @@ fn whole_stream(bytes: &[u8]) -> Result<Stage, Failure> {
     if !streaming.decoder().is_complete() {
         return Err(Failure::corrupt("the stream ends before the mesh does"));
     }
+    streaming.grow();
     Ok(Stage::Streaming(Box::new(streaming)))
 }

@@ -1,7 +1,9 @@
 //! A model that is read from a stream: what has arrived, any level of it, and any view.
 //!
 //! A level has the first vertices, and the first triangles with each corner moved to where its vertex has collapsed to, so it
-//! needs no model. Views are taken from a hierarchy that grows with the stream.
+//! needs no model. Views are taken from a hierarchy that grows with the stream. Levels and views show the steps that the hierarchy has grown to:
+//! between two calls of [`Streaming::grow`] more is decoded, but nothing new is shown, so requests are answered without new
+//! vertices and normals.
 
 use striata::codec::progressive::{StreamDecoder, StreamFacts};
 use striata::mesh::Bounds;
@@ -10,7 +12,7 @@ use striata::model::{GrowingHierarchy, HierarchyCut};
 use crate::camera::View;
 use crate::shown::{Shown, Wish};
 use crate::vertices::Vertices;
-use crate::{Failure, limits};
+use crate::{Failure, limits, normals};
 
 /// Bytes that the decoder gets at once.
 const PIECE_BYTES: usize = 1 << 16;
@@ -46,6 +48,10 @@ impl Streaming {
             self.changed.extend(update.changed_triangles);
             Ok::<(), Failure>(())
         });
+        if result.is_err() {
+            // A failed push keeps what it read before the damage, but does not report what that changed.
+            self.hierarchy = GrowingHierarchy::new();
+        }
         self.grow_bounds();
         result
     }
@@ -75,12 +81,13 @@ impl Streaming {
         }
         let result = self.decoder.finish();
         self.grow_bounds();
-        let update = result.map_err(|error| Failure::from(error).with_hint("the stream is cut off very early"))?;
+        let update =
+            result.map_err(|error| Failure::from(error).with_hint("the stream is cut off very early"))?;
         self.changed.extend(update.changed_triangles);
         Ok(())
     }
 
-    /// Grows the hierarchy to all steps that have arrived.
+    /// Grows the hierarchy to all steps that have arrived, so that levels and views show them.
     pub(crate) fn grow(&mut self) {
         self.changed.sort_unstable();
         self.changed.dedup();
@@ -116,10 +123,28 @@ impl Streaming {
         self.facts.as_ref().map_or(1, |facts| facts.group_count.max(1))
     }
 
+    /// Vertices that can be shown.
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.hierarchy.vertex_count()
+    }
+
+    /// Triangles of the finest level that can be shown.
+    pub(crate) fn triangle_count(&self) -> usize {
+        self.hierarchy.triangle_count()
+    }
+
     pub(crate) fn vertices(&self, first: usize) -> Vertices {
-        let positions = self.decoder.positions();
-        let first = first.min(positions.len());
-        Vertices::new(&positions[first..], &self.decoder.layers_of(first..positions.len()), 0)
+        let count = self.vertex_count();
+        let first = first.min(count);
+        Vertices::new(&self.decoder.positions()[first..count], &self.decoder.layers_of(first..count), 0)
+    }
+
+    pub(crate) fn smooth_normals(&self) -> Vec<[f32; 3]> {
+        let decoder = &self.decoder;
+        let mut normals =
+            normals::of_vertices(decoder.positions(), decoder.triangles(), decoder.first_vertices());
+        normals.truncate(self.vertex_count());
+        normals
     }
 
     /// The level that a wish means, as far as it has come.
@@ -130,16 +155,15 @@ impl Streaming {
         self.shown(&triangles, split_count, split_count)
     }
 
-    /// What a camera asks for, of what has arrived.
+    /// What a camera asks for, of what has grown.
     ///
     /// # Errors
     /// If such a camera sees nothing.
     pub(crate) fn show_view(&mut self, view: &View) -> Result<Shown, Failure> {
         let criterion = view.criterion()?;
-        self.grow();
         let mesh = self.decoder.prefix();
         let limit = if view.triangle_limit == 0 { usize::MAX } else { view.triangle_limit as usize };
-        self.cut.refine(&self.hierarchy, &mesh, &criterion, limit);
+        self.cut.refine(&self.hierarchy, &criterion, limit);
         let mut triangles = Vec::new();
         self.cut.triangles_into(&self.hierarchy, &mesh, &mut triangles);
         let coarsest = self.cut.first_coarse_step(&self.hierarchy);
@@ -155,7 +179,7 @@ impl Streaming {
     }
 
     fn split_count_for(&self, wish: Wish) -> usize {
-        let there = self.decoder.split_count();
+        let there = self.hierarchy.step_count();
         match wish {
             Wish::Detail(detail) => {
                 let step_count = self.decoder.step_count().unwrap_or(0);
@@ -163,7 +187,7 @@ impl Streaming {
                 // The small term keeps `k / step_count` from rounding down to k - 1.
                 ((exact + 1e-9 * exact.max(1.0)) as usize).min(there)
             }
-            Wish::Triangles(most) => self.decoder.prefix().split_count_for_triangles(most),
+            Wish::Triangles(most) => self.decoder.prefix().split_count_for_triangles(most).min(there),
             Wish::Error(most) => {
                 let is_farther = |s: usize| self.decoder.error_at(s).is_some_and(|e| f64::from(e) > most);
                 // Errors never rise.
@@ -179,11 +203,7 @@ impl Streaming {
 }
 
 /// Puts numbered triangles group after group; counts those of each group.
-fn by_group(
-    numbered: &[(u32, [u32; 3])],
-    groups: &[u32],
-    group_count: usize,
-) -> (Vec<[u32; 3]>, Vec<u32>) {
+fn by_group(numbered: &[(u32, [u32; 3])], groups: &[u32], group_count: usize) -> (Vec<[u32; 3]>, Vec<u32>) {
     if groups.is_empty() || group_count < 2 {
         return (numbered.iter().map(|&(_, corners)| corners).collect(), vec![numbered.len() as u32]);
     }

@@ -3,7 +3,9 @@
 use striata::codec::progressive::{StreamDecoder, StreamOptions, encode_stream};
 use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::ignore_progress;
-use striata::mesh::{AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, canonical_triangles, replay, shapes};
+use striata::mesh::{
+    AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, canonical_triangles, replay, shapes,
+};
 use striata::model::{FanBounds, Fans};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata_io::{Format, to_bytes};
@@ -29,6 +31,7 @@ fn stream_of(mesh: &IndexedMesh) -> Vec<u8> {
 fn decoded(bytes: &[u8]) -> Model {
     let mut model = Model::new();
     bytes.chunks(700).for_each(|piece| model.push(piece).unwrap());
+    model.grow();
     model
 }
 
@@ -72,7 +75,9 @@ fn views_are_shown_while_a_stream_comes_in() {
     let mut model = Model::new();
     let (mut full_counts, mut near_counts) = (Vec::new(), Vec::new());
     for (at, piece) in stream_of(&torus()).chunks(200).enumerate() {
+        let before = (model.vertex_count(), model.triangle_count());
         model.push(piece).unwrap();
+        assert_eq!((model.vertex_count(), model.triangle_count()), before, "nothing new is shown yet");
         if at % 3 == 0 {
             model.grow();
         }
@@ -84,12 +89,15 @@ fn views_are_shown_while_a_stream_comes_in() {
         near_counts.push(triangles(&model).len());
         full_counts.push(model.triangle_count());
         model.show_view(&camera([60.0, 1.0, 1.0], 5.0, 0)).unwrap();
-        assert!(triangles(&model).len() <= *near_counts.last().unwrap());
+        assert!(triangles(&model).len() <= model.triangle_count());
         assert_eq!(model.group_counts().len(), 2);
     }
     assert!(triangles(&model).len() < near_counts[near_counts.len() - 1] / 2);
     let pairs = near_counts.iter().zip(&full_counts);
-    assert!(pairs.clone().all(|(near, full)| near <= full && near * 4 > *full), "{near_counts:?} of {full_counts:?}");
+    assert!(
+        pairs.clone().all(|(near, full)| near <= full && near * 4 > *full),
+        "{near_counts:?} of {full_counts:?}"
+    );
     assert!(near_counts.is_sorted() && near_counts.len() > 3);
 }
 
@@ -100,6 +108,7 @@ fn wishes_are_kept_while_a_stream_comes_in() {
     let (mut last, mut seen) = (0, 0);
     for piece in bytes.chunks(200) {
         model.push(piece).unwrap();
+        model.grow();
         if !model.is_ready() {
             continue;
         }
@@ -172,6 +181,7 @@ fn what_is_cut_off_shows_what_has_come() {
     let bytes = stream_of(&torus());
     let mut model = decoded(&bytes[..bytes.len() / 2]);
     model.finish().unwrap();
+    model.grow();
     assert!(!model.is_complete() && model.is_ready());
     model.show_detail(1.0);
     assert_eq!(triangles(&model).len(), model.triangle_count());
@@ -181,6 +191,23 @@ fn what_is_cut_off_shows_what_has_come() {
     let mut nothing = decoded(&bytes[..20]);
     assert_eq!(nothing.finish().unwrap_err().code(), "corrupt");
     assert!(!nothing.is_ready());
+}
+
+#[test]
+fn bytes_after_the_end_of_a_stream_are_refused() {
+    let bytes = stream_of(&torus());
+    let longer = [&bytes[..], b"more"].concat();
+    let mut model = Model::new();
+    assert_eq!(model.push(&longer).unwrap_err().code(), "corrupt");
+    // What came before the damage stays, for levels and for views.
+    model.grow();
+    assert!(model.is_complete());
+    model.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap();
+    let shown = triangles(&model);
+    let mut whole = decoded(&bytes);
+    whole.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap();
+    assert!(!shown.is_empty() && shown.len().abs_diff(triangles(&whole).len()) < shown.len() / 10);
+    assert_eq!(Model::read(longer, "x.stri", &mut ignore_progress).unwrap_err().code(), "corrupt");
 }
 
 #[test]
@@ -201,6 +228,7 @@ fn damage_is_told_and_never_panics() {
             assert!(!failure.message().is_empty());
             assert!(["format", "corrupt", "unsupported", "too-large"].contains(&failure.code().as_str()));
         }
+        model.grow();
         if model.is_ready() {
             model.show_detail(0.5);
             triangles(&model);

@@ -2,14 +2,18 @@
 
 mod support;
 
+use striata::codec::progressive::{StreamDecoder, StreamOptions, encode_stream};
 use striata::mesh::{
     CollapseSequence, IndexedMesh, PositionIndex, PrefixMesh, RefinableMesh, SequenceParts,
     canonical_triangles, replay, shapes,
 };
 use striata::model::{FanBounds, FanFront, FanInstance, FanScene, Fans, GrowingHierarchy, HierarchyCut};
-use striata::simplify::{SequenceOptions, build_sequence};
+use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::view::{Camera, Criterion, Part, ScreenError};
-use support::{Case, Random, Whim, hub_cases, nasty_cases, seam_cases, selective_triangles, surface_cases};
+use support::{
+    Case, Random, Whim, hub_cases, nasty_cases, seam_cases, selective_triangles, surface_cases,
+    with_seams_and_groups,
+};
 
 /// The arrays of a mesh whose triangles stand in the order in which steps add them.
 struct Ordered {
@@ -32,8 +36,7 @@ fn is_shown(&[a, b, c]: &[u32; 3]) -> bool {
 
 impl Ordered {
     fn new(refinable: RefinableMesh) -> Self {
-        let mut triangles: Vec<_> =
-            refinable.mesh.triangles.iter().copied().filter(is_shown).collect();
+        let mut triangles: Vec<_> = refinable.mesh.triangles.iter().copied().filter(is_shown).collect();
         triangles.sort_by_key(|&corners| Self::adder(&refinable.sequence, corners));
         Self { refinable, triangles }
     }
@@ -188,11 +191,12 @@ fn a_view_refines_what_it_wants_and_what_fans_need_for_that() {
             let mut cut = HierarchyCut::new();
             for pixels in [1.0, 60.0] {
                 let criterion = camera(prefix, &mut random, pixels);
-                let update = cut.refine(hierarchy, &prefix.mesh(), &criterion, usize::MAX);
+                let update = cut.refine(hierarchy, &criterion, usize::MAX);
                 // Without the tree, so that a step that the tree hides would be missed.
-                let is_wanted = |step| criterion.weigh(&hierarchy.part(&prefix.mesh(), step)).is_wanted();
+                let is_wanted = |step| criterion.weigh(&hierarchy.part(step)).is_wanted();
                 let expected = FanInstance::refined(&fans, is_wanted);
-                let is_same = (0..prefix.added.len() as u32).all(|s| expected.is_taken(s) != cut.is_refined(s));
+                let is_same =
+                    (0..prefix.added.len() as u32).all(|s| expected.is_taken(s) != cut.is_refined(s));
                 assert!(is_same, "{} steps, seed {seed}", prefix.added.len());
                 let shown = triangles_of(&cut, hierarchy, prefix);
                 assert_eq!(update.triangle_count, shown.len());
@@ -214,11 +218,10 @@ fn any_set_of_steps_is_completed_as_fans_complete_it() {
             let fans = Fans::build(&refinable);
             let mut cut = HierarchyCut::new();
             for round in 0..4 {
-                cut.refine(hierarchy, &prefix.mesh(), &Whim(round), usize::MAX);
+                cut.refine(hierarchy, &Whim(round), usize::MAX);
                 let expected = FanInstance::refined(&fans, |step| cut.is_refined(step));
                 assert_eq!(prefix.added.len() - expected.taken_count(), cut.split_count());
-                let plain =
-                    selective_triangles(&refinable, &prefix.triangles, |step| !cut.is_refined(step));
+                let plain = selective_triangles(&refinable, &prefix.triangles, |step| !cut.is_refined(step));
                 assert_eq!(triangles_of(&cut, hierarchy, prefix), canonical_triangles(&plain));
             }
         });
@@ -240,6 +243,50 @@ fn the_tree_does_not_depend_on_how_steps_are_handed_over() {
     }
 }
 
+/// What a decoder hands over: seams, groups, hubs, open borders, edges of many triangles, and a chunk that is cut off.
+#[test]
+fn a_stream_grows_to_the_cuts_of_fans_of_its_mesh() {
+    let meshes = [
+        shapes::uv_sphere(24, 24, 1.0),
+        with_seams_and_groups(shapes::torus(24, 12, 1.0, 0.4)),
+        shapes::terrain(20, 3),
+        shapes::closed_fan(300),
+        shapes::book(12),
+        shapes::moebius_strip(40),
+    ];
+    for mesh in meshes {
+        let built = build_batches(&mesh, &BatchOptions::default(), &mut striata::ignore_progress).unwrap();
+        let options = StreamOptions::default();
+        let bytes = encode_stream(&built.built.refinable, &built.batches, &options).unwrap().bytes;
+        for length in [bytes.len(), bytes.len() * 4 / 5] {
+            let (mut decoder, mut hierarchy) = (StreamDecoder::new(), GrowingHierarchy::new());
+            let error = |decoder: &StreamDecoder, step| decoder.error_at(step).unwrap();
+            for piece in bytes[..length].chunks(97) {
+                let changed = decoder.push(piece).unwrap().changed_triangles;
+                hierarchy.grow(&decoder.prefix(), &changed, |step| error(&decoder, step));
+            }
+            if length < bytes.len() && decoder.split_count() > 0 {
+                let changed = decoder.finish().unwrap().changed_triangles;
+                hierarchy.grow(&decoder.prefix(), &changed, |step| error(&decoder, step));
+            }
+            let Some(refinable) = decoder.refinable_mesh() else { continue };
+            let fans = Fans::build(&refinable);
+            let mut cut = HierarchyCut::new();
+            for round in 0..6 {
+                cut.refine(&hierarchy, &Whim(round), usize::MAX);
+                let expected = FanInstance::refined(&fans, |step| cut.is_refined(step));
+                assert_eq!(refinable.sequence.step_count() - expected.taken_count(), cut.split_count());
+                let mut shown = Vec::new();
+                cut.triangles_into(&hierarchy, &decoder.prefix(), &mut shown);
+                let shown: Vec<_> = shown.into_iter().map(|(_, corners)| corners).collect();
+                let plain =
+                    selective_triangles(&refinable, &refinable.mesh.triangles, |step| !cut.is_refined(step));
+                assert_eq!(canonical_triangles(&shown), canonical_triangles(&plain));
+            }
+        }
+    }
+}
+
 #[test]
 fn a_budget_is_used_for_what_weighs_most() {
     let mut bound = 0;
@@ -251,7 +298,7 @@ fn a_budget_is_used_for_what_weighs_most() {
             for share in [10, 25, 60] {
                 let criterion = camera(prefix, &mut random, 1.0);
                 let limit = prefix.triangles.len() * share / 100;
-                let update = cut.refine(hierarchy, &mesh, &criterion, limit);
+                let update = cut.refine(hierarchy, &criterion, limit);
                 assert!(update.triangle_count <= limit.max(hierarchy.base_triangle_count()));
                 // Around the eye weights are infinite: no threshold tells them apart.
                 if update.threshold.is_infinite() {
@@ -261,10 +308,10 @@ fn a_budget_is_used_for_what_weighs_most() {
                 let of = |threshold: f32| move |part: &Part| asked.weigh(part).weight / threshold;
                 if update.threshold > 1.0 {
                     bound += 1;
-                    let more = free.refine(hierarchy, &mesh, &of(update.threshold * (1.0 - 1e-6)), usize::MAX);
+                    let more = free.refine(hierarchy, &of(update.threshold * (1.0 - 1e-6)), usize::MAX);
                     assert!(more.triangle_count > limit);
                 }
-                free.refine(hierarchy, &mesh, &of(update.threshold), usize::MAX);
+                free.refine(hierarchy, &of(update.threshold), usize::MAX);
                 let is_missing = |step| free.is_refined(step) && !cut.is_refined(step);
                 assert!(!(0..prefix.added.len() as u32).any(is_missing));
             }
@@ -296,7 +343,7 @@ fn views_show_few_more_triangles_than_with_bounds_built_from_the_leaves() {
         for _ in 0..40 {
             let criterion = camera(&whole, &mut random, 1.0);
             front.update(&scene, &criterion, usize::MAX);
-            let grown = cut.refine(&hierarchy, &whole.mesh(), &criterion, usize::MAX);
+            let grown = cut.refine(&hierarchy, &criterion, usize::MAX);
             counts = [counts[0] + front.triangle_count(), counts[1] + grown.triangle_count];
         }
         println!("triangles with bounds from the leaves and with grown ones: {counts:?}");

@@ -73,7 +73,8 @@ impl StreamDecoder {
     /// Takes the next bytes of the stream and reads all chunks that are complete.
     ///
     /// # Errors
-    /// [`DecodeError`] where the bytes are no sound stream; what came before stays, more bytes are of no use.
+    /// [`DecodeError`] if the bytes are no sound stream, or go on after its end ([`DecodeError::FileLength`] with the bytes found so far
+    /// and the length of the stream). What was read before stays, and more bytes are of no use.
     pub fn push(&mut self, bytes: &[u8]) -> Result<StreamUpdate, DecodeError> {
         self.check_open()?;
         let before = self.sizes();
@@ -105,10 +106,19 @@ impl StreamDecoder {
             self.chunk_count += 1;
             bytes = rest;
         }
-        if self.next_row().is_none() {
-            self.check_counts()?;
+        if self.next_row().is_some() {
+            return Ok(());
         }
-        Ok(())
+        self.check_counts()?;
+        self.check_end(bytes.len())
+    }
+
+    /// The whole stream is read: no bytes may follow it.
+    fn check_end(&self, more: usize) -> Result<(), DecodeError> {
+        if more == 0 {
+            return Ok(());
+        }
+        Err(DecodeError::FileLength { found: self.read + more as u64, expected: self.read })
     }
 
     /// # Errors

@@ -54,22 +54,19 @@ impl HierarchyCut {
     ///
     /// If the limit is too low for all that is wanted, the parts that weigh most are refined: of all thresholds above 1 the lowest whose
     /// cut fits. The base is shown even if it has more triangles.
-    ///
-    /// # Panics
-    /// If the mesh is not the hierarchy's.
     pub fn refine(
         &mut self,
         hierarchy: &GrowingHierarchy,
-        mesh: &PrefixMesh<'_>,
         criterion: &impl Criterion,
         triangle_limit: usize,
     ) -> CutUpdate {
-        assert_eq!(hierarchy.step_count(), mesh.step_count(), "the mesh is not the hierarchy's");
         self.clear(hierarchy);
         let mut update = CutUpdate { threshold: 1.0, ..CutUpdate::default() };
-        let has_limit = triangle_limit < mesh.triangles.len();
-        let refine = if has_limit { Self::refine_heaviest } else { Self::refine_wanted };
-        refine(self, hierarchy, mesh, criterion, triangle_limit, &mut update);
+        if triangle_limit < hierarchy.triangle_count() {
+            self.refine_heaviest(hierarchy, criterion, triangle_limit, &mut update);
+        } else {
+            self.refine_wanted(hierarchy, criterion, &mut update);
+        }
         update.triangle_count = self.triangle_count;
         update
     }
@@ -96,16 +93,19 @@ impl HierarchyCut {
 
     /// Appends the triangles that the cut shows, each with its number in the mesh.
     ///
+    /// The mesh may have grown since the cut was made: vertices that the cut does not know are not active.
+    ///
     /// # Panics
-    /// If the mesh or the hierarchy has grown since the cut was made.
+    /// If the hierarchy has grown since the cut was made, or is another mesh's.
     pub fn triangles_into(
         &self,
         hierarchy: &GrowingHierarchy,
         mesh: &PrefixMesh<'_>,
         out: &mut Vec<(u32, [u32; 3])>,
     ) {
-        let is_active = |vertex| hierarchy.step_of(vertex).is_none_or(|step| self.is_refined(step));
-        let shown = mesh.shown_vertices(is_active);
+        let vertex_count = hierarchy.vertex_count() as u32;
+        let is_refined = |vertex| hierarchy.step_of(vertex).is_none_or(|step| self.is_refined(step));
+        let shown = mesh.shown_vertices(|vertex| vertex < vertex_count && is_refined(vertex));
         mesh.append_shown(0..hierarchy.base_triangle_count(), &shown, out);
         let mut step = self.refined.first_from(0);
         while let Some(refined) = step {
@@ -124,16 +124,14 @@ impl HierarchyCut {
     fn refine_wanted(
         &mut self,
         hierarchy: &GrowingHierarchy,
-        mesh: &PrefixMesh<'_>,
         criterion: &impl Criterion,
-        _: usize,
         update: &mut CutUpdate,
     ) {
         let (mut steps, mut finer) = (Vec::new(), Vec::new());
         hierarchy.for_each_child(NONE, |child| steps.push(child));
         while !steps.is_empty() {
             for together in steps.chunks(ASKED_TOGETHER) {
-                self.ask(hierarchy, mesh, criterion, together, update);
+                self.ask(hierarchy, criterion, together, update);
                 for (at, &step) in together.iter().enumerate() {
                     if self.asked.verdicts[at].is_wanted() {
                         self.refine_step(hierarchy, step);
@@ -150,7 +148,6 @@ impl HierarchyCut {
     fn refine_heaviest(
         &mut self,
         hierarchy: &GrowingHierarchy,
-        mesh: &PrefixMesh<'_>,
         criterion: &impl Criterion,
         triangle_limit: usize,
         update: &mut CutUpdate,
@@ -162,7 +159,7 @@ impl HierarchyCut {
             children.clear();
             hierarchy.for_each_child(parent, |child| children.push(child));
             for together in children.chunks(ASKED_TOGETHER) {
-                self.ask(hierarchy, mesh, criterion, together, update);
+                self.ask(hierarchy, criterion, together, update);
                 let wanted = together.iter().zip(&self.asked.verdicts).filter(|(_, v)| v.is_wanted());
                 // Weights above 1 are ordered as their bits are; among equal ones the older step comes first.
                 waiting.extend(wanted.map(|(&step, verdict)| (verdict.weight.to_bits(), !step)));
@@ -181,7 +178,6 @@ impl HierarchyCut {
     fn ask(
         &mut self,
         hierarchy: &GrowingHierarchy,
-        mesh: &PrefixMesh<'_>,
         criterion: &impl Criterion,
         steps: &[u32],
         update: &mut CutUpdate,
@@ -189,7 +185,7 @@ impl HierarchyCut {
         let Asked { parts, verdicts } = &mut self.asked;
         parts.clear();
         verdicts.clear();
-        parts.extend(steps.iter().map(|&step| hierarchy.part(mesh, step)));
+        parts.extend(steps.iter().map(|&step| hierarchy.part(step)));
         criterion.weigh_all(parts, verdicts);
         update.asked_count += steps.len();
     }
@@ -230,5 +226,51 @@ impl HierarchyCut {
             self.triangle_count -= hierarchy.added_triangles(step).len();
             self.whole_until = self.whole_until.min(step);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Steps that each need all older ones: their lists would grow with the square of their number.
+    fn each_on_all(step_count: u32) -> GrowingHierarchy {
+        let mut hierarchy = GrowingHierarchy {
+            first_triangles: (0..=step_count).collect(),
+            first_needs: vec![0],
+            ..GrowingHierarchy::default()
+        };
+        let all: Vec<u32> = (0..step_count).collect();
+        for step in 0..step_count as usize {
+            hierarchy.append_needs(step, &all[..step]);
+        }
+        hierarchy.parents = vec![NONE; step_count as usize];
+        hierarchy
+    }
+
+    #[test]
+    fn lists_of_needs_that_are_too_long_stand_for_all_older_steps() {
+        let hierarchy = each_on_all(3000);
+        assert!(hierarchy.needs.len() < 30 * 4000, "{} entries", hierarchy.needs.len());
+        let mut cut = HierarchyCut::new();
+        for step in [0, 1, 20, 2500, 2999] {
+            cut.clear(&hierarchy);
+            cut.refine_step(&hierarchy, step);
+            assert_eq!((cut.split_count(), cut.triangle_count), (step as usize + 1, step as usize + 1));
+            assert_eq!(cut.first_coarse_step(&hierarchy), step as usize + 1);
+        }
+        cut.take_back(&hierarchy);
+        assert_eq!((cut.split_count(), cut.first_coarse_step(&hierarchy)), (0, 0));
+    }
+
+    #[test]
+    fn before_the_base_there_is_nothing_to_refine() {
+        let (mut hierarchy, mut cut) = (GrowingHierarchy::new(), HierarchyCut::new());
+        hierarchy.grow(&PrefixMesh::default(), &[], |_| 0.0);
+        let update = cut.refine(&hierarchy, &|_: &Part| 2.0, usize::MAX);
+        assert_eq!((update.asked_count, update.triangle_count), (0, 0));
+        let mut triangles = Vec::new();
+        cut.triangles_into(&hierarchy, &PrefixMesh::default(), &mut triangles);
+        assert!(triangles.is_empty());
     }
 }

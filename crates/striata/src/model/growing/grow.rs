@@ -6,9 +6,11 @@
 
 use std::ops::Range;
 
-use super::bounds::NodeBounds;
+use glam::DVec3;
+
 use super::{ALL_THROUGH, GrowingHierarchy, NONE};
 use crate::mesh::{PrefixMesh, is_proper};
+use crate::view::{NormalCone, Part, Sphere};
 
 /// Entries that the lists of needs may have for each step on average. Meshes take about 6; a list that would exceed
 /// the sum is replaced by its largest entry and all older steps, so that damaged streams do not exhaust memory.
@@ -35,11 +37,10 @@ impl GrowingHierarchy {
         let mut found = Found::default();
         for step in new.clone().rev() {
             replay.collapse(self, step, &mut found);
-            let center = mesh.positions[mesh.step_vertices(step).start as usize];
-            found.bounds.push(NodeBounds::of_change(center, &replay.changed, error(step)));
+            found.parts.push(replay.change.part(error(step)));
         }
         self.append(new.clone(), found);
-        self.nest(mesh, new);
+        self.nest(new);
     }
 
     fn append_vertices(&mut self, mesh: &PrefixMesh<'_>, new: Range<usize>) {
@@ -59,7 +60,7 @@ impl GrowingHierarchy {
 
     /// Appends what the replay found, which stands in falling order.
     fn append(&mut self, new: Range<usize>, found: Found) {
-        self.bounds.extend(found.bounds.into_iter().rev());
+        self.parts.extend(found.parts.into_iter().rev());
         let mut end = found.needs.len();
         for ((step, parent), &count) in
             new.zip(found.parents.into_iter().rev()).zip(found.need_counts.iter().rev())
@@ -77,7 +78,7 @@ impl GrowingHierarchy {
         }
     }
 
-    fn append_needs(&mut self, step: usize, needs: &[u32]) {
+    pub(super) fn append_needs(&mut self, step: usize, needs: &[u32]) {
         let is_affordable = self.needs.len() + needs.len() <= MOST_NEEDS_A_STEP * (step + 1024);
         match needs.last() {
             Some(last) if !is_affordable => self.needs.push(last | ALL_THROUGH),
@@ -86,22 +87,73 @@ impl GrowingHierarchy {
         self.first_needs.push(self.needs.len() as u32);
     }
 
-    /// Widens bounds so that each step's hold those of the new steps below it.
-    fn nest(&mut self, mesh: &PrefixMesh<'_>, new: Range<usize>) {
-        let center = |step: u32| mesh.positions[mesh.step_vertices(step as usize).start as usize];
+    /// Widens parts so that each step's holds those of the new steps below it.
+    fn nest(&mut self, new: Range<usize>) {
         for step in new.clone().rev() {
-            let mut below = step as u32;
-            while let Some(parent) = self.parent(below) {
-                let part = self.bounds[below as usize].part(center(below));
-                let has_changed = self.bounds[parent as usize].widen(center(parent), &part);
-                // A new parent passes its bounds on when its own turn comes.
+            let (mut below, mut parent) = (step, self.parents[step]);
+            while parent != NONE {
+                let (older, newer) = self.parts.split_at_mut(below);
+                let has_changed = widen(&mut older[parent as usize], &newer[0]);
+                // A new parent passes its part on when its own turn comes.
                 if !has_changed || parent as usize >= new.start {
                     break;
                 }
-                below = parent;
+                (below, parent) = (parent as usize, self.parents[parent as usize]);
             }
         }
     }
+}
+
+/// Widens a part so that it holds one below it; returns whether that changed it.
+fn widen(part: &mut Part, below: &Part) -> bool {
+    let radius = part.sphere.with_sphere(&below.sphere).radius;
+    let cone = part.cone.with_cone(&below.cone);
+    let error = part.error.max(below.error);
+    // A cone that keeps its angle keeps its axis.
+    let has_changed = radius > part.sphere.radius || cone.cos < part.cone.cos || error > part.error;
+    if has_changed {
+        (part.sphere.radius, part.cone, part.error) = (radius, cone, error);
+    }
+    has_changed
+}
+
+/// The triangles that come or go with a step.
+#[derive(Default)]
+struct Change {
+    center: [f32; 3],
+    /// Square of the distance of the farthest corner from the center.
+    square: f64,
+    normals: Vec<DVec3>,
+}
+
+impl Change {
+    fn begin(&mut self, center: [f32; 3]) {
+        (self.center, self.square) = (center, 0.0);
+        self.normals.clear();
+    }
+
+    // Corners one by one: arrays of them that go through memory cost half of the time of growing.
+    #[inline(always)]
+    fn add(&mut self, positions: &[[f32; 3]], [a, b, c]: [u32; 3]) {
+        let center = place(self.center);
+        let a = place(positions[a as usize]) - center;
+        let b = place(positions[b as usize]) - center;
+        let c = place(positions[c as usize]) - center;
+        self.square = self.square.max(a.length_squared()).max(b.length_squared()).max(c.length_squared());
+        self.normals.extend((b - a).cross(c - a).try_normalize());
+    }
+
+    fn part(&self, error: f32) -> Part {
+        // Rounded up, so that the farthest corner is held.
+        let radius = if self.square > 0.0 { (self.square.sqrt() as f32).next_up() } else { 0.0 };
+        let sphere = Sphere { center: self.center, radius };
+        Part { sphere, cone: NormalCone::of_normals(&self.normals), error }
+    }
+}
+
+#[inline(always)]
+fn place([x, y, z]: [f32; 3]) -> DVec3 {
+    DVec3::new(x.into(), y.into(), z.into())
 }
 
 /// What the replay finds of each step, last step first.
@@ -110,7 +162,7 @@ struct Found {
     parents: Vec<u32>,
     need_counts: Vec<u32>,
     needs: Vec<u32>,
-    bounds: Vec<NodeBounds>,
+    parts: Vec<Part>,
 }
 
 /// The triangles that new steps have changed or added, chained by their new vertices.
@@ -125,8 +177,7 @@ struct Replay<'m> {
     heads: Vec<u32>,
     next: Vec<[u32; 3]>,
     star: Vec<u32>,
-    /// Triangles that come or go with the last step.
-    changed: Vec<[[f32; 3]; 3]>,
+    change: Change,
 }
 
 impl<'m> Replay<'m> {
@@ -140,7 +191,7 @@ impl<'m> Replay<'m> {
             heads: vec![NONE; mesh.positions.len() - first_new_vertex as usize],
             next: Vec::new(),
             star: Vec::new(),
-            changed: Vec::new(),
+            change: Change::default(),
         };
         for triangle in triangles {
             let corners = mesh.triangles[triangle as usize];
@@ -165,11 +216,11 @@ impl<'m> Replay<'m> {
         }
     }
 
-    /// Undoes a step: finds what it needs, its parent, and the triangles that it changes.
+    /// Undoes a step: finds what it needs, its parent, and what it changes.
     fn collapse(&mut self, hierarchy: &GrowingHierarchy, step: usize, found: &mut Found) {
         let vertices = self.mesh.step_vertices(step);
         self.gather_star(step, vertices.clone());
-        self.changed.clear();
+        self.change.begin(self.mesh.positions[vertices.start as usize]);
         let first_need = found.needs.len();
         let mut parent = None;
         for at in 0..self.star.len() {
@@ -178,14 +229,14 @@ impl<'m> Replay<'m> {
             let floor = star.map(|v| if vertices.contains(&v) { self.target(v) } else { v });
             let around = star.iter().filter(|v| !vertices.contains(v));
             found.needs.extend(around.filter_map(|&v| hierarchy.step_of(v)));
-            self.changed.push(self.places(star));
+            self.change.add(self.mesh.positions, star);
             if is_proper(&floor) {
                 let youngest = floor[0].max(floor[1]).max(floor[2]);
                 // As the base is older than all steps, none is less than any step.
                 let above = hierarchy.step_of(youngest);
                 parent = Some(parent.map_or(above, |parent: Option<u32>| parent.min(above)));
                 found.needs.extend(hierarchy.step_of(self.target(vertices.start)));
-                self.changed.push(self.places(floor));
+                self.change.add(self.mesh.positions, floor);
             }
             self.replace(triangle, floor);
         }
@@ -196,10 +247,6 @@ impl<'m> Replay<'m> {
 
     fn target(&self, vertex: u32) -> u32 {
         self.mesh.targets[vertex as usize - self.mesh.base_vertex_count()]
-    }
-
-    fn places(&self, corners: [u32; 3]) -> [[f32; 3]; 3] {
-        corners.map(|v| self.mesh.positions[v as usize])
     }
 
     /// Finds the triangles around a step's vertices, each once, also where wedges of the position meet in it.

@@ -19,19 +19,16 @@
 //! Differs: in \[Hop97\] bounds are built from the leaves. Here leaves arrive last, so a node begins with the bounds of its own change and is
 //! widened by its descendants. Cones keep the axis of the node's own triangles.
 //!
-//! Cost: growing is linear in the triangles around the new vertices, and 2 to 5 ancestors are widened for each step. A node takes about 70
+//! Cost: growing is linear in the triangles around the new vertices, and 2 to 5 ancestors are widened for each step. A node takes about 80
 //! bytes. A cut costs a question for each step in or next to it and one pass over the vertices.
 //!
 //! Invariants: parents and needs are older than their step; bounds are nested.
 
-mod bounds;
 mod cut;
 mod grow;
 
 pub use cut::{CutUpdate, HierarchyCut};
 
-use self::bounds::NodeBounds;
-use crate::mesh::PrefixMesh;
 use crate::view::Part;
 
 /// No step: the parent of a node that hangs from the base, or the end of a list.
@@ -42,7 +39,8 @@ const ALL_THROUGH: u32 = 1 << 31;
 
 /// Steps of a mesh as a hierarchy; see the [module](self).
 ///
-/// The hierarchy keeps no copy of the mesh. Every method takes the mesh as it is after the last [`grow`](Self::grow).
+/// The hierarchy keeps no copy of the mesh: [`HierarchyCut::triangles_into`] takes the mesh as it is after the last [`grow`](Self::grow), or with
+/// further steps.
 ///
 /// # Example
 /// ```
@@ -59,7 +57,7 @@ const ALL_THROUGH: u32 = 1 << 31;
 ///     let update = decoder.push(piece)?;
 ///     hierarchy.grow(&decoder.prefix(), &update.changed_triangles, |step| decoder.error_at(step).unwrap_or(0.0));
 ///     let is_near = |part: &Part| if part.sphere.center[0] + part.sphere.radius > 0.5 { 2.0 } else { 0.0 };
-///     let shown = cut.refine(&hierarchy, &decoder.prefix(), &is_near, usize::MAX);
+///     let shown = cut.refine(&hierarchy, &is_near, usize::MAX);
 ///     println!("{} triangles", shown.triangle_count);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -79,7 +77,7 @@ pub struct GrowingHierarchy {
     /// Steps that each step needs, and the first entry of each, followed by the number of entries.
     needs: Vec<u32>,
     first_needs: Vec<u32>,
-    bounds: Vec<NodeBounds>,
+    parts: Vec<Part>,
 }
 
 impl GrowingHierarchy {
@@ -98,6 +96,11 @@ impl GrowingHierarchy {
         self.first_triangles.first().map_or(0, |&count| count as usize)
     }
 
+    /// Triangles at the finest level that has arrived.
+    pub fn triangle_count(&self) -> usize {
+        self.first_triangles.last().map_or(0, |&count| count as usize)
+    }
+
     /// The step above a step in the tree; none for a step that hangs from the base.
     ///
     /// # Panics
@@ -110,10 +113,10 @@ impl GrowingHierarchy {
     /// What a criterion is asked about a step: the step's own change and all that hangs below it.
     ///
     /// # Panics
-    /// If there is no such step, or the mesh has fewer.
-    pub fn part(&self, mesh: &PrefixMesh<'_>, step: u32) -> Part {
-        let center = mesh.positions[mesh.step_vertices(step as usize).start as usize];
-        self.bounds[step as usize].part(center)
+    /// If there is no such step.
+    #[inline]
+    pub fn part(&self, step: u32) -> Part {
+        self.parts[step as usize]
     }
 
     /// Bytes that the hierarchy owns.
@@ -128,7 +131,7 @@ impl GrowingHierarchy {
             &self.first_needs,
         ];
         lists.iter().map(|list| 4 * list.capacity()).sum::<usize>()
-            + size_of::<NodeBounds>() * self.bounds.capacity()
+            + size_of::<Part>() * self.parts.capacity()
     }
 
     /// Triangles that a step adds.
@@ -136,10 +139,15 @@ impl GrowingHierarchy {
         self.first_triangles[step as usize] as usize..self.first_triangles[step as usize + 1] as usize
     }
 
-    /// The step of a vertex; none for one of the base.
+    /// The step of a vertex that the hierarchy knows; none for one of the base.
     #[inline]
     fn step_of(&self, vertex: u32) -> Option<u32> {
         vertex.checked_sub(self.base_vertex_count).map(|beyond| self.steps[beyond as usize])
+    }
+
+    /// Vertices of the steps that have arrived, and of the base.
+    pub fn vertex_count(&self) -> usize {
+        self.base_vertex_count as usize + self.steps.len()
     }
 
     fn needs_of(&self, step: u32) -> &[u32] {
