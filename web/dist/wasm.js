@@ -166,8 +166,8 @@ class P {
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
   }
   /**
-   * Makes views see what has arrived since the last call. [`show_view`](Self::show_view) does so by itself; a call between pushes
-   * spreads the work.
+   * Makes levels and views show what has been decoded since the last call. Counts, vertices and normals are of what is
+   * shown, but for [`is_complete`](Self::is_complete).
    */
   grow() {
     o.model_grow(this.__wbg_ptr);
@@ -1290,7 +1290,7 @@ class Yt {
           this.#i = e.error ? { error: e.error } : {}, this.#b();
           break;
         case "file":
-          this.#x(e.bytes, e.name);
+          this.#z(e.bytes, e.name);
           break;
         case "show":
           this.#p = e.wish, this.#o = e.colouring, this.#e.is_ready && this.#u(() => this.#a(e.ticket));
@@ -1305,18 +1305,18 @@ class Yt {
     if (!this.#_) {
       for (this.#_ = !0; this.#r.length > 0 && !this.#n; ) {
         this.#s = "decode";
-        const e = this.#A();
+        const e = this.#S();
         if (e) {
           this.#r = [], this.#i = { error: ve(e) };
           break;
         }
-        this.#e.is_ready && performance.now() >= this.#v && this.#u(() => this.#a(0)), await Lt();
+        performance.now() >= this.#v && this.#u(() => this.#F()), await Lt();
       }
-      this.#_ = !1, this.#i && !this.#n && this.#S(this.#i.error);
+      this.#_ = !1, this.#i && !this.#n && this.#E(this.#i.error);
     }
   }
-  /** Decodes for a few milliseconds, and makes views see what came; returns what is wrong with the bytes. */
-  #A() {
+  /** Decodes for a few milliseconds; returns what is wrong with the bytes. */
+  #S() {
     const e = performance.now();
     try {
       for (; performance.now() - e < this.#w; ) {
@@ -1328,22 +1328,26 @@ class Yt {
     } catch (r) {
       return me(r);
     } finally {
-      const r = performance.now();
-      this.#l += r - e, this.#e.grow(), this.#h += performance.now() - r;
+      this.#l += performance.now() - e;
     }
   }
-  #S(e) {
+  /** Makes levels and views show what has been decoded. */
+  #A() {
+    const e = performance.now();
+    this.#e.grow(), this.#h += performance.now() - e;
+  }
+  #E(e) {
     let r = e;
     this.#c = !0;
     try {
-      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#E(), !this.#e.is_ready) throw new A("corrupt", "the stream ends before there is anything to draw");
+      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#x(), this.#A(), !this.#e.is_ready) throw new A("corrupt", "the stream ends before there is anything to draw");
       this.#s = "done", this.#a(0);
     } catch (n) {
       r ??= ve(me(n));
     }
     this.#i = void 0, this.#t(r ? { type: "failed", error: r } : { type: "finished" });
   }
-  #E() {
+  #x() {
     const e = performance.now();
     try {
       this.#e.finish();
@@ -1352,7 +1356,7 @@ class Yt {
     }
   }
   /** Reads a whole file and builds its model. */
-  async #x(e, r) {
+  async #z(e, r) {
     this.#s = "build";
     const n = performance.now(), i = { report: (_, c) => this.#t({ type: "building", share: c }) };
     let s, a;
@@ -1375,13 +1379,20 @@ class Yt {
       this.#n = !0, this.#t({ type: "failed", error: ve(me(r)) });
     }
   }
+  /**
+   * Tells what has been decoded since the last update. Only updates bring new vertices and normals: answers to requests
+   * in between are of what the page has already, so that many of them do not hold decoding up.
+   */
+  #F() {
+    this.#A(), this.#e.is_ready && this.#a(0);
+  }
   /** Shows what is wished for, and tells it with what is new. */
   #a(e) {
-    const r = performance.now(), n = this.#z(), i = this.#M(), s = this.#R(), a = this.#k(), _ = this.#e, [c, u] = [_.indices(), _.group_counts()];
+    const r = performance.now(), n = this.#M(), i = this.#k(), s = this.#U(), a = this.#T(), _ = this.#e, [c, u] = [_.indices(), _.group_counts()];
     this.#f = performance.now() - r, this.#v = performance.now() + Math.max(Bt, Wt * this.#f);
     const w = {
       type: "update",
-      state: this.#U(),
+      state: this.#C(),
       vertices: s,
       smoothNormals: a,
       indices: c,
@@ -1393,15 +1404,15 @@ class Yt {
     this.#t(w);
   }
   /** Goes to the level that is wished for; whether asking again would show the same. */
-  #z() {
+  #M() {
     const { by: e, value: r, limit: n, camera: i } = this.#p, s = this.#e;
-    if (e === "view" && i) return this.#F(i, r, n);
+    if (e === "view" && i) return this.#R(i, r, n);
     e === "triangles" ? s.show_triangles(r) : e === "error" ? s.show_error(r) : s.show_detail(e === "detail" ? r : 1);
     const a = s.group_counts().reduce((_, c) => _ + c, 0);
     return n > 0 && a > n && s.show_triangles(n), !0;
   }
   /** A camera that sees nothing leaves what is shown: another may see more. */
-  #F(e, r, n) {
+  #R(e, r, n) {
     const i = new he(Float64Array.from(e), r, n);
     try {
       return this.#e.show_view(i);
@@ -1412,14 +1423,14 @@ class Yt {
       i.free();
     }
   }
-  #M() {
+  #k() {
     if (this.#o === "strips") return this.#e.color_strips();
     if (this.#o === "fans") return this.#e.color_fans();
     if (this.#o === "surface") return;
     const e = this.#e.group_counts().reduce((r, n) => r + n, 0);
     return Uint32Array.from({ length: e }, (r, n) => n);
   }
-  #R() {
+  #U() {
     const e = this.#d;
     if (this.#e.vertex_count === e) return;
     const r = this.#e.vertices(e);
@@ -1430,11 +1441,11 @@ class Yt {
       r.free();
     }
   }
-  #k() {
+  #T() {
     if (!(this.#y || this.#m === this.#e.vertex_count))
       return this.#m = this.#e.vertex_count, this.#e.smooth_normals();
   }
-  #U() {
+  #C() {
     const e = this.#e;
     return {
       kind: e.kind,

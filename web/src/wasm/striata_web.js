@@ -69,7 +69,7 @@ wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
 if (Symbol.dispose) Failure.prototype[Symbol.dispose] = Failure.prototype.free;
 
 /**
- * A model. Streams are pushed bytes; other files are read whole.
+ * A model. Streams are [pushed](Model::push) bytes and then [grown](Model::grow); other files are read whole.
  *
  * A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
  */
@@ -211,8 +211,8 @@ wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
 }
 /**
- * Makes views see what has arrived since the last call. [`show_view`](Self::show_view) does so by itself; a call between pushes
- * spreads the work.
+ * Makes levels and views show what has been decoded since the last call. Counts, vertices and normals are of what is
+ * shown, but for [`is_complete`](Self::is_complete).
  */
 grow() {
 wasm.model_grow(this.__wbg_ptr);

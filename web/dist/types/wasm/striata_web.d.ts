@@ -23,7 +23,7 @@ export class Failure {
 }
 
 /**
- * A model. Streams are pushed bytes; other files are read whole.
+ * A model. Streams are [pushed](Model::push) bytes and then [grown](Model::grow); other files are read whole.
  *
  * A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
  */
@@ -66,8 +66,8 @@ export class Model {
    */
   group_counts(): Uint32Array;
   /**
-   * Makes views see what has arrived since the last call. [`show_view`](Self::show_view) does so by itself; a call between pushes
-   * spreads the work.
+   * Makes levels and views show what has been decoded since the last call. Counts, vertices and normals are of what is
+   * shown, but for [`is_complete`](Self::is_complete).
    */
   grow(): void;
   /**
