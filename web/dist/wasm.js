@@ -166,8 +166,8 @@ class P {
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
   }
   /**
-   * Makes levels and views show what has been decoded since the last call. Counts, vertices and normals are of what is
-   * shown, but for [`is_complete`](Self::is_complete).
+   * Prepares views of what has been decoded since the last call. [`reveal`](Self::reveal) does so by itself; calls between pushes spread
+   * the work.
    */
   grow() {
     o.model_grow(this.__wbg_ptr);
@@ -226,6 +226,12 @@ class P {
     const r = Fe(e, o.__wbindgen_malloc), n = B, i = o.model_push(this.__wbg_ptr, r, n);
     if (i[1])
       throw D(i[0]);
+  }
+  /**
+   * Lets levels and views show all that has been decoded. Counts, vertices and normals are of what has been revealed.
+   */
+  reveal() {
+    o.model_reveal(this.__wbg_ptr);
   }
   /**
    * Shows a level by its detail, 0 to 1 of the full mesh.
@@ -1290,7 +1296,7 @@ class Yt {
           this.#i = e.error ? { error: e.error } : {}, this.#b();
           break;
         case "file":
-          this.#z(e.bytes, e.name);
+          this.#x(e.bytes, e.name);
           break;
         case "show":
           this.#p = e.wish, this.#o = e.colouring, this.#e.is_ready && this.#u(() => this.#a(e.ticket));
@@ -1305,18 +1311,18 @@ class Yt {
     if (!this.#_) {
       for (this.#_ = !0; this.#r.length > 0 && !this.#n; ) {
         this.#s = "decode";
-        const e = this.#S();
+        const e = this.#A();
         if (e) {
           this.#r = [], this.#i = { error: ve(e) };
           break;
         }
-        performance.now() >= this.#v && this.#u(() => this.#F()), await Lt();
+        performance.now() >= this.#v && this.#u(() => this.#z()), await Lt();
       }
-      this.#_ = !1, this.#i && !this.#n && this.#E(this.#i.error);
+      this.#_ = !1, this.#i && !this.#n && this.#S(this.#i.error);
     }
   }
-  /** Decodes for a few milliseconds; returns what is wrong with the bytes. */
-  #S() {
+  /** Decodes for a few milliseconds, and prepares views of what came; returns what is wrong with the bytes. */
+  #A() {
     const e = performance.now();
     try {
       for (; performance.now() - e < this.#w; ) {
@@ -1328,26 +1334,22 @@ class Yt {
     } catch (r) {
       return me(r);
     } finally {
-      this.#l += performance.now() - e;
+      const r = performance.now();
+      this.#l += r - e, this.#e.grow(), this.#h += performance.now() - r;
     }
   }
-  /** Makes levels and views show what has been decoded. */
-  #A() {
-    const e = performance.now();
-    this.#e.grow(), this.#h += performance.now() - e;
-  }
-  #E(e) {
+  #S(e) {
     let r = e;
     this.#c = !0;
     try {
-      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#x(), this.#A(), !this.#e.is_ready) throw new A("corrupt", "the stream ends before there is anything to draw");
+      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#E(), this.#e.reveal(), !this.#e.is_ready) throw new A("corrupt", "the stream ends before there is anything to draw");
       this.#s = "done", this.#a(0);
     } catch (n) {
       r ??= ve(me(n));
     }
     this.#i = void 0, this.#t(r ? { type: "failed", error: r } : { type: "finished" });
   }
-  #x() {
+  #E() {
     const e = performance.now();
     try {
       this.#e.finish();
@@ -1356,7 +1358,7 @@ class Yt {
     }
   }
   /** Reads a whole file and builds its model. */
-  async #z(e, r) {
+  async #x(e, r) {
     this.#s = "build";
     const n = performance.now(), i = { report: (_, c) => this.#t({ type: "building", share: c }) };
     let s, a;
@@ -1383,16 +1385,16 @@ class Yt {
    * Tells what has been decoded since the last update. Only updates bring new vertices and normals: answers to requests
    * in between are of what the page has already, so that many of them do not hold decoding up.
    */
-  #F() {
-    this.#A(), this.#e.is_ready && this.#a(0);
+  #z() {
+    this.#e.reveal(), this.#e.is_ready && this.#a(0);
   }
   /** Shows what is wished for, and tells it with what is new. */
   #a(e) {
-    const r = performance.now(), n = this.#M(), i = this.#k(), s = this.#U(), a = this.#T(), _ = this.#e, [c, u] = [_.indices(), _.group_counts()];
+    const r = performance.now(), n = this.#F(), i = this.#R(), s = this.#k(), a = this.#U(), _ = this.#e, [c, u] = [_.indices(), _.group_counts()];
     this.#f = performance.now() - r, this.#v = performance.now() + Math.max(Bt, Wt * this.#f);
     const w = {
       type: "update",
-      state: this.#C(),
+      state: this.#T(),
       vertices: s,
       smoothNormals: a,
       indices: c,
@@ -1404,15 +1406,15 @@ class Yt {
     this.#t(w);
   }
   /** Goes to the level that is wished for; whether asking again would show the same. */
-  #M() {
+  #F() {
     const { by: e, value: r, limit: n, camera: i } = this.#p, s = this.#e;
-    if (e === "view" && i) return this.#R(i, r, n);
+    if (e === "view" && i) return this.#M(i, r, n);
     e === "triangles" ? s.show_triangles(r) : e === "error" ? s.show_error(r) : s.show_detail(e === "detail" ? r : 1);
     const a = s.group_counts().reduce((_, c) => _ + c, 0);
     return n > 0 && a > n && s.show_triangles(n), !0;
   }
   /** A camera that sees nothing leaves what is shown: another may see more. */
-  #R(e, r, n) {
+  #M(e, r, n) {
     const i = new he(Float64Array.from(e), r, n);
     try {
       return this.#e.show_view(i);
@@ -1423,14 +1425,14 @@ class Yt {
       i.free();
     }
   }
-  #k() {
+  #R() {
     if (this.#o === "strips") return this.#e.color_strips();
     if (this.#o === "fans") return this.#e.color_fans();
     if (this.#o === "surface") return;
     const e = this.#e.group_counts().reduce((r, n) => r + n, 0);
     return Uint32Array.from({ length: e }, (r, n) => n);
   }
-  #U() {
+  #k() {
     const e = this.#d;
     if (this.#e.vertex_count === e) return;
     const r = this.#e.vertices(e);
@@ -1441,11 +1443,11 @@ class Yt {
       r.free();
     }
   }
-  #T() {
+  #U() {
     if (!(this.#y || this.#m === this.#e.vertex_count))
       return this.#m = this.#e.vertex_count, this.#e.smooth_normals();
   }
-  #C() {
+  #T() {
     const e = this.#e;
     return {
       kind: e.kind,

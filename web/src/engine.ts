@@ -113,7 +113,7 @@ export class Engine {
     if (this.#end && !this.#isOver) this.#finish(this.#end.error);
   }
 
-  /** Decodes for a few milliseconds; returns what is wrong with the bytes. */
+  /** Decodes for a few milliseconds, and prepares views of what came; returns what is wrong with the bytes. */
   #slice(): StriataError | undefined {
     const start = performance.now();
     try {
@@ -127,15 +127,11 @@ export class Engine {
     } catch (thrown) {
       return asStriataError(thrown);
     } finally {
-      this.#decodeMs += performance.now() - start;
+      const end = performance.now();
+      this.#decodeMs += end - start;
+      this.#model.grow();
+      this.#buildMs += performance.now() - end;
     }
-  }
-
-  /** Makes levels and views show what has been decoded. */
-  #grow(): void {
-    const start = performance.now();
-    this.#model.grow();
-    this.#buildMs += performance.now() - start;
   }
 
   #finish(error: PlainError | undefined): void {
@@ -147,7 +143,7 @@ export class Engine {
       }
       // Of damaged bytes nothing more is read; of bytes that are missing, what the last ones tell.
       if (failure?.code !== 'corrupt' || !error) this.#finishDecoding();
-      this.#grow();
+      this.#model.reveal();
       if (!this.#model.is_ready) throw new StriataError('corrupt', 'the stream ends before there is anything to draw');
       this.#phase = 'done';
       this.#tell(0);
@@ -207,7 +203,7 @@ export class Engine {
    * in between are of what the page has already, so that many of them do not hold decoding up.
    */
   #update(): void {
-    this.#grow();
+    this.#model.reveal();
     if (this.#model.is_ready) this.#tell(0);
   }
 

@@ -41,7 +41,7 @@ impl Kind {
     }
 }
 
-/// A model. Streams are [pushed](Model::push) bytes and then [grown](Model::grow); other files are read whole.
+/// A model. Streams are [pushed](Model::push) bytes and [revealed](Model::reveal); other files are read whole.
 ///
 /// A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
 #[wasm_bindgen]
@@ -96,11 +96,18 @@ impl Model {
         }
     }
 
-    /// Makes levels and views show what has been decoded since the last call. Counts, vertices and normals are of what is
-    /// shown, but for [`is_complete`](Self::is_complete).
+    /// Prepares views of what has been decoded since the last call. [`reveal`](Self::reveal) does so by itself; calls between pushes spread
+    /// the work.
     pub fn grow(&mut self) {
         if let Stage::Streaming(streaming) = &mut self.stage {
             streaming.grow();
+        }
+    }
+
+    /// Lets levels and views show all that has been decoded. Counts, vertices and normals are of what has been revealed.
+    pub fn reveal(&mut self) {
+        if let Stage::Streaming(streaming) = &mut self.stage {
+            streaming.reveal();
         }
     }
 
@@ -335,6 +342,6 @@ fn whole_stream(bytes: &[u8]) -> Result<Stage, Failure> {
     if !streaming.decoder().is_complete() {
         return Err(Failure::corrupt("the stream ends before the mesh does"));
     }
-    streaming.grow();
+    streaming.reveal();
     Ok(Stage::Streaming(Box::new(streaming)))
 }

@@ -1,9 +1,8 @@
 //! A model that is read from a stream: what has arrived, any level of it, and any view.
 //!
 //! A level has the first vertices, and the first triangles with each corner moved to where its vertex has collapsed to, so it
-//! needs no model. Views are taken from a hierarchy that grows with the stream. Levels and views show the steps that the hierarchy has grown to:
-//! between two calls of [`Streaming::grow`] more is decoded, but nothing new is shown, so requests are answered without new
-//! vertices and normals.
+//! needs no model. Views are taken from a hierarchy that grows with the stream. Both show only what has been revealed: more is decoded
+//! meanwhile, but requests are answered without new vertices and normals.
 
 use striata::codec::progressive::{StreamDecoder, StreamFacts};
 use striata::mesh::Bounds;
@@ -34,6 +33,15 @@ pub(crate) struct Streaming {
     /// Triangles that have changed since the hierarchy last grew, with repetitions.
     changed: Vec<u32>,
     cut: HierarchyCut,
+    revealed: Revealed,
+}
+
+/// How much levels and views may show.
+#[derive(Clone, Copy, Debug, Default)]
+struct Revealed {
+    step_count: usize,
+    vertex_count: usize,
+    triangle_count: usize,
 }
 
 impl Streaming {
@@ -87,13 +95,24 @@ impl Streaming {
         Ok(())
     }
 
-    /// Grows the hierarchy to all steps that have arrived, so that levels and views show them.
+    /// Grows the hierarchy to all steps that have arrived.
     pub(crate) fn grow(&mut self) {
         self.changed.sort_unstable();
         self.changed.dedup();
         let error = |step| self.decoder.error_at(step).unwrap_or(0.0);
         self.hierarchy.grow(&self.decoder.prefix(), &self.changed, error);
         self.changed.clear();
+    }
+
+    /// Lets levels and views show all that has arrived.
+    pub(crate) fn reveal(&mut self) {
+        self.grow();
+        self.revealed = Revealed {
+            step_count: self.hierarchy.step_count(),
+            vertex_count: self.hierarchy.vertex_count(),
+            triangle_count: self.hierarchy.triangle_count(),
+        };
+        self.cut.limit_steps(self.revealed.step_count);
     }
 
     fn grow_bounds(&mut self) {
@@ -125,12 +144,12 @@ impl Streaming {
 
     /// Vertices that can be shown.
     pub(crate) fn vertex_count(&self) -> usize {
-        self.hierarchy.vertex_count()
+        self.revealed.vertex_count
     }
 
     /// Triangles of the finest level that can be shown.
     pub(crate) fn triangle_count(&self) -> usize {
-        self.hierarchy.triangle_count()
+        self.revealed.triangle_count
     }
 
     pub(crate) fn vertices(&self, first: usize) -> Vertices {
@@ -155,7 +174,7 @@ impl Streaming {
         self.shown(&triangles, split_count, split_count)
     }
 
-    /// What a camera asks for, of what has grown.
+    /// What a camera asks for, of what has been revealed.
     ///
     /// # Errors
     /// If such a camera sees nothing.
@@ -179,7 +198,7 @@ impl Streaming {
     }
 
     fn split_count_for(&self, wish: Wish) -> usize {
-        let there = self.hierarchy.step_count();
+        let there = self.revealed.step_count;
         match wish {
             Wish::Detail(detail) => {
                 let step_count = self.decoder.step_count().unwrap_or(0);

@@ -31,7 +31,7 @@ fn stream_of(mesh: &IndexedMesh) -> Vec<u8> {
 fn decoded(bytes: &[u8]) -> Model {
     let mut model = Model::new();
     bytes.chunks(700).for_each(|piece| model.push(piece).unwrap());
-    model.grow();
+    model.reveal();
     model
 }
 
@@ -77,9 +77,14 @@ fn views_are_shown_while_a_stream_comes_in() {
     for (at, piece) in stream_of(&torus()).chunks(200).enumerate() {
         let before = (model.vertex_count(), model.triangle_count());
         model.push(piece).unwrap();
+        model.grow();
         assert_eq!((model.vertex_count(), model.triangle_count()), before, "nothing new is shown yet");
+        if model.is_ready() {
+            model.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap();
+            triangles(&model);
+        }
         if at % 3 == 0 {
-            model.grow();
+            model.reveal();
         }
         if !model.is_ready() {
             continue;
@@ -108,7 +113,7 @@ fn wishes_are_kept_while_a_stream_comes_in() {
     let (mut last, mut seen) = (0, 0);
     for piece in bytes.chunks(200) {
         model.push(piece).unwrap();
-        model.grow();
+        model.reveal();
         if !model.is_ready() {
             continue;
         }
@@ -181,7 +186,7 @@ fn what_is_cut_off_shows_what_has_come() {
     let bytes = stream_of(&torus());
     let mut model = decoded(&bytes[..bytes.len() / 2]);
     model.finish().unwrap();
-    model.grow();
+    model.reveal();
     assert!(!model.is_complete() && model.is_ready());
     model.show_detail(1.0);
     assert_eq!(triangles(&model).len(), model.triangle_count());
@@ -200,7 +205,7 @@ fn bytes_after_the_end_of_a_stream_are_refused() {
     let mut model = Model::new();
     assert_eq!(model.push(&longer).unwrap_err().code(), "corrupt");
     // What came before the damage stays, for levels and for views.
-    model.grow();
+    model.reveal();
     assert!(model.is_complete());
     model.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap();
     let shown = triangles(&model);
@@ -228,7 +233,7 @@ fn damage_is_told_and_never_panics() {
             assert!(!failure.message().is_empty());
             assert!(["format", "corrupt", "unsupported", "too-large"].contains(&failure.code().as_str()));
         }
-        model.grow();
+        model.reveal();
         if model.is_ready() {
             model.show_detail(0.5);
             triangles(&model);

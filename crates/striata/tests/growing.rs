@@ -113,6 +113,10 @@ impl Prefix {
     }
 }
 
+fn shown(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    triangles.iter().copied().filter(is_shown).collect()
+}
+
 fn error(step: usize) -> f32 {
     4.0 / (step as f32 + 2.0)
 }
@@ -229,6 +233,22 @@ fn any_set_of_steps_is_completed_as_fans_complete_it() {
 }
 
 #[test]
+fn steps_beyond_a_limit_stay_coarse() {
+    for (seed, ordered) in cases() {
+        let whole = ordered.prefix(ordered.refinable.sequence.step_count());
+        let mut hierarchy = GrowingHierarchy::new();
+        hierarchy.grow(&whole.mesh(), &[], error);
+        let limit = whole.added.len() / 2;
+        let part = ordered.prefix(limit);
+        let mut cut = HierarchyCut::new();
+        cut.limit_steps(limit);
+        cut.refine(&hierarchy, &|_: &Part| 2.0, usize::MAX);
+        assert_eq!(cut.split_count(), limit, "seed {seed}");
+        assert_eq!(triangles_of(&cut, &hierarchy, &whole), canonical_triangles(&shown(&part.triangles)));
+    }
+}
+
+#[test]
 fn the_tree_does_not_depend_on_how_steps_are_handed_over() {
     for (seed, ordered) in cases() {
         let whole = ordered.prefix(ordered.refinable.sequence.step_count());
@@ -293,7 +313,6 @@ fn a_budget_is_used_for_what_weighs_most() {
     for (seed, ordered) in surface_cases().chain(seam_cases()).map(|c| (c.seed, Ordered::new(c.refinable))) {
         let mut random = Random::new(seed);
         grow_randomly(&ordered, seed, |hierarchy, prefix| {
-            let mesh = prefix.mesh();
             let (mut cut, mut free) = (HierarchyCut::new(), HierarchyCut::new());
             for share in [10, 25, 60] {
                 let criterion = camera(prefix, &mut random, 1.0);
@@ -346,7 +365,6 @@ fn views_show_few_more_triangles_than_with_bounds_built_from_the_leaves() {
             let grown = cut.refine(&hierarchy, &criterion, usize::MAX);
             counts = [counts[0] + front.triangle_count(), counts[1] + grown.triangle_count];
         }
-        println!("triangles with bounds from the leaves and with grown ones: {counts:?}");
         assert!(counts[1] * 100 < counts[0] * 115, "{counts:?}");
     }
 }

@@ -38,7 +38,7 @@ test('a stream decodes in slices of any length', () => {
     const model = new Model();
     for (let at = 0; at < stream.length; at += length) model.push(stream.subarray(at, at + length));
     assert.equal(model.is_complete, true);
-    model.grow();
+    model.reveal();
     model.show_detail(1);
     assert.equal(model.indices().length, 3 * TRIANGLES);
     const positions = model.vertices(0).take_positions();
@@ -52,7 +52,7 @@ test('a stream decodes in slices of any length', () => {
 test('levels and views of a model', () => {
   const model = new Model();
   model.push(stream);
-  model.grow();
+  model.reveal();
   model.show_triangles(1000);
   assert.ok(model.indices().length <= 3000 && model.shown_error > 0);
   const [low, high] = [model.bounds().slice(0, 3), model.bounds().slice(3)];

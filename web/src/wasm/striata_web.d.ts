@@ -23,7 +23,7 @@ export class Failure {
 }
 
 /**
- * A model. Streams are [pushed](Model::push) bytes and then [grown](Model::grow); other files are read whole.
+ * A model. Streams are [pushed](Model::push) bytes and [revealed](Model::reveal); other files are read whole.
  *
  * A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
  */
@@ -66,8 +66,8 @@ export class Model {
    */
   group_counts(): Uint32Array;
   /**
-   * Makes levels and views show what has been decoded since the last call. Counts, vertices and normals are of what is
-   * shown, but for [`is_complete`](Self::is_complete).
+   * Prepares views of what has been decoded since the last call. [`reveal`](Self::reveal) does so by itself; calls between pushes spread
+   * the work.
    */
   grow(): void;
   /**
@@ -85,6 +85,10 @@ export class Model {
    * Where they are no sound stream, or the whole would not fit into a page. What came before stays.
    */
   push(bytes: Uint8Array | number[]): void;
+  /**
+   * Lets levels and views show all that has been decoded. Counts, vertices and normals are of what has been revealed.
+   */
+  reveal(): void;
   /**
    * Shows a level by its detail, 0 to 1 of the full mesh.
    */
@@ -282,6 +286,7 @@ export interface InitOutput {
   readonly model_kind: (a: number) => [number, number];
   readonly model_new: () => number;
   readonly model_push: (a: number, b: number, c: number) => [number, number];
+  readonly model_reveal: (a: number) => void;
   readonly model_show_detail: (a: number, b: number) => void;
   readonly model_show_error: (a: number, b: number) => void;
   readonly model_show_triangles: (a: number, b: number) => void;

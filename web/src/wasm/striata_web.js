@@ -69,7 +69,7 @@ wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
 if (Symbol.dispose) Failure.prototype[Symbol.dispose] = Failure.prototype.free;
 
 /**
- * A model. Streams are [pushed](Model::push) bytes and then [grown](Model::grow); other files are read whole.
+ * A model. Streams are [pushed](Model::push) bytes and [revealed](Model::reveal); other files are read whole.
  *
  * A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
  */
@@ -211,8 +211,8 @@ wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
 }
 /**
- * Makes levels and views show what has been decoded since the last call. Counts, vertices and normals are of what is
- * shown, but for [`is_complete`](Self::is_complete).
+ * Prepares views of what has been decoded since the last call. [`reveal`](Self::reveal) does so by itself; calls between pushes spread
+ * the work.
  */
 grow() {
 wasm.model_grow(this.__wbg_ptr);
@@ -282,6 +282,12 @@ const ret = wasm.model_push(this.__wbg_ptr, ptr0, len0);
 if (ret[1]) {
 throw takeFromExternrefTable0(ret[0]);
 }
+}
+/**
+ * Lets levels and views show all that has been decoded. Counts, vertices and normals are of what has been revealed.
+ */
+reveal() {
+wasm.model_reveal(this.__wbg_ptr);
 }
 /**
  * Shows a level by its detail, 0 to 1 of the full mesh.

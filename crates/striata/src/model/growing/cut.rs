@@ -13,8 +13,10 @@ const ASKED_TOGETHER: usize = 64;
 /// A set of refined steps that holds all that each of them needs.
 ///
 /// A cut begins at the base for every view, so it does not depend on the views before, and the hierarchy may grow in between.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct HierarchyCut {
+    /// Steps from this one on stay coarse.
+    step_limit: u32,
     refined: StepBits,
     refined_count: usize,
     triangle_count: usize,
@@ -37,6 +39,12 @@ pub struct CutUpdate {
     pub threshold: f32,
 }
 
+impl Default for HierarchyCut {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// Scratch memory for questions.
 #[derive(Clone, Debug, Default)]
 struct Asked {
@@ -47,7 +55,20 @@ struct Asked {
 impl HierarchyCut {
     /// A cut that shows nothing yet.
     pub fn new() -> Self {
-        Self::default()
+        Self {
+            step_limit: u32::MAX,
+            refined: StepBits::default(),
+            refined_count: 0,
+            triangle_count: 0,
+            whole_until: 0,
+            last: Vec::new(),
+            asked: Asked::default(),
+        }
+    }
+
+    /// Keeps steps from this one on coarse from now on, although they have arrived: whoever draws may not have their vertices yet.
+    pub fn limit_steps(&mut self, step_limit: usize) {
+        self.step_limit = u32::try_from(step_limit).unwrap_or(u32::MAX);
     }
 
     /// Refines what a criterion wants, and what that needs, up to a number of triangles.
@@ -128,14 +149,14 @@ impl HierarchyCut {
         update: &mut CutUpdate,
     ) {
         let (mut steps, mut finer) = (Vec::new(), Vec::new());
-        hierarchy.for_each_child(NONE, |child| steps.push(child));
+        self.append_children(hierarchy, NONE, &mut steps);
         while !steps.is_empty() {
             for together in steps.chunks(ASKED_TOGETHER) {
                 self.ask(hierarchy, criterion, together, update);
                 for (at, &step) in together.iter().enumerate() {
                     if self.asked.verdicts[at].is_wanted() {
                         self.refine_step(hierarchy, step);
-                        hierarchy.for_each_child(step, |child| finer.push(child));
+                        self.append_children(hierarchy, step, &mut finer);
                     }
                 }
             }
@@ -157,7 +178,7 @@ impl HierarchyCut {
         let mut parent = NONE;
         loop {
             children.clear();
-            hierarchy.for_each_child(parent, |child| children.push(child));
+            self.append_children(hierarchy, parent, &mut children);
             for together in children.chunks(ASKED_TOGETHER) {
                 self.ask(hierarchy, criterion, together, update);
                 let wanted = together.iter().zip(&self.asked.verdicts).filter(|(_, v)| v.is_wanted());
@@ -173,6 +194,14 @@ impl HierarchyCut {
             }
             parent = !step;
         }
+    }
+
+    fn append_children(&self, hierarchy: &GrowingHierarchy, parent: u32, out: &mut Vec<u32>) {
+        hierarchy.for_each_child(parent, |child| {
+            if child < self.step_limit {
+                out.push(child);
+            }
+        });
     }
 
     fn ask(
