@@ -12,9 +12,10 @@ use super::{ALL_THROUGH, GrowingHierarchy, NONE};
 use crate::mesh::{PrefixMesh, is_proper};
 use crate::view::{NormalCone, Part, Sphere};
 
-/// Entries that the lists of needs may have for each step on average. Meshes take about 6; a list that would exceed
-/// the sum is replaced by its largest entry and all older steps, so that damaged streams do not exhaust memory.
+/// Entries that the lists of needs may have for each new step on average, and beyond that in all. Meshes take about 6 a step. A list
+/// that would exceed the sum stands for its largest entry and all older steps, so that damaged streams do not exhaust memory.
 const MOST_NEEDS_A_STEP: usize = 24;
+const SPARE_NEEDS: usize = 1 << 15;
 
 impl GrowingHierarchy {
     /// Appends the steps that have arrived since the last call.
@@ -66,7 +67,8 @@ impl GrowingHierarchy {
             new.zip(found.parents.into_iter().rev()).zip(found.need_counts.iter().rev())
         {
             let first = end - count as usize;
-            self.append_needs(step, &found.needs[first..end]);
+            self.needs.extend_from_slice(&found.needs[first..end]);
+            self.first_needs.push(self.needs.len() as u32);
             end = first;
             self.parents.push(parent);
             self.first_children.push(NONE);
@@ -76,15 +78,6 @@ impl GrowingHierarchy {
             };
             self.next_siblings.push(std::mem::replace(list, step as u32));
         }
-    }
-
-    pub(super) fn append_needs(&mut self, step: usize, needs: &[u32]) {
-        let is_affordable = self.needs.len() + needs.len() <= MOST_NEEDS_A_STEP * (step + 1024);
-        match needs.last() {
-            Some(last) if !is_affordable => self.needs.push(last | ALL_THROUGH),
-            _ => self.needs.extend_from_slice(needs),
-        }
-        self.first_needs.push(self.needs.len() as u32);
     }
 
     /// Widens parts so that each step's holds those of the new steps below it.
@@ -235,12 +228,15 @@ impl<'m> Replay<'m> {
                 // As the base is older than all steps, none is less than any step.
                 let above = hierarchy.step_of(youngest);
                 parent = Some(parent.map_or(above, |parent: Option<u32>| parent.min(above)));
-                found.needs.extend(hierarchy.step_of(self.target(vertices.start)));
                 self.change.add(self.mesh.positions, floor);
             }
             self.replace(triangle, floor);
         }
+        if parent.is_some() {
+            found.needs.extend(hierarchy.step_of(self.target(vertices.start)));
+        }
         dedup_from(&mut found.needs, first_need);
+        shorten_from(&mut found.needs, first_need, found.parents.len());
         found.need_counts.push((found.needs.len() - first_need) as u32);
         found.parents.push(parent.flatten().unwrap_or(NONE));
     }
@@ -271,6 +267,14 @@ impl<'m> Replay<'m> {
         if is_proper(&floor) {
             (0..3).filter(|&i| star[i] != floor[i]).for_each(|corner| self.link(triangle, corner));
         }
+    }
+}
+
+/// Shortens the last list of needs if all of them together are longer than so many steps may have.
+pub(super) fn shorten_from(needs: &mut Vec<u32>, first: usize, step_count: usize) {
+    if needs.len() > MOST_NEEDS_A_STEP * step_count + SPARE_NEEDS && needs.len() > first {
+        needs[first] = needs[needs.len() - 1] | ALL_THROUGH;
+        needs.truncate(first + 1);
     }
 }
 

@@ -19,8 +19,8 @@
 //! Differs: in \[Hop97\] bounds are built from the leaves. Here leaves arrive last, so a node begins with the bounds of its own change and is
 //! widened by its descendants. Cones keep the axis of the node's own triangles.
 //!
-//! Cost: growing is linear in the triangles around the new vertices, and 2 to 5 ancestors are widened for each step. A node takes about 80
-//! bytes. A cut costs a question for each step in or next to it and one pass over the vertices.
+//! Cost: growing is linear in the triangles around the new vertices, and in the ancestors whose bounds they widen. A node takes about 85
+//! bytes, up to 125 with the room that lists keep. A cut costs a question for each step in or next to it and one pass over the vertices.
 //!
 //! Invariants: parents and needs are older than their step; bounds are nested.
 
