@@ -1,11 +1,11 @@
 class j {
   static __wrap(e) {
     const r = Object.create(j.prototype);
-    return r.__wbg_ptr = e, We.register(r, r.__wbg_ptr, r), r;
+    return r.__wbg_ptr = e, Le.register(r, r.__wbg_ptr, r), r;
   }
   __destroy_into_raw() {
     const e = this.__wbg_ptr;
-    return this.__wbg_ptr = 0, We.unregister(this), e;
+    return this.__wbg_ptr = 0, Le.unregister(this), e;
   }
   free() {
     const e = this.__destroy_into_raw();
@@ -334,11 +334,11 @@ Symbol.dispose && (P.prototype[Symbol.dispose] = P.prototype.free);
 class te {
   static __wrap(e) {
     const r = Object.create(te.prototype);
-    return r.__wbg_ptr = e, Le.register(r, r.__wbg_ptr, r), r;
+    return r.__wbg_ptr = e, We.register(r, r.__wbg_ptr, r), r;
   }
   __destroy_into_raw() {
     const e = this.__wbg_ptr;
-    return this.__wbg_ptr = 0, Le.unregister(this), e;
+    return this.__wbg_ptr = 0, We.unregister(this), e;
   }
   free() {
     const e = this.__destroy_into_raw();
@@ -529,11 +529,11 @@ function He() {
     }
   };
 }
-const We = typeof FinalizationRegistry > "u" ? { register: () => {
+const Le = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
 } } : new FinalizationRegistry((t) => o.__wbg_failure_free(t, 1)), de = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
-} } : new FinalizationRegistry((t) => o.__wbg_model_free(t, 1)), Le = typeof FinalizationRegistry > "u" ? { register: () => {
+} } : new FinalizationRegistry((t) => o.__wbg_model_free(t, 1)), We = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
 } } : new FinalizationRegistry((t) => o.__wbg_streamplace_free(t, 1)), De = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
@@ -734,36 +734,36 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
 }, ne = function(t, e, r) {
   var n = (e << 3) + 4, i = (t[e] & 15) + 5;
   i > r && p(3);
-  for (var s = 1 << i, a = s, _ = -1, c = -1, u = -1, m = s, w = new ot(512 + (s << 2)), d = new at(w, 0, 256), v = new fe(w, 0, 256), x = new fe(w, 512, s), l = 512 + (s << 1), b = new y(w, l, s), T = new y(w, l + s); _ < 255 && a > 0; ) {
-    var z = I(a + 1), S = n >> 3, W = (1 << z + 1) - 1, E = (t[S] | t[S + 1] << 8 | t[S + 2] << 16) >> (n & 7) & W, f = (1 << z) - 1, F = W - a - 1, k = E & f;
-    if (k < F ? (n += z, E = k) : (n += z + 1, E > f && (E -= F)), d[++_] = --E, E == -1 ? (a += E, b[--m] = _) : a -= E, !E)
+  for (var s = 1 << i, a = s, _ = -1, c = -1, u = -1, m = s, w = new ot(512 + (s << 2)), d = new at(w, 0, 256), v = new fe(w, 0, 256), x = new fe(w, 512, s), l = 512 + (s << 1), b = new y(w, l, s), U = new y(w, l + s); _ < 255 && a > 0; ) {
+    var z = I(a + 1), S = n >> 3, L = (1 << z + 1) - 1, E = (t[S] | t[S + 1] << 8 | t[S + 2] << 16) >> (n & 7) & L, f = (1 << z) - 1, F = L - a - 1, T = E & f;
+    if (T < F ? (n += z, E = T) : (n += z + 1, E > f && (E -= F)), d[++_] = --E, E == -1 ? (a += E, b[--m] = _) : a -= E, !E)
       do {
         var C = n >> 3;
         c = (t[C] | t[C + 1] << 8) >> (n & 7) & 3, n += 2, _ += c;
       } while (c == 3);
   }
   (_ > 255 || a) && p(0);
-  for (var M = 0, O = (s >> 1) + (s >> 3) + 3, $ = s - 1, U = 0; U <= _; ++U) {
-    var g = d[U];
+  for (var M = 0, O = (s >> 1) + (s >> 3) + 3, $ = s - 1, k = 0; k <= _; ++k) {
+    var g = d[k];
     if (g < 1) {
-      v[U] = -g;
+      v[k] = -g;
       continue;
     }
     for (u = 0; u < g; ++u) {
-      b[M] = U;
+      b[M] = k;
       do
         M = M + O & $;
       while (M >= m);
     }
   }
   for (M && p(0), u = 0; u < s; ++u) {
-    var h = v[b[u]]++, R = T[u] = i - I(h);
+    var h = v[b[u]]++, R = U[u] = i - I(h);
     x[u] = (h << R) - s;
   }
   return [n + 7 >> 3, {
     b: i,
     s: b,
-    n: T,
+    n: U,
     t: x
   }];
 }, ft = function(t, e) {
@@ -773,17 +773,17 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
     e += s;
     var d = m << 3, v = t[e];
     v || p(0);
-    for (var x = 0, l = 0, b = w.b, T = b, z = (++e << 3) - 8 + I(v); z -= b, !(z < d); ) {
+    for (var x = 0, l = 0, b = w.b, U = b, z = (++e << 3) - 8 + I(v); z -= b, !(z < d); ) {
       var S = z >> 3;
-      if (x += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << b) - 1, a[++n] = w.s[x], z -= T, z < d)
+      if (x += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << b) - 1, a[++n] = w.s[x], z -= U, z < d)
         break;
-      S = z >> 3, l += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << T) - 1, a[++n] = w.s[l], b = w.n[x], x = w.t[x], T = w.n[l], l = w.t[l];
+      S = z >> 3, l += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << U) - 1, a[++n] = w.s[l], b = w.n[x], x = w.t[x], U = w.n[l], l = w.t[l];
     }
     ++n > 255 && p(0);
   } else {
     for (n = s - 127; r < n; r += 2) {
-      var W = t[++e];
-      a[r] = W >> 4, a[r + 1] = W & 15;
+      var L = t[++e];
+      a[r] = L >> 4, a[r + 1] = L & 15;
     }
     ++e;
   }
@@ -792,17 +792,17 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
     var f = a[r];
     f > 11 && p(0), E += f && 1 << f - 1;
   }
-  var F = I(E) + 1, k = 1 << F, C = k - E;
+  var F = I(E) + 1, T = 1 << F, C = T - E;
   for (C & C - 1 && p(0), a[n++] = I(C) + 1, r = 0; r < n; ++r) {
     var f = a[r];
     ++_[a[r] = f && F + 1 - f];
   }
-  var M = new y(k << 1), O = M.subarray(0, k), $ = M.subarray(k);
+  var M = new y(T << 1), O = M.subarray(0, T), $ = M.subarray(T);
   for (c[F] = 0, r = F; r > 0; --r) {
-    var U = c[r];
-    ue($, r, U, c[r - 1] = U + _[r] * (1 << F - r));
+    var k = c[r];
+    ue($, r, k, c[r - 1] = k + _[r] * (1 << F - r));
   }
-  for (c[0] != k && p(0), r = 0; r < n; ++r) {
+  for (c[0] != T && p(0), r = 0; r < n; ++r) {
     var g = a[r];
     if (g) {
       var h = c[g];
@@ -934,55 +934,55 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
       else if (m == 1)
         ue(l, t[i++], b);
       else {
-        var T = e.h;
+        var U = e.h;
         if (m == 2) {
           var z = ft(t, i);
-          v += i - (i = z[0]), e.h = T = z[1];
-        } else T || p(0);
-        (x ? yt : Q)(t.subarray(i, i += v), l.subarray(b), T);
+          v += i - (i = z[0]), e.h = U = z[1];
+        } else U || p(0);
+        (x ? yt : Q)(t.subarray(i, i += v), l.subarray(b), U);
       }
       var S = t[i++];
       if (S) {
         S == 255 ? S = (t[i++] | t[i++] << 8) + 32512 : S > 127 && (S = S - 128 << 8 | t[i++]);
-        var W = t[i++];
-        W & 3 && p(0);
+        var L = t[i++];
+        L & 3 && p(0);
         for (var E = [wt, gt, ut], f = 2; f > -1; --f) {
-          var F = W >> (f << 1) + 2 & 3;
+          var F = L >> (f << 1) + 2 & 3;
           if (F == 1) {
-            var k = new y([0, 0, t[i++]]);
+            var T = new y([0, 0, t[i++]]);
             E[f] = {
-              s: k.subarray(2, 3),
-              n: k.subarray(0, 1),
-              t: new fe(k.buffer, 0, 1),
+              s: T.subarray(2, 3),
+              n: T.subarray(0, 1),
+              t: new fe(T.buffer, 0, 1),
               b: 0
             };
           } else F == 2 ? (n = ne(t, i, 9 - (f & 1)), i = n[0], E[f] = n[1]) : F == 3 && (e.t || p(0), E[f] = e.t[f]);
         }
-        var C = e.t = E, M = C[0], O = C[1], $ = C[2], U = t[c - 1];
-        U || p(0);
-        var g = (c << 3) - 8 + I(U) - $.b, h = g >> 3, R = 0, ie = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $.b) - 1;
+        var C = e.t = E, M = C[0], O = C[1], $ = C[2], k = t[c - 1];
+        k || p(0);
+        var g = (c << 3) - 8 + I(k) - $.b, h = g >> 3, R = 0, ie = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $.b) - 1;
         h = (g -= O.b) >> 3;
         var se = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << O.b) - 1;
         h = (g -= M.b) >> 3;
         var oe = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << M.b) - 1;
         for (++S; --S; ) {
-          var ge = $.s[ie], Te = $.n[ie], pe = M.s[oe], Ce = M.n[oe], Oe = O.s[se], $e = O.n[se];
+          var ge = $.s[ie], Ue = $.n[ie], pe = M.s[oe], Ce = M.n[oe], Oe = O.s[se], $e = O.n[se];
           h = (g -= Oe) >> 3;
-          var Be = 1 << Oe, L = Be + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16 | t[h + 3] << 24) >>> (g & 7) & Be - 1);
+          var Be = 1 << Oe, W = Be + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16 | t[h + 3] << 24) >>> (g & 7) & Be - 1);
           h = (g -= Re[pe]) >> 3;
           var Y = dt[pe] + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16) >> (g & 7) & (1 << Re[pe]) - 1);
           h = (g -= Me[ge]) >> 3;
           var ae = pt[ge] + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16) >> (g & 7) & (1 << Me[ge]) - 1);
-          if (h = (g -= Te) >> 3, ie = $.t[ie] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Te) - 1), h = (g -= Ce) >> 3, oe = M.t[oe] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Ce) - 1), h = (g -= $e) >> 3, se = O.t[se] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $e) - 1), L > 3)
-            e.o[2] = e.o[1], e.o[1] = e.o[0], e.o[0] = L -= 3;
+          if (h = (g -= Ue) >> 3, ie = $.t[ie] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Ue) - 1), h = (g -= Ce) >> 3, oe = M.t[oe] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Ce) - 1), h = (g -= $e) >> 3, se = O.t[se] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $e) - 1), W > 3)
+            e.o[2] = e.o[1], e.o[1] = e.o[0], e.o[0] = W -= 3;
           else {
-            var _e = L - (ae != 0);
-            _e ? (L = _e == 3 ? e.o[0] - 1 : e.o[_e], _e > 1 && (e.o[2] = e.o[1]), e.o[1] = e.o[0], e.o[0] = L) : L = e.o[0];
+            var _e = W - (ae != 0);
+            _e ? (W = _e == 3 ? e.o[0] - 1 : e.o[_e], _e > 1 && (e.o[2] = e.o[1]), e.o[1] = e.o[0], e.o[0] = W) : W = e.o[0];
           }
           for (var f = 0; f < ae; ++f)
             l[R + f] = l[b + f];
           R += ae, b += ae;
-          var q = R - L;
+          var q = R - W;
           if (q < 0) {
             var H = -q, qe = e.e + q;
             H > Y && (H = Y);
@@ -1073,7 +1073,7 @@ const Ae = 65536;
 async function Pt(t, e, r) {
   if (typeof t == "string" || t instanceof URL) return bt(t, e, r);
   if (t instanceof Blob) {
-    const n = (i, s) => ke(t.slice(i, s).stream(), r);
+    const n = (i, s) => Te(t.slice(i, s).stream(), r);
     return {
       name: e ?? (t instanceof File ? t.name : ""),
       length: t.size,
@@ -1091,7 +1091,7 @@ async function Pt(t, e, r) {
     };
   }
   if (t instanceof ReadableStream)
-    return { name: e ?? "", length: null, pieces: ke(t, r), range: null };
+    return { name: e ?? "", length: null, pieces: Te(t, r), range: null };
   throw new A("unsupported", "a model is loaded from a URL, a File, a Blob, an ArrayBuffer or a ReadableStream");
 }
 async function bt(t, e, r) {
@@ -1142,12 +1142,12 @@ async function Se(t, e, r) {
   throw new A(i, `${t.href}: the server says ${n.status} ${n.statusText}`.trim());
 }
 function Ee(t, e) {
-  return t.body ? ke(t.body, e) : Ye(new Uint8Array());
+  return t.body ? Te(t.body, e) : Ye(new Uint8Array());
 }
 async function* Ye(t) {
   yield t;
 }
-async function* ke(t, e) {
+async function* Te(t, e) {
   const r = t.getReader(), n = () => void r.cancel(e.reason).catch(() => {
   });
   e.addEventListener("abort", n, { once: !0 });
@@ -1179,16 +1179,16 @@ async function* Et(t, e) {
 }
 async function* xt(t, e) {
   for (let r = await t.next(); !r.done; r = await t.next()) yield r.value;
-  yield* Ue(await e());
+  yield* ke(await e());
 }
 async function* Nt(t, e) {
-  t.length > 0 && (yield t), yield* Ue(e);
+  t.length > 0 && (yield t), yield* ke(e);
 }
 async function* Vt(t, e) {
-  for await (const r of Ue(t))
+  for await (const r of ke(t))
     if (yield r.subarray(0, e), e -= r.length, e <= 0) return;
 }
-function Ue(t) {
+function ke(t) {
   return { [Symbol.asyncIterator]: () => t };
 }
 function zt(t) {
@@ -1199,12 +1199,12 @@ function zt(t) {
     e.set(n, r), r += n.length;
   return e;
 }
-const Ft = 3, Mt = 1 << 30, Rt = 64 << 20, kt = 2e3;
-async function Ut(t, e) {
+const Ft = 3, Mt = 1 << 30, Rt = 64 << 20, Tt = 2e3;
+async function kt(t, e) {
   for (let r = 0; r < Ft; r++) {
-    const n = Tt(t);
+    const n = Ut(t);
     if (!n) break;
-    const i = new $t(Math.min(Mt, Math.max(Rt, t.length * kt)), e);
+    const i = new $t(Math.min(Mt, Math.max(Rt, t.length * Tt)), e);
     try {
       await (n === "gzip" ? Ct(t, i) : Ot(t, i));
     } catch (s) {
@@ -1214,7 +1214,7 @@ async function Ut(t, e) {
   }
   return { bytes: t, name: e };
 }
-function Tt(t) {
+function Ut(t) {
   const e = (...r) => r.every((n, i) => t[i] === n);
   return e(31, 139, 8) ? "gzip" : e(40, 181, 47, 253) ? "zstd" : void 0;
 }
@@ -1247,8 +1247,8 @@ class $t {
     this.all.push(e.slice());
   }
 }
-const xe = 8192, Bt = 60, Wt = 4;
-function Lt() {
+const xe = 8192, Bt = 60, Lt = 4;
+function Wt() {
   return new Promise((t) => {
     const { port1: e, port2: r } = new MessageChannel();
     e.onmessage = () => {
@@ -1259,142 +1259,149 @@ function Lt() {
 class Yt {
   #t;
   /** Milliseconds of decoding at a stretch. */
-  #w;
+  #p;
   #e = new P();
-  #r = [];
+  #n = [];
   #i;
-  #_ = !1;
-  #n = !1;
-  #g = !1;
+  #o = !1;
+  #r = !1;
+  #d = !1;
   /** The stream is complete, or broken off: bytes that were still on their way are dropped. */
-  #c = !1;
-  #p = { by: "detail", value: 1, limit: 0 };
-  #o = "surface";
+  #a = !1;
+  #y = { by: "detail", value: 1, limit: 0 };
+  #_ = "surface";
   #s = "download";
   /** Vertices that the page has. */
-  #d = 0;
-  #y = !1;
+  #m = 0;
+  #v = !1;
   /** Vertices that the page's computed normals are of; normals of a coarser level are other normals. */
-  #m = -1;
-  #l = 0;
-  #h = 0;
+  #b = -1;
   #f = 0;
-  #v = 0;
+  #u = 0;
+  #w = 0;
+  #g = 0;
+  #c;
   constructor(e, r) {
-    this.#t = e, this.#w = r;
+    this.#t = e, this.#p = r;
   }
   /** Does what the page orders. */
   take(e) {
-    if (!this.#n)
+    if (!this.#r)
       switch (e.type) {
         case "bytes":
-          if (this.#c) break;
-          this.#r.push(e.bytes), this.#b();
+          if (this.#a) break;
+          this.#n.push(e.bytes), this.#A();
           break;
         case "end":
-          if (this.#c) break;
-          this.#i = e.error ? { error: e.error } : {}, this.#b();
+          if (this.#a) break;
+          this.#i = e.error ? { error: e.error } : {}, this.#A();
           break;
         case "file":
-          this.#x(e.bytes, e.name);
+          this.#M(e.bytes, e.name);
           break;
         case "show":
-          this.#p = e.wish, this.#o = e.colouring, this.#e.is_ready && this.#u(() => this.#a(e.ticket));
+          this.#y = e.wish, this.#_ = e.colouring, this.#e.is_ready && this.#l(() => this.#h(e.ticket));
           break;
       }
   }
   dispose() {
-    this.#g || (this.#g = !0, this.#n = !0, this.#r = [], this.#e.free());
+    this.#d || (this.#d = !0, this.#r = !0, clearTimeout(this.#c), this.#n = [], this.#e.free());
   }
   /** Decodes what waits, then ends if nothing more comes. */
-  async #b() {
-    if (!this.#_) {
-      for (this.#_ = !0; this.#r.length > 0 && !this.#n; ) {
+  async #A() {
+    if (!this.#o) {
+      for (this.#o = !0; this.#n.length > 0 && !this.#r; ) {
         this.#s = "decode";
-        const e = this.#A();
+        const e = this.#x();
         if (e) {
-          this.#r = [], this.#i = { error: ve(e) };
+          this.#n = [], this.#i = { error: ve(e) };
           break;
         }
-        performance.now() >= this.#v && this.#u(() => this.#z()), await Lt();
+        performance.now() >= this.#g && this.#l(() => this.#S()), await Wt();
       }
-      this.#_ = !1, this.#i && !this.#n && this.#S(this.#i.error);
+      this.#o = !1, !this.#r && (this.#i ? this.#z(this.#i.error) : this.#E());
     }
   }
+  /** Tells what has been decoded even if the line stalls. */
+  #E() {
+    clearTimeout(this.#c), this.#c = setTimeout(() => {
+      !this.#o && !this.#r && !this.#a && this.#l(() => this.#S());
+    }, this.#g - performance.now());
+  }
   /** Decodes for a few milliseconds, and prepares views of what came; returns what is wrong with the bytes. */
-  #A() {
+  #x() {
     const e = performance.now();
     try {
-      for (; performance.now() - e < this.#w; ) {
-        const r = this.#r.shift();
+      for (; performance.now() - e < this.#p; ) {
+        const r = this.#n.shift();
         if (!r) break;
-        this.#e.push(r.subarray(0, xe)), r.length > xe && this.#r.unshift(r.subarray(xe));
+        this.#e.push(r.subarray(0, xe)), r.length > xe && this.#n.unshift(r.subarray(xe));
       }
       return;
     } catch (r) {
       return me(r);
     } finally {
       const r = performance.now();
-      this.#l += r - e, this.#e.grow(), this.#h += performance.now() - r;
+      this.#f += r - e, this.#e.grow(), this.#u += performance.now() - r;
     }
   }
-  #S(e) {
+  #z(e) {
     let r = e;
-    this.#c = !0;
+    this.#a = !0, clearTimeout(this.#c);
     try {
-      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#E(), this.#e.reveal(), !this.#e.is_ready) throw new A("corrupt", "the stream ends before there is anything to draw");
-      this.#s = "done", this.#a(0);
+      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#F(), this.#e.reveal(), !this.#e.is_ready) throw new A("corrupt", "the stream ends before there is anything to draw");
+      this.#s = "done", this.#h(0);
     } catch (n) {
       r ??= ve(me(n));
     }
     this.#i = void 0, this.#t(r ? { type: "failed", error: r } : { type: "finished" });
   }
-  #E() {
+  #F() {
     const e = performance.now();
     try {
       this.#e.finish();
     } finally {
-      this.#l += performance.now() - e;
+      this.#f += performance.now() - e;
     }
   }
   /** Reads a whole file and builds its model. */
-  async #x(e, r) {
+  async #M(e, r) {
     this.#s = "build";
     const n = performance.now(), i = { report: (_, c) => this.#t({ type: "building", share: c }) };
     let s, a;
     try {
-      s = await Ut(e, r);
+      s = await kt(e, r);
     } catch (_) {
       a = _;
     }
-    this.#n || this.#u(() => {
+    this.#r || this.#l(() => {
       if (!s) throw a;
       const _ = P.from_file(s.bytes, s.name, i);
-      this.#e.free(), this.#e = _, this.#h = performance.now() - n, this.#s = "done", this.#a(0), this.#t({ type: "finished" });
+      this.#e.free(), this.#e = _, this.#u = performance.now() - n, this.#s = "done", this.#h(0), this.#t({ type: "finished" });
     });
   }
   /** Reports what goes wrong; the engine then takes no more orders. */
-  #u(e) {
+  #l(e) {
     try {
       e();
     } catch (r) {
-      this.#n = !0, this.#t({ type: "failed", error: ve(me(r)) });
+      this.#r = !0, this.#t({ type: "failed", error: ve(me(r)) });
     }
   }
   /**
    * Tells what has been decoded since the last update. Only updates bring new vertices and normals: answers to requests
    * in between are of what the page has already, so that many of them do not hold decoding up.
    */
-  #z() {
-    this.#e.reveal(), this.#e.is_ready && this.#a(0);
+  #S() {
+    this.#e.reveal(), this.#e.is_ready && this.#h(0);
   }
   /** Shows what is wished for, and tells it with what is new. */
-  #a(e) {
-    const r = performance.now(), n = this.#F(), i = this.#R(), s = this.#k(), a = this.#U(), _ = this.#e, [c, u] = [_.indices(), _.group_counts()];
-    this.#f = performance.now() - r, this.#v = performance.now() + Math.max(Bt, Wt * this.#f);
+  #h(e) {
+    const r = performance.now(), n = this.#R(), i = this.#k(), s = this.#U(), a = this.#C(), _ = this.#e, [c, u] = [_.indices(), _.group_counts()];
+    this.#w = performance.now() - r, this.#g = performance.now() + Math.max(Bt, Lt * this.#w);
     const w = {
       type: "update",
-      state: this.#T(),
+      state: this.#O(),
       vertices: s,
       smoothNormals: a,
       indices: c,
@@ -1406,15 +1413,15 @@ class Yt {
     this.#t(w);
   }
   /** Goes to the level that is wished for; whether asking again would show the same. */
-  #F() {
-    const { by: e, value: r, limit: n, camera: i } = this.#p, s = this.#e;
-    if (e === "view" && i) return this.#M(i, r, n);
+  #R() {
+    const { by: e, value: r, limit: n, camera: i } = this.#y, s = this.#e;
+    if (e === "view" && i) return this.#T(i, r, n);
     e === "triangles" ? s.show_triangles(r) : e === "error" ? s.show_error(r) : s.show_detail(e === "detail" ? r : 1);
     const a = s.group_counts().reduce((_, c) => _ + c, 0);
     return n > 0 && a > n && s.show_triangles(n), !0;
   }
   /** A camera that sees nothing leaves what is shown: another may see more. */
-  #M(e, r, n) {
+  #T(e, r, n) {
     const i = new he(Float64Array.from(e), r, n);
     try {
       return this.#e.show_view(i);
@@ -1425,29 +1432,29 @@ class Yt {
       i.free();
     }
   }
-  #R() {
-    if (this.#o === "strips") return this.#e.color_strips();
-    if (this.#o === "fans") return this.#e.color_fans();
-    if (this.#o === "surface") return;
+  #k() {
+    if (this.#_ === "strips") return this.#e.color_strips();
+    if (this.#_ === "fans") return this.#e.color_fans();
+    if (this.#_ === "surface") return;
     const e = this.#e.group_counts().reduce((r, n) => r + n, 0);
     return Uint32Array.from({ length: e }, (r, n) => n);
   }
-  #k() {
-    const e = this.#d;
+  #U() {
+    const e = this.#m;
     if (this.#e.vertex_count === e) return;
     const r = this.#e.vertices(e);
     try {
       const n = r.take_normals();
-      return this.#y = n !== void 0, this.#d = this.#e.vertex_count, { first: e, positions: r.take_positions(), normals: n, colors: r.take_colors(), uvs: r.take_uvs() };
+      return this.#v = n !== void 0, this.#m = this.#e.vertex_count, { first: e, positions: r.take_positions(), normals: n, colors: r.take_colors(), uvs: r.take_uvs() };
     } finally {
       r.free();
     }
   }
-  #U() {
-    if (!(this.#y || this.#m === this.#e.vertex_count))
-      return this.#m = this.#e.vertex_count, this.#e.smooth_normals();
+  #C() {
+    if (!(this.#v || this.#b === this.#e.vertex_count))
+      return this.#b = this.#e.vertex_count, this.#e.smooth_normals();
   }
-  #T() {
+  #O() {
     const e = this.#e;
     return {
       kind: e.kind,
@@ -1463,9 +1470,9 @@ class Yt {
       diagonal: e.diagonal,
       shownSplitCount: e.shown_split_count,
       shownError: e.shown_error,
-      decodeMs: this.#l,
-      buildMs: this.#h,
-      updateMs: this.#f
+      decodeMs: this.#f,
+      buildMs: this.#u,
+      updateMs: this.#w
     };
   }
 }
@@ -1519,7 +1526,7 @@ export {
   ve as f,
   st as g,
   jt as h,
-  Ue as i,
+  ke as i,
   Vt as l,
   Pt as o,
   Nt as p,

@@ -54,6 +54,7 @@ export class Engine {
   #buildMs = 0;
   #updateMs = 0;
   #nextUpdate = 0;
+  #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(report: (report: Report) => void, sliceMs: number) {
     this.#report = report;
@@ -89,6 +90,7 @@ export class Engine {
     if (this.#isDisposed) return;
     this.#isDisposed = true;
     this.#isOver = true;
+    clearTimeout(this.#timer);
     this.#queue = [];
     this.#model.free();
   }
@@ -110,7 +112,17 @@ export class Engine {
       await turn();
     }
     this.#isPumping = false;
-    if (this.#end && !this.#isOver) this.#finish(this.#end.error);
+    if (this.#isOver) return;
+    if (this.#end) this.#finish(this.#end.error);
+    else this.#updateLater();
+  }
+
+  /** Tells what has been decoded even if the line stalls. */
+  #updateLater(): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      if (!this.#isPumping && !this.#isOver && !this.#hasEnded) this.#attempt(() => this.#update());
+    }, this.#nextUpdate - performance.now());
   }
 
   /** Decodes for a few milliseconds, and prepares views of what came; returns what is wrong with the bytes. */
@@ -137,6 +149,7 @@ export class Engine {
   #finish(error: PlainError | undefined): void {
     let failure = error;
     this.#hasEnded = true;
+    clearTimeout(this.#timer);
     try {
       if (!failure && !this.#model.is_complete) {
         failure = { code: 'corrupt', message: 'the stream ends before the mesh does', hint: 'was the file copied whole?' };
