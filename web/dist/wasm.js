@@ -1,11 +1,11 @@
 class j {
   static __wrap(e) {
     const r = Object.create(j.prototype);
-    return r.__wbg_ptr = e, We.register(r, r.__wbg_ptr, r), r;
+    return r.__wbg_ptr = e, Le.register(r, r.__wbg_ptr, r), r;
   }
   __destroy_into_raw() {
     const e = this.__wbg_ptr;
-    return this.__wbg_ptr = 0, We.unregister(this), e;
+    return this.__wbg_ptr = 0, Le.unregister(this), e;
   }
   free() {
     const e = this.__destroy_into_raw();
@@ -71,19 +71,8 @@ class P {
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
   }
   /**
-   * Makes what views are taken from, of what has come. No more bytes can be pushed then.
-   *
-   * # Errors
-   * Where too little has come.
-   */
-  build() {
-    const e = o.model_build(this.__wbg_ptr);
-    if (e[1])
-      throw L(e[0]);
-  }
-  /**
-   * Puts the triangles that are shown into the order of fans, and tells the fan of each. Before the model is built: the
-   * vertex that they turn around.
+   * Returns the fan of each triangle that is shown, whose order may change. For a stream that is the vertex that the triangle
+   * turns around.
    * @returns {Uint32Array}
    */
   color_fans() {
@@ -101,7 +90,7 @@ class P {
   color_strips() {
     const e = o.model_color_strips(this.__wbg_ptr);
     if (e[3])
-      throw L(e[2]);
+      throw D(e[2]);
     var r = ce(e[0], e[1]).slice();
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
   }
@@ -121,7 +110,7 @@ class P {
   finish() {
     const e = o.model_finish(this.__wbg_ptr);
     if (e[1])
-      throw L(e[0]);
+      throw D(e[0]);
   }
   /**
    * Reads a whole file, unpacked, and builds its model; plain meshes are simplified, which takes a second or two for each 100,000
@@ -143,7 +132,7 @@ class P {
     }
     const c = o.model_from_file(i, s, a, _, n);
     if (c[2])
-      throw L(c[1]);
+      throw D(c[1]);
     return P.__wrap(c[0]);
   }
   /**
@@ -177,6 +166,13 @@ class P {
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
   }
   /**
+   * Prepares views of what has been decoded since the last call. [`reveal`](Self::reveal) does so by itself; calls between pushes spread
+   * the work.
+   */
+  grow() {
+    o.model_grow(this.__wbg_ptr);
+  }
+  /**
    * Corners of the triangles that are shown, group after group.
    * @returns {Uint32Array}
    */
@@ -184,13 +180,6 @@ class P {
     const e = o.model_indices(this.__wbg_ptr);
     var r = ce(e[0], e[1]).slice();
     return o.__wbindgen_free(e[0], e[1] * 4, 4), r;
-  }
-  /**
-   * Whether views can be shown.
-   * @returns {boolean}
-   */
-  get is_built() {
-    return o.model_is_built(this.__wbg_ptr) !== 0;
   }
   /**
    * Whether all of the mesh is there.
@@ -236,7 +225,13 @@ class P {
   push(e) {
     const r = Fe(e, o.__wbindgen_malloc), n = B, i = o.model_push(this.__wbg_ptr, r, n);
     if (i[1])
-      throw L(i[0]);
+      throw D(i[0]);
+  }
+  /**
+   * Lets levels and views show all that has been decoded. Counts, vertices and normals are of what has been revealed.
+   */
+  reveal() {
+    o.model_reveal(this.__wbg_ptr);
   }
   /**
    * Shows a level by its detail, 0 to 1 of the full mesh.
@@ -260,10 +255,10 @@ class P {
     o.model_show_triangles(this.__wbg_ptr, e);
   }
   /**
-   * Shows what a view asks for; false where asking once more would show more of it.
+   * Shows what a view asks for, of what has arrived; false if asking once more would show more of it.
    *
    * # Errors
-   * Where the model is not built, or the camera sees nothing.
+   * If the camera sees nothing.
    * @param {View} view
    * @returns {boolean}
    */
@@ -271,7 +266,7 @@ class P {
     Xe(e, he);
     const r = o.model_show_view(this.__wbg_ptr, e.__wbg_ptr);
     if (r[2])
-      throw L(r[1]);
+      throw D(r[1]);
     return r[0] !== 0;
   }
   /**
@@ -339,11 +334,11 @@ Symbol.dispose && (P.prototype[Symbol.dispose] = P.prototype.free);
 class te {
   static __wrap(e) {
     const r = Object.create(te.prototype);
-    return r.__wbg_ptr = e, Le.register(r, r.__wbg_ptr, r), r;
+    return r.__wbg_ptr = e, We.register(r, r.__wbg_ptr, r), r;
   }
   __destroy_into_raw() {
     const e = this.__wbg_ptr;
-    return this.__wbg_ptr = 0, Le.unregister(this), e;
+    return this.__wbg_ptr = 0, We.unregister(this), e;
   }
   free() {
     const e = this.__destroy_into_raw();
@@ -402,7 +397,7 @@ class te {
   static find(e) {
     const r = Fe(e, o.__wbindgen_malloc), n = B, i = o.streamplace_find(r, n);
     if (i[2])
-      throw L(i[1]);
+      throw D(i[1]);
     return te.__wrap(i[0]);
   }
 }
@@ -508,7 +503,7 @@ class he {
   constructor(e, r, n) {
     const i = +r, s = +n, a = Ze(e, o.__wbindgen_malloc), _ = B, c = o.view_new(a, _, i, s);
     if (c[2])
-      throw L(c[1]);
+      throw D(c[1]);
     return this.__wbg_ptr = c[0], Ie.register(this, this.__wbg_ptr, this), this;
   }
 }
@@ -534,11 +529,11 @@ function He() {
     }
   };
 }
-const We = typeof FinalizationRegistry > "u" ? { register: () => {
+const Le = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
 } } : new FinalizationRegistry((t) => o.__wbg_failure_free(t, 1)), de = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
-} } : new FinalizationRegistry((t) => o.__wbg_model_free(t, 1)), Le = typeof FinalizationRegistry > "u" ? { register: () => {
+} } : new FinalizationRegistry((t) => o.__wbg_model_free(t, 1)), We = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
 } } : new FinalizationRegistry((t) => o.__wbg_streamplace_free(t, 1)), De = typeof FinalizationRegistry > "u" ? { register: () => {
 }, unregister: () => {
@@ -605,7 +600,7 @@ function et(t, e, r) {
   }
   return B = a, i;
 }
-function L(t) {
+function D(t) {
   const e = o.__wbindgen_externrefs.get(t);
   return o.__externref_table_dealloc(t), e;
 }
@@ -662,13 +657,13 @@ function me(t) {
 function st() {
   return new A("aborted", "loading was aborted");
 }
-function be(t) {
+function ve(t) {
   return { code: t.code, message: t.message, hint: t.hint };
 }
 function jt(t) {
   return new A(t.code, t.message, t.hint);
 }
-var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = Int32Array, ve = function(t, e, r) {
+var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = Int32Array, be = function(t, e, r) {
   if (y.prototype.slice)
     return y.prototype.slice.call(t, e, r);
   (e == null || e < 0) && (e = 0), (r == null || r > t.length) && (r = t.length);
@@ -710,24 +705,24 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
     n & 8 && p(0);
     var c = 6 - i, u = a == 3 ? 4 : a, m = je(t, c, u);
     c += u;
-    var w = _ ? 1 << _ : i, d = je(t, c, w) + (_ == 1 && 256), b = d;
+    var w = _ ? 1 << _ : i, d = je(t, c, w) + (_ == 1 && 256), v = d;
     if (!i) {
-      var E = 1 << 10 + (t[5] >> 3);
-      b = E + (E >> 3) * (t[5] & 7);
+      var x = 1 << 10 + (t[5] >> 3);
+      v = x + (x >> 3) * (t[5] & 7);
     }
-    b > 2145386496 && p(1);
-    var l = new y(b + 12);
+    v > 2145386496 && p(1);
+    var l = new y(v + 12);
     return l[0] = 1, l[4] = 4, l[8] = 8, {
       b: c + w,
       y: 0,
       l: 0,
       d: m,
       w: e && e != 1 ? e : l.subarray(12),
-      e: b,
+      e: v,
       o: new we(l.buffer, 0, 3),
       u: d,
       c: s,
-      m: Math.min(131072, b)
+      m: Math.min(131072, v)
     };
   } else if ((r >> 4 | t[3] << 20) == 25481893)
     return lt(t, 4) + 8;
@@ -739,75 +734,75 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
 }, ne = function(t, e, r) {
   var n = (e << 3) + 4, i = (t[e] & 15) + 5;
   i > r && p(3);
-  for (var s = 1 << i, a = s, _ = -1, c = -1, u = -1, m = s, w = new ot(512 + (s << 2)), d = new at(w, 0, 256), b = new fe(w, 0, 256), E = new fe(w, 512, s), l = 512 + (s << 1), v = new y(w, l, s), T = new y(w, l + s); _ < 255 && a > 0; ) {
-    var z = I(a + 1), S = n >> 3, W = (1 << z + 1) - 1, x = (t[S] | t[S + 1] << 8 | t[S + 2] << 16) >> (n & 7) & W, f = (1 << z) - 1, F = W - a - 1, k = x & f;
-    if (k < F ? (n += z, x = k) : (n += z + 1, x > f && (x -= F)), d[++_] = --x, x == -1 ? (a += x, v[--m] = _) : a -= x, !x)
+  for (var s = 1 << i, a = s, _ = -1, c = -1, u = -1, m = s, w = new ot(512 + (s << 2)), d = new at(w, 0, 256), v = new fe(w, 0, 256), x = new fe(w, 512, s), l = 512 + (s << 1), b = new y(w, l, s), U = new y(w, l + s); _ < 255 && a > 0; ) {
+    var z = I(a + 1), S = n >> 3, L = (1 << z + 1) - 1, E = (t[S] | t[S + 1] << 8 | t[S + 2] << 16) >> (n & 7) & L, f = (1 << z) - 1, F = L - a - 1, T = E & f;
+    if (T < F ? (n += z, E = T) : (n += z + 1, E > f && (E -= F)), d[++_] = --E, E == -1 ? (a += E, b[--m] = _) : a -= E, !E)
       do {
         var C = n >> 3;
         c = (t[C] | t[C + 1] << 8) >> (n & 7) & 3, n += 2, _ += c;
       } while (c == 3);
   }
   (_ > 255 || a) && p(0);
-  for (var M = 0, O = (s >> 1) + (s >> 3) + 3, $ = s - 1, U = 0; U <= _; ++U) {
-    var g = d[U];
+  for (var M = 0, O = (s >> 1) + (s >> 3) + 3, $ = s - 1, k = 0; k <= _; ++k) {
+    var g = d[k];
     if (g < 1) {
-      b[U] = -g;
+      v[k] = -g;
       continue;
     }
     for (u = 0; u < g; ++u) {
-      v[M] = U;
+      b[M] = k;
       do
         M = M + O & $;
       while (M >= m);
     }
   }
   for (M && p(0), u = 0; u < s; ++u) {
-    var h = b[v[u]]++, R = T[u] = i - I(h);
-    E[u] = (h << R) - s;
+    var h = v[b[u]]++, R = U[u] = i - I(h);
+    x[u] = (h << R) - s;
   }
   return [n + 7 >> 3, {
     b: i,
-    s: v,
-    n: T,
-    t: E
+    s: b,
+    n: U,
+    t: x
   }];
 }, ft = function(t, e) {
   var r = 0, n = -1, i = new y(292), s = t[e], a = i.subarray(0, 256), _ = i.subarray(256, 268), c = new fe(i.buffer, 268);
   if (s < 128) {
     var u = ne(t, e + 1, 6), m = u[0], w = u[1];
     e += s;
-    var d = m << 3, b = t[e];
-    b || p(0);
-    for (var E = 0, l = 0, v = w.b, T = v, z = (++e << 3) - 8 + I(b); z -= v, !(z < d); ) {
+    var d = m << 3, v = t[e];
+    v || p(0);
+    for (var x = 0, l = 0, b = w.b, U = b, z = (++e << 3) - 8 + I(v); z -= b, !(z < d); ) {
       var S = z >> 3;
-      if (E += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << v) - 1, a[++n] = w.s[E], z -= T, z < d)
+      if (x += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << b) - 1, a[++n] = w.s[x], z -= U, z < d)
         break;
-      S = z >> 3, l += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << T) - 1, a[++n] = w.s[l], v = w.n[E], E = w.t[E], T = w.n[l], l = w.t[l];
+      S = z >> 3, l += (t[S] | t[S + 1] << 8) >> (z & 7) & (1 << U) - 1, a[++n] = w.s[l], b = w.n[x], x = w.t[x], U = w.n[l], l = w.t[l];
     }
     ++n > 255 && p(0);
   } else {
     for (n = s - 127; r < n; r += 2) {
-      var W = t[++e];
-      a[r] = W >> 4, a[r + 1] = W & 15;
+      var L = t[++e];
+      a[r] = L >> 4, a[r + 1] = L & 15;
     }
     ++e;
   }
-  var x = 0;
+  var E = 0;
   for (r = 0; r < n; ++r) {
     var f = a[r];
-    f > 11 && p(0), x += f && 1 << f - 1;
+    f > 11 && p(0), E += f && 1 << f - 1;
   }
-  var F = I(x) + 1, k = 1 << F, C = k - x;
+  var F = I(E) + 1, T = 1 << F, C = T - E;
   for (C & C - 1 && p(0), a[n++] = I(C) + 1, r = 0; r < n; ++r) {
     var f = a[r];
     ++_[a[r] = f && F + 1 - f];
   }
-  var M = new y(k << 1), O = M.subarray(0, k), $ = M.subarray(k);
+  var M = new y(T << 1), O = M.subarray(0, T), $ = M.subarray(T);
   for (c[F] = 0, r = F; r > 0; --r) {
-    var U = c[r];
-    ue($, r, U, c[r - 1] = U + _[r] * (1 << F - r));
+    var k = c[r];
+    ue($, r, k, c[r - 1] = k + _[r] * (1 << F - r));
   }
-  for (c[0] != k && p(0), r = 0; r < n; ++r) {
+  for (c[0] != T && p(0), r = 0; r < n; ++r) {
     var g = a[r];
     if (g) {
       var h = c[g];
@@ -914,8 +909,8 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
   var n = t.length, i = e.length, s = t[n - 1], a = (1 << r.b) - 1, _ = -r.b;
   s || p(0);
   for (var c = 0, u = r.b, m = (n << 3) - 8 + I(s) - u, w = -1; m > _ && w < i; ) {
-    var d = m >> 3, b = (t[d] | t[d + 1] << 8 | t[d + 2] << 16) >> (m & 7);
-    c = (c << u | b) & a, e[++w] = r.s[c], m -= u = r.n[c];
+    var d = m >> 3, v = (t[d] | t[d + 1] << 8 | t[d + 2] << 16) >> (m & 7);
+    c = (c << u | v) & a, e[++w] = r.s[c], m -= u = r.n[c];
   }
   (m != _ || w + 1 != i) && p(0);
 }, yt = function(t, e, r) {
@@ -929,65 +924,65 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
     return i >= t.length ? void 0 : (e.b = i + 1, ue(new y(_), t[i]));
   if (!(c > t.length)) {
     if (a == 0)
-      return e.b = c, ve(t, i, c);
+      return e.b = c, be(t, i, c);
     if (a == 2) {
-      var u = t[i], m = u & 3, w = u >> 2 & 3, d = u >> 4, b = 0, E = 0;
-      m < 2 ? w & 1 ? d |= t[++i] << 4 | (w & 2 && t[++i] << 12) : d = u >> 3 : (E = w, w < 2 ? (d |= (t[++i] & 63) << 4, b = t[i] >> 6 | t[++i] << 2) : w == 2 ? (d |= t[++i] << 4 | (t[++i] & 3) << 12, b = t[i] >> 2 | t[++i] << 6) : (d |= t[++i] << 4 | (t[++i] & 63) << 12, b = t[i] >> 6 | t[++i] << 2 | t[++i] << 10)), ++i;
-      var l = new y(e.m), v = l.length - d;
+      var u = t[i], m = u & 3, w = u >> 2 & 3, d = u >> 4, v = 0, x = 0;
+      m < 2 ? w & 1 ? d |= t[++i] << 4 | (w & 2 && t[++i] << 12) : d = u >> 3 : (x = w, w < 2 ? (d |= (t[++i] & 63) << 4, v = t[i] >> 6 | t[++i] << 2) : w == 2 ? (d |= t[++i] << 4 | (t[++i] & 3) << 12, v = t[i] >> 2 | t[++i] << 6) : (d |= t[++i] << 4 | (t[++i] & 63) << 12, v = t[i] >> 6 | t[++i] << 2 | t[++i] << 10)), ++i;
+      var l = new y(e.m), b = l.length - d;
       if (m == 0)
-        l.set(t.subarray(i, i += d), v);
+        l.set(t.subarray(i, i += d), b);
       else if (m == 1)
-        ue(l, t[i++], v);
+        ue(l, t[i++], b);
       else {
-        var T = e.h;
+        var U = e.h;
         if (m == 2) {
           var z = ft(t, i);
-          b += i - (i = z[0]), e.h = T = z[1];
-        } else T || p(0);
-        (E ? yt : Q)(t.subarray(i, i += b), l.subarray(v), T);
+          v += i - (i = z[0]), e.h = U = z[1];
+        } else U || p(0);
+        (x ? yt : Q)(t.subarray(i, i += v), l.subarray(b), U);
       }
       var S = t[i++];
       if (S) {
         S == 255 ? S = (t[i++] | t[i++] << 8) + 32512 : S > 127 && (S = S - 128 << 8 | t[i++]);
-        var W = t[i++];
-        W & 3 && p(0);
-        for (var x = [wt, gt, ut], f = 2; f > -1; --f) {
-          var F = W >> (f << 1) + 2 & 3;
+        var L = t[i++];
+        L & 3 && p(0);
+        for (var E = [wt, gt, ut], f = 2; f > -1; --f) {
+          var F = L >> (f << 1) + 2 & 3;
           if (F == 1) {
-            var k = new y([0, 0, t[i++]]);
-            x[f] = {
-              s: k.subarray(2, 3),
-              n: k.subarray(0, 1),
-              t: new fe(k.buffer, 0, 1),
+            var T = new y([0, 0, t[i++]]);
+            E[f] = {
+              s: T.subarray(2, 3),
+              n: T.subarray(0, 1),
+              t: new fe(T.buffer, 0, 1),
               b: 0
             };
-          } else F == 2 ? (n = ne(t, i, 9 - (f & 1)), i = n[0], x[f] = n[1]) : F == 3 && (e.t || p(0), x[f] = e.t[f]);
+          } else F == 2 ? (n = ne(t, i, 9 - (f & 1)), i = n[0], E[f] = n[1]) : F == 3 && (e.t || p(0), E[f] = e.t[f]);
         }
-        var C = e.t = x, M = C[0], O = C[1], $ = C[2], U = t[c - 1];
-        U || p(0);
-        var g = (c << 3) - 8 + I(U) - $.b, h = g >> 3, R = 0, ie = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $.b) - 1;
+        var C = e.t = E, M = C[0], O = C[1], $ = C[2], k = t[c - 1];
+        k || p(0);
+        var g = (c << 3) - 8 + I(k) - $.b, h = g >> 3, R = 0, ie = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $.b) - 1;
         h = (g -= O.b) >> 3;
         var se = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << O.b) - 1;
         h = (g -= M.b) >> 3;
         var oe = (t[h] | t[h + 1] << 8) >> (g & 7) & (1 << M.b) - 1;
         for (++S; --S; ) {
-          var ge = $.s[ie], Te = $.n[ie], pe = M.s[oe], Ce = M.n[oe], Oe = O.s[se], $e = O.n[se];
+          var ge = $.s[ie], Ue = $.n[ie], pe = M.s[oe], Ce = M.n[oe], Oe = O.s[se], $e = O.n[se];
           h = (g -= Oe) >> 3;
-          var Be = 1 << Oe, D = Be + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16 | t[h + 3] << 24) >>> (g & 7) & Be - 1);
+          var Be = 1 << Oe, W = Be + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16 | t[h + 3] << 24) >>> (g & 7) & Be - 1);
           h = (g -= Re[pe]) >> 3;
           var Y = dt[pe] + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16) >> (g & 7) & (1 << Re[pe]) - 1);
           h = (g -= Me[ge]) >> 3;
           var ae = pt[ge] + ((t[h] | t[h + 1] << 8 | t[h + 2] << 16) >> (g & 7) & (1 << Me[ge]) - 1);
-          if (h = (g -= Te) >> 3, ie = $.t[ie] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Te) - 1), h = (g -= Ce) >> 3, oe = M.t[oe] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Ce) - 1), h = (g -= $e) >> 3, se = O.t[se] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $e) - 1), D > 3)
-            e.o[2] = e.o[1], e.o[1] = e.o[0], e.o[0] = D -= 3;
+          if (h = (g -= Ue) >> 3, ie = $.t[ie] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Ue) - 1), h = (g -= Ce) >> 3, oe = M.t[oe] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << Ce) - 1), h = (g -= $e) >> 3, se = O.t[se] + ((t[h] | t[h + 1] << 8) >> (g & 7) & (1 << $e) - 1), W > 3)
+            e.o[2] = e.o[1], e.o[1] = e.o[0], e.o[0] = W -= 3;
           else {
-            var _e = D - (ae != 0);
-            _e ? (D = _e == 3 ? e.o[0] - 1 : e.o[_e], _e > 1 && (e.o[2] = e.o[1]), e.o[1] = e.o[0], e.o[0] = D) : D = e.o[0];
+            var _e = W - (ae != 0);
+            _e ? (W = _e == 3 ? e.o[0] - 1 : e.o[_e], _e > 1 && (e.o[2] = e.o[1]), e.o[1] = e.o[0], e.o[0] = W) : W = e.o[0];
           }
           for (var f = 0; f < ae; ++f)
-            l[R + f] = l[v + f];
-          R += ae, v += ae;
-          var q = R - D;
+            l[R + f] = l[b + f];
+          R += ae, b += ae;
+          var q = R - W;
           if (q < 0) {
             var H = -q, qe = e.e + q;
             H > Y && (H = Y);
@@ -999,15 +994,15 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
             l[R + f] = l[q + f];
           R += Y;
         }
-        if (R != v)
-          for (; v < l.length; )
-            l[R++] = l[v++];
+        if (R != b)
+          for (; b < l.length; )
+            l[R++] = l[b++];
         else
           R = l.length;
-        l = ve(l, 0, R);
+        l = be(l, 0, R);
       } else {
         var f;
-        v && (l = ve(l, v));
+        b && (l = be(l, b));
       }
       return e.b = c, l;
     }
@@ -1021,7 +1016,7 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
     r.set(s, i), i += s.length;
   }
   return r;
-}, bt = /* @__PURE__ */ (function() {
+}, vt = /* @__PURE__ */ (function() {
   function t(e) {
     this.ondata = e, this.c = [], this.l = 0, this.z = 0;
   }
@@ -1076,9 +1071,9 @@ var ot = ArrayBuffer, y = Uint8Array, fe = Uint16Array, at = Int16Array, we = In
 })();
 const Ae = 65536;
 async function Pt(t, e, r) {
-  if (typeof t == "string" || t instanceof URL) return vt(t, e, r);
+  if (typeof t == "string" || t instanceof URL) return bt(t, e, r);
   if (t instanceof Blob) {
-    const n = (i, s) => ke(t.slice(i, s).stream(), r);
+    const n = (i, s) => Te(t.slice(i, s).stream(), r);
     return {
       name: e ?? (t instanceof File ? t.name : ""),
       length: t.size,
@@ -1096,22 +1091,22 @@ async function Pt(t, e, r) {
     };
   }
   if (t instanceof ReadableStream)
-    return { name: e ?? "", length: null, pieces: ke(t, r), range: null };
+    return { name: e ?? "", length: null, pieces: Te(t, r), range: null };
   throw new A("unsupported", "a model is loaded from a URL, a File, a Blob, an ArrayBuffer or a ReadableStream");
 }
-async function vt(t, e, r) {
+async function bt(t, e, r) {
   const n = At(t), s = /\.striata$/i.test(n.pathname) ? { Range: `bytes=0-${Ae - 1}` } : {};
   let a = await Se(n, s, r);
   const _ = /\/(\d+)$/.exec(a.headers.get("Content-Range") ?? "")?.[1];
   a.status === 206 && _ === void 0 && (await a.body?.cancel(), a = await Se(n, {}, r));
-  const c = a.headers.has("Content-Encoding"), u = _ ?? (c ? null : a.headers.get("Content-Length")), m = a.status === 206, w = async (d, b) => {
-    const E = await Se(n, { Range: `bytes=${d}-${b - 1}` }, r), l = xe(E, r);
-    return E.status === 206 ? l : xt(l, d);
+  const c = a.headers.has("Content-Encoding"), u = _ ?? (c ? null : a.headers.get("Content-Length")), m = a.status === 206, w = async (d, v) => {
+    const x = await Se(n, { Range: `bytes=${d}-${v - 1}` }, r), l = Ee(x, r);
+    return x.status === 206 ? l : Et(l, d);
   };
   return {
     name: e ?? St(n),
     length: u === null ? null : Number(u),
-    pieces: m && Number(_) > Ae ? Et(xe(a, r), () => w(Ae, Number(_))) : xe(a, r),
+    pieces: m && Number(_) > Ae ? xt(Ee(a, r), () => w(Ae, Number(_))) : Ee(a, r),
     range: m ? w : null
   };
 }
@@ -1146,13 +1141,13 @@ async function Se(t, e, r) {
   const i = n.status === 404 || n.status === 410 ? "not-found" : "network";
   throw new A(i, `${t.href}: the server says ${n.status} ${n.statusText}`.trim());
 }
-function xe(t, e) {
-  return t.body ? ke(t.body, e) : Ye(new Uint8Array());
+function Ee(t, e) {
+  return t.body ? Te(t.body, e) : Ye(new Uint8Array());
 }
 async function* Ye(t) {
   yield t;
 }
-async function* ke(t, e) {
+async function* Te(t, e) {
   const r = t.getReader(), n = () => void r.cancel(e.reason).catch(() => {
   });
   e.addEventListener("abort", n, { once: !0 });
@@ -1172,7 +1167,7 @@ async function* ke(t, e) {
     });
   }
 }
-async function* xt(t, e) {
+async function* Et(t, e) {
   try {
     for (let r = await t.next(); !r.done; r = await t.next()) {
       const n = r.value.subarray(e);
@@ -1182,18 +1177,18 @@ async function* xt(t, e) {
     await t.return?.();
   }
 }
-async function* Et(t, e) {
+async function* xt(t, e) {
   for (let r = await t.next(); !r.done; r = await t.next()) yield r.value;
-  yield* Ue(await e());
+  yield* ke(await e());
 }
 async function* Nt(t, e) {
-  t.length > 0 && (yield t), yield* Ue(e);
+  t.length > 0 && (yield t), yield* ke(e);
 }
 async function* Vt(t, e) {
-  for await (const r of Ue(t))
+  for await (const r of ke(t))
     if (yield r.subarray(0, e), e -= r.length, e <= 0) return;
 }
-function Ue(t) {
+function ke(t) {
   return { [Symbol.asyncIterator]: () => t };
 }
 function zt(t) {
@@ -1204,12 +1199,12 @@ function zt(t) {
     e.set(n, r), r += n.length;
   return e;
 }
-const Ft = 3, Mt = 1 << 30, Rt = 64 << 20, kt = 2e3;
-async function Ut(t, e) {
+const Ft = 3, Mt = 1 << 30, Rt = 64 << 20, Tt = 2e3;
+async function kt(t, e) {
   for (let r = 0; r < Ft; r++) {
-    const n = Tt(t);
+    const n = Ut(t);
     if (!n) break;
-    const i = new $t(Math.min(Mt, Math.max(Rt, t.length * kt)), e);
+    const i = new $t(Math.min(Mt, Math.max(Rt, t.length * Tt)), e);
     try {
       await (n === "gzip" ? Ct(t, i) : Ot(t, i));
     } catch (s) {
@@ -1219,7 +1214,7 @@ async function Ut(t, e) {
   }
   return { bytes: t, name: e };
 }
-function Tt(t) {
+function Ut(t) {
   const e = (...r) => r.every((n, i) => t[i] === n);
   return e(31, 139, 8) ? "gzip" : e(40, 181, 47, 253) ? "zstd" : void 0;
 }
@@ -1233,7 +1228,7 @@ async function Ct(t, e) {
 }
 function Ot(t, e) {
   let r = !1;
-  const n = new bt((s, a) => {
+  const n = new vt((s, a) => {
     e.push(s), r ||= a === !0;
   }), i = 1 << 20;
   for (let s = 0; s < t.length; s += i)
@@ -1252,8 +1247,8 @@ class $t {
     this.all.push(e.slice());
   }
 }
-const Ee = 8192, Bt = 60, Wt = 4;
-function Lt() {
+const xe = 8192, Bt = 60, Lt = 4;
+function Wt() {
   return new Promise((t) => {
     const { port1: e, port2: r } = new MessageChannel();
     e.onmessage = () => {
@@ -1264,147 +1259,149 @@ function Lt() {
 class Yt {
   #t;
   /** Milliseconds of decoding at a stretch. */
-  #g;
+  #p;
   #e = new P();
-  #r = [];
-  #s;
-  #c = !1;
-  #n = !1;
-  #p = !1;
-  /** The stream is built, or broken off: bytes that were on their way by then are nobody's. */
-  #l = !1;
-  #d = { by: "detail", value: 1, limit: 0 };
+  #n = [];
+  #i;
+  #o = !1;
+  #r = !1;
+  #d = !1;
+  /** The stream is complete, or broken off: bytes that were still on their way are dropped. */
+  #a = !1;
+  #y = { by: "detail", value: 1, limit: 0 };
   #_ = "surface";
-  #i = "download";
+  #s = "download";
   /** Vertices that the page has. */
-  #y = 0;
-  #m = !1;
+  #m = 0;
+  #v = !1;
   /** Vertices that the page's computed normals are of; normals of a coarser level are other normals. */
   #b = -1;
-  #h = 0;
   #f = 0;
   #u = 0;
-  #v = 0;
-  /** What the head promised, once the decoder is gone. */
-  #o = { vertices: 0, triangles: 0, steps: 0, bytes: 0 };
+  #w = 0;
+  #g = 0;
+  #c;
   constructor(e, r) {
-    this.#t = e, this.#g = r;
+    this.#t = e, this.#p = r;
   }
   /** Does what the page orders. */
   take(e) {
-    if (!this.#n)
+    if (!this.#r)
       switch (e.type) {
         case "bytes":
-          if (this.#l) break;
-          this.#r.push(e.bytes), this.#A();
+          if (this.#a) break;
+          this.#n.push(e.bytes), this.#A();
           break;
         case "end":
-          if (this.#l) break;
-          this.#s = e.error ? { error: e.error } : {}, this.#A();
+          if (this.#a) break;
+          this.#i = e.error ? { error: e.error } : {}, this.#A();
           break;
         case "file":
-          this.#z(e.bytes, e.name);
+          this.#M(e.bytes, e.name);
           break;
         case "show":
-          this.#d = e.wish, this.#_ = e.colouring, this.#e.is_ready && this.#w(() => this.#a(e.ticket));
+          this.#y = e.wish, this.#_ = e.colouring, this.#e.is_ready && this.#l(() => this.#h(e.ticket));
           break;
       }
   }
   dispose() {
-    this.#p || (this.#p = !0, this.#n = !0, this.#r = [], this.#e.free());
+    this.#d || (this.#d = !0, this.#r = !0, clearTimeout(this.#c), this.#n = [], this.#e.free());
   }
   /** Decodes what waits, then ends if nothing more comes. */
   async #A() {
-    if (!this.#c) {
-      for (this.#c = !0; this.#r.length > 0 && !this.#n; ) {
-        this.#i = "decode";
-        const e = this.#S();
+    if (!this.#o) {
+      for (this.#o = !0; this.#n.length > 0 && !this.#r; ) {
+        this.#s = "decode";
+        const e = this.#x();
         if (e) {
-          this.#r = [], this.#s = { error: be(e) };
+          this.#n = [], this.#i = { error: ve(e) };
           break;
         }
-        this.#e.is_ready && performance.now() >= this.#v && this.#w(() => this.#a(0)), await Lt();
+        performance.now() >= this.#g && this.#l(() => this.#S()), await Wt();
       }
-      this.#c = !1, this.#s && !this.#n && this.#x(this.#s.error);
+      this.#o = !1, !this.#r && (this.#i ? this.#z(this.#i.error) : this.#E());
     }
   }
-  /** Decodes for a few milliseconds; returns what is wrong with the bytes. */
-  #S() {
+  /** Tells what has been decoded even if the line stalls. */
+  #E() {
+    clearTimeout(this.#c), this.#c = setTimeout(() => {
+      !this.#o && !this.#r && !this.#a && this.#l(() => this.#S());
+    }, this.#g - performance.now());
+  }
+  /** Decodes for a few milliseconds, and prepares views of what came; returns what is wrong with the bytes. */
+  #x() {
     const e = performance.now();
     try {
-      for (; performance.now() - e < this.#g; ) {
-        const r = this.#r.shift();
+      for (; performance.now() - e < this.#p; ) {
+        const r = this.#n.shift();
         if (!r) break;
-        this.#e.push(r.subarray(0, Ee)), r.length > Ee && this.#r.unshift(r.subarray(Ee));
+        this.#e.push(r.subarray(0, xe)), r.length > xe && this.#n.unshift(r.subarray(xe));
       }
       return;
     } catch (r) {
       return me(r);
     } finally {
-      this.#h += performance.now() - e;
+      const r = performance.now();
+      this.#f += r - e, this.#e.grow(), this.#u += performance.now() - r;
     }
   }
-  #x(e) {
+  #z(e) {
     let r = e;
-    this.#l = !0;
+    this.#a = !0, clearTimeout(this.#c);
     try {
-      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#E(), !this.#e.is_ready) throw new A("corrupt", "the stream ends before there is anything to draw");
-      this.#F(), this.#i = "build", this.#a(0), this.#t({ type: "building", share: 0 });
-      const n = performance.now();
-      this.#e.build(), this.#f = performance.now() - n, this.#i = "done", this.#a(0);
+      if (!r && !this.#e.is_complete && (r = { code: "corrupt", message: "the stream ends before the mesh does", hint: "was the file copied whole?" }), (r?.code !== "corrupt" || !e) && this.#F(), this.#e.reveal(), !this.#e.is_ready) throw new A("corrupt", "the stream ends before there is anything to draw");
+      this.#s = "done", this.#h(0);
     } catch (n) {
-      r ??= be(me(n));
+      r ??= ve(me(n));
     }
-    this.#s = void 0, this.#t(r ? { type: "failed", error: r } : { type: "finished" });
+    this.#i = void 0, this.#t(r ? { type: "failed", error: r } : { type: "finished" });
   }
-  #E() {
+  #F() {
     const e = performance.now();
     try {
       this.#e.finish();
     } finally {
-      this.#h += performance.now() - e;
+      this.#f += performance.now() - e;
     }
   }
   /** Reads a whole file and builds its model. */
-  async #z(e, r) {
-    this.#i = "build";
+  async #M(e, r) {
+    this.#s = "build";
     const n = performance.now(), i = { report: (_, c) => this.#t({ type: "building", share: c }) };
     let s, a;
     try {
-      s = await Ut(e, r);
+      s = await kt(e, r);
     } catch (_) {
       a = _;
     }
-    this.#n || this.#w(() => {
+    this.#r || this.#l(() => {
       if (!s) throw a;
       const _ = P.from_file(s.bytes, s.name, i);
-      this.#e.free(), this.#e = _, this.#f = performance.now() - n, this.#i = "done", this.#a(0), this.#t({ type: "finished" });
+      this.#e.free(), this.#e = _, this.#u = performance.now() - n, this.#s = "done", this.#h(0), this.#t({ type: "finished" });
     });
   }
   /** Reports what goes wrong; the engine then takes no more orders. */
-  #w(e) {
+  #l(e) {
     try {
       e();
     } catch (r) {
-      this.#n = !0, this.#t({ type: "failed", error: be(me(r)) });
+      this.#r = !0, this.#t({ type: "failed", error: ve(me(r)) });
     }
   }
-  #F() {
-    const e = this.#e;
-    this.#o = {
-      vertices: e.full_vertex_count,
-      triangles: e.full_triangle_count,
-      steps: e.step_count,
-      bytes: e.stream_bytes
-    };
+  /**
+   * Tells what has been decoded since the last update. Only updates bring new vertices and normals: answers to requests
+   * in between are of what the page has already, so that many of them do not hold decoding up.
+   */
+  #S() {
+    this.#e.reveal(), this.#e.is_ready && this.#h(0);
   }
   /** Shows what is wished for, and tells it with what is new. */
-  #a(e) {
-    const r = performance.now(), n = this.#M(), i = this.#k(), s = this.#U(), a = this.#T(), _ = this.#e, [c, u] = [_.indices(), _.group_counts()];
-    this.#u = performance.now() - r, this.#v = performance.now() + Math.max(Bt, Wt * this.#u);
+  #h(e) {
+    const r = performance.now(), n = this.#R(), i = this.#k(), s = this.#U(), a = this.#C(), _ = this.#e, [c, u] = [_.indices(), _.group_counts()];
+    this.#w = performance.now() - r, this.#g = performance.now() + Math.max(Bt, Lt * this.#w);
     const w = {
       type: "update",
-      state: this.#C(),
+      state: this.#O(),
       vertices: s,
       smoothNormals: a,
       indices: c,
@@ -1416,15 +1413,15 @@ class Yt {
     this.#t(w);
   }
   /** Goes to the level that is wished for; whether asking again would show the same. */
-  #M() {
-    const { by: e, value: r, limit: n, camera: i } = this.#d, s = this.#e;
-    if (e === "view" && s.is_built && i) return this.#R(i, r, n);
+  #R() {
+    const { by: e, value: r, limit: n, camera: i } = this.#y, s = this.#e;
+    if (e === "view" && i) return this.#T(i, r, n);
     e === "triangles" ? s.show_triangles(r) : e === "error" ? s.show_error(r) : s.show_detail(e === "detail" ? r : 1);
     const a = s.group_counts().reduce((_, c) => _ + c, 0);
     return n > 0 && a > n && s.show_triangles(n), !0;
   }
   /** A camera that sees nothing leaves what is shown: another may see more. */
-  #R(e, r, n) {
+  #T(e, r, n) {
     const i = new he(Float64Array.from(e), r, n);
     try {
       return this.#e.show_view(i);
@@ -1443,40 +1440,39 @@ class Yt {
     return Uint32Array.from({ length: e }, (r, n) => n);
   }
   #U() {
-    const e = this.#y;
+    const e = this.#m;
     if (this.#e.vertex_count === e) return;
     const r = this.#e.vertices(e);
     try {
       const n = r.take_normals();
-      return this.#m = n !== void 0, this.#y = this.#e.vertex_count, { first: e, positions: r.take_positions(), normals: n, colors: r.take_colors(), uvs: r.take_uvs() };
+      return this.#v = n !== void 0, this.#m = this.#e.vertex_count, { first: e, positions: r.take_positions(), normals: n, colors: r.take_colors(), uvs: r.take_uvs() };
     } finally {
       r.free();
     }
   }
-  #T() {
-    if (!(this.#m || this.#b === this.#e.vertex_count))
+  #C() {
+    if (!(this.#v || this.#b === this.#e.vertex_count))
       return this.#b = this.#e.vertex_count, this.#e.smooth_normals();
   }
-  #C() {
+  #O() {
     const e = this.#e;
     return {
       kind: e.kind,
-      phase: this.#i,
+      phase: this.#s,
       complete: e.is_complete,
-      built: e.is_built,
       vertexCount: e.vertex_count,
       triangleCount: e.triangle_count,
-      fullVertexCount: this.#o.vertices || e.full_vertex_count,
-      fullTriangleCount: this.#o.triangles || e.full_triangle_count,
-      stepCount: this.#o.steps || e.step_count,
-      streamBytes: this.#o.bytes || e.stream_bytes,
+      fullVertexCount: e.full_vertex_count,
+      fullTriangleCount: e.full_triangle_count,
+      stepCount: e.step_count,
+      streamBytes: e.stream_bytes,
       bounds: e.bounds(),
       diagonal: e.diagonal,
       shownSplitCount: e.shown_split_count,
       shownError: e.shown_error,
-      decodeMs: this.#h,
-      buildMs: this.#f,
-      updateMs: this.#u
+      decodeMs: this.#f,
+      buildMs: this.#u,
+      updateMs: this.#w
     };
   }
 }
@@ -1526,11 +1522,11 @@ export {
   he as b,
   me as c,
   zt as d,
-  xt as e,
-  be as f,
+  Et as e,
+  ve as f,
   st as g,
   jt as h,
-  Ue as i,
+  ke as i,
   Vt as l,
   Pt as o,
   Nt as p,

@@ -40,7 +40,7 @@ export class Engine {
   #isPumping = false;
   #isOver = false;
   #isDisposed = false;
-  /** The stream is built, or broken off: bytes that were on their way by then are nobody's. */
+  /** The stream is complete, or broken off: bytes that were still on their way are dropped. */
   #hasEnded = false;
   #wish: Wish = { by: 'detail', value: 1, limit: 0 };
   #colouring: Colouring = 'surface';
@@ -54,8 +54,7 @@ export class Engine {
   #buildMs = 0;
   #updateMs = 0;
   #nextUpdate = 0;
-  /** What the head promised, once the decoder is gone. */
-  #promised = { vertices: 0, triangles: 0, steps: 0, bytes: 0 };
+  #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(report: (report: Report) => void, sliceMs: number) {
     this.#report = report;
@@ -91,6 +90,7 @@ export class Engine {
     if (this.#isDisposed) return;
     this.#isDisposed = true;
     this.#isOver = true;
+    clearTimeout(this.#timer);
     this.#queue = [];
     this.#model.free();
   }
@@ -108,14 +108,24 @@ export class Engine {
         this.#end = { error: asPlain(error) };
         break;
       }
-      if (this.#model.is_ready && performance.now() >= this.#nextUpdate) this.#attempt(() => this.#tell(0));
+      if (performance.now() >= this.#nextUpdate) this.#attempt(() => this.#update());
       await turn();
     }
     this.#isPumping = false;
-    if (this.#end && !this.#isOver) this.#finish(this.#end.error);
+    if (this.#isOver) return;
+    if (this.#end) this.#finish(this.#end.error);
+    else this.#updateLater();
   }
 
-  /** Decodes for a few milliseconds; returns what is wrong with the bytes. */
+  /** Tells what has been decoded even if the line stalls. */
+  #updateLater(): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      if (!this.#isPumping && !this.#isOver && !this.#hasEnded) this.#attempt(() => this.#update());
+    }, this.#nextUpdate - performance.now());
+  }
+
+  /** Decodes for a few milliseconds, and prepares views of what came; returns what is wrong with the bytes. */
   #slice(): StriataError | undefined {
     const start = performance.now();
     try {
@@ -129,27 +139,25 @@ export class Engine {
     } catch (thrown) {
       return asStriataError(thrown);
     } finally {
-      this.#decodeMs += performance.now() - start;
+      const end = performance.now();
+      this.#decodeMs += end - start;
+      this.#model.grow();
+      this.#buildMs += performance.now() - end;
     }
   }
 
   #finish(error: PlainError | undefined): void {
     let failure = error;
     this.#hasEnded = true;
+    clearTimeout(this.#timer);
     try {
       if (!failure && !this.#model.is_complete) {
         failure = { code: 'corrupt', message: 'the stream ends before the mesh does', hint: 'was the file copied whole?' };
       }
       // Of damaged bytes nothing more is read; of bytes that are missing, what the last ones tell.
       if (failure?.code !== 'corrupt' || !error) this.#finishDecoding();
+      this.#model.reveal();
       if (!this.#model.is_ready) throw new StriataError('corrupt', 'the stream ends before there is anything to draw');
-      this.#promise();
-      this.#phase = 'build';
-      this.#tell(0);
-      this.#report({ type: 'building', share: 0 });
-      const start = performance.now();
-      this.#model.build();
-      this.#buildMs = performance.now() - start;
       this.#phase = 'done';
       this.#tell(0);
     } catch (thrown) {
@@ -203,14 +211,13 @@ export class Engine {
     }
   }
 
-  #promise(): void {
-    const model = this.#model;
-    this.#promised = {
-      vertices: model.full_vertex_count,
-      triangles: model.full_triangle_count,
-      steps: model.step_count,
-      bytes: model.stream_bytes,
-    };
+  /**
+   * Tells what has been decoded since the last update. Only updates bring new vertices and normals: answers to requests
+   * in between are of what the page has already, so that many of them do not hold decoding up.
+   */
+  #update(): void {
+    this.#model.reveal();
+    if (this.#model.is_ready) this.#tell(0);
   }
 
   /** Shows what is wished for, and tells it with what is new. */
@@ -235,7 +242,7 @@ export class Engine {
   #show(): boolean {
     const { by, value, limit, camera } = this.#wish;
     const model = this.#model;
-    if (by === 'view' && model.is_built && camera) return this.#showView(camera, value, limit);
+    if (by === 'view' && camera) return this.#showView(camera, value, limit);
     if (by === 'triangles') model.show_triangles(value);
     else if (by === 'error') model.show_error(value);
     else model.show_detail(by === 'detail' ? value : 1);
@@ -292,13 +299,12 @@ export class Engine {
       kind: model.kind as Kind,
       phase: this.#phase,
       complete: model.is_complete,
-      built: model.is_built,
       vertexCount: model.vertex_count,
       triangleCount: model.triangle_count,
-      fullVertexCount: this.#promised.vertices || model.full_vertex_count,
-      fullTriangleCount: this.#promised.triangles || model.full_triangle_count,
-      stepCount: this.#promised.steps || model.step_count,
-      streamBytes: this.#promised.bytes || model.stream_bytes,
+      fullVertexCount: model.full_vertex_count,
+      fullTriangleCount: model.full_triangle_count,
+      stepCount: model.step_count,
+      streamBytes: model.stream_bytes,
       bounds: model.bounds(),
       diagonal: model.diagonal,
       shownSplitCount: model.shown_split_count,

@@ -303,8 +303,6 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
       seen.kind === 'perspective'
         ? { by: 'view', value: this.#pixelError / seen.stretch, limit, camera: seen.numbers }
         : { by: 'error', value: this.#pixelError * seen.unitsPerPixel, limit };
-    // Before models are built every view is the same.
-    if (!this.state.built && this.#sent.by === this.#viewWish.by) return;
     if (this.#isSettled && isSame(this.#viewWish, this.#sent)) return;
     this.#send();
   }

@@ -37,7 +37,6 @@ export interface State {
   kind: Kind;
   phase: Phase;
   complete: boolean;
-  built: boolean;
   vertexCount: number;
   /** Triangles of the finest level that is there. */
   triangleCount: number;

@@ -66,7 +66,7 @@ export interface Loader {
 export interface Timings {
   /** Decoding the stream, without waiting for bytes. */
   decodeMs: number;
-  /** Making what levels and views are taken from. */
+  /** Making what views are taken from: while the stream arrives, or of a whole file. */
   buildMs: number;
   /** The last change of level. */
   updateMs: number;
@@ -115,7 +115,7 @@ export interface StriataMeshLike extends Mesh<BufferGeometry, Material | Materia
   readonly kind: Kind;
   readonly timings: Readonly<Timings>;
   /**
-   * All bytes in, decoded, and levels and views ready. Rejects with a `StriataError` if the rest is damaged; the mesh then
+   * All bytes are in and decoded. Rejects with a `StriataError` if the rest is damaged; the mesh then
    * keeps what has come.
    */
   readonly finished: Promise<void>;

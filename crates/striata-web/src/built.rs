@@ -1,36 +1,16 @@
 //! A model with everything that levels and views are taken from.
 
 use striata::ProgressFn;
-use striata::codec::StriataFile;
 use striata::mesh::{Bounds, IndexedMesh, RefinableMesh};
 use striata::model::{FanBounds, FanForm, FanFront, FanIndices, FanScene, Fans, LodModel};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::view::{ScreenError, Sphere};
-use striata_io::{Format, Source, read_bytes};
+use striata_io::{Source, read_bytes};
 
 use crate::camera::View;
 use crate::shown::{Shown, Wish};
-use crate::streaming::Streaming;
 use crate::vertices::Vertices;
-use crate::{Failure, colouring, limits, stored};
-
-/// What the bytes of a file were.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Stream,
-    Striata,
-    Mesh,
-}
-
-impl Kind {
-    pub(crate) fn as_str(self) -> &'static str {
-        match self {
-            Self::Stream => "stream",
-            Self::Striata => "striata",
-            Self::Mesh => "mesh",
-        }
-    }
-}
+use crate::{Failure, colouring, limits};
 
 /// What is shown at the moment, to be shown in another form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,62 +29,35 @@ pub(crate) struct Built {
     front: Option<FanFront<ScreenError>>,
     last: Last,
     indices: FanIndices,
-    /// Error of all that is there, which of a stream that was cut off is not nothing.
-    rest_error: f32,
 }
 
 impl Built {
-    /// Builds the table of a mesh's fans; `rest_error` is what the mesh itself is off.
-    pub(crate) fn new(refinable: RefinableMesh, rest_error: f32) -> Self {
+    /// Builds the table of a mesh's fans.
+    pub(crate) fn new(refinable: RefinableMesh) -> Self {
         let fans = Fans::build(&refinable);
         let bounds = FanBounds::build(&fans, &refinable);
-        Self::of_parts(refinable, fans, bounds, rest_error)
+        Self::of_parts(refinable, fans, bounds)
     }
 
-    pub(crate) fn of_parts(refinable: RefinableMesh, fans: Fans, bounds: FanBounds, rest_error: f32) -> Self {
+    pub(crate) fn of_parts(refinable: RefinableMesh, fans: Fans, bounds: FanBounds) -> Self {
         let sphere = FanScene::new(&fans, &bounds, &refinable).sphere();
         let last = Last::Uniform(refinable.sequence.step_count());
         let indices = FanIndices::default();
-        Self { refinable, fans, bounds, sphere, front: None, last, indices, rest_error }
+        Self { refinable, fans, bounds, sphere, front: None, last, indices }
     }
 
-    /// Reads a whole file of any kind, not packed; plain meshes are simplified.
+    /// Reads a whole mesh file, not packed, and simplifies it.
     ///
     /// # Errors
-    /// Where the bytes are damaged, of no kind that is known, or too much for a page.
-    pub(crate) fn from_file(
+    /// If the bytes are damaged, of no known kind, or too much for a page.
+    pub(crate) fn from_mesh_file(
         bytes: Vec<u8>,
         name: &str,
         progress: &mut ProgressFn<'_>,
-    ) -> Result<(Self, Kind), Failure> {
-        limits::check_file(bytes.len())?;
-        match Format::detect(&bytes, name) {
-            Some(Format::Stream) => Ok((Self::from_stream(&bytes)?, Kind::Stream)),
-            Some(Format::Striata) => {
-                let file = StriataFile::parse_cut(&bytes)?;
-                limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
-                let built = match file.stream() {
-                    Some(stream) => Self::from_stream(stream?)?,
-                    None => stored::read(&file)?,
-                };
-                Ok((built, Kind::Striata))
-            }
-            _ => {
-                let mesh = read_bytes(&bytes, &Source::new(name))?;
-                drop(bytes);
-                Ok((Self::simplified(mesh, progress)?, Kind::Mesh))
-            }
-        }
-    }
-
-    /// Decodes a stream that is there already.
-    fn from_stream(bytes: &[u8]) -> Result<Self, Failure> {
-        let mut streaming = Streaming::default();
-        streaming.push(bytes)?;
-        if !streaming.decoder().is_complete() {
-            return Err(Failure::corrupt("the stream ends before the mesh does"));
-        }
-        streaming.into_built()
+    ) -> Result<Self, Failure> {
+        let mesh = read_bytes(&bytes, &Source::new(name))?;
+        drop(bytes);
+        Self::simplified(mesh, progress)
     }
 
     fn simplified(mesh: IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Self, Failure> {
@@ -115,7 +68,7 @@ impl Built {
         }
         let built = build_sequence(&mesh, &SequenceOptions::default(), progress)?;
         drop(mesh);
-        Ok(Self::new(built.refinable, 0.0))
+        Ok(Self::new(built.refinable))
     }
 
     pub(crate) fn refinable(&self) -> &RefinableMesh {
@@ -183,7 +136,7 @@ impl Built {
             triangles: self.indices.indices.as_chunks().0.to_vec(),
             group_counts,
             split_count,
-            error: sequence.error_at(coarsest).max(self.rest_error),
+            error: sequence.error_at(coarsest),
         }
     }
 

@@ -5,8 +5,8 @@
 //! camera, and handed over as indices over one vertex buffer that only grows. Nothing here knows a page, a worker or
 //! three.js: that is the package's business (`web/src`).
 //!
-//! Cost: while a stream comes in a level takes a walk over all triangles that are there; once the model is
-//! [built](Model::build), it takes what it shows.
+//! Cost: a level of a stream takes a pass over the vertices that have arrived and one over its triangles; a view also asks about
+//! the steps that it shows. Levels and views of other files take what they show.
 //!
 //! Bytes are a stranger's: whatever they hold, a method answers or fails with a [`Failure`]. What would not fit into a
 //! page's memory is refused before it is begun.

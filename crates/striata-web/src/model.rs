@@ -1,25 +1,47 @@
 //! The class that a page has: a model that comes in, is built, and shows levels of itself.
 
+use striata::codec::StriataFile;
 use striata::mesh::Bounds;
+use striata_io::Format;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::built::{Built, Kind};
+use crate::built::Built;
 use crate::camera::View;
 use crate::colouring;
 use crate::progress::{self, Sink};
 use crate::shown::{Shown, Wish};
 use crate::streaming::Streaming;
 use crate::vertices::Vertices;
-use crate::{Failure, normals};
+use crate::{Failure, limits, normals, stored};
 
-/// How far a model has come.
+/// Where levels and views come from.
 #[derive(Debug)]
 enum Stage {
+    /// A stream, which may still be arriving.
     Streaming(Box<Streaming>),
+    /// A file that was read whole.
     Built(Box<Built>),
 }
 
-/// A model. Streams are pushed bytes and then built; other files come built.
+/// What the bytes of a file were.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Stream,
+    Striata,
+    Mesh,
+}
+
+impl Kind {
+    pub(crate) fn as_str(self) -> &'static str {
+        match self {
+            Self::Stream => "stream",
+            Self::Striata => "striata",
+            Self::Mesh => "mesh",
+        }
+    }
+}
+
+/// A model. Streams are [pushed](Model::push) bytes and [revealed](Model::reveal); other files are read whole.
 ///
 /// A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
 #[wasm_bindgen]
@@ -56,7 +78,7 @@ impl Model {
     /// Where they are no sound stream, or the whole would not fit into a page. What came before stays.
     pub fn push(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         let Stage::Streaming(streaming) = &mut self.stage else {
-            return Err(Failure::unsupported("the model is built already: it takes no more bytes"));
+            return Err(Failure::unsupported("the model was read from a whole file: it takes no more bytes"));
         };
         let result = streaming.push(bytes);
         self.is_complete = streaming.decoder().is_complete();
@@ -74,18 +96,19 @@ impl Model {
         }
     }
 
-    /// Makes what views are taken from, of what has come. No more bytes can be pushed then.
-    ///
-    /// # Errors
-    /// Where too little has come.
-    pub fn build(&mut self) -> Result<(), Failure> {
-        let Stage::Streaming(streaming) = &mut self.stage else { return Ok(()) };
-        if streaming.decoder().positions().is_empty() {
-            return Err(Failure::corrupt("what has come of the stream is no mesh yet"));
+    /// Prepares views of what has been decoded since the last call. [`reveal`](Self::reveal) does so by itself; calls between pushes spread
+    /// the work.
+    pub fn grow(&mut self) {
+        if let Stage::Streaming(streaming) = &mut self.stage {
+            streaming.grow();
         }
-        let built = std::mem::take(streaming.as_mut()).into_built()?;
-        self.stage = Stage::Built(Box::new(built));
-        Ok(())
+    }
+
+    /// Lets levels and views show all that has been decoded. Counts, vertices and normals are of what has been revealed.
+    pub fn reveal(&mut self) {
+        if let Stage::Streaming(streaming) = &mut self.stage {
+            streaming.reveal();
+        }
     }
 
     /// `stream`, `striata` or `mesh`: what the bytes were.
@@ -106,17 +129,11 @@ impl Model {
         self.is_complete
     }
 
-    /// Whether views can be shown.
-    #[wasm_bindgen(getter)]
-    pub fn is_built(&self) -> bool {
-        matches!(self.stage, Stage::Built(_))
-    }
-
     /// Vertices that are there.
     #[wasm_bindgen(getter)]
     pub fn vertex_count(&self) -> usize {
         match &self.stage {
-            Stage::Streaming(streaming) => streaming.decoder().positions().len(),
+            Stage::Streaming(streaming) => streaming.vertex_count(),
             Stage::Built(built) => built.refinable().mesh.vertex_count(),
         }
     }
@@ -125,7 +142,7 @@ impl Model {
     #[wasm_bindgen(getter)]
     pub fn triangle_count(&self) -> usize {
         match &self.stage {
-            Stage::Streaming(streaming) => streaming.decoder().triangles().len(),
+            Stage::Streaming(streaming) => streaming.triangle_count(),
             Stage::Built(built) => built.refinable().mesh.triangle_count(),
         }
     }
@@ -188,10 +205,7 @@ impl Model {
     /// Normals of all vertices that are there, made from the finest level of what has come.
     pub fn smooth_normals(&self) -> Vec<f32> {
         let normals = match &self.stage {
-            Stage::Streaming(streaming) => {
-                let decoder = streaming.decoder();
-                normals::of_vertices(decoder.positions(), decoder.triangles(), decoder.first_vertices())
-            }
+            Stage::Streaming(streaming) => streaming.smooth_normals(),
             Stage::Built(built) => {
                 let (mesh, positions) = (&built.refinable().mesh, built.refinable().sequence.positions());
                 normals::of_vertices(&mesh.positions, &mesh.triangles, positions.first_vertices())
@@ -215,15 +229,15 @@ impl Model {
         self.show(Wish::Error(most));
     }
 
-    /// Shows what a view asks for; false where asking once more would show more of it.
+    /// Shows what a view asks for, of what has arrived; false if asking once more would show more of it.
     ///
     /// # Errors
-    /// Where the model is not built, or the camera sees nothing.
+    /// If the camera sees nothing.
     pub fn show_view(&mut self, view: &View) -> Result<bool, Failure> {
-        let Stage::Built(built) = &mut self.stage else {
-            return Err(Failure::unsupported("views can be shown once the model is built"));
+        let (shown, is_settled) = match &mut self.stage {
+            Stage::Streaming(streaming) => (streaming.show_view(view)?, true),
+            Stage::Built(built) => built.show_view(view)?,
         };
-        let (shown, is_settled) = built.show_view(view)?;
         self.shown = shown;
         Ok(is_settled)
     }
@@ -237,8 +251,8 @@ impl Model {
         colouring::by_strips(&mut self.shown, vertex_count)
     }
 
-    /// Puts the triangles that are shown into the order of fans, and tells the fan of each. Before the model is built: the
-    /// vertex that they turn around.
+    /// Returns the fan of each triangle that is shown, whose order may change. For a stream that is the vertex that the triangle
+    /// turns around.
     pub fn color_fans(&mut self) -> Vec<u32> {
         match &mut self.stage {
             Stage::Streaming(_) => colouring::by_pivots(&self.shown),
@@ -275,9 +289,23 @@ impl Model {
     /// # Errors
     /// As that.
     pub fn read(bytes: Vec<u8>, name: &str, progress: &mut striata::ProgressFn<'_>) -> Result<Self, Failure> {
-        let (mut built, kind) = Built::from_file(bytes, name, progress)?;
-        let shown = built.show(Wish::Detail(1.0));
-        Ok(Self { stage: Stage::Built(Box::new(built)), kind, shown, is_complete: true })
+        limits::check_file(bytes.len())?;
+        let (stage, kind) = match Format::detect(&bytes, name) {
+            Some(Format::Stream) => (whole_stream(&bytes)?, Kind::Stream),
+            Some(Format::Striata) => {
+                let file = StriataFile::parse_cut(&bytes)?;
+                limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
+                let stage = match file.stream() {
+                    Some(stream) => whole_stream(stream?)?,
+                    None => Stage::Built(Box::new(stored::read(&file)?)),
+                };
+                (stage, Kind::Striata)
+            }
+            _ => (Stage::Built(Box::new(Built::from_mesh_file(bytes, name, progress)?)), Kind::Mesh),
+        };
+        let mut model = Self { stage, kind, shown: Shown::default(), is_complete: true };
+        model.show(Wish::Detail(1.0));
+        Ok(model)
     }
 
     fn show(&mut self, wish: Wish) {
@@ -305,4 +333,15 @@ impl Model {
             Stage::Built(_) => built,
         }
     }
+}
+
+/// Decodes a stream that is there as a whole.
+fn whole_stream(bytes: &[u8]) -> Result<Stage, Failure> {
+    let mut streaming = Streaming::default();
+    streaming.push(bytes)?;
+    if !streaming.decoder().is_complete() {
+        return Err(Failure::corrupt("the stream ends before the mesh does"));
+    }
+    streaming.reveal();
+    Ok(Stage::Streaming(Box::new(streaming)))
 }

@@ -51,8 +51,8 @@ pub(crate) fn read(file: &StriataFile<'_>) -> Result<Built, Failure> {
         return Err(Failure::corrupt(format!("the file holds {found} triangles, but says {expected}")));
     }
     Ok(match fans {
-        Some((fans, bounds)) => Built::of_parts(refinable, fans, bounds, 0.0),
-        None => Built::new(refinable, 0.0),
+        Some((fans, bounds)) => Built::of_parts(refinable, fans, bounds),
+        None => Built::new(refinable),
     })
 }
 

@@ -1,15 +1,17 @@
-//! A model whose bytes are still coming: what is there, and any level of it.
+//! A model that is read from a stream: what has arrived, any level of it, and any view.
 //!
-//! A level of a prefix has the first vertices, and the triangles of what has come with each corner moved to where its
-//! vertex has collapsed to; so it takes a walk over the triangles and nothing that would have to be built first.
+//! A level has the first vertices, and the first triangles with each corner moved to where its vertex has collapsed to, so it
+//! needs no model. Views are taken from a hierarchy that grows with the stream. Both show only what has been revealed: more is decoded
+//! meanwhile, but requests are answered without new vertices and normals.
 
 use striata::codec::progressive::{StreamDecoder, StreamFacts};
 use striata::mesh::Bounds;
+use striata::model::{GrowingHierarchy, HierarchyCut};
 
-use crate::built::Built;
+use crate::camera::View;
 use crate::shown::{Shown, Wish};
 use crate::vertices::Vertices;
-use crate::{Failure, limits};
+use crate::{Failure, limits, normals};
 
 /// Bytes that the decoder gets at once.
 const PIECE_BYTES: usize = 1 << 16;
@@ -27,6 +29,19 @@ pub(crate) struct Streaming {
     bounds: Option<Bounds>,
     /// Vertices that the bounds hold.
     bounded_count: usize,
+    hierarchy: GrowingHierarchy,
+    /// Triangles that have changed since the hierarchy last grew, with repetitions.
+    changed: Vec<u32>,
+    cut: HierarchyCut,
+    revealed: Revealed,
+}
+
+/// How much levels and views may show.
+#[derive(Clone, Copy, Debug, Default)]
+struct Revealed {
+    step_count: usize,
+    vertex_count: usize,
+    triangle_count: usize,
 }
 
 impl Streaming {
@@ -36,9 +51,17 @@ impl Streaming {
         if self.facts.is_none() {
             return self.push_head(bytes);
         }
-        let result = bytes.chunks(PIECE_BYTES).try_for_each(|piece| self.decoder.push(piece).map(drop));
+        let result = bytes.chunks(PIECE_BYTES).try_for_each(|piece| {
+            let update = self.decoder.push(piece)?;
+            self.changed.extend(update.changed_triangles);
+            Ok::<(), Failure>(())
+        });
+        if result.is_err() {
+            // A failed push keeps what it read before the damage, but does not report what that changed.
+            self.hierarchy = GrowingHierarchy::new();
+        }
         self.grow_bounds();
-        Ok(result?)
+        result
     }
 
     /// Keeps bytes back until the head says what the whole is: nothing is decoded of what would not fit.
@@ -66,22 +89,30 @@ impl Streaming {
         }
         let result = self.decoder.finish();
         self.grow_bounds();
-        result.map(drop).map_err(|error| Failure::from(error).with_hint("the stream is cut off very early"))
+        let update =
+            result.map_err(|error| Failure::from(error).with_hint("the stream is cut off very early"))?;
+        self.changed.extend(update.changed_triangles);
+        Ok(())
     }
 
-    /// Builds what views are taken from, of what has come.
-    ///
-    /// # Errors
-    /// Where that is no mesh yet.
-    pub(crate) fn into_built(self) -> Result<Built, Failure> {
-        let decoder = self.decoder;
-        let Some(refinable) = decoder.refinable_mesh() else {
-            return Err(Failure::corrupt("what has come of the stream is no mesh yet"));
+    /// Grows the hierarchy to all steps that have arrived.
+    pub(crate) fn grow(&mut self) {
+        self.changed.sort_unstable();
+        self.changed.dedup();
+        let error = |step| self.decoder.error_at(step).unwrap_or(0.0);
+        self.hierarchy.grow(&self.decoder.prefix(), &self.changed, error);
+        self.changed.clear();
+    }
+
+    /// Lets levels and views show all that has arrived.
+    pub(crate) fn reveal(&mut self) {
+        self.grow();
+        self.revealed = Revealed {
+            step_count: self.hierarchy.step_count(),
+            vertex_count: self.hierarchy.vertex_count(),
+            triangle_count: self.hierarchy.triangle_count(),
         };
-        let rest_error = decoder.error_at(decoder.split_count()).unwrap_or(0.0);
-        // Its memory is free before the table takes its own.
-        drop(decoder);
-        Ok(Built::new(refinable, rest_error))
+        self.cut.limit_steps(self.revealed.step_count);
     }
 
     fn grow_bounds(&mut self) {
@@ -111,48 +142,63 @@ impl Streaming {
         self.facts.as_ref().map_or(1, |facts| facts.group_count.max(1))
     }
 
+    /// Vertices that can be shown.
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.revealed.vertex_count
+    }
+
+    /// Triangles of the finest level that can be shown.
+    pub(crate) fn triangle_count(&self) -> usize {
+        self.revealed.triangle_count
+    }
+
     pub(crate) fn vertices(&self, first: usize) -> Vertices {
-        let positions = self.decoder.positions();
-        let first = first.min(positions.len());
-        Vertices::new(&positions[first..], &self.decoder.layers_of(first..positions.len()), 0)
+        let count = self.vertex_count();
+        let first = first.min(count);
+        Vertices::new(&self.decoder.positions()[first..count], &self.decoder.layers_of(first..count), 0)
+    }
+
+    pub(crate) fn smooth_normals(&self) -> Vec<[f32; 3]> {
+        let decoder = &self.decoder;
+        let mut normals =
+            normals::of_vertices(decoder.positions(), decoder.triangles(), decoder.first_vertices());
+        normals.truncate(self.vertex_count());
+        normals
     }
 
     /// The level that a wish means, as far as it has come.
     pub(crate) fn show(&self, wish: Wish) -> Shown {
         let split_count = self.split_count_for(wish);
         let mut triangles = Vec::new();
-        let mut groups = Vec::new();
-        let all = self.decoder.triangle_groups();
-        for (t, corners) in self.triangles_at(split_count) {
-            triangles.push(corners);
-            groups.extend(all.get(t));
-        }
-        let group_counts = order_by_group(&mut triangles, &groups, self.group_count());
-        let error = self.decoder.error_at(split_count).unwrap_or(0.0);
+        self.decoder.prefix().triangles_at_into(split_count, &mut triangles);
+        self.shown(&triangles, split_count, split_count)
+    }
+
+    /// What a camera asks for, of what has been revealed.
+    ///
+    /// # Errors
+    /// If such a camera sees nothing.
+    pub(crate) fn show_view(&mut self, view: &View) -> Result<Shown, Failure> {
+        let criterion = view.criterion()?;
+        let mesh = self.decoder.prefix();
+        let limit = if view.triangle_limit == 0 { usize::MAX } else { view.triangle_limit as usize };
+        self.cut.refine(&self.hierarchy, &criterion, limit);
+        let mut triangles = Vec::new();
+        self.cut.triangles_into(&self.hierarchy, &mesh, &mut triangles);
+        let coarsest = self.cut.first_coarse_step(&self.hierarchy);
+        Ok(self.shown(&triangles, self.cut.split_count(), coarsest))
+    }
+
+    /// Triangles with their numbers, group after group; the error is that of the level that lacks the step `coarsest`.
+    fn shown(&self, numbered: &[(u32, [u32; 3])], split_count: usize, coarsest: usize) -> Shown {
+        let (triangles, group_counts) =
+            by_group(numbered, self.decoder.triangle_groups(), self.group_count());
+        let error = self.decoder.error_at(coarsest).unwrap_or(0.0);
         Shown { triangles, group_counts, split_count, error }
     }
 
-    /// Triangles of a level with the number of the triangle of all that each is.
-    fn triangles_at(&self, split_count: usize) -> impl Iterator<Item = (usize, [u32; 3])> + '_ {
-        let (firsts, targets) = (self.decoder.first_vertices(), self.decoder.targets());
-        let base_position_count = firsts.len().saturating_sub(1 + self.decoder.split_count());
-        let vertex_count = firsts.get(base_position_count + split_count).copied().unwrap_or(0);
-        let base_vertex_count = firsts.get(base_position_count).copied().unwrap_or(0);
-        let shown = move |mut vertex: u32| {
-            while vertex >= vertex_count {
-                vertex = targets[(vertex - base_vertex_count) as usize];
-            }
-            vertex
-        };
-        let is_all = split_count == self.decoder.split_count();
-        let triangles = self.decoder.triangles().iter().enumerate();
-        let moved =
-            triangles.map(move |(t, &corners)| (t, if is_all { corners } else { corners.map(shown) }));
-        moved.filter(move |&(_, [a, b, c])| is_all || (a != b && b != c && c != a))
-    }
-
     fn split_count_for(&self, wish: Wish) -> usize {
-        let there = self.decoder.split_count();
+        let there = self.revealed.step_count;
         match wish {
             Wish::Detail(detail) => {
                 let step_count = self.decoder.step_count().unwrap_or(0);
@@ -160,16 +206,7 @@ impl Streaming {
                 // The small term keeps `k / step_count` from rounding down to k - 1.
                 ((exact + 1e-9 * exact.max(1.0)) as usize).min(there)
             }
-            Wish::Triangles(most) => {
-                let added = self.decoder.added_triangle_counts();
-                let mut count = self.decoder.triangles().len();
-                let mut split_count = there;
-                while count > most && split_count > 0 {
-                    split_count -= 1;
-                    count -= usize::from(added[split_count]);
-                }
-                split_count
-            }
+            Wish::Triangles(most) => self.decoder.prefix().split_count_for_triangles(most).min(there),
             Wish::Error(most) => {
                 let is_farther = |s: usize| self.decoder.error_at(s).is_some_and(|e| f64::from(e) > most);
                 // Errors never rise.
@@ -184,25 +221,25 @@ impl Streaming {
     }
 }
 
-/// Puts triangles group after group, where their groups are told; counts those of each.
-fn order_by_group(triangles: &mut Vec<[u32; 3]>, groups: &[u32], group_count: usize) -> Vec<u32> {
-    if groups.len() != triangles.len() || group_count < 2 {
-        return vec![triangles.len() as u32];
+/// Puts numbered triangles group after group; counts those of each group.
+fn by_group(numbered: &[(u32, [u32; 3])], groups: &[u32], group_count: usize) -> (Vec<[u32; 3]>, Vec<u32>) {
+    if groups.is_empty() || group_count < 2 {
+        return (numbered.iter().map(|&(_, corners)| corners).collect(), vec![numbered.len() as u32]);
     }
+    let group_of = |number: u32| groups[number as usize] as usize;
     let mut counts = vec![0u32; group_count];
-    groups.iter().for_each(|&group| counts[group as usize] += 1);
+    numbered.iter().for_each(|&(number, _)| counts[group_of(number)] += 1);
     let mut next = Vec::with_capacity(group_count);
     let mut first = 0;
     for &count in &counts {
         next.push(first as usize);
         first += count;
     }
-    let mut ordered = vec![[0; 3]; triangles.len()];
-    for (&corners, &group) in triangles.iter().zip(groups) {
-        let place = &mut next[group as usize];
+    let mut ordered = vec![[0; 3]; numbered.len()];
+    for &(number, corners) in numbered {
+        let place = &mut next[group_of(number)];
         ordered[*place] = corners;
         *place += 1;
     }
-    *triangles = ordered;
-    counts
+    (ordered, counts)
 }

@@ -1,9 +1,11 @@
 //! The model as a page uses it: bytes in, levels out, and whatever the bytes hold, an answer.
 
-use striata::codec::progressive::{StreamOptions, encode_stream};
+use striata::codec::progressive::{StreamDecoder, StreamOptions, encode_stream};
 use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::ignore_progress;
-use striata::mesh::{AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, replay, shapes};
+use striata::mesh::{
+    AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, canonical_triangles, replay, shapes,
+};
 use striata::model::{FanBounds, Fans};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata_io::{Format, to_bytes};
@@ -29,6 +31,7 @@ fn stream_of(mesh: &IndexedMesh) -> Vec<u8> {
 fn decoded(bytes: &[u8]) -> Model {
     let mut model = Model::new();
     bytes.chunks(700).for_each(|piece| model.push(piece).unwrap());
+    model.reveal();
     model
 }
 
@@ -38,7 +41,7 @@ fn triangles(model: &Model) -> Vec<[u32; 3]> {
     assert!(rest.is_empty());
     assert_eq!(model.group_counts().iter().sum::<u32>() as usize, triangles.len());
     assert!(triangles.iter().flatten().all(|&v| (v as usize) < model.vertex_count()));
-    striata::mesh::canonical_triangles(triangles)
+    canonical_triangles(triangles)
 }
 
 fn camera(eye: [f64; 3], pixels: f32, limit: u32) -> View {
@@ -47,31 +50,60 @@ fn camera(eye: [f64; 3], pixels: f32, limit: u32) -> View {
 }
 
 #[test]
-fn levels_are_the_same_before_and_after_building() {
-    let mut model = decoded(&stream_of(&torus()));
-    assert!(model.is_complete() && !model.is_built() && model.kind() == "stream");
+fn levels_of_a_stream_keep_their_groups() {
+    let bytes = stream_of(&torus());
+    let mut model = decoded(&bytes);
+    assert!(model.is_complete() && model.kind() == "stream");
     assert_eq!(model.group_count(), 2);
-    let mut levels = Vec::new();
+    let mut decoder = StreamDecoder::new();
+    decoder.push(&bytes).unwrap();
+    let refinable = decoder.refinable_mesh().unwrap();
     for detail in [0.0, 0.2, 0.7, 1.0] {
         model.show_detail(detail);
-        levels.push((
-            detail,
-            triangles(&model),
-            model.group_counts(),
-            model.shown_split_count(),
-            model.shown_error(),
-        ));
+        let expected = replay(&refinable, model.shown_split_count());
+        assert_eq!(triangles(&model), canonical_triangles(&expected.triangles), "detail {detail}");
+        let counts: Vec<u32> = expected.groups.iter().map(|group| group.count).collect();
+        assert_eq!(model.group_counts(), counts);
+        let error = refinable.sequence.error_at(model.shown_split_count());
+        assert_eq!(model.shown_error(), error);
     }
-    assert_eq!(levels[3].1.len(), model.full_triangle_count());
-    model.build().unwrap();
-    assert!(model.is_built());
-    for (detail, before, groups, split_count, error) in levels {
-        model.show_detail(detail);
-        assert_eq!(triangles(&model), before, "detail {detail}");
-        assert_eq!(model.group_counts(), groups);
-        assert_eq!((model.shown_split_count(), model.shown_error()), (split_count, error));
+    assert!(Model::read(bytes, "torus.stri", &mut ignore_progress).unwrap().is_complete());
+}
+
+#[test]
+fn views_are_shown_while_a_stream_comes_in() {
+    let mut model = Model::new();
+    let (mut full_counts, mut near_counts) = (Vec::new(), Vec::new());
+    for (at, piece) in stream_of(&torus()).chunks(200).enumerate() {
+        let before = (model.vertex_count(), model.triangle_count());
+        model.push(piece).unwrap();
+        model.grow();
+        assert_eq!((model.vertex_count(), model.triangle_count()), before, "nothing new is shown yet");
+        if model.is_ready() {
+            model.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap();
+            triangles(&model);
+        }
+        if at % 3 == 0 {
+            model.reveal();
+        }
+        if !model.is_ready() {
+            continue;
+        }
+        // From so near that all is wanted: no less is shown than has arrived on this side.
+        assert!(model.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap());
+        near_counts.push(triangles(&model).len());
+        full_counts.push(model.triangle_count());
+        model.show_view(&camera([60.0, 1.0, 1.0], 5.0, 0)).unwrap();
+        assert!(triangles(&model).len() <= model.triangle_count());
+        assert_eq!(model.group_counts().len(), 2);
     }
-    assert!(model.push(&[0]).is_err(), "a model that is built takes no bytes");
+    assert!(triangles(&model).len() < near_counts[near_counts.len() - 1] / 2);
+    let pairs = near_counts.iter().zip(&full_counts);
+    assert!(
+        pairs.clone().all(|(near, full)| near <= full && near * 4 > *full),
+        "{near_counts:?} of {full_counts:?}"
+    );
+    assert!(near_counts.is_sorted() && near_counts.len() > 3);
 }
 
 #[test]
@@ -81,6 +113,7 @@ fn wishes_are_kept_while_a_stream_comes_in() {
     let (mut last, mut seen) = (0, 0);
     for piece in bytes.chunks(200) {
         model.push(piece).unwrap();
+        model.reveal();
         if !model.is_ready() {
             continue;
         }
@@ -112,8 +145,6 @@ fn wishes_are_kept_while_a_stream_comes_in() {
 #[test]
 fn views_ask_for_less_from_afar_and_keep_to_their_limit() {
     let mut model = decoded(&stream_of(&torus()));
-    assert_eq!(model.show_view(&camera([4.0, 1.0, 1.0], 1.0, 0)).unwrap_err().code(), "unsupported");
-    model.build().unwrap();
     let mut counts = Vec::new();
     for distance in [2.0, 8.0, 100.0] {
         assert!(model.show_view(&camera([distance, 0.3, 0.3], 1.0, 0)).unwrap());
@@ -130,15 +161,14 @@ fn views_ask_for_less_from_afar_and_keep_to_their_limit() {
 #[test]
 fn strips_and_fans_hold_what_is_shown() {
     let mut model = decoded(&stream_of(&torus()));
-    for is_built in [false, true] {
-        if is_built {
-            model.build().unwrap();
-        }
+    let file = to_bytes(Format::Ply, &torus(), &Default::default()).unwrap();
+    let mut file = Model::read(file, "torus.ply", &mut ignore_progress).unwrap();
+    for model in [&mut model, &mut file] {
         model.show_detail(0.6);
-        let shown = triangles(&model);
+        let shown = triangles(model);
         let groups = model.group_counts();
         let strips = model.color_strips().unwrap();
-        assert_eq!((triangles(&model), model.group_counts()), (shown.clone(), groups.clone()));
+        assert_eq!((triangles(model), model.group_counts()), (shown.clone(), groups.clone()));
         let strip_count = strips.iter().max().unwrap() + 1;
         assert!(
             strips.len() == shown.len() && (strip_count as usize) < shown.len() / 4,
@@ -146,7 +176,7 @@ fn strips_and_fans_hold_what_is_shown() {
         );
         model.show_detail(0.6);
         let fans = model.color_fans();
-        assert_eq!((triangles(&model), model.group_counts()), (shown.clone(), groups));
+        assert_eq!((triangles(model), model.group_counts()), (shown.clone(), groups));
         assert_eq!(fans.len(), shown.len());
     }
 }
@@ -156,14 +186,33 @@ fn what_is_cut_off_shows_what_has_come() {
     let bytes = stream_of(&torus());
     let mut model = decoded(&bytes[..bytes.len() / 2]);
     model.finish().unwrap();
+    model.reveal();
     assert!(!model.is_complete() && model.is_ready());
-    model.build().unwrap();
     model.show_detail(1.0);
     assert_eq!(triangles(&model).len(), model.triangle_count());
     assert!(model.shown_error() > 0.0, "something is missing");
+    model.show_view(&camera([2.0, 0.3, 0.3], 0.001, 0)).unwrap();
+    assert!(model.shown_error() > 0.0 && !model.indices().is_empty());
     let mut nothing = decoded(&bytes[..20]);
     assert_eq!(nothing.finish().unwrap_err().code(), "corrupt");
-    assert!(nothing.build().is_err());
+    assert!(!nothing.is_ready());
+}
+
+#[test]
+fn bytes_after_the_end_of_a_stream_are_refused() {
+    let bytes = stream_of(&torus());
+    let longer = [&bytes[..], b"more"].concat();
+    let mut model = Model::new();
+    assert_eq!(model.push(&longer).unwrap_err().code(), "corrupt");
+    // What came before the damage stays, for levels and for views.
+    model.reveal();
+    assert!(model.is_complete());
+    model.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap();
+    let shown = triangles(&model);
+    let mut whole = decoded(&bytes);
+    whole.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap();
+    assert!(!shown.is_empty() && shown.len().abs_diff(triangles(&whole).len()) < shown.len() / 10);
+    assert_eq!(Model::read(longer, "x.stri", &mut ignore_progress).unwrap_err().code(), "corrupt");
 }
 
 #[test]
@@ -184,13 +233,12 @@ fn damage_is_told_and_never_panics() {
             assert!(!failure.message().is_empty());
             assert!(["format", "corrupt", "unsupported", "too-large"].contains(&failure.code().as_str()));
         }
+        model.reveal();
         if model.is_ready() {
             model.show_detail(0.5);
             triangles(&model);
-            if model.build().is_ok() {
-                model.show_detail(1.0);
-                triangles(&model);
-            }
+            model.show_view(&camera([2.0, 0.3, 0.3], 1.0, 0)).unwrap();
+            triangles(&model);
         }
     }
     assert!(failures > 290, "only {failures} of 300 are noticed");
@@ -206,7 +254,7 @@ fn files_come_built() {
         std::ops::ControlFlow::Continue(())
     };
     let mut model = Model::read(ply, "torus.ply", &mut progress).unwrap();
-    assert!(calls > 0 && model.is_built() && model.is_complete() && model.kind() == "mesh");
+    assert!(calls > 0 && model.is_complete() && model.kind() == "mesh");
     assert_eq!(triangles(&model).len(), large.triangle_count());
     model.show_triangles(300);
     assert!(triangles(&model).len() <= 300);
@@ -222,7 +270,7 @@ fn files_come_built() {
         assert_eq!((model.kind().as_str(), model.step_count()), ("striata", refinable.sequence.step_count()));
         model.show_detail(0.3);
         let expected = replay(&refinable, model.shown_split_count()).triangles;
-        assert_eq!(triangles(&model), striata::mesh::canonical_triangles(&expected));
+        assert_eq!(triangles(&model), canonical_triangles(&expected));
         let cut = bytes[..bytes.len() - 1].to_vec();
         assert_eq!(Model::read(cut, "torus.striata", &mut ignore_progress).unwrap_err().code(), "corrupt");
     }

@@ -285,6 +285,22 @@ fn steps_one_at_a_time_are_batches_too() {
 }
 
 #[test]
+fn bytes_after_the_end_are_refused() {
+    let bytes = write(&shapes::torus(20, 10, 1.0, 0.4), &StreamOptions::default()).stream.bytes;
+    let expected = bytes.len() as u64;
+    let longer = [&bytes[..], &[1, 2, 3]].concat();
+    let mut at_once = StreamDecoder::new();
+    assert_eq!(at_once.push(&longer).unwrap_err(), DecodeError::FileLength { found: expected + 3, expected });
+    let mut later = read(&bytes);
+    assert!(later.push(&[]).is_ok());
+    assert_eq!(later.push(&[0]).unwrap_err(), DecodeError::FileLength { found: expected + 1, expected });
+    for decoder in [at_once, later] {
+        assert!(decoder.is_complete(), "what came before stays");
+        assert_eq!(decoder.triangles().len(), 400);
+    }
+}
+
+#[test]
 fn damaged_bytes_are_refused_or_give_a_mesh() {
     let mesh = with_seams_and_groups(support::grid(14, true));
     for options in kinds() {

@@ -38,6 +38,7 @@ test('a stream decodes in slices of any length', () => {
     const model = new Model();
     for (let at = 0; at < stream.length; at += length) model.push(stream.subarray(at, at + length));
     assert.equal(model.is_complete, true);
+    model.reveal();
     model.show_detail(1);
     assert.equal(model.indices().length, 3 * TRIANGLES);
     const positions = model.vertices(0).take_positions();
@@ -48,10 +49,10 @@ test('a stream decodes in slices of any length', () => {
   }
 });
 
-test('levels and views of a model that is built', () => {
+test('levels and views of a model', () => {
   const model = new Model();
   model.push(stream);
-  model.build();
+  model.reveal();
   model.show_triangles(1000);
   assert.ok(model.indices().length <= 3000 && model.shown_error > 0);
   const [low, high] = [model.bounds().slice(0, 3), model.bounds().slice(3)];
@@ -80,7 +81,7 @@ test('an engine reports what comes, and that it is all', async () => {
     assert.equal(state.vertexCount, vertexCount);
   }
   const { state } = updates.at(-1);
-  assert.deepEqual([state.complete, state.built, state.phase, state.triangleCount], [true, true, 'done', TRIANGLES]);
+  assert.deepEqual([state.complete, state.phase, state.triangleCount], [true, 'done', TRIANGLES]);
   // And then answers requests.
   const answer = new Promise((resolve) => reports.push = resolve);
   engine.take({ type: 'show', wish: { by: 'detail', value: 0.1, limit: 0 }, colouring: 'strips', ticket: 7 });
@@ -90,12 +91,31 @@ test('an engine reports what comes, and that it is all', async () => {
   assert.ok(update.indices.length < 0.2 * 3 * TRIANGLES);
 });
 
+test('views are answered before all bytes are there', async () => {
+  const reports = [];
+  const engine = new Engine((report) => reports.push(report), 5);
+  for (const order of slices(stream.subarray(0, (stream.length * 2) / 3), 1000)) engine.take(order);
+  await new Promise((resolve) => setTimeout(resolve, 300));
+  const { bounds, diagonal, fullTriangleCount } = reports.findLast(({ type }) => type === 'update').state;
+  const middle = [0, 1, 2].map((i) => (bounds[i] + bounds[i + 3]) / 2);
+  const counts = [1, 50].map((distance, at) => {
+    const eye = [middle[0], middle[1], middle[2] + distance * diagonal];
+    const camera = [...eye, ...middle, 0, 1, 0, 0.5, 800, 600];
+    engine.take({ type: 'show', wish: { by: 'view', value: 1, limit: 0, camera }, colouring: 'surface', ticket: 5 + at });
+    const { ticket, settled, indices, state } = reports.at(-1);
+    assert.deepEqual([ticket, settled, state.complete], [5 + at, true, false]);
+    return indices.length / 3;
+  });
+  assert.ok(counts[0] > 2 * counts[1] && counts[0] < fullTriangleCount, String(counts));
+  engine.dispose();
+});
+
 test('a stream that is cut off keeps what has come', async () => {
   const { reports } = await reportsTo([...slices(stream.subarray(0, stream.length >> 1), 1000), { type: 'end' }]);
   const { error } = reports.at(-1);
   assert.equal(error.code, 'corrupt');
   const last = reports.findLast(({ type }) => type === 'update');
-  assert.ok(last.indices.length > 300 && last.state.built && !last.state.complete);
+  assert.ok(last.indices.length > 300 && !last.state.complete);
   assert.ok(last.state.shownError > 0);
   assert.equal(last.state.fullTriangleCount, TRIANGLES);
 });

@@ -23,7 +23,7 @@ export class Failure {
 }
 
 /**
- * A model. Streams are pushed bytes and then built; other files come built.
+ * A model. Streams are [pushed](Model::push) bytes and [revealed](Model::reveal); other files are read whole.
  *
  * A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
  */
@@ -35,15 +35,8 @@ export class Model {
    */
   bounds(): Float32Array;
   /**
-   * Makes what views are taken from, of what has come. No more bytes can be pushed then.
-   *
-   * # Errors
-   * Where too little has come.
-   */
-  build(): void;
-  /**
-   * Puts the triangles that are shown into the order of fans, and tells the fan of each. Before the model is built: the
-   * vertex that they turn around.
+   * Returns the fan of each triangle that is shown, whose order may change. For a stream that is the vertex that the triangle
+   * turns around.
    */
   color_fans(): Uint32Array;
   /**
@@ -73,6 +66,11 @@ export class Model {
    */
   group_counts(): Uint32Array;
   /**
+   * Prepares views of what has been decoded since the last call. [`reveal`](Self::reveal) does so by itself; calls between pushes spread
+   * the work.
+   */
+  grow(): void;
+  /**
    * Corners of the triangles that are shown, group after group.
    */
   indices(): Uint32Array;
@@ -88,6 +86,10 @@ export class Model {
    */
   push(bytes: Uint8Array | number[]): void;
   /**
+   * Lets levels and views show all that has been decoded. Counts, vertices and normals are of what has been revealed.
+   */
+  reveal(): void;
+  /**
    * Shows a level by its detail, 0 to 1 of the full mesh.
    */
   show_detail(detail: number): void;
@@ -100,10 +102,10 @@ export class Model {
    */
   show_triangles(most: number): void;
   /**
-   * Shows what a view asks for; false where asking once more would show more of it.
+   * Shows what a view asks for, of what has arrived; false if asking once more would show more of it.
    *
    * # Errors
-   * Where the model is not built, or the camera sees nothing.
+   * If the camera sees nothing.
    */
   show_view(view: View): boolean;
   /**
@@ -130,10 +132,6 @@ export class Model {
    * Groups of triangles, at least one.
    */
   readonly group_count: number;
-  /**
-   * Whether views can be shown.
-   */
-  readonly is_built: boolean;
   /**
    * Whether all of the mesh is there.
    */
@@ -272,7 +270,6 @@ export interface InitOutput {
   readonly failure_hint: (a: number) => [number, number];
   readonly failure_message: (a: number) => [number, number];
   readonly model_bounds: (a: number) => [number, number];
-  readonly model_build: (a: number) => [number, number];
   readonly model_color_fans: (a: number) => [number, number];
   readonly model_color_strips: (a: number) => [number, number, number, number];
   readonly model_diagonal: (a: number) => number;
@@ -282,13 +279,14 @@ export interface InitOutput {
   readonly model_full_vertex_count: (a: number) => number;
   readonly model_group_count: (a: number) => number;
   readonly model_group_counts: (a: number) => [number, number];
+  readonly model_grow: (a: number) => void;
   readonly model_indices: (a: number) => [number, number];
-  readonly model_is_built: (a: number) => number;
   readonly model_is_complete: (a: number) => number;
   readonly model_is_ready: (a: number) => number;
   readonly model_kind: (a: number) => [number, number];
   readonly model_new: () => number;
   readonly model_push: (a: number, b: number, c: number) => [number, number];
+  readonly model_reveal: (a: number) => void;
   readonly model_show_detail: (a: number, b: number) => void;
   readonly model_show_error: (a: number, b: number) => void;
   readonly model_show_triangles: (a: number, b: number) => void;

@@ -69,7 +69,7 @@ wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
 if (Symbol.dispose) Failure.prototype[Symbol.dispose] = Failure.prototype.free;
 
 /**
- * A model. Streams are pushed bytes and then built; other files come built.
+ * A model. Streams are [pushed](Model::push) bytes and [revealed](Model::reveal); other files are read whole.
  *
  * A `show_` method makes a level; `indices`, `group_counts` and the getters that begin with `shown` are about the last of them.
  */
@@ -101,20 +101,8 @@ wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
 }
 /**
- * Makes what views are taken from, of what has come. No more bytes can be pushed then.
- *
- * # Errors
- * Where too little has come.
- */
-build() {
-const ret = wasm.model_build(this.__wbg_ptr);
-if (ret[1]) {
-throw takeFromExternrefTable0(ret[0]);
-}
-}
-/**
- * Puts the triangles that are shown into the order of fans, and tells the fan of each. Before the model is built: the
- * vertex that they turn around.
+ * Returns the fan of each triangle that is shown, whose order may change. For a stream that is the vertex that the triangle
+ * turns around.
  * @returns {Uint32Array}
  */
 color_fans() {
@@ -223,6 +211,13 @@ wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
 }
 /**
+ * Prepares views of what has been decoded since the last call. [`reveal`](Self::reveal) does so by itself; calls between pushes spread
+ * the work.
+ */
+grow() {
+wasm.model_grow(this.__wbg_ptr);
+}
+/**
  * Corners of the triangles that are shown, group after group.
  * @returns {Uint32Array}
  */
@@ -231,14 +226,6 @@ const ret = wasm.model_indices(this.__wbg_ptr);
 var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
 wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
 return v1;
-}
-/**
- * Whether views can be shown.
- * @returns {boolean}
- */
-get is_built() {
-const ret = wasm.model_is_built(this.__wbg_ptr);
-return ret !== 0;
 }
 /**
  * Whether all of the mesh is there.
@@ -297,6 +284,12 @@ throw takeFromExternrefTable0(ret[0]);
 }
 }
 /**
+ * Lets levels and views show all that has been decoded. Counts, vertices and normals are of what has been revealed.
+ */
+reveal() {
+wasm.model_reveal(this.__wbg_ptr);
+}
+/**
  * Shows a level by its detail, 0 to 1 of the full mesh.
  * @param {number} detail
  */
@@ -318,10 +311,10 @@ show_triangles(most) {
 wasm.model_show_triangles(this.__wbg_ptr, most);
 }
 /**
- * Shows what a view asks for; false where asking once more would show more of it.
+ * Shows what a view asks for, of what has arrived; false if asking once more would show more of it.
  *
  * # Errors
- * Where the model is not built, or the camera sees nothing.
+ * If the camera sees nothing.
  * @param {View} view
  * @returns {boolean}
  */

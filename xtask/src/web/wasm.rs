@@ -15,10 +15,6 @@ use crate::workspace;
 const TARGET_FEATURES: &str =
     "-Ctarget-feature=+simd128,+bulk-memory,+sign-ext,+nontrapping-fptoint,+mutable-globals";
 
-/// How much is inlined. The least that small code gets by itself leaves operations of SIMD types as calls, and decoding takes six
-/// times as long as on the machine itself; with this it takes less than three times as long, and 6 % more bytes.
-const INLINING: &str = "-Cllvm-args=-inline-threshold=25";
-
 /// The same in the words of wasm-opt, with what wasm-bindgen adds. With all features it writes what browsers refuse.
 const WASM_OPT_FEATURES: [&str; 7] = [
     "--enable-simd",
@@ -77,7 +73,6 @@ fn flags() -> Result<Vec<String>> {
     let remap = |from: &str, to: &str| format!("--remap-path-prefix={from}={to}");
     Ok(vec![
         TARGET_FEATURES.to_owned(),
-        INLINING.to_owned(),
         remap(&sysroot, "/rust"),
         remap(&home.to_string_lossy(), "/cargo"),
         remap(&workspace().canonicalize()?.to_string_lossy(), "/striata"),

@@ -49,10 +49,8 @@ impl Args for LevelChoice {
         let command = LevelArgs::augment_args(command).mut_group("LevelArgs", |group| group.required(false));
         let command = EyeArgs::augment_args(command);
         let heading = "Level [default: the full mesh]";
-        let names = ["triangles", "ratio", "vertices", "detail", "error", "split_count", "eye"];
-        let command = names
-            .into_iter()
-            .fold(command, |command, name| command.mut_arg(name, |argument| argument.help_heading(heading)));
+        let command = under_heading(command, &LEVEL_FLAGS, heading);
+        let command = under_heading(command, &["eye"], heading);
         let command = command.mut_arg("viewport", |argument| {
             argument.help("Pixels of the screen [default: those of the picture]")
         });
@@ -76,6 +74,44 @@ impl FromArgMatches for LevelChoice {
         *self = Self::from_arg_matches(matches)?;
         Ok(())
     }
+}
+
+/// A level, or none: then it is all that is there. To `clap` the flags of [`LevelArgs`] under another heading.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OptionalLevel {
+    /// The level, if one is given.
+    pub(crate) level: LevelArgs,
+}
+
+impl Args for OptionalLevel {
+    fn augment_args(command: Command) -> Command {
+        let command = LevelArgs::augment_args(command).mut_group("LevelArgs", |group| group.required(false));
+        under_heading(command, &LEVEL_FLAGS, "Level [default: all that is there]")
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for OptionalLevel {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        Ok(Self { level: LevelArgs::from_arg_matches(matches)? })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// The names of the flags of [`LevelArgs`].
+const LEVEL_FLAGS: [&str; 6] = ["triangles", "ratio", "vertices", "detail", "error", "split_count"];
+
+fn under_heading(command: Command, names: &[&'static str], heading: &'static str) -> Command {
+    names
+        .iter()
+        .fold(command, |command, name| command.mut_arg(name, |argument| argument.help_heading(heading)))
 }
 
 /// The eye of a view, which is a level too.

@@ -1,13 +1,17 @@
-//! `decode`: the mesh of a stream, or of as much of it as is there.
+//! `decode`: the mesh of a stream, of as much of it as is there, or of one level.
 
 use std::time::Instant;
 
 use serde::Serialize;
 use striata::codec::StriataFile;
+use striata::mesh::{IndexedMesh, RefinableMesh, replay};
+use striata::simplify::Target;
 
+use super::extract_stream::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve};
 use crate::args::DecodeArgs;
 use crate::failure::Failure;
 use crate::input::Input;
+use crate::level::{Floor, Reached, remark, shortfall};
 use crate::output::{Output, grouped, lasted, measured};
 use crate::save::{Drawn, format_of, is_stdout, save};
 use crate::stream::{Received, effort_name};
@@ -19,8 +23,10 @@ struct Report {
     split_count: usize,
     step_count: usize,
     is_complete: bool,
+    /// Why the mesh is not the level that was asked for; null if it is, or if no level was.
+    shortfall: Option<String>,
     effort: &'static str,
-    /// Bytes of the stream that are there.
+    /// Bytes of the stream that were read.
     read_bytes: usize,
     /// Bytes of the whole stream.
     stream_bytes: u64,
@@ -45,29 +51,53 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let file = input.striata()?;
     let stream = stream_of(&file, &input)?;
     bar.phase("decode");
-    let received = Received::read_all(stream).map_err(|error| input.damaged(&error))?;
-    let mesh = received.refinable().map_err(|error| input.damaged(&error))?.mesh;
+    let step_count = file.summary().step_count;
+    let target = args.level.level.target(full_mesh(&args.level.level, &file, &input)?);
+    let target = target.map(|target| in_splits(target, step_count));
+    let received = Received::read(stream, |decoder| target.is_some_and(|target| is_enough(decoder, target)));
+    let received = received.map_err(|error| input.damaged(&error))?;
+    let refinable = received.refinable().map_err(|error| input.damaged(&error))?;
+    let decoded = match target {
+        Some(target) => Decoded::at_level(&refinable, &received, target),
+        None => Decoded::of_all(refinable, &received),
+    };
     bar.phase("write");
-    save(&mesh, Drawn::Triangles, &args.output.output, &args.output.format)?;
+    save(&decoded.mesh, Drawn::Triangles, &args.output.output, &args.output.format)?;
     drop(bar);
     if let Some(remark) = received.remark(&input.name) {
         output.say(&remark);
     }
-    let report = Report {
-        vertex_count: mesh.vertex_count(),
-        triangle_count: mesh.triangle_count(),
-        split_count: received.decoder.split_count(),
-        step_count: received.facts.step_count,
-        is_complete: !received.is_cut,
-        effort: effort_name(received.facts.effort),
-        read_bytes: received.read_bytes,
-        stream_bytes: received.facts.stream_bytes,
-        error: received.decoder.error().unwrap_or_default(),
-        decode_secs: received.decode_secs,
-        triangles_per_sec: mesh.triangle_count() as f64 / received.decode_secs,
-        secs: started.elapsed().as_secs_f64(),
-    };
+    let report = Report::new(decoded, &received, started);
     output.summary(&report, &report.to_text())
+}
+
+/// What is written.
+struct Decoded {
+    mesh: IndexedMesh,
+    split_count: usize,
+    error: f32,
+    shortfall: Option<String>,
+}
+
+impl Decoded {
+    fn of_all(refinable: RefinableMesh, received: &Received) -> Self {
+        let (split_count, error) = (received.decoder.split_count(), received.decoder.error());
+        Self { mesh: refinable.mesh, split_count, error: error.unwrap_or_default(), shortfall: None }
+    }
+
+    fn at_level(refinable: &RefinableMesh, received: &Received, target: Target) -> Self {
+        let (split_count, end) = resolve(target, received, refinable.sequence.levels());
+        let mesh = replay(refinable, split_count).without_unused_vertices();
+        let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
+        let shortfall = match end {
+            End::Input => Some(INPUT_ENDS.to_owned()),
+            End::Level(stop_reason) => {
+                shortfall(target, Reached { vertex_count, triangle_count, stop_reason }, &Floor::File)
+            }
+        };
+        let error = received.decoder.error_at(split_count).unwrap_or_default();
+        Self { mesh, split_count, error, shortfall }
+    }
 }
 
 /// The stream of a file, as far as it is there.
@@ -83,16 +113,35 @@ pub(super) fn stream_of<'a>(file: &StriataFile<'a>, input: &Input) -> Result<&'a
 }
 
 impl Report {
+    fn new(decoded: Decoded, received: &Received, started: Instant) -> Self {
+        Self {
+            vertex_count: decoded.mesh.vertex_count(),
+            triangle_count: decoded.mesh.triangle_count(),
+            split_count: decoded.split_count,
+            step_count: received.facts.step_count,
+            is_complete: !received.is_cut,
+            shortfall: decoded.shortfall,
+            effort: effort_name(received.facts.effort),
+            read_bytes: received.read_bytes,
+            stream_bytes: received.facts.stream_bytes,
+            error: decoded.error,
+            decode_secs: received.decode_secs,
+            triangles_per_sec: received.decoder.triangles().len() as f64 / received.decode_secs,
+            secs: started.elapsed().as_secs_f64(),
+        }
+    }
+
     fn to_text(&self) -> String {
         format!(
-            "{} triangles, {} vertices, split {} of {}, error {}; decoded in {} ({:.2} M triangles/s)",
+            "{} triangles, {} vertices, split {} of {}, error {}; decoded in {} ({:.2} M triangles/s){}",
             grouped(self.triangle_count),
             grouped(self.vertex_count),
             grouped(self.split_count),
             grouped(self.step_count),
             measured(self.error.into()),
             lasted(self.decode_secs),
-            self.triangles_per_sec / 1e6
+            self.triangles_per_sec / 1e6,
+            self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
         )
     }
 }

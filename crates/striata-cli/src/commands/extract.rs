@@ -17,7 +17,7 @@ use super::extract_patterns::{Budget, PatternsOfFile};
 use super::extract_stream;
 use super::extract_view::{ViewLevel, level_of_view};
 use super::strip::check_form_fits;
-use crate::args::{Corners, ExtractArgs, Length, Point, TriangleForm};
+use crate::args::{Corners, ExtractArgs, Length, LevelArgs, Point, TriangleForm};
 use crate::commands::build::{MODELS, PROGRESSIVE, errors_are_guaranteed, unknown_name};
 use crate::failure::Failure;
 use crate::fan_cover::fans_of;
@@ -94,7 +94,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
         return run_box(args, corners, &input, started, output);
     }
     let levels = file.levels().map_err(|error| input.damaged(&error))?;
-    let full = FullMesh::of_levels(&levels, diagonal_of(args, &file, &input)?);
+    let full = FullMesh::of_levels(&levels, diagonal_of(&args.level, &file, &input)?);
     let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
     let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let resolve = |wanted: &Wanted| -> Result<_, Failure> {
@@ -271,8 +271,8 @@ fn bounds_of(file: &StriataFile<'_>, input: &Input) -> Result<Option<Bounds>, Fa
 ///
 /// # Errors
 /// Where the stream is unsound.
-pub(super) fn diagonal_of(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<f64, Failure> {
-    match args.level.error {
+pub(super) fn diagonal_of(level: &LevelArgs, file: &StriataFile<'_>, input: &Input) -> Result<f64, Failure> {
+    match level.error {
         Some(Length::OfDiagonal(_)) => Ok(bounds_of(file, input)?.map_or(0.0, |b| b.diagonal())),
         _ => Ok(0.0),
     }
@@ -367,7 +367,7 @@ fn run_box(
             .with_hint("a box takes --model patterns"));
     }
     let file = input.striata()?;
-    let diagonal = diagonal_of(args, &file, input)?;
+    let diagonal = diagonal_of(&args.level, &file, input)?;
     let triangle_limit = triangle_limit(args, &file);
     // What is nowhere in the box weighs its error: all of it may be left out, or none of what is over the limit.
     let threshold = match (args.level.error, triangle_limit) {

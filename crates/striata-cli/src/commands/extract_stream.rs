@@ -10,7 +10,7 @@ use striata::simplify::{StopReason, Target};
 
 use super::decode::stream_of;
 use super::extract::{diagonal_of, drawn, no_level};
-use crate::args::ExtractArgs;
+use crate::args::{ExtractArgs, LevelArgs};
 use crate::commands::build::errors_are_guaranteed;
 use crate::failure::Failure;
 use crate::input::Input;
@@ -24,6 +24,9 @@ use crate::stream::Received;
 
 /// Why a level is no finer where the bytes end before it.
 const INPUT_ENDED: &str = "input_ended";
+
+/// The same for people.
+pub(super) const INPUT_ENDS: &str = "the input ends before this level";
 
 /// Of several levels.
 #[derive(Serialize)]
@@ -74,12 +77,7 @@ pub(super) fn run(
     let damaged = |error| input.damaged(&error);
     let stream = stream_of(file, input)?;
     let step_count = file.summary().step_count;
-    let summary = file.summary();
-    let full = FullMesh {
-        diagonal: diagonal_of(args, file, input)?,
-        vertex_count: summary.vertex_count,
-        triangle_count: summary.triangle_count,
-    };
+    let full = full_mesh(&args.level, file, input)?;
     let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
     let target = |wanted: &Wanted| Ok(in_splits(wanted.target.ok_or_else(no_level)?, step_count));
     let targets = wanted.iter().map(target).collect::<Result<Vec<_>, Failure>>()?;
@@ -93,7 +91,7 @@ pub(super) fn run(
         let (split_count, end) = resolve(target, &received, refinable.sequence.levels());
         let mesh = replay(&refinable, split_count).without_unused_vertices();
         let shortfall = match end {
-            End::Input => Some("the input ends before this level".to_owned()),
+            End::Input => Some(INPUT_ENDS.to_owned()),
             End::Level(stop_reason) => {
                 let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
                 shortfall(target, Reached { vertex_count, triangle_count, stop_reason }, &Floor::File)
@@ -138,9 +136,26 @@ pub(super) fn run(
     output.summary(&report, &report.to_text())
 }
 
+/// What targets are shares of: numbers of the whole stream.
+///
+/// # Errors
+/// If the stream is unsound and its bounds are needed.
+pub(super) fn full_mesh(
+    level: &LevelArgs,
+    file: &StriataFile<'_>,
+    input: &Input,
+) -> Result<FullMesh, Failure> {
+    let summary = file.summary();
+    Ok(FullMesh {
+        diagonal: diagonal_of(level, file, input)?,
+        vertex_count: summary.vertex_count,
+        triangle_count: summary.triangle_count,
+    })
+}
+
 /// Why a level is the one that it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum End {
+pub(super) enum End {
     /// The bytes end before a better one.
     Input,
     /// As in every other file.
@@ -148,7 +163,7 @@ enum End {
 }
 
 impl End {
-    fn as_str(self) -> &'static str {
+    pub(super) fn as_str(self) -> &'static str {
         match self {
             Self::Input => INPUT_ENDED,
             Self::Level(reason) => reason.as_str(),
@@ -157,7 +172,7 @@ impl End {
 }
 
 /// A share of the way is one of the whole stream's, however much of it is there.
-fn in_splits(target: Target, step_count: usize) -> Target {
+pub(super) fn in_splits(target: Target, step_count: usize) -> Target {
     match target {
         Target::Detail(detail) => {
             // The small term keeps `k / step_count` from rounding down to k - 1, as in `Levels`.
@@ -169,7 +184,7 @@ fn in_splits(target: Target, step_count: usize) -> Target {
 }
 
 /// Whether the level, or one beyond it, has come.
-fn is_enough(decoder: &StreamDecoder, target: Target) -> bool {
+pub(super) fn is_enough(decoder: &StreamDecoder, target: Target) -> bool {
     match target {
         Target::Triangles(count) => decoder.triangles().len() > count,
         Target::Vertices(count) => decoder.positions().len() > count,
@@ -180,7 +195,7 @@ fn is_enough(decoder: &StreamDecoder, target: Target) -> bool {
 }
 
 /// The level that comes nearest to the target, and why it comes no nearer.
-fn resolve(target: Target, received: &Received, levels: &Levels) -> (usize, End) {
+pub(super) fn resolve(target: Target, received: &Received, levels: &Levels) -> (usize, End) {
     let is_whole = received.decoder.is_complete();
     if let (false, Target::Error(error)) = (is_whole, target) {
         // To its levels what has come is the full mesh, without error.

@@ -284,6 +284,38 @@ fn a_stream_that_is_cut_off_shows_what_is_there() {
 }
 
 #[test]
+fn decode_writes_a_level_and_reads_no_more_than_it_needs() {
+    let bench = with_stream();
+    let whole = bench.json("decode ball.stri -o whole.ply");
+    assert_eq!((&whole["shortfall"], &whole["read_bytes"]), (&Value::Null, &whole["stream_bytes"]));
+    for level in
+        ["--triangles 500", "--ratio 0.1", "--vertices 10%", "--detail 0.2", "--error 1%", "--split-count 40"]
+    {
+        let decoded = bench.json(&format!("decode ball.stri -o decoded.ply {level}"));
+        let extracted = bench.json(&format!("extract ball.stri -o extracted.ply {level}"));
+        for key in ["split_count", "triangle_count", "vertex_count", "error", "read_bytes", "shortfall"] {
+            assert_eq!(decoded[key], extracted[key], "{key} of {level}");
+        }
+        assert_eq!(bench.read("decoded.ply"), bench.read("extracted.ply"), "{level}");
+        assert!(
+            number(&decoded, "read_bytes") < 0.8 * number(&decoded, "stream_bytes"),
+            "{level}: {decoded}"
+        );
+    }
+    // What the level does not need may be missing, and is not missed.
+    let bytes = bench.read("ball.stri");
+    let needed = number(&bench.json("decode ball.stri -o x.ply --triangles 500"), "read_bytes") as usize;
+    bench.write("part.stri", &bytes[..needed]);
+    let from_part = bench.json("decode part.stri -o x.ply --triangles 500");
+    assert_eq!(from_part["shortfall"], Value::Null);
+    let short = bench.json("decode part.stri -o x.ply --detail 1");
+    assert_eq!(short["shortfall"], "the input ends before this level");
+    assert!(
+        bench.refused("decode ball.stri -o x.ply --detail 0.5 --ratio 0.1").contains("cannot be used with")
+    );
+}
+
+#[test]
 fn damaged_streams_are_refused() {
     let bench = with_stream();
     let bytes = bench.read("ball.stri");

@@ -7,6 +7,7 @@
 pub mod baseline;
 pub mod fans;
 pub mod geomorph;
+pub mod growing;
 pub mod lod_strips;
 pub mod mts;
 pub mod patterns;
@@ -28,6 +29,7 @@ pub use fans::{
     Fans, FansLevel, MovingVertex, fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
+pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
 pub use patterns::{

@@ -35,6 +35,12 @@ impl NormalCone {
         Self::rounded(axis, cos)
     }
 
+    /// The cone of unit normals; [`ALL`](Self::ALL) for none.
+    pub(crate) fn of_normals(normals: &[DVec3]) -> Self {
+        let Some(axis) = normals.iter().sum::<DVec3>().try_normalize() else { return Self::ALL };
+        Self::rounded(axis, normals.iter().map(|normal| normal.dot(axis)).fold(1.0, f64::min))
+    }
+
     /// The cone of the same axis that also holds another.
     #[must_use]
     pub fn with_cone(self, other: &Self) -> Self {
@@ -125,6 +131,7 @@ fn direction_f64([x, y, z]: [f32; 3]) -> DVec3 {
     DVec3::new(x.into(), y.into(), z.into())
 }
 
+/// The unit normal of a triangle; none if it has no area.
 fn normal(corners: &[[f32; 3]; 3]) -> Option<DVec3> {
     let [a, b, c] = corners.map(direction_f64);
     (b - a).cross(c - a).try_normalize()

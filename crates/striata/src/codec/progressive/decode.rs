@@ -12,7 +12,8 @@ use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length, most_wedges_be
 use super::layers::LayerForm;
 use super::refiner::{Ended, Refiner, Terms, Unknown};
 use crate::mesh::{
-    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
+    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, PrefixMesh, RefinableMesh, SequenceParts,
+    TriangleGroup,
 };
 
 /// What some bytes have brought: append [`vertices`](Self::vertices) to a vertex buffer, write
@@ -72,7 +73,8 @@ impl StreamDecoder {
     /// Takes the next bytes of the stream and reads all chunks that are complete.
     ///
     /// # Errors
-    /// [`DecodeError`] where the bytes are no sound stream; what came before stays, more bytes are of no use.
+    /// [`DecodeError`] if the bytes are no sound stream, or go on after its end ([`DecodeError::FileLength`] with the bytes found so far
+    /// and the length of the stream). What was read before stays, and more bytes are of no use.
     pub fn push(&mut self, bytes: &[u8]) -> Result<StreamUpdate, DecodeError> {
         self.check_open()?;
         let before = self.sizes();
@@ -105,10 +107,19 @@ impl StreamDecoder {
             self.chunk_count += 1;
             bytes = rest;
         }
-        if self.next_row().is_none() {
-            self.check_counts()?;
+        if self.next_row().is_some() {
+            return Ok(());
         }
-        Ok(())
+        self.check_counts()?;
+        self.check_end(bytes.len())
+    }
+
+    /// The whole stream is read: no bytes may follow it.
+    fn check_end(&self, more: usize) -> Result<(), DecodeError> {
+        if more == 0 {
+            return Ok(());
+        }
+        Err(DecodeError::FileLength { found: self.read + more as u64, expected: self.read })
     }
 
     /// # Errors
@@ -312,6 +323,17 @@ impl StreamDecoder {
     /// Triangles that each vertex split has brought.
     pub fn added_triangle_counts(&self) -> &[u8] {
         self.growth().map_or(&[], |growth| &growth.added)
+    }
+
+    /// What has come, as models that grow with it take it; empty before the base has come.
+    pub fn prefix(&self) -> PrefixMesh<'_> {
+        self.growth().map_or(PrefixMesh::default(), |growth| PrefixMesh {
+            positions: &growth.positions,
+            first_vertices: &growth.first_vertex,
+            targets: &growth.targets,
+            triangles: &growth.triangles,
+            added_triangle_counts: &growth.added,
+        })
     }
 
     /// Vertex splits that have come.
