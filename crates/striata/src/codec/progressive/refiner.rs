@@ -634,14 +634,16 @@ impl Refiner {
         self.surface.reserve(steps);
         self.places.reserve(steps);
         self.growth.reserve(steps);
-        self.walk.reserve(steps);
-        self.positions.reserve(steps);
+        // These know nothing yet of the vertices that are there.
+        let all = self.surface.vertex_count() + steps;
+        self.walk.reserve(all);
+        self.positions.reserve(all);
         match &mut self.connectivity {
-            Connectivity::Thorough(model) => model.reserve(steps),
+            Connectivity::Thorough(model) => model.reserve(all),
             Connectivity::Quick(model) => model.reserve(steps),
             Connectivity::Joint(flags, cuts) => {
                 flags.reserve(steps);
-                cuts.reserve(steps);
+                cuts.reserve(all);
             }
         }
     }

@@ -79,7 +79,7 @@ impl Walk {
         Self { remembers: false, ..Self::new(order) }
     }
 
-    /// Makes room for so many vertices more.
+    /// Makes room for so many vertices in all.
     pub(super) fn reserve(&mut self, vertex_count: usize) {
         self.queue.reserve_exact(vertex_count);
         if self.remembers {

@@ -63,9 +63,9 @@ fn middle(a: u8, b: u8) -> u8 {
 }
 
 impl Memory {
-    /// Makes room for so many splits.
-    pub(super) fn reserve(&mut self, splits: usize) {
-        self.traces.reserve_exact(splits);
+    /// Makes room for so many vertices in all.
+    pub(super) fn reserve(&mut self, vertex_count: usize) {
+        self.traces.reserve_exact(vertex_count);
     }
 
     /// Told when a batch begins.

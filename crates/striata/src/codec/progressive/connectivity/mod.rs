@@ -107,9 +107,9 @@ impl ConnectivityModel {
         self.memory.begin_batch(surface);
     }
 
-    /// Makes room for so many splits.
-    pub(super) fn reserve(&mut self, splits: usize) {
-        self.memory.reserve(splits);
+    /// Makes room for so many vertices in all.
+    pub(super) fn reserve(&mut self, vertex_count: usize) {
+        self.memory.reserve(vertex_count);
     }
 
     /// The surface has been built anew between two batches: here is the old number of each vertex, or

@@ -98,7 +98,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
         [class(sums[0], 5), class(sums[1], 4)]
     }
 
-    /// Makes room for so many vertices more.
+    /// Makes room for so many vertices in all.
     pub(super) fn reserve(&mut self, vertex_count: usize) {
         self.errors.reserve_exact(vertex_count);
     }

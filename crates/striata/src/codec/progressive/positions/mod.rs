@@ -76,7 +76,7 @@ impl PositionModel {
         })
     }
 
-    /// Makes room for so many vertices more.
+    /// Makes room for so many vertices in all.
     pub(super) fn reserve(&mut self, vertex_count: usize) {
         match &mut self.0 {
             Model::One(_) | Model::Ahead(_) => {}
