@@ -244,14 +244,18 @@ fn surfaces_shrink_to_small_bases() {
 fn general_batches_lead_assets_down() {
     for seed in 0..8 {
         let mesh = asset(30, seed);
-        let [surface, general] =
-            [on_the_surface(), BatchOptions::default().with_general_floor(40)].map(|options| build(&mesh, &options));
+        let [surface, general] = [on_the_surface(), BatchOptions::default().with_general_floor(40)]
+            .map(|options| build(&mesh, &options));
         let left = |built: &BuiltBatches| built.built.refinable.sequence.triangle_count_at(0);
         assert!(left(&general) <= 40 && left(&surface) > 100, "{} and {}", left(&general), left(&surface));
         let RefinableMesh { sequence, .. } = &general.built.refinable;
         for split_count in 0..=sequence.step_count() {
             let level = replay(&general.built.refinable, split_count);
-            assert_eq!(level.triangle_count(), sequence.triangle_count_at(split_count), "level {split_count}");
+            assert_eq!(
+                level.triangle_count(),
+                sequence.triangle_count_at(split_count),
+                "level {split_count}"
+            );
         }
         let sequence = SequenceOptions::default().with_topology(TopologyRule::Keep);
         let kept = build(&mesh, &BatchOptions::default().with_general_floor(0).with_sequence(sequence));

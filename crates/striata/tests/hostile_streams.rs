@@ -223,9 +223,8 @@ fn changed_bytes_behind_right_checksums_do_no_harm() {
 #[test]
 fn every_truncation_of_a_small_stream_is_a_prefix() {
     let surface = with_seams_and_groups(support::grid(9, true));
-    let streams = [&surface, &meshes::asset(3, 8)].map(|mesh| {
-        EFFORTS.map(|effort| stream_of(mesh, &StreamOptions::default().with_effort(effort)))
-    });
+    let streams = [&surface, &meshes::asset(3, 8)]
+        .map(|mesh| EFFORTS.map(|effort| stream_of(mesh, &StreamOptions::default().with_effort(effort))));
     for bytes in streams.as_flattened() {
         let facts = StreamFacts::read(bytes).unwrap().unwrap();
         let mut whole = StreamDecoder::new();

@@ -32,7 +32,8 @@ struct Written {
 
 fn write(mesh: &IndexedMesh, options: &StreamOptions) -> Written {
     // As far as it goes, so that small meshes have general batches too.
-    let batches = BatchOptions::default().with_general(options.version != StreamVersion::One).with_general_floor(0);
+    let batches =
+        BatchOptions::default().with_general(options.version != StreamVersion::One).with_general_floor(0);
     let built = build_batches(mesh, &batches, &mut striata::ignore_progress).unwrap();
     let stream = encode_stream(&built.built.refinable, &built.batches, options).unwrap();
     Written { source: built.built.refinable, stream }
@@ -426,7 +427,11 @@ fn check_sequence(source: RefinableMesh, options: &StreamOptions, seed: u64) {
 fn assets_go_down_to_next_to_nothing() {
     for seed in 0..6 {
         let mesh = meshes::asset(40, seed);
-        let built = build_batches(&mesh, &BatchOptions::default().with_general_floor(60), &mut striata::ignore_progress);
+        let built = build_batches(
+            &mesh,
+            &BatchOptions::default().with_general_floor(60),
+            &mut striata::ignore_progress,
+        );
         let built = built.unwrap();
         let sequence = &built.built.refinable.sequence;
         let (full, base) = (mesh.triangle_count(), sequence.triangle_count_at(0));

@@ -51,11 +51,7 @@ pub(super) fn close_used(triangles: &[[u32; 3]], position_count: usize) -> Close
     let Closed { surface, vertex_of_copy, is_locked: locked } = close(&dense, used.len());
     let mut is_locked = vec![true; position_count];
     used.iter().zip(locked).for_each(|(&p, locked)| is_locked[p as usize] = locked);
-    Closed {
-        surface,
-        vertex_of_copy: vertex_of_copy.iter().map(|&v| used[v as usize]).collect(),
-        is_locked,
-    }
+    Closed { surface, vertex_of_copy: vertex_of_copy.iter().map(|&v| used[v as usize]).collect(), is_locked }
 }
 
 /// Pairs the half-edges that are manifold; the ends of edges of more than two triangles, or of two that run the same

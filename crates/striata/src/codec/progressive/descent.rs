@@ -3,6 +3,8 @@
 //! Batches whose steps are independent splits of the surface go down on it (`surface_stage.rs`). A batch of others goes down on the
 //! triangles alone (`general_stage.rs`), and the surface is built anew below it, as a reader builds it anew above.
 
+use std::ops::Range;
+
 use super::chunks::BatchDefect;
 use super::general_stage::{GeneralStage, LevelTriangles};
 use super::surface_stage::SurfaceStage;
@@ -27,6 +29,13 @@ pub(super) struct Descent {
     pub(super) visits: Vec<u64>,
 }
 
+/// What became of going down.
+enum Attempt {
+    Arrived(Descent),
+    /// The surface of these batches is not what a reader would build.
+    Differs(Range<usize>),
+}
+
 impl Descent {
     /// Goes down; `batches` are split counts at which batches begin, closed by the number of steps.
     ///
@@ -42,18 +51,17 @@ impl Descent {
         // at all copies of a position. Such batches are general ones, and the way begins again.
         loop {
             match Self::attempt(refinable, batches, (version, &must_be_general))? {
-                Ok(descent) => return Ok(descent),
-                Err(range) => must_be_general[range].fill(true),
+                Attempt::Arrived(descent) => return Ok(descent),
+                Attempt::Differs(range) => must_be_general[range].fill(true),
             }
         }
     }
 
-    #[expect(clippy::type_complexity)]
     fn attempt(
         refinable: &RefinableMesh,
         batches: &[u32],
         (version, must_be_general): (StreamVersion, &[bool]),
-    ) -> Result<Result<Self, std::ops::Range<usize>>, BatchDefect> {
+    ) -> Result<Attempt, BatchDefect> {
         let mut level = LevelTriangles::new(refinable);
         let mut stage = SurfaceStage::new(&level, refinable, batches.len() - 1);
         let mut stages = Vec::new();
@@ -71,7 +79,7 @@ impl Descent {
                 Err(_) => {
                     stage.finish(&mut level);
                     if !stage.batches().is_empty() && !stage.is_built_anew(&level, refinable) {
-                        return Ok(Err(stage.batches()));
+                        return Ok(Attempt::Differs(stage.batches()));
                     }
                     stages.push(Stage::Surface(stage));
                     let general = GeneralStage::new(&mut level, refinable, steps)?;
@@ -86,7 +94,7 @@ impl Descent {
         check_base(&level, refinable)?;
         stages.push(Stage::Surface(stage));
         stages.reverse();
-        Ok(Ok(Self { stages, shown: level.shown, visits }))
+        Ok(Attempt::Arrived(Self { stages, shown: level.shown, visits }))
     }
 
     /// Most triangles that a split of the surface moves.

@@ -1,7 +1,6 @@
 //! The writer's front: options, the stream's bytes, and what they were spent on.
 
 use super::super::EncodeError;
-use super::{Effort, StreamVersion};
 use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, encode_chunks};
 use super::descent::Descent;
@@ -11,6 +10,7 @@ use super::layer_hood::LayerValues;
 use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
 use super::truth::Points;
+use super::{Effort, StreamVersion};
 use crate::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
 
 /// How exactly positions are kept.

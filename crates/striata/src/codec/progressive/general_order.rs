@@ -26,11 +26,8 @@ impl GeneralOrder {
     /// All steps of a stage; `number` is that of a position for the reader, as far as it has one.
     pub(super) fn new(stage: &GeneralStage, triangle_count: usize, number: impl Fn(u32) -> u32) -> Self {
         let count = stage.steps.len();
-        let mut order = Self {
-            followers: vec![Vec::new(); count],
-            waits_for: vec![0; count],
-            ..Self::default()
-        };
+        let mut order =
+            Self { followers: vec![Vec::new(); count], waits_for: vec![0; count], ..Self::default() };
         // A triangle goes through its steps in turn, and a step needs the positions of what it brings.
         let mut last_at = vec![NONE; triangle_count];
         let mut before = Vec::new();

@@ -83,7 +83,10 @@ impl Incidence {
         };
         for &t in &level.alive {
             let positions = level.positions(refinable, t);
-            positions.into_iter().zip(3 * t..).for_each(|(position, corner)| incidence.push(position, corner));
+            positions
+                .into_iter()
+                .zip(3 * t..)
+                .for_each(|(position, corner)| incidence.push(position, corner));
         }
         incidence
     }
@@ -134,7 +137,8 @@ impl GeneralStage {
         let mut corners = Vec::new();
         for step in steps.rev() {
             let position = base + step as u32;
-            let target = sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
+            let target =
+                sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
             let (moved, gone) = (stage.moved.len() as u32, stage.gone.len() as u32);
             incidence.take(position, &mut corners);
             for &corner in &corners {

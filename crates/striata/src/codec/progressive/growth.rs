@@ -119,7 +119,8 @@ impl Growth {
     pub(super) fn renumber(&mut self, virtual_count: usize, positions: &[u32], triangle_count: usize) {
         self.told_triangles = triangle_count as u32;
         self.listed_triangles = self.told_triangles;
-        self.position_of = std::iter::repeat_n(NONE, virtual_count).chain(positions.iter().copied()).collect();
+        self.position_of =
+            std::iter::repeat_n(NONE, virtual_count).chain(positions.iter().copied()).collect();
     }
 
     /// Adds the position of a general step; the surface does not show it before it is built anew.

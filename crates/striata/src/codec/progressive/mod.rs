@@ -57,8 +57,8 @@ pub use facts::StreamFacts;
 pub use grid::GridError;
 pub use head::STREAM_MAGIC;
 pub use layers::{LayerBitsError, LayerOptions};
-pub use surface_stage::StepDefect;
 pub use surface::SurfaceDefect;
+pub use surface_stage::StepDefect;
 
 /// How hard the coder tries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

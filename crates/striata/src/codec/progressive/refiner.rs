@@ -11,8 +11,8 @@ use super::base::Base;
 use super::base_coder::{BaseLimits, BaseOrder, code_base};
 use super::base_hood::BaseHoods;
 use super::connectivity::{ConnectivityModel, Scene};
-use super::grid::{CorrectionModel, PositionGrid};
 use super::general::{CodedStep, General, KnownStep};
+use super::grid::{CorrectionModel, PositionGrid};
 use super::growth::Growth;
 use super::hood::Hood;
 use super::layer_hood::LayerValues;
@@ -374,7 +374,8 @@ impl Refiner {
     /// Where they are too many for so few splits.
     pub(super) fn spend_visits(&mut self, visits: u64) -> Result<(), StreamDefect> {
         let batch_count = self.walk.batch();
-        self.visits_left = self.visits_left.checked_sub(visits).ok_or(StreamDefect::Batches { batch_count })?;
+        self.visits_left =
+            self.visits_left.checked_sub(visits).ok_or(StreamDefect::Batches { batch_count })?;
         Ok(())
     }
 
@@ -568,8 +569,7 @@ impl Refiner {
         }
         coder.part(Part::Wedges);
         self.shown(coder, source, vertex);
-        let is_full =
-            self.growth.beyond() as u64 + self.told.targets.len() as u64 > self.most_wedges + 1;
+        let is_full = self.growth.beyond() as u64 + self.told.targets.len() as u64 > self.most_wedges + 1;
         if coder.overran() || is_full {
             if let Some(attributes) = &mut self.attributes {
                 attributes.truncate(self.growth.positions.len());

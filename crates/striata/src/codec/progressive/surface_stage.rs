@@ -98,13 +98,16 @@ impl SurfaceStage {
         let base = sequence.base_position_count() as u32;
         for step in steps.clone().rev() {
             let position = base + step as u32;
-            let target = sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
+            let target =
+                sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
             let found = self.find(position, target).map_err(|defect| BatchDefect::Step { step, defect });
             let found = found.and_then(|corner| {
                 let mark = batch as u32 + 1;
                 let kept = self.surface.vertex(next(corner)) as usize;
                 let is_free = std::mem::replace(&mut self.kept_in[kept], mark) != mark;
-                (is_free && self.mark_ring(corner, mark)).then_some(corner).ok_or(BatchDefect::Dependent { batch })
+                (is_free && self.mark_ring(corner, mark))
+                    .then_some(corner)
+                    .ok_or(BatchDefect::Dependent { batch })
             });
             match found {
                 Ok(corner) => {
@@ -223,8 +226,12 @@ impl SurfaceStage {
     pub(super) fn finish(&mut self, level: &mut LevelTriangles) {
         self.undo.reverse();
         self.patch_begins.reverse();
-        let mut gone: Vec<u32> =
-            self.undo.iter().flat_map(|undo| undo.gone).filter_map(|c| Some(self.mesh_corner(c)?.0)).collect();
+        let mut gone: Vec<u32> = self
+            .undo
+            .iter()
+            .flat_map(|undo| undo.gone)
+            .filter_map(|c| Some(self.mesh_corner(c)?.0))
+            .collect();
         gone.sort_unstable();
         level.alive.retain(|t| gone.binary_search(t).is_err());
         if self.follows {

@@ -171,7 +171,8 @@ fn base_triangles(surface: &Surface, undo: &[Undo]) -> (Vec<u32>, Vec<u32>) {
 /// The group of each triangle of a mesh.
 fn groups_of_triangles(refinable: &RefinableMesh) -> Vec<u32> {
     let groups = refinable.mesh.groups_or_whole();
-    let of_group = |(g, group): (u32, &crate::mesh::TriangleGroup)| std::iter::repeat_n(g, group.count as usize);
+    let of_group =
+        |(g, group): (u32, &crate::mesh::TriangleGroup)| std::iter::repeat_n(g, group.count as usize);
     (0..).zip(groups.iter()).flat_map(of_group).collect()
 }
 
@@ -198,8 +199,8 @@ impl<'a> Truth<'a> {
         self.corners[fine as usize] = 4 * self.next_triangle + turn;
         self.next_triangle += 1;
         let mesh_corner = self.surface_stage().and_then(|stage| stage.mesh_corner(4 * fine));
-        let turned = mesh_corner
-            .map_or(Turned::VIRTUAL, |(triangle, _)| Turned { triangle, turn: turn as u8 });
+        let turned =
+            mesh_corner.map_or(Turned::VIRTUAL, |(triangle, _)| Turned { triangle, turn: turn as u8 });
         self.surface_triangles.push(turned);
         if turned.triangle != NONE {
             self.push_mesh_triangle(turned);
@@ -261,7 +262,9 @@ impl<'a> Truth<'a> {
             }
         }
         let real_count = stage.triangles.len() as u32;
-        for fine in (0..real_count).filter(|&fine| self.number_of[stage.triangles[fine as usize] as usize] != NONE) {
+        for fine in
+            (0..real_count).filter(|&fine| self.number_of[stage.triangles[fine as usize] as usize] != NONE)
+        {
             for corner in 4 * fine..4 * fine + 3 {
                 let here = turned(self.corners[fine as usize], corner & 3);
                 let vertex = surface.vertex(here);

@@ -120,7 +120,10 @@ impl<'a> Engine<'a> {
             }
             let done = self.course.record.removed.len();
             // Positions that were found out of date are judged again before that says anything.
-            if done - before < self.options.least_batch.max(1) && !self.was_out_of_date && !self.relax_at_last() {
+            if done - before < self.options.least_batch.max(1)
+                && !self.was_out_of_date
+                && !self.relax_at_last()
+            {
                 break StopReason::BaseReached;
             }
             let report = Progress { phase: "simplify", done: done as u64, total };

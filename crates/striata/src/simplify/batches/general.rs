@@ -107,7 +107,9 @@ impl Engine<'_> {
         (0..self.choices.len() as u32).for_each(|v| self.enqueue(v, &mut queue));
         let mut stopped = None;
         while let Some(Reverse((bits, v))) = queue.pop() {
-            let Some(choice) = self.choices[v as usize].filter(|_| self.is_general[v as usize]) else { continue };
+            let Some(choice) = self.choices[v as usize].filter(|_| self.is_general[v as usize]) else {
+                continue;
+            };
             if entry(choice.cost, v) != Reverse((bits, v)) {
                 continue;
             }
@@ -168,6 +170,7 @@ impl Engine<'_> {
         if choice.tier != Tier::Strict {
             return judge.relaxed_stands(v, choice.target, (choice.tier, choice.distance_squared));
         }
-        judge.links.entries(v).contains(&choice.target) && judge.legality.allows(&judge.links, v, choice.target)
+        judge.links.entries(v).contains(&choice.target)
+            && judge.legality.allows(&judge.links, v, choice.target)
     }
 }

@@ -87,7 +87,12 @@ impl GeneralModel {
     }
 
     /// Codes which position splits.
-    pub(super) fn split<C: Coder>(&mut self, coder: &mut C, position_count: u32, meant: Option<&KnownStep>) -> u32 {
+    pub(super) fn split<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        position_count: u32,
+        meant: Option<&KnownStep>,
+    ) -> u32 {
         let meant = meant.map_or(0, |step| step.split);
         let newest = position_count - 1;
         for (bit, near) in self.is_near.iter_mut().zip([self.last_split, newest]) {
@@ -114,8 +119,11 @@ impl GeneralModel {
         out.moved.clear();
         out.fan.clear();
         self.ring.clear();
-        self.ring.extend(complex.corners(out.split).map(|corner| {
-            Spoke { corner, edge: complex.edge(corner), is_linked: false, moves: false }
+        self.ring.extend(complex.corners(out.split).map(|corner| Spoke {
+            corner,
+            edge: complex.edge(corner),
+            is_linked: false,
+            moves: false,
         }));
         let any = meant.is_some_and(|step| !step.moved.is_empty());
         if self.ring.is_empty() || !self.moves_any.code(coder, any) {
@@ -248,11 +256,11 @@ impl GeneralModel {
             _ => (3, places[out.split as usize], self.lonely_size),
         };
         let mut largest = 0;
-        for axis in 0..3 {
-            let off = meant.map_or(0, |step| step.place[axis].wrapping_sub(guess[axis]));
+        for (axis, guess) in guess.into_iter().enumerate() {
+            let off = meant.map_or(0, |step| step.place[axis].wrapping_sub(guess));
             let off = self.residuals.signed(coder, kind * SIZES + size, off);
             largest = largest.max(off.unsigned_abs());
-            out.place[axis] = guess[axis].wrapping_add(off);
+            out.place[axis] = guess.wrapping_add(off);
         }
         if is_lonely {
             self.lonely_size = ((largest | 1).ilog2() as usize).min(SIZES - 1);
@@ -267,7 +275,8 @@ fn middle(around: &[u32], places: &[[i32; 3]]) -> ([i32; 3], usize) {
     let count = around.len() as i64;
     let sum = |axis: usize| around.iter().map(|&p| i64::from(places[p as usize][axis])).sum::<i64>();
     let middle = [0, 1, 2].map(|axis| sum(axis).div_euclid(count));
-    let off = |p: u32| (0..3).map(|a| (i64::from(places[p as usize][a]) - middle[a]).unsigned_abs()).sum::<u64>();
+    let off =
+        |p: u32| (0..3).map(|a| (i64::from(places[p as usize][a]) - middle[a]).unsigned_abs()).sum::<u64>();
     let mean = around.iter().map(|&p| off(p)).sum::<u64>() / count as u64;
     (middle.map(|x| x as i32), ((mean | 1).ilog2() as usize).min(SIZES - 1))
 }

@@ -1,11 +1,11 @@
 //! A general batch within the loop that both sides run.
 
 use super::super::super::entropy::{Coder, Part};
+use super::super::StreamDefect;
 use super::super::attributes::{GeneralVertex, RingVertex};
 use super::super::cutting::{Closed, close_used};
 use super::super::refiner::{Ended, Refiner, Source, actual_layers};
 use super::super::surface::NONE;
-use super::super::StreamDefect;
 use super::{CodedStep, Complex, KnownStep};
 
 impl Refiner {
