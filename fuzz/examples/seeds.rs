@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use striata::codec::progressive::{Effort, Precision, StreamOptions, encode_stream};
+use striata::codec::progressive::{Effort, Precision, StreamOptions, StreamVersion, encode_stream};
 use striata::codec::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
@@ -46,17 +46,21 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A file's name and its bytes.
 type NamedBytes = (&'static str, Vec<u8>);
 
-/// Progressive streams of each effort, and an exact one.
+/// Progressive streams of each effort, an exact one, and one of the first version.
 fn streams(mesh: &IndexedMesh) -> Result<Vec<NamedBytes>, Box<dyn Error>> {
-    let built = build_batches(mesh, &BatchOptions::default(), &mut ignore_progress)?;
+    let all = BatchOptions::default().with_general_floor(0);
+    let built = build_batches(mesh, &all, &mut ignore_progress)?;
+    let surface = build_batches(mesh, &all.with_general(false), &mut ignore_progress)?;
     let options = StreamOptions::default().with_precision(Precision::Bits(8));
     let forms = [
         ("fast", options.clone().with_effort(Effort::Fast)),
         ("default", options.clone()),
         ("small", options.clone().with_effort(Effort::Small)),
-        ("exact", options.with_precision(Precision::Lossless)),
+        ("exact", options.clone().with_precision(Precision::Lossless)),
+        ("first", options.with_version(StreamVersion::One)),
     ];
     let write = |(name, options)| {
+        let built = if name == "first" { &surface } else { &built };
         let stream = encode_stream(&built.built.refinable, &built.batches, &options)?;
         Ok((name, stream.bytes))
     };

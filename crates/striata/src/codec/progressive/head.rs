@@ -156,11 +156,7 @@ impl Head {
             Effort::Default => 1,
             Effort::Small => 2,
         };
-        let version = match self.version {
-            StreamVersion::One => 1,
-            StreamVersion::Two => 2,
-        };
-        out.extend([version, effort]);
+        out.extend([self.version.number(), effort]);
         let flags = if self.is_exact { EXACT } else { 0 } | if self.has_general { GENERAL } else { 0 };
         out.extend(flags.to_le_bytes());
         out.extend([0; 8]);

@@ -84,6 +84,16 @@ pub enum StreamVersion {
     Two,
 }
 
+impl StreamVersion {
+    /// As the head of a stream has it.
+    pub fn number(self) -> u8 {
+        match self {
+            Self::One => 1,
+            Self::Two => 2,
+        }
+    }
+}
+
 /// What can be wrong within a stream whose bytes are as they were written.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]

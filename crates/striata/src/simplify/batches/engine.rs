@@ -204,7 +204,7 @@ impl<'a> Engine<'a> {
         candidates.clear();
         let costs = self.choices.iter().zip(0..).filter_map(|(choice, v)| Some((choice.as_ref()?.cost, v)));
         candidates.extend(costs);
-        keep_cheapest(&mut candidates, self.options.share * self.caution());
+        keep_cheapest(&mut candidates, self.options.share * self.boldness());
         self.dearest = candidates.last().map_or(0.0, |last| last.0);
         self.waiting.clear();
         self.waiting.extend(candidates.extract_if(.., |&mut (_, v)| self.is_general[v as usize]));

@@ -23,6 +23,9 @@ const LEFT_QUARTERS: usize = 3;
 /// The part of its usual share that a batch takes once general ones have come.
 const CAUTION: f64 = 0.7;
 
+/// Batches grow towards the full mesh, to twice their share, from where this part of the positions is left.
+const COARSE_LEFT: f64 = 0.4;
+
 /// A cost in the order of a queue: costs are not negative, so their bits rise with them.
 type Entry = Reverse<(u32, u32)>;
 
@@ -93,10 +96,14 @@ impl Engine<'_> {
         is_small || (are_many && 4 * left <= LEFT_QUARTERS * self.left_after_general)
     }
 
-    /// The part of its usual share that a batch takes: the costs of assets, which need general batches, differ more than those of
-    /// scans.
-    pub(super) fn caution(&self) -> f64 {
-        if self.left_after_general < self.choices.len() { CAUTION } else { 1.0 }
+    /// What a batch takes of its usual share: less once general ones have come, since the costs of assets, which need them, differ
+    /// more than those of scans; and more near the full mesh, where few large batches save bits and levels are hardly
+    /// told apart.
+    pub(super) fn boldness(&self) -> f64 {
+        let all = self.choices.len();
+        let left = (all - self.course.record.removed.len()) as f64 / all.max(1) as f64;
+        let bold = 1.0 + ((left - COARSE_LEFT) / (1.0 - COARSE_LEFT)).max(0.0);
+        bold * if self.left_after_general < all { CAUTION } else { 1.0 }
     }
 
     /// A general batch; the reason where it is to be the last one.

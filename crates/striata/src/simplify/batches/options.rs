@@ -15,7 +15,8 @@ pub struct BatchOptions {
     pub general: bool,
     /// No general batch begins once this many triangles are left, since its steps take many bits; default 300.
     pub general_floor: usize,
-    /// Each batch takes from the cheapest of the removable positions only: this share of them, over 0 and up to 1; default 0.35.
+    /// Each batch takes from the cheapest of the removable positions only: this share of them, over 0 and up to 1; default 0.35. Near the
+    /// full mesh batches take up to twice as much, and once general batches have come 0.7 of it.
     /// More makes fewer, larger batches, which are coded in fewer bits, and worse levels.
     pub share: f64,
     /// Short edges go first, as if each brought an error of this over its own square, mesh units: what is left is more
