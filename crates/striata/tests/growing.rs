@@ -1,5 +1,7 @@
 //! A hierarchy that grows step by step shows what replay and fans show, however its steps are handed over.
 
+mod meshes;
+
 mod support;
 
 use striata::codec::progressive::{StreamDecoder, StreamOptions, encode_stream};
@@ -273,9 +275,13 @@ fn a_stream_grows_to_the_cuts_of_fans_of_its_mesh() {
         shapes::closed_fan(300),
         shapes::book(12),
         shapes::moebius_strip(40),
+        // Steps that change the topology.
+        meshes::asset(30, 3),
+        meshes::asset(12, 4),
     ];
     for mesh in meshes {
-        let built = build_batches(&mesh, &BatchOptions::default(), &mut striata::ignore_progress).unwrap();
+        let batches = BatchOptions::default().with_general_floor(20);
+        let built = build_batches(&mesh, &batches, &mut striata::ignore_progress).unwrap();
         let options = StreamOptions::default();
         let bytes = encode_stream(&built.built.refinable, &built.batches, &options).unwrap().bytes;
         for length in [bytes.len(), bytes.len() * 4 / 5] {

@@ -350,30 +350,36 @@ fn nonsense_in_the_last_chunk_gives_a_mesh() {
     }
 }
 
-/// A mesh with a boundary, seams, groups and layers, and the streams of it that are kept beside the tests.
-fn kept_streams() -> (IndexedMesh, Vec<(&'static str, StreamOptions)>) {
-    let mesh = meshes::with_patches(meshes::rough(shapes::terrain(24, 3), 0.01, 7), 140);
-    let options =
-        StreamOptions::default().with_precision(Precision::Bits(12)).with_version(StreamVersion::One);
-    let kept = vec![
-        ("fast", options.clone().with_effort(Effort::Fast)),
-        ("default", options.clone()),
-        ("small", options.clone().with_effort(Effort::Small)),
-        ("exact", options.with_precision(Precision::Lossless)),
-    ];
-    (mesh, kept)
+/// A mesh with a boundary, seams, groups and layers, of which streams of both versions are kept beside the tests.
+fn kept_surface() -> IndexedMesh {
+    meshes::with_patches(meshes::rough(shapes::terrain(24, 3), 0.01, 7), 140)
 }
 
-fn path_of_kept(name: &str) -> std::path::PathBuf {
-    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/kept_streams/version1/{name}.stri"))
+const KEPT: [&str; 4] = ["fast", "default", "small", "exact"];
+
+/// The streams that are kept of the present version; the last one has general batches.
+fn kept_streams() -> Vec<(&'static str, IndexedMesh, StreamOptions)> {
+    let options = StreamOptions::default().with_precision(Precision::Bits(12));
+    let all = [
+        options.clone().with_effort(Effort::Fast),
+        options.clone(),
+        options.clone().with_effort(Effort::Small),
+        options.clone().with_precision(Precision::Lossless),
+    ];
+    let surfaces = KEPT.into_iter().zip(all).map(|(name, options)| (name, kept_surface(), options));
+    surfaces.chain([("parts", meshes::asset(12, 5), options)]).collect()
+}
+
+fn path_of_kept(version: StreamVersion, name: &str) -> std::path::PathBuf {
+    let folder = format!("tests/kept_streams/version{}", version.number());
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder).join(format!("{name}.stri"))
 }
 
 /// The files were written by another build, of other optimisation and on another machine than most that run this.
 #[test]
 fn streams_have_the_same_bits_on_every_machine() {
-    let (mesh, kept) = kept_streams();
-    for (name, options) in kept {
-        let bytes = std::fs::read(path_of_kept(name)).expect("a stream that is kept");
+    for (name, mesh, options) in kept_streams() {
+        let bytes = std::fs::read(path_of_kept(StreamVersion::Two, name)).expect("a stream that is kept");
         let written = write(&mesh, &options);
         assert!(written.stream.bytes == bytes, "{name}: this build writes another stream");
         check_whole(&written, &options);
@@ -382,13 +388,40 @@ fn streams_have_the_same_bits_on_every_machine() {
     }
 }
 
+/// The files were written when there was no other version, from batches that are chosen otherwise by now.
+#[test]
+fn streams_of_the_first_version_are_still_read() {
+    let mesh = kept_surface();
+    let nearest = |place: [f32; 3]| {
+        let off = |v: &usize| (0..3).map(|a| (mesh.positions[*v][a] - place[a]).powi(2)).sum::<f32>();
+        let nearest = (0..mesh.positions.len()).min_by(|v, w| off(v).total_cmp(&off(w))).unwrap();
+        (nearest, off(&nearest).sqrt())
+    };
+    // Vertices of one position have the same nearest one.
+    let position: Vec<u32> = mesh.positions.iter().map(|&place| nearest(place).0 as u32).collect();
+    for name in KEPT {
+        let bytes = std::fs::read(path_of_kept(StreamVersion::One, name)).expect("a stream that is kept");
+        let decoder = read(&bytes);
+        let decoded = decoder.refinable_mesh().unwrap();
+        let found: Vec<(usize, f32)> = decoded.mesh.positions.iter().map(|&place| nearest(place)).collect();
+        let most = if name == "exact" { 0.0 } else { mesh.diagonal() as f32 / 4096.0 };
+        assert!(found.iter().all(|&(_, off)| off <= most), "{name}: a vertex is elsewhere");
+        assert_eq!(
+            groups_of(&decoded.mesh, |v| found[v as usize].0 as u32),
+            groups_of(&mesh, |v| position[v as usize])
+        );
+        check_parts(&bytes, &decoded, &mut Random::new(1));
+    }
+}
+
 /// Run by hand after a change of what streams mean: `cargo test --release --test streams -- --ignored`.
 #[test]
 #[ignore = "writes the streams that are kept"]
 fn streams_are_written_anew() {
-    let (mesh, kept) = kept_streams();
-    for (name, options) in kept {
-        std::fs::write(path_of_kept(name), write(&mesh, &options).stream.bytes).unwrap();
+    for (name, mesh, options) in kept_streams() {
+        let path = path_of_kept(StreamVersion::Two, name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, write(&mesh, &options).stream.bytes).unwrap();
     }
 }
 
