@@ -1,7 +1,7 @@
 //! The base mesh that the splits begin with.
 
 use super::super::entropy::{AdaptiveNumber, Coder, Rate};
-use super::refiner::Source;
+use super::source::Source;
 use super::surface::{NONE, Surface, SurfaceDefect};
 use super::wedges::WedgeModel;
 

@@ -10,7 +10,8 @@ use super::base_coder::BaseLimits;
 use super::growth::Growth;
 use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length, most_wedges_beyond};
 use super::layers::LayerForm;
-use super::refiner::{Ended, Refiner, Terms, Unknown};
+use super::refiner::{Ended, Refiner, Terms};
+use super::source::Unknown;
 use crate::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, PrefixMesh, RefinableMesh, SequenceParts,
     TriangleGroup,

@@ -41,6 +41,7 @@ mod refiner;
 mod residuals;
 mod ring_fit;
 mod rings;
+mod source;
 mod surface;
 mod surface_stage;
 mod tangents;

@@ -8,7 +8,7 @@ use super::descent::{Descent, Stage};
 use super::general::{Born, CodedStep, KnownBorn, KnownStep};
 use super::general_order::GeneralOrder;
 use super::layer_hood::LayerValues;
-use super::refiner::Source;
+use super::source::Source;
 use super::surface::{Cut, NONE, Surface, Undo, triangle_of};
 use super::surface_stage::SurfaceStage;
 use crate::mesh::RefinableMesh;

@@ -13,7 +13,7 @@ use super::StreamVersion;
 use super::general::CodedStep;
 use super::growth::Growth;
 use super::hidden_wedges::HiddenWedges;
-use super::refiner::Source;
+use super::source::Source;
 use super::surface::{NONE, Surface, next, previous, triangle_of};
 
 /// Answers whether a guess is right: by who asks, whether both guesses agree, and which it is.

@@ -4,7 +4,8 @@ use super::super::super::entropy::{Coder, Part};
 use super::super::StreamDefect;
 use super::super::attributes::{GeneralVertex, RingVertex};
 use super::super::cutting::{Closed, close_used};
-use super::super::refiner::{Ended, Refiner, Source, actual_layers};
+use super::super::refiner::{Ended, Refiner, actual_layers};
+use super::super::source::Source;
 use super::super::surface::NONE;
 use super::{CodedStep, Complex, KnownStep};
 
