@@ -4,16 +4,16 @@
 //! those that split the surface is walked, many at a time, so that no walk waits for memory alone. Then the length of each
 //! cut is told, and which of the free runs of that length, the ones with the longest edges first, since that is where a
 //! vertex is missing. Cuts around vertices of few triangles are two symbols (`quick_cuts.rs`); around others, and in streams of
-//! the first version, they are chains of decisions. Effort default takes flags from here and cuts from `connectivity/`.
+//! the first version, they are chains of decisions. Effort default takes cuts of few triangles from `connectivity/learned.rs`.
 
 use super::super::entropy::{AdaptiveBit, Coder, Rate};
-use super::StreamVersion;
-use super::connectivity::Scene;
+use super::connectivity::{LearnedCuts, Scene, Spoke as LearnedSpoke};
 use super::positions::Surroundings;
 use super::quick_cuts::{self, Edge, QuickCuts};
 use super::rings::{Neighbour, Rings};
 use super::surface::{Cut, NONE, Surface, triangle_of};
 use super::walk::Walk;
+use super::{Effort, StreamVersion};
 
 /// What is kept with a vertex.
 #[derive(Clone, Copy, Debug, Default)]
@@ -48,12 +48,24 @@ pub(super) struct QuickModel {
     /// Vertices that split, and the corners around them.
     splits: Vec<u32>,
     rings: Rings,
-    /// Cuts around vertices of few triangles, as symbols; none in streams of the first version.
-    cuts: Option<QuickCuts>,
+    cuts: Cuts,
+    /// The batch in which each vertex was asked last, modulo 256, if that matters to cuts.
+    asked: Vec<u8>,
     /// Where the runs of the stretch begin: which of the vertices that split, and which of the corners around it.
     begins: Vec<(u32, u32)>,
     spokes: Vec<Spoke>,
     starts: Vec<(i64, u32)>,
+}
+
+/// What codes cuts around vertices of few triangles.
+#[derive(Clone, Debug)]
+enum Cuts {
+    /// The same chains of decisions as around others.
+    Chains,
+    /// Two symbols, by ranks.
+    Ranked(QuickCuts),
+    /// Two symbols, by what is seen of edges and triangles.
+    Learned(Box<LearnedCuts>),
 }
 
 /// An edge from a vertex that splits, and the triangle behind it.
@@ -68,7 +80,7 @@ struct Spoke {
 
 impl QuickModel {
     /// Nothing learned; counts the triangles around the vertices of a base.
-    pub(super) fn new(surface: &Surface, version: StreamVersion) -> Self {
+    pub(super) fn new(surface: &Surface, (effort, version): (Effort, StreamVersion)) -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
         let triangles = |v: u32| surface.ring(v).take(255).count() as u8;
         let kept = |v: u32| Kept { triangles: triangles(v), ..Kept::default() };
@@ -82,7 +94,12 @@ impl QuickModel {
             ranks: vec![bit; MOST * MOST * MOST],
             splits: Vec::new(),
             rings: Rings::default(),
-            cuts: (version >= StreamVersion::Two).then(QuickCuts::new),
+            cuts: match (version, effort) {
+                (StreamVersion::One, _) => Cuts::Chains,
+                (_, Effort::Fast) => Cuts::Ranked(QuickCuts::new()),
+                _ => Cuts::Learned(Box::new(LearnedCuts::new())),
+            },
+            asked: Vec::new(),
             begins: Vec::new(),
             spokes: Vec::new(),
             starts: Vec::new(),
@@ -92,6 +109,14 @@ impl QuickModel {
     /// Makes room for so many splits.
     pub(super) fn reserve(&mut self, splits: usize) {
         self.kept.reserve_exact(splits);
+        if self.is_learned() {
+            self.asked.reserve_exact(self.kept.len() + splits);
+        }
+    }
+
+    /// Whether cuts are learned from what is around vertices.
+    fn is_learned(&self) -> bool {
+        matches!(self.cuts, Cuts::Learned(_))
     }
 
     /// A batch begins.
@@ -102,6 +127,9 @@ impl QuickModel {
                 kept.triangles = surface.ring(vertex).take(255).count() as u8;
             }
         }
+        if self.is_learned() {
+            self.asked.resize(surface.vertex_count(), self.batch.wrapping_sub(1));
+        }
     }
 
     /// The surface has been built anew between two batches: here is the old number of each vertex, or [`NONE`]. Those count as made
@@ -111,6 +139,8 @@ impl QuickModel {
         self.kept =
             old_of_new.iter().map(|&old| self.kept.get(old as usize).copied().unwrap_or(new)).collect();
         self.is_renumbered = true;
+        // Nobody has been asked in the batch that comes next.
+        self.asked.clear();
     }
 
     /// Vertices that split, as far as flags have been coded.
@@ -145,6 +175,14 @@ impl QuickModel {
                 self.splits.push(vertex);
             }
         }
+        if self.is_learned() {
+            for &vertex in &walk.rest()[..asked] {
+                self.asked[vertex as usize] = self.batch;
+            }
+            for &vertex in &self.splits {
+                self.kept[vertex as usize].split = self.batch;
+            }
+        }
         walk.pass(asked, &self.splits);
         self.history = history;
         walk.rest().is_empty()
@@ -166,20 +204,26 @@ impl QuickModel {
         patch: &mut Vec<u32>,
     ) -> bool {
         let n = self.rings.of(split).len();
-        let run = if self.cuts.is_some() && (2..=quick_cuts::MOST).contains(&n) {
-            self.short_run(coder, scene, (split, actual))
-        } else {
-            self.run(coder, scene, (split, actual))
+        let is_short = (2..=quick_cuts::MOST).contains(&n);
+        let run = match self.cuts {
+            Cuts::Ranked(_) if is_short => self.ranked_run(coder, scene, (split, actual)),
+            Cuts::Learned(_) if is_short => self.learned_run(coder, scene, (split, actual)),
+            _ => self.run(coder, scene, (split, actual)),
         };
         let Some((start, length)) = run else { return false };
         let ring = self.rings.of(split);
         patch.extend((start..start + length).map(|at| ring[if at < n { at } else { at - n }]));
         self.begins.push((split as u32, start as u32));
+        if self.is_learned() {
+            // The cuts that come next see what this one leaves.
+            let at = |at: usize| self.rings.neighbours(split)[at % n].vertex;
+            self.count(self.splits[split], [at(start), at(start + length)], length);
+        }
         true
     }
 
     /// Codes a cut around a vertex of few triangles: where it begins in the ring, and its length.
-    fn short_run<C: Coder>(
+    fn ranked_run<C: Coder>(
         &mut self,
         coder: &mut C,
         scene: &Scene<'_>,
@@ -202,11 +246,48 @@ impl QuickModel {
                 is_free: !scene.is_taken(triangle_of(corner)),
             };
         }
-        let meant = actual.map_or((0, 1), |cut| {
-            let start = ring.iter().position(|&corner| corner == cut.first);
-            (start.unwrap_or(0), cut.length as usize)
-        });
-        self.cuts.as_mut()?.code(coder, &edges[..ring.len()], scene.max_patch as usize, meant)
+        let Cuts::Ranked(cuts) = &mut self.cuts else { return None };
+        cuts.code(coder, &edges[..ring.len()], scene.max_patch as usize, place_of(actual, ring))
+    }
+
+    /// The same by what is seen of the edges and triangles.
+    fn learned_run<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        scene: &Scene<'_>,
+        (split, actual): (usize, Option<Cut>),
+    ) -> Option<(usize, usize)> {
+        let ring = self.rings.of(split);
+        let vertex = self.splits[split];
+        let here = scene.places[vertex as usize];
+        let mut spokes = [LearnedSpoke::default(); quick_cuts::MOST];
+        for ((spoke, &corner), neighbour) in spokes.iter_mut().zip(ring).zip(self.rings.neighbours(split)) {
+            let is_free = !scene.is_taken(triangle_of(corner));
+            *spoke = if scene.surface.is_virtual(neighbour.vertex) {
+                LearnedSpoke { valence: 9, past: 13, is_virtual: true, is_free, ..LearnedSpoke::default() }
+            } else {
+                LearnedSpoke {
+                    step: std::array::from_fn(|a| neighbour.place[a].wrapping_sub(here[a])),
+                    valence: self.kept[neighbour.vertex as usize].triangles,
+                    past: self.past(neighbour.vertex),
+                    is_virtual: false,
+                    is_free,
+                }
+            };
+        }
+        let known = (usize::from(self.kept[vertex as usize].triangles), scene.max_patch as usize);
+        let Cuts::Learned(cuts) = &mut self.cuts else { return None };
+        cuts.code(coder, &mut spokes[..ring.len()], known, place_of(actual, ring))
+    }
+
+    /// Four times the age of a vertex in batches, up to 3, and what became of it: not asked, stays, splits, new.
+    #[inline]
+    fn past(&self, vertex: u32) -> u8 {
+        let kept = self.kept[vertex as usize];
+        let age = self.batch.wrapping_sub(kept.made).min(3);
+        let is_asked = self.asked.get(vertex as usize) == Some(&self.batch);
+        let fate = if age == 0 { 3 } else { u8::from(is_asked) + u8::from(kept.split == self.batch) };
+        4 * age + fate
     }
 
     /// The same around any vertex, as a chain of decisions.
@@ -338,8 +419,16 @@ impl QuickModel {
     pub(super) fn split(&mut self, surface: &Surface, length: usize, kept: u32) {
         let triangles = (length + 2).min(255) as u8;
         self.kept.push(Kept { triangles, made: self.batch, split: self.batch });
-        let last = surface.triangle_count() as u32 - 1;
-        let ends = [surface.vertex(4 * (last - 1) + 2), surface.vertex(4 * last + 1)];
+        if !self.is_learned() {
+            let last = surface.triangle_count() as u32 - 1;
+            let ends = [surface.vertex(4 * (last - 1) + 2), surface.vertex(4 * last + 1)];
+            self.count(kept, ends, length);
+        }
+        self.kept[kept as usize].split = self.batch;
+    }
+
+    /// Counts triangles after a split that leaves a vertex so many fewer but for two, and gives one more to each end.
+    fn count(&mut self, kept: u32, ends: [u32; 2], length: usize) {
         for end in ends {
             let end = &mut self.kept[end as usize];
             end.triangles = end.triangles.saturating_add(1);
@@ -349,8 +438,15 @@ impl QuickModel {
             // Two of them are new.
             kept.triangles = (usize::from(kept.triangles) + 2).saturating_sub(length).min(255) as u8;
         }
-        kept.split = self.batch;
     }
+}
+
+/// Where in a ring a cut begins that a writer means, and its length.
+fn place_of(cut: Option<Cut>, ring: &[u32]) -> (usize, usize) {
+    cut.map_or((0, 1), |cut| {
+        let start = ring.iter().position(|&corner| corner == cut.first);
+        (start.unwrap_or(0), cut.length as usize)
+    })
 }
 
 /// What is around the vertex that takes over a patch.
@@ -396,7 +492,7 @@ mod tests {
     fn what_is_kept_follows_vertices_to_new_numbers() {
         let mesh = shapes::grid(5, 4);
         let mut surface = close(&mesh.triangles, mesh.positions.len()).surface;
-        let mut model = QuickModel::new(&surface, StreamVersion::Two);
+        let mut model = QuickModel::new(&surface, (Effort::Fast, StreamVersion::Two));
         model.begin_batch(&surface);
         let corner = surface.corner_of(7);
         let new = surface.split(&[corner]);

@@ -61,6 +61,15 @@ impl Terms {
         self.vertex_count != self.position_count || self.group_count > 1
     }
 
+    /// Whether vertices are asked by the quick model.
+    fn is_quick(&self) -> bool {
+        match self.effort {
+            Effort::Fast => true,
+            Effort::Default => self.version > StreamVersion::One,
+            Effort::Small => false,
+        }
+    }
+
     /// Which vertex is asked next.
     fn walk(&self) -> Walk {
         let order = match (self.version, self.effort) {
@@ -68,7 +77,7 @@ impl Terms {
             (StreamVersion::One, _) => WalkOrder::Numbers,
             _ => WalkOrder::Families,
         };
-        if self.effort == Effort::Fast { Walk::forgetful(order) } else { Walk::new(order) }
+        if self.is_quick() { Walk::forgetful(order) } else { Walk::new(order) }
     }
 
     /// How often vertices may be asked in all: what real batches need many times over, and a bound for hostile ones.
@@ -91,10 +100,8 @@ pub(super) enum Ended {
 pub(super) enum Connectivity {
     /// All that is around a vertex is looked at.
     Thorough(Box<ConnectivityModel>),
-    /// Next to nothing is.
+    /// Next to nothing is to see whether it splits.
     Quick(Box<QuickModel>),
-    /// Next to nothing is to see whether it splits, and all to see how.
-    Joint(Box<QuickModel>, Box<ConnectivityModel>),
 }
 
 /// A surface under refinement, with all models.
@@ -187,13 +194,10 @@ impl Refiner {
             }
         }
         let Terms { grid, effort, max_patch, .. } = *terms;
-        let connectivity = match effort {
-            Effort::Fast => Connectivity::Quick(Box::new(QuickModel::new(&surface, terms.version))),
-            Effort::Default if terms.version > StreamVersion::One => Connectivity::Joint(
-                Box::new(QuickModel::new(&surface, terms.version)),
-                Box::new(ConnectivityModel::new(effort)),
-            ),
-            _ => Connectivity::Thorough(Box::new(ConnectivityModel::new(effort))),
+        let connectivity = if terms.is_quick() {
+            Connectivity::Quick(Box::new(QuickModel::new(&surface, (effort, terms.version))))
+        } else {
+            Connectivity::Thorough(Box::new(ConnectivityModel::new(effort)))
         };
         Ok(Self {
             surface,
@@ -239,10 +243,6 @@ impl Refiner {
             match &mut self.connectivity {
                 Connectivity::Thorough(model) => model.begin_batch(&self.surface, self.walk.end()),
                 Connectivity::Quick(model) => model.begin_batch(&self.surface),
-                Connectivity::Joint(flags, cuts) => {
-                    flags.begin_batch(&self.surface);
-                    cuts.begin_batch(&self.surface, self.walk.end());
-                }
             }
             self.splits_in_batch = 0;
         } else if self.general.as_ref().is_some_and(General::is_under_way) {
@@ -297,7 +297,6 @@ impl Refiner {
         self.patches.clear();
         match &self.connectivity {
             Connectivity::Quick(_) => self.ask_quickly(coder, source, most),
-            Connectivity::Joint(..) => self.ask_jointly(coder, source, most),
             Connectivity::Thorough(model) if model.is_thorough() => self.ask_thoroughly(coder, source, most),
             Connectivity::Thorough(_) => self.ask_in_groups(coder, source, most),
         }
@@ -362,26 +361,7 @@ impl Refiner {
         }
     }
 
-    /// All flags by the quick model, then all cuts by the thorough one.
-    fn ask_jointly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
-        let Connectivity::Joint(flags, cuts) = &mut self.connectivity else { return };
-        self.is_in_batch = !flags.flags(coder, &mut self.walk, most, |vertex| source.cut(vertex).is_some());
-        self.rings.find(&self.surface, flags.splits());
-        for (at, &vertex) in flags.splits().iter().enumerate() {
-            let scene = Scene {
-                surface: &self.surface,
-                places: &self.places,
-                walk: &self.walk,
-                max_patch: self.max_patch,
-            };
-            let actual = if C::READS { None } else { source.cut(vertex) };
-            if let Some(cut) = cuts.cut(coder, &scene, (vertex, self.rings.of(at)), actual) {
-                take(&mut self.surface, (&mut self.patches, &mut self.pending), cut, self.walk.batch());
-            }
-        }
-    }
-
-    /// The same for the quick model: all flags, then all cuts.
+    /// All flags by the quick model, then all cuts.
     fn ask_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         let Connectivity::Quick(model) = &mut self.connectivity else { return };
         self.is_in_batch = !model.flags(coder, &mut self.walk, most, |vertex| source.cut(vertex).is_some());
@@ -427,7 +407,7 @@ impl Refiner {
                 // No part of the mesh before the vertex's values are known.
                 self.surface.set_label(triangle, NONE);
             }
-            if let Connectivity::Quick(model) | Connectivity::Joint(model, _) = &mut self.connectivity {
+            if let Connectivity::Quick(model) = &mut self.connectivity {
                 model.split(&self.surface, patch.len(), kept);
             }
             self.walk.born(kept);
@@ -553,10 +533,6 @@ impl Refiner {
         match &mut self.connectivity {
             Connectivity::Thorough(model) => model.reserve(all),
             Connectivity::Quick(model) => model.reserve(steps),
-            Connectivity::Joint(flags, cuts) => {
-                flags.reserve(steps);
-                cuts.reserve(all);
-            }
         }
     }
 
@@ -568,10 +544,6 @@ impl Refiner {
         match &mut self.connectivity {
             Connectivity::Thorough(model) => model.renumber(old_of_new),
             Connectivity::Quick(model) => model.renumber(old_of_new),
-            Connectivity::Joint(flags, cuts) => {
-                flags.renumber(old_of_new);
-                cuts.renumber(old_of_new);
-            }
         }
         self.positions.renumber(old_of_new);
     }

@@ -12,6 +12,7 @@
 //! | `ring.rs` | [`Ring`]: what is seen around a vertex |
 //! | `patch.rs` | what is seen of a run of triangles as a whole |
 //! | `cuts.rs` | [`CutModel`]: scores of runs, and how they are learned |
+//! | `learned.rs` | [`LearnedCuts`]: the same in less time, for effort default of the second version |
 //! | `softmax.rs` | from scores to probabilities to decisions |
 //! | `flags.rs` | [`FlagModel`]: contexts, mixed |
 //!
@@ -19,6 +20,7 @@
 
 mod cuts;
 mod flags;
+mod learned;
 mod memory;
 mod patch;
 mod ring;
@@ -33,6 +35,7 @@ use super::surface::{Cut, Surface, next, triangle_of};
 use super::walk::Walk;
 use cuts::{CutModel, LONGEST};
 use flags::{FlagModel, Question};
+pub(super) use learned::{LearnedCuts, Spoke};
 use memory::{Memory, Trace};
 use ring::Ring;
 

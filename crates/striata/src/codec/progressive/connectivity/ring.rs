@@ -92,7 +92,7 @@ const INVERSES: [i64; 16] = {
 
 /// A sum over a count, rounded down, about; 0 for none.
 #[inline]
-fn mean(sum: i64, count: usize) -> i32 {
+pub(super) fn mean(sum: i64, count: usize) -> i32 {
     match INVERSES.get(count) {
         Some(inverse) => ((sum * inverse) >> 16) as i32,
         None => (sum / count as i64) as i32,
