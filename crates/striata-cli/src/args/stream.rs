@@ -73,8 +73,8 @@ pub(crate) struct StreamArgs {
     uv_bits: Option<u32>,
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=24), conflicts_with = "lossless", alias = "colour-bits", help = bits_help(|l| l.color_bits, "Bits of a color channel that is given as floats, 1 to 24"))]
     color_bits: Option<u32>,
-    /// How hard the coder tries: fast (reads 1.6 to 2.8 million triangles a second), default (0.7 to 0.8 million, 8 to 29 % fewer bytes
-    /// than fast), small (0.3 million, 9 to 38 % fewer bytes than fast)
+    /// How hard the coder tries: fast (reads 3.4 to 4.6 million triangles a second), default (1.1 to 1.3 million, 6 to 26 % fewer bytes
+    /// than fast), small (0.35 million, 9 to 35 % fewer bytes than fast)
     #[arg(long, value_name = "EFFORT", hide_possible_values = true)]
     effort: Option<EffortArg>,
     /// Let each batch of splits take from this share of the vertices, the cheapest ones, over 0 and up to 1: more makes smaller
