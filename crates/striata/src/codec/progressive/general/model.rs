@@ -16,7 +16,7 @@ const MOST_BORN: u32 = 255;
 /// Sizes that residuals are told apart by.
 const SIZES: usize = 32;
 /// Positions that came last and may be in need of triangles.
-const RECENT: usize = 4;
+const RECENT: usize = 8;
 
 /// Adaptive models of general steps.
 #[derive(Clone, Debug)]
@@ -212,7 +212,8 @@ impl GeneralModel {
             _ => 2,
         };
         let is_free = |p: &u32| *p != split && complex.corners(*p).next().is_none();
-        let lonely = self.lonely.iter().rev().copied().filter(is_free).take(RECENT);
+        // Most of those that came earlier have triangles by now.
+        let lonely = self.lonely.iter().rev().copied().take(RECENT).filter(is_free);
         self.thirds.extend(lonely.map(|p| (if met.is_empty() { 0 } else { 1 }, p)));
         self.thirds.extend(met.iter().filter(|met| met.0 != split).map(|&(p, counts)| (class(counts), p)));
         self.thirds.sort_by_key(|third| third.0);
