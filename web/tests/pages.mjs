@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { appendFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { PATIENCE_MS, shot, untilWhole } from './harness.mjs';
+import { PATIENCE_MS, settled, shot, untilWhole } from './harness.mjs';
 
 /** A test with a page; a page that threw or logged an error fails it. */
 export function pageTest(world, name, options, work) {
@@ -22,10 +22,11 @@ export function pageTest(world, name, options, work) {
   });
 }
 
-/** Opens a model of the server and waits until it is all there. */
+/** Opens a model of the server and waits until it is all there and the camera, which follows its bounds, stands still. */
 export async function openModel(world, page, name) {
   await page.goto(`${world.url}?model=models/${name}`);
   await untilWhole(page);
+  await settled(page);
 }
 
 /** A line for the summary of the run. */
