@@ -88,7 +88,10 @@ export default function streaming(world) {
     const before = await eye();
     gate.allow(total);
     await untilWhole(page);
-    assert.deepEqual(await eye(), before);
+    const after = await eye();
+    // The controls work with angles, so a frame may change the last digit.
+    const moved = Math.hypot(...after.map((x, axis) => x - before[axis]));
+    assert.ok(moved < 1e-9 * Math.hypot(...before), `the camera moved by ${moved}`);
   });
 
   const expected = [/Failed to load resource|ERR_/];
