@@ -1,4 +1,4 @@
-// The viewer page: web/viewer -> crates/striata-cli/viewer, which the command embeds. One script, plain names.
+// The viewer page: web/viewer -> crates/striata-viewer/viewer, which the command embeds. One script, plain names.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
@@ -31,7 +31,7 @@ export default defineConfig({
   plugins: [wasmBesideScript()],
   worker: { format: 'iife' },
   build: {
-    outDir: process.env['STRIATA_WEB_VIEWER'] ?? '../../crates/striata-cli/viewer',
+    outDir: process.env['STRIATA_WEB_VIEWER'] ?? '../../crates/striata-viewer/viewer',
     emptyOutDir: true,
     target: 'es2022',
     minify: 'esbuild',

@@ -15,7 +15,7 @@ const striata = process.env.STRIATA_BIN ?? join(workspace, 'target/debug/striata
 export const PATIENCE_MS = 600_000;
 
 /** The viewer as it is built into the command. */
-export const viewerFolder = join(workspace, 'crates/striata-cli/viewer');
+export const viewerFolder = join(workspace, 'crates/striata-viewer/viewer');
 
 /** Draws WebGL 2 without a graphics card. */
 const CHROMIUM_FLAGS = [

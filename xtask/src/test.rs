@@ -15,7 +15,7 @@ use crate::{bare, browser, golden, target_folder, web};
 pub(crate) const FULL: &str = "striata-cli/full";
 
 /// Each feature that must compile by itself: the crate and the features.
-const FEATURES_ALONE: [(&str, &str); 14] = [
+const FEATURES_ALONE: [(&str, &str); 15] = [
     ("striata", ""),
     ("striata", "parallel"),
     ("striata-io", ""),
@@ -29,7 +29,8 @@ const FEATURES_ALONE: [(&str, &str); 14] = [
     ("striata-cli", "gpu"),
     ("striata-cli", "window"),
     ("striata-cli", "serve"),
-    ("striata-cli", "peers"),
+    ("striata-lab", ""),
+    ("striata-lab", "peers"),
 ];
 
 /// Runs all steps and stops at the first that fails.

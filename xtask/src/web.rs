@@ -3,7 +3,7 @@
 //! ```text
 //! crates/striata-web --cargo, wasm-bindgen, wasm-opt--> web/dist/striata.wasm, web/src/wasm (the script that calls it)
 //! web/src            --vite, tsc-----------------------> web/dist
-//! web/viewer         --vite----------------------------> crates/striata-cli/viewer, which the command embeds
+//! web/viewer         --vite----------------------------> crates/striata-viewer/viewer, which the command embeds
 //! ```
 //!
 //! All of it is committed, so that whoever builds the command needs neither a wasm target nor Node.js. What is committed has to
@@ -96,5 +96,5 @@ fn dist() -> PathBuf {
 }
 
 fn viewer() -> PathBuf {
-    workspace().join("crates/striata-cli/viewer")
+    workspace().join("crates/striata-viewer/viewer")
 }

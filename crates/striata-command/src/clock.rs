@@ -7,7 +7,7 @@ use serde::ser::{SerializeMap, Serializer};
 
 /// Times the phases of one run; a phase lasts until the next one begins.
 #[derive(Debug)]
-pub(crate) struct Phases {
+pub struct Phases {
     started: Instant,
     entered: Instant,
     current: Option<usize>,
@@ -16,13 +16,13 @@ pub(crate) struct Phases {
 
 impl Phases {
     /// A clock for phases known by name; all are reported, whether entered or not.
-    pub(crate) fn new(names: &[&'static str]) -> Self {
+    pub fn new(names: &[&'static str]) -> Self {
         let now = Instant::now();
         Self { started: now, entered: now, current: None, secs: names.iter().map(|&n| (n, 0.0)).collect() }
     }
 
     /// Ends the current phase and begins another; names that nobody announced count to the current one.
-    pub(crate) fn enter(&mut self, name: &str) {
+    pub fn enter(&mut self, name: &str) {
         let Some(next) = self.secs.iter().position(|&(known, _)| known == name) else { return };
         if self.current == Some(next) {
             return;
@@ -32,7 +32,7 @@ impl Phases {
     }
 
     /// Ends the current phase.
-    pub(crate) fn leave(&mut self) {
+    pub fn leave(&mut self) {
         let now = Instant::now();
         if let Some(phase) = self.current.take() {
             self.secs[phase].1 += (now - self.entered).as_secs_f64();
@@ -41,12 +41,12 @@ impl Phases {
     }
 
     /// Seconds spent in a phase so far.
-    pub(crate) fn secs_of(&self, name: &str) -> f64 {
+    pub fn secs_of(&self, name: &str) -> f64 {
         self.secs.iter().filter(|(known, _)| *known == name).map(|&(_, secs)| secs).sum()
     }
 
     /// Seconds since the clock was made.
-    pub(crate) fn total_secs(&self) -> f64 {
+    pub fn total_secs(&self) -> f64 {
         self.started.elapsed().as_secs_f64()
     }
 }
@@ -62,7 +62,7 @@ impl Serialize for Phases {
 }
 
 /// The most memory that the process ever held, where the system tells (Linux).
-pub(crate) fn peak_rss_bytes() -> Option<u64> {
+pub fn peak_rss_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;

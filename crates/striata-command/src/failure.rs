@@ -16,7 +16,7 @@ use striata_io::{Place, ReadError, WriteError};
 
 /// A failure as the user gets to see it.
 #[derive(Debug)]
-pub(crate) struct Failure {
+pub struct Failure {
     message: String,
     hint: Option<String>,
     excerpt: Option<Excerpt>,
@@ -26,7 +26,7 @@ pub(crate) struct Failure {
 
 /// A line of a text file that is to blame, with its neighbours.
 #[derive(Debug)]
-pub(crate) struct Excerpt {
+pub struct Excerpt {
     name: String,
     lines: Vec<String>,
     first_line: usize,
@@ -35,27 +35,27 @@ pub(crate) struct Excerpt {
 
 impl Failure {
     /// Exit code of failures that the user can fix.
-    pub(crate) const USERS: u8 = 1;
+    pub const USERS: u8 = 1;
     /// Exit code of failures that are our fault.
-    pub(crate) const OURS: u8 = 2;
+    pub const OURS: u8 = 2;
 
     /// A failure that the user can fix.
-    pub(crate) fn user(message: impl Into<String>) -> Self {
+    pub fn user(message: impl Into<String>) -> Self {
         Self { message: message.into(), hint: None, excerpt: None, is_ours: false, lacks_file: false }
     }
 
     /// A failure of our own.
-    pub(crate) fn internal(message: impl Into<String>) -> Self {
+    pub fn internal(message: impl Into<String>) -> Self {
         Self { is_ours: true, ..Self::user(message) }
     }
 
     /// Adds what would cure it.
-    pub(crate) fn with_hint(self, hint: impl Into<String>) -> Self {
+    pub fn with_hint(self, hint: impl Into<String>) -> Self {
         Self { hint: Some(hint.into()), ..self }
     }
 
     /// Names the file to blame, where what the library said about its mesh leaves it out.
-    pub(crate) fn in_file(self, name: &str) -> Self {
+    pub fn in_file(self, name: &str) -> Self {
         if !self.lacks_file {
             return self;
         }
@@ -63,24 +63,22 @@ impl Failure {
     }
 
     /// Adds the line to blame.
-    pub(crate) fn with_excerpt(self, excerpt: Option<Excerpt>) -> Self {
+    pub fn with_excerpt(self, excerpt: Option<Excerpt>) -> Self {
         Self { excerpt, ..self }
     }
 
     /// What is wrong.
-    #[cfg(feature = "window")]
-    pub(crate) fn message(&self) -> &str {
+    pub fn message(&self) -> &str {
         &self.message
     }
 
     /// What would cure it, where that is known.
-    #[cfg(feature = "window")]
-    pub(crate) fn hint(&self) -> Option<&str> {
+    pub fn hint(&self) -> Option<&str> {
         self.hint.as_deref()
     }
 
     /// Tells the user, and gives the exit code.
-    pub(crate) fn announce(&self) -> ExitCode {
+    pub fn announce(&self) -> ExitCode {
         let mut text = format!("error: {}\n", self.message);
         if let Some(excerpt) = &self.excerpt {
             text.push_str(&excerpt.render());
@@ -224,7 +222,7 @@ thread_local! {
 
 /// Runs `work`; the error is the message of a panic, which nobody else reports.
 #[cfg(feature = "gpu")]
-pub(crate) fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     let before = IS_CAUGHT.replace(true);
     // What a panic leaves half-done is dropped by the callers.
     let result = catch_unwind(AssertUnwindSafe(work));
@@ -237,7 +235,7 @@ pub(crate) fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
 }
 
 /// Prints a panic as what it is: our fault.
-pub(crate) fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {
+pub fn announce_panic(info: &std::panic::PanicHookInfo<'_>) {
     if IS_CAUGHT.get() {
         return;
     }
@@ -251,7 +249,7 @@ impl Excerpt {
     const MAX_LINE_BYTES: usize = 400;
 
     /// The line, counted from 1, between its neighbours; `None` where the text has no such line.
-    pub(crate) fn around(name: &str, text: &str, line: usize) -> Option<Self> {
+    pub fn around(name: &str, text: &str, line: usize) -> Option<Self> {
         let first_line = line.checked_sub(1)?.max(1);
         let shown = text.lines().skip(first_line - 1).take(line + 2 - first_line);
         let lines: Vec<String> = shown.map(str::to_owned).collect();
@@ -272,6 +270,12 @@ impl Excerpt {
         }
         text
     }
+}
+
+/// The failure of a name that is none of `known`; `what` says what it should name.
+pub fn unknown_name(what: &str, name: &str, known: &[&str]) -> Failure {
+    let hint = format!("this version has: {}", known.join(", "));
+    Failure::user(format!("there is no {what} {name:?}")).with_hint(hint)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use std::ops::Range;
 use striata::mesh::IndexedMesh;
 
 /// The fans of each group, a pivot and the nodes around it each; triangles without area are left out.
-pub(crate) fn fans_of(mesh: &IndexedMesh) -> Vec<Vec<Vec<u32>>> {
+pub fn fans_of(mesh: &IndexedMesh) -> Vec<Vec<Vec<u32>>> {
     let mut cover = Cover::new(mesh);
     mesh.groups_or_whole().into_iter().map(|group| cover.of_group(group.range())).collect()
 }

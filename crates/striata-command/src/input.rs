@@ -17,9 +17,9 @@ use crate::stream::remark_on;
 
 /// A file whose bytes are at hand and whose kind is known, or a shape.
 #[derive(Debug)]
-pub(crate) struct Input {
+pub struct Input {
     /// The name that messages show.
-    pub(crate) name: String,
+    pub name: String,
     content: Content,
 }
 
@@ -58,7 +58,7 @@ impl Input {
     ///
     /// # Errors
     /// Where it cannot be read, is no file that we know, or there is no such shape.
-    pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
+    pub fn open(path: &Path) -> Result<Self, Failure> {
         if let Some(shape) = Shape::named(path)? {
             return Ok(Self { name: path.display().to_string(), content: Content::Shape(shape) });
         }
@@ -83,8 +83,7 @@ impl Input {
     ///
     /// # Errors
     /// Where there is not.
-    #[cfg(any(feature = "window", feature = "serve"))]
-    pub(crate) fn expect_there(path: &Path) -> Result<(), Failure> {
+    pub fn expect_there(path: &Path) -> Result<(), Failure> {
         if path == Path::new("-") || Shape::named(path)?.is_some() {
             return Ok(());
         }
@@ -96,7 +95,7 @@ impl Input {
     }
 
     /// What it is, in a word.
-    pub(crate) fn kind(&self) -> &'static str {
+    pub fn kind(&self) -> &'static str {
         match &self.content {
             Content::File(file) => file.format.extension(),
             Content::Shape(_) => "shape",
@@ -104,12 +103,12 @@ impl Input {
     }
 
     /// Whether it is a .striata file or a stream.
-    pub(crate) fn has_levels(&self) -> bool {
+    pub fn has_levels(&self) -> bool {
         matches!(&self.content, Content::File(file) if has_levels(file.format))
     }
 
     /// Bytes as they lie on disk; none of a shape.
-    pub(crate) fn file_bytes(&self) -> Option<usize> {
+    pub fn file_bytes(&self) -> Option<usize> {
         match &self.content {
             Content::File(file) => Some(file.file_bytes),
             Content::Shape(_) => None,
@@ -117,7 +116,7 @@ impl Input {
     }
 
     /// The name without its folder: what may be told to others.
-    pub(crate) fn file_name(&self) -> String {
+    pub fn file_name(&self) -> String {
         let name = Path::new(&self.name).file_name();
         name.map_or_else(|| self.name.clone(), |name| name.to_string_lossy().into_owned())
     }
@@ -127,7 +126,7 @@ impl Input {
     ///
     /// # Errors
     /// Where the bytes are no such thing; the message names the place.
-    pub(crate) fn mesh(&self, output: &Output) -> Result<IndexedMesh, Failure> {
+    pub fn mesh(&self, output: &Output) -> Result<IndexedMesh, Failure> {
         let file = match &self.content {
             Content::File(file) => file,
             Content::Shape(shape) => return Ok(shape.mesh()),
@@ -152,7 +151,7 @@ impl Input {
     ///
     /// # Errors
     /// Where what is there of the stream is unsound.
-    pub(crate) fn remark_on(&self, file: &StriataFile<'_>, output: &Output) -> Result<(), Failure> {
+    pub fn remark_on(&self, file: &StriataFile<'_>, output: &Output) -> Result<(), Failure> {
         if let Some(remark) = remark_on(file, &self.name).map_err(|error| self.damaged(&error))? {
             output.say(&remark);
         }
@@ -165,7 +164,7 @@ impl Input {
     ///
     /// # Errors
     /// Where the file is a mesh, or a container that is damaged or too new.
-    pub(crate) fn striata(&self) -> Result<StriataFile<'_>, Failure> {
+    pub fn striata(&self) -> Result<StriataFile<'_>, Failure> {
         let parsed = match &self.content {
             Content::File(file) if file.format == Format::Striata => {
                 StriataFile::parse_cut(file.bytes.as_slice())
@@ -183,7 +182,7 @@ impl Input {
     }
 
     /// A failure to decode this file.
-    pub(crate) fn damaged(&self, error: &striata::codec::DecodeError) -> Failure {
+    pub fn damaged(&self, error: &striata::codec::DecodeError) -> Failure {
         Failure::user(format!("{}: {error}", self.name))
             .with_hint("the file is damaged or cut off; build it again, or copy it again")
     }

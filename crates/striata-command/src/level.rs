@@ -15,13 +15,13 @@ const PLACE: &str = "{}";
 
 /// What targets are shares of: numbers of the full mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct FullMesh {
+pub struct FullMesh {
     /// The diagonal of its bounds, mesh units.
-    pub(crate) diagonal: f64,
+    pub diagonal: f64,
     /// Its vertices, equal ones merged.
-    pub(crate) vertex_count: usize,
+    pub vertex_count: usize,
     /// Its triangles, without degenerate ones.
-    pub(crate) triangle_count: usize,
+    pub triangle_count: usize,
 }
 
 impl FullMesh {
@@ -29,14 +29,14 @@ impl FullMesh {
     ///
     /// # Errors
     /// If the mesh's parts do not fit together.
-    pub(crate) fn of(mesh: &IndexedMesh) -> Result<Self, MeshError> {
+    pub fn of(mesh: &IndexedMesh) -> Result<Self, MeshError> {
         let welded = weld(mesh)?.mesh;
         let (vertex_count, triangle_count) = (welded.vertex_count(), welded.triangle_count());
         Ok(Self { diagonal: mesh.diagonal(), vertex_count, triangle_count })
     }
 
     /// Numbers of the finest of some levels; the diagonal is known elsewhere.
-    pub(crate) fn of_levels(levels: &Levels, diagonal: f64) -> Self {
+    pub fn of_levels(levels: &Levels, diagonal: f64) -> Self {
         let last = levels.step_count();
         let (vertex_count, triangle_count) = (levels.vertex_count_at(last), levels.triangle_count_at(last));
         Self { diagonal, vertex_count, triangle_count }
@@ -45,7 +45,7 @@ impl FullMesh {
 
 impl LevelArgs {
     /// The target in mesh units, if one is given.
-    pub(crate) fn target(&self, full: FullMesh) -> Option<Target> {
+    pub fn target(&self, full: FullMesh) -> Option<Target> {
         let targets = [
             self.triangle_count().map(|count| Target::Triangles(count.of_triangles(full.triangle_count))),
             self.vertices.map(|count| Target::Vertices(count.of_vertices(full.vertex_count))),
@@ -57,34 +57,34 @@ impl LevelArgs {
     }
 
     /// Whether the target depends on how many vertices or triangles the full mesh has.
-    pub(crate) fn has_share(&self) -> bool {
+    pub fn has_share(&self) -> bool {
         self.triangle_count().or(self.vertices).is_some_and(Count::is_share)
     }
 }
 
 impl LevelsArgs {
     /// Whether a level depends on how many triangles the full mesh has.
-    pub(crate) fn has_share(&self) -> bool {
+    pub fn has_share(&self) -> bool {
         self.levels.iter().flatten().any(|level| level.triangles.is_share())
     }
 }
 
 /// A level that was asked for, and the file that it goes to.
 #[derive(Clone, Debug)]
-pub(crate) struct Wanted {
+pub struct Wanted {
     /// The level as the user wrote it, if it is one of several.
-    pub(crate) name: Option<String>,
+    pub name: Option<String>,
     /// The level; `None` is the coarsest that there is.
-    pub(crate) target: Option<Target>,
+    pub target: Option<Target>,
     /// Where it goes.
-    pub(crate) path: PathBuf,
+    pub path: PathBuf,
 }
 
 /// All levels that were asked for, in the user's order, with the files that they go to.
 ///
 /// # Errors
 /// If several levels would go to one file, or a name has a place for a level and there is none.
-pub(crate) fn wanted_levels(
+pub fn wanted_levels(
     level: &LevelArgs,
     levels: &LevelsArgs,
     full: FullMesh,
@@ -112,11 +112,7 @@ pub(crate) fn wanted_levels(
 ///
 /// # Errors
 /// As [`wanted_levels`].
-pub(crate) fn check_paths(
-    level: &LevelArgs,
-    levels: &LevelsArgs,
-    output: &Path,
-) -> Result<Vec<PathBuf>, Failure> {
+pub fn check_paths(level: &LevelArgs, levels: &LevelsArgs, output: &Path) -> Result<Vec<PathBuf>, Failure> {
     match &levels.levels {
         Some(levels) => paths_of_levels(levels, output),
         None => Ok(vec![path_of_level(level.text().as_deref(), output)?]),
@@ -175,7 +171,7 @@ fn file_part(text: &str) -> String {
 
 /// Why no coarser level than the last one can be made.
 #[derive(Clone, Debug)]
-pub(crate) enum Floor {
+pub enum Floor {
     /// The mesh was simplified as far as it goes; the text says what forbids more.
     Simplified(String),
     /// The file holds nothing coarser.
@@ -184,17 +180,17 @@ pub(crate) enum Floor {
 
 /// A level as it came out.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Reached {
+pub struct Reached {
     /// Its vertices.
-    pub(crate) vertex_count: usize,
+    pub vertex_count: usize,
     /// Its triangles.
-    pub(crate) triangle_count: usize,
+    pub triangle_count: usize,
     /// Why it is this one.
-    pub(crate) stop_reason: StopReason,
+    pub stop_reason: StopReason,
 }
 
 /// Why a level is not what was asked for; `None` if it is.
-pub(crate) fn shortfall(target: Target, reached: Reached, floor: &Floor) -> Option<String> {
+pub fn shortfall(target: Target, reached: Reached, floor: &Floor) -> Option<String> {
     let Reached { vertex_count, triangle_count, stop_reason } = reached;
     let (wanted, found) = match target {
         Target::Triangles(n) if triangle_count > n => (
@@ -224,7 +220,7 @@ pub(crate) fn shortfall(target: Target, reached: Reached, floor: &Floor) -> Opti
 }
 
 /// A line for people about a level that is not what was asked for.
-pub(crate) fn remark(name: Option<&str>, shortfall: &str) -> String {
+pub fn remark(name: Option<&str>, shortfall: &str) -> String {
     let level = name.map_or_else(|| "the level".to_owned(), |name| format!("level {name}"));
     format!("{level} was not reached: {shortfall}")
 }
@@ -233,11 +229,7 @@ pub(crate) fn remark(name: Option<&str>, shortfall: &str) -> String {
 ///
 /// # Errors
 /// If it was not and that is forbidden.
-pub(crate) fn check_strict(
-    is_strict: bool,
-    name: Option<&str>,
-    shortfall: Option<&str>,
-) -> Result<(), Failure> {
+pub fn check_strict(is_strict: bool, name: Option<&str>, shortfall: Option<&str>) -> Result<(), Failure> {
     match shortfall.filter(|_| is_strict) {
         None => Ok(()),
         Some(shortfall) => Err(Failure::user(format!("--strict: {}", remark(name, shortfall)))
@@ -247,23 +239,23 @@ pub(crate) fn check_strict(
 
 /// One of several levels, for people.
 #[derive(Clone, Debug)]
-pub(crate) struct LevelRow<'a> {
+pub struct LevelRow<'a> {
     /// As the user wrote it.
-    pub(crate) name: &'a str,
+    pub name: &'a str,
     /// Its triangles.
-    pub(crate) triangle_count: usize,
+    pub triangle_count: usize,
     /// Its vertices.
-    pub(crate) vertex_count: usize,
+    pub vertex_count: usize,
     /// Its error, mesh units.
-    pub(crate) error: f64,
+    pub error: f64,
     /// Where it went.
-    pub(crate) path: &'a str,
+    pub path: &'a str,
     /// Why it is not what was asked for.
-    pub(crate) shortfall: Option<&'a str>,
+    pub shortfall: Option<&'a str>,
 }
 
 /// Several levels as a table, and below it those that were not reached.
-pub(crate) fn table_of_levels(rows: &[LevelRow<'_>]) -> String {
+pub fn table_of_levels(rows: &[LevelRow<'_>]) -> String {
     let mut table = Table::with_head(&["level", "triangles", "vertices", "error", "file"]);
     for row in rows {
         table.row(vec![

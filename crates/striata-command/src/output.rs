@@ -15,7 +15,7 @@ use crate::failure::Failure;
 
 /// Knows how the user wants to be told.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Output {
+pub struct Output {
     json: bool,
     quiet: bool,
     #[cfg(feature = "gpu")]
@@ -25,7 +25,7 @@ pub(crate) struct Output {
 
 impl Output {
     /// As the user asked, with bars only where stderr is a terminal.
-    pub(crate) fn new(args: ReportArgs) -> Self {
+    pub fn new(args: ReportArgs) -> Self {
         let draws_bars = !args.quiet && io::stderr().is_terminal();
         Self {
             json: args.json,
@@ -37,7 +37,7 @@ impl Output {
     }
 
     /// Says nothing.
-    pub(crate) fn quiet() -> Self {
+    pub fn quiet() -> Self {
         Self {
             json: false,
             quiet: true,
@@ -49,7 +49,7 @@ impl Output {
 
     /// The same, with the messages of graphics drivers and libraries if they are wanted.
     #[cfg(feature = "gpu")]
-    pub(crate) fn with_drivers(self, args: DriverArgs) -> Self {
+    pub fn with_drivers(self, args: DriverArgs) -> Self {
         if args.verbose {
             let usual = env_logger::Env::default().default_filter_or("info");
             // Fails only where messages are shown already.
@@ -60,7 +60,7 @@ impl Output {
 
     /// Whether messages of drivers and libraries are wanted.
     #[cfg(feature = "gpu")]
-    pub(crate) fn is_verbose(&self) -> bool {
+    pub fn is_verbose(&self) -> bool {
         self.verbose
     }
 
@@ -68,7 +68,7 @@ impl Output {
     ///
     /// # Errors
     /// Where both would go there.
-    pub(crate) fn check_stdout_is_free(&self, output_to_stdout: bool) -> Result<(), Failure> {
+    pub fn check_stdout_is_free(&self, output_to_stdout: bool) -> Result<(), Failure> {
         if self.json && output_to_stdout {
             return Err(Failure::user("--json and the output cannot both go to stdout")
                 .with_hint("give the output a file name"));
@@ -80,7 +80,7 @@ impl Output {
     ///
     /// # Errors
     /// Where stdout cannot be written.
-    pub(crate) fn data(&self, report: &impl Serialize, text: &str) -> Result<(), Failure> {
+    pub fn data(&self, report: &impl Serialize, text: &str) -> Result<(), Failure> {
         if self.json { self.json_object(report) } else { to_stdout(text.as_bytes()) }
     }
 
@@ -88,7 +88,7 @@ impl Output {
     ///
     /// # Errors
     /// Where stdout cannot be written.
-    pub(crate) fn summary(&self, report: &impl Serialize, text: &str) -> Result<(), Failure> {
+    pub fn summary(&self, report: &impl Serialize, text: &str) -> Result<(), Failure> {
         if self.json {
             return self.json_object(report);
         }
@@ -97,7 +97,7 @@ impl Output {
     }
 
     /// A remark to stderr.
-    pub(crate) fn say(&self, text: &str) {
+    pub fn say(&self, text: &str) {
         if !self.quiet {
             // A closed stderr is no reason to fail.
             let _ = writeln!(io::stderr(), "{}", text.trim_end());
@@ -105,7 +105,7 @@ impl Output {
     }
 
     /// A progress bar that the library's callback can move; invisible unless stderr is a terminal.
-    pub(crate) fn bar(&self) -> Bar {
+    pub fn bar(&self) -> Bar {
         let target =
             if self.draws_bars { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(0), target);
@@ -123,24 +123,24 @@ impl Output {
 
 /// A progress bar for one run.
 #[derive(Debug)]
-pub(crate) struct Bar {
+pub struct Bar {
     bar: ProgressBar,
     phase: &'static str,
 }
 
 impl Bar {
     /// Shows that a phase without parts has begun.
-    pub(crate) fn phase(&mut self, phase: &'static str) {
+    pub fn phase(&mut self, phase: &'static str) {
         let _ = self.show(Progress { phase, done: 0, total: 1 });
     }
 
     /// Shows which share of a phase is done.
-    pub(crate) fn share(&mut self, phase: &'static str, share: f64) {
+    pub fn share(&mut self, phase: &'static str, share: f64) {
         let _ = self.show(Progress { phase, done: (1000.0 * share) as u64, total: 1000 });
     }
 
     /// Shows how far the library has come; never cancels.
-    pub(crate) fn show(&mut self, progress: Progress) -> ControlFlow<()> {
+    pub fn show(&mut self, progress: Progress) -> ControlFlow<()> {
         if self.phase != progress.phase {
             self.phase = progress.phase;
             self.bar.reset_eta();
@@ -162,7 +162,7 @@ impl Drop for Bar {
 ///
 /// # Errors
 /// Where stdout cannot be written.
-pub(crate) fn to_stdout(bytes: &[u8]) -> Result<(), Failure> {
+pub fn to_stdout(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
@@ -173,7 +173,7 @@ pub(crate) fn to_stdout(bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// A number with thin groups of three digits, for people.
-pub(crate) fn grouped(number: usize) -> String {
+pub fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let mut out = String::new();
     for (i, digit) in digits.chars().enumerate() {
@@ -186,12 +186,12 @@ pub(crate) fn grouped(number: usize) -> String {
 }
 
 /// So many of something, for people.
-pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
+pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{} {}", grouped(count), if count == 1 { one } else { many })
 }
 
 /// A size in bytes for people.
-pub(crate) fn sized(bytes: usize) -> String {
+pub fn sized(bytes: usize) -> String {
     match bytes {
         0..10_000 => format!("{bytes} B"),
         10_000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
@@ -200,7 +200,7 @@ pub(crate) fn sized(bytes: usize) -> String {
 }
 
 /// A length in mesh units for people: digits that tell something at any scale.
-pub(crate) fn measured(length: f64) -> String {
+pub fn measured(length: f64) -> String {
     match length.abs() {
         size if size == 0.0 || (1e-4..1e7).contains(&size) => format!("{length:.6}"),
         _ => format!("{length:.3e}"),
@@ -208,7 +208,7 @@ pub(crate) fn measured(length: f64) -> String {
 }
 
 /// A duration for people.
-pub(crate) fn lasted(secs: f64) -> String {
+pub fn lasted(secs: f64) -> String {
     if secs < 0.001 {
         format!("{:.0} µs", secs * 1e6)
     } else if secs < 1.0 {
@@ -220,7 +220,7 @@ pub(crate) fn lasted(secs: f64) -> String {
 
 /// Rows of cells in columns: the first column to the left, the others to the right.
 #[derive(Debug, Default)]
-pub(crate) struct Table {
+pub struct Table {
     rows: Vec<Vec<String>>,
 }
 
@@ -229,17 +229,17 @@ impl Table {
     const MAX_WIDTH: usize = 64;
 
     /// A table with its head.
-    pub(crate) fn with_head(head: &[&str]) -> Self {
+    pub fn with_head(head: &[&str]) -> Self {
         Self { rows: vec![head.iter().map(|&cell| cell.to_owned()).collect()] }
     }
 
     /// Appends a row.
-    pub(crate) fn row(&mut self, cells: Vec<String>) {
+    pub fn row(&mut self, cells: Vec<String>) {
         self.rows.push(cells);
     }
 
     /// The table as text, every line ended.
-    pub(crate) fn to_text(&self) -> String {
+    pub fn to_text(&self) -> String {
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
         let width = |c: usize| self.rows.iter().filter_map(move |r| r.get(c)).map(|s| s.chars().count());
         let widths: Vec<usize> = (0..columns)

@@ -11,7 +11,7 @@ use crate::output::to_stdout;
 use crate::shapes::Shape;
 
 /// True where the output is stdout.
-pub(crate) fn is_stdout(path: &Path) -> bool {
+pub fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
@@ -19,7 +19,7 @@ pub(crate) fn is_stdout(path: &Path) -> bool {
 ///
 /// # Errors
 /// Where neither `--to` nor the extension tells, so that it is known before the work begins.
-pub(crate) fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
+pub fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
     let format = match args.to {
         Some(to) => to.into(),
         None if is_stdout(path) => Format::Ply,
@@ -48,7 +48,7 @@ pub(crate) fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failur
 
 /// How the triangles of a mesh are written, group by group.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Drawn {
+pub enum Drawn {
     /// Three indices each.
     Triangles,
     /// As one strip a group, joined by degenerate triangles; a group without one as single triangles.
@@ -76,7 +76,7 @@ fn bytes_of(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatArgs) ->
 ///
 /// # Errors
 /// If the format cannot hold it or the system refuses; a file that was there is then as it was.
-pub(crate) fn save(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatArgs) -> Result<(), Failure> {
+pub fn save(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatArgs) -> Result<(), Failure> {
     put(&bytes_of(mesh, drawn, path, args)?, path)
 }
 
@@ -84,7 +84,7 @@ pub(crate) fn save(mesh: &IndexedMesh, drawn: Drawn, path: &Path, args: &FormatA
 ///
 /// # Errors
 /// If the system refuses; a file that was there is then as it was.
-pub(crate) fn put(bytes: &[u8], path: &Path) -> Result<(), Failure> {
+pub fn put(bytes: &[u8], path: &Path) -> Result<(), Failure> {
     if is_stdout(path) {
         return to_stdout(bytes);
     }
@@ -93,7 +93,7 @@ pub(crate) fn put(bytes: &[u8], path: &Path) -> Result<(), Failure> {
 
 /// The files of several levels, which are there together or not at all; a single one may go to stdout.
 #[derive(Debug)]
-pub(crate) struct LevelFiles<'a> {
+pub struct LevelFiles<'a> {
     format: &'a FormatArgs,
     /// Of several levels.
     batch: Option<FileBatch>,
@@ -101,7 +101,7 @@ pub(crate) struct LevelFiles<'a> {
 
 impl<'a> LevelFiles<'a> {
     /// No files yet.
-    pub(crate) fn new(format: &'a FormatArgs, are_several: bool) -> Self {
+    pub fn new(format: &'a FormatArgs, are_several: bool) -> Self {
         Self { format, batch: are_several.then(FileBatch::default) }
     }
 
@@ -109,7 +109,7 @@ impl<'a> LevelFiles<'a> {
     ///
     /// # Errors
     /// If the format cannot hold it or the system refuses.
-    pub(crate) fn save(&mut self, mesh: &IndexedMesh, drawn: Drawn, path: &Path) -> Result<(), Failure> {
+    pub fn save(&mut self, mesh: &IndexedMesh, drawn: Drawn, path: &Path) -> Result<(), Failure> {
         let bytes = bytes_of(mesh, drawn, path, self.format)?;
         match &mut self.batch {
             Some(batch) => Ok(batch.write(path, |out| out.write_all(&bytes))?),
@@ -121,25 +121,25 @@ impl<'a> LevelFiles<'a> {
     ///
     /// # Errors
     /// If the system refuses; all files that were there are then as they were.
-    pub(crate) fn commit(self) -> Result<(), Failure> {
+    pub fn commit(self) -> Result<(), Failure> {
         Ok(self.batch.map_or(Ok(()), FileBatch::commit)?)
     }
 }
 
 /// A path for people.
-pub(crate) fn name_of(path: &Path) -> String {
+pub fn name_of(path: &Path) -> String {
     if is_stdout(path) { "stdout".to_owned() } else { path.display().to_string() }
 }
 
 /// What is said of a name that the user did not give.
-pub(crate) const CHOSEN_NAME: &str = "; -o names another";
+pub const CHOSEN_NAME: &str = "; -o names another";
 
 /// The name that an output has if the user gives none: that of the input with another extension, in the same folder; that of
 /// a shape in the current one.
 ///
 /// # Errors
 /// If the input has no name, or that would be the input itself.
-pub(crate) fn beside(input: &Path, extension: &str) -> Result<PathBuf, Failure> {
+pub fn beside(input: &Path, extension: &str) -> Result<PathBuf, Failure> {
     let hint = format!("name the output: -o OUT.{extension}");
     if is_stdout(input) {
         return Err(Failure::user("stdin has no name that the output could take").with_hint(hint));
@@ -168,7 +168,7 @@ pub(crate) fn beside(input: &Path, extension: &str) -> Result<PathBuf, Failure> 
 ///
 /// # Errors
 /// If the name ends in `.gz` or `.zst`.
-pub(crate) fn check_not_packed(path: &Path, what: &str) -> Result<(), Failure> {
+pub fn check_not_packed(path: &Path, what: &str) -> Result<(), Failure> {
     let is_packed =
         path.extension().is_some_and(|e| e.eq_ignore_ascii_case("gz") || e.eq_ignore_ascii_case("zst"));
     if !is_packed || is_stdout(path) {

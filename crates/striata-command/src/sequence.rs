@@ -17,7 +17,7 @@ use crate::texture_contrast::texture_contrasts;
 
 /// How a mesh is simplified.
 #[derive(Clone, Debug)]
-pub(crate) enum SequencePlan {
+pub enum SequencePlan {
     /// By half-edge collapses in the order of quadrics.
     Quadric {
         /// How they are ordered and what they must respect.
@@ -33,11 +33,11 @@ pub(crate) enum SequencePlan {
 
 /// How far a simplification goes.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Limits {
+pub struct Limits {
     /// Not below so many triangles.
-    pub(crate) base_triangle_count: usize,
+    pub base_triangle_count: usize,
     /// Never farther than this from the original.
-    pub(crate) max_error: Option<f64>,
+    pub max_error: Option<f64>,
 }
 
 impl Default for SequencePlan {
@@ -48,7 +48,7 @@ impl Default for SequencePlan {
 
 /// How steps are chosen, as far as it decides where they end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum StepKind {
+pub enum StepKind {
     /// One by one, among the vertices of the input.
     Single,
     /// In batches, as a stream needs them.
@@ -59,7 +59,7 @@ pub(crate) enum StepKind {
 
 /// The steps of a mesh.
 #[derive(Debug)]
-pub(crate) enum Steps {
+pub enum Steps {
     /// Each is a half-edge collapse.
     Collapses(RefinableMesh),
     /// Any.
@@ -68,7 +68,7 @@ pub(crate) enum Steps {
 
 impl Steps {
     /// The mesh in refinement order.
-    pub(crate) fn mesh(&self) -> &IndexedMesh {
+    pub fn mesh(&self) -> &IndexedMesh {
         match self {
             Self::Collapses(refinable) => &refinable.mesh,
             Self::Fragments(fragmented) => &fragmented.mesh,
@@ -76,7 +76,7 @@ impl Steps {
     }
 
     /// What is known of each level.
-    pub(crate) fn levels(&self) -> &Levels {
+    pub fn levels(&self) -> &Levels {
         match self {
             Self::Collapses(refinable) => refinable.sequence.levels(),
             Self::Fragments(fragmented) => fragmented.fragments.levels(),
@@ -84,7 +84,7 @@ impl Steps {
     }
 
     /// The mesh that a level shows.
-    pub(crate) fn level(&self, split_count: usize) -> IndexedMesh {
+    pub fn level(&self, split_count: usize) -> IndexedMesh {
         match self {
             Self::Collapses(refinable) => replay(refinable, split_count),
             Self::Fragments(fragmented) => replay_fragments(fragmented, split_count),
@@ -94,15 +94,15 @@ impl Steps {
 
 /// A mesh with its steps.
 #[derive(Debug)]
-pub(crate) struct Sequenced {
+pub struct Sequenced {
     /// The steps.
-    pub(crate) steps: Steps,
+    pub steps: Steps,
     /// Why there are no more.
-    pub(crate) stop_reason: StopReason,
+    pub stop_reason: StopReason,
     /// Whether no point of the original is farther from a level than its error.
-    pub(crate) error_is_guaranteed: bool,
+    pub error_is_guaranteed: bool,
     /// Split counts at which batches begin, closed by the number of steps; where there are batches.
-    pub(crate) batches: Option<Vec<u32>>,
+    pub batches: Option<Vec<u32>>,
     /// The same steps as fragments, where they are known beside collapses: with the errors of single floors.
     floors: Option<FragmentedMesh>,
 }
@@ -112,10 +112,7 @@ impl Sequenced {
     ///
     /// # Errors
     /// Where the callback asks to stop.
-    pub(crate) fn fragments(
-        &self,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<Cow<'_, FragmentedMesh>, SimplifyError> {
+    pub fn fragments(&self, progress: &mut ProgressFn<'_>) -> Result<Cow<'_, FragmentedMesh>, SimplifyError> {
         Ok(match (&self.steps, &self.floors) {
             (Steps::Fragments(fragmented), _) | (_, Some(fragmented)) => Cow::Borrowed(fragmented),
             (Steps::Collapses(refinable), None) => {
@@ -132,16 +129,16 @@ impl Sequenced {
 
 /// What batches of collapses are made of.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct BatchTerms {
+pub struct BatchTerms {
     /// The share of vertices that a batch takes from; the usual one where none is named.
-    pub(crate) share: Option<f64>,
+    pub share: Option<f64>,
     /// What the shape of what is left should weigh, mesh units.
-    pub(crate) shape_step: Option<f64>,
+    pub shape_step: Option<f64>,
 }
 
 /// What errors of collapses hold for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Promise {
+pub enum Promise {
     /// Nothing: they are estimates.
     Estimates,
     /// Levels that are the same everywhere.
@@ -152,7 +149,7 @@ pub(crate) enum Promise {
 
 impl SequencePlan {
     /// Makes errors that are to hold for levels hold for whatever a view shows.
-    pub(crate) fn hold_in_any_state(&mut self) {
+    pub fn hold_in_any_state(&mut self) {
         if let Self::Quadric { promise, .. } = self
             && *promise == Promise::Levels
         {
@@ -164,7 +161,7 @@ impl SequencePlan {
     ///
     /// # Errors
     /// Where there are no such collapses.
-    pub(crate) fn come_in_batches(&mut self, terms: BatchTerms) -> Result<(), Failure> {
+    pub fn come_in_batches(&mut self, terms: BatchTerms) -> Result<(), Failure> {
         let Self::Quadric { batches, .. } = self else {
             return Err(Failure::user("a stream is made of collapses in quadric order")
                 .with_hint("leave --order hausdorff out, or the stream"));
@@ -174,7 +171,7 @@ impl SequencePlan {
     }
 
     /// What goes first.
-    pub(crate) fn order(&self) -> OrderArg {
+    pub fn order(&self) -> OrderArg {
         match self {
             Self::Quadric { .. } => OrderArg::Quadric,
             Self::Hausdorff(_) => OrderArg::Hausdorff,
@@ -182,7 +179,7 @@ impl SequencePlan {
     }
 
     /// Whether no point of the original will be farther from a level than its error.
-    pub(crate) fn guarantees_errors(&self) -> bool {
+    pub fn guarantees_errors(&self) -> bool {
         !matches!(self, Self::Quadric { promise: Promise::Estimates, .. })
     }
 
@@ -190,11 +187,7 @@ impl SequencePlan {
     ///
     /// # Errors
     /// Where an option is out of range.
-    pub(crate) fn run(
-        &self,
-        welded: Welded,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<Sequenced, SimplifyError> {
+    pub fn run(&self, welded: Welded, progress: &mut ProgressFn<'_>) -> Result<Sequenced, SimplifyError> {
         match self {
             Self::Quadric { options, promise: Promise::Estimates, batches } => {
                 let (built, batches) = collapses(welded, options.clone(), *batches, progress)?;
@@ -267,7 +260,7 @@ impl SequenceArgs {
     ///
     /// # Errors
     /// Where a flag belongs to the other order.
-    pub(crate) fn plan_for(
+    pub fn plan_for(
         &self,
         mesh: &IndexedMesh,
         limits: Limits,
@@ -346,7 +339,7 @@ impl SequenceArgs {
     }
 
     /// Why a mesh cannot be simplified any further, once nothing but the rules forbids it.
-    pub(crate) fn what_forbids_more(&self, kind: StepKind) -> String {
+    pub fn what_forbids_more(&self, kind: StepKind) -> String {
         let step = match self.order {
             OrderArg::Quadric => "no more edges can be collapsed",
             OrderArg::Hausdorff => "no more vertices can be removed",
@@ -377,20 +370,20 @@ impl SequenceArgs {
     }
 
     /// Says so if groups are to be locked and the mesh has no borders between any.
-    pub(crate) fn remark_on(&self, mesh: &IndexedMesh, output: &Output) {
+    pub fn remark_on(&self, mesh: &IndexedMesh, output: &Output) {
         if self.lock_groups && mesh.groups.len() < 2 {
             output.say("--lock-groups changes nothing: the mesh has only one group");
         }
     }
 
     /// Whether holes were asked to be filled in any way.
-    pub(crate) fn is_free(&self) -> bool {
+    pub fn is_free(&self) -> bool {
         self.removal.retriangulation == Some(RetriangulationArg::Free)
     }
 }
 
 /// A limit in mesh units.
-pub(crate) fn limit_in_units(limit: Option<Length>, diagonal: f64) -> Option<f64> {
+pub fn limit_in_units(limit: Option<Length>, diagonal: f64) -> Option<f64> {
     limit.map(|error| error.in_units(diagonal))
 }
 

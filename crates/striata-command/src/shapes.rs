@@ -11,7 +11,7 @@ const PREFIX: &str = "shape:";
 
 /// A mesh that is made, not read.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Shape {
+pub struct Shape {
     name: &'static str,
     make: fn() -> IndexedMesh,
 }
@@ -36,7 +36,7 @@ impl Shape {
     ///
     /// # Errors
     /// Where there is no such shape.
-    pub(crate) fn named(input: &Path) -> Result<Option<Self>, Failure> {
+    pub fn named(input: &Path) -> Result<Option<Self>, Failure> {
         let Some(name) = input.to_str().and_then(|input| input.strip_prefix(PREFIX)) else { return Ok(None) };
         if let Some(&shape) = SHAPES.iter().find(|shape| shape.name == name) {
             return Ok(Some(shape));
@@ -47,12 +47,12 @@ impl Shape {
     }
 
     /// The name, without what it begins with.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         self.name
     }
 
     /// The mesh; the same every time.
-    pub(crate) fn mesh(self) -> IndexedMesh {
+    pub fn mesh(self) -> IndexedMesh {
         (self.make)()
     }
 }

@@ -12,17 +12,17 @@ use crate::output::grouped;
 
 /// What some bytes of a stream have told.
 #[derive(Debug)]
-pub(crate) struct Received {
+pub struct Received {
     /// What the head says of the whole stream.
-    pub(crate) facts: StreamFacts,
+    pub facts: StreamFacts,
     /// The decoder after the last byte that was read.
-    pub(crate) decoder: StreamDecoder,
+    pub decoder: StreamDecoder,
     /// Bytes that were read, all that are there at most.
-    pub(crate) read_bytes: usize,
+    pub read_bytes: usize,
     /// Whether the bytes end before the stream does, and all of them were read.
-    pub(crate) is_cut: bool,
+    pub is_cut: bool,
     /// Seconds in the decoder.
-    pub(crate) decode_secs: f64,
+    pub decode_secs: f64,
 }
 
 impl Received {
@@ -30,7 +30,7 @@ impl Received {
     ///
     /// # Errors
     /// Where the bytes are no sound stream, or end before its base mesh does.
-    pub(crate) fn read(
+    pub fn read(
         bytes: &[u8],
         mut is_enough: impl FnMut(&StreamDecoder) -> bool,
     ) -> Result<Self, DecodeError> {
@@ -63,7 +63,7 @@ impl Received {
     ///
     /// # Errors
     /// As [`read`](Self::read).
-    pub(crate) fn read_all(bytes: &[u8]) -> Result<Self, DecodeError> {
+    pub fn read_all(bytes: &[u8]) -> Result<Self, DecodeError> {
         Self::read(bytes, |_| false)
     }
 
@@ -71,14 +71,14 @@ impl Received {
     ///
     /// # Errors
     /// Where there is none, or its parts make no sense.
-    pub(crate) fn refinable(&self) -> Result<RefinableMesh, DecodeError> {
+    pub fn refinable(&self) -> Result<RefinableMesh, DecodeError> {
         let refinable = self.decoder.refinable_mesh().ok_or(StreamDefect::NoBase)?;
         refinable.mesh.check()?;
         Ok(refinable)
     }
 
     /// What is to be said of a stream that is cut off.
-    pub(crate) fn remark(&self, name: &str) -> Option<String> {
+    pub fn remark(&self, name: &str) -> Option<String> {
         let counts = [self.decoder.split_count(), self.facts.step_count];
         self.is_cut.then(|| cut_remark(name, [self.read_bytes as u64, self.facts.stream_bytes], counts))
     }
@@ -101,7 +101,7 @@ fn cut_remark(name: &str, [read, whole]: [u64; 2], [split_count, step_count]: [u
 ///
 /// # Errors
 /// Where what is there of the stream is unsound.
-pub(crate) fn remark_on(file: &StriataFile<'_>, name: &str) -> Result<Option<String>, DecodeError> {
+pub fn remark_on(file: &StriataFile<'_>, name: &str) -> Result<Option<String>, DecodeError> {
     let Some(stream) = file.stream().filter(|_| file.is_cut()) else { return Ok(None) };
     let stream = stream?;
     if !file.is_stream_only() {
@@ -113,7 +113,7 @@ pub(crate) fn remark_on(file: &StriataFile<'_>, name: &str) -> Result<Option<Str
 }
 
 /// What the head of a stream says, for JSON.
-pub(crate) fn facts_in_json(facts: &StreamFacts) -> Value {
+pub fn facts_in_json(facts: &StreamFacts) -> Value {
     json!({
         "bytes": facts.stream_bytes,
         "head_bytes": facts.head_bytes,
@@ -129,7 +129,7 @@ pub(crate) fn facts_in_json(facts: &StreamFacts) -> Value {
 }
 
 /// An effort as the flag spells it.
-pub(crate) fn effort_name(effort: Effort) -> &'static str {
+pub fn effort_name(effort: Effort) -> &'static str {
     match effort {
         Effort::Fast => "fast",
         Effort::Small => "small",
@@ -138,7 +138,7 @@ pub(crate) fn effort_name(effort: Effort) -> &'static str {
 }
 
 /// How exact a stream is, for people.
-pub(crate) fn precision_name(precision: Precision) -> String {
+pub fn precision_name(precision: Precision) -> String {
     match precision {
         Precision::Bits(bits) => format!("{bits} bits a coordinate"),
         Precision::Tolerance(tolerance) => format!("positions within {tolerance}"),

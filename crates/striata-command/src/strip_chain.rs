@@ -13,7 +13,7 @@ use crate::args::StripSearchArgs;
 
 /// Stripifiers in the order in which they work; at least one.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct StripChain {
+pub struct StripChain {
     stripifiers: Vec<Stripifier>,
 }
 
@@ -44,35 +44,35 @@ impl fmt::Display for StripChain {
 
 /// A chain, and how its stripifiers search.
 #[derive(Clone, Debug)]
-pub(crate) struct StripPlan {
+pub struct StripPlan {
     /// The stripifiers.
-    pub(crate) chain: StripChain,
+    pub chain: StripChain,
     /// How long and with which chances they search.
-    pub(crate) search: StripSearchArgs,
+    pub search: StripSearchArgs,
 }
 
 /// Strips, and how long the stripifiers took to make them.
 #[derive(Clone, Debug)]
-pub(crate) struct Stripped {
+pub struct Stripped {
     /// The strips.
-    pub(crate) strips: StripSet,
+    pub strips: StripSet,
     /// Seconds.
-    pub(crate) secs: f64,
+    pub secs: f64,
 }
 
 impl StripPlan {
     /// Entries of the vertex cache that strips are made and measured for.
-    pub(crate) fn cache_size(&self) -> usize {
+    pub fn cache_size(&self) -> usize {
         self.search.cache_size as usize
     }
 
     /// The same with another seed.
-    pub(crate) fn with_seed(&self, seed: u64) -> Self {
+    pub fn with_seed(&self, seed: u64) -> Self {
         Self { chain: self.chain.clone(), search: StripSearchArgs { seed, ..self.search } }
     }
 
     /// The same with a budget in seconds.
-    pub(crate) fn with_budget(&self, secs: f64) -> Self {
+    pub fn with_budget(&self, secs: f64) -> Self {
         Self { chain: self.chain.clone(), search: StripSearchArgs { budget: Some(secs), ..self.search } }
     }
 
@@ -80,7 +80,7 @@ impl StripPlan {
     ///
     /// # Errors
     /// Where the mesh's parts do not fit together.
-    pub(crate) fn run(&self, mesh: &IndexedMesh, show: &mut dyn FnMut(f64)) -> Result<Stripped, MeshError> {
+    pub fn run(&self, mesh: &IndexedMesh, show: &mut dyn FnMut(f64)) -> Result<Stripped, MeshError> {
         let started = Instant::now();
         let mut strips = StripSet::new();
         for (i, &stripifier) in self.chain.stripifiers.iter().enumerate() {
@@ -108,7 +108,7 @@ impl StripPlan {
 
 impl StripChain {
     /// The stripifier of a chain of one.
-    pub(crate) fn only(&self) -> Option<Stripifier> {
+    pub fn only(&self) -> Option<Stripifier> {
         match self.stripifiers[..] {
             [only] => Some(only),
             _ => None,
@@ -116,19 +116,19 @@ impl StripChain {
     }
 
     /// The stripifier whose strips come out.
-    pub(crate) fn last(&self) -> Stripifier {
+    pub fn last(&self) -> Stripifier {
         self.stripifiers.last().copied().unwrap_or(StripOptions::default().stripifier)
     }
 
     /// Whether a budget changes what comes out: one of the stripifiers goes on as long as it may.
-    pub(crate) fn searches(&self) -> bool {
+    pub fn searches(&self) -> bool {
         self.stripifiers.iter().any(|&stripifier| {
             StripOptions::default().with_stripifier(stripifier).allowed_moves(1).is_finite()
         })
     }
 
     /// Whether few strips are what counts at last.
-    pub(crate) fn wants_few_strips(&self) -> bool {
+    pub fn wants_few_strips(&self) -> bool {
         self.last() == Stripifier::Fewest
     }
 }
@@ -140,7 +140,7 @@ fn share_of(spent: f64, allowed: f64) -> f64 {
 
 impl StripSearchArgs {
     /// Options of one stripifier.
-    pub(crate) fn options(&self, stripifier: Stripifier) -> StripOptions {
+    pub fn options(&self, stripifier: Stripifier) -> StripOptions {
         StripOptions::default()
             .with_stripifier(stripifier)
             .with_seed(self.seed)

@@ -9,31 +9,49 @@ use crate::strip_chain::{StripChain, Stripped};
 
 /// What strips cost.
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct StripReport {
-    pub(crate) algorithm: String,
-    pub(crate) triangle_count: usize,
-    pub(crate) degenerate_triangle_count: usize,
-    pub(crate) component_count: usize,
-    pub(crate) strip_count: usize,
+pub struct StripReport {
+    /// What made the strips.
+    pub algorithm: String,
+    /// Triangles of the mesh.
+    pub triangle_count: usize,
+    /// Triangles with two equal corners, which are in no strip.
+    pub degenerate_triangle_count: usize,
+    /// Connected parts of the mesh.
+    pub component_count: usize,
+    /// Strips.
+    pub strip_count: usize,
     /// Told where few strips are what was wanted.
-    pub(crate) strip_count_bound: Option<usize>,
-    pub(crate) swap_count: usize,
-    pub(crate) restart_count: usize,
-    pub(crate) index_count: usize,
-    pub(crate) indices_per_triangle: f64,
-    pub(crate) longest_strip: usize,
+    pub strip_count_bound: Option<usize>,
+    /// Indices repeated to turn a strip.
+    pub swap_count: usize,
+    /// Restart indices between strips.
+    pub restart_count: usize,
+    /// Indices, restarts included.
+    pub index_count: usize,
+    /// Indices, restarts included, for each triangle.
+    pub indices_per_triangle: f64,
+    /// Indices of the longest strip.
+    pub longest_strip: usize,
     /// Entries of the vertex cache that the next four figures hold for.
-    pub(crate) cache_size: usize,
-    pub(crate) acmr: f64,
-    pub(crate) atvr: f64,
-    pub(crate) acmr_lru: f64,
-    pub(crate) atvr_lru: f64,
+    pub cache_size: usize,
+    /// Misses per triangle, first in first out.
+    pub acmr: f64,
+    /// Misses per vertex, first in first out.
+    pub atvr: f64,
+    /// Misses per triangle, least recently used out.
+    pub acmr_lru: f64,
+    /// Misses per vertex, least recently used out.
+    pub atvr_lru: f64,
     /// For 16 entries, whatever the cache asked for.
-    pub(crate) acmr_16: f64,
-    pub(crate) atvr_16: f64,
-    pub(crate) acmr_lru_16: f64,
-    pub(crate) atvr_lru_16: f64,
-    pub(crate) stripify_secs: f64,
+    pub acmr_16: f64,
+    /// Misses per vertex with 16 entries, first in first out.
+    pub atvr_16: f64,
+    /// Misses per triangle with 16 entries, least recently used out.
+    pub acmr_lru_16: f64,
+    /// Misses per vertex with 16 entries, least recently used out.
+    pub atvr_lru_16: f64,
+    /// Time that the stripifier took, seconds.
+    pub stripify_secs: f64,
 }
 
 impl StripReport {
@@ -41,7 +59,7 @@ impl StripReport {
     ///
     /// # Errors
     /// Where the mesh's parts do not fit together.
-    pub(crate) fn new(
+    pub fn new(
         algorithm: String,
         mesh: &IndexedMesh,
         stripped: &Stripped,
@@ -81,12 +99,12 @@ impl StripReport {
     }
 
     /// Adds how many strips along the edges of the mesh there are at least, where the chain ends with fewest strips.
-    pub(crate) fn with_bound(self, chain: &StripChain, mesh: &IndexedMesh) -> Self {
+    pub fn with_bound(self, chain: &StripChain, mesh: &IndexedMesh) -> Self {
         Self { strip_count_bound: chain.wants_few_strips().then(|| strip_count_bound(mesh)), ..self }
     }
 
     /// The same for people.
-    pub(crate) fn to_text(&self) -> String {
+    pub fn to_text(&self) -> String {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);
         row("algorithm", self.algorithm.clone());

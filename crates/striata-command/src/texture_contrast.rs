@@ -31,7 +31,7 @@ const PNG_LIMIT: usize = 1 << 29;
 /// the mean of red, green and blue as stored (sRGB) in [0, 1]. That is what shows if the texture slides by so much. If the
 /// material is masked or blended, colors are multiplied by alpha and alpha counts as another channel. A contrast of 0.1 is
 /// typical; a uniform texture gets 0.1, the least. The whole image counts, used or not.
-pub(crate) fn texture_contrasts(mesh: &IndexedMesh) -> Vec<Option<f32>> {
+pub fn texture_contrasts(mesh: &IndexedMesh) -> Vec<Option<f32>> {
     let looks = &mesh.appearance;
     let mut known = HashMap::new();
     let mut factor = |material: &Material| {

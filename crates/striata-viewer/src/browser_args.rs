@@ -8,10 +8,10 @@ use clap::Args;
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  striata view bunny.striata\n  striata view scan.ply\n\n\
     This build has no window of its own; `--features full` adds one.")]
-pub(crate) struct BrowserArgs {
+pub struct BrowserArgs {
     /// The mesh, .striata file or stream to show in the web viewer, until the command is ended
     #[arg(value_name = "FILE")]
-    pub(crate) file: PathBuf,
+    pub file: PathBuf,
     /// Show it in the browser, as this build always does
     #[arg(long)]
     browser: bool,

@@ -7,19 +7,19 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use rust_embed::RustEmbed;
 
-use crate::failure::Failure;
-use crate::page::escaped;
+use striata_command::failure::Failure;
+use striata_command::page::escaped;
 
 /// The viewer's files, as `web/` builds them.
 #[derive(RustEmbed)]
 #[folder = "viewer/"]
-pub(crate) struct ViewerFiles;
+pub struct ViewerFiles;
 
 /// The viewer in one page, with a model inside if there is one: its file name and its bytes.
 ///
 /// # Errors
 /// Where the viewer that was built in lacks a part.
-pub(crate) fn self_contained(model: Option<(&str, &[u8])>) -> Result<String, Failure> {
+pub fn self_contained(model: Option<(&str, &[u8])>) -> Result<String, Failure> {
     let file = |name: &str| ViewerFiles::get(name).map(|file| file.data.into_owned());
     assembled(&file, model)
 }

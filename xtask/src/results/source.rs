@@ -41,7 +41,7 @@ impl Commands {
     /// What a command prints to stdout.
     ///
     /// # Errors
-    /// If it is neither `striata` nor `cargo bench`, cannot start, or fails.
+    /// If it is none of `striata`, `striata-lab` and `cargo bench`, cannot start, or fails.
     pub(super) fn output(&mut self, line: &str) -> Result<String> {
         if let Some(printed) = self.printed.get(line) {
             return Ok(printed.clone());
@@ -68,15 +68,22 @@ impl Commands {
                 Ok(command)
             }
             (["striata", rest @ ..], None) => {
-                let mut command = cargo(&["run", "--release", "--quiet", "--package", "striata-cli"]);
-                command.args(["--no-default-features", "--features", "peers", "--manifest-path"]);
-                command.arg(workspace().canonicalize()?.join("Cargo.toml"));
-                command.arg("--").args(rest).arg("--quiet").current_dir(&self.scratch);
-                Ok(command)
+                Ok(self.built("striata-cli", &["--no-default-features"], rest)?)
+            }
+            (["striata-lab", rest @ ..], _) => {
+                Ok(self.built("striata-lab", &["--features", "peers"], rest)?)
             }
             (["cargo", "bench", ..], _) => Ok(cargo(&arguments[1..])),
-            _ => bail!("`{}` is neither `striata` nor `cargo bench`", arguments.join(" ")),
+            _ => bail!("`{}` is none of `striata`, `striata-lab` and `cargo bench`", arguments.join(" ")),
         }
+    }
+
+    /// A command of this workspace, compiled when it runs.
+    fn built(&self, package: &str, features: &[&str], arguments: &[&str]) -> Result<Command> {
+        let mut command = cargo(&["run", "--release", "--quiet", "--package", package]);
+        command.args(features).arg("--manifest-path").arg(workspace().canonicalize()?.join("Cargo.toml"));
+        command.arg("--").args(arguments).arg("--quiet").current_dir(&self.scratch);
+        Ok(command)
     }
 
     /// A word with `$MESHES` replaced; `NAME.*` becomes the one file of that name.

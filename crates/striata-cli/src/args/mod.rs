@@ -1,49 +1,29 @@
 //! The arguments of the command: one type per verb, and the values that flags take.
 
-#[cfg(feature = "gpu")]
-mod bench_gpu;
-mod compare;
-mod level;
 mod render;
-mod sequence;
-#[cfg(feature = "serve")]
-mod serve;
 mod stream;
 mod strips;
-mod view;
-#[cfg(all(feature = "serve", not(feature = "window")))]
-mod view_browser;
-#[cfg(feature = "window")]
-mod view_window;
 
-use std::fmt;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
-use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
-
+use clap::{Args, Parser, Subcommand, ValueEnum};
 #[cfg(feature = "gpu")]
-pub(crate) use self::bench_gpu::BenchGpuArgs;
-pub(crate) use self::compare::{
-    AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs,
+use striata_command::args::DriverArgs;
+use striata_command::args::{
+    BUILD_STRIPS, Corners, Count, EyeArgs, FormatArgs, LEVEL, Length, LevelArgs, LevelsArgs, OutputArgs,
+    ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, ViewArgs, strips_help,
 };
-use self::level::LEVEL;
-#[cfg(feature = "window")]
-use self::level::parse_detail;
-pub(crate) use self::level::{Count, EyeArgs, Level, LevelArgs, LevelChoice, LevelsArgs};
-pub(crate) use self::render::{Background, Colouring, DrawnModel, RenderArgs};
-pub(crate) use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
-#[cfg(feature = "serve")]
-pub(crate) use self::serve::{ServeArgs, ThumbnailArgs};
-pub(crate) use self::stream::{DecodeArgs, EffortArg, EncodeArgs, StreamArgs};
-use self::strips::{BUILD_STRIPS, STRIPS, strips_help};
-pub(crate) use self::strips::{StripArgs, StripSearchArgs};
-pub(crate) use self::view::{Corners, Point, ViewArgs, Viewport, tan};
+use striata_command::strip_chain::{StripChain, StripPlan};
 #[cfg(all(feature = "serve", not(feature = "window")))]
-pub(crate) use self::view_browser::BrowserArgs;
+use striata_viewer::BrowserArgs;
+#[cfg(feature = "serve")]
+use striata_viewer::serve::{ServeArgs, ThumbnailArgs};
 #[cfg(feature = "window")]
-pub(crate) use self::view_window::{FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
-use crate::strip_chain::{StripChain, StripPlan};
+use striata_viewer::window::WindowArgs;
+
+pub(crate) use self::render::{Background, DrawnModel, RenderArgs};
+pub(crate) use self::stream::{DecodeArgs, EncodeArgs};
+pub(crate) use self::strips::StripArgs;
 
 /// Everything on the command line.
 #[derive(Debug, Parser)]
@@ -68,29 +48,6 @@ pub(crate) struct Cli {
     pub(crate) report: ReportArgs,
 }
 
-/// How every verb reports.
-#[derive(Clone, Copy, Debug, Args)]
-pub(crate) struct ReportArgs {
-    /// Print one JSON object to stdout instead of text
-    #[arg(long, global = true)]
-    pub(crate) json: bool,
-    /// No progress, no summary; errors only
-    #[arg(short, long, global = true)]
-    pub(crate) quiet: bool,
-    /// Print help
-    #[arg(short, long, global = true, action = ArgAction::HelpShort)]
-    help: Option<bool>,
-}
-
-/// How verbs that draw on a GPU report.
-#[cfg(feature = "gpu")]
-#[derive(Clone, Copy, Debug, Args)]
-pub(crate) struct DriverArgs {
-    /// Also show the messages of graphics drivers and libraries
-    #[arg(short, long, conflicts_with = "quiet")]
-    pub(crate) verbose: bool,
-}
-
 /// The verbs.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
@@ -104,8 +61,6 @@ pub(crate) enum Verb {
     Simplify(SimplifyArgs),
     /// Cover a mesh by triangle strips
     Strip(StripArgs),
-    /// Compare models and stripifiers on the same meshes
-    Compare(CompareArgs),
     /// Measure the distance between two surfaces
     Distance(DistanceArgs),
     /// Convert between mesh formats
@@ -131,10 +86,6 @@ pub(crate) enum Verb {
     #[cfg(feature = "serve")]
     #[command(hide = true)]
     Thumbnail(ThumbnailArgs),
-    /// Time the ways to draw a level while it changes
-    #[cfg(feature = "gpu")]
-    #[command(hide = true)]
-    BenchGpu(BenchGpuArgs),
     /// Print a completion script for a shell
     #[command(hide = true)]
     Completions(CompletionsArgs),
@@ -347,47 +298,6 @@ pub(crate) struct CompletionsArgs {
     pub(crate) shell: clap_complete::Shell,
 }
 
-/// Where a mesh goes, and how it is written.
-#[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Output")]
-pub(crate) struct OutputArgs {
-    /// The mesh to write, or - for stdout
-    #[arg(short, long, value_name = "OUT")]
-    pub(crate) output: PathBuf,
-    /// How it is written.
-    #[command(flatten)]
-    pub(crate) format: FormatArgs,
-}
-
-/// How a mesh is written.
-#[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Output")]
-pub(crate) struct FormatArgs {
-    /// Format of the output [default: by its extension; ply on stdout]
-    #[arg(long, value_name = "FORMAT")]
-    pub(crate) to: Option<FormatArg>,
-    /// Write PLY as text
-    #[arg(long)]
-    pub(crate) ascii: bool,
-}
-
-/// Formats that meshes are written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum FormatArg {
-    /// Stanford PLY
-    Ply,
-    /// Wavefront OBJ
-    Obj,
-    /// STL, binary
-    Stl,
-    /// Object file format
-    Off,
-    /// glTF as JSON, all embedded
-    Gltf,
-    /// glTF as one binary file
-    Glb,
-}
-
 /// How triangles are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum TriangleForm {
@@ -406,25 +316,6 @@ pub(crate) enum PlacementArg {
     Subset,
     /// Anywhere: nearer to the surface, attributes interpolated
     Optimal,
-}
-
-/// A length as the user writes it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Length {
-    /// Mesh units.
-    Absolute(f64),
-    /// A share of the bounding box's diagonal, 0.01 for `1%`.
-    OfDiagonal(f64),
-}
-
-impl Length {
-    /// The length in mesh units.
-    pub(crate) fn in_units(self, diagonal: f64) -> f64 {
-        match self {
-            Self::Absolute(length) => length,
-            Self::OfDiagonal(share) => share * diagonal,
-        }
-    }
 }
 
 impl BuildArgs {
@@ -451,30 +342,6 @@ impl BuildArgs {
     }
 }
 
-impl fmt::Display for Length {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Absolute(length) => write!(f, "{length}"),
-            Self::OfDiagonal(share) => write!(f, "{}%", share * 100.0),
-        }
-    }
-}
-
-impl FromStr for Length {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let wrong =
-            || format!("{text:?} is no length; write mesh units (0.02) or a share of the diagonal (1%)");
-        let (number, length): (&str, fn(f64) -> Self) = match text.strip_suffix('%') {
-            Some(percent) => (percent, |x| Self::OfDiagonal(x / 100.0)),
-            None => (text, Self::Absolute),
-        };
-        let number: f64 = number.trim().parse().map_err(|_| wrong())?;
-        if number.is_finite() && number >= 0.0 { Ok(length(number)) } else { Err(wrong()) }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
@@ -484,16 +351,5 @@ mod tests {
     #[test]
     fn the_tree_of_arguments_is_consistent() {
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn lengths_are_units_or_shares_of_the_diagonal() {
-        assert_eq!("0.5".parse(), Ok(Length::Absolute(0.5)));
-        assert_eq!("1%".parse(), Ok(Length::OfDiagonal(0.01)));
-        assert_eq!("1 %".parse(), Ok(Length::OfDiagonal(0.01)));
-        assert_eq!("2%".parse::<Length>().map(|l| l.in_units(50.0)), Ok(1.0));
-        for wrong in ["", "%", "-1", "nan", "inf%", "1m"] {
-            assert!(wrong.parse::<Length>().is_err(), "{wrong:?} was taken");
-        }
     }
 }

@@ -6,8 +6,8 @@ use std::str::FromStr;
 use clap::{Args, ValueEnum};
 
 #[cfg(feature = "gpu")]
-use super::DriverArgs;
-use super::{Count, Length, LevelChoice, Point, ViewArgs, Viewport};
+use striata_command::args::DriverArgs;
+use striata_command::args::{Colouring, Count, Length, LevelChoice, Point, ViewArgs, Viewport};
 
 /// The heading of the camera's flags.
 const CAMERA: &str = "Camera";
@@ -119,21 +119,6 @@ impl DrawnModel {
             Self::List => "list",
         }
     }
-}
-
-/// What colours tell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Colouring {
-    /// Nothing but what the mesh looks like
-    Surface,
-    /// Strips
-    Strips,
-    /// Fans
-    Fans,
-    /// Single triangles
-    Triangles,
-    /// Groups, which are its materials
-    Groups,
 }
 
 /// What is behind the mesh.

@@ -11,17 +11,18 @@ use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes, Patte
 use striata::simplify::{Retriangulation, StopReason, Target};
 use striata::strip::StripSet;
 
-use crate::args::{BuildArgs, OrderArg, SequenceArgs};
-use crate::clock::{Phases, peak_rss_bytes};
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::level::{Floor, FullMesh, Reached, check_strict, shortfall};
-use crate::output::{Bar, Output, Table, grouped, lasted, measured, sized};
-use crate::save::{CHOSEN_NAME, beside, check_not_packed, is_stdout, name_of, put};
-use crate::sequence::{Limits, SequencePlan, Sequenced, StepKind, Steps, limit_in_units};
-use crate::stream::facts_in_json;
-use crate::strip_chain::StripPlan;
-use crate::strip_report::StripReport;
+use crate::args::BuildArgs;
+use striata_command::args::{OrderArg, SequenceArgs};
+use striata_command::clock::{Phases, peak_rss_bytes};
+use striata_command::failure::{Failure, unknown_name};
+use striata_command::input::Input;
+use striata_command::level::{Floor, FullMesh, Reached, check_strict, shortfall};
+use striata_command::output::{Bar, Output, Table, grouped, lasted, measured, sized};
+use striata_command::save::{CHOSEN_NAME, beside, check_not_packed, is_stdout, name_of, put};
+use striata_command::sequence::{Limits, SequencePlan, Sequenced, StepKind, Steps, limit_in_units};
+use striata_command::stream::facts_in_json;
+use striata_command::strip_chain::StripPlan;
+use striata_command::strip_report::StripReport;
 
 /// The phases that a build reports.
 pub(crate) const PHASES: [&str; 6] = ["read", "weld", "simplify", "strip", "models", "write"];
@@ -488,11 +489,6 @@ fn check_strip_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure>
         }
         _ => Ok(()),
     }
-}
-
-pub(crate) fn unknown_name(what: &str, name: &str, known: &[&str]) -> Failure {
-    let hint = format!("this version has: {}", known.join(", "));
-    Failure::user(format!("there is no {what} {name:?}")).with_hint(hint)
 }
 
 /// # Errors

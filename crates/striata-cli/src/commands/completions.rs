@@ -3,8 +3,8 @@
 use clap::CommandFactory;
 
 use crate::args::{Cli, CompletionsArgs};
-use crate::failure::Failure;
-use crate::output::to_stdout;
+use striata_command::failure::Failure;
+use striata_command::output::to_stdout;
 
 /// Prints the script.
 ///

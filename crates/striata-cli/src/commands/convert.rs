@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use crate::args::ConvertArgs;
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::output::{Output, grouped};
-use crate::save::{Drawn, format_of, is_stdout, name_of, save};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::output::{Output, grouped};
+use striata_command::save::{Drawn, format_of, is_stdout, name_of, save};
 
 #[derive(Serialize)]
 struct Report {

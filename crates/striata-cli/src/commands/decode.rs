@@ -9,12 +9,12 @@ use striata::simplify::Target;
 
 use super::extract_stream::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve};
 use crate::args::DecodeArgs;
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::level::{Floor, Reached, remark, shortfall};
-use crate::output::{Output, grouped, lasted, measured};
-use crate::save::{Drawn, format_of, is_stdout, save};
-use crate::stream::{Received, effort_name};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::level::{Floor, Reached, remark, shortfall};
+use striata_command::output::{Output, grouped, lasted, measured};
+use striata_command::save::{Drawn, format_of, is_stdout, save};
+use striata_command::stream::{Received, effort_name};
 
 #[derive(Serialize)]
 struct Report {

@@ -4,9 +4,9 @@ use serde::Serialize;
 use striata::mesh::{DistanceError, DistanceOptions, OneSided, surface_distance};
 
 use crate::args::DistanceArgs;
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::output::{Output, Table, measured};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::output::{Output, Table, measured};
 
 #[derive(Serialize)]
 struct Report {

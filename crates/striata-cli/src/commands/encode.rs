@@ -10,13 +10,13 @@ use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata_io::Format;
 
 use crate::args::EncodeArgs;
-use crate::clock::{Phases, peak_rss_bytes};
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::output::{Output, Table, grouped, lasted, measured, sized};
-use crate::save::{CHOSEN_NAME, beside, check_not_packed, is_stdout, name_of, put};
-use crate::sequence::{SequencePlan, Steps};
-use crate::stream::{facts_in_json, precision_name};
+use striata_command::clock::{Phases, peak_rss_bytes};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::output::{Output, Table, grouped, lasted, measured, sized};
+use striata_command::save::{CHOSEN_NAME, beside, check_not_packed, is_stdout, name_of, put};
+use striata_command::sequence::{SequencePlan, Steps};
+use striata_command::stream::{facts_in_json, precision_name};
 
 /// The phases that are reported.
 const PHASES: [&str; 5] = ["read", "weld", "simplify", "encode", "write"];

@@ -17,18 +17,20 @@ use super::extract_patterns::{Budget, PatternsOfFile};
 use super::extract_stream;
 use super::extract_view::{ViewLevel, level_of_view};
 use super::strip::check_form_fits;
-use crate::args::{Corners, ExtractArgs, Length, LevelArgs, Point, TriangleForm};
-use crate::commands::build::{MODELS, PROGRESSIVE, errors_are_guaranteed, unknown_name};
-use crate::failure::Failure;
-use crate::fan_cover::fans_of;
-use crate::input::Input;
-use crate::level::{
+use crate::args::{ExtractArgs, TriangleForm};
+use crate::commands::build::{MODELS, PROGRESSIVE, errors_are_guaranteed};
+use crate::strip_lists::{StripLists, without_unused_vertices};
+use striata_command::args::{Corners, Length, LevelArgs, Point};
+use striata_command::failure::Failure;
+use striata_command::failure::unknown_name;
+use striata_command::fan_cover::fans_of;
+use striata_command::input::Input;
+use striata_command::level::{
     Floor, FullMesh, LevelRow, Reached, Wanted, check_paths, check_strict, remark, shortfall,
     table_of_levels, wanted_levels,
 };
-use crate::output::{Output, grouped, lasted, measured};
-use crate::save::{Drawn, LevelFiles, format_of, is_stdout, name_of, save};
-use crate::strip_lists::{StripLists, without_unused_vertices};
+use striata_command::output::{Output, grouped, lasted, measured};
+use striata_command::save::{Drawn, LevelFiles, format_of, is_stdout, name_of, save};
 
 /// Of several levels.
 #[derive(Serialize)]

@@ -12,9 +12,9 @@ use striata::simplify::StopReason;
 use striata::view::{Camera, Criterion, DetailBox};
 
 use super::extract_view::{LEAST_PIXELS, ViewLevel};
-use crate::args::{Corners, ViewArgs};
-use crate::failure::Failure;
-use crate::input::Input;
+use striata_command::args::{Corners, ViewArgs};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
 
 /// Patterns of a file, and all that is needed to ask them.
 pub(super) struct PatternsOfFile {

@@ -10,17 +10,18 @@ use striata::simplify::{StopReason, Target};
 
 use super::decode::stream_of;
 use super::extract::{diagonal_of, drawn, no_level};
-use crate::args::{ExtractArgs, LevelArgs};
+use crate::args::ExtractArgs;
 use crate::commands::build::errors_are_guaranteed;
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::level::{
+use striata_command::args::LevelArgs;
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::level::{
     Floor, FullMesh, LevelRow, Reached, Wanted, check_strict, remark, shortfall, table_of_levels,
     wanted_levels,
 };
-use crate::output::{Output, grouped, lasted, measured};
-use crate::save::{LevelFiles, name_of};
-use crate::stream::Received;
+use striata_command::output::{Output, grouped, lasted, measured};
+use striata_command::save::{LevelFiles, name_of};
+use striata_command::stream::Received;
 
 /// Why a level is no finer where the bytes end before it.
 const INPUT_ENDED: &str = "input_ended";

@@ -10,7 +10,7 @@ use striata::model::{FanFront, FanInstance, FanScene, LodModel};
 use striata::simplify::StopReason;
 use striata::view::Camera;
 
-use crate::args::ViewArgs;
+use striata_command::args::ViewArgs;
 
 /// Errors of fewer pixels than this are no smaller to a budget, so that what weighs them stays a number.
 pub(crate) const LEAST_PIXELS: f64 = 1e-6;

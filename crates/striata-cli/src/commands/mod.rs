@@ -1,9 +1,6 @@
 //! The verbs, one file each.
 
-#[cfg(feature = "gpu")]
-mod bench_gpu;
 mod build;
-mod compare;
 mod completions;
 mod convert;
 mod decode;
@@ -16,20 +13,17 @@ mod extract_stream;
 mod extract_view;
 mod info;
 mod render;
-#[cfg(feature = "serve")]
-pub(crate) mod serve;
 mod simplify;
 mod strip;
 mod strip_blocks;
-#[cfg(feature = "window")]
-mod view;
 
-#[cfg(feature = "gpu")]
-pub(crate) use self::bench_gpu::bench_gpu_ways;
-pub(crate) use self::compare::compared_models;
 use crate::args::{Cli, Verb};
-use crate::failure::Failure;
-use crate::output::Output;
+use striata_command::failure::Failure;
+use striata_command::output::Output;
+#[cfg(feature = "serve")]
+use striata_viewer::serve;
+#[cfg(feature = "window")]
+use striata_viewer::window;
 
 /// Does what the command line asks.
 ///
@@ -44,7 +38,6 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Extract(args) => extract::run(args, &output),
         Verb::Simplify(args) => simplify::run(args, &output),
         Verb::Strip(args) => strip::run(args, &output),
-        Verb::Compare(args) => compare::run(args, &output),
         Verb::Distance(args) => distance::run(args, &output),
         Verb::Convert(args) => convert::run(args, &output),
         Verb::Encode(args) => encode::run(args, &output),
@@ -57,10 +50,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Serve(args) => serve::run(args, &output),
         #[cfg(feature = "serve")]
         Verb::Thumbnail(args) => serve::thumbnail(args, &output),
-        #[cfg(feature = "gpu")]
-        Verb::BenchGpu(args) => bench_gpu::run(args, &output.with_drivers(args.drivers)),
         #[cfg(feature = "window")]
-        Verb::View(args) => view::run(args, &output.with_drivers(args.drivers)),
+        Verb::View(args) => window::run(args, &output.with_drivers(args.drivers)),
         #[cfg(all(feature = "serve", not(feature = "window")))]
         Verb::View(args) => serve::show_in_browser(&args.file, &output),
         #[cfg(feature = "gpu")]

@@ -8,16 +8,17 @@ use striata::simplify::{
     Placement, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target, simplify,
 };
 
-use crate::args::{OrderArg, PlacementArg, SimplifyArgs};
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::level::{
+use crate::args::{PlacementArg, SimplifyArgs};
+use striata_command::args::OrderArg;
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::level::{
     Floor, FullMesh, LevelRow, Reached, Wanted, check_paths, check_strict, remark, shortfall,
     table_of_levels, wanted_levels,
 };
-use crate::output::{Bar, Output, grouped, lasted, measured};
-use crate::save::{Drawn, LevelFiles, format_of, is_stdout, name_of};
-use crate::sequence::{Limits, SequencePlan, Sequenced, StepKind, limit_in_units};
+use striata_command::output::{Bar, Output, grouped, lasted, measured};
+use striata_command::save::{Drawn, LevelFiles, format_of, is_stdout, name_of};
+use striata_command::sequence::{Limits, SequencePlan, Sequenced, StepKind, limit_in_units};
 
 /// Samples of each surface for the way back.
 const REVERSE_SAMPLES: usize = 100_000;

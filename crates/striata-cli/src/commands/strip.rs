@@ -8,13 +8,14 @@ use striata::mesh::weld;
 use striata_io::Format;
 
 use super::strip_blocks;
-use crate::args::{FormatArgs, StripArgs};
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::output::{Output, counted, grouped};
-use crate::save::{Drawn, format_of, is_stdout, save};
+use crate::args::StripArgs;
 use crate::strip_lists::StripLists;
-use crate::strip_report::StripReport;
+use striata_command::args::FormatArgs;
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::output::{Output, counted, grouped};
+use striata_command::save::{Drawn, format_of, is_stdout, save};
+use striata_command::strip_report::StripReport;
 
 #[derive(Serialize)]
 struct Report {

@@ -8,11 +8,11 @@ use striata::strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks};
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteError};
 
 use crate::args::StripArgs;
-use crate::clock::peak_rss_bytes;
-use crate::failure::Failure;
-use crate::output::{Output, Table, grouped, lasted, sized};
-use crate::save::{format_of, is_stdout};
-use crate::shapes::Shape;
+use striata_command::clock::peak_rss_bytes;
+use striata_command::failure::Failure;
+use striata_command::output::{Output, Table, grouped, lasted, sized};
+use striata_command::save::{format_of, is_stdout};
+use striata_command::shapes::Shape;
 
 #[derive(Serialize)]
 struct Report {
@@ -63,7 +63,8 @@ pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> 
         Some(spool) => spool.push(strip),
         None => Ok(()),
     };
-    let made = stripify_blocks(&mut blocks, &options, &mut write, &mut |progress| bar.show(progress))?;
+    let made = stripify_blocks(&mut blocks, &options, &mut write, &mut |progress| bar.show(progress))
+        .map_err(failure_of)?;
     let stripify_secs = started.elapsed().as_secs_f64() - read_secs;
     let written_index_count = match (spool, &args.output) {
         (Some(spool), Some(path)) => {
@@ -182,15 +183,13 @@ impl Report {
     }
 }
 
-impl From<BlocksError<ReadError, WriteError>> for Failure {
-    fn from(error: BlocksError<ReadError, WriteError>) -> Self {
-        match error {
-            BlocksError::Read { error, .. } => error.into(),
-            BlocksError::Write(error) => error.into(),
-            BlocksError::TooLarge { .. } => {
-                Self::user(error.to_string()).with_hint("make --block-triangles smaller")
-            }
-            _ => Self::internal(error.to_string()),
+fn failure_of(error: BlocksError<ReadError, WriteError>) -> Failure {
+    match error {
+        BlocksError::Read { error, .. } => error.into(),
+        BlocksError::Write(error) => error.into(),
+        BlocksError::TooLarge { .. } => {
+            Failure::user(error.to_string()).with_hint("make --block-triangles smaller")
         }
+        _ => Failure::internal(error.to_string()),
     }
 }

@@ -24,7 +24,6 @@ fn every_verb_ends_with_two_examples() {
         "extract",
         "simplify",
         "strip",
-        "compare",
         "distance",
         "convert",
         "encode",

@@ -1,12 +1,6 @@
 //! The command as its users meet it: run in a folder of its own, judged by what it prints and leaves.
 
-#[cfg(feature = "gpu")]
-mod bench_gpu;
-mod compare;
-mod compare_assets;
-mod compare_models;
-mod compare_patterns;
-mod compare_views;
+mod ball;
 mod help;
 mod levels;
 mod orders;
@@ -28,3 +22,6 @@ mod verbs;
 #[cfg(feature = "window")]
 mod view;
 mod workbench;
+
+/// The command under test.
+pub(crate) const COMMAND: &str = "striata";

@@ -447,3 +447,28 @@ fn completions_name_the_verbs() {
         assert!(String::from_utf8_lossy(&script.get_output().stdout).contains("extract"), "{shell}");
     }
 }
+
+#[test]
+fn shapes_are_meshes_for_every_verb() {
+    let bench = Workbench::new();
+    let info = bench.json("info shape:torus");
+    assert_eq!((&info["kind"], &info["genus"]), (&"shape".into(), &1.into()));
+    assert!(info["file_bytes"].is_null());
+    let text = bench.run("info shape:cube").success();
+    assert!(String::from_utf8_lossy(&text.get_output().stdout).contains("shape:cube (shape)"));
+    bench.run("convert shape:cube cube.ply --quiet").success();
+    bench.run("simplify shape:grid -o small.ply --triangles 100 --quiet").success();
+    assert_eq!(bench.json("strip shape:tetrahedron")["triangle_count"], 4);
+    assert_eq!(bench.json("distance shape:cube cube.ply --samples 100")["max"], 0.0);
+    bench.run("build shape:grid -o grid.striata --quiet").success();
+    assert_eq!(bench.json("info grid.striata")["triangle_count"], 2 * 64 * 64);
+    for verb in ["info", "convert x.ply", "build -o x.striata"] {
+        let (verb, rest) = verb.split_once(' ').unwrap_or((verb, ""));
+        let said = bench.refused(&format!("{verb} shape:tourus {rest}"));
+        assert!(said.contains("no shape \"tourus\"") && said.contains("torus, terrain"), "{said}");
+    }
+    assert!(bench.refused("extract shape:cube -o x.ply --detail 1").contains("striata build"));
+    let said = bench.refused("strip shape:grid --block-triangles 1000");
+    assert!(said.contains("hint: write one first"), "{said}");
+    assert_eq!(bench.names(), ["cube.ply", "grid.striata", "small.ply"]);
+}

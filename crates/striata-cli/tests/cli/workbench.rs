@@ -26,14 +26,6 @@ impl Workbench {
         Self { folder: tempfile::tempdir().expect("a temporary folder") }
     }
 
-    /// A folder with `sphere.obj`, a ball of 512 triangles, and `ball.striata` built from it.
-    pub(crate) fn with_ball() -> Self {
-        let bench = Self::new();
-        bench.write("sphere.obj", sphere(16, 16));
-        bench.run("build sphere.obj -o ball.striata --quiet").success();
-        bench
-    }
-
     /// Where a file of that name lies.
     pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
@@ -61,7 +53,7 @@ impl Workbench {
 
     /// The command, not yet run, with arguments separated by blanks.
     pub(crate) fn command(&self, arguments: &str) -> Command {
-        let mut command = Command::cargo_bin("striata").expect("the command is built");
+        let mut command = Command::cargo_bin(crate::COMMAND).expect("the command is built");
         command.current_dir(self.folder.path()).args(arguments.split_whitespace());
         command
     }

@@ -8,40 +8,40 @@ use clap::{ArgMatches, Args, Command, FromArgMatches};
 use super::{Length, Point};
 
 /// The heading of targets.
-pub(super) const LEVEL: &str = "Level (exactly one)";
+pub const LEVEL: &str = "Level (exactly one)";
 
 /// The target of a level; exactly one must be given.
 #[derive(Clone, Copy, Debug, Args)]
 #[group(required = true, multiple = true)]
 #[command(next_help_heading = LEVEL)]
-pub(crate) struct LevelArgs {
+pub struct LevelArgs {
     /// At most this many triangles, or this share of the full mesh's (at least 2)
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, conflicts_with_all = ["ratio", "vertices", "detail", "error", "split_count"])]
-    pub(crate) triangles: Option<Count>,
+    pub triangles: Option<Count>,
     /// At most this share of the full mesh's triangles: 0.1 is --triangles 10%
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_ratio, conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
-    pub(crate) ratio: Option<f64>,
+    pub ratio: Option<f64>,
     /// At most this many vertices, or this share of the full mesh's
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, conflicts_with_all = ["detail", "error", "split_count"])]
-    pub(crate) vertices: Option<Count>,
+    pub vertices: Option<Count>,
     /// Share of the vertex splits from the base mesh (0) to the full mesh (1); unlike --ratio, 0 is the base mesh
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, conflicts_with_all = ["error", "split_count"])]
-    pub(crate) detail: Option<f64>,
+    pub detail: Option<f64>,
     /// At most this error, estimated unless it is guaranteed: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "E|P%", allow_negative_numbers = true, conflicts_with = "split_count")]
-    pub(crate) error: Option<Length>,
+    pub error: Option<Length>,
     /// Exactly this many vertex splits above the base mesh
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub(crate) split_count: Option<usize>,
+    pub split_count: Option<usize>,
 }
 
 /// One level or a view, or none: then it is the full mesh. To `clap` the flags of [`LevelArgs`] under another heading.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct LevelChoice {
+pub struct LevelChoice {
     /// The level, where one is given.
-    pub(crate) level: LevelArgs,
+    pub level: LevelArgs,
     /// The eye of a view.
-    pub(crate) eye: Option<Point>,
+    pub eye: Option<Point>,
 }
 
 impl Args for LevelChoice {
@@ -78,9 +78,9 @@ impl FromArgMatches for LevelChoice {
 
 /// A level, or none: then it is all that is there. To `clap` the flags of [`LevelArgs`] under another heading.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct OptionalLevel {
+pub struct OptionalLevel {
     /// The level, if one is given.
-    pub(crate) level: LevelArgs,
+    pub level: LevelArgs,
 }
 
 impl Args for OptionalLevel {
@@ -118,27 +118,27 @@ fn under_heading(command: Command, names: &[&'static str], heading: &'static str
 #[derive(Clone, Copy, Debug, Args)]
 #[group(skip)]
 #[command(next_help_heading = LEVEL)]
-pub(crate) struct EyeArgs {
+pub struct EyeArgs {
     /// As fine as the screen asks for, seen from here; with --triangles or --ratio the level of at most that many triangles
     /// that looks best from there
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, group = "LevelArgs", conflicts_with_all = ["vertices", "detail", "error", "split_count"])]
-    pub(crate) eye: Option<Point>,
+    pub eye: Option<Point>,
 }
 
 /// Several levels at once.
 #[derive(Clone, Debug, Args)]
 #[group(skip)]
 #[command(next_help_heading = LEVEL)]
-pub(crate) struct LevelsArgs {
+pub struct LevelsArgs {
     /// Several levels at once, as --triangles takes them: 50%,25%,500. Each goes to a file of its own: {} in the name of the output
     /// stands for the level, `-o bunny-{}.glb`
     #[arg(long, value_name = "LEVELS", value_delimiter = ',', allow_hyphen_values = true, group = "LevelArgs", conflicts_with_all = ["triangles", "ratio", "vertices", "detail", "error", "split_count"])]
-    pub(crate) levels: Option<Vec<Level>>,
+    pub levels: Option<Vec<Level>>,
 }
 
 /// A number of triangles or vertices, as it is or as a share of the full mesh's.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Count {
+pub enum Count {
     /// This many.
     Number(usize),
     /// This share of all, 0 to 1.
@@ -147,12 +147,12 @@ pub(crate) enum Count {
 
 impl Count {
     /// The number of triangles that it means for a full mesh of `full`; a share is at least what any closed surface has.
-    pub(crate) fn of_triangles(self, full: usize) -> usize {
+    pub fn of_triangles(self, full: usize) -> usize {
         self.of(full, 2)
     }
 
     /// The number of vertices that it means for a full mesh of `full`; a share is at least what two triangles can have.
-    pub(crate) fn of_vertices(self, full: usize) -> usize {
+    pub fn of_vertices(self, full: usize) -> usize {
         self.of(full, 6)
     }
 
@@ -167,7 +167,7 @@ impl Count {
     }
 
     /// Whether the number depends on the mesh.
-    pub(crate) fn is_share(self) -> bool {
+    pub fn is_share(self) -> bool {
         matches!(self, Self::Share(_))
     }
 }
@@ -202,11 +202,11 @@ impl fmt::Display for Count {
 
 /// A level by its number of triangles, and how the user spelled it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Level {
+pub struct Level {
     /// As the user wrote it.
-    pub(crate) text: String,
+    pub text: String,
     /// Its triangles.
-    pub(crate) triangles: Count,
+    pub triangles: Count,
 }
 
 impl FromStr for Level {
@@ -223,12 +223,12 @@ impl FromStr for Level {
 
 impl LevelArgs {
     /// The triangles asked for, by either flag.
-    pub(crate) fn triangle_count(&self) -> Option<Count> {
+    pub fn triangle_count(&self) -> Option<Count> {
         self.triangles.or(self.ratio.map(Count::Share))
     }
 
     /// The value of the flag that is given, as `{}` in a file name shows it.
-    pub(crate) fn text(&self) -> Option<String> {
+    pub fn text(&self) -> Option<String> {
         let Self { triangles, ratio, vertices, detail, error, split_count } = self;
         let texts = [
             triangles.map(|count| count.to_string()),
@@ -242,7 +242,7 @@ impl LevelArgs {
     }
 
     /// Whether any level is given.
-    pub(crate) fn is_given(&self) -> bool {
+    pub fn is_given(&self) -> bool {
         self.text().is_some()
     }
 }
@@ -258,7 +258,11 @@ fn parse_ratio(text: &str) -> Result<f64, String> {
     }
 }
 
-pub(super) fn parse_detail(text: &str) -> Result<f64, String> {
+/// Parses a detail from 0 to 1.
+///
+/// # Errors
+/// If the text is none.
+pub fn parse_detail(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(detail) if (0.0..=1.0).contains(&detail) => Ok(detail),
         _ => Err("must lie between 0 (base mesh) and 1 (full mesh)".to_owned()),

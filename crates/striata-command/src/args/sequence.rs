@@ -8,45 +8,45 @@ use super::Length;
 /// How the simplification sequence is made.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Simplification")]
-pub(crate) struct SequenceArgs {
+pub struct SequenceArgs {
     /// What is simplified first: quadric (collapses of edges that cost least) or hausdorff (vertices, by a
     /// mixture of distance, area and attributes; slower, errors are guaranteed)
     #[arg(long, value_name = "ORDER", default_value = "quadric", hide_possible_values = true)]
-    pub(crate) order: OrderArg,
+    pub order: OrderArg,
     /// Guarantee errors in quadric order too: no point of the original is farther from a level than its error
     #[arg(long)]
-    pub(crate) certify: bool,
+    pub certify: bool,
     /// Which cost has the quadric order: of the current mesh, summed up, or of all removed vertices (slow, best far
     /// down) [default: memoryless]
     #[arg(long)]
-    pub(crate) cost: Option<CostArg>,
+    pub cost: Option<CostArg>,
     /// Keep every boundary vertex in place
     #[arg(long)]
-    pub(crate) lock_boundary: bool,
+    pub lock_boundary: bool,
     /// Keep every vertex on a border between groups (materials) in place
     #[arg(long)]
-    pub(crate) lock_groups: bool,
+    pub lock_groups: bool,
     /// Move vertices on seams and material borders only along them; some targets are then out of reach
     #[arg(long)]
-    pub(crate) keep_seams: bool,
+    pub keep_seams: bool,
     /// Keep at least one triangle of every connected part; some targets are then out of reach
     #[arg(long)]
-    pub(crate) keep_parts: bool,
+    pub keep_parts: bool,
     /// Let parts grow together that are nearer than this: mesh units, or `1%` of the diagonal
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
-    pub(crate) pair_distance: Option<Length>,
+    pub pair_distance: Option<Length>,
     /// How much attributes weigh.
     #[command(flatten)]
-    pub(crate) weights: WeightArgs,
+    pub weights: WeightArgs,
     /// How vertices are removed.
     #[command(flatten)]
-    pub(crate) removal: RemovalArgs,
+    pub removal: RemovalArgs,
 }
 
 /// How much attributes weigh against distances.
 #[derive(Clone, Copy, Debug, Args)]
 #[command(next_help_heading = "Simplification, with --order quadric")]
-pub(crate) struct WeightArgs {
+pub struct WeightArgs {
     #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, help = weight_help(|w| w.normal, "normals"))]
     normal_weight: Option<f32>,
     #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, help = weight_help(|w| w.texcoord, "texture coordinates"))]
@@ -54,7 +54,7 @@ pub(crate) struct WeightArgs {
     /// Scale the weight of texture coordinates by the contrast of each material's base color texture (PNG or JPEG, glTF
     /// input), 0.1 to 2 times
     #[arg(long)]
-    pub(crate) uv_contrast: bool,
+    pub uv_contrast: bool,
     #[arg(long, value_name = "W", allow_negative_numbers = true, value_parser = parse_weight, alias = "colour-weight", help = weight_help(|w| w.color, "colors"))]
     color_weight: Option<f32>,
 }
@@ -64,7 +64,7 @@ impl WeightArgs {
     const MOST: f32 = 100.0;
 
     /// The first flag that was given.
-    pub(crate) fn given(&self) -> Option<&'static str> {
+    pub fn given(&self) -> Option<&'static str> {
         let Self { normal_weight, uv_weight, uv_contrast, color_weight } = self;
         let flags = [
             ("--normal-weight", normal_weight.is_some()),
@@ -76,7 +76,7 @@ impl WeightArgs {
     }
 
     /// The weights asked for, and the usual ones of other layers.
-    pub(crate) fn weights(&self) -> AttributeWeights {
+    pub fn weights(&self) -> AttributeWeights {
         let usual = AttributeWeights::default();
         AttributeWeights {
             normal: self.normal_weight.unwrap_or(usual.normal),
@@ -89,24 +89,24 @@ impl WeightArgs {
 /// How vertices are removed.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Simplification, with --order hausdorff")]
-pub(crate) struct RemovalArgs {
+pub struct RemovalArgs {
     /// How the hole of a vertex is filled: in the best of all ways, or as a collapse would, which all models but patterns
     /// need [default: free where they allow it]
     #[arg(long, value_name = "HOW")]
-    pub(crate) retriangulation: Option<RetriangulationArg>,
+    pub retriangulation: Option<RetriangulationArg>,
     /// Which way is the best: nearest to the original, flattest, or of the roundest triangles [default: distance]
     #[arg(long)]
-    pub(crate) criterion: Option<CriterionArg>,
+    pub criterion: Option<CriterionArg>,
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(3..=16), help = degree_help())]
-    pub(crate) degree_limit: Option<u32>,
+    pub degree_limit: Option<u32>,
     /// Keep edges where the surface turns by more than this, degrees [default: distances alone decide]
     #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = parse_turn)]
-    pub(crate) feature_angle: Option<f64>,
+    pub feature_angle: Option<f64>,
 }
 
 impl RemovalArgs {
     /// The first flag that was given.
-    pub(crate) fn given(&self) -> Option<&'static str> {
+    pub fn given(&self) -> Option<&'static str> {
         let Self { retriangulation, criterion, degree_limit, feature_angle } = self;
         let flags = [
             ("--retriangulation", retriangulation.is_some()),
@@ -120,7 +120,7 @@ impl RemovalArgs {
 
 /// What is simplified first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum OrderArg {
+pub enum OrderArg {
     /// Half-edge collapses, by quadrics
     Quadric,
     /// Vertices removed, by the distance that is left
@@ -129,7 +129,7 @@ pub(crate) enum OrderArg {
 
 impl OrderArg {
     /// As the flag spells it.
-    pub(crate) const fn as_str(self) -> &'static str {
+    pub const fn as_str(self) -> &'static str {
         match self {
             Self::Quadric => "quadric",
             Self::Hausdorff => "hausdorff",
@@ -139,7 +139,7 @@ impl OrderArg {
 
 /// What a collapse costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum CostArg {
+pub enum CostArg {
     /// Against the current mesh: fast, best at mild levels
     Memoryless,
     /// Quadrics summed up over the history: the classic
@@ -150,7 +150,7 @@ pub(crate) enum CostArg {
 
 /// How holes are filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum RetriangulationArg {
+pub enum RetriangulationArg {
     /// In any way
     Free,
     /// As half-edge collapses do
@@ -168,7 +168,7 @@ impl From<RetriangulationArg> for Retriangulation {
 
 /// Which filling of a hole is the best.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum CriterionArg {
+pub enum CriterionArg {
     /// Nearest to the original surface
     Distance,
     /// Turned least

@@ -1,63 +1,21 @@
-//! The arguments of verbs that write and read streams.
-
-use std::path::PathBuf;
+//! Flags of all verbs that write streams.
 
 use clap::{Args, ValueEnum};
 use striata::codec::progressive::{LayerOptions, Precision, SHAPE_STEPS, StreamError, StreamOptions};
 
 use striata::mesh::IndexedMesh;
 
-use super::level::OptionalLevel;
-use super::{Length, OutputArgs};
+use super::Length;
 use crate::failure::Failure;
 use crate::sequence::BatchTerms;
 
 /// Heading of the flags about streams.
 const STREAM: &str = "Stream";
 
-/// Arguments of `encode`.
-#[derive(Debug, Args)]
-#[command(
-    override_usage = "striata encode [OPTIONS] <INPUT> [-o <OUT.stri>]",
-    after_help = "Examples:\n  \
-    striata encode bunny.ply -o bunny.stri\n  \
-    striata encode scan.obj -o scan.striata --bits 16 --effort small"
-)]
-pub(crate) struct EncodeArgs {
-    /// The mesh, or - for stdin
-    pub(crate) input: PathBuf,
-    /// The file to write, or - for stdout: a stream (.stri), or a .striata file with nothing else [default: the name of the
-    /// input with .stri, in the same folder]
-    #[arg(short, long, value_name = "OUT")]
-    pub(crate) output: Option<PathBuf>,
-    /// How it is coded.
-    #[command(flatten)]
-    pub(crate) stream: StreamArgs,
-}
-
-/// Arguments of `decode`.
-#[derive(Debug, Args)]
-#[command(
-    override_usage = "striata decode [OPTIONS] <INPUT> -o <OUT>",
-    after_help = "Examples:\n  \
-    striata decode bunny.stri -o preview.ply --triangles 5000\n  \
-    striata decode - -o so-far.glb < unfinished-download.stri"
-)]
-pub(crate) struct DecodeArgs {
-    /// A stream, or a .striata file that has one, whole or cut off anywhere; or - for stdin
-    pub(crate) input: PathBuf,
-    /// Which level; no more of the stream is read than it needs.
-    #[command(flatten)]
-    pub(crate) level: OptionalLevel,
-    /// Where the mesh goes.
-    #[command(flatten)]
-    pub(crate) output: OutputArgs,
-}
-
 /// How a stream is coded.
 #[derive(Clone, Copy, Debug, Args)]
 #[command(next_help_heading = STREAM)]
-pub(crate) struct StreamArgs {
+pub struct StreamArgs {
     /// Bits of a coordinate along the longest side of the bounding box, 1 to 24 [default: 14]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=24), conflicts_with_all = ["tolerance", "lossless"])]
     bits: Option<u32>,
@@ -80,12 +38,12 @@ pub(crate) struct StreamArgs {
     /// Let each batch of splits take from this share of the vertices, the cheapest ones, over 0 and up to 1: more makes smaller
     /// streams and worse levels [default: 0.35]
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_share)]
-    pub(crate) share: Option<f64>,
+    pub share: Option<f64>,
 }
 
 /// How hard the coder tries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum EffortArg {
+pub enum EffortArg {
     /// Read quickest
     Fast,
     /// Good models
@@ -97,7 +55,7 @@ pub(crate) enum EffortArg {
 
 impl StreamArgs {
     /// The first flag that was given.
-    pub(crate) fn given(&self) -> Option<&'static str> {
+    pub fn given(&self) -> Option<&'static str> {
         let Self { bits, tolerance, lossless, normal_bits, uv_bits, color_bits, effort, share } = self;
         let flags = [
             ("--bits", bits.is_some()),
@@ -113,7 +71,7 @@ impl StreamArgs {
     }
 
     /// What was asked for, in mesh units.
-    pub(crate) fn options(&self, diagonal: f64) -> StreamOptions {
+    pub fn options(&self, diagonal: f64) -> StreamOptions {
         let precision = match (self.bits, self.tolerance) {
             _ if self.lossless => Precision::Lossless,
             (Some(bits), _) => Precision::Bits(bits),
@@ -134,7 +92,7 @@ impl StreamArgs {
     ///
     /// # Errors
     /// Where there is no grid as asked for.
-    pub(crate) fn batches(&self, mesh: &IndexedMesh) -> Result<BatchTerms, Failure> {
+    pub fn batches(&self, mesh: &IndexedMesh) -> Result<BatchTerms, Failure> {
         let step = self.options(mesh.diagonal()).grid_step(mesh).map_err(StreamError::Grid)?;
         Ok(BatchTerms { share: self.share, shape_step: Some(SHAPE_STEPS * step) })
     }

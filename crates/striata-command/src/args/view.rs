@@ -13,7 +13,7 @@ const VIEW: &str = "View, with --eye";
 /// What else a view needs. All have a default, and make no sense without an eye.
 #[derive(Clone, Copy, Debug, Args)]
 #[command(next_help_heading = VIEW)]
-pub(crate) struct ViewArgs {
+pub struct ViewArgs {
     /// What the eye looks at [default: the middle of the mesh]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     look_at: Option<Point>,
@@ -51,7 +51,7 @@ const SHARP: f32 = 0.087_266_46;
 
 impl ViewArgs {
     /// Whether anything was said of a view.
-    pub(crate) fn is_given(&self) -> bool {
+    pub fn is_given(&self) -> bool {
         // The other two need a region and a gaze.
         let Self { look_at, up, fov, viewport, pixels, silhouette_pixels, region, gaze, .. } = self;
         let has_camera = fov.is_some() || viewport.is_some() || look_at.is_some() || up.is_some();
@@ -60,12 +60,12 @@ impl ViewArgs {
     }
 
     /// Pixels that an error may take.
-    pub(crate) fn pixels(&self) -> f64 {
+    pub fn pixels(&self) -> f64 {
         self.pixels.unwrap_or(1.0)
     }
 
     /// What a camera asks for, with at least so many pixels allowed.
-    pub(crate) fn criterion(&self, camera: Camera, least_pixels: f64) -> ScreenError {
+    pub fn criterion(&self, camera: Camera, least_pixels: f64) -> ScreenError {
         let at_least = |pixels: f64| pixels.max(least_pixels) as f32;
         let mut criterion = ScreenError::new(camera, at_least(self.pixels()));
         if let Some(pixels) = self.silhouette_pixels {
@@ -86,7 +86,7 @@ impl ViewArgs {
     ///
     /// # Errors
     /// Where that makes no picture.
-    pub(crate) fn camera(&self, eye: Point, center: [f32; 3]) -> Result<Camera, CameraError> {
+    pub fn camera(&self, eye: Point, center: [f32; 3]) -> Result<Camera, CameraError> {
         let target = self.look_at.map_or(center, |point| point.0);
         let up = self.up.map_or([0.0, 1.0, 0.0], |up| up.0);
         let Viewport(screen) = self.viewport.unwrap_or(Viewport([1920, 1080]));
@@ -96,32 +96,32 @@ impl ViewArgs {
 
 impl ViewArgs {
     /// What is looked at, where that was said.
-    pub(crate) fn look_at(&self) -> Option<[f32; 3]> {
+    pub fn look_at(&self) -> Option<[f32; 3]> {
         self.look_at.map(|point| point.0)
     }
 
     /// What is upwards, where that was said.
-    pub(crate) fn up(&self) -> Option<[f32; 3]> {
+    pub fn up(&self) -> Option<[f32; 3]> {
         self.up.map(|up| up.0)
     }
 
     /// The angle of view, radians, where that was said.
-    pub(crate) fn fov(&self) -> Option<f64> {
+    pub fn fov(&self) -> Option<f64> {
         self.fov.map(f64::to_radians)
     }
 
     /// Pixels of the screen, where they were said.
-    pub(crate) fn viewport(&self) -> Option<[u32; 2]> {
+    pub fn viewport(&self) -> Option<[u32; 2]> {
         self.viewport.map(|viewport| viewport.0)
     }
 
     /// The same for a screen of so many pixels, where none was said.
-    pub(crate) fn on_screen(self, screen: [u32; 2]) -> Self {
+    pub fn on_screen(self, screen: [u32; 2]) -> Self {
         Self { viewport: self.viewport.or(Some(Viewport(screen))), ..self }
     }
 
     /// Whether anything was said that only a criterion of a view needs.
-    pub(crate) fn has_criterion(&self) -> bool {
+    pub fn has_criterion(&self) -> bool {
         let Self { viewport, pixels, silhouette_pixels, region, gaze, .. } = self;
         let has_place = region.is_some() || gaze.is_some();
         viewport.is_some() || has_place || pixels.is_some() || silhouette_pixels.is_some()
@@ -130,7 +130,7 @@ impl ViewArgs {
 
 /// A point as the user writes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Point(pub(crate) [f32; 3]);
+pub struct Point(pub [f32; 3]);
 
 impl FromStr for Point {
     type Err = String;
@@ -145,11 +145,11 @@ impl FromStr for Point {
 
 /// A box as the user writes it: two corners that lie across.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Corners {
+pub struct Corners {
     /// The least coordinates.
-    pub(crate) min: [f32; 3],
+    pub min: [f32; 3],
     /// The greatest coordinates.
-    pub(crate) max: [f32; 3],
+    pub max: [f32; 3],
 }
 
 impl FromStr for Corners {
@@ -201,7 +201,7 @@ fn numbers<const COUNT: usize>(text: &str) -> Option<[f32; COUNT]> {
 
 /// Width and height of a screen as the user writes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Viewport(pub(crate) [u32; 2]);
+pub struct Viewport(pub [u32; 2]);
 
 impl Viewport {
     /// Longer pictures take memory that nobody meant to ask for.
@@ -209,7 +209,7 @@ impl Viewport {
 
     /// # Errors
     /// Where so many pixels are not drawn.
-    pub(crate) fn check_drawable(self) -> Result<(), Failure> {
+    pub fn check_drawable(self) -> Result<(), Failure> {
         let Self([width, height]) = self;
         if width.max(height) <= Self::LONGEST_SIDE {
             return Ok(());
@@ -239,7 +239,7 @@ fn parse_angle(text: &str) -> Result<f64, String> {
 }
 
 /// The tangent of an angle up to a quarter turn, by its continued fraction: the same on every machine.
-pub(crate) fn tan(angle: f64) -> f64 {
+pub fn tan(angle: f64) -> f64 {
     let square = angle * angle;
     let rest = (1..=20).rev().map(|i| f64::from(2 * i + 1)).fold(43.0, |below, odd| odd - square / below);
     angle / (1.0 - square / rest)

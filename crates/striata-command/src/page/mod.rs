@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 /// What all pages look like, in light and dark.
-pub(crate) const STYLE: &str = include_str!("style.css");
+pub const STYLE: &str = include_str!("style.css");
 
 /// The template with each `{{NAME}}` replaced by what `content_of` says; contents are not looked into.
-pub(crate) fn fill(template: &str, content_of: impl Fn(&str) -> String) -> String {
+pub fn fill(template: &str, content_of: impl Fn(&str) -> String) -> String {
     let mut page = String::new();
     let mut rest = template;
     while let Some((before, after)) = rest.split_once("{{") {
@@ -20,7 +20,7 @@ pub(crate) fn fill(template: &str, content_of: impl Fn(&str) -> String) -> Strin
 }
 
 /// Rows of HTML as a table, the first one being its head where it has one.
-pub(crate) fn table(rows: &[Vec<String>], has_head: bool) -> String {
+pub fn table(rows: &[Vec<String>], has_head: bool) -> String {
     let mut html = String::from("<table>");
     for (index, row) in rows.iter().enumerate() {
         let cell = if has_head && index == 0 { "th" } else { "td" };
@@ -36,7 +36,7 @@ pub(crate) fn table(rows: &[Vec<String>], has_head: bool) -> String {
 }
 
 /// Text as HTML that shows just this text, in quotes too.
-pub(crate) fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

@@ -10,8 +10,8 @@ use striata_gpu::{GpuError, GpuOptions, RejectedAdapter};
 
 use super::{Camera, Canvas, Shot, raster};
 #[cfg(feature = "gpu")]
-use crate::failure::Failure;
-use crate::output::Output;
+use striata_command::failure::Failure;
+use striata_command::output::Output;
 
 #[cfg(feature = "gpu")]
 use super::GpuArtist;
@@ -21,7 +21,7 @@ const RASTERIZER: &str = "the software rasterizer";
 
 /// Who draws.
 #[derive(Debug)]
-pub(crate) struct Artist {
+pub struct Artist {
     /// The GPU, as long as it works.
     #[cfg(feature = "gpu")]
     gpu: Option<Box<GpuArtist>>,
@@ -31,17 +31,17 @@ pub(crate) struct Artist {
 
 /// What was drawn. Where nothing was drawn the picture is transparent.
 #[derive(Clone, Debug)]
-pub(crate) struct Drawn {
+pub struct Drawn {
     /// The picture.
-    pub(crate) canvas: Canvas,
+    pub canvas: Canvas,
     /// Seconds that one frame took, once everything was in place.
-    pub(crate) secs: f64,
+    pub secs: f64,
 }
 
 impl Artist {
     /// The best adapter that works, or else the rasterizer; `output` hears why.
     #[cfg(feature = "gpu")]
-    pub(crate) fn best(output: &Output) -> Self {
+    pub fn best(output: &Output) -> Self {
         match GpuArtist::open(&GpuOptions::default(), output) {
             Ok((artist, rejected)) => {
                 note_rejected(&rejected, &artist.name(), output);
@@ -56,7 +56,7 @@ impl Artist {
 
     /// The rasterizer, since this build has no GPU support.
     #[cfg(not(feature = "gpu"))]
-    pub(crate) fn best(output: &Output) -> Self {
+    pub fn best(output: &Output) -> Self {
         Self::software(output)
     }
 
@@ -65,7 +65,7 @@ impl Artist {
     /// # Errors
     /// If there is no such adapter.
     #[cfg(feature = "gpu")]
-    pub(crate) fn named(name: &str, output: &Output) -> Result<Self, Failure> {
+    pub fn named(name: &str, output: &Output) -> Result<Self, Failure> {
         let options = GpuOptions::default().with_adapter_name(Some(name.to_owned()));
         match GpuArtist::open(&options, output) {
             Ok((artist, _)) => Ok(Self { gpu: Some(Box::new(artist)), output: *output }),
@@ -78,7 +78,7 @@ impl Artist {
     }
 
     /// The rasterizer.
-    pub(crate) fn software(output: &Output) -> Self {
+    pub fn software(output: &Output) -> Self {
         Self {
             #[cfg(feature = "gpu")]
             gpu: None,
@@ -87,7 +87,7 @@ impl Artist {
     }
 
     /// Who it is.
-    pub(crate) fn name(&self) -> String {
+    pub fn name(&self) -> String {
         #[cfg(feature = "gpu")]
         if let Some(artist) = &self.gpu {
             return artist.name();
@@ -96,7 +96,7 @@ impl Artist {
     }
 
     /// Draws a shot with `[width, height]` pixels. If the GPU fails, the rasterizer draws this shot and all later ones.
-    pub(crate) fn draw(&mut self, shot: &Shot<'_>, camera: &Camera, size: [usize; 2]) -> Drawn {
+    pub fn draw(&mut self, shot: &Shot<'_>, camera: &Camera, size: [usize; 2]) -> Drawn {
         #[cfg(feature = "gpu")]
         if let Some(artist) = &mut self.gpu {
             match artist.draw(shot, camera, size) {

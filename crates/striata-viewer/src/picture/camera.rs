@@ -4,15 +4,15 @@ use striata::mesh::Bounds;
 
 /// An eye, where it looks, and how much of the world it takes in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Camera {
+pub struct Camera {
     /// Eye, mesh units.
-    pub(crate) eye: [f32; 3],
+    pub eye: [f32; 3],
     /// What lies in the middle of the picture.
-    pub(crate) look_at: [f32; 3],
+    pub look_at: [f32; 3],
     /// What points up in the picture.
-    pub(crate) up: [f32; 3],
+    pub up: [f32; 3],
     /// Angle from the lower to the upper side, radians.
-    pub(crate) fov: f32,
+    pub fov: f32,
 }
 
 /// Directions of a screen in the world: right, up, and towards the eye; each of length 1.
@@ -20,21 +20,21 @@ pub(super) type Axes = [[f64; 3]; 3];
 
 /// From where a mesh is seen, by angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Angles {
+pub struct Angles {
     /// Around the mesh, from its front to its right.
-    pub(crate) turn: f32,
+    pub turn: f32,
     /// Up.
-    pub(crate) rise: f32,
+    pub rise: f32,
     /// What is up.
-    pub(crate) up: [f32; 3],
+    pub up: [f32; 3],
     /// Height of the view.
-    pub(crate) fov: f32,
+    pub fov: f32,
 }
 
 impl Angles {
     /// From where a mesh is seen that nobody said anything of: from its front, a little from its left and above. What lies
     /// flat along z, as terrains do, has z up and is seen from higher.
-    pub(crate) fn usual(bounds: Option<&Bounds>) -> Self {
+    pub fn usual(bounds: Option<&Bounds>) -> Self {
         const FLAT: f32 = 0.3;
         let size = bounds.map_or([1.0; 3], |bounds| [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]));
         let lies_flat = size[2] < FLAT * size[0].min(size[1]);
@@ -45,7 +45,7 @@ impl Angles {
 
 impl Camera {
     /// The nearest place in a direction from which all points are on a picture of that shape, with some air around them.
-    pub(crate) fn around(points: &[[f32; 3]], angles: &Angles, aspect: f32) -> Self {
+    pub fn around(points: &[[f32; 3]], angles: &Angles, aspect: f32) -> Self {
         let up = unit(wide(angles.up));
         let front = front_of(up);
         let side = cross(up, front);
@@ -62,12 +62,12 @@ impl Camera {
     }
 
     /// The same, nearer or farther without moving.
-    pub(crate) fn zoomed(self, zoom: f32) -> Self {
+    pub fn zoomed(self, zoom: f32) -> Self {
         Self { fov: 2.0 * ((self.fov / 2.0).tan() / zoom).atan(), ..self }
     }
 
     /// How many times as wide as high some points are, as it sees them.
-    pub(crate) fn aspect_of(&self, points: &[[f32; 3]]) -> f32 {
+    pub fn aspect_of(&self, points: &[[f32; 3]]) -> f32 {
         let [right, up, back] = self.axes();
         let eye = wide(self.eye);
         let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);

@@ -1,27 +1,27 @@
 //! A rectangle of pixels in linear light with opacity, and PNG out of it.
 
 /// Linear light, 0 to 1 a channel, times its opacity, which comes last.
-pub(crate) type Rgba = [f32; 4];
+pub type Rgba = [f32; 4];
 
 /// A rectangle of pixels, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Canvas {
+pub struct Canvas {
     /// Pixels in a row.
-    pub(crate) width: usize,
+    pub width: usize,
     /// Rows.
-    pub(crate) height: usize,
+    pub height: usize,
     pixels: Vec<Rgba>,
 }
 
 impl Canvas {
     /// A canvas of one colour.
-    pub(crate) fn filled(width: usize, height: usize, colour: Rgba) -> Self {
+    pub fn filled(width: usize, height: usize, colour: Rgba) -> Self {
         Self { width, height, pixels: vec![colour; width * height] }
     }
 
     /// A canvas of sRGB bytes whose light was weighed by its opacity before it was encoded, as GPUs leave it.
     #[cfg(feature = "gpu")]
-    pub(crate) fn from_srgb(width: usize, height: usize, rgba: &[u8]) -> Self {
+    pub fn from_srgb(width: usize, height: usize, rgba: &[u8]) -> Self {
         let light: Vec<f32> = (0..=255u8).map(from_srgb).collect();
         let pixel = |p: &[u8]| {
             let [r, g, b] = [p[0], p[1], p[2]].map(|byte| light[usize::from(byte)]);
@@ -31,17 +31,17 @@ impl Canvas {
     }
 
     /// The pixels, row by row.
-    pub(crate) fn pixels(&self) -> &[Rgba] {
+    pub fn pixels(&self) -> &[Rgba] {
         &self.pixels
     }
 
     /// The pixels of one row.
-    pub(crate) fn row_mut(&mut self, y: usize) -> &mut [Rgba] {
+    pub fn row_mut(&mut self, y: usize) -> &mut [Rgba] {
         &mut self.pixels[y * self.width..][..self.width]
     }
 
     /// Lays another canvas over this one with its corner at (x, y); what does not fit is cut off.
-    pub(crate) fn lay(&mut self, other: &Self, x: usize, y: usize) {
+    pub fn lay(&mut self, other: &Self, x: usize, y: usize) {
         let x = x.min(self.width);
         let width = other.width.min(self.width - x);
         for row in 0..other.height.min(self.height.saturating_sub(y)) {
@@ -53,7 +53,7 @@ impl Canvas {
     }
 
     /// Lays so much of a colour over one pixel; places outside are no pixels.
-    pub(crate) fn tint(&mut self, [x, y]: [i64; 2], colour: Rgba, amount: f32) {
+    pub fn tint(&mut self, [x, y]: [i64; 2], colour: Rgba, amount: f32) {
         if let (Ok(x), Ok(y)) = (usize::try_from(x), usize::try_from(y))
             && x < self.width
             && y < self.height
@@ -64,7 +64,7 @@ impl Canvas {
     }
 
     /// The canvas shrunk by a whole factor, each pixel the mean of those it covers.
-    pub(crate) fn shrunk(&self, factor: usize) -> Self {
+    pub fn shrunk(&self, factor: usize) -> Self {
         let mut small = Self::filled(self.width / factor, self.height / factor, [0.0; 4]);
         let weight = 1.0 / (factor * factor) as f32;
         for y in 0..small.height {
@@ -86,7 +86,7 @@ impl Canvas {
     ///
     /// # Errors
     /// What the encoder reports.
-    pub(crate) fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
+    pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
         let is_opaque = self.pixels.iter().all(|p| p[3] > 0.999);
         let colour = if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba };
         let channels = if is_opaque { 3 } else { 4 };

@@ -5,7 +5,7 @@ use super::{Line, Shot};
 
 /// The pyramid that a camera sees, as far as the mesh goes.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Frustum {
+pub struct Frustum {
     eye: [f32; 3],
     /// Corners of its far side, in turn.
     corners: [[f32; 3]; 4],
@@ -19,7 +19,7 @@ const WIDTH: f32 = 3.0;
 
 impl Frustum {
     /// The pyramid of a camera up to the farthest of some points; where all lie behind it, a small one.
-    pub(crate) fn new(camera: &Camera, aspect: f32, points: &[[f32; 3]]) -> Self {
+    pub fn new(camera: &Camera, aspect: f32, points: &[[f32; 3]]) -> Self {
         let [right, up, back] = camera.axes();
         let eye = wide(camera.eye);
         let depth_of = |p: &[f32; 3]| -dot(minus(wide(*p), eye), back);
@@ -36,12 +36,12 @@ impl Frustum {
     }
 
     /// Its corners.
-    pub(crate) fn points(&self) -> Vec<[f32; 3]> {
+    pub fn points(&self) -> Vec<[f32; 3]> {
         [&[self.eye][..], &self.corners].concat()
     }
 
     /// Draws its edges, and a small screen before its eye, into a shot.
-    pub(crate) fn draw_into(&self, shot: &mut Shot<'_>) {
+    pub fn draw_into(&self, shot: &mut Shot<'_>) {
         let line = |from, to, width| Line { ends: [from, to], colour: COLOUR, width };
         let screen = self.corners.map(|corner| between(self.eye, corner, 0.14));
         for i in 0..4 {

@@ -15,13 +15,13 @@ use super::artist::Drawn;
 use super::paint::Colour;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Camera, Canvas};
-use crate::failure::caught;
-use crate::hush::hushed;
-use crate::output::Output;
+use striata_command::failure::caught;
+use striata_command::hush::hushed;
+use striata_command::output::Output;
 
 /// A GPU with all that does not change from shot to shot.
 #[derive(Debug)]
-pub(crate) struct GpuArtist {
+pub struct GpuArtist {
     gpu: Gpu,
     painter: Painter,
     canvas: Option<([u32; 2], GpuCanvas)>,
@@ -52,10 +52,7 @@ impl GpuArtist {
     ///
     /// # Errors
     /// If there is none.
-    pub(crate) fn open(
-        options: &GpuOptions,
-        output: &Output,
-    ) -> Result<(Self, Vec<RejectedAdapter>), GpuError> {
+    pub fn open(options: &GpuOptions, output: &Output) -> Result<(Self, Vec<RejectedAdapter>), GpuError> {
         let chosen = hushed(output, || attempt(|| choose_adapter(options, Gpu::probe)))?;
         if output.is_verbose() {
             let info = chosen.gpu.info();
@@ -71,7 +68,7 @@ impl GpuArtist {
     }
 
     /// Its name.
-    pub(crate) fn name(&self) -> String {
+    pub fn name(&self) -> String {
         self.gpu.name()
     }
 

@@ -7,11 +7,11 @@ use super::paint::Colour;
 
 /// How far the vertices of a mesh are from another surface.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Heat {
+pub struct Heat {
     /// One distance a vertex, mesh units; 0 for those that no triangle uses.
-    pub(crate) distances: Vec<f64>,
+    pub distances: Vec<f64>,
     /// The largest.
-    pub(crate) max: f64,
+    pub max: f64,
 }
 
 impl Heat {
@@ -19,7 +19,7 @@ impl Heat {
     ///
     /// # Errors
     /// Where the other surface is no sound mesh.
-    pub(crate) fn of(original: &IndexedMesh, level: &IndexedMesh) -> Result<Self, MeshError> {
+    pub fn of(original: &IndexedMesh, level: &IndexedMesh) -> Result<Self, MeshError> {
         let tree = TriangleTree::new(level)?;
         let mut is_used = vec![false; original.vertex_count()];
         original.triangles.iter().flatten().for_each(|&v| is_used[v as usize] = true);
@@ -32,7 +32,7 @@ impl Heat {
     }
 
     /// The colours of the vertices, where `top` has the last one.
-    pub(crate) fn colours(&self, top: f64) -> Vec<Colour> {
+    pub fn colours(&self, top: f64) -> Vec<Colour> {
         let share = |distance: f64| if top > 0.0 { (distance / top).min(1.0) } else { 0.0 };
         self.distances.iter().map(|&distance| bytes(colour_at(share(distance)))).collect()
     }

@@ -21,16 +21,16 @@ mod sheet;
 mod shot;
 mod text;
 
-pub(crate) use artist::{Artist, Drawn};
-pub(crate) use camera::{Angles, Camera};
-pub(crate) use canvas::{Canvas, Rgba};
-pub(crate) use frustum::Frustum;
+pub use artist::{Artist, Drawn};
+pub use camera::{Angles, Camera};
+pub use canvas::{Canvas, Rgba};
+pub use frustum::Frustum;
 #[cfg(feature = "gpu")]
-pub(crate) use gpu::GpuArtist;
-pub(crate) use heat::Heat;
-pub(crate) use normals::with_normals;
-pub(crate) use paint::{fan_colours, group_colours, strip_colours, triangle_colours};
+pub use gpu::GpuArtist;
+pub use heat::Heat;
+pub use normals::with_normals;
+pub use paint::{Painted, fan_colours, group_colours, strip_colours, triangle_colours};
 #[cfg(feature = "serve")]
-pub(crate) use portrait::{nobody, portrait};
-pub(crate) use sheet::{ColourBar, Panel, Sheet, Theme, significant};
-pub(crate) use shot::{Line, Paint, Shot};
+pub use portrait::{nobody, portrait};
+pub use sheet::{ColourBar, Panel, Sheet, Theme, significant};
+pub use shot::{Line, Paint, Shot};

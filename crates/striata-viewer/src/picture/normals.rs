@@ -8,7 +8,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 use super::camera::{cross, minus, unit, wide};
 
 /// The mesh with a layer of normals: its own, or one that is made from its triangles, weighted by area.
-pub(crate) fn with_normals(mut mesh: IndexedMesh) -> IndexedMesh {
+pub fn with_normals(mut mesh: IndexedMesh) -> IndexedMesh {
     if mesh.layer(&Semantic::Normal).is_none() {
         let normals = vertex_normals(&mesh);
         mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals.into_flattened()));

@@ -16,22 +16,22 @@ use super::canvas::from_srgb;
 pub(super) type Colour = [u8; 4];
 
 /// Triangles, and a colour for each.
-pub(crate) type Painted = (Vec<[u32; 3]>, Vec<Colour>);
+pub type Painted = (Vec<[u32; 3]>, Vec<Colour>);
 
 /// The triangles of strips, in a colour for each strip.
-pub(crate) fn strip_colours(strips: &StripSet) -> Painted {
+pub fn strip_colours(strips: &StripSet) -> Painted {
     by_region(strips.strips().map(|strip| strip_triangles(strip).collect()))
 }
 
 /// The triangles of fans, in a colour for each fan.
-pub(crate) fn fan_colours(fans: &[Vec<Vec<u32>>]) -> Painted {
+pub fn fan_colours(fans: &[Vec<Vec<u32>>]) -> Painted {
     let triangles =
         |fan: &Vec<u32>| fan[1..].windows(2).map(|edge| [fan[0], edge[0], edge[1]]).collect::<Vec<_>>();
     by_region(fans.iter().flatten().map(triangles))
 }
 
 /// Triangles, each in a colour of its own.
-pub(crate) fn triangle_colours(triangles: &[[u32; 3]]) -> Painted {
+pub fn triangle_colours(triangles: &[[u32; 3]]) -> Painted {
     by_region(triangles.iter().map(|&triangle| vec![triangle]))
 }
 
@@ -49,7 +49,7 @@ fn by_region(regions: impl Iterator<Item = Vec<[u32; 3]>>) -> Painted {
 }
 
 /// The triangles of a mesh, in a colour for each of its groups.
-pub(crate) fn group_colours(mesh: &IndexedMesh) -> Painted {
+pub fn group_colours(mesh: &IndexedMesh) -> Painted {
     let colours = mesh.groups_or_whole().into_iter().zip(colorous::TABLEAU10.iter().cycle());
     let colours = colours.flat_map(|(group, &colour)| vec![linear(colour); group.range().len()]);
     (mesh.triangles.clone(), colours.collect())

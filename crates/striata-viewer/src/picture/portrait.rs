@@ -12,13 +12,13 @@ const FOV: f32 = 0.45;
 const FLAT: f32 = 0.3;
 
 /// A mesh from in front, a little from the left and above.
-pub(crate) fn portrait(mesh: IndexedMesh, size: [usize; 2]) -> Canvas {
+pub fn portrait(mesh: IndexedMesh, size: [usize; 2]) -> Canvas {
     let mesh = with_normals(mesh);
     painted(&mesh, Paint::Surface, size)
 }
 
 /// A picture for what cannot be drawn: a faint shape that is nobody's.
-pub(crate) fn nobody(size: [usize; 2]) -> Canvas {
+pub fn nobody(size: [usize; 2]) -> Canvas {
     let positions = [
         [1.0, 0.0, 0.0],
         [-1.0, 0.0, 0.0],

@@ -7,7 +7,7 @@ use super::{Canvas, Rgba};
 
 /// Colours of what is no mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Theme {
+pub struct Theme {
     background: Rgba,
     ink: Rgba,
     soft_ink: Rgba,
@@ -15,26 +15,26 @@ pub(crate) struct Theme {
 
 impl Theme {
     /// Light letters on nearly black.
-    pub(crate) const DARK: Self = Self {
+    pub const DARK: Self = Self {
         background: [0.012, 0.013, 0.017, 1.0],
         ink: [0.85, 0.83, 0.80, 1.0],
         soft_ink: [0.46, 0.45, 0.43, 1.0],
     };
     /// Dark letters on nearly white.
-    pub(crate) const LIGHT: Self = Self {
+    pub const LIGHT: Self = Self {
         background: [0.90, 0.89, 0.87, 1.0],
         ink: [0.012, 0.013, 0.017, 1.0],
         soft_ink: [0.10, 0.10, 0.11, 1.0],
     };
 
     /// The same on a colour in sRGB.
-    pub(crate) fn on_srgb(srgb: [u8; 3]) -> Self {
+    pub fn on_srgb(srgb: [u8; 3]) -> Self {
         let [r, g, b] = srgb.map(from_srgb);
         Self::on([r, g, b, 1.0])
     }
 
     /// Letters that are read on a colour, linear light; on nothing they are grey, which is read on most pages.
-    pub(crate) fn on(background: Rgba) -> Self {
+    pub fn on(background: Rgba) -> Self {
         let [r, g, b, opacity] = background;
         if opacity == 0.0 {
             let grey = [0.22, 0.22, 0.22, 1.0];
@@ -47,27 +47,27 @@ impl Theme {
 
 /// One panel.
 #[derive(Clone, Debug)]
-pub(crate) struct Panel {
+pub struct Panel {
     /// The picture, as large as [`Sheet::panel_size`] says.
-    pub(crate) canvas: Canvas,
+    pub canvas: Canvas,
     /// What stands above it.
-    pub(crate) title: String,
+    pub title: String,
     /// What stands below it.
-    pub(crate) caption: String,
+    pub caption: String,
 }
 
 /// A scale from 0 to some distance.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct ColourBar {
+pub struct ColourBar {
     /// What it shows.
-    pub(crate) title: String,
+    pub title: String,
     /// Texts at equal distances, from 0 up to the end of the bar.
-    pub(crate) marks: Vec<String>,
+    pub marks: Vec<String>,
 }
 
 impl ColourBar {
     /// A bar of distances up to `top`, where the largest may be farther.
-    pub(crate) fn up_to(top: f64, largest: f64) -> Self {
+    pub fn up_to(top: f64, largest: f64) -> Self {
         const QUARTERS: u32 = 4;
         let mark = |i: u32| match f64::from(i) / f64::from(QUARTERS) * top {
             0.0 => "0".to_owned(),
@@ -82,7 +82,7 @@ impl ColourBar {
 }
 
 /// A number with so many digits that count.
-pub(crate) fn significant(number: f64, digits: usize) -> String {
+pub fn significant(number: f64, digits: usize) -> String {
     if number == 0.0 || !number.is_finite() {
         return format!("{number}");
     }
@@ -96,7 +96,7 @@ pub(crate) fn significant(number: f64, digits: usize) -> String {
 
 /// Where what goes.
 #[derive(Clone, Debug)]
-pub(crate) struct Sheet {
+pub struct Sheet {
     size: [usize; 2],
     columns: usize,
     rows: usize,
@@ -109,23 +109,23 @@ pub(crate) struct Sheet {
 
 impl Sheet {
     /// A sheet of `[width, height]` pixels with panels in a grid.
-    pub(crate) fn new(size: [usize; 2], (columns, rows): (usize, usize)) -> Self {
+    pub fn new(size: [usize; 2], (columns, rows): (usize, usize)) -> Self {
         let (columns, rows) = (columns.max(1), rows.max(1));
         Self { size, columns, rows, has_text: false, shares_text: false, bar: None }
     }
 
     /// With text above and below each row, or around all of them where they show the same.
-    pub(crate) fn with_text(self, shares_text: bool) -> Self {
+    pub fn with_text(self, shares_text: bool) -> Self {
         Self { has_text: true, shares_text, ..self }
     }
 
     /// With a colour bar at its right.
-    pub(crate) fn with_bar(self, bar: ColourBar) -> Self {
+    pub fn with_bar(self, bar: ColourBar) -> Self {
         Self { bar: Some(bar), ..self }
     }
 
     /// Pixels of each panel.
-    pub(crate) fn panel_size(&self) -> [usize; 2] {
+    pub fn panel_size(&self) -> [usize; 2] {
         let text_rows = if self.shares_text { 1 } else { self.rows };
         let text = if self.has_text { text_rows * (self.head_height() + self.foot_height()) } else { 0 };
         let width = self.size[0].saturating_sub(self.bar_width()) / self.columns;
@@ -133,7 +133,7 @@ impl Sheet {
     }
 
     /// The panels, row by row, on a background.
-    pub(crate) fn assemble(&self, panels: &[Panel], theme: &Theme) -> Canvas {
+    pub fn assemble(&self, panels: &[Panel], theme: &Theme) -> Canvas {
         let mut sheet = Canvas::filled(self.size[0], self.size[1], theme.background);
         let [width, height] = self.panel_size();
         // What does not divide is left at both sides.

@@ -10,27 +10,26 @@ use super::paint::Colour;
 
 /// What one panel shows.
 #[derive(Clone, Debug)]
-pub(crate) struct Shot<'a> {
+pub struct Shot<'a> {
     /// Its vertices are drawn, with their normals and colours.
-    pub(crate) vertices: &'a IndexedMesh,
+    pub vertices: &'a IndexedMesh,
     /// Triangles over them.
-    pub(crate) triangles: Cow<'a, [[u32; 3]]>,
+    pub triangles: Cow<'a, [[u32; 3]]>,
     /// The same triangles as strips, for a GPU, where single ones need no colours or edges.
-    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "the rasterizer draws single triangles"))]
-    pub(crate) strips: Option<&'a StripIndices>,
+    pub strips: Option<&'a StripIndices>,
     /// Their colours.
-    pub(crate) paint: Paint,
+    pub paint: Paint,
     /// Whether the edges of triangles are seen.
-    pub(crate) has_edges: bool,
+    pub has_edges: bool,
     /// Whether each triangle has one normal.
-    pub(crate) is_flat: bool,
+    pub is_flat: bool,
     /// Lines beside them.
-    pub(crate) lines: Vec<Line>,
+    pub lines: Vec<Line>,
 }
 
 /// How triangles are coloured; linear light as bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Paint {
+pub enum Paint {
     /// In the colours of the vertices, or all as stone.
     Surface,
     /// Each in one colour.
@@ -41,13 +40,13 @@ pub(crate) enum Paint {
 
 /// A line from one point to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Line {
+pub struct Line {
     /// Where it begins and ends, mesh units.
-    pub(crate) ends: [[f32; 3]; 2],
+    pub ends: [[f32; 3]; 2],
     /// Linear light as bytes.
-    pub(crate) colour: Colour,
+    pub colour: Colour,
     /// Pixels that it is wide, of a picture of 1000 rows.
-    pub(crate) width: f32,
+    pub width: f32,
 }
 
 /// The colour of a mesh without colours, linear light.
@@ -55,7 +54,7 @@ pub(super) const STONE: [f32; 3] = [0.72, 0.58, 0.44];
 
 impl<'a> Shot<'a> {
     /// A mesh in some colours, with or without edges, flat or not.
-    pub(crate) fn of(mesh: &'a IndexedMesh, paint: Paint, (has_edges, is_flat): (bool, bool)) -> Self {
+    pub fn of(mesh: &'a IndexedMesh, paint: Paint, (has_edges, is_flat): (bool, bool)) -> Self {
         let triangles = Cow::Borrowed(&mesh.triangles[..]);
         Self { vertices: mesh, triangles, strips: None, paint, has_edges, is_flat, lines: Vec::new() }
     }

@@ -12,7 +12,7 @@ use cap_std::fs::{Dir, Metadata};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 
 use super::kinds::{has_companions, is_companion, is_model};
-use crate::failure::Failure;
+use striata_command::failure::Failure;
 
 /// Folders within folders that are looked into.
 const MAX_DEPTH: usize = 8;

@@ -3,6 +3,7 @@
 //! `folder` decides what is there for the outside, `files` sends it (whole, in ranges, compressed), `listing` says what there is,
 //! `pictures` shows it small, `assets` is the viewer, `guard` what holds for every request and `server` for every connection.
 
+mod args;
 mod assets;
 mod files;
 mod folder;
@@ -25,14 +26,14 @@ use axum::routing::get;
 use serde::Serialize;
 use tokio::net::TcpListener;
 
-pub(super) use self::thumbnail::run as thumbnail;
-use crate::args::ServeArgs;
-use crate::failure::Failure;
-use crate::output::{Output, grouped};
+pub use self::args::{ServeArgs, ThumbnailArgs};
+pub use self::thumbnail::run as thumbnail;
 use assets::Assets;
 use folder::Folder;
 use listing::Listing;
 use pictures::Pictures;
+use striata_command::failure::Failure;
+use striata_command::output::{Output, grouped};
 
 /// How models are served.
 #[derive(Clone, Debug)]
@@ -99,7 +100,7 @@ struct Site {
 ///
 /// # Errors
 /// Where there is no such folder, or nothing can listen there.
-pub(crate) fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
+pub fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
     serve_one(&args.path, &Options::from(args), output)
 }
 
@@ -107,8 +108,8 @@ pub(crate) fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
 ///
 /// # Errors
 /// If it cannot be served.
-pub(crate) fn show_in_browser(file: &Path, output: &Output) -> Result<(), Failure> {
-    crate::input::Input::expect_there(file)?;
+pub fn show_in_browser(file: &Path, output: &Output) -> Result<(), Failure> {
+    striata_command::input::Input::expect_there(file)?;
     if !cfg!(feature = "window") {
         output.say(
             "this build of striata has no window (`--features full` adds it): the browser shows the model",

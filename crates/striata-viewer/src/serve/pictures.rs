@@ -25,8 +25,8 @@ use super::folder::Stamp;
 use super::kinds::is_model;
 use super::thumbnail::{HEIGHT, WIDTH};
 use super::validators::{Coding, Validators};
-use crate::failure::Failure;
 use crate::picture::nobody;
+use striata_command::failure::Failure;
 
 /// Pictures that are kept: some 30 MB.
 const MAX_PICTURES: NonZeroUsize = NonZeroUsize::new(512).expect("not 0");

@@ -3,12 +3,12 @@
 use striata::mesh::IndexedMesh;
 use striata::simplify::Target;
 
-use crate::args::ThumbnailArgs;
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::output::{Output, to_stdout};
 use crate::picture::portrait;
-use crate::stream::Received;
+use crate::serve::args::ThumbnailArgs;
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::output::{Output, to_stdout};
+use striata_command::stream::Received;
 
 /// Pixels in a row.
 pub(super) const WIDTH: usize = 320;
@@ -27,7 +27,7 @@ const MAX_CPU_SECS: u64 = 20;
 ///
 /// # Errors
 /// Where the file cannot be read.
-pub(crate) fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> {
+pub fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> {
     limit_this_process();
     let input = Input::open(&args.input)?;
     let mesh = mesh_of(&input, output)?;

@@ -16,8 +16,8 @@ use super::screen::{Paint, Painted, Screen};
 use super::stage::Stage;
 use super::viewer::Viewer;
 use super::{panel, screenshot};
-use crate::failure::Failure;
-use crate::output::Output;
+use striata_command::failure::Failure;
+use striata_command::output::Output;
 
 /// Something has come from another thread.
 #[derive(Clone, Copy, Debug)]

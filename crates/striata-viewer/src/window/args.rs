@@ -4,58 +4,58 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::{Colouring, Count, DriverArgs, Viewport, parse_detail};
-use crate::failure::Failure;
+use striata_command::args::{Colouring, Count, DriverArgs, Viewport, parse_detail};
+use striata_command::failure::Failure;
 
 /// Arguments of `view`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata view bunny.striata\n  \
     striata view scan.ply --pixels 1 --colours fans --screenshot scan.png")]
-pub(crate) struct WindowArgs {
+pub struct WindowArgs {
     /// Meshes, .striata files or streams; more can be dropped on the window
     #[arg(value_name = "FILE")]
-    pub(crate) files: Vec<PathBuf>,
+    pub files: Vec<PathBuf>,
     /// Size of the window, pixels
     #[arg(long, value_name = "WxH", default_value = "1280x800")]
     size: Viewport,
     /// Dark or light [default: as the system]
     #[arg(long, value_name = "THEME")]
-    pub(crate) theme: Option<ThemeArg>,
+    pub theme: Option<ThemeArg>,
     /// Save what the window shows once it shows the model, and close it
     #[arg(long, value_name = "OUT.png")]
-    pub(crate) screenshot: Option<PathBuf>,
+    pub screenshot: Option<PathBuf>,
     /// Show one file in the web viewer instead, until the command is ended
     #[cfg(feature = "serve")]
     #[arg(long, conflicts_with_all = ["size", "theme", "screenshot", "FirstArgs"])]
-    pub(crate) browser: bool,
+    pub browser: bool,
     /// What is shown first.
     #[command(flatten)]
-    pub(crate) first: FirstArgs,
+    pub first: FirstArgs,
     /// How graphics drivers report.
     #[command(flatten)]
-    pub(crate) drivers: DriverArgs,
+    pub drivers: DriverArgs,
 }
 
 /// What is shown first; all of it can be changed in the window.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Shown first")]
-pub(crate) struct FirstArgs {
+pub struct FirstArgs {
     /// Which model makes the triangles; one that the file lacks is built
     #[arg(long, value_name = "NAME")]
-    pub(crate) model: Option<ShownModelArg>,
+    pub model: Option<ShownModelArg>,
     /// Share of the vertex splits from the base mesh (0) to the full mesh (1)
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, group = "first_level")]
-    pub(crate) detail: Option<f64>,
+    pub detail: Option<f64>,
     /// At most this many triangles, or this share of the full mesh's, the same detail everywhere
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
-    pub(crate) triangles: Option<Count>,
+    pub triangles: Option<Count>,
     /// As fine as the screen asks for: errors of no more pixels
     #[arg(long, value_name = "P", allow_negative_numbers = true, value_parser = parse_pixels, group = "first_level")]
-    pub(crate) pixels: Option<f64>,
+    pub pixels: Option<f64>,
     /// At most this many triangles, or this share of the full mesh's, those that the view shows best
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
-    pub(crate) budget: Option<Count>,
+    pub budget: Option<Count>,
     /// Colours of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups
     #[arg(
         long,
@@ -64,21 +64,21 @@ pub(crate) struct FirstArgs {
         hide_possible_values = true,
         alias = "colors"
     )]
-    pub(crate) colours: Colouring,
+    pub colours: Colouring,
     /// Draw the edges
     #[arg(long)]
-    pub(crate) wireframe: bool,
+    pub wireframe: bool,
     /// Light each triangle by its own normal
     #[arg(long)]
-    pub(crate) flat: bool,
+    pub flat: bool,
     /// The model's z axis is up, not y
     #[arg(long)]
-    pub(crate) z_up: bool,
+    pub z_up: bool,
 }
 
 /// Dark or light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ThemeArg {
+pub enum ThemeArg {
     /// Light on dark
     Dark,
     /// Dark on light
@@ -87,7 +87,7 @@ pub(crate) enum ThemeArg {
 
 /// Models that the window shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ShownModelArg {
+pub enum ShownModelArg {
     /// Strips edited in place
     #[value(name = "lodstrips")]
     LodStrips,
@@ -109,7 +109,7 @@ impl WindowArgs {
     ///
     /// # Errors
     /// Where no window is so large.
-    pub(crate) fn size(&self) -> Result<[u32; 2], Failure> {
+    pub fn size(&self) -> Result<[u32; 2], Failure> {
         self.size.check_drawable()?;
         Ok(self.size.0)
     }

@@ -12,10 +12,10 @@ use striata::{Progress, ProgressFn};
 
 use super::state::ModelKind;
 use super::subject::{Origin, StoredModels, Subject};
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::output::Output;
-use crate::sequence::{SequencePlan, Steps};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::output::Output;
+use striata_command::sequence::{SequencePlan, Steps};
 
 /// Lets the window know that something has come.
 pub(super) type Waker = Arc<dyn Fn() + Send + Sync>;

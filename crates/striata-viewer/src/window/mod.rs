@@ -5,6 +5,7 @@
 //! while nothing changes.
 
 mod app;
+mod args;
 mod frustum;
 mod help;
 mod loader;
@@ -26,21 +27,22 @@ use std::sync::Arc;
 use winit::event_loop::EventLoop;
 
 use self::app::{App, Wake, WindowPlan};
+pub use self::args::{FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use self::orbit::Up;
 use self::state::{Colours, GoalKind, ModelKind, ViewerState};
 use self::viewer::Viewer;
 #[cfg(feature = "serve")]
-use super::serve;
-use crate::args::{Colouring, FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::output::Output;
+use crate::serve;
+use striata_command::args::Colouring;
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::output::Output;
 
 /// Opens the window, and closes it when the user does.
 ///
 /// # Errors
 /// Where there is no display or no device, a file is not there, or the screenshot cannot be made.
-pub(crate) fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
+pub fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
     args.files.iter().try_for_each(|path| Input::expect_there(path))?;
     #[cfg(feature = "serve")]
     if args.browser {

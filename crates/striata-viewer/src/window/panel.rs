@@ -10,7 +10,7 @@ use super::state::{Background, Colours, GoalKind, ModelKind};
 use super::subject::Subject;
 use super::viewer::{Place, Viewer};
 use super::{frustum, help, plots};
-use crate::output::{grouped, measured, sized};
+use striata_command::output::{grouped, measured, sized};
 
 /// Width of the panel, points.
 const WIDTH: f32 = 300.0;

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use egui::{Color32, RichText, Ui};
 use egui_plot::{Line, Plot, PlotPoints};
 
-use crate::output::{grouped, lasted, sized};
+use striata_command::output::{grouped, lasted, sized};
 
 /// Frames that are kept.
 const FRAMES: usize = 240;

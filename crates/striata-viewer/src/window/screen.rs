@@ -8,9 +8,9 @@ use striata_gpu::{ChosenAdapter, Gpu, GpuError, GpuOptions, Picture, choose_from
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
-use crate::failure::{Failure, caught};
-use crate::hush::hushed;
-use crate::output::Output;
+use striata_command::failure::{Failure, caught};
+use striata_command::hush::hushed;
+use striata_command::output::Output;
 
 /// A window that can be painted.
 pub(super) struct Screen {

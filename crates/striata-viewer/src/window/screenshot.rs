@@ -4,7 +4,7 @@ use std::path::Path;
 
 use striata_gpu::Picture;
 
-use crate::failure::Failure;
+use striata_command::failure::Failure;
 
 /// Writes a picture; its opacity is left out, since a window has none.
 ///

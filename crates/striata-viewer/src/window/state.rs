@@ -2,7 +2,7 @@
 
 use striata_gpu::{Look, Shading, Viewpoint};
 
-use crate::args::Count;
+use striata_command::args::Count;
 
 /// A model that makes the triangles of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

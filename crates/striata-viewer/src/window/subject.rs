@@ -8,8 +8,8 @@ use striata::strip::{StripOptions, StripSet, stripify};
 use striata::view::Sphere;
 
 use super::state::ModelKind;
-use crate::failure::Failure;
-use crate::sequence::Steps;
+use striata_command::failure::Failure;
+use striata_command::sequence::Steps;
 
 /// A mesh and its models. What is not there yet is built once, by whoever asks first, on a thread of its own.
 #[derive(Debug)]
@@ -190,8 +190,8 @@ fn sphere_around(positions: &[[f32; 3]], bounds: &Bounds) -> Sphere {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::sequence::SequencePlan;
     use striata::mesh::{IndexedMesh, shapes, weld};
+    use striata_command::sequence::SequencePlan;
 
     pub(in super::super) fn subject_of(mesh: &IndexedMesh) -> Subject {
         let welded = weld(mesh).expect("a sound mesh");

@@ -16,8 +16,8 @@ use super::shown::{Shown, Wish};
 use super::stage::{Inspected, Stage};
 use super::state::{GoalKind, ViewerState};
 use super::subject::Subject;
-use crate::failure::Failure;
-use crate::output::Output;
+use striata_command::failure::Failure;
+use striata_command::output::Output;
 
 /// Turn of a model that turns by itself, radians a second.
 const TURN_SPEED: f32 = 0.5;

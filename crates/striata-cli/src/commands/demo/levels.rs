@@ -10,9 +10,9 @@ use striata_io::{Format, WriteOptions, to_bytes};
 use super::Folder;
 use crate::commands::build::Built;
 use crate::commands::extract::strips_of_level;
-use crate::failure::Failure;
-use crate::output::{grouped, lasted, sized};
 use crate::strip_lists::stitched;
+use striata_command::failure::Failure;
+use striata_command::output::{grouped, lasted, sized};
 
 /// Shares of the triangles that the table lists.
 const TABLE_SHARES: [f64; 8] = [1.0, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.005];

@@ -14,13 +14,13 @@ use striata::codec::StriataFile;
 use striata_io::{Source, read_bytes, write_atomically};
 
 use crate::args::DemoArgs;
-use crate::clock::Phases;
 use crate::commands::build::{BuildPlan, Built, PHASES, build};
-use crate::failure::Failure;
-use crate::output::{Output, grouped, lasted, sized};
-use crate::picture::Artist;
 use levels::Level;
 use pictures::Picture;
+use striata_command::clock::Phases;
+use striata_command::failure::Failure;
+use striata_command::output::{Output, grouped, lasted, sized};
+use striata_viewer::picture::Artist;
 
 /// The bust of Nefertiti; `assets/README.md` tells its origin.
 const NEFERTITI: &[u8] = include_bytes!("../../../../../assets/nefertiti.ply.zst");
@@ -119,7 +119,7 @@ fn render_page(
 
 impl Report {
     fn to_text(&self, phases: &Phases) -> String {
-        let mut table = crate::output::Table::default();
+        let mut table = striata_command::output::Table::default();
         for row in levels::rows(&self.levels) {
             table.row(row);
         }

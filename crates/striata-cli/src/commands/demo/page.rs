@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD as BASE64;
 
 use super::pictures::Picture;
 use super::viewer;
-use crate::page::{STYLE, fill, table};
+use striata_command::page::{STYLE, fill, table};
 
 /// The page with `{{NAMES}}` where content goes.
 const TEMPLATE: &str = include_str!("page.html");

@@ -5,12 +5,12 @@ use striata::model::{FanBounds, FanInstance, FanScene, Fans, LodModel};
 use striata::view::ScreenError;
 
 use super::levels::{percent, split_count_at};
-use crate::args::tan;
 use crate::commands::build::Built;
 use crate::commands::extract::strips_of_level;
-use crate::failure::Failure;
-use crate::output::grouped;
-use crate::picture::{
+use striata_command::args::tan;
+use striata_command::failure::Failure;
+use striata_command::output::grouped;
+use striata_viewer::picture::{
     Angles, Artist, Camera, ColourBar, Frustum, Heat, Paint, Panel, Sheet, Shot, Theme, strip_colours,
     with_normals,
 };

@@ -4,10 +4,10 @@ use striata::codec::progressive::{StreamOptions, encode_stream};
 use striata::mesh::{IndexedMesh, weld};
 
 use super::Folder;
-use crate::failure::Failure;
-use crate::output::{Bar, grouped};
-use crate::sequence::{BatchTerms, SequencePlan, Steps};
-use crate::viewer_page::self_contained;
+use striata_command::failure::Failure;
+use striata_command::output::{Bar, grouped};
+use striata_command::sequence::{BatchTerms, SequencePlan, Steps};
+use striata_viewer::viewer_page::self_contained;
 
 /// The stream's file.
 const STREAM: &str = "nefertiti.stri";

@@ -6,7 +6,7 @@ use striata::mesh::{
     PartStatistics, RefinableMesh, SeamCause, SeamStatistics, Semantic, Statistics, StepStatistics, Welded,
 };
 
-use crate::output::{counted, grouped};
+use striata_command::output::{counted, grouped};
 
 /// Parts with at most this many triangles are counted as tiny.
 const TINY_PART: usize = 16;

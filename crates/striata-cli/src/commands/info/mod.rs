@@ -12,10 +12,10 @@ use striata::model::{LodModel, PartBytes, StripModel};
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
 use crate::commands::build::{PROGRESSIVE, errors_are_guaranteed, parts_of_fans, parts_of_patterns};
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::output::{Output, Table, counted, grouped, measured, sized};
-use crate::stream::{Received, facts_in_json};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::output::{Output, Table, counted, grouped, measured, sized};
+use striata_command::stream::{Received, facts_in_json};
 
 /// Defects that the text names one by one; JSON lists more of them.
 const SPELLED_OUT: usize = 5;

@@ -6,12 +6,12 @@ use striata::mesh::IndexedMesh;
 use striata::simplify::Target;
 use striata::strip::{StripIndices, StripOptions, StripSet, stripify};
 
-use crate::args::Colouring;
 use crate::commands::extract_view::ViewLevel;
-use crate::failure::Failure;
-use crate::fan_cover::fans_of;
-use crate::level::{Floor, Reached, shortfall};
-use crate::picture::{
+use striata_command::args::Colouring;
+use striata_command::failure::Failure;
+use striata_command::fan_cover::fans_of;
+use striata_command::level::{Floor, Reached, shortfall};
+use striata_viewer::picture::{
     Paint, Shot, fan_colours, group_colours, strip_colours, triangle_colours, with_normals,
 };
 

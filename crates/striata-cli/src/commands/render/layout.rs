@@ -5,10 +5,11 @@ use striata::mesh::IndexedMesh;
 use super::figure::Figure;
 use super::place::Place;
 use super::source::Source;
-use crate::args::{Colouring, RenderArgs};
-use crate::failure::Failure;
-use crate::output::counted;
-use crate::picture::{
+use crate::args::RenderArgs;
+use striata_command::args::Colouring;
+use striata_command::failure::Failure;
+use striata_command::output::counted;
+use striata_viewer::picture::{
     Artist, Camera, Canvas, ColourBar, Heat, Paint, Panel, Sheet, Shot, Theme, significant,
 };
 
@@ -87,7 +88,7 @@ impl<'a> Layout<'a> {
         colouring: Colouring,
         artist: &mut Artist,
         (camera, size): (&Camera, [usize; 2]),
-    ) -> Result<crate::picture::Drawn, Failure> {
+    ) -> Result<striata_viewer::picture::Drawn, Failure> {
         let draw = |mut shot: Shot<'_>, artist: &mut Artist| {
             if let Some(frustum) = &self.place.frustum {
                 frustum.draw_into(&mut shot);

@@ -10,17 +10,17 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::args::{Background, RenderArgs};
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::level::check_strict;
-use crate::output::{Bar, Output};
-use crate::picture::{Artist, Canvas, Theme};
-use crate::save::{is_stdout, put};
 use figure::Figure;
 use layout::Layout;
 use place::Place;
 use report::Report;
 use source::Source;
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::level::check_strict;
+use striata_command::output::{Bar, Output};
+use striata_command::save::{is_stdout, put};
+use striata_viewer::picture::{Artist, Canvas, Theme};
 
 /// Reads, goes to the levels, draws, writes, reports.
 ///

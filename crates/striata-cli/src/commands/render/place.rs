@@ -1,8 +1,9 @@
 //! Where the picture is taken from.
 
-use crate::args::{Point, RenderArgs};
-use crate::failure::Failure;
-use crate::picture::{Angles, Camera, Frustum};
+use crate::args::RenderArgs;
+use striata_command::args::Point;
+use striata_command::failure::Failure;
+use striata_viewer::picture::{Angles, Camera, Frustum};
 
 use super::source::Source;
 

@@ -9,9 +9,9 @@ use super::figure::Figure;
 use super::layout::Layout;
 use super::source::Source;
 use crate::args::RenderArgs;
-use crate::level::remark;
-use crate::output::{counted, lasted, measured};
-use crate::picture::Artist;
+use striata_command::level::remark;
+use striata_command::output::{counted, lasted, measured};
+use striata_viewer::picture::Artist;
 
 /// What was drawn.
 #[derive(Serialize)]

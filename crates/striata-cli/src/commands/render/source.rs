@@ -7,17 +7,18 @@ use striata::simplify::Target;
 use striata::strip::{StripOptions, StripSet, stripify};
 
 use super::figure::Figure;
-use crate::args::{Colouring, Count, DrawnModel, Point, RenderArgs};
+use crate::args::{DrawnModel, RenderArgs};
 use crate::commands::build::errors_are_guaranteed;
 use crate::commands::extract::strips_of_level;
 use crate::commands::extract_patterns::PatternsOfFile;
 use crate::commands::extract_view::level_of_view;
-use crate::failure::Failure;
-use crate::input::Input;
-use crate::level::{Floor, FullMesh, Reached, shortfall};
-use crate::output::{Bar, Output, grouped};
-use crate::picture::with_normals;
-use crate::sequence::{SequencePlan, Steps};
+use striata_command::args::{Colouring, Count, Point};
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::level::{Floor, FullMesh, Reached, shortfall};
+use striata_command::output::{Bar, Output, grouped};
+use striata_command::sequence::{SequencePlan, Steps};
+use striata_viewer::picture::with_normals;
 
 /// Where levels come from.
 pub(super) enum Source<'a> {

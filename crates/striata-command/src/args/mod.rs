@@ -1,0 +1,25 @@
+//! Flags that several commands take, and the values that they parse to.
+
+mod colouring;
+mod length;
+mod level;
+mod output;
+mod report;
+mod sequence;
+mod stream;
+mod strips;
+mod view;
+
+pub use self::colouring::Colouring;
+pub use self::length::Length;
+pub use self::level::{
+    Count, EyeArgs, LEVEL, Level, LevelArgs, LevelChoice, LevelsArgs, OptionalLevel, parse_detail,
+};
+pub use self::output::{FormatArg, FormatArgs, OutputArgs};
+#[cfg(feature = "gpu")]
+pub use self::report::DriverArgs;
+pub use self::report::ReportArgs;
+pub use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
+pub use self::stream::{EffortArg, StreamArgs};
+pub use self::strips::{BUILD_STRIPS, STRIPS, StripSearchArgs, parse_at_least_zero, strips_help};
+pub use self::view::{Corners, Point, ViewArgs, Viewport, tan};

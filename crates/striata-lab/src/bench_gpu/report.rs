@@ -1,0 +1,145 @@
+//! What was timed, as tables and as JSON.
+
+use std::time::Instant;
+
+use serde::Serialize;
+use striata_gpu::{Gpu, wgpu};
+
+use super::course::{Cost, Course, Spread};
+use super::stage::Stage;
+use super::ways;
+use crate::args::BenchGpuArgs;
+use striata_command::args::Viewport;
+use striata_command::output::{Table, grouped, lasted, sized};
+
+/// All meshes on one adapter.
+#[derive(Serialize)]
+pub(super) struct Report {
+    adapter: AdapterReport,
+    /// Width and height.
+    size: [u32; 2],
+    /// To the base mesh, and again on the way back.
+    frames: u32,
+    meshes: Vec<MeshReport>,
+    secs: f64,
+}
+
+#[derive(Serialize)]
+struct AdapterReport {
+    name: String,
+    backend: String,
+    driver: String,
+    draws_on_the_processor: bool,
+}
+
+/// One mesh.
+#[derive(Serialize)]
+pub(super) struct MeshReport {
+    name: String,
+    vertex_count: usize,
+    triangle_count: usize,
+    base_triangle_count: usize,
+    step_count: usize,
+    strip_count: usize,
+    rounds: usize,
+    ways: Vec<Cost>,
+}
+
+impl MeshReport {
+    /// What a course has found.
+    pub(super) fn new(name: String, stage: &Stage<'_>, course: Course) -> Self {
+        let Course { costs: ways, rounds } = course;
+        Self {
+            name,
+            vertex_count: stage.refinable.mesh.vertex_count(),
+            triangle_count: stage.refinable.mesh.triangle_count(),
+            base_triangle_count: stage.refinable.sequence.triangle_count_at(0),
+            step_count: stage.step_count(),
+            strip_count: stage.strips.strip_count(),
+            rounds,
+            ways,
+        }
+    }
+
+    fn add_text(&self, text: &mut String) {
+        text.push_str(&format!(
+            "\n{}: {} triangles, {} vertices, base {}; {} strips; best of {}\n",
+            self.name,
+            grouped(self.triangle_count),
+            grouped(self.vertex_count),
+            grouped(self.base_triangle_count),
+            grouped(self.strip_count),
+            self.rounds,
+        ));
+        let head = ["way", "frame", "95 %", "update", "95 %", "GPU", "95 %", "sent", "indices", "on the GPU"];
+        let mut table = Table::with_head(&head);
+        for way in &self.ways {
+            let [frame, frame_most] = way.frame_secs.cells();
+            let [update, update_most] = way.update_secs.cells();
+            let dash = || "-".to_owned();
+            let [gpu, gpu_most] = way.gpu_secs.map_or_else(|| [dash(), dash()], Spread::cells);
+            let sent = if way.is_resident { dash() } else { sized(way.uploaded_bytes.round() as usize) };
+            table.row(vec![
+                way.name.to_owned(),
+                frame,
+                frame_most,
+                update,
+                update_most,
+                gpu,
+                gpu_most,
+                sent,
+                grouped(way.index_count.round() as usize),
+                sized(way.gpu_bytes),
+            ]);
+        }
+        text.push_str(&table.to_text());
+    }
+}
+
+impl Report {
+    /// All of a run.
+    pub(super) fn new(gpu: &Gpu, args: &BenchGpuArgs, meshes: Vec<MeshReport>, started: Instant) -> Self {
+        let info = gpu.info();
+        let Viewport(size) = args.size;
+        let adapter = AdapterReport {
+            name: info.name.clone(),
+            backend: info.backend.to_string(),
+            driver: [&info.driver[..], &info.driver_info].join(" ").trim().to_owned(),
+            draws_on_the_processor: info.device_type == wgpu::DeviceType::Cpu,
+        };
+        Self { adapter, size, frames: args.frames, meshes, secs: started.elapsed().as_secs_f64() }
+    }
+
+    /// Tables for people, with what is to be known about them.
+    pub(super) fn to_text(&self) -> String {
+        let Self { adapter, size: [width, height], frames, .. } = self;
+        let mut text = format!("{} ({}, {})\n", adapter.name, adapter.backend, adapter.driver);
+        text.push_str(&format!(
+            "{width} x {height} pixels; {frames} frames from the full mesh to the base, {frames} back\n"
+        ));
+        text.push_str("times in milliseconds: the median of all frames, and what 95 % of them stay below\n");
+        if adapter.draws_on_the_processor {
+            text.push_str(
+                "this adapter draws on the processor: every pixel and each shader is its time, too\n",
+            );
+        }
+        self.meshes.iter().for_each(|mesh| mesh.add_text(&mut text));
+        let used = |name: &str| self.meshes.iter().any(|mesh| mesh.ways.iter().any(|way| way.name == name));
+        text.push('\n');
+        for entry in ways::all().iter().filter(|entry| used(entry.name)) {
+            text.push_str(&format!("{}: {}\n", entry.name, entry.about));
+        }
+        text.push_str("\nframe: from the wish for a level to the finished picture\n");
+        text.push_str("update: of that the processor, until all is handed over\n");
+        text.push_str("GPU: from its first command to its last by its own time stamps, without transfers\n");
+        text.push_str(&format!("all measured in {}\n", lasted(self.secs)));
+        text
+    }
+}
+
+impl Spread {
+    /// Both in milliseconds.
+    fn cells(self) -> [String; 2] {
+        [self.median, self.p95].map(|secs| format!("{:.3}", secs * 1e3))
+    }
+}

@@ -1,0 +1,60 @@
+//! What all ways share: the mesh with its steps and strips, its vertices on the GPU, and the picture that is drawn.
+
+use striata::mesh::{IndexedMesh, RefinableMesh, weld};
+use striata::simplify::{SequenceOptions, build_welded_sequence};
+use striata::strip::{StripOptions, StripSet};
+use striata_gpu::{Canvas, Gpu, GpuVertices, Look, Painter, Scene, Viewpoint};
+
+use striata_command::failure::Failure;
+use striata_command::output::Bar;
+use striata_command::strip_chain::StripPlan;
+
+/// A mesh before the camera.
+pub(super) struct Stage<'a> {
+    pub(super) gpu: &'a Gpu,
+    pub(super) refinable: RefinableMesh,
+    pub(super) strips: StripSet,
+    /// How levels with strips of their own get them.
+    pub(super) level_strips: StripOptions,
+    pub(super) vertices: GpuVertices,
+    pub(super) painter: Painter,
+    pub(super) canvas: Canvas,
+    pub(super) scene: Scene,
+    pub(super) look: Look,
+}
+
+impl<'a> Stage<'a> {
+    /// Builds steps and strips, uploads the vertices.
+    ///
+    /// # Errors
+    /// Where the mesh does not hang together, or does not fit onto the GPU.
+    pub(super) fn new(
+        gpu: &'a Gpu,
+        (name, mesh): (&str, &IndexedMesh),
+        (size, plan): ([u32; 2], &StripPlan),
+        bar: &mut Bar,
+    ) -> Result<Self, Failure> {
+        let options = SequenceOptions::default();
+        let built = build_welded_sequence(weld(mesh)?, &options, &mut |progress| bar.show(progress))?;
+        let refinable = built.refinable;
+        let strips = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?.strips;
+        let Some(bounds) = refinable.mesh.bounds().filter(|_| refinable.mesh.triangle_count() > 0) else {
+            return Err(Failure::user(format!(
+                "{name}: there is nothing to draw: the mesh has no triangles"
+            )));
+        };
+        let canvas = Canvas::new(gpu, size, 1)?;
+        let painter = Painter::new(gpu, Canvas::FORMAT, canvas.samples());
+        let vertices = GpuVertices::upload(gpu, &refinable.mesh)?;
+        let view = Viewpoint::portrait(&bounds, -0.6, 0.15, 0.6);
+        let look = Look::default();
+        let scene = painter.scene(gpu, &vertices, (&view, size), &look)?;
+        let level_strips = plan.search.options(plan.chain.last());
+        Ok(Self { gpu, refinable, strips, level_strips, vertices, painter, canvas, scene, look })
+    }
+
+    /// Steps from the base mesh to the full mesh.
+    pub(super) fn step_count(&self) -> usize {
+        self.refinable.sequence.step_count()
+    }
+}

@@ -1,0 +1,102 @@
+//! Progressive fans, made triangles by the processor or by the GPU.
+
+use striata::model::{FanForm, FanIndices, FanInstance, Fans, LodModel};
+use striata_gpu::wgpu::CommandEncoder;
+use striata_gpu::{Drawing, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuIndices};
+
+use super::super::stage::Stage;
+use super::Way;
+use striata_command::failure::Failure;
+
+/// Fans that the processor writes as a list or as strips, sent whole.
+pub(super) struct SentFans {
+    fans: Fans,
+    form: FanForm,
+    made: FanIndices,
+    sent: GpuIndices,
+}
+
+/// Fans of which the GPU is told the steps that are taken.
+pub(super) struct ComputedFans<'s> {
+    stage: &'s Stage<'s>,
+    fans: Fans,
+    extractor: FanExtractor,
+    table: GpuFans,
+    instance: GpuFanInstance,
+    split_count: usize,
+}
+
+impl SentFans {
+    pub(super) fn new(stage: &Stage<'_>, form: FanForm) -> Result<Self, Failure> {
+        let fans = Fans::build(&stage.refinable);
+        Ok(Self { fans, form, made: FanIndices::default(), sent: GpuIndices::new(stage.gpu, 0)? })
+    }
+}
+
+impl<'s> ComputedFans<'s> {
+    pub(super) fn new(stage: &'s Stage<'_>) -> Result<Self, Failure> {
+        let fans = Fans::build(&stage.refinable);
+        let extractor = FanExtractor::new(stage.gpu);
+        let table = GpuFans::upload(stage.gpu, &fans)?;
+        let instance = GpuFanInstance::new(stage.gpu, &extractor, &table)?;
+        let split_count = stage.step_count();
+        Ok(Self { stage, fans, extractor, table, instance, split_count })
+    }
+}
+
+impl Way for SentFans {
+    fn move_to(&mut self, gpu: &Gpu, split_count: usize) -> Result<(), Failure> {
+        let mut level = self.fans.new_state();
+        self.fans.move_to(&mut level, split_count);
+        self.fans.emit_level_into(&level, self.form, &mut self.made);
+        Ok(self.sent.write(gpu, &self.made.indices)?)
+    }
+
+    fn drawing(&self) -> Drawing<'_> {
+        let (indices, groups) = (&self.sent, &self.made.group_ranges[..]);
+        match self.form {
+            FanForm::Triangles => Drawing::List { indices, groups },
+            _ => Drawing::Strips { indices, groups },
+        }
+    }
+
+    fn index_count(&self) -> usize {
+        self.made.group_ranges.iter().map(|group| group.len()).sum()
+    }
+
+    fn uploaded_bytes(&self) -> u64 {
+        self.sent.uploaded_bytes()
+    }
+
+    fn gpu_bytes(&self) -> usize {
+        4 * self.sent.capacity()
+    }
+}
+
+impl Way for ComputedFans<'_> {
+    fn move_to(&mut self, gpu: &Gpu, split_count: usize) -> Result<(), Failure> {
+        self.instance.write(gpu, &FanInstance::uniform(&self.fans, split_count));
+        self.split_count = split_count;
+        Ok(())
+    }
+
+    fn extract(&self, encoder: &mut CommandEncoder) {
+        self.extractor.extract(encoder, &self.instance);
+    }
+
+    fn drawing(&self) -> Drawing<'_> {
+        self.instance.drawing()
+    }
+
+    fn index_count(&self) -> usize {
+        3 * self.stage.refinable.sequence.triangle_count_at(self.split_count)
+    }
+
+    fn uploaded_bytes(&self) -> u64 {
+        self.instance.uploaded_bytes()
+    }
+
+    fn gpu_bytes(&self) -> usize {
+        self.table.bytes() + self.instance.bytes()
+    }
+}

@@ -1,0 +1,152 @@
+//! Pictures of a mesh from twelve directions, by the software rasterizer, to compare levels with.
+//!
+//! The directions are the corners of an icosahedron, so they are spread evenly. Pictures show the shading by normals alone: no
+//! textures, no colors, both sides of each triangle lit.
+
+use striata::mesh::{IndexedMesh, Semantic};
+
+use striata_command::output::Output;
+use striata_viewer::picture::{Angles, Artist, Camera, Paint, Shot};
+
+/// Height and width of a picture, pixels.
+const SIDE: usize = 256;
+
+/// Angle between the equator and the five corners of an icosahedron next to a pole, radians.
+const RISE: f32 = 0.463_647_6;
+
+/// Height of the view, radians.
+const FOV: f32 = 0.45;
+
+/// What a pixel shows.
+#[derive(Clone, Copy)]
+struct Pixel {
+    /// Gray level, 0 to 255, over black.
+    gray: f32,
+    /// Share that the mesh covers.
+    cover: f32,
+}
+
+/// Pictures of the original, and where they are taken from.
+pub(super) struct Gallery {
+    cameras: Vec<Camera>,
+    pictures: Vec<Vec<Pixel>>,
+}
+
+/// How pictures of a level differ from those of the original.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PictureDifference {
+    /// Root of the mean squared difference of gray levels (0 to 255), over the pixels that either of the meshes covers.
+    pub(super) gray_rms: f64,
+    /// Covered area as a share of the original's, all pictures together.
+    pub(super) silhouette: f64,
+}
+
+impl Gallery {
+    /// Takes the pictures of a mesh that has normals.
+    pub(super) fn of(original: &IndexedMesh) -> Self {
+        let camera = |(turn, rise)| {
+            let angles = Angles { turn, rise, up: [0.0, 1.0, 0.0], fov: FOV };
+            Camera::around(&original.positions, &angles, 1.0)
+        };
+        let cameras: Vec<Camera> = directions().into_iter().map(camera).collect();
+        let pictures = take_pictures(original, &cameras);
+        Self { cameras, pictures }
+    }
+
+    /// Compares a level that has normals.
+    pub(super) fn compare(&self, level: &IndexedMesh) -> PictureDifference {
+        let (mut squares, mut seen) = (0.0, 0.0);
+        let (mut area, mut original_area) = (0.0, 0.0);
+        for (theirs, ours) in take_pictures(level, &self.cameras).iter().zip(&self.pictures) {
+            for (a, b) in theirs.iter().zip(ours) {
+                let weight = f64::from(a.cover.max(b.cover));
+                squares += f64::from(a.gray - b.gray).powi(2);
+                seen += weight;
+                area += f64::from(a.cover);
+                original_area += f64::from(b.cover);
+            }
+        }
+        PictureDifference {
+            gray_rms: (squares / f64::max(seen, 1.0)).sqrt(),
+            silhouette: if original_area > 0.0 { area / original_area } else { 1.0 },
+        }
+    }
+}
+
+/// The corners of an icosahedron as turns and rises, radians.
+fn directions() -> Vec<(f32, f32)> {
+    let quarter = std::f32::consts::FRAC_PI_2;
+    let fifth = |k: usize| k as f32 * std::f32::consts::TAU / 5.0;
+    let upper = (0..5).map(|k| (fifth(k), RISE));
+    let lower = (0..5).map(|k| (fifth(k) + fifth(1) / 2.0, -RISE));
+    upper.chain(lower).chain([(0.0, quarter), (0.0, -quarter)]).collect()
+}
+
+fn take_pictures(mesh: &IndexedMesh, cameras: &[Camera]) -> Vec<Vec<Pixel>> {
+    let plain = IndexedMesh {
+        positions: mesh.positions.clone(),
+        triangles: mesh.triangles.clone(),
+        layers: mesh.layers.iter().filter(|layer| layer.semantic == Semantic::Normal).cloned().collect(),
+        ..IndexedMesh::default()
+    };
+    let mut artist = Artist::software(&Output::quiet());
+    let shot = Shot::of(&plain, Paint::Surface, (false, false));
+    let mut picture = |camera: &Camera| -> Vec<Pixel> {
+        artist.draw(&shot, camera, [SIDE; 2]).canvas.pixels().iter().map(pixel).collect()
+    };
+    cameras.iter().map(&mut picture).collect()
+}
+
+fn pixel(&[r, g, b, cover]: &[f32; 4]) -> Pixel {
+    let light = (0.2126 * r + 0.7152 * g + 0.0722 * b).clamp(0.0, 1.0);
+    let encoded = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
+    Pixel { gray: 255.0 * encoded, cover }
+}
+
+#[cfg(test)]
+mod tests {
+    use striata::mesh::shapes;
+
+    use super::*;
+    use striata_viewer::picture::with_normals;
+
+    #[test]
+    fn a_mesh_looks_like_itself() {
+        let ball = with_normals(shapes::icosphere(2, 1.0));
+        let same = Gallery::of(&ball).compare(&ball);
+        assert_eq!(same, PictureDifference { gray_rms: 0.0, silhouette: 1.0 });
+    }
+
+    #[test]
+    fn a_silhouette_shrinks_with_the_square_of_the_size() {
+        let ball = with_normals(shapes::icosphere(4, 1.0));
+        let mut small = ball.clone();
+        small.positions.iter_mut().for_each(|p| *p = p.map(|x| 0.8 * x));
+        let found = Gallery::of(&ball).compare(&small);
+        // A little less than .64, since outlines of a smaller ball are farther from a near eye.
+        assert!((found.silhouette - 0.63).abs() < 0.01, "{found:?}");
+        assert!(found.gray_rms > 20.0, "{found:?}");
+    }
+
+    #[test]
+    fn both_sides_of_a_triangle_count() {
+        let sheet = with_normals(shapes::grid(9, 9));
+        let mut turned = sheet.clone();
+        turned.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        let found = Gallery::of(&sheet).compare(&turned);
+        assert!((found.silhouette - 1.0).abs() < 1e-6 && found.gray_rms < 1.0, "{found:?}");
+    }
+
+    #[test]
+    fn directions_are_spread_evenly() {
+        let points: Vec<[f32; 3]> = directions()
+            .into_iter()
+            .map(|(turn, rise)| [rise.cos() * turn.cos(), rise.sin(), rise.cos() * turn.sin()])
+            .collect();
+        for (i, a) in points.iter().enumerate() {
+            let dots = points.iter().enumerate().filter(|&(j, _)| j != i);
+            let nearest = dots.map(|(_, b)| (0..3).map(|k| a[k] * b[k]).sum::<f32>()).fold(-1.0, f32::max);
+            assert!((nearest - 0.2f32.sqrt()).abs() < 1e-5, "corner {i}: {nearest}");
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! One level of one contender: what it is measured by.
+
+use serde::Serialize;
+use striata::mesh::{AttributeSpread, DistanceOptions, attribute_distance, surface_distance};
+
+use super::Level;
+use super::subject::Subject;
+use striata_command::failure::Failure;
+
+/// Samples of each surface for distances, and of the original for attributes.
+pub(super) const SAMPLES: usize = 100_000;
+
+/// How many triangles a level is to have.
+pub(super) struct Request {
+    /// Percent of the triangles.
+    pub(super) percent: f64,
+    /// The same as a count, rounded down.
+    pub(super) target_count: usize,
+}
+
+impl Request {
+    /// Target, as a percentage of the mesh's triangles.
+    pub(super) fn new(percent: f64, triangle_count: usize) -> Self {
+        let target_count = (percent / 100.0 * triangle_count as f64 + 1e-6) as usize;
+        Self { percent, target_count }
+    }
+}
+
+/// What was measured of one level.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct LevelRow {
+    /// Who made it.
+    pub(super) contender: &'static str,
+    /// Percent of the triangles that were asked for.
+    pub(super) percent: f64,
+    pub(super) target_count: usize,
+    pub(super) triangle_count: usize,
+    /// True if there are no more triangles than asked for.
+    pub(super) is_reached: bool,
+    /// The larger one-sided RMS, a share of the diagonal; as all distances here.
+    pub(super) rms: f64,
+    pub(super) max: f64,
+    pub(super) normal_mean_degrees: Option<f64>,
+    pub(super) normal_p95_degrees: Option<f64>,
+    /// UV units.
+    pub(super) uv_mean: Option<f64>,
+    pub(super) uv_p95: Option<f64>,
+    /// Share of the samples that were compared with a triangle on the same side.
+    pub(super) same_side_share: f64,
+    /// Gray levels, 0 to 255.
+    pub(super) gray_rms: f64,
+    /// Covered area over the original's.
+    pub(super) silhouette: f64,
+    /// What the contender reports.
+    pub(super) error: Option<f64>,
+    /// The reported error over the measured maximum.
+    pub(super) error_ratio: Option<f64>,
+    /// The error limit that the contender was given, a share of the extent.
+    pub(super) error_limit: Option<f64>,
+    pub(super) secs: f64,
+}
+
+/// Measures a level against the original.
+///
+/// # Errors
+/// If the level's parts do not fit together, or nothing is left of it.
+pub(super) fn measure_level(
+    subject: &Subject,
+    request: &Request,
+    contender: &'static str,
+    level: Level,
+) -> Result<LevelRow, Failure> {
+    let options = DistanceOptions::default().with_sample_count(SAMPLES);
+    let failed = |error| Failure::internal(format!("a level of {contender}: {error}"));
+    let mesh = subject.lit(level.mesh);
+    let distance = surface_distance(&subject.reference, &mesh, &options).map_err(failed)?;
+    let attributes = attribute_distance(&subject.reference, &mesh, &options).map_err(failed)?;
+    let seen = subject.gallery.compare(&mesh);
+    let mean = |spread: AttributeSpread| spread.mean;
+    let tail = |spread: AttributeSpread| spread.percentile_95;
+    let share = |length: f64| length / distance.diagonal.max(f64::MIN_POSITIVE);
+    Ok(LevelRow {
+        contender,
+        percent: request.percent,
+        target_count: request.target_count,
+        triangle_count: mesh.triangle_count(),
+        is_reached: mesh.triangle_count() <= request.target_count,
+        rms: share(distance.rms),
+        max: share(distance.max),
+        normal_mean_degrees: attributes.normal.map(mean).map(f64::to_degrees),
+        normal_p95_degrees: attributes.normal.map(tail).map(f64::to_degrees),
+        uv_mean: attributes.uv.map(mean),
+        uv_p95: attributes.uv.map(tail),
+        same_side_share: attributes.same_side_share,
+        gray_rms: seen.gray_rms,
+        silhouette: seen.silhouette,
+        error: level.error.map(share),
+        error_ratio: level.error.map(|error| error / distance.max).filter(|ratio| ratio.is_finite()),
+        error_limit: level.error_limit,
+        secs: level.secs,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn targets_are_rounded_down_but_not_by_floats() {
+        assert_eq!(Request::new(10.0, 1_000).target_count, 100);
+        assert_eq!(Request::new(2.0, 99).target_count, 1);
+        assert_eq!(Request::new(29.0, 100).target_count, 29);
+    }
+}

@@ -1,0 +1,136 @@
+//! Levels of real assets, next to those of other simplifiers: distances, normals, texture coordinates, pictures and silhouettes.
+//!
+//! All contenders get the same welded mesh with the attributes that all of them can weigh: normals, one set of texture
+//! coordinates, one set of colors. Every level is measured with the same samples and cameras.
+
+#[cfg(feature = "peers")]
+mod error_limits;
+mod gallery;
+#[cfg(feature = "peers")]
+mod gltfpack;
+mod levels;
+#[cfg(feature = "peers")]
+mod meshoptimizer;
+mod subject;
+mod summary;
+mod tables;
+
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::mesh::{IndexedMesh, replay};
+use striata::simplify::{SequenceOptions, build_sequence};
+
+use self::levels::{LevelRow, Request, measure_level};
+use self::subject::Subject;
+pub(super) use self::summary::{Summary, summarize};
+pub(super) use self::tables::{section, summary_part, summary_text, to_text};
+use crate::args::{AssetArgs, AssetContender};
+use striata_command::failure::Failure;
+use striata_command::output::Bar;
+
+/// What was measured of one asset.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct AssetsReport {
+    /// Triangles of the welded mesh, without degenerate ones: what shares are shares of.
+    triangle_count: usize,
+    vertex_count: usize,
+    has_normals: bool,
+    has_uvs: bool,
+    /// Why rows are missing.
+    notes: Vec<String>,
+    levels: Vec<LevelRow>,
+}
+
+/// A level that a contender made.
+struct Level {
+    mesh: IndexedMesh,
+    secs: f64,
+    /// The error that the contender reports, mesh units.
+    error: Option<f64>,
+    /// The error limit that the contender was given, a share of the extent.
+    error_limit: Option<f64>,
+}
+
+/// Makes a level with a share of the triangles, or says why it cannot.
+type Simplify<'a> = Box<dyn Fn(&Request) -> Result<Level, String> + 'a>;
+
+/// Simplifies the mesh with every contender to every share of its triangles, and measures the levels.
+///
+/// # Errors
+/// If the mesh has no triangles, its parts do not fit together, or there is no room for temporary files.
+pub(super) fn measure(
+    mesh: &IndexedMesh,
+    args: &AssetArgs,
+    bar: &mut Bar,
+    say: &dyn Fn(&str),
+) -> Result<AssetsReport, Failure> {
+    let subject = Subject::new(mesh)?;
+    let mut notes = Vec::new();
+    let mut contenders: Vec<(AssetContender, Simplify<'_>)> = Vec::new();
+    for &contender in &args.contenders {
+        say(contender.as_str());
+        match prepare(contender, &subject, bar)? {
+            Ok(simplify) => contenders.push((contender, simplify)),
+            Err(note) if notes.contains(&note) => {}
+            Err(note) => notes.push(note),
+        }
+    }
+    let mut levels = Vec::new();
+    for &percent in &args.shares {
+        let request = Request::new(percent, subject.mesh.triangle_count());
+        for (contender, simplify) in &contenders {
+            say(&format!("{percent} %, {}", contender.as_str()));
+            match simplify(&request) {
+                Ok(level) => levels.push(measure_level(&subject, &request, contender.as_str(), level)?),
+                Err(why) => notes.push(format!("{} at {percent} %: {why}", contender.as_str())),
+            }
+        }
+    }
+    notes.iter().for_each(|note| say(note));
+    Ok(AssetsReport {
+        triangle_count: subject.mesh.triangle_count(),
+        vertex_count: subject.mesh.vertex_count(),
+        has_normals: subject.has_normals(),
+        has_uvs: subject.has_uvs(),
+        notes,
+        levels,
+    })
+}
+
+/// Gets a contender ready; the inner error says why it takes no part.
+fn prepare<'a>(
+    contender: AssetContender,
+    subject: &'a Subject,
+    bar: &mut Bar,
+) -> Result<Result<Simplify<'a>, String>, Failure> {
+    match contender {
+        AssetContender::Striata => Ok(Ok(striata(subject, bar)?)),
+        #[cfg(feature = "peers")]
+        AssetContender::Meshoptimizer => Ok(Ok(meshoptimizer::prepare(&subject.mesh, false))),
+        #[cfg(feature = "peers")]
+        AssetContender::MeshoptimizerPermissive => Ok(Ok(meshoptimizer::prepare(&subject.mesh, true))),
+        #[cfg(feature = "peers")]
+        AssetContender::Gltfpack => gltfpack::prepare(subject, false),
+        #[cfg(feature = "peers")]
+        AssetContender::GltfpackSp => gltfpack::prepare(subject, true),
+        #[cfg(not(feature = "peers"))]
+        _ => {
+            Ok(Err("other tools are left out: this command was built without the feature `peers`".to_owned()))
+        }
+    }
+}
+
+/// The levels of one sequence with default options; the time of each is that of the whole sequence.
+fn striata<'a>(subject: &Subject, bar: &mut Bar) -> Result<Simplify<'a>, Failure> {
+    let started = Instant::now();
+    let options = SequenceOptions::default();
+    let built = build_sequence(&subject.mesh, &options, &mut |progress| bar.show(progress))?;
+    let secs = started.elapsed().as_secs_f64();
+    Ok(Box::new(move |request| {
+        let sequence = &built.refinable.sequence;
+        let split_count = sequence.split_count_for_triangles(request.target_count);
+        let error = Some(f64::from(sequence.error_at(split_count)));
+        Ok(Level { mesh: replay(&built.refinable, split_count), secs, error, error_limit: None })
+    }))
+}

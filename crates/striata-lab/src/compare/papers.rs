@@ -1,0 +1,241 @@
+//! What the papers published about their meshes, beside what is measured here.
+//!
+//! A mesh is known by its number of triangles. Their figures are constants with the table that they stand in; ours are
+//! those of this run, in their accounting as far as it is known, and as stored. Times are those of other machines: theirs
+//! say what was slow and what was quick, not how quick it is.
+
+use serde::Serialize;
+
+use super::models::{ModelRow, ModelsReport};
+use super::page::{Block, Section};
+use super::walks::Pace;
+use striata_command::output::grouped;
+
+/// How to read the table, for people.
+pub(super) const READING: &str = "theirs as published, ours of this run; MB = 10^6 bytes, positions included";
+
+/// A published figure, and ours.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct PaperRow {
+    /// Where it stands.
+    source: &'static str,
+    /// What was measured.
+    what: &'static str,
+    unit: &'static str,
+    theirs: f64,
+    /// In their accounting; null where the model was not measured.
+    ours: Option<f64>,
+    /// As stored, where that differs.
+    ours_as_stored: Option<f64>,
+    /// What ours is the figure of.
+    of: &'static str,
+}
+
+/// A figure that was published.
+struct Published {
+    source: &'static str,
+    what: &'static str,
+    theirs: f64,
+    figure: Figure,
+}
+
+/// What a published figure says.
+#[derive(Clone, Copy)]
+enum Figure {
+    Vertices,
+    Triangles,
+    Strips,
+    PlainMegabytes,
+    /// Of one of our models.
+    Megabytes(&'static str),
+    /// The same where an integer takes 2 bytes.
+    ShortMegabytes(&'static str),
+    Ratio(&'static str),
+    RenderMillis(&'static str),
+    BuildSecs(&'static str),
+}
+
+const fn published(source: &'static str, what: &'static str, theirs: f64, figure: Figure) -> Published {
+    Published { source, what, theirs, figure }
+}
+
+const BRR02_1: &str = "[BRR02] table 1";
+const BRR02_2: &str = "[BRR02] table 2";
+const RCRG06_1: &str = "[RCRG06] table 1";
+const RCRG06_2: &str = "[RCRG06] table 2";
+
+/// The papers' names of models, and ours.
+const MTS: &str = "mts-graph";
+const PM: &str = "progressive-meshes";
+const SKIP_STRIPS: &str = "skip-strips";
+const ORIGINAL: &str = "lodstrips-original";
+const EFFICIENT: &str = "lodstrips";
+
+/// 5,804 triangles.
+const COW: [Published; 8] = [
+    published(BRR02_1, "vertices", 2904.0, Figure::Vertices),
+    published(BRR02_1, "triangles", 5804.0, Figure::Triangles),
+    published(BRR02_1, "strips", 136.0, Figure::Strips),
+    published(BRR02_2, "MTS, storage", 0.286, Figure::ShortMegabytes(MTS)),
+    published(BRR02_2, "PM, storage", 0.256, Figure::ShortMegabytes(PM)),
+    published(BRR02_2, "MTS, construction", 31.0, Figure::BuildSecs(MTS)),
+    published(RCRG06_2, "vertices and strips, storage", 0.13, Figure::PlainMegabytes),
+    published(RCRG06_2, "efficient LodStrips, storage", 0.31, Figure::Megabytes(EFFICIENT)),
+];
+
+/// 30,624 triangles.
+const SPHERE: [Published; 6] = [
+    published(BRR02_1, "vertices", 15_314.0, Figure::Vertices),
+    published(BRR02_1, "triangles", 30_624.0, Figure::Triangles),
+    published(BRR02_1, "strips", 173.0, Figure::Strips),
+    published(BRR02_2, "MTS, storage", 2.145, Figure::ShortMegabytes(MTS)),
+    published(BRR02_2, "PM, storage", 1.318, Figure::ShortMegabytes(PM)),
+    published(BRR02_2, "MTS, construction", 5804.0, Figure::BuildSecs(MTS)),
+];
+
+/// 69,451 triangles.
+const BUNNY: [Published; 19] = [
+    published(BRR02_1, "vertices", 34_834.0, Figure::Vertices),
+    published(BRR02_1, "triangles", 69_451.0, Figure::Triangles),
+    published(BRR02_1, "strips", 1229.0, Figure::Strips),
+    published(BRR02_2, "MTS, storage", 5.301, Figure::ShortMegabytes(MTS)),
+    published(BRR02_2, "PM, storage", 2.993, Figure::ShortMegabytes(PM)),
+    published(BRR02_2, "MTS, construction", 11_946.0, Figure::BuildSecs(MTS)),
+    published(RCRG06_1, "vertices and strips, storage", 1.54, Figure::PlainMegabytes),
+    published(RCRG06_1, "Skip Strips, storage", 4.36, Figure::Megabytes(SKIP_STRIPS)),
+    published(RCRG06_1, "Skip Strips, ratio", 2.83, Figure::Ratio(SKIP_STRIPS)),
+    published(RCRG06_1, "Skip Strips, rendering", 3.56, Figure::RenderMillis(SKIP_STRIPS)),
+    published(RCRG06_1, "MTS, storage", 7.55, Figure::Megabytes(MTS)),
+    published(RCRG06_1, "MTS, ratio", 4.90, Figure::Ratio(MTS)),
+    published(RCRG06_1, "MTS, rendering", 4.37, Figure::RenderMillis(MTS)),
+    published(RCRG06_1, "LodStrips, storage", 4.30, Figure::Megabytes(ORIGINAL)),
+    published(RCRG06_1, "LodStrips, ratio", 2.79, Figure::Ratio(ORIGINAL)),
+    published(RCRG06_1, "LodStrips, rendering", 2.43, Figure::RenderMillis(ORIGINAL)),
+    published(RCRG06_1, "efficient LodStrips, storage", 3.20, Figure::Megabytes(EFFICIENT)),
+    published(RCRG06_1, "efficient LodStrips, ratio", 2.08, Figure::Ratio(EFFICIENT)),
+    published(RCRG06_1, "efficient LodStrips, rendering", 2.07, Figure::RenderMillis(EFFICIENT)),
+];
+
+/// What fans take in \[Cor01\], figure 5: bytes a vertex, positions, normals and the data of criteria included. Of its six
+/// meshes the bunny takes least, and none takes more than 83.8.
+pub(super) const COR01_BYTES_PER_VERTEX: f64 = 83.0;
+
+/// The same of a mesh of so many triangles, 10^6 bytes; `None` where it was not measured.
+pub(super) fn cor01_megabytes(triangle_count: usize) -> Option<f64> {
+    const MESHES: [(usize, f64); 6] =
+        [(268_686, 11.15), (151_558, 6.35), (134_074, 5.61), (96_966, 4.03), (69_451, 2.89), (5_651, 0.235)];
+    MESHES.iter().find(|&&(triangles, _)| triangles == triangle_count).map(|&(_, megabytes)| megabytes)
+}
+
+/// What patterns and the Multi-Triangulation take in \[KG98\], sections 3.2 and 3.3: bytes a vertex, without positions.
+pub(super) const KG98_BYTES_PER_VERTEX: [u32; 2] = [26, 160];
+/// Bits of a fragment there, with so many overlaps to each.
+pub(super) const KG98_FRAGMENT_BITS: u32 = 206;
+pub(super) const KG98_OVERLAPS: f64 = 2.5;
+/// Bits of a fragment there in the form for transmission, section 3.1.
+pub(super) const KG98_SEQUENTIAL_BITS: u32 = 44;
+
+/// What was published about a mesh of so many triangles.
+fn published_about(triangle_count: usize) -> &'static [Published] {
+    match triangle_count {
+        5_804 => &COW,
+        30_624 => &SPHERE,
+        69_451 => &BUNNY,
+        _ => &[],
+    }
+}
+
+/// The published figures of a mesh beside ours; nothing where no paper measured it.
+pub(super) fn beside(report: &ModelsReport) -> Vec<PaperRow> {
+    published_about(report.basis.triangle_count).iter().map(|figure| figure.beside(report)).collect()
+}
+
+impl Published {
+    fn beside(&self, report: &ModelsReport) -> PaperRow {
+        let basis = &report.basis;
+        let of_model = |name: &str, value: &dyn Fn(&ModelRow) -> f64| {
+            report.rows.iter().find(|row| row.name == name).map(value)
+        };
+        let megabytes = |bytes: usize| bytes as f64 / 1e6;
+        let (unit, of, ours, ours_as_stored) = match self.figure {
+            Figure::Vertices => ("", "the mesh", Some(basis.vertex_count as f64), None),
+            Figure::Triangles => ("", "the mesh", Some(basis.triangle_count as f64), None),
+            Figure::Strips => ("", "the strips", Some(basis.strips.strip_count as f64), None),
+            Figure::PlainMegabytes => ("MB", "the strips", Some(megabytes(basis.plain_bytes)), None),
+            Figure::Megabytes(name) => (
+                "MB",
+                name,
+                of_model(name, &|row| megabytes(row.paper_bytes)),
+                of_model(name, &|row| megabytes(row.total_bytes)),
+            ),
+            Figure::ShortMegabytes(name) => (
+                "MB",
+                name,
+                of_model(name, &|row| megabytes(row.short_paper_bytes)),
+                of_model(name, &|row| megabytes(row.total_bytes)),
+            ),
+            Figure::Ratio(name) => (
+                "x plain",
+                name,
+                of_model(name, &|row| row.paper_ratio_to_plain),
+                of_model(name, &|row| row.ratio_to_plain),
+            ),
+            Figure::RenderMillis(name) => {
+                let millis = |row: &ModelRow| row.walk(Pace::Linear).extract_and_send_secs * 1e3;
+                ("ms", name, of_model(name, &millis), None)
+            }
+            Figure::BuildSecs(name) => {
+                let before = basis.sequence_secs + basis.strips.stripify_secs;
+                ("s", name, of_model(name, &|row| before + row.build_secs), None)
+            }
+        };
+        let Self { source, what, theirs, .. } = *self;
+        PaperRow { source, what, unit, theirs, ours, ours_as_stored, of }
+    }
+}
+
+/// Head and rows.
+pub(super) fn table(rows: &[PaperRow]) -> Vec<Vec<String>> {
+    let head = ["what", "published in", "unit", "theirs", "ours, their count", "ours, as stored", "ours is"];
+    let mut table = vec![head.map(str::to_owned).to_vec()];
+    for row in rows {
+        let or_dash =
+            |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| digits(value, row.unit));
+        table.push(vec![
+            row.what.to_owned(),
+            row.source.to_owned(),
+            row.unit.to_owned(),
+            digits(row.theirs, row.unit),
+            or_dash(row.ours),
+            or_dash(row.ours_as_stored),
+            row.of.to_owned(),
+        ]);
+    }
+    table
+}
+
+fn digits(value: f64, unit: &str) -> String {
+    match unit {
+        "" => grouped(value.round() as usize),
+        "s" if value >= 100.0 => grouped(value.round() as usize),
+        "ms" | "MB" => format!("{value:.3}"),
+        _ => format!("{value:.2}"),
+    }
+}
+
+/// The same as a section of the page.
+pub(super) fn section(rows: &[PaperRow]) -> Section {
+    Section {
+        title: "Beside the papers".to_owned(),
+        intro: "What the papers published about this mesh, and what this run measured on a mesh with as many triangles. \
+                MB are 10^6 bytes, positions included at 12 bytes a vertex. Ours in their count takes 4 bytes for every \
+                number, index and pointer beside [RCRG06]; beside [BRR02] 2 for an integer and 4 for a pointer or a long \
+                one. What [RCRG06] calls vertices and strips takes 44 bytes a vertex, twice what positions and strips \
+                take here: compare megabytes, not ratios. Construction counts the sequence, the strips and the model. \
+                Rendering is theirs \
+                in OpenGL's immediate mode on a graphics card of 2006, drawing included; ours is extraction and \
+                sending to a buffer, the processor's side of it, over the linear walk."
+            .to_owned(),
+        blocks: vec![Block::WideTable(table(rows))],
+    }
+}

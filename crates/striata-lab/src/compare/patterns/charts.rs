@@ -1,0 +1,108 @@
+//! Patterns on the page: what they take, and how long extraction does, as charts and tables.
+
+use super::super::bars::{BarChart, Bars};
+use super::super::page::{Block, Section};
+use super::super::papers::KG98_BYTES_PER_VERTEX;
+use super::super::plot::{Chart, Series};
+use super::super::scale::Scale;
+use super::extraction::{ExtractionRow, NAMES};
+use super::sizes::SourceRow;
+use super::{PatternsReport, extraction_table, table};
+use striata_command::failure::Failure;
+
+/// The same as charts and tables.
+///
+/// # Errors
+/// Where a chart cannot be drawn.
+pub(in super::super) fn sections(report: &PatternsReport) -> Result<Vec<Section>, Failure> {
+    let [patterns, explicit] = KG98_BYTES_PER_VERTEX;
+    let space = Section {
+        title: "Patterns".to_owned(),
+        intro: format!(
+            "{} Ours, the published form and the Multi-Triangulation are counted as they lie in memory, the base and the rules \
+             included; bytes a vertex without positions. The paper has {patterns} bytes a vertex beside {explicit} of the \
+             Multi-Triangulation.",
+            report.about(),
+        ),
+        blocks: vec![
+            Block::bars(&bits_chart(report), "Bits a fragment in each form")?,
+            Block::bars(&bytes_chart(report), "Bytes a vertex of each model")?,
+            Block::WideTable(table(report)),
+        ],
+    };
+    let time = Section {
+        title: "Extraction of patterns".to_owned(),
+        intro: format!(
+            "From a new instance of the base to the coarsest surface that leaves no fragment with a larger error out, and its \
+             triangles into a buffer: fragments of {}. Where time is linear in what is extracted, a line is flat. Of each, the \
+             quickest of several rounds in which models take turns; all extract the same triangles.",
+            report.extracted_from
+        ),
+        blocks: vec![
+            Block::chart(&time_chart(report), "Time a triangle by triangles extracted")?,
+            Block::WideTable(extraction_table(report)),
+        ],
+    };
+    Ok(vec![space, time])
+}
+
+fn bar_chart(
+    report: &PatternsReport,
+    title: &'static str,
+    kinds: Vec<&'static str>,
+    values: fn(&SourceRow) -> Vec<Option<f64>>,
+) -> BarChart {
+    let bars = |row: &SourceRow| Bars {
+        name: row.source.to_owned(),
+        values: values(row).into_iter().flatten().collect(),
+    };
+    BarChart { title, kinds, bars: report.sources.iter().map(bars).collect() }
+}
+
+// What may be missing stands last, so that colours stay what they are.
+
+fn bits_chart(report: &PatternsReport) -> BarChart {
+    let kinds = vec!["ours", "paper's count", "as published", "in sequence"];
+    bar_chart(report, "bits a fragment", kinds, |row| {
+        vec![
+            Some(row.bits_per_fragment),
+            Some(row.paper_bits_per_fragment),
+            row.loop_bits_per_fragment,
+            row.sequential_bits_per_fragment,
+        ]
+    })
+}
+
+fn bytes_chart(report: &PatternsReport) -> BarChart {
+    let kinds = vec!["ours", "Multi-Triangulation", "as published"];
+    bar_chart(report, "bytes a vertex, positions not included", kinds, |row| {
+        vec![
+            Some(row.bytes_per_vertex),
+            Some(row.multi_triangulation_bytes_per_vertex),
+            row.loop_bytes_per_vertex,
+        ]
+    })
+}
+
+fn time_chart(report: &PatternsReport) -> Chart {
+    let point = |row: &ExtractionRow, name: &str| {
+        let time = row.models.iter().find(|time| time.name == name)?;
+        Some((row.triangle_count as f64, time.ns_per_triangle?))
+    };
+    let series: Vec<Series> = NAMES
+        .into_iter()
+        .map(|name| Series {
+            name: name.to_owned(),
+            points: report.extraction.iter().filter_map(|row| point(row, name)).collect(),
+            spread: Vec::new(),
+        })
+        .collect();
+    let all = || series.iter().flat_map(|series| series.points.iter().copied());
+    Chart {
+        x_title: "triangles extracted",
+        y_title: "ns a triangle",
+        x: Scale::log(all().map(|point| point.0)),
+        y: Scale::linear(all().map(|point| point.1).chain([0.0])),
+        series,
+    }
+}

@@ -1,0 +1,87 @@
+//! Draco, by its command line tools, where they are on the PATH.
+
+use std::path::Path;
+use std::process::Command;
+
+use striata::mesh::IndexedMesh;
+use tempfile::TempDir;
+
+use super::{Coded, quickest};
+use striata_command::failure::Failure;
+
+/// What its files are called.
+pub(super) const NAME: &str = "Draco -cl 10";
+
+/// The tools, with a folder for what they read and write.
+pub(super) struct Draco {
+    folder: TempDir,
+}
+
+impl Draco {
+    /// None where the tools are not there.
+    ///
+    /// # Errors
+    /// Where there is no place for a folder.
+    pub(super) fn find() -> Result<Option<Self>, Failure> {
+        let is_there = |tool| Command::new(tool).arg("-h").output().is_ok();
+        if !is_there("draco_encoder") || !is_there("draco_decoder") {
+            return Ok(None);
+        }
+        let folder = TempDir::new();
+        let folder = folder.map_err(|error| Failure::user(format!("a folder for Draco's files: {error}")))?;
+        Ok(Some(Self { folder }))
+    }
+
+    /// Codes positions and triangles, the smallest that it can; times are those that it tells, in whole milliseconds.
+    ///
+    /// # Errors
+    /// Where a tool fails.
+    pub(super) fn code(&self, mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
+        let [plain, packed, back] =
+            ["in.ply", "out.drc", "back.ply"].map(|name| self.folder.path().join(name));
+        striata_io::write(&plain, mesh, &striata_io::WriteOptions::default())?;
+        let bits = bits.to_string();
+        let encode_secs = run("draco_encoder", (&plain, &packed), &["-cl", "10", "-qp", &bits])?;
+        let decode_secs = quickest(|| run("draco_decoder", (&packed, &back), &[]))?;
+        let bytes =
+            std::fs::metadata(&packed).map_err(|error| failed("draco_encoder", &error.to_string()))?;
+        let mesh = striata_io::read(&back)?;
+        Ok(Coded { bytes: bytes.len() as usize, mesh, encode_secs, decode_secs })
+    }
+}
+
+/// Runs a tool; gives the seconds that it says it took, files left out.
+fn run(tool: &str, (from, to): (&Path, &Path), flags: &[&str]) -> Result<f64, Failure> {
+    let output = Command::new(tool).arg("-i").arg(from).arg("-o").arg(to).args(flags).output();
+    let output = output.map_err(|error| failed(tool, &error.to_string()))?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    if !output.status.success() {
+        return Err(failed(tool, text.trim()));
+    }
+    told_secs(&text).ok_or_else(|| failed(tool, "it does not say how long it took"))
+}
+
+/// The time in `(12 ms to decode)`.
+fn told_secs(text: &str) -> Option<f64> {
+    let (before, _) = text.split_once(" ms to ")?;
+    let (_, number) = before.rsplit_once('(')?;
+    Some(number.parse::<f64>().ok()? / 1e3)
+}
+
+fn failed(tool: &str, why: &str) -> Failure {
+    Failure::user(format!("{tool}: {why}")).with_hint("take it off the PATH to leave it out")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_read_off_what_the_tools_say() {
+        let text =
+            "Encoder options:\n  Level = 10 (best)\n\nEncoded mesh saved to a.drc (38 ms to encode).\n";
+        assert_eq!(told_secs(text), Some(0.038));
+        assert_eq!(told_secs("Decoded geometry saved to a (b).ply (0 ms to decode)\n"), Some(0.0));
+        assert_eq!(told_secs("nothing"), None);
+    }
+}

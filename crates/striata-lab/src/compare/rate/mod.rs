@@ -1,0 +1,316 @@
+//! How near to the mesh one comes after so many bytes: our streams, levels sent one after another, and the files of others.
+//!
+//! Positions only, on the same grid for all: that of the longest side of the bounds in 2^bits - 1 steps. Distances are sampled, to the
+//! mesh and back, and are shares of its diagonal.
+
+mod discrete;
+mod draco;
+#[cfg(feature = "peers")]
+mod meshoptimizer;
+mod streams;
+
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::codec::progressive::Effort;
+use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance};
+
+use self::draco::Draco;
+use self::streams::Streams;
+use super::page::{Block, Section};
+use super::plot::{Chart, Series};
+use super::scale::Scale;
+use crate::args::RateArgs;
+use striata_command::failure::Failure;
+use striata_command::output::{Bar, grouped, lasted};
+use striata_command::stream::effort_name;
+
+/// Samples of each surface.
+const SAMPLES: usize = 100_000;
+/// Bits of a coordinate at which single files are compared.
+const FILE_BITS: [u32; 5] = [8, 10, 12, 14, 16];
+/// Those at which sizes are.
+const SIZE_BITS: [u32; 2] = [12, 14];
+/// How often decoding is repeated at most; the quickest counts.
+const RUNS: usize = 5;
+/// Seconds after which it is not repeated any more.
+const RUN_SECS: f64 = 2.0;
+
+/// A mesh as some coder keeps it.
+struct Coded {
+    bytes: usize,
+    /// Decoded again.
+    mesh: IndexedMesh,
+    encode_secs: f64,
+    decode_secs: f64,
+}
+
+/// A coder of single meshes: positions on a grid of so many bits.
+type Coder<'c> = Box<dyn Fn(&IndexedMesh, u32) -> Result<Coded, Failure> + 'c>;
+
+/// What was measured.
+#[derive(Serialize)]
+pub(super) struct RateReport {
+    /// Bits of a coordinate in streams and levels.
+    rate_bits: u32,
+    rate: Vec<RateRow>,
+    sizes: Vec<SizeRow>,
+}
+
+/// What is shown after some bytes.
+#[derive(Clone, Debug, Serialize)]
+struct RateRow {
+    /// The way; its rows belong together.
+    name: String,
+    bytes: usize,
+    triangle_count: usize,
+    /// Percent of the diagonal.
+    max: f64,
+    rms: f64,
+}
+
+/// A whole file.
+#[derive(Clone, Debug, Serialize)]
+struct SizeRow {
+    name: String,
+    bits: u32,
+    bytes: usize,
+    bits_per_vertex: f64,
+    /// Where Draco is there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ratio_to_draco: Option<f64>,
+    encode_secs: f64,
+    decode_secs: f64,
+    triangles_per_sec: f64,
+}
+
+/// Measures all ways on one mesh.
+///
+/// # Errors
+/// Where the mesh does not hang together, or a coder fails.
+pub(super) fn measure(
+    mesh: &IndexedMesh,
+    args: &RateArgs,
+    bar: &mut Bar,
+    say: &dyn Fn(&str),
+) -> Result<RateReport, Failure> {
+    let bare = IndexedMesh {
+        positions: mesh.positions.clone(),
+        triangles: mesh.triangles.clone(),
+        ..IndexedMesh::default()
+    };
+    say("collapses in batches");
+    let streams = Streams::build(&bare, bar)?;
+    let ruler = Ruler { reference: streams.mesh() };
+    let draco = Draco::find()?;
+    if draco.is_none() {
+        say("draco_encoder and draco_decoder are not on the PATH: left out");
+    }
+    let mut peers: Vec<(String, Coder<'_>)> = Vec::new();
+    if let Some(draco) = &draco {
+        peers.push((draco::NAME.to_owned(), Box::new(|mesh, bits| draco.code(mesh, bits))));
+    }
+    #[cfg(feature = "peers")]
+    peers.push((meshoptimizer::NAME.to_owned(), Box::new(meshoptimizer::code)));
+    let mut rate = Vec::new();
+    let mut sizes = Vec::new();
+    for effort in args.efforts() {
+        say(&format!("streams, {} effort", effort_name(effort)));
+        if !args.sizes_only {
+            rate.extend(streams.prefixes(args.bits, effort, &ruler)?);
+        }
+        for bits in SIZE_BITS {
+            let coded = streams.code(bits, effort)?;
+            sizes.push(SizeRow::new(stream_name(effort), bits, &coded));
+        }
+    }
+    for (name, code) in &peers {
+        say(name);
+        for bits in FILE_BITS.into_iter().filter(|bits| !args.sizes_only || SIZE_BITS.contains(bits)) {
+            let coded = code(streams.mesh(), bits)?;
+            if !args.sizes_only {
+                rate.extend(ruler.row(name, coded.bytes, &coded.mesh));
+            }
+            if SIZE_BITS.contains(&bits) {
+                sizes.push(SizeRow::new(name.clone(), bits, &coded));
+            }
+        }
+    }
+    if args.sizes_only {
+        relate(&mut sizes);
+        return Ok(RateReport { rate_bits: args.bits, rate, sizes });
+    }
+    say("levels one after another");
+    peers.push((stream_name(Effort::Default), Box::new(streams::code_level)));
+    rate.extend(discrete::measure(&bare, args.bits, &peers, (&ruler, bar))?);
+    relate(&mut sizes);
+    Ok(RateReport { rate_bits: args.bits, rate, sizes })
+}
+
+fn stream_name(effort: Effort) -> String {
+    format!("striata {}", effort_name(effort))
+}
+
+/// Divides sizes by those of Draco.
+fn relate(sizes: &mut [SizeRow]) {
+    let theirs: Vec<(u32, usize)> =
+        sizes.iter().filter(|row| row.name == draco::NAME).map(|row| (row.bits, row.bytes)).collect();
+    for row in sizes {
+        let base = theirs.iter().find(|(bits, _)| *bits == row.bits);
+        row.ratio_to_draco = base.map(|&(_, bytes)| row.bytes as f64 / bytes as f64);
+    }
+}
+
+/// Measures distances to one mesh.
+struct Ruler<'m> {
+    reference: &'m IndexedMesh,
+}
+
+impl Ruler<'_> {
+    /// None where what is shown has no surface.
+    fn row(&self, name: &str, bytes: usize, shown: &IndexedMesh) -> Option<RateRow> {
+        let options = DistanceOptions::default().with_sample_count(SAMPLES);
+        let distance = surface_distance(self.reference, shown, &options).ok()?;
+        let percent = 100.0 / distance.diagonal;
+        Some(RateRow {
+            name: name.to_owned(),
+            bytes,
+            triangle_count: shown.triangle_count(),
+            max: distance.max * percent,
+            rms: distance.rms * percent,
+        })
+    }
+}
+
+impl SizeRow {
+    fn new(name: String, bits: u32, coded: &Coded) -> Self {
+        Self {
+            name,
+            bits,
+            bytes: coded.bytes,
+            bits_per_vertex: coded.bytes as f64 * 8.0 / coded.mesh.vertex_count().max(1) as f64,
+            ratio_to_draco: None,
+            encode_secs: coded.encode_secs,
+            decode_secs: coded.decode_secs,
+            triangles_per_sec: coded.mesh.triangle_count() as f64 / coded.decode_secs.max(1e-6),
+        }
+    }
+}
+
+/// The quickest of some runs, each of which tells its seconds.
+///
+/// # Errors
+/// Where one of them fails.
+fn quickest(mut run: impl FnMut() -> Result<f64, Failure>) -> Result<f64, Failure> {
+    let started = Instant::now();
+    let mut least = run()?;
+    for _ in 1..RUNS {
+        if started.elapsed().as_secs_f64() > RUN_SECS {
+            break;
+        }
+        least = least.min(run()?);
+    }
+    Ok(least)
+}
+
+/// Both tables as text.
+pub(super) fn to_text(report: &RateReport, text_of: impl Fn(Vec<Vec<String>>) -> String) -> String {
+    if report.rate.is_empty() {
+        return format!("Whole files, positions only\n{}", text_of(size_table(report)));
+    }
+    format!(
+        "Whole files, positions only\n{}\nDistance after so many bytes, {} bits a coordinate where nothing else is said\n{}",
+        text_of(size_table(report)),
+        report.rate_bits,
+        text_of(rate_table(report))
+    )
+}
+
+fn size_table(report: &RateReport) -> Vec<Vec<String>> {
+    let head =
+        ["file", "bits", "bytes", "bits a vertex", "to Draco", "encoding", "decoding", "M triangles/s"];
+    let rows = report.sizes.iter().map(|row| {
+        vec![
+            row.name.clone(),
+            row.bits.to_string(),
+            grouped(row.bytes),
+            format!("{:.2}", row.bits_per_vertex),
+            row.ratio_to_draco.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.3}")),
+            lasted(row.encode_secs),
+            lasted(row.decode_secs),
+            format!("{:.2}", row.triangles_per_sec / 1e6),
+        ]
+    });
+    with_head(&head, rows)
+}
+
+fn rate_table(report: &RateReport) -> Vec<Vec<String>> {
+    let rows = report.rate.iter().map(|row| {
+        let counts = [grouped(row.bytes), grouped(row.triangle_count)];
+        let distances = [row.rms, row.max].map(|percent| format!("{percent:.5}"));
+        [row.name.clone()].into_iter().chain(counts).chain(distances).collect()
+    });
+    with_head(&["way", "bytes", "triangles", "RMS, %", "max, %"], rows)
+}
+
+fn with_head(head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Vec<Vec<String>> {
+    let head = head.iter().map(|&cell| cell.to_owned()).collect();
+    std::iter::once(head).chain(rows).collect()
+}
+
+/// The same as charts and tables.
+///
+/// # Errors
+/// Where a chart cannot be drawn.
+pub(super) fn section(report: &RateReport) -> Result<Section, Failure> {
+    if report.rate.is_empty() {
+        return Ok(Section {
+            title: "Sizes of whole files".to_owned(),
+            intro: format!("Positions only. Decoding is the quickest of up to {RUNS} runs on one core."),
+            blocks: vec![Block::WideTable(size_table(report))],
+        });
+    }
+    Ok(Section {
+        title: "Distance after so many bytes".to_owned(),
+        intro: format!(
+            "What can be shown of the mesh once so many bytes are there, positions only, as shares of the diagonal, sampled both ways. \
+             Streams and levels have {} bits a coordinate; levels halve their triangles, are coded by themselves and \
+             come from coarse to fine. Files of others are there when their last byte is: a point for each of {} bits a \
+             coordinate. Decoding is the quickest of up to {RUNS} runs on one core; encoding \
+             streams has their simplification in it.",
+            report.rate_bits,
+            FILE_BITS.map(|bits| bits.to_string()).join(", ")
+        ),
+        blocks: vec![
+            Block::chart(&chart(report, "RMS, % of the diagonal", |row| row.rms), "RMS distance by bytes")?,
+            Block::chart(
+                &chart(report, "largest, % of the diagonal", |row| row.max),
+                "Largest distance by bytes",
+            )?,
+            Block::WideTable(size_table(report)),
+            Block::WideTable(rate_table(report)),
+        ],
+    })
+}
+
+fn chart(report: &RateReport, y_title: &'static str, distance: fn(&RateRow) -> f64) -> Chart {
+    // What is exact has no place on a scale of logarithms.
+    let point = |row: &RateRow| (row.bytes as f64, distance(row).max(1e-5));
+    let mut series: Vec<Series> = Vec::new();
+    for row in &report.rate {
+        match series.iter_mut().find(|series| series.name == row.name) {
+            Some(series) => series.points.push(point(row)),
+            None => {
+                let (name, points) = (row.name.clone(), vec![point(row)]);
+                series.push(Series { name, points, spread: Vec::new() });
+            }
+        }
+    }
+    Chart {
+        x_title: "bytes",
+        y_title,
+        x: Scale::log(report.rate.iter().map(|row| point(row).0)),
+        y: Scale::log(report.rate.iter().map(|row| point(row).1)),
+        series,
+    }
+}

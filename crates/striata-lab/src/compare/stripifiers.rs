@@ -1,0 +1,179 @@
+//! Time against quality: every stripifier, and those that search with several budgets.
+
+use serde::Serialize;
+use striata::mesh::{IndexedMesh, canonical_triangles};
+use striata::strip::StripSet;
+
+use super::page::{Block, Section};
+use super::plot::{Chart, Series};
+use super::scale::Scale;
+use striata_command::args::StripSearchArgs;
+use striata_command::failure::Failure;
+use striata_command::output::{grouped, lasted};
+use striata_command::strip_chain::{StripChain, StripPlan, Stripped};
+use striata_command::strip_report::StripReport;
+
+/// Runs of what ends by itself; the quickest is told.
+const RUN_COUNT: usize = 3;
+
+/// What one stripifier made in one time.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct StripifierRow {
+    #[serde(flatten)]
+    report: StripReport,
+    /// Seconds that it was given; none where it went on for its usual number of moves, or until nothing was left to do.
+    budget_secs: Option<f64>,
+    secs: f64,
+}
+
+/// Runs every chain; those that search also with each budget. Other tools come last.
+///
+/// # Errors
+/// Where the mesh's parts do not fit together, or strips are not what they are to be.
+pub(super) fn measure(
+    mesh: &IndexedMesh,
+    chains: &[StripChain],
+    budgets: &[f64],
+    show: &mut dyn FnMut(&str),
+) -> Result<Vec<StripifierRow>, Failure> {
+    let wanted = canonical_triangles(&proper_triangles(mesh));
+    let mut rows = Vec::new();
+    let mut push = |name: &str, budget_secs, made: &Stripped| {
+        check(name, &made.strips, &wanted)?;
+        let report = StripReport::new(name.to_owned(), mesh, made, 16)?;
+        rows.push(StripifierRow { report, budget_secs, secs: made.secs });
+        Ok::<(), Failure>(())
+    };
+    for chain in chains {
+        let name = chain.to_string();
+        show(&name);
+        let plan = StripPlan { chain: chain.clone(), search: StripSearchArgs::default() };
+        if !chain.searches() {
+            push(&name, None, &quickest(|| Ok(plan.run(mesh, &mut |_| ())?))?)?;
+            continue;
+        }
+        for &secs in budgets {
+            let plan = plan.with_budget(secs);
+            push(&name, Some(secs), &plan.run(mesh, &mut |_| ())?)?;
+        }
+        push(&name, None, &plan.run(mesh, &mut |_| ())?)?;
+    }
+    #[cfg(feature = "peers")]
+    for (name, stripify) in super::peers::PEERS {
+        show(name);
+        push(name, None, &quickest(|| stripify(mesh))?)?;
+    }
+    Ok(rows)
+}
+
+fn quickest(mut run: impl FnMut() -> Result<Stripped, Failure>) -> Result<Stripped, Failure> {
+    let mut best = run()?;
+    for _ in 1..RUN_COUNT {
+        let made = run()?;
+        if made.secs < best.secs {
+            best = made;
+        }
+    }
+    Ok(best)
+}
+
+fn proper_triangles(mesh: &IndexedMesh) -> Vec<[u32; 3]> {
+    mesh.triangles.iter().copied().filter(|&[a, b, c]| a != b && b != c && c != a).collect()
+}
+
+/// A comparison is worth nothing where the strips do not show the mesh.
+fn check(name: &str, strips: &StripSet, wanted: &[[u32; 3]]) -> Result<(), Failure> {
+    let mut triangles = Vec::with_capacity(wanted.len());
+    strips.triangles_into(&mut triangles);
+    if canonical_triangles(&triangles) == wanted {
+        return Ok(());
+    }
+    Err(Failure::internal(format!("the strips of {name} are not the triangles of the mesh")))
+}
+
+impl StripifierRow {
+    fn budget(&self) -> String {
+        self.budget_secs.map_or_else(|| "-".to_owned(), |secs| format!("{secs} s"))
+    }
+}
+
+/// Head and rows.
+pub(super) fn table(rows: &[StripifierRow]) -> Vec<Vec<String>> {
+    let head = [
+        "stripifier",
+        "budget",
+        "time",
+        "strips",
+        "swaps",
+        "indices",
+        "indices a triangle",
+        "ACMR, FIFO 16",
+        "ATVR, FIFO 16",
+    ];
+    let mut table = vec![head.map(str::to_owned).to_vec()];
+    for row in rows {
+        let report = &row.report;
+        table.push(vec![
+            report.algorithm.clone(),
+            row.budget(),
+            lasted(row.secs),
+            grouped(report.strip_count),
+            grouped(report.swap_count),
+            grouped(report.index_count),
+            format!("{:.4}", report.indices_per_triangle),
+            format!("{:.4}", report.acmr_16),
+            format!("{:.4}", report.atvr_16),
+        ]);
+    }
+    table
+}
+
+/// The same as two charts and a table.
+///
+/// # Errors
+/// Where a chart cannot be drawn.
+pub(super) fn section(rows: &[StripifierRow]) -> Result<Section, Failure> {
+    let indices = |row: &StripifierRow| row.report.indices_per_triangle;
+    let strips = |row: &StripifierRow| row.report.strip_count as f64;
+    let x = Scale::log(rows.iter().map(|row| row.secs));
+    let by_indices = Chart {
+        x_title: "seconds",
+        y_title: "indices a triangle",
+        x: x.clone(),
+        y: Scale::linear(rows.iter().map(indices)),
+        series: series(rows, indices),
+    };
+    let by_strips = Chart {
+        x_title: "seconds",
+        y_title: "strips",
+        x,
+        y: Scale::log(rows.iter().map(strips)),
+        series: series(rows, strips),
+    };
+    Ok(Section {
+        title: "Time against quality".to_owned(),
+        intro: format!(
+            "Lower and further left is better. Those that search are joined by a line: one point for each budget, and \
+             one, with no budget in the table, for their usual number of moves. Times are those of one thread; of what \
+             ends by itself, the quickest of {RUN_COUNT} runs. Indices count swaps and restarts; misses are those of a \
+             first-in first-out cache of 16 vertices, a triangle (ACMR) and a vertex (ATVR)."
+        ),
+        blocks: vec![
+            Block::chart(&by_indices, "Indices a triangle against time")?,
+            Block::chart(&by_strips, "Strips against time")?,
+            Block::WideTable(table(rows)),
+        ],
+    })
+}
+
+/// One series for each stripifier, from the shortest time to the longest.
+fn series(rows: &[StripifierRow], value_of: impl Fn(&StripifierRow) -> f64) -> Vec<Series> {
+    let same = |a: &StripifierRow, b: &StripifierRow| a.report.algorithm == b.report.algorithm;
+    let of_stripifier = |rows: &[StripifierRow]| {
+        let mut points: Vec<(f64, f64)> = rows.iter().map(|row| (row.secs, value_of(row))).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let name = rows.first().map_or(String::new(), |row| row.report.algorithm.clone());
+        Series { name, points, spread: Vec::new() }
+    };
+    rows.chunk_by(same).map(of_stripifier).collect()
+}

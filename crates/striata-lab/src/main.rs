@@ -1,0 +1,26 @@
+//! The `striata-lab` command: measures what the product is compared with.
+
+mod args;
+#[cfg(feature = "gpu")]
+mod bench_gpu;
+mod compare;
+
+use std::process::ExitCode;
+
+use striata_command::failure::Failure;
+use striata_command::output::Output;
+
+use crate::args::{Cli, Verb};
+
+fn main() -> ExitCode {
+    striata_command::run(run)
+}
+
+fn run(cli: &Cli) -> Result<(), Failure> {
+    let output = Output::new(cli.report);
+    match &cli.verb {
+        Verb::Compare(args) => compare::run(args, &output),
+        #[cfg(feature = "gpu")]
+        Verb::BenchGpu(args) => bench_gpu::run(args, &output.with_drivers(args.drivers)),
+    }
+}

@@ -1,0 +1,146 @@
+//! `compare`: every key and row that was asked for, and a page that needs nothing else.
+
+use crate::workbench::{Workbench, assert_keys};
+
+/// Strips only, quickly.
+const QUICK: &str = "--parts strips --seeds 2 --max-tunnel 5 --budgets 0.01,0.02";
+
+#[test]
+fn lengths_and_stripifiers_are_all_there() {
+    let bench = Workbench::with_ball();
+    let report =
+        bench.json(&format!("compare sphere.obj ball.striata {QUICK} --strips greedy,greedy+tunnel:3"));
+    assert_keys(&report, &["command", "machine", "meshes", "secs"]);
+    let meshes = report["meshes"].as_array().expect("a list");
+    let names: Vec<&str> = meshes.iter().filter_map(|mesh| mesh["name"].as_str()).collect();
+    assert_eq!(names, ["sphere.obj", "ball.striata"]);
+    for mesh in meshes {
+        assert_eq!((&mesh["triangle_count"], &mesh["component_count"]), (&512.into(), &1.into()));
+        let lengths = mesh["strips"]["tunnel_lengths"].as_array().expect("a list");
+        let settings: Vec<(&str, u64)> = lengths
+            .iter()
+            .map(|row| {
+                (row["algorithm"].as_str().expect("a name"), row["max_length"].as_u64().expect("a length"))
+            })
+            .collect();
+        for length in [1, 3, 5] {
+            for algorithm in ["tunnel", "tunnel-static"] {
+                assert!(settings.contains(&(algorithm, length)), "{algorithm} {length}: {settings:?}");
+            }
+        }
+        assert_eq!(settings.len(), 6);
+        for row in lengths {
+            assert_keys(row, &["seeds", "mean", "min", "max", "std"]);
+            let [mean, min, max] = ["mean", "min", "max"].map(|key| row[key].as_f64().expect("a number"));
+            assert!(row["seeds"] == 2 && 1.0 <= min && min <= mean && mean <= max, "{row}");
+        }
+        let rows = mesh["strips"]["stripifiers"].as_array().expect("a list");
+        for algorithm in ["greedy", "greedy+tunnel:3"] {
+            assert!(rows.iter().any(|row| row["algorithm"] == algorithm), "{algorithm}: {rows:?}");
+        }
+        for row in rows {
+            let keys = [
+                "strip_count",
+                "swap_count",
+                "index_count",
+                "indices_per_triangle",
+                "acmr_16",
+                "atvr_16",
+                "secs",
+            ];
+            assert_keys(row, &keys);
+            assert_eq!(row["triangle_count"], 512);
+        }
+    }
+}
+
+#[test]
+fn a_tunnel_length_counts_what_strip_makes_of_it() {
+    let bench = Workbench::with_ball();
+    let report = bench.json("compare sphere.obj --parts strips --seeds 1 --max-tunnel 3 --strips tunnel:3");
+    let alone = bench.json("strip sphere.obj --strips tunnel:3 --seed 0");
+    let strips = &report["meshes"][0]["strips"];
+    let mut lengths = strips["tunnel_lengths"].as_array().expect("a list").iter();
+    let row = lengths.find(|row| row["algorithm"] == "tunnel" && row["max_length"] == 3);
+    assert_eq!(row.expect("a row")["min"], alone["strip_count"]);
+    assert_eq!(strips["stripifiers"][0]["index_count"], alone["index_count"]);
+}
+
+#[test]
+fn what_searches_is_given_every_budget_and_its_own_time() {
+    let bench = Workbench::with_ball();
+    let report = bench.json(&format!("compare sphere.obj {QUICK} --strips greedy,cheapest"));
+    let rows = report["meshes"][0]["strips"]["stripifiers"].as_array().expect("a list");
+    let budgets = |algorithm: &str| -> Vec<Option<f64>> {
+        rows.iter()
+            .filter(|row| row["algorithm"] == algorithm)
+            .map(|row| row["budget_secs"].as_f64())
+            .collect()
+    };
+    assert_eq!(budgets("greedy"), [None]);
+    assert_eq!(budgets("cheapest"), [Some(0.01), Some(0.02), None]);
+}
+
+#[test]
+fn the_page_stands_alone() {
+    let bench = Workbench::with_ball();
+    let assert = bench.run(&format!("compare sphere.obj {QUICK} --html page.html")).success();
+    let told = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
+    assert!(told.contains("tunnel-static") && told.contains("greedy"), "{told}");
+    let page = String::from_utf8(bench.read("page.html")).expect("text");
+    assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
+    assert!(
+        page.contains(
+            "striata-lab compare sphere.obj --parts strips --seeds 2 --max-tunnel 5 --budgets 0.01,0.02 --html page.html"
+        ),
+        "no command line"
+    );
+    assert_eq!(page.matches("<svg").count(), 3);
+    assert_eq!(page.matches("<table>").count(), 2);
+    assert!(!page.contains("{{") && !page.contains("src=\"") && !page.contains("href=\"http"));
+    let piped = bench.run(&format!("compare sphere.obj {QUICK} --html - --quiet")).success();
+    assert!(piped.get_output().stdout.starts_with(b"<!doctype html>"));
+}
+
+#[test]
+fn meshes_without_triangles_are_compared_too() {
+    let bench = Workbench::new();
+    bench.write("cloud.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+    bench.write("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    bench.run(&format!("compare cloud.off one.off {QUICK} --html page.html")).success();
+    let report = bench.json(&format!("compare cloud.off one.off {QUICK}"));
+    for (mesh, strips) in [(0, 0), (1, 1)] {
+        let strips_of = &report["meshes"][mesh]["strips"];
+        assert_eq!(strips_of["tunnel_lengths"][0]["max"], strips);
+        assert_eq!(strips_of["stripifiers"][0]["strip_count"], strips);
+    }
+}
+
+#[test]
+fn comparisons_that_cannot_be_made_are_refused_at_once() {
+    let bench = Workbench::with_ball();
+    for (arguments, named) in [
+        ("compare", "<INPUT>"),
+        ("compare nowhere.ply", "nowhere.ply"),
+        ("compare sphere.obj nowhere.ply --seeds 1000 --max-tunnel 999", "nowhere.ply"),
+        ("compare sphere.obj --strips greedy,zigzag", "zigzag"),
+        ("compare sphere.obj --strips tunnel:0", "tunnel:0"),
+        ("compare sphere.obj --max-tunnel 0", "1..=999"),
+        ("compare sphere.obj --seeds 0", "1..=1000"),
+        ("compare sphere.obj --budgets 1,x", "0 or more"),
+        ("compare sphere.obj --parts strips,models,walks", "walks"),
+        ("compare sphere.obj --frames 0", "1..=10000"),
+        ("compare sphere.obj --model-strips zigzag", "zigzag"),
+        ("compare nowhere.ply --models lodstrips,vdpm", "hint: this version has: lodstrips, mts, "),
+        ("compare shape:ball", "hint: there are: sphere, torus, "),
+        ("compare sphere.obj --html no/page.html", "hint: make the output's folder first"),
+        ("compare sphere.obj --html - --json", "stdout"),
+    ] {
+        let said = bench.refused(arguments);
+        assert!(said.contains(named), "{arguments}: {said}");
+    }
+    bench.write("nan.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 nan 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
+    let said = bench.refused("compare nan.off --html page.html --quiet");
+    assert!(said.starts_with("error: nan.off: ") && said.contains("vertex 2"), "{said}");
+    assert_eq!(bench.names(), ["ball.striata", "nan.off", "sphere.obj"]);
+}

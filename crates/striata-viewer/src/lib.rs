@@ -1,0 +1,14 @@
+//! Shows models to people: [`picture`] draws PNGs with a GPU or without one, [`window`] follows a camera in a window of its
+//! own, and [`serve`] gives a folder of models and the web viewer to a browser.
+
+#[cfg(all(feature = "serve", not(feature = "window")))]
+mod browser_args;
+pub mod picture;
+#[cfg(feature = "serve")]
+pub mod serve;
+pub mod viewer_page;
+#[cfg(feature = "window")]
+pub mod window;
+
+#[cfg(all(feature = "serve", not(feature = "window")))]
+pub use browser_args::BrowserArgs;
