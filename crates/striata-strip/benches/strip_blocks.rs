@@ -1,9 +1,9 @@
 //! What strips block by block cost beside strips of the whole mesh.
 //!
-//! `cargo bench -p striata --bench strip_blocks -- [--strips NAME] [--blocks N,N,...] MESH...` prints a Markdown
+//! `cargo bench -p striata-strip --bench strip_blocks -- [--strips NAME] [--blocks N,N,...] MESH...` prints a Markdown
 //! table; without a mesh, a generated terrain is taken. Attributes are left out; indices are counted with restarts.
 
-#[path = "quality/table.rs"]
+#[path = "../../striata/benches/quality/table.rs"]
 mod table;
 
 use std::convert::Infallible;
@@ -14,7 +14,7 @@ use std::time::Instant;
 
 use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, shapes};
-use striata::strip::{BlockOptions, MeshBlocks, StripOptions, stripify, stripify_blocks};
+use striata_strip::{BlockOptions, MeshBlocks, StripOptions, stripify, stripify_blocks};
 use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;

@@ -1,10 +1,10 @@
 //! Strips beside what the stripification paper reports, and how far a given time goes.
 //!
-//! `cargo bench -p striata --bench strip_goals -- MESH...` prints Markdown tables for the meshes given and the sphere
+//! `cargo bench -p striata-strip --bench strip_goals -- MESH...` prints Markdown tables for the meshes given and the sphere
 //! of the papers: strips by the longest tunnel with both kinds of identities, the time to come down to the numbers of
 //! strips that \[PS03\] compares, and what `fewest` and `cheapest` reach in some seconds.
 
-#[path = "quality/table.rs"]
+#[path = "../../striata/benches/quality/table.rs"]
 mod table;
 
 use std::error::Error;
@@ -12,7 +12,8 @@ use std::io::Write;
 use std::time::Instant;
 
 use striata::mesh::{IndexedMesh, shapes, weld};
-use striata::strip::{StripOptions, StripSet, Stripifier, strip_count_bound, stripify, stripify_from};
+use striata::strip::StripSet;
+use striata_strip::{StripOptions, Stripifier, strip_count_bound, stripify, stripify_from};
 use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
@@ -30,7 +31,10 @@ fn main() -> Fallible<()> {
     let paths: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     let mut out = std::io::stdout().lock();
     if paths.is_empty() {
-        writeln!(out, "no meshes given: cargo bench -p striata --bench strip_goals -- path/to/bunny.ply")?;
+        writeln!(
+            out,
+            "no meshes given: cargo bench -p striata-strip --bench strip_goals -- path/to/bunny.ply"
+        )?;
         return Ok(());
     }
     let mut meshes = vec![("sphere".to_owned(), shapes::paper_sphere())];

@@ -1,10 +1,10 @@
 //! Strips under level of detail: substituted, repaired, or made anew.
 //!
-//! `cargo bench -p striata --bench strip_repair -- MESH...` prints Markdown tables; attributes are left out. Strips of
+//! `cargo bench -p striata-strip --bench strip_repair -- MESH...` prints Markdown tables; attributes are left out. Strips of
 //! the full mesh follow it to the base and back. The last table repeats the time of a step on terrains of growing size;
 //! times are those of the thread on its processor.
 
-#[path = "quality/table.rs"]
+#[path = "../../striata/benches/quality/table.rs"]
 mod table;
 
 use std::error::Error;
@@ -17,9 +17,9 @@ use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay, shapes};
 use striata::model::{LodModel, LodStrips, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::strip::{
-    LiveStrips, RepairGoal, RepairOptions, RepairReport, StripOptions, StripSet, Stripifier,
-    restart_triangles_into, stripify,
+use striata::strip::{StripSet, restart_triangles_into};
+use striata_strip::{
+    LiveStrips, RepairGoal, RepairOptions, RepairReport, StripOptions, Stripifier, stripify,
 };
 use table::Table;
 

@@ -1,6 +1,6 @@
 //! Strips and LodStrips in numbers: indices, bytes, and what a step costs.
 //!
-//! `cargo bench -p striata --bench strips_table -- MESH...` prints Markdown tables. Attributes are left out; bytes are
+//! `cargo bench -p striata-strip --bench strips_table -- MESH...` prints Markdown tables. Attributes are left out; bytes are
 //! counted as the LodStrips papers count them, with a position and a normal of 12 bytes each a vertex and 4
 //! bytes an index. meshoptimizer's strips are made from its own order for them, in the same run.
 //!
@@ -9,7 +9,7 @@
 
 #[path = "strips_table/contest.rs"]
 mod contest;
-#[path = "quality/table.rs"]
+#[path = "../../striata/benches/quality/table.rs"]
 mod table;
 
 use std::error::Error;
@@ -22,7 +22,7 @@ use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay, weld};
 use striata::model::{LodModel, LodStrips, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::strip::{StripOptions, Stripifier, stripify};
+use striata_strip::{StripOptions, Stripifier, stripify};
 use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
@@ -70,7 +70,10 @@ fn main() -> Fallible<()> {
     let arguments = Arguments::parse(std::env::args().skip(1))?;
     let mut out = std::io::stdout().lock();
     if arguments.meshes.is_empty() {
-        writeln!(out, "no meshes given: cargo bench -p striata --bench strips_table -- path/to/bunny.ply")?;
+        writeln!(
+            out,
+            "no meshes given: cargo bench -p striata-strip --bench strips_table -- path/to/bunny.ply"
+        )?;
         return Ok(());
     }
     let mut strips = Table::new(contest::HEAD);

@@ -8,16 +8,15 @@
 //! patches of quadrilaterals out of the mesh, is left out: triangulated scans have none.
 //! Linear in time and memory.
 
-use super::StripLinks;
-use super::links::{next, prev};
-use super::seeds::{FreeTriangles, Seeds};
-use super::stripifier::Task;
+use striata::strip::{FreeTriangles, Seeds, StripLinks, next_side, prev_side};
+
+use crate::task::Task;
 
 /// Joins triangles that stand alone into strips; strips that are there already stay as they are.
-pub(super) fn run(task: &Task<'_>, links: &mut StripLinks<'_>) {
-    let mut free = FreeTriangles::new(task, links);
+pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>) {
+    let mut free = FreeTriangles::new(task.triangles, links);
     let mut strip = Vec::new();
-    for group in &task.groups {
+    for group in task.groups {
         let mut seeds = Seeds::new(&free, group.clone());
         while let Some(seed) = seeds.pop(&free) {
             grow(seed, &mut free, &mut strip, links);
@@ -36,10 +35,13 @@ fn grow(seed: u32, free: &mut FreeTriangles<'_>, strip: &mut Vec<u32>, links: &m
     let Some(exit) = poorest(free, [3 * seed, 3 * seed + 1, 3 * seed + 2]) else { return };
     let first_turns_next = walk(exit, false, free, strip, links);
     // The seed itself has to turn the other way than the triangle after it; seen from behind, the same way.
-    let (straight, turned) =
-        if first_turns_next { (next(exit), prev(exit)) } else { (prev(exit), next(exit)) };
+    let (straight, turned) = if first_turns_next {
+        (next_side(exit), prev_side(exit))
+    } else {
+        (prev_side(exit), next_side(exit))
+    };
     if let Some(back) = poorest(free, [straight, turned]) {
-        walk(back, back == prev(exit), free, strip, links);
+        walk(back, back == prev_side(exit), free, strip, links);
     }
 }
 
@@ -58,10 +60,13 @@ fn walk(
         links.join(exit);
         free.take(enter / 3);
         strip.push(enter / 3);
-        let (straight, turned) =
-            if turns_next { (next(enter), prev(enter)) } else { (prev(enter), next(enter)) };
+        let (straight, turned) = if turns_next {
+            (next_side(enter), prev_side(enter))
+        } else {
+            (prev_side(enter), next_side(enter))
+        };
         let Some(chosen) = poorest(free, [straight, turned]) else { break };
-        turns_next = chosen != next(enter);
+        turns_next = chosen != next_side(enter);
         first_turns_next.get_or_insert(!turns_next);
         exit = chosen;
     }
@@ -73,15 +78,15 @@ fn poorest<const N: usize>(free: &FreeTriangles<'_>, exits: [u32; N]) -> Option<
     let open = exits.into_iter().filter_map(|exit| free.beyond(exit).map(|enter| (exit, enter / 3)));
     open.min_by_key(|&(_, triangle)| {
         let beyond = (3 * triangle..3 * triangle + 3).filter_map(|side| free.beyond(side));
-        (free.neighbour_count(triangle), beyond.map(|enter| free.neighbour_count(enter / 3)).min())
+        (free.neighbor_count(triangle), beyond.map(|enter| free.neighbor_count(enter / 3)).min())
     })
     .map(|(exit, _)| exit)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{StripOptions, Stripifier, stripify};
-    use crate::mesh::{IndexedMesh, shapes};
+    use crate::{StripOptions, Stripifier, stripify};
+    use striata::mesh::{IndexedMesh, shapes};
 
     fn cost(mesh: &IndexedMesh) -> (usize, usize) {
         let options = StripOptions::default().with_stripifier(Stripifier::Stripe);

@@ -1,5 +1,6 @@
 //! Strips made block by block: the same triangles as the mesh, at the price of the whole, in bounded memory.
 
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
 use std::convert::Infallible;
@@ -7,9 +8,10 @@ use std::convert::Infallible;
 use proptest::prelude::*;
 use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, canonical_triangles, shapes};
-use striata::strip::{
-    Block, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks, RESTART,
-    StripOptions, StripSet, Stripifier, stripify, stripify_blocks,
+use striata::strip::{RESTART, StripSet};
+use striata_strip::{
+    Block, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks, StripOptions,
+    Stripifier, stripify, stripify_blocks,
 };
 use support::{Random, soup, with_seams_and_groups};
 

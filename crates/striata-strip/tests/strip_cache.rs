@@ -1,13 +1,14 @@
 //! Strips for a vertex cache, and the counts of misses that they are judged by.
 
+#[path = "../../striata/tests/meshes/mod.rs"]
 mod meshes;
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, canonical_triangles, shapes};
-use striata::strip::{
-    RESTART, StripOptions, StripSet, Stripifier, fifo_cache_cost, lru_cache_cost, stripify,
-};
+use striata::strip::{RESTART, StripSet, fifo_cache_cost, lru_cache_cost};
+use striata_strip::{StripOptions, Stripifier, stripify};
 use support::{Random, grid, nasty, soup, with_seams_and_groups};
 
 fn options(weight: f64) -> StripOptions {

@@ -1,14 +1,14 @@
 //! Repaired strips against the oracle: the same triangles at every level, no loop, links as a new dual graph has.
 
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
 use proptest::prelude::*;
 use striata::ignore_progress;
 use striata::mesh::{DualGraph, RefinableMesh, canonical_triangles, replay, shapes};
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::strip::{
-    LiveStrips, LiveStripsError, RepairGoal, RepairOptions, StripOptions, StripSet, stripify,
-};
+use striata::strip::StripSet;
+use striata_strip::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, StripOptions, stripify};
 use support::{Random, Wildness, grid, nasty, random_refinable, soup, with_seams_and_groups};
 
 const GOALS: [RepairGoal; 2] = [RepairGoal::FewestIndices, RepairGoal::FewestStrips];

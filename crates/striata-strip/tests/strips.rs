@@ -2,10 +2,8 @@
 
 use proptest::prelude::*;
 use striata::mesh::{DualGraph, IndexedMesh, Random, TriangleGroup, canonical_triangles, shapes};
-use striata::strip::{
-    RESTART, StripOptions, StripSet, Stripifier, restart_triangles_into, strip_count_bound, strip_triangles,
-    stripify, stripify_from,
-};
+use striata::strip::{RESTART, StripSet, restart_triangles_into, strip_triangles};
+use striata_strip::{StripOptions, Stripifier, strip_count_bound, stripify, stripify_from};
 
 /// One of each, with parameters that matter.
 const SPECS: [&str; 8] =

@@ -9,7 +9,7 @@ python=${PYTHON:-python3}
 mkdir -p "$work"
 [ -n "${PEERS_DIR:-}" ] || trap 'rm -rf "$work"' EXIT
 
-cargo bench --quiet -p striata --bench strips_table -- --write-lists "$work" "$@"
+cargo bench --quiet -p striata-strip --bench strips_table -- --write-lists "$work" "$@"
 
 build() { # NAME LIBRARIES...
     name=$1
@@ -45,4 +45,4 @@ for list in "$work"/*.triangles; do
             echo "$tool: no strips of $list within ${PEER_SECS:-300} s" >&2
     done
 done
-cargo bench --quiet -p striata --bench strips_table -- --peers "$work" ${QUICK:+--quick} "$@"
+cargo bench --quiet -p striata-strip --bench strips_table -- --peers "$work" ${QUICK:+--quick} "$@"

@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use striata::mesh::{IndexedMesh, canonical_triangles};
-use striata::strip::{
-    RESTART, StripOptions, fifo_cache_cost, lru_cache_cost, restart_triangles_into, stripify,
-};
+use striata::strip::{RESTART, fifo_cache_cost, lru_cache_cost, restart_triangles_into};
+use striata_strip::{StripOptions, stripify};
 
 use crate::table::Table;
 use crate::{Fallible, RUN_COUNT};

@@ -13,7 +13,7 @@
 
 use std::collections::VecDeque;
 
-use crate::mesh::is_proper;
+use striata::mesh::is_proper;
 
 /// One end of a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +31,11 @@ impl End {
             Self::Back => Self::Front,
         }
     }
+}
+
+/// The three sides of a triangle as they run.
+pub(super) fn sides_of([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
+    [(a, b), (b, c), (c, a)]
 }
 
 /// A strip of at least one triangle, the first and the last of which are no degenerate ones.
@@ -110,7 +115,7 @@ impl Chain {
         let (distance, previous) = (1..).zip(before).find(|(_, corners)| is_proper(corners))?;
         // Seen from an end, every other triangle is turned round.
         let turned = |[a, b, c]: [u32; 3], is_turned: bool| if is_turned { [b, a, c] } else { [a, b, c] };
-        let runs_along = |corners| super::held::sides_of(corners).contains(&(edge[0], edge[1]));
+        let runs_along = |corners| sides_of(corners).contains(&(edge[0], edge[1]));
         let last = [0, 1, 2].map(|i| self.at(end, i));
         let is_edge = edge.iter().all(|corner| previous.contains(corner))
             && runs_along(last) != runs_along(turned(previous, distance % 2 == 1));
@@ -183,8 +188,8 @@ impl Chain {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::canonical_triangles;
-    use crate::strip::strip_triangles;
+    use striata::mesh::canonical_triangles;
+    use striata::strip::strip_triangles;
 
     fn written(chain: &Chain) -> Vec<u32> {
         let mut out = Vec::new();

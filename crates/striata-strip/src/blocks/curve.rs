@@ -5,7 +5,7 @@
 //! the mesh's longest side, so that blocks are as wide as they are deep. Skilling's transform \[Ski04\], in three
 //! dimensions of 21 bits; 60 steps of integers a triangle.
 
-use crate::mesh::Bounds;
+use striata::mesh::Bounds;
 
 /// Bits of a coordinate: three of them fill a `u64`.
 const BITS: u32 = 21;

@@ -5,14 +5,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::chain::{Chain, End};
+use super::chain::{Chain, End, sides_of};
 use super::hash::NumberMap;
-use super::{Block, BlockTriangle};
-
-/// The three sides of a triangle as they run.
-pub(super) fn sides_of([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
-    [(a, b), (b, c), (c, a)]
-}
+use super::source::{Block, BlockTriangle};
 
 /// Sides of a strip that have no triangle beside them yet, but may get one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -4,9 +4,9 @@
 //! passes them begins with them, and knows by their turn how to go on without a swap. It joins the chain at
 //! the side by which the chain had come to them, the **joint**.
 
-use super::chain::{Chain, End};
+use super::chain::{Chain, End, sides_of};
 use super::hash::NumberMap;
-use super::held::{HeldStrip, OpenEnd, sides_of};
+use super::held::{HeldStrip, OpenEnd};
 use super::window::Window;
 
 /// A chain while its block is worked on.

@@ -3,8 +3,10 @@
 use std::convert::Infallible;
 use std::ops::Range;
 
-use super::{Block, BlockCurve, BlockSource, BlockTriangle, block_length};
-use crate::mesh::{IndexedMesh, MeshError};
+use striata::mesh::{IndexedMesh, MeshError};
+
+use super::curve::{BlockCurve, block_length};
+use super::source::{Block, BlockSource, BlockTriangle};
 
 /// A mesh in memory, block by block: each group along a space-filling curve, cut into pieces.
 ///
@@ -81,7 +83,7 @@ impl BlockSource for MeshBlocks<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::shapes;
+    use striata::mesh::shapes;
 
     #[test]
     fn blocks_hold_each_triangle_once_and_know_the_last_use() {

@@ -1,10 +1,13 @@
 //! What is stripified at once: a block, and the strips that waited for it, as a mesh of their own.
 
-use super::BlockTriangle;
+use striata::mesh::{IndexedMesh, MeshError};
+use striata::strip::{StripSet, strip_triangles};
+
+use super::chain::sides_of;
 use super::hash::NumberMap;
-use super::held::{OpenSides, sides_of};
-use crate::mesh::{IndexedMesh, MeshError};
-use crate::strip::{StripOptions, StripSet, strip_triangles, stripify};
+use super::held::OpenSides;
+use super::source::BlockTriangle;
+use crate::{StripOptions, stripify};
 
 /// A small mesh whose vertices are numbered from 0 in the order in which they come.
 #[derive(Debug, Default)]

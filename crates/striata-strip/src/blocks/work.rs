@@ -1,11 +1,13 @@
 //! What happens to each block: a window of it and of what waited, strips, and which of them wait in turn.
 
+use striata::strip::{RESTART, StripCost, StripSet, strip_triangles};
+
 use super::chain::{Chain, End};
 use super::held::{Held, HeldStrip, OpenEnd, Reached};
 use super::joints::Joints;
+use super::options::{BlockOptions, BlocksError, BlocksReport, WriteStripFn};
+use super::source::Block;
 use super::window::Window;
-use super::{Block, BlockOptions, BlocksError, BlocksReport, WriteStripFn};
-use crate::strip::{RESTART, StripCost, StripSet, strip_triangles};
 
 /// A strip that has more triangles than this for each of its open sides is not taken apart again.
 const LOOSE_TRIANGLES: usize = 8;

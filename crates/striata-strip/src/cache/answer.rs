@@ -8,10 +8,15 @@
 //! * an undrawn triangle is the likelier to end a strip the fewer undrawn neighbours it has. Since each link
 //!   between drawn and undrawn counts, answers with short borders win, which keeps the rows of strips compact.
 
-use super::super::links::{next, prev};
+use striata::mesh::Random;
+use striata::strip::{next_side, prev_side};
+
 use super::cached::Cached;
 use super::covered::{Covered, Drawn};
 use super::surface::Surface;
+
+/// In place of the last step: there is none yet.
+pub(super) const ROOT: u32 = u32::MAX;
 
 /// What the search weighs, in indices.
 pub(super) struct Prices {
@@ -123,7 +128,7 @@ impl Answer {
             drawn: Drawn::default(),
             hash: 0,
             strip_start: 0,
-            leaf: super::steps::ROOT,
+            leaf: ROOT,
             cached: Cached::new(cache_size),
             head: Head::Nothing,
             cost: 0.0,
@@ -184,8 +189,8 @@ impl Answer {
             Head::Nothing => {}
             Head::Single(triangle) => (3 * triangle..3 * triangle + 3).for_each(|side| judge(side, false)),
             Head::Entered(side, turns_next) => {
-                judge(next(side), !turns_next);
-                judge(prev(side), turns_next);
+                judge(next_side(side), !turns_next);
+                judge(prev_side(side), turns_next);
             }
         }
     }
@@ -234,7 +239,7 @@ impl Answer {
         if let (Head::Entered(entered, _), true) = (self.head, is_swap) {
             // Of the side's ends the swap repeats the older: not the corner that came with this triangle.
             let is_newer = surface.corner(side) == surface.apex(entered);
-            let older = surface.corner(if is_newer { next(side) } else { side });
+            let older = surface.corner(if is_newer { next_side(side) } else { side });
             (way.sent, way.index_price) = (([older, apex, apex], 2), 1.0);
         }
         way
@@ -297,7 +302,7 @@ impl Answer {
             }
             // Turns alternate where nothing is swapped.
             (Step::Cross(side), Head::Entered(before, _)) => {
-                Head::Entered(scene.surface.twin(side).unwrap_or(side), side != next(before))
+                Head::Entered(scene.surface.twin(side).unwrap_or(side), side != next_side(before))
             }
             // The first turn of a strip is free to the side before.
             (Step::Cross(side), _) => Head::Entered(scene.surface.twin(side).unwrap_or(side), false),
@@ -320,5 +325,5 @@ struct Outlook([(f64, f64); 4]);
 
 /// Well mixed bits of a number (splitmix64).
 pub(super) fn mixed(number: u64) -> u64 {
-    crate::mesh::Random::new(number).next_u64()
+    Random::new(number).next_u64()
 }

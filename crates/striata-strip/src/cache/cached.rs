@@ -1,6 +1,6 @@
 //! The vertex cache of one partial answer, and how much is still to be drawn around each cached vertex.
 
-use crate::mesh::NO_TWIN as NO_VERTEX;
+use striata::mesh::NO_TWIN as NO_VERTEX;
 
 /// A first-in first-out cache.
 #[derive(Clone)]

@@ -10,14 +10,13 @@
 //!
 //! Cost: linear, some 15 microseconds a triangle for 32 answers; about 40 bytes a triangle.
 
-use super::super::StripSet;
-use super::super::links::StripLinks;
-use super::super::stripifier::Task;
-use super::super::write::Path;
+use striata::strip::{StripLinks, StripPath, StripSet};
+
 use super::answer::{Answer, Judgement, Prices, Scene, Step, mixed};
 use super::covered::{COLUMN_COUNT, Covered};
 use super::steps::Steps;
 use super::surface::Surface;
+use crate::task::Task;
 
 /// Answers that are kept, for an effort of 1.
 const WIDTH: f64 = 32.0;
@@ -37,7 +36,7 @@ const MAX_CACHE_SIZE: usize = 64;
 pub(super) fn grow(task: &Task<'_>, links: &StripLinks<'_>) -> StripSet {
     let mut search = Search::new(task, links);
     let mut writer = Writer { path: None, links, triangles: task.triangles, out: StripSet::new() };
-    for group in &task.groups {
+    for group in task.groups {
         search.begin(group.start as u32..group.end as u32);
         let step_count = search.scene.group.clone().filter(|&t| task.is_proper(t)).count() as u32;
         for step_index in 0..step_count {
@@ -225,7 +224,7 @@ const POVERTY: [f64; 4] = [2.1, 1.35, 0.85, 0.0];
 
 /// Makes strips of steps.
 struct Writer<'a> {
-    path: Option<Path>,
+    path: Option<StripPath>,
     links: &'a StripLinks<'a>,
     triangles: &'a [[u32; 3]],
     out: StripSet,
@@ -236,7 +235,7 @@ impl Writer<'_> {
         match step {
             Step::Start(first) => {
                 self.end_strip();
-                self.path = Some(Path { first, exits: Vec::new() });
+                self.path = Some(StripPath { first, exits: Vec::new() });
             }
             Step::Cross(side) => {
                 if let Some(path) = &mut self.path {

@@ -15,8 +15,9 @@ mod order;
 mod steps;
 mod surface;
 
-use super::stripifier::Task;
-use super::{StripLinks, StripSet, fifo_cache_cost};
+use striata::strip::{StripLinks, StripSet, fifo_cache_cost};
+
+use crate::task::Task;
 
 /// Under this weight new strips have never been cheaper than those of any stripifier in a better order.
 const LEAST_WEIGHT_TO_GROW: f64 = 0.1;
@@ -24,7 +25,7 @@ const LEAST_WEIGHT_TO_GROW: f64 = 0.1;
 /// The cheapest set of strips for the cache of the options: these, these in another order, or new ones.
 ///
 /// A cache of fewer than three vertices holds no triangle: strips stay as they are.
-pub(super) fn cheapest_for_cache(task: &Task<'_>, links: &StripLinks<'_>, strips: StripSet) -> StripSet {
+pub(crate) fn cheapest_for_cache(task: &Task<'_>, links: &StripLinks<'_>, strips: StripSet) -> StripSet {
     let options = task.options;
     if options.cache_size < 3 {
         return strips;

@@ -8,7 +8,8 @@
 //!
 //! Cost: linear, about 0.1 microseconds an index; memory: 8 bytes for each of the first indices.
 
-use super::super::StripSet;
+use striata::strip::StripSet;
+
 use super::fifo::Fifo;
 
 /// Live strips that are looked at around one vertex: hubs of large fans have any number.
@@ -157,7 +158,7 @@ fn head(strips: &StripSet, run: u32, cache_size: usize) -> impl Iterator<Item = 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::strip::{fifo_cache_cost, strip_triangles};
+    use striata::strip::{fifo_cache_cost, strip_triangles};
 
     /// Rows of squares, far ones after each other, each one by itself a strip.
     fn scattered_rows(columns: u32) -> StripSet {
@@ -195,7 +196,7 @@ mod tests {
         let ordered = reorder(&strips, 0.4, 4);
         assert_eq!(ordered.strip(1), [6, 5, 4, 3, 2]);
         let drawn =
-            |strip: &[u32]| crate::mesh::canonical_triangles(&strip_triangles(strip).collect::<Vec<_>>());
+            |strip: &[u32]| striata::mesh::canonical_triangles(&strip_triangles(strip).collect::<Vec<_>>());
         assert_eq!(drawn(&[2, 2, 3, 4, 5, 6]), drawn(&[6, 5, 4, 3, 2]));
     }
 }

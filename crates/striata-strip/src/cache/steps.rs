@@ -1,9 +1,6 @@
 //! The steps of all partial answers as one tree, of which the common trunk is final.
 
-use super::answer::Step;
-
-/// The parent of first steps.
-pub(super) const ROOT: u32 = u32::MAX;
+use super::answer::{ROOT, Step};
 
 /// Steps that answers may differ in before those that parted earliest from the best are dropped.
 const MAX_DEPTH: usize = 384;

@@ -1,9 +1,9 @@
 //! What a search for strips knows of a mesh: corners, links, and the triangles around each vertex.
 
-use super::super::StripLinks;
-use super::super::links::prev;
-use super::super::stripifier::Task;
-use crate::mesh::NO_TWIN;
+use striata::mesh::NO_TWIN;
+use striata::strip::{StripLinks, prev_side};
+
+use crate::task::Task;
 
 /// Triangles, their links, and the proper triangles around each vertex: 12 bytes a triangle and 4 a vertex.
 pub(super) struct Surface<'a> {
@@ -72,6 +72,6 @@ impl<'a> Surface<'a> {
     /// The corner opposite a side.
     #[inline]
     pub(super) fn apex(&self, side: u32) -> u32 {
-        self.corner(prev(side))
+        self.corner(prev_side(side))
     }
 }

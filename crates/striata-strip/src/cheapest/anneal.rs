@@ -6,9 +6,10 @@
 //! Sweeps pass all triangles in turn; where a strip ends, moves are cheap and more of them are tried.
 //! Some 50 to 100 ns a move while the mesh fits into cache.
 
+use striata::mesh::{NO_TWIN, Random};
+
 use super::state::{INDEX, State};
-use crate::mesh::{NO_TWIN, Random};
-use crate::strip::stripifier::SpentFn;
+use crate::task::SpentFn;
 
 /// Triangles that a sweep passes between questions about the budget.
 const BATCH: u64 = 4096;

@@ -12,10 +12,9 @@ mod anneal;
 mod state;
 mod stitch;
 
-use super::StripLinks;
-use super::stripifier::{SpentFn, Task};
-use super::write::StripOrder;
-use super::{StripSet, greedy};
+use striata::strip::{StripLinks, StripOrder, StripSet, join_greedily};
+
+use crate::task::{SpentFn, Task};
 use anneal::{Annealer, COLD, HOT_TO_COLD};
 use state::State;
 
@@ -26,13 +25,13 @@ const COOLING_SHARE: f64 = 0.8;
 ///
 /// A regular mesh, whose strips hardly can be better, loses more by heat than it gains in the time: where the
 /// strips that the search began with were cheaper, it goes on from those and stays cold.
-pub(super) fn run(task: &Task<'_>, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>, out: &mut StripSet) {
-    greedy::run(task, links);
+pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>, out: &mut StripSet) {
+    join_greedily(task.triangles, task.groups, links);
     let mut start = StripSet::new();
     stitch::write(task, links, &mut start);
     let mut order = Vec::with_capacity(task.triangles.len());
     let mut strips = StripOrder::new(task.triangles);
-    for group in &task.groups {
+    for group in task.groups {
         strips.visit(group.clone(), links, |path| order.extend(path.triangles(links)));
     }
     let mut state = State::new(order, task.triangles, links);

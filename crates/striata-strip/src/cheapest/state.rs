@@ -5,8 +5,8 @@
 //! free corner matters, its **apex**: two strips whose ends meet at one apex on the right windings go on from one into
 //! the other without a restart, which saves an index. An end on the wrong winding may cost one.
 
-use crate::mesh::NO_TWIN;
-use crate::strip::links::StripLinks;
+use striata::mesh::NO_TWIN;
+use striata::strip::StripLinks;
 
 /// Cost of one index: costs are whole numbers of quarters.
 pub(super) const INDEX: i32 = 4;

@@ -12,21 +12,21 @@
 //! costs nothing, where a restart costs an index. Chains of strips so joined are found vertex by vertex; loops are
 //! not closed. Linear in time, 20 bytes for every strip and vertex.
 
-use crate::mesh::{DisjointSets, NO_TWIN as NONE};
-use crate::strip::StripSet;
-use crate::strip::links::StripLinks;
-use crate::strip::stripifier::Task;
-use crate::strip::write::{Path, StripOrder};
+use striata::mesh::NO_TWIN as NONE;
+use striata::strip::{StripLinks, StripOrder, StripPath, StripSet};
+
+use crate::task::Task;
 
 /// Writes all strips, joined into chains.
 pub(super) fn write(task: &Task<'_>, links: &StripLinks<'_>, out: &mut StripSet) {
     let mut order = StripOrder::new(task.triangles);
     let mut chain = Vec::new();
-    for group in &task.groups {
+    for group in task.groups {
         let mut pieces = Vec::new();
         order.visit(group.clone(), links, |path| pieces.push(Piece::new(path, task.triangles, links)));
         let joints = join_pieces(&pieces);
-        let mut writer = Writer { triangles: task.triangles, links, pieces: &pieces, path: Path::default() };
+        let mut writer =
+            Writer { triangles: task.triangles, links, pieces: &pieces, path: StripPath::default() };
         for start in chain_starts(&pieces, &joints) {
             chain.clear();
             let mut entered = start;
@@ -61,7 +61,7 @@ struct Piece {
 type Joints = Vec<u32>;
 
 impl Piece {
-    fn new(path: &Path, triangles: &[[u32; 3]], links: &StripLinks<'_>) -> Self {
+    fn new(path: &StripPath, triangles: &[[u32; 3]], links: &StripLinks<'_>) -> Self {
         let apex = |side: u32| triangles[side as usize / 3][(side as usize + 2) % 3];
         let ends = match (path.exits.first(), path.exits.last()) {
             (Some(&first), Some(&last)) => [
@@ -81,7 +81,8 @@ impl Piece {
 /// Joins ends of one kind at one vertex, two by two, without closing a loop.
 fn join_pieces(pieces: &[Piece]) -> Joints {
     let mut joints = vec![NONE; 2 * pieces.len()];
-    let mut chains = DisjointSets::new(pieces.len());
+    // For the free ends of chains, the other end of the chain.
+    let mut far_ends: Vec<u32> = (0..2 * pieces.len() as u32).map(|end| end ^ 1).collect();
     let mut ends: Vec<(End, u32)> = pieces.iter().flat_map(|piece| piece.ends).zip(0..).collect();
     ends.sort_unstable_by_key(|&(end, i)| (end.apex, end.is_odd, i));
     for equal in ends.chunk_by(|(a, _), (b, _)| a == b) {
@@ -90,11 +91,13 @@ fn join_pieces(pieces: &[Piece]) -> Joints {
                 continue;
             }
             let free = equal[i + 1..].iter().map(|&(_, other)| other).filter(|&o| joints[o as usize] == NONE);
-            let mut fitting = free.filter(|&other| chains.root(one / 2) != chains.root(other / 2));
+            let mut fitting = free.filter(|&other| far_ends[one as usize] != other);
             if let Some(other) = fitting.next() {
                 joints[one as usize] = other;
                 joints[other as usize] = one;
-                chains.join(one / 2, other / 2);
+                let [a, b] = [one, other].map(|end| far_ends[end as usize]);
+                far_ends[a as usize] = b;
+                far_ends[b as usize] = a;
             }
         }
     }
@@ -135,7 +138,7 @@ struct Writer<'a, 'g> {
     triangles: &'a [[u32; 3]],
     links: &'a StripLinks<'g>,
     pieces: &'a [Piece],
-    path: Path,
+    path: StripPath,
 }
 
 impl Writer<'_, '_> {

@@ -12,15 +12,14 @@
 mod bound;
 mod path_forest;
 
+use striata::mesh::{DualGraph, IndexedMesh, NO_TWIN, Random, is_proper};
+use striata::strip::{StripLinks, StripPath, next_side};
+
+use crate::stripifier::DEFAULT_TUNNEL_LENGTH;
+use crate::task::{SpentFn, Task};
+use crate::tunnel::{self, Identity, ends_of, join_ends};
 use bound::Bounds;
 use path_forest::PathForest;
-
-use super::StripLinks;
-use super::links::next;
-use super::stripifier::{DEFAULT_TUNNEL_LENGTH, SpentFn, Task};
-use super::tunnel::{self, Identity, ends_of, join_ends};
-use super::write::Path;
-use crate::mesh::{DualGraph, IndexedMesh, NO_TWIN, Random, is_proper};
 
 /// Steps after which another end has its turn, while many ends are left and when few are.
 ///
@@ -49,7 +48,7 @@ pub fn strip_count_bound(mesh: &IndexedMesh) -> usize {
 /// Joins strips until every component has as few as can be, or the budget is spent.
 ///
 /// Where boundaries and seams leave ends little room to walk, a last search for tunnels finds what walks have missed.
-pub(super) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>) {
+pub(crate) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>) {
     if walk_ends(task, graph, links, spent) {
         let mut few = |searches| searches as f64 / LAST_SEARCHES as f64;
         tunnel::run(task, links, DEFAULT_TUNNEL_LENGTH, Identity::Dynamic, &mut few);
@@ -108,7 +107,7 @@ impl<'a, 'g> Walker<'a, 'g> {
         let mut forest = PathForest::new(count);
         let mut strip_counts = vec![0; bounds.least.len()];
         let mut is_done = vec![false; count];
-        let (mut path, mut triangles) = (Path::default(), Vec::new());
+        let (mut path, mut triangles) = (StripPath::default(), Vec::new());
         for &end in ends {
             if is_done[end as usize] {
                 continue;
@@ -208,7 +207,7 @@ impl<'a, 'g> Walker<'a, 'g> {
                     chosen = Some(side);
                 }
             }
-            side = next(side);
+            side = next_side(side);
         }
         chosen
     }

@@ -178,7 +178,7 @@ impl PathForest {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     /// Strips as plain lists.
     struct Lists(Vec<Vec<u32>>);

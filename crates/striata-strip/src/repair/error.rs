@@ -1,6 +1,6 @@
 //! Why strips cannot follow a mesh.
 
-use crate::mesh::MeshError;
+use striata::mesh::MeshError;
 
 /// What keeps strips and a mesh from being followed together.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

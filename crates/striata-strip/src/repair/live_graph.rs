@@ -19,9 +19,10 @@
 //! be; which of several sides on one edge are linked may differ. A step costs the triangles at `v`, and those at
 //! `u` too where a side stays without a twin (borders). 52 bytes a triangle, 8 a vertex.
 
+use striata::mesh::{DualGraph, IndexedMesh, NO_TWIN};
+use striata::strip::{next_side, prev_side};
+
 use super::stars::Stars;
-use crate::mesh::{DualGraph, IndexedMesh, NO_TWIN};
-use crate::strip::links::{next, prev};
 
 /// Triangles of one level, linked.
 #[derive(Clone, Debug)]
@@ -45,11 +46,6 @@ struct LooseSide {
     edge: (u32, u32, u32),
     is_backward: bool,
     side: u32,
-}
-
-/// Whether a triangle has fewer than three different corners.
-pub(super) fn is_degenerate([a, b, c]: [u32; 3]) -> bool {
-    a == b || b == c || c == a
 }
 
 impl LiveGraph {
@@ -128,7 +124,7 @@ impl LiveGraph {
         }
         for c in self.stars.corners(vertex) {
             self.corners[c as usize / 3][c as usize % 3] = target;
-            self.loose.extend([c, prev(c)].iter().filter(|&&side| self.twins[side as usize] == NO_TWIN));
+            self.loose.extend([c, prev_side(c)].iter().filter(|&&side| self.twins[side as usize] == NO_TWIN));
         }
         self.stars.collapse(vertex, target);
         self.link_loose(&[target]);
@@ -143,7 +139,7 @@ impl LiveGraph {
             self.corners[c as usize / 3][c as usize % 3] = vertex;
         }
         for c in self.stars.corners(vertex) {
-            parted.extend([c, prev(c)].iter().filter(|&&side| {
+            parted.extend([c, prev_side(c)].iter().filter(|&&side| {
                 let twin = self.twins[side as usize];
                 let edge = (self.origin(side), self.tip(side));
                 twin != NO_TWIN && (self.tip(twin), self.origin(twin)) != edge
@@ -180,7 +176,8 @@ impl LiveGraph {
         self.loose.clear();
         for &vertex in vertices {
             for c in self.stars.corners(vertex) {
-                self.loose.extend([c, prev(c)].iter().filter(|&&side| self.twins[side as usize] == NO_TWIN));
+                self.loose
+                    .extend([c, prev_side(c)].iter().filter(|&&side| self.twins[side as usize] == NO_TWIN));
             }
         }
         self.link_sorted();
@@ -213,7 +210,7 @@ impl LiveGraph {
     }
 
     fn tip(&self, side: u32) -> u32 {
-        self.origin(next(side))
+        self.origin(next_side(side))
     }
 
     /// Bytes of what a level owns.

@@ -1,11 +1,13 @@
 //! Strips of the level at hand, moved step by step.
 
-use super::live_graph::{LiveGraph, is_degenerate};
+use striata::mesh::{CollapseSequence, NO_TWIN, RefinableMesh, is_proper};
+use striata::strip::{StripLinks, StripSet, strip_triangles, write_strips};
+
+use super::error::LiveStripsError;
+use super::live_graph::LiveGraph;
+use super::options::{RepairGoal, RepairOptions, RepairReport};
+use super::scratch::Scratch;
 use super::tunnel_search::TunnelSearch;
-use super::{LiveStripsError, RepairGoal, RepairOptions, RepairReport, step::Scratch};
-use crate::mesh::{CollapseSequence, NO_TWIN, RefinableMesh};
-use crate::strip::write::write_strips;
-use crate::strip::{StripLinks, StripSet, strip_triangles};
 
 /// The strips of one level of a mesh, which follow it to any other.
 ///
@@ -16,7 +18,7 @@ use crate::strip::{StripLinks, StripSet, strip_triangles};
 /// ```
 /// use striata::mesh::shapes;
 /// use striata::simplify::{SequenceOptions, build_sequence};
-/// use striata::strip::{LiveStrips, RepairOptions, StripOptions, stripify};
+/// use striata_strip::{LiveStrips, RepairOptions, StripOptions, stripify};
 ///
 /// let mesh = shapes::icosphere(3, 1.0);
 /// let refinable = build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress)?.refinable;
@@ -93,7 +95,7 @@ impl<'a> LiveStrips<'a> {
     fn take_strips(&mut self, strips: &StripSet) -> Result<(), LiveStripsError> {
         let (split_count, triangles) = (self.split_count, self.graph.numbered_triangles());
         let mut expected = vec![0; self.graph.group_ends().len()];
-        for (i, _) in triangles.iter().enumerate().filter(|&(_, &t)| !is_degenerate(t)) {
+        for (i, _) in triangles.iter().enumerate().filter(|&(_, t)| is_proper(t)) {
             expected[self.graph.group_of(i as u32) as usize] += 1;
         }
         if strips.group_count() != expected.len() {
@@ -143,7 +145,7 @@ impl<'a> LiveStrips<'a> {
 
     /// Appends the triangles of the level in the order of the full mesh.
     pub fn triangles_into(&self, out: &mut Vec<[u32; 3]>) {
-        out.extend(self.graph.numbered_triangles().into_iter().filter(|&t| !is_degenerate(t)));
+        out.extend(self.graph.numbered_triangles().into_iter().filter(is_proper));
     }
 
     /// The strips of the level, with the groups of the mesh; linear in the size of the full mesh.

@@ -21,6 +21,7 @@ mod error;
 mod live_graph;
 mod live_strips;
 mod options;
+mod scratch;
 mod stars;
 mod step;
 mod tunnel_search;

@@ -11,6 +11,8 @@
 //!
 //! 8 bytes a corner and a vertex; a collapse and a split cost two links, whatever the valence.
 
+use striata::mesh::is_proper;
+
 /// Rings of corners; corner `3 * triangle + k`.
 #[derive(Clone, Debug)]
 pub(super) struct Stars {
@@ -29,7 +31,7 @@ impl Stars {
         let node_count = corner_count + vertex_count as u32;
         let mut stars = Self { around: (0..node_count).map(|node| [node, node]).collect(), corner_count };
         for (corners, first) in triangles.iter().zip((0..).step_by(3)) {
-            if !super::live_graph::is_degenerate(*corners) {
+            if is_proper(corners) {
                 for (&vertex, corner) in corners.iter().zip(first..) {
                     let node = stars.node_of(vertex);
                     stars.put(stars.around[node as usize][PREV], corner, node);

@@ -1,23 +1,12 @@
 //! One step: the mesh changes, the strips through the changed triangles go on, tunnels mend the rest.
 
-use super::live_strips::LiveStrips;
-use super::tunnel_search::{Found, TunnelSearch, swap_at};
-use super::{RepairGoal, RepairReport};
-use crate::mesh::NO_TWIN;
-use crate::strip::StripLinks;
+use striata::mesh::NO_TWIN;
+use striata::strip::StripLinks;
 
-/// Lists kept between steps so that none allocates.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
-    /// Triangles that a collapse kills or a split brings back.
-    changed: Vec<u32>,
-    /// Sides whose link a split breaks.
-    parted: Vec<u32>,
-    /// Sides of two triangles between which a strip is to go on.
-    bridges: Vec<[u32; 2]>,
-    /// Triangles around the step.
-    touched: Vec<u32>,
-}
+use super::live_strips::LiveStrips;
+use super::options::{RepairGoal, RepairReport};
+use super::scratch::Scratch;
+use super::tunnel_search::{Found, TunnelSearch, swap_at};
 
 impl LiveStrips<'_> {
     /// One step towards the base, whose number is the split count that it leads to.

@@ -16,10 +16,10 @@
 //!
 //! Cost: at most [`RepairOptions::search_limit`](super::RepairOptions) chains, each with one walk.
 
+use striata::mesh::NO_TWIN;
+use striata::strip::{StripLinks, Turn};
+
 use super::options::{RepairGoal, RepairOptions};
-use crate::mesh::NO_TWIN;
-use crate::strip::StripLinks;
-use crate::strip::links::Turn;
 
 /// What a swap and a strip weigh.
 ///

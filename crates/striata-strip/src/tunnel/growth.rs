@@ -5,8 +5,8 @@
 //! to the one from which fewest are left further on: the rule of SGI's `tomesh` \[ESV96, 2\]; then chance decides.
 //! On the bunny that leaves 585 strips, without the look ahead 1,275, with chance alone 5,346. Linear in time.
 
-use crate::mesh::{NO_TWIN, Random};
-use crate::strip::links::{StripLinks, next, prev};
+use striata::mesh::{NO_TWIN, Random};
+use striata::strip::{StripLinks, next_side, prev_side};
 
 /// Takes tunnels of length one until there is none.
 pub(crate) fn join_ends(ends: &[u32], links: &mut StripLinks<'_>, random: &mut Random) {
@@ -83,7 +83,7 @@ impl Growth {
                     best = Some((count, side));
                 }
             }
-            side = next(side);
+            side = next_side(side);
         }
         best.map(|(_, side)| side)
     }
@@ -91,7 +91,7 @@ impl Growth {
     /// How urgently the triangle entered by this side wants to be taken: few ways on, then few ways on from there.
     fn rank(&self, entered: u32, links: &StripLinks<'_>) -> u8 {
         let count = self.way_counts[entered as usize / 3];
-        let beyond = [next(entered), prev(entered)].map(|side| {
+        let beyond = [next_side(entered), prev_side(entered)].map(|side| {
             let twin = links.twins()[side as usize];
             let is_way = twin != NO_TWIN && links.solid_degree(twin / 3) < 2 && !links.is_solid(side);
             if is_way { self.way_counts[twin as usize / 3] } else { 4 }

@@ -17,16 +17,16 @@ mod places;
 mod search;
 mod trace;
 
-pub(super) use growth::join_ends;
-pub(super) use search::Identity;
+pub(crate) use growth::join_ends;
+pub(crate) use search::Identity;
 
+use striata::mesh::Random;
+use striata::strip::StripLinks;
+
+use crate::task::{SpentFn, Task};
 use places::PlaceTable;
 use search::Search;
 use trace::Step;
-
-use super::StripLinks;
-use super::stripifier::{SpentFn, Task};
-use crate::mesh::Random;
 
 /// How often all ends that have no tunnel are moved at random before the search for tunnels is given up.
 ///
@@ -34,7 +34,7 @@ use crate::mesh::Random;
 const MOVE_ROUNDS: usize = 1;
 
 /// Tunnels until no end has one of at most `max_length` links, or the budget is spent.
-pub(super) fn run(
+pub(crate) fn run(
     task: &Task<'_>,
     links: &mut StripLinks<'_>,
     max_length: u32,
@@ -64,13 +64,13 @@ pub(super) fn run(
 }
 
 /// The triangles at which strips end.
-pub(super) fn ends_of(task: &Task<'_>, links: &StripLinks<'_>) -> Vec<u32> {
+pub(crate) fn ends_of(task: &Task<'_>, links: &StripLinks<'_>) -> Vec<u32> {
     let is_end = |&t: &u32| links.solid_degree(t) < 2 && task.is_proper(t);
     (0..links.triangle_count() as u32).filter(is_end).collect()
 }
 
 /// The triangles at which strips end, in random order.
-pub(super) fn shuffled_ends(task: &Task<'_>, links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
+pub(crate) fn shuffled_ends(task: &Task<'_>, links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
     let mut ends = ends_of(task, links);
     for i in (1..ends.len()).rev() {
         ends.swap(i, random.below(i as u32 + 1) as usize);

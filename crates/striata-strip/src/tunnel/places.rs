@@ -1,7 +1,8 @@
 //! The strip and place of every triangle, kept in two arrays.
 
+use striata::strip::StripLinks;
+
 use super::trace::{Places, Step};
-use crate::strip::links::StripLinks;
 
 /// The strip and place of every triangle.
 #[derive(Debug)]

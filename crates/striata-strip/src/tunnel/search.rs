@@ -6,9 +6,10 @@
 //! triangle of the same strip lets go of the neighbour on the moving end's side, and if the
 //! last triangle belongs to another strip.
 
+use striata::mesh::{NO_TWIN, Random};
+use striata::strip::{StripLinks, next_side, prev_side};
+
 use super::trace::{Places, Relation, Step, Trace};
-use crate::mesh::{NO_TWIN, Random};
-use crate::strip::links::{StripLinks, next, prev};
 
 /// How identities are kept while a search goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,7 +94,7 @@ impl Search {
                 if self.cross(side, head, links, places) {
                     return Some(side);
                 }
-                side = next(side);
+                side = next_side(side);
             }
             head += 1;
         }
@@ -137,7 +138,7 @@ impl Search {
             return false;
         }
         let mut is_taken = false;
-        for cut in [next(entered), prev(entered)].into_iter().filter(|&side| links.is_solid(side)) {
+        for cut in [next_side(entered), prev_side(entered)].into_iter().filter(|&side| links.is_solid(side)) {
             let end = links.twins()[cut as usize] / 3;
             let is_right = end_above.is_none_or(|above| above == (places.place(end) > places.place(taken)));
             if is_right && !self.is_visited(end) {

@@ -16,7 +16,7 @@
 //!
 //! Cost: quadratic in the steps of the tunnel, which are few.
 
-use crate::strip::links::StripLinks;
+use striata::strip::StripLinks;
 
 /// Where triangles stand in the strips that a search begins with.
 pub(crate) trait Places {

@@ -8,7 +8,7 @@
 //!
 //! A tree of parts with at most three bridges each side: linear in time, 30 bytes a triangle.
 
-use crate::mesh::{DualGraph, NO_TWIN};
+use striata::mesh::{DualGraph, NO_TWIN};
 
 /// What the search for bridges knows of a triangle.
 #[derive(Clone, Copy, Debug)]
@@ -141,7 +141,7 @@ impl Search<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{IndexedMesh, shapes};
+    use striata::mesh::{IndexedMesh, shapes};
 
     fn bound(mesh: &IndexedMesh) -> u32 {
         least_strips(&DualGraph::of_vertices(mesh), |_| false, |_, _| ()).iter().sum()

@@ -13,7 +13,7 @@
 //!
 //! Linear in time, 5 bytes a triangle.
 
-use crate::mesh::{DualGraph, NO_TWIN};
+use striata::mesh::{DualGraph, NO_TWIN};
 
 /// Raises the bound of each component where counting says more; `component` tells each triangle's, if it has one.
 pub(super) fn raise(least: &mut [u32], component: &[u32], graph: &DualGraph) {
@@ -50,7 +50,7 @@ pub(super) fn raise(least: &mut [u32], component: &[u32], graph: &DualGraph) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{IndexedMesh, shapes};
+    use striata::mesh::{IndexedMesh, shapes};
 
     #[test]
     fn an_island_of_one_costs_an_end() {

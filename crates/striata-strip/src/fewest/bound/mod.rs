@@ -6,7 +6,7 @@
 mod bridges;
 mod cover;
 
-use crate::mesh::{DualGraph, NO_TWIN};
+use striata::mesh::{DualGraph, NO_TWIN};
 
 /// The components of a dual graph and the fewest strips that each could have.
 #[derive(Debug)]
