@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use striata::strip::{StripOptions, Stripifier};
+use striata_strip::{StripOptions, Stripifier};
 
 use super::{FormatArg, FormatArgs};
 use crate::failure::Failure;
