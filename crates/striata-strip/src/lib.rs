@@ -26,12 +26,12 @@
 mod blocks;
 mod cache;
 mod cheapest;
+mod entry;
 mod fewest;
 mod options;
 mod repair;
 mod stripe;
 mod stripifier;
-mod stripify;
 mod task;
 mod tunnel;
 
@@ -39,11 +39,11 @@ pub use blocks::{
     Block, BlockCurve, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks,
     WriteStripFn, block_length, stripify_blocks,
 };
+pub use entry::{stripify, stripify_from};
 pub use fewest::strip_count_bound;
 pub use options::StripOptions;
 pub use repair::{LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
 pub use stripifier::{DEFAULT_TUNNEL_LENGTH, ParseStripifierError, Stripifier};
-pub use stripify::{stripify, stripify_from};
 pub use task::SpentFn;
 
 /// The readme's example, compiled with the documentation's tests.

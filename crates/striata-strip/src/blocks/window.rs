@@ -7,7 +7,8 @@ use super::chain::sides_of;
 use super::hash::NumberMap;
 use super::held::OpenSides;
 use super::source::BlockTriangle;
-use crate::{StripOptions, stripify};
+use crate::entry::stripify;
+use crate::options::StripOptions;
 
 /// A small mesh whose vertices are numbered from 0 in the order in which they come.
 #[derive(Debug, Default)]
