@@ -11,7 +11,7 @@ use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
 use striata::model::baseline::SequentialPatterns;
 use striata::model::{FanBounds, Fans, LodStrips, Mts, PatternBounds, Patterns};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
-use striata::strip::{StripOptions, stripify};
+use striata::strip::stripify;
 use striata_io::Format;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -103,7 +103,7 @@ type Container = (&'static str, Vec<u8>);
 /// Files with models of strips, with fans alone, with patterns, beside collapses and without any, and with a stream alone.
 fn containers(mesh: &IndexedMesh) -> Result<[Container; 5], Box<dyn Error>> {
     let refinable = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
-    let strips = stripify(&refinable.mesh, &StripOptions::default())?;
+    let strips = stripify(&refinable.mesh)?;
     let (lod_strips, mts) = (LodStrips::build(&refinable, &strips)?, Mts::build(&refinable, &strips)?);
     let fans = Fans::build(&refinable);
     let bounds = FanBounds::build(&fans, &refinable);

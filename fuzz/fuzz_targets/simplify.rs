@@ -8,7 +8,7 @@ use striata::mesh::{RefinableMesh, canonical_triangles, replay};
 use striata::model::baseline::{OriginalLodStrips, ProgressiveMeshes, SkipStrips};
 use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, MtsGraph};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, build_sequence};
-use striata::strip::{StripOptions, stripify};
+use striata::strip::stripify;
 use striata_fuzz::Bytes;
 
 fuzz_target!(|data: &[u8]| {
@@ -49,7 +49,7 @@ fn check_levels(refinable: &RefinableMesh) {
         last_error = error;
         assert_eq!(replay(refinable, split_count).triangle_count(), sequence.triangle_count_at(split_count));
     }
-    let strips = stripify(&refinable.mesh, &StripOptions::default()).expect("full meshes are sound");
+    let strips = stripify(&refinable.mesh).expect("full meshes are sound");
     let what = "the strips are the mesh's";
     let lod_strips = LodStrips::build(refinable, &strips).expect(what);
     let mts = Mts::build(refinable, &strips).expect(what);

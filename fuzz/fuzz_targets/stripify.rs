@@ -3,7 +3,8 @@
 
 use libfuzzer_sys::fuzz_target;
 use striata::mesh::{IndexedMesh, canonical_triangles};
-use striata::strip::{RESTART, StripIndices, StripOptions, restart_triangles_into, stripify};
+use striata::strip::{RESTART, StripIndices, restart_triangles_into};
+use striata_strip::{StripOptions, stripify};
 use striata_fuzz::Bytes;
 
 /// Every stripifier; the bytes choose.

@@ -15,7 +15,7 @@ use crate::{bare, browser, golden, target_folder, web};
 pub(crate) const FULL: &str = "striata-cli/full";
 
 /// Each feature that must compile by itself: the crate and the features.
-const FEATURES_ALONE: [(&str, &str); 15] = [
+const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata", ""),
     ("striata", "parallel"),
     ("striata-io", ""),
@@ -25,6 +25,8 @@ const FEATURES_ALONE: [(&str, &str); 15] = [
     ("striata-io", "off"),
     ("striata-io", "gltf"),
     ("striata-io", "compressed"),
+    ("striata-io", "blocks"),
+    ("striata-strip", ""),
     ("striata-cli", ""),
     ("striata-cli", "gpu"),
     ("striata-cli", "window"),

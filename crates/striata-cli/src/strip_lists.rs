@@ -4,7 +4,7 @@
 //! takes six indices, and groups of such strips (flat shading, soups, coarse levels) are shorter as single triangles.
 
 use striata::mesh::{IndexedMesh, MeshError};
-use striata::strip::{StripOptions, StripSet, stripify};
+use striata::strip::{StripSet, stripify};
 
 /// One list of indices for each group: a single strip, or nothing if single triangles take fewer indices.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ impl StripLists {
     /// # Errors
     /// If the mesh's parts do not fit together.
     pub(crate) fn of_level(mesh: &IndexedMesh, shown: Option<&StripSet>) -> Result<Self, MeshError> {
-        let anew = Self::new(mesh, &stripify(mesh, &StripOptions::default())?);
+        let anew = Self::new(mesh, &stripify(mesh)?);
         let shown = shown.map(|strips| Self::new(mesh, strips));
         Ok(shown.filter(|shown| shown.index_count <= anew.index_count).unwrap_or(anew))
     }
@@ -107,7 +107,7 @@ mod tests {
             mesh.triangles.push([first + 3 * i, first + 3 * i + 1, first + 3 * i + 2]);
         }
         mesh.groups = vec![group(0, strip_count), group(strip_count, 3), group(strip_count + 3, 0)];
-        let strips = stripify(&mesh, &StripOptions::default()).expect("it is sound");
+        let strips = stripify(&mesh).expect("it is sound");
         let lists = StripLists::new(&mesh, &strips);
         assert_eq!((lists.lists[1].len(), lists.lists[2].len(), lists.plain_group_count), (0, 0, 1));
         assert_eq!(lists.index_count, lists.lists[0].len() + 9);
@@ -130,7 +130,7 @@ mod tests {
         let mut mesh = shapes::grid(2, 1);
         mesh.positions.insert(0, [7.0; 3]);
         mesh.triangles.iter_mut().flatten().for_each(|v| *v += 1);
-        let strips = stripify(&mesh, &StripOptions::default()).expect("it is sound");
+        let strips = stripify(&mesh).expect("it is sound");
         let (less, renumbered) = without_unused_vertices(mesh.clone(), Some(strips));
         assert_eq!(less.vertex_count() + 1, mesh.vertex_count());
         let mut triangles = Vec::new();

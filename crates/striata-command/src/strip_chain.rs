@@ -7,7 +7,8 @@ use std::str::FromStr;
 use std::time::Instant;
 
 use striata::mesh::{IndexedMesh, MeshError};
-use striata::strip::{StripOptions, StripSet, Stripifier, stripify_from};
+use striata::strip::StripSet;
+use striata_strip::{StripOptions, Stripifier, stripify_from};
 
 use crate::args::StripSearchArgs;
 

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, MeshError};
-use striata::strip::{RESTART, fifo_cache_cost, lru_cache_cost, strip_count_bound};
+use striata::strip::{RESTART, fifo_cache_cost, lru_cache_cost};
+use striata_strip::strip_count_bound;
 
 use crate::output::{Table, grouped, lasted};
 use crate::strip_chain::{StripChain, Stripped};

@@ -8,7 +8,7 @@ use bytemuck::cast_slice;
 use striata::mesh::{IndexedMesh, RefinableMesh, shapes};
 use striata::model::{Fans, LodModel, LodStrips, StoredModel, StripBuffer};
 use striata::simplify::build_sequence;
-use striata::strip::{StripOptions, stripify};
+use striata::strip::stripify;
 use striata_gpu::{
     Canvas, Drawing, Gpu, GpuIndices, GpuMultiDraw, GpuVertices, Inspection, Look, Painter, Picture, Scene,
     Viewpoint, wgpu,
@@ -56,7 +56,7 @@ fn refinable(mesh: &IndexedMesh) -> RefinableMesh {
 }
 
 fn lod_strips(refinable: &RefinableMesh) -> LodStrips<'static> {
-    let strips = stripify(&refinable.mesh, &StripOptions::default()).unwrap();
+    let strips = stripify(&refinable.mesh).unwrap();
     LodStrips::build(refinable, &strips).unwrap()
 }
 

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, Random, RefinableMesh, shapes};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::build_sequence;
-use striata::strip::{StripOptions, stripify};
+use striata::strip::stripify;
 use striata_gpu::{Drawing, Gpu, GpuLodStrips};
 use support::gpu;
 
@@ -15,7 +15,7 @@ fn refinable(mesh: &IndexedMesh) -> Option<RefinableMesh> {
 }
 
 fn model(refinable: &RefinableMesh) -> LodStrips<'static> {
-    let strips = stripify(&refinable.mesh, &StripOptions::default()).unwrap();
+    let strips = stripify(&refinable.mesh).unwrap();
     LodStrips::build(refinable, &strips).unwrap()
 }
 

@@ -20,7 +20,7 @@
 
 #[cfg(not(target_family = "wasm"))]
 mod atomic;
-#[cfg(all(feature = "ply", not(target_family = "wasm")))]
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod blocks;
 mod compressed;
 mod error;
@@ -42,7 +42,7 @@ mod write;
 
 #[cfg(not(target_family = "wasm"))]
 pub use atomic::{FileBatch, write_atomically};
-#[cfg(all(feature = "ply", not(target_family = "wasm")))]
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub use blocks::{StripSpool, TriangleBlocks};
 pub use compressed::decompressed;
 pub use error::{Place, ReadError, WriteError};

@@ -5,11 +5,9 @@ use std::path::{Path, PathBuf};
 
 use striata::ignore_progress;
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, canonical_triangles, shapes};
-use striata::strip::{
-    Block, BlockOptions, BlockSource, BlocksReport, MeshBlocks, restart_triangles_into, strip_triangles,
-    stripify_blocks,
-};
+use striata::strip::{restart_triangles_into, strip_triangles};
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteOptions, read, to_bytes};
+use striata_strip::{Block, BlockOptions, BlockSource, BlocksReport, MeshBlocks, stripify_blocks};
 
 /// A folder with one file in it, and one for what does not fit into memory.
 struct Place {

@@ -5,7 +5,7 @@
 
 use striata::mesh::{IndexedMesh, TriangleGroup};
 use striata::model::{FanIndices, fan_triangles_into};
-use striata::strip::{RESTART, strip_triangles, stripify_greedily};
+use striata::strip::{RESTART, strip_triangles, stripify};
 
 use crate::Failure;
 use crate::shown::Shown;
@@ -22,7 +22,7 @@ pub(crate) fn by_strips(shown: &mut Shown, vertex_count: usize) -> Result<Vec<u3
         mesh.groups.push(TriangleGroup { name: String::new(), material: None, first, count });
         first += count;
     }
-    let strips = stripify_greedily(&mesh).map_err(Failure::corrupt)?;
+    let strips = stripify(&mesh).map_err(Failure::corrupt)?;
     let mut numbers = Vec::with_capacity(mesh.triangles.len());
     for group in 0..strips.group_count() {
         let before = shown.triangles.len();

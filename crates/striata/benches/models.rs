@@ -11,7 +11,7 @@ use striata::model::{
     PatternInstance, Patterns, StripBuffer,
 };
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::strip::{StripOptions, stripify};
+use striata::strip::stripify;
 
 /// A sphere of `2 * ring_count * ring_count` vertices.
 fn sphere(ring_count: u32) -> IndexedMesh {
@@ -47,9 +47,8 @@ fn lod_strips(c: &mut Criterion) {
     group.sample_size(20);
     for (name, mesh) in [("sphere", sphere(132)), ("sphere_large", sphere(374))] {
         let refinable = refinable(&mesh);
-        let options = StripOptions::default();
-        group.bench_function(format!("stripify/{name}"), |b| b.iter(|| stripify(&refinable.mesh, &options)));
-        let strips = stripify(&refinable.mesh, &options).expect("the mesh is sound");
+        group.bench_function(format!("stripify/{name}"), |b| b.iter(|| stripify(&refinable.mesh)));
+        let strips = stripify(&refinable.mesh).expect("the mesh is sound");
         group.bench_function(format!("build/{name}"), |b| b.iter(|| LodStrips::build(&refinable, &strips)));
         let model = LodStrips::build(&refinable, &strips).expect("the strips are those of the mesh");
         let step_count = model.step_count();
@@ -88,7 +87,7 @@ fn mts(c: &mut Criterion) {
     group.sample_size(20);
     for (name, mesh) in [("sphere", sphere(132)), ("sphere_large", sphere(374))] {
         let refinable = refinable(&mesh);
-        let strips = stripify(&refinable.mesh, &StripOptions::default()).expect("the mesh is sound");
+        let strips = stripify(&refinable.mesh).expect("the mesh is sound");
         group.bench_function(format!("build/{name}"), |b| b.iter(|| Mts::build(&refinable, &strips)));
         let model = Mts::build(&refinable, &strips).expect("the strips are those of the mesh");
         let mut state = model.new_state();

@@ -14,7 +14,7 @@ use striata::model::{Fans, LodModel, LodStrips, Mts, Patterns};
 use striata::simplify::{
     RemovalOptions, SequenceOptions, build_fragments, build_sequence, certify_collapses,
 };
-use striata::strip::{StripOptions, stripify};
+use striata::strip::stripify;
 use support::{follows_the_fragments, follows_the_oracle};
 
 fn refinable_asset(piece_count: usize, seed: u64, cost: usize) -> RefinableMesh {
@@ -32,7 +32,7 @@ proptest! {
     #[test]
     fn strip_models_follow_the_oracle(pieces in 1usize..7, seed: u64, cost in 0usize..3) {
         let refinable = refinable_asset(pieces, seed, cost);
-        let strips = stripify(&refinable.mesh, &StripOptions::default()).expect("full meshes are sound");
+        let strips = stripify(&refinable.mesh).expect("full meshes are sound");
         let lod_strips = LodStrips::build(&refinable, &strips).expect("the strips are the mesh's");
         // Its states also note what a buffer has to follow, so they are not compared.
         let mut state = lod_strips.new_state();

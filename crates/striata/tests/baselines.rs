@@ -9,7 +9,8 @@ use striata::mesh::{
 };
 use striata::model::baseline::{DiscreteLevels, DiscreteLevelsError, OrderedMeshes, ProgressiveMeshes};
 use striata::model::{Accounting, LodModel, PartBytes};
-use striata::strip::{StripOptions, Stripifier, restart_triangles_into};
+use striata::strip::{restart_triangles_into, stripify};
+use striata_strip::{StripOptions, Stripifier};
 use support::{
     Random, Wildness, follows_the_oracle, follows_the_oracle_at, grid, hub_cases, nasty_cases,
     random_refinable, seam_cases, soups, surface_cases, with_seams_and_groups,
@@ -20,7 +21,7 @@ fn check_baselines(refinable: &RefinableMesh, stride: usize) {
     follows_the_oracle(refinable, &ProgressiveMeshes::build(refinable), stride);
     follows_the_oracle(refinable, &OrderedMeshes::build(refinable), stride);
     for level_count in [1, 2, 5, 10] {
-        let model = DiscreteLevels::build(refinable, level_count, &StripOptions::default()).unwrap();
+        let model = DiscreteLevels::build(refinable, level_count, stripify).unwrap();
         assert!((1..=level_count).contains(&model.level_count()));
         let levels: Vec<usize> = model.split_counts().collect();
         assert_eq!(levels[0], refinable.sequence.step_count());
@@ -136,7 +137,7 @@ fn groups_are_drawn_from_the_list_itself() {
         random_refinable(&mesh, Wildness { far_percent: 5, base_position_count: 3 }, &mut Random::new(3));
     let meshes = ProgressiveMeshes::build(&refinable);
     let ordered = OrderedMeshes::build(&refinable);
-    let levels = DiscreteLevels::build(&refinable, 5, &StripOptions::default()).unwrap();
+    let levels = DiscreteLevels::build(&refinable, 5, stripify).unwrap();
     let (mut list, mut level) = (meshes.new_state(), levels.new_state());
     for split_count in (0..=meshes.step_count()).rev() {
         meshes.move_to(&mut list, split_count);
@@ -171,7 +172,7 @@ fn levels_fall_geometrically() {
     let wildness = Wildness { far_percent: 0, base_position_count: 20 };
     let refinable = random_refinable(&grid(40, true), wildness, &mut Random::new(1));
     let triangles_of = |level_count| {
-        let model = DiscreteLevels::build(&refinable, level_count, &StripOptions::default()).unwrap();
+        let model = DiscreteLevels::build(&refinable, level_count, stripify).unwrap();
         let counts = model.split_counts().map(|s| refinable.sequence.triangle_count_at(s));
         counts.collect::<Vec<_>>()
     };
@@ -195,7 +196,8 @@ fn levels_of_any_stripifier_follow_the_oracle() {
     let refinable = random_refinable(&mesh, wildness, &mut Random::new(6));
     for stripifier in [Stripifier::Stripe, Stripifier::Fewest, Stripifier::Cheapest] {
         let options = StripOptions::default().with_stripifier(stripifier);
-        let model = DiscreteLevels::build(&refinable, 3, &options).unwrap();
+        let model =
+            DiscreteLevels::build(&refinable, 3, |mesh| striata_strip::stripify(mesh, &options)).unwrap();
         let levels: Vec<usize> = model.split_counts().collect();
         let shown = |asked| levels.iter().copied().find(|&level| level <= asked).unwrap_or(levels[2]);
         follows_the_oracle_at(&refinable, &model, 11, shown);
@@ -206,7 +208,7 @@ fn levels_of_any_stripifier_follow_the_oracle() {
 fn what_makes_no_levels_is_refused() {
     let wildness = Wildness { far_percent: 0, base_position_count: 4 };
     let mut refinable = random_refinable(&grid(4, false), wildness, &mut Random::new(1));
-    let build = |refinable: &RefinableMesh, n| DiscreteLevels::build(refinable, n, &StripOptions::default());
+    let build = |refinable: &RefinableMesh, n| DiscreteLevels::build(refinable, n, stripify);
     assert_eq!(build(&refinable, 0).unwrap_err(), DiscreteLevelsError::NoLevels);
     assert_eq!(build(&refinable, usize::MAX).unwrap().split_counts().last(), {
         let sixteenth = refinable.sequence.split_count_for_triangles(2);
@@ -256,7 +258,7 @@ fn bytes_are_those_of_the_arrays() {
     // The one step that makes triangles, and the ends of the one group in both lists.
     assert_eq!(ordered.bytes(), [part("triangles", 48), part("taken by", 16), part("makers", 8 + 4 * 4)]);
     assert_eq!(ordered.paper_bytes(Accounting::Words), 4 * (4 * 4 + 2));
-    let levels = DiscreteLevels::build(&refinable, 5, &StripOptions::default()).unwrap();
+    let levels = DiscreteLevels::build(&refinable, 5, stripify).unwrap();
     assert_eq!(levels.split_counts().collect::<Vec<_>>(), [1, 0]);
     let [fine, coarse] = [1, 0].map(|split_count| {
         let mut state = levels.new_state();

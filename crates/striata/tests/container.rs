@@ -10,7 +10,7 @@ use striata::mesh::{
     AttributeLayer, Image, IndexedMesh, LayerData, RefinableMesh, Semantic, canonical_triangles, replay,
 };
 use striata::model::{FanBounds, FanFront, FanScene, Fans, LodModel, LodStrips, Mts, StripModel};
-use striata::strip::{StripOptions, StripSet, stripify};
+use striata::strip::{StripSet, stripify};
 use support::{
     Random, Whim, Wildness, grid, hub_cases, nasty, nasty_cases, random_refinable, seam_cases, surface_cases,
     with_seams_and_groups, with_sound_checksums,
@@ -55,12 +55,12 @@ fn rich() -> RefinableMesh {
 }
 
 fn model_of(refinable: &RefinableMesh) -> LodStrips<'static> {
-    let strips = stripify(&refinable.mesh, &StripOptions::default()).unwrap();
+    let strips = stripify(&refinable.mesh).unwrap();
     LodStrips::build(refinable, &strips).unwrap()
 }
 
 fn mts_of(refinable: &RefinableMesh) -> Mts<'static> {
-    let strips = stripify(&refinable.mesh, &StripOptions::default()).unwrap();
+    let strips = stripify(&refinable.mesh).unwrap();
     Mts::build(refinable, &strips).unwrap()
 }
 

@@ -8,7 +8,7 @@ use striata::codec::{FileHead, FileModel, StriataFile, WriteOptions, to_striata}
 use striata::mesh::{RefinableMesh, shapes};
 use striata::model::LodStrips;
 use striata::simplify::{BatchOptions, build_batches};
-use striata::strip::{StripOptions, stripify};
+use striata::strip::stripify;
 
 struct Made {
     refinable: RefinableMesh,
@@ -23,7 +23,7 @@ fn make() -> Made {
 }
 
 fn with_strips(made: &Made, has_stream: bool) -> Vec<u8> {
-    let strips = stripify(&made.refinable.mesh, &StripOptions::default()).unwrap();
+    let strips = stripify(&made.refinable.mesh).unwrap();
     let model = LodStrips::build(&made.refinable, &strips).unwrap();
     let mut models = vec![FileModel::LodStrips(&model)];
     models.extend(has_stream.then_some(FileModel::Progressive(&made.stream.bytes)));

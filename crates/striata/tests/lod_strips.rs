@@ -7,13 +7,13 @@ use std::ops::Range;
 use proptest::prelude::*;
 use striata::mesh::{RefinableMesh, canonical_triangles, replay};
 use striata::model::{LodModel, LodStrips, LodStripsState, ModelError, StoredModel, StripBuffer, StripModel};
-use striata::strip::{RESTART, StripOptions, StripSet, restart_triangles_into, stripify};
+use striata::strip::{RESTART, StripSet, restart_triangles_into, stripify};
 use support::{
     Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases,
 };
 
 fn build(refinable: &RefinableMesh) -> LodStrips<'static> {
-    let strips = stripify(&refinable.mesh, &StripOptions::default()).unwrap();
+    let strips = stripify(&refinable.mesh).unwrap();
     LodStrips::build(refinable, &strips).unwrap()
 }
 

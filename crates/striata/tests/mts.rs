@@ -5,7 +5,8 @@ mod support;
 use proptest::prelude::*;
 use striata::mesh::RefinableMesh;
 use striata::model::{LodModel, ModelError, Mts, MtsGraph, StoredModel, StripModel};
-use striata::strip::{StripOptions, StripSet, Stripifier, stripify};
+use striata::strip::StripSet;
+use striata_strip::{StripOptions, Stripifier, stripify};
 use support::{
     Random, Wildness, follows_the_oracle, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
     surface_cases,

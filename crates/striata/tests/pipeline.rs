@@ -9,14 +9,14 @@ use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes};
 use striata::model::{LodModel, LodStrips, LodStripsState, StoredModel, StripBuffer, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::strip::{StripOptions, StripSet, restart_triangles_into, stripify};
+use striata::strip::{StripSet, restart_triangles_into, stripify};
 
 fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> RefinableMesh {
     build_sequence(mesh, options, &mut ignore_progress).expect("sound meshes are simplified").refinable
 }
 
 fn strips_of(refinable: &RefinableMesh) -> StripSet {
-    stripify(&refinable.mesh, &StripOptions::default()).expect("full meshes are sound")
+    stripify(&refinable.mesh).expect("full meshes are sound")
 }
 
 /// The triangles of each group; groups are told apart, their order of triangles is not.

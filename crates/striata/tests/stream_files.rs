@@ -8,7 +8,7 @@ use striata::codec::{DecodeError, FileModel, SectionKind, StriataFile, WriteOpti
 use striata::mesh::{RefinableMesh, canonical_triangles, replay, shapes};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::{BatchOptions, build_batches};
-use striata::strip::{StripOptions, stripify};
+use striata::strip::stripify;
 use support::with_seams_and_groups;
 
 struct Made {
@@ -89,7 +89,7 @@ fn a_stream_alone_is_all_that_a_file_needs() {
 #[test]
 fn models_and_stream_lie_in_one_file() {
     let made = make(&shapes::torus(40, 20, 1.0, 0.4));
-    let strips = stripify(&made.refinable.mesh, &StripOptions::default()).unwrap();
+    let strips = stripify(&made.refinable.mesh).unwrap();
     let model = LodStrips::build(&made.refinable, &strips).unwrap();
     let models = [FileModel::Progressive(&made.stream.bytes), FileModel::LodStrips(&model)];
     let bytes = to_striata(&made.refinable, &models, &WriteOptions::default()).unwrap();

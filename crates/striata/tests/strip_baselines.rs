@@ -6,7 +6,8 @@ use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
 use striata::model::baseline::{OriginalLodStrips, SkipStrips};
 use striata::model::{Accounting, LodModel, LodStrips, ModelError, Mts};
-use striata::strip::{RESTART, StripOptions, StripSet, Stripifier, restart_triangles_into, stripify};
+use striata::strip::{RESTART, StripSet, restart_triangles_into};
+use striata_strip::{StripOptions, Stripifier, stripify};
 use support::{
     Random, Wildness, follows_the_oracle, grid, nasty_cases, random_refinable, seam_cases, soups,
     surface_cases, with_seams_and_groups,

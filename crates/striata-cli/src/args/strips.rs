@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use striata::strip::{StripOptions, Stripifier};
 use striata_command::args::{FormatArg, FormatArgs, STRIPS, StripSearchArgs, strips_help};
 use striata_command::failure::Failure;
 use striata_command::strip_chain::{StripChain, StripPlan};
+use striata_strip::{StripOptions, Stripifier};
 
 /// The strips that `strip` makes where nothing else is said.
 const STRIP_STRIPS: Stripifier = Stripifier::Cheapest;

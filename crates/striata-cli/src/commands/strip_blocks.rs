@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks};
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteError};
+use striata_strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks};
 
 use crate::args::StripArgs;
 use striata_command::clock::peak_rss_bytes;

@@ -1,7 +1,7 @@
 //! Flags of all verbs that make strips.
 
 use clap::Args;
-use striata::strip::{StripOptions, Stripifier};
+use striata_strip::{StripOptions, Stripifier};
 
 /// The strips that `build` makes where nothing else is said.
 pub const BUILD_STRIPS: Stripifier = Stripifier::Cheapest;

@@ -20,7 +20,7 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use striata::mesh::Bounds;
-use striata::strip::{Block, BlockCurve, BlockSource, BlockTriangle, block_length};
+use striata_strip::{Block, BlockCurve, BlockSource, BlockTriangle, block_length};
 
 use crate::ReadError;
 use crate::error::{Fault, Place};
@@ -29,7 +29,7 @@ pub use output::StripSpool;
 use paged::PagedFile;
 use sorted::{Merged, Record, Sorter};
 
-/// A binary PLY file as blocks of triangles for [`stripify_blocks`](striata::strip::stripify_blocks).
+/// A binary PLY file as blocks of triangles for [`stripify_blocks`](striata_strip::stripify_blocks).
 #[derive(Debug)]
 pub struct TriangleBlocks {
     stream: PlyStream,

@@ -13,7 +13,7 @@ mod document;
 mod json;
 mod layers;
 mod looks;
-#[cfg(all(feature = "ply", not(target_family = "wasm")))]
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod pieces;
 mod primitive;
 mod scene;
@@ -23,7 +23,7 @@ mod write_layers;
 
 use striata::mesh::IndexedMesh;
 
-#[cfg(all(feature = "ply", not(target_family = "wasm")))]
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use pieces::VertexPieces;
 pub(crate) use write::{to_glb_bytes, to_json_bytes};
 

@@ -275,7 +275,7 @@ impl Faces {
 
 impl<'a> Vertices<'a> {
     /// Whole rows of little-endian bytes, however many.
-    #[cfg(not(target_family = "wasm"))]
+    #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
     pub(crate) fn of_rows(element: &Element, rows: Cow<'a, [u8]>) -> Self {
         let (columns, stride) = columns_of(element);
         Self { count: rows.len() / stride.max(1), rows, stride, columns }

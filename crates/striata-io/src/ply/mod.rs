@@ -11,11 +11,11 @@ mod body;
 mod header;
 mod names;
 mod rows;
-#[cfg(not(target_family = "wasm"))]
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod stream;
 mod write;
 
-#[cfg(not(target_family = "wasm"))]
+#[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use stream::{PlyStream, Stopped};
 pub(crate) use write::to_bytes;
 

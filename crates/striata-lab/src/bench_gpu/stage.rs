@@ -2,8 +2,9 @@
 
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::simplify::{SequenceOptions, build_welded_sequence};
-use striata::strip::{StripOptions, StripSet};
+use striata::strip::StripSet;
 use striata_gpu::{Canvas, Gpu, GpuVertices, Look, Painter, Scene, Viewpoint};
+use striata_strip::StripOptions;
 
 use striata_command::failure::Failure;
 use striata_command::output::Bar;

@@ -12,7 +12,8 @@ use striata::model::baseline::{
 use striata::model::{
     Accounting, DrawCounts, Fans, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Patterns, Topology,
 };
-use striata::strip::{StripOptions, StripSet};
+use striata::strip::StripSet;
+use striata_strip::{StripOptions, stripify};
 
 use striata_command::failure::Failure;
 use striata_command::failure::unknown_name;
@@ -83,7 +84,7 @@ const ENTRIES: [Entry; 13] = [
 ];
 
 fn discrete(given: Given<'_>, level_count: usize) -> Result<DiscreteLevels, DiscreteLevelsError> {
-    DiscreteLevels::build(given.refinable, level_count, given.level_strips)
+    DiscreteLevels::build(given.refinable, level_count, |mesh| stripify(mesh, given.level_strips))
 }
 
 impl Entry {

@@ -30,8 +30,8 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, weld};
-use striata::strip::strip_count_bound;
 use striata_io::write_atomically;
+use striata_strip::strip_count_bound;
 
 use self::assets::AssetsReport;
 pub(crate) use self::contenders::compared_models;

@@ -75,7 +75,7 @@ fn check_level(
 mod tests {
     use striata::mesh::{FragmentedMesh, shapes};
     use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
-    use striata::strip::{StripOptions, stripify};
+    use striata_strip::{StripOptions, stripify};
 
     use super::super::contenders::{Given, compared_models, entries};
     use super::*;

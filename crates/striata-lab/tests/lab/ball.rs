@@ -4,7 +4,7 @@ use striata::codec::{FileModel, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::model::LodStrips;
 use striata::simplify::{SequenceOptions, build_sequence};
-use striata::strip::{StripOptions, stripify};
+use striata::strip::stripify;
 
 use crate::workbench::{Workbench, sphere};
 
@@ -17,7 +17,7 @@ impl Workbench {
         let built =
             build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress).expect("a sequence");
         let refinable = &built.refinable;
-        let strips = stripify(&refinable.mesh, &StripOptions::default()).expect("strips");
+        let strips = stripify(&refinable.mesh).expect("strips");
         let model = LodStrips::build(refinable, &strips).expect("a model");
         let bytes =
             to_striata(refinable, &[FileModel::LodStrips(&model)], &WriteOptions::default()).expect("a file");

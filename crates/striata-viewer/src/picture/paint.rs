@@ -125,7 +125,7 @@ fn smallest_last(neighbours: &[Vec<u32>]) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use striata::mesh::shapes;
-    use striata::strip::{StripOptions, stripify};
+    use striata::strip::stripify;
 
     use super::*;
 
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn neighbouring_strips_fans_and_triangles_differ_in_colour() {
         for mesh in [shapes::icosphere(3, 1.0), shapes::torus(48, 24, 1.0, 0.4), shapes::grid(20, 20)] {
-            let strips = stripify(&mesh, &StripOptions::default()).expect("a sound mesh");
+            let strips = stripify(&mesh).expect("a sound mesh");
             let (triangles, colours) = strip_colours(&strips);
             assert_eq!(triangles.len(), mesh.triangle_count());
             let mut region_of = Vec::new();

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use striata::mesh::{Bounds, FragmentedMesh, RefinableMesh};
 use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, PatternBounds, PatternScene, Patterns};
-use striata::strip::{StripOptions, StripSet, stripify};
+use striata::strip::{StripSet, stripify};
 use striata::view::Sphere;
 
 use super::state::ModelKind;
@@ -172,7 +172,7 @@ impl Subject {
     /// The strips of the file, or some that are quick to make.
     fn strips(&self, refinable: &RefinableMesh) -> Result<&StripSet, Failure> {
         if self.strips.get().is_none() {
-            let _ = self.strips.set(stripify(&refinable.mesh, &StripOptions::default())?);
+            let _ = self.strips.set(stripify(&refinable.mesh)?);
         }
         self.strips.get().ok_or_else(|| Failure::internal("strips that were set are gone"))
     }

@@ -24,8 +24,8 @@ pub struct DualGraph {
     twins: Vec<[u32; 3]>,
 }
 
-/// No link across this side.
-pub(crate) const NONE: u32 = u32::MAX;
+/// In place of a twin: no link across this side.
+pub const NO_TWIN: u32 = u32::MAX;
 
 impl DualGraph {
     /// Links triangles of one group that share two vertices: seams and groups are borders, as strips need it.
@@ -51,7 +51,7 @@ impl DualGraph {
         let mut pairing = Pairing {
             triangles,
             group_ends,
-            twins: vec![[NONE; 3]; triangles.len()],
+            twins: vec![[NO_TWIN; 3]; triangles.len()],
             edge: [vec![], vec![]],
         };
         for range in firsts.windows(2) {
@@ -80,11 +80,11 @@ impl DualGraph {
     /// One triangle can be there twice: two triangles can share two edges.
     #[inline]
     pub fn neighbours(&self, triangle: u32) -> [u32; 3] {
-        self.twins[triangle as usize].map(|side| if side == NONE { NONE } else { side / 3 })
+        self.twins[triangle as usize].map(|side| if side == NO_TWIN { NO_TWIN } else { side / 3 })
     }
 
-    /// The twin of every side, [`NONE`] where there is none.
-    pub(crate) fn twins(&self) -> &[u32] {
+    /// The twin of every side, [`NO_TWIN`] if it has none.
+    pub fn twins(&self) -> &[u32] {
         self.twins.as_flattened()
     }
 
@@ -92,18 +92,18 @@ impl DualGraph {
     #[inline]
     pub fn twin(&self, side: u32) -> Option<u32> {
         let twin = self.twins[side as usize / 3][side as usize % 3];
-        (twin != NONE).then_some(twin)
+        (twin != NO_TWIN).then_some(twin)
     }
 
     /// Links at a triangle, 0 to 3.
     #[inline]
     pub fn degree(&self, triangle: u32) -> usize {
-        self.twins[triangle as usize].iter().filter(|&&side| side != NONE).count()
+        self.twins[triangle as usize].iter().filter(|&&side| side != NO_TWIN).count()
     }
 
     /// Links in all.
     pub fn link_count(&self) -> usize {
-        self.twins.iter().flatten().filter(|&&side| side != NONE).count() / 2
+        self.twins.iter().flatten().filter(|&&side| side != NO_TWIN).count() / 2
     }
 }
 
@@ -188,8 +188,8 @@ mod tests {
     #[test]
     fn links_know_both_ends() {
         let graph = DualGraph::of_vertices(&plain(&[[0, 1, 2], [0, 2, 3], [2, 1, 4]]));
-        assert_eq!(graph.neighbours(0), [NONE, 2, 1]);
-        assert_eq!(graph.neighbours(1), [0, NONE, NONE]);
+        assert_eq!(graph.neighbours(0), [NO_TWIN, 2, 1]);
+        assert_eq!(graph.neighbours(1), [0, NO_TWIN, NO_TWIN]);
         assert_eq!((graph.twin(2), graph.twin(3), graph.twin(0)), (Some(3), Some(2), None));
         assert_eq!(graph.neighbour(2, 0), Some(0));
         assert_eq!((graph.degree(0), graph.degree(2), graph.link_count()), (2, 1, 2));
@@ -214,8 +214,8 @@ mod tests {
             [0, 0, 1],
         ]));
         assert_eq!([0, 1, 2, 3, 4, 5].map(|t| graph.degree(t)), [1, 1, 1, 0, 1, 0]);
-        assert_eq!(graph.neighbours(0), [2, NONE, NONE]);
-        assert_eq!(graph.neighbours(4), [NONE, 1, NONE]);
+        assert_eq!(graph.neighbours(0), [2, NO_TWIN, NO_TWIN]);
+        assert_eq!(graph.neighbours(4), [NO_TWIN, 1, NO_TWIN]);
     }
 
     #[test]
@@ -224,7 +224,7 @@ mod tests {
         let group = |first, count| TriangleGroup { first, count, ..TriangleGroup::default() };
         mesh.groups = vec![group(0, 1), group(1, 0), group(1, 3)];
         let graph = DualGraph::of_vertices(&mesh);
-        assert_eq!([0, 1, 2, 3].map(|t| graph.neighbours(t)[0]), [NONE, 2, 1, NONE]);
+        assert_eq!([0, 1, 2, 3].map(|t| graph.neighbours(t)[0]), [NO_TWIN, 2, 1, NO_TWIN]);
 
         let welded = weld(&shapes::hard_cube()).unwrap();
         assert_eq!(DualGraph::of_vertices(&welded.mesh).link_count(), 6);

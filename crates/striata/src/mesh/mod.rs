@@ -31,8 +31,7 @@ mod triangle_tree;
 mod validate;
 mod weld;
 
-pub(crate) use adjacency::is_proper;
-pub use adjacency::{Adjacency, Edge};
+pub use adjacency::{Adjacency, Edge, is_proper};
 pub use appearance::{Appearance, Image, Material};
 pub use attribute_distance::{AttributeDistance, AttributeSpread, attribute_distance};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
@@ -40,8 +39,7 @@ pub(crate) use box_tree::{AxisBox, BoxTree};
 pub use defect::{Defect, DefectKind};
 pub(crate) use disjoint_sets::DisjointSets;
 pub use distance::{DistanceError, DistanceOptions, OneSided, SurfaceDistance, surface_distance};
-pub use dual_graph::DualGraph;
-pub(crate) use dual_graph::NONE as NO_TWIN;
+pub use dual_graph::{DualGraph, NO_TWIN};
 pub use fragments::{
     Face, Fragment, FragmentError, FragmentSequence, FragmentedMesh, fragment_faces, replay_fragments,
 };

@@ -21,6 +21,7 @@ impl Random {
     }
 
     /// 64 random bits.
+    #[inline]
     pub fn next_u64(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -30,11 +31,13 @@ impl Random {
     }
 
     /// Uniform in `0..limit`; 0 where `limit` is 0.
+    #[inline]
     pub fn below(&mut self, limit: u32) -> u32 {
         ((u128::from(self.next_u64()) * u128::from(limit)) >> 64) as u32
     }
 
     /// Uniform in `0.0..1.0`.
+    #[inline]
     pub fn unit(&mut self) -> f64 {
         (self.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }

@@ -1,8 +1,8 @@
-//! Solid and dashed links: a set of strips as a colouring of the dual graph.
+//! Solid and dashed links: a set of strips as a coloring of the dual graph.
 //!
 //! A link of the [`DualGraph`] is **solid** where its two triangles follow each other in one strip and
 //! **dashed** elsewhere \[PS03, 3.1\]. A set of strips is then nothing but a set of solid links in which no node
-//! has more than two and no loop closes; every stripifier here edits such a colouring, and one writer
+//! has more than two and no loop closes; every stripifier edits such a coloring, and one writer
 //! turns it into indices.
 //!
 //! ```text
@@ -16,6 +16,23 @@ use super::strip_set::strip_triangles;
 use crate::mesh::{DualGraph, NO_TWIN, canonical_triangle};
 
 /// Which links of a dual graph are solid.
+///
+/// Links are named by sides: side `3 * triangle + k` runs from corner `k` of its triangle to the next corner, and
+/// its twin is the same link seen from the other triangle.
+///
+/// ```
+/// use striata::mesh::{DualGraph, shapes};
+/// use striata::strip::{StripLinks, StripSet, write_strips};
+///
+/// let mesh = shapes::grid(1, 1);
+/// let graph = DualGraph::of_vertices(&mesh);
+/// let mut links = StripLinks::new(&graph);
+/// let shared = (0..3).find(|&side| graph.twin(side).is_some()).expect("two triangles share an edge");
+/// links.join(shared);
+/// let mut strips = StripSet::new();
+/// write_strips(&mesh.triangles, &links, std::iter::once(0..2), &mut strips);
+/// assert_eq!(strips.strip(0).len(), 4);
+/// ```
 #[derive(Clone, Debug)]
 pub struct StripLinks<'a> {
     twins: &'a [u32],
@@ -29,7 +46,7 @@ pub struct StripLinks<'a> {
 /// there is none. A strip goes on without a swap across a link where both of its sides turn alike.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
-pub(crate) enum Turn {
+pub enum Turn {
     /// The strip ends in this triangle.
     End = 0,
     /// The other solid side follows this one.
@@ -46,13 +63,13 @@ const TURNS: [[Turn; 3]; 8] = {
 
 /// The side after this one around its triangle.
 #[inline]
-pub(crate) fn next(side: u32) -> u32 {
+pub fn next_side(side: u32) -> u32 {
     if side % 3 == 2 { side - 2 } else { side + 1 }
 }
 
 /// The side before this one around its triangle.
 #[inline]
-pub(crate) fn prev(side: u32) -> u32 {
+pub fn prev_side(side: u32) -> u32 {
     if side.is_multiple_of(3) { side + 2 } else { side - 1 }
 }
 
@@ -72,24 +89,29 @@ impl<'a> StripLinks<'a> {
         links
     }
 
-    /// Solid bits of triangles whose twins are kept elsewhere, to work on them.
-    pub(crate) fn from_bits(twins: &'a [u32], solid: Vec<u8>) -> Self {
+    /// Takes the solid bits of triangles from a caller that keeps the twins of all sides itself, as a graph that changes
+    /// has to: bit `k` of a triangle says that the link across its side `k` is solid.
+    ///
+    /// [`Self::into_bits`] gives them back.
+    ///
+    /// # Panics
+    /// In debug builds, if there are not three twins for each triangle.
+    pub fn from_bits(twins: &'a [u32], solid: Vec<u8>) -> Self {
         debug_assert_eq!(twins.len(), 3 * solid.len(), "three sides a triangle");
         Self { twins, solid }
     }
 
     /// Gives back what [`Self::from_bits`] took.
-    pub(crate) fn into_bits(self) -> Vec<u8> {
+    pub fn into_bits(self) -> Vec<u8> {
         self.solid
     }
 
     /// Makes the links solid that strips of these triangles run along; gives the first triangle of a strip
     /// that is not there (or not so often), with the number of its strip.
-    pub(crate) fn join_along(
-        &mut self,
-        triangles: &[[u32; 3]],
-        strips: &StripSet,
-    ) -> Option<(usize, [u32; 3])> {
+    ///
+    /// # Panics
+    /// If `triangles` are not those of the graph.
+    pub fn join_along(&mut self, triangles: &[[u32; 3]], strips: &StripSet) -> Option<(usize, [u32; 3])> {
         let mut missing = None;
         let mut by_corners: Vec<([u32; 3], u32)> =
             triangles.iter().enumerate().map(|(i, &t)| (canonical_triangle(t), i as u32)).collect();
@@ -147,9 +169,9 @@ impl<'a> StripLinks<'a> {
         self.solid.len()
     }
 
-    /// The twins of all sides, [`NO_TWIN`] where there is none.
+    /// The twins of all sides, [`NO_TWIN`] for a side that has none.
     #[inline]
-    pub(crate) fn twins(&self) -> &'a [u32] {
+    pub fn twins(&self) -> &'a [u32] {
         self.twins
     }
 
@@ -158,9 +180,9 @@ impl<'a> StripLinks<'a> {
         self.solid.fill(0);
     }
 
-    /// Solid bits of a triangle.
+    /// Solid bits of a triangle: bit `k` says that the link across its side `k` is solid.
     #[inline]
-    pub(crate) fn solid_bits(&self, triangle: u32) -> u8 {
+    pub fn solid_bits(&self, triangle: u32) -> u8 {
         self.solid[triangle as usize]
     }
 
@@ -183,23 +205,23 @@ impl<'a> StripLinks<'a> {
 
     /// How the strip that passes this side goes on within its triangle.
     #[inline]
-    pub(crate) fn turn(&self, side: u32) -> Turn {
+    pub fn turn(&self, side: u32) -> Turn {
         TURNS[usize::from(self.solid[side as usize / 3] & 7)][side as usize % 3]
     }
 
     /// The solid side of a triangle other than this one.
     #[inline]
-    pub(crate) fn other_solid(&self, side: u32) -> Option<u32> {
+    pub fn other_solid(&self, side: u32) -> Option<u32> {
         match self.turn(side) {
             Turn::End => None,
-            Turn::Next => Some(next(side)),
-            Turn::Prev => Some(prev(side)),
+            Turn::Next => Some(next_side(side)),
+            Turn::Prev => Some(prev_side(side)),
         }
     }
 
     /// A solid side of a triangle, the lowest.
     #[inline]
-    pub(crate) fn first_solid(&self, triangle: u32) -> Option<u32> {
+    pub fn first_solid(&self, triangle: u32) -> Option<u32> {
         let bits = self.solid[triangle as usize];
         (bits != 0).then(|| 3 * triangle + bits.trailing_zeros())
     }
@@ -236,7 +258,7 @@ impl<'a> StripLinks<'a> {
     ///
     /// On a loop, comes back to where it began.
     #[inline]
-    pub(crate) fn end_beyond(&self, side: u32) -> u32 {
+    pub fn end_beyond(&self, side: u32) -> u32 {
         let first = side / 3;
         let mut exit = side;
         loop {
@@ -249,7 +271,7 @@ impl<'a> StripLinks<'a> {
     }
 
     /// Cuts one link of every loop, so that every strip has ends; gives the number of loops.
-    pub(crate) fn cut_loops(&mut self) -> usize {
+    pub fn cut_loops(&mut self) -> usize {
         let mut is_seen = vec![false; self.solid.len()];
         for end in 0..self.solid.len() as u32 {
             if self.solid_degree(end) == 1 && !is_seen[end as usize] {

@@ -8,21 +8,25 @@
 use std::ops::Range;
 
 use super::StripSet;
-use super::links::{StripLinks, Turn, next, prev};
+use super::links::{StripLinks, Turn, next_side, prev_side};
 use crate::mesh::{NO_TWIN, is_proper};
 
 /// A strip that is not yet indices: the sides by which its triangles are left, from one end to the other.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Path {
-    /// Where it begins.
-    pub(crate) first: u32,
-    /// One for each triangle but the last.
-    pub(crate) exits: Vec<u32>,
+pub struct StripPath {
+    /// The triangle that it begins with.
+    pub first: u32,
+    /// The side by which each triangle but the last is left.
+    pub exits: Vec<u32>,
 }
 
-impl Path {
-    /// Follows the strip that ends in this triangle to its other end.
-    pub(crate) fn follow(&mut self, links: &StripLinks<'_>, end: u32) {
+impl StripPath {
+    /// Becomes the strip that ends in this triangle, followed to its other end.
+    ///
+    /// # Panics
+    /// In debug builds, if no strip ends there.
+    #[inline]
+    pub fn follow(&mut self, links: &StripLinks<'_>, end: u32) {
         debug_assert!(links.solid_degree(end) < 2, "triangle {end} is inside a strip");
         self.first = end;
         self.exits.clear();
@@ -34,7 +38,8 @@ impl Path {
     }
 
     /// The same strip from its other end.
-    pub(crate) fn reverse(&mut self, links: &StripLinks<'_>) {
+    #[inline]
+    pub fn reverse(&mut self, links: &StripLinks<'_>) {
         if let Some(&last) = self.exits.last() {
             self.first = links.twins()[last as usize] / 3;
             self.exits.reverse();
@@ -44,42 +49,40 @@ impl Path {
         }
     }
 
-    /// Whether its first turn falls on the right winding where the first triangle stands at an even place.
-    pub(crate) fn begins_well(&self, links: &StripLinks<'_>) -> bool {
+    /// Whether its first turn needs no index more when the first triangle stands at an even place.
+    #[inline]
+    pub fn begins_well(&self, links: &StripLinks<'_>) -> bool {
         self.exits.first().is_none_or(|&exit| links.turn(links.twins()[exit as usize]) != Turn::Next)
     }
 
-    /// The same, seen from the other end.
-    pub(crate) fn ends_well(&self, links: &StripLinks<'_>) -> bool {
+    /// What [`Self::begins_well`] says, seen from the other end.
+    #[inline]
+    pub fn ends_well(&self, links: &StripLinks<'_>) -> bool {
         self.exits.last().is_none_or(|&exit| links.turn(exit) != Turn::Next)
     }
 
     /// Triangles from the first to the last.
-    pub(crate) fn triangles(&self, links: &StripLinks<'_>) -> impl Iterator<Item = u32> {
+    #[inline]
+    pub fn triangles(&self, links: &StripLinks<'_>) -> impl Iterator<Item = u32> {
         let twins = links.twins();
         std::iter::once(self.first).chain(self.exits.iter().map(|&exit| twins[exit as usize] / 3))
     }
 
     /// Appends its indices; the first triangle stands at an even place of its draw unless `is_odd`.
-    pub(crate) fn write(
-        &self,
-        triangles: &[[u32; 3]],
-        links: &StripLinks<'_>,
-        is_odd: bool,
-        out: &mut Vec<u32>,
-    ) {
+    #[inline]
+    pub fn write(&self, triangles: &[[u32; 3]], links: &StripLinks<'_>, is_odd: bool, out: &mut Vec<u32>) {
         let corner = |side: u32| triangles[side as usize / 3][side as usize % 3];
         let exit = self.exits.first().map_or(3 * self.first + 1, |&exit| exit);
-        let (mut older, mut newer) = (corner(exit), corner(next(exit)));
+        let (mut older, mut newer) = (corner(exit), corner(next_side(exit)));
         if is_odd {
             std::mem::swap(&mut older, &mut newer);
         }
-        out.extend([corner(prev(exit)), older, newer]);
+        out.extend([corner(prev_side(exit)), older, newer]);
         for (i, &exit) in self.exits.iter().enumerate() {
             let entered = links.twins()[exit as usize];
-            let apex = corner(prev(entered));
+            let apex = corner(prev_side(entered));
             if let Some(&exit) = self.exits.get(i + 1) {
-                if corner(exit) != newer && corner(next(exit)) != newer {
+                if corner(exit) != newer && corner(next_side(exit)) != newer {
                     out.push(older);
                 } else {
                     older = newer;
@@ -91,13 +94,13 @@ impl Path {
     }
 }
 
-/// Appends the strips of all groups.
+/// Appends the strips of all groups, each group a range of triangles.
 ///
-/// Degenerate triangles are left out; a loop would be too.
-pub(crate) fn write_strips(
+/// Degenerate triangles are left out; a loop would be too: [`StripLinks::cut_loops`] opens them.
+pub fn write_strips(
     triangles: &[[u32; 3]],
     links: &StripLinks<'_>,
-    groups: impl Iterator<Item = Range<usize>>,
+    groups: impl IntoIterator<Item = Range<usize>>,
     out: &mut StripSet,
 ) {
     let (mut order, mut indices) = (StripOrder::new(triangles), Vec::new());
@@ -114,27 +117,28 @@ pub(crate) fn write_strips(
     }
 }
 
-/// Visits every strip once, neighbours after each other.
-pub(crate) struct StripOrder {
+/// Visits every strip once, neighbors after each other.
+#[derive(Clone, Debug)]
+pub struct StripOrder {
     is_done: Vec<bool>,
     /// Triangles beside strips that were visited, the last ones first.
     waiting: Vec<u32>,
-    path: Path,
+    path: StripPath,
 }
 
 impl StripOrder {
-    /// Degenerate triangles belong to no strip.
-    pub(crate) fn new(triangles: &[[u32; 3]]) -> Self {
+    /// No strip visited yet; degenerate triangles belong to none.
+    pub fn new(triangles: &[[u32; 3]]) -> Self {
         let is_done = triangles.iter().map(|corners| !is_proper(corners)).collect();
-        Self { is_done, waiting: Vec::new(), path: Path::default() }
+        Self { is_done, waiting: Vec::new(), path: StripPath::default() }
     }
 
     /// Visits the strips of one group of triangles.
-    pub(crate) fn visit(
+    pub fn visit(
         &mut self,
         group: Range<usize>,
         links: &StripLinks<'_>,
-        mut visit: impl FnMut(&mut Path),
+        mut visit: impl FnMut(&mut StripPath),
     ) {
         for seed in group.start as u32..group.end as u32 {
             self.waiting.push(seed);

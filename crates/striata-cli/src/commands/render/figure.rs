@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use striata::mesh::IndexedMesh;
 use striata::simplify::Target;
-use striata::strip::{StripIndices, StripOptions, StripSet, stripify};
+use striata::strip::{StripIndices, StripSet, stripify};
 
 use crate::commands::extract_view::ViewLevel;
 use striata_command::args::Colouring;
@@ -85,7 +85,7 @@ impl Figure {
             }
             Colouring::Strips => match &self.strips {
                 Some(strips) => strip_colours(strips),
-                None => strip_colours(&stripify(&self.mesh, &StripOptions::default())?),
+                None => strip_colours(&stripify(&self.mesh)?),
             },
             Colouring::Fans => fan_colours(&fans_of(&self.mesh)),
             Colouring::Triangles => triangle_colours(&self.mesh.triangles),

@@ -4,7 +4,7 @@ use striata::codec::StriataFile;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
 use striata::model::{FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, StoredModel, StripModel};
 use striata::simplify::Target;
-use striata::strip::{StripOptions, StripSet, stripify};
+use striata::strip::{StripSet, stripify};
 
 use super::figure::Figure;
 use crate::args::{DrawnModel, RenderArgs};
@@ -285,7 +285,7 @@ impl Model<'_> {
 }
 
 fn strips_of(refinable: &RefinableMesh) -> Result<StripSet, Failure> {
-    Ok(stripify(&refinable.mesh, &StripOptions::default())?)
+    Ok(stripify(&refinable.mesh)?)
 }
 
 fn strips_at<M: StripModel>(model: &M, split_count: usize) -> StripSet {

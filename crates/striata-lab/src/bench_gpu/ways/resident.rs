@@ -5,6 +5,7 @@ use std::ops::Range;
 use striata::model::baseline::{DiscreteLevels, ProgressiveMeshes};
 use striata::model::{LodModel, LodStrips, StripModel, Topology};
 use striata_gpu::{Drawing, Gpu, GpuIndices};
+use striata_strip::stripify;
 
 use super::super::stage::Stage;
 use super::Way;
@@ -64,7 +65,9 @@ impl Resident {
 
     /// A few levels, each with strips of its own.
     pub(super) fn discrete(stage: &Stage<'_>) -> Result<Self, Failure> {
-        let model = DiscreteLevels::build(&stage.refinable, DISCRETE_COUNT, &stage.level_strips)?;
+        let model = DiscreteLevels::build(&stage.refinable, DISCRETE_COUNT, |mesh| {
+            stripify(mesh, &stage.level_strips)
+        })?;
         let levels: Vec<usize> = model.split_counts().collect();
         Ok(Self { rounds_down: true, ..Self::of_model(stage, &model, &levels)? })
     }

@@ -12,7 +12,7 @@
 
 use crate::mesh::{CollapseSequence, IndexedMesh, MeshError, RefinableMesh, replay};
 use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology, join_strips};
-use crate::strip::{RESTART, StripIndices, StripOptions, StripSet, stripify};
+use crate::strip::{RESTART, StripIndices, StripSet};
 
 /// How many times the triangles of the coarsest level the finest has, where levels and base allow.
 const FINEST_TO_COARSEST: f64 = 16.0;
@@ -84,7 +84,7 @@ impl DiscreteLevelsState {
 }
 
 impl DiscreteLevels {
-    /// Stores at most `level_count` levels, each as strips that `options` ask for.
+    /// Stores at most `level_count` levels, each as the strips that `stripify` makes of it.
     ///
     /// Level `k` is the most detailed that has at most `triangle_count / 16^(k / (level_count - 1))` triangles, rounded.
     /// Levels that would be the same, as in small meshes and beyond the base, are stored once.
@@ -97,13 +97,13 @@ impl DiscreteLevels {
     pub fn build(
         refinable: &RefinableMesh,
         level_count: usize,
-        options: &StripOptions,
+        mut stripify: impl FnMut(&IndexedMesh) -> Result<StripSet, MeshError>,
     ) -> Result<Self, DiscreteLevelsError> {
         refinable.mesh.check()?;
         let mut levels = Vec::new();
         for split_count in split_counts(&refinable.sequence, level_count)? {
             let mesh = replay(refinable, split_count);
-            levels.push(Level::new(&mesh, split_count, &stripify(&mesh, options)?));
+            levels.push(Level::new(&mesh, split_count, &stripify(&mesh)?));
         }
         Ok(Self { step_count: refinable.sequence.step_count(), levels })
     }

@@ -156,13 +156,13 @@ mod tests {
     use crate::mesh::shapes;
     use crate::model::lod_strips::LodStripsParts;
     use crate::simplify::{SequenceOptions, build_sequence};
-    use crate::strip::{StripOptions, stripify};
+    use crate::strip::stripify;
 
     #[test]
     fn a_step_has_to_put_its_vertices_out_of_every_strip() {
         let mesh = shapes::grid(8, 8);
         let built = build_sequence(&mesh, &SequenceOptions::default(), &mut crate::ignore_progress).unwrap();
-        let strips = stripify(&built.refinable.mesh, &StripOptions::default()).unwrap();
+        let strips = stripify(&built.refinable.mesh).unwrap();
         let model = LodStrips::build(&built.refinable, &strips).unwrap();
         for step in 0..model.record_lengths.len() {
             let LodStrips { vertices, indices, offsets, group_offsets, record_lengths, arena, .. } =

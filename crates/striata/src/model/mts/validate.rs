@@ -165,7 +165,7 @@ mod tests {
     use super::*;
     use crate::mesh::{IndexedMesh, shapes};
     use crate::simplify::{SequenceOptions, build_sequence};
-    use crate::strip::{StripOptions, stripify};
+    use crate::strip::stripify;
 
     fn model() -> Mts<'static> {
         model_of(&shapes::grid(8, 8))
@@ -173,7 +173,7 @@ mod tests {
 
     fn model_of(mesh: &IndexedMesh) -> Mts<'static> {
         let built = build_sequence(mesh, &SequenceOptions::default(), &mut crate::ignore_progress).unwrap();
-        let strips = stripify(&built.refinable.mesh, &StripOptions::default()).unwrap();
+        let strips = stripify(&built.refinable.mesh).unwrap();
         Mts::build(&built.refinable, &strips).unwrap()
     }
 

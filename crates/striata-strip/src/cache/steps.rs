@@ -1,0 +1,125 @@
+//! The steps of all partial answers as one tree, of which the common trunk is final.
+
+use super::answer::{ROOT, Step};
+
+/// Steps that answers may differ in before those that parted earliest from the best are dropped.
+const MAX_DEPTH: usize = 384;
+
+#[derive(Clone, Copy)]
+struct Node {
+    parent: u32,
+    step: Step,
+}
+
+/// The tree.
+#[derive(Default)]
+pub(super) struct Steps {
+    nodes: Vec<Node>,
+}
+
+impl Steps {
+    /// Adds a step after `parent`.
+    pub(super) fn push(&mut self, parent: u32, step: Step) -> u32 {
+        self.nodes.push(Node { parent, step });
+        self.nodes.len() as u32 - 1
+    }
+
+    /// The steps from the root to a leaf.
+    fn path(&self, leaf: u32) -> Vec<u32> {
+        let parent = |&node: &u32| Some(self.nodes[node as usize].parent).filter(|&parent| parent != ROOT);
+        let mut path: Vec<u32> =
+            std::iter::successors(Some(leaf).filter(|&leaf| leaf != ROOT), parent).collect();
+        path.reverse();
+        path
+    }
+
+    /// Cuts the trunk that all leaves share off into `trunk` and renumbers the leaves, the best of which is the first.
+    ///
+    /// Leaves that parted from the best one too long ago become [`None`].
+    pub(super) fn cut_trunk(&mut self, leaves: &mut [Option<u32>], trunk: &mut Vec<Step>) {
+        let Some(Some(best)) = leaves.first().copied() else { return };
+        let path = self.path(best);
+        let mut place_on_path = vec![usize::MAX; self.nodes.len()];
+        for (place, &node) in path.iter().enumerate() {
+            place_on_path[node as usize] = place;
+        }
+        let last_parting = if path.len() > MAX_DEPTH { path.len() - MAX_DEPTH / 2 } else { 0 };
+        let mut shared_count = path.len();
+        for leaf in leaves.iter_mut() {
+            let count = leaf.map_or(0, |leaf| self.shared_count(leaf, &place_on_path));
+            if count < last_parting {
+                *leaf = None;
+            } else {
+                shared_count = shared_count.min(count);
+            }
+        }
+        trunk.extend(path[..shared_count].iter().map(|&node| self.nodes[node as usize].step));
+        let mut renumbered = vec![ROOT; self.nodes.len()];
+        let mut crown = Self::default();
+        for leaf in leaves.iter_mut().flatten() {
+            let branch = self.path(*leaf);
+            let mut parent = ROOT;
+            for &node in &branch[shared_count..] {
+                if renumbered[node as usize] == ROOT {
+                    renumbered[node as usize] = crown.push(parent, self.nodes[node as usize].step);
+                }
+                parent = renumbered[node as usize];
+            }
+            *leaf = parent;
+        }
+        *self = crown;
+    }
+
+    /// How many steps a leaf's path shares with the best one's.
+    fn shared_count(&self, leaf: u32, place_on_path: &[usize]) -> usize {
+        let mut node = leaf;
+        while node != ROOT && place_on_path[node as usize] == usize::MAX {
+            node = self.nodes[node as usize].parent;
+        }
+        if node == ROOT { 0 } else { place_on_path[node as usize] + 1 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_trunk_is_cut_off_once() {
+        let mut steps = Steps::default();
+        let a = steps.push(ROOT, Step::Start(0));
+        let b = steps.push(a, Step::Cross(1));
+        let left = steps.push(b, Step::Cross(2));
+        let right = steps.push(b, Step::Cross(3));
+        let mut leaves = [Some(left), Some(right)];
+        let mut trunk = Vec::new();
+        steps.cut_trunk(&mut leaves, &mut trunk);
+        assert_eq!(trunk, [Step::Start(0), Step::Cross(1)]);
+        let mut leaves = [leaves[1]];
+        steps.cut_trunk(&mut leaves, &mut trunk);
+        assert_eq!(trunk, [Step::Start(0), Step::Cross(1), Step::Cross(3)]);
+        assert_eq!(leaves, [Some(ROOT)]);
+        steps.cut_trunk(&mut leaves, &mut trunk);
+        assert_eq!(trunk.len(), 3);
+    }
+
+    #[test]
+    fn who_parted_long_ago_is_dropped() {
+        let mut steps = Steps::default();
+        let mut grow = |mut leaf, count| {
+            for side in 0..count {
+                leaf = steps.push(leaf, Step::Cross(side));
+            }
+            leaf
+        };
+        let trunk_end = grow(ROOT, 100);
+        let best = grow(trunk_end, 400);
+        let near = grow(best, 1);
+        let far = grow(trunk_end, 401);
+        let mut leaves = [Some(near), Some(far), Some(best)];
+        let mut trunk = Vec::new();
+        steps.cut_trunk(&mut leaves, &mut trunk);
+        assert_eq!((trunk.len(), leaves[1], leaves[2]), (500, None, Some(ROOT)));
+        assert_eq!(steps.nodes.len(), 1);
+    }
+}

@@ -1,0 +1,167 @@
+//! Strips joined where their ends meet: two indices less than a restart would take, or one.
+//!
+//! A strip's last index is the free corner of its last triangle, and its first that of its first one. Where one strip
+//! ends at the vertex at which another begins, writing the one after the other repeats that vertex:
+//!
+//! ```text
+//!     ... n o v | v p q ...      (n o v) is the last triangle, (v p q) the first; (o v v) and (v v p) have no area
+//! ```
+//!
+//! and the second strip's first triangle stands at a place of the other parity than the first strip's last one.
+//! That is right for both windings just when both ends begin well at an even place, or both do not: then the joint
+//! costs nothing, where a restart costs an index. Chains of strips so joined are found vertex by vertex; loops are
+//! not closed. Linear in time, 20 bytes for every strip and vertex.
+
+use striata::mesh::NO_TWIN as NONE;
+use striata::strip::{StripLinks, StripOrder, StripPath, StripSet};
+
+use crate::task::Task;
+
+/// Writes all strips, joined into chains.
+pub(super) fn write(task: &Task<'_>, links: &StripLinks<'_>, out: &mut StripSet) {
+    let mut order = StripOrder::new(task.triangles);
+    let mut chain = Vec::new();
+    for group in task.groups {
+        let mut pieces = Vec::new();
+        order.visit(group.clone(), links, |path| pieces.push(Piece::new(path, task.triangles, links)));
+        let joints = join_pieces(&pieces);
+        let mut writer =
+            Writer { triangles: task.triangles, links, pieces: &pieces, path: StripPath::default() };
+        for start in chain_starts(&pieces, &joints) {
+            chain.clear();
+            let mut entered = start;
+            while entered != NONE {
+                writer.write(entered, &mut chain);
+                entered = joints[entered as usize ^ 1];
+            }
+            out.push(&chain);
+        }
+        out.end_group();
+    }
+}
+
+/// One end of a strip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct End {
+    /// The vertex that a strip from here begins with.
+    apex: u32,
+    /// A strip from here has to begin at an odd place to cost nothing.
+    is_odd: bool,
+}
+
+/// A strip by itself, before strips are joined.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    /// The triangle of its end 0.
+    triangle: u32,
+    ends: [End; 2],
+}
+
+/// For ends `2 * piece + k`, the end joined to it, or none.
+type Joints = Vec<u32>;
+
+impl Piece {
+    fn new(path: &StripPath, triangles: &[[u32; 3]], links: &StripLinks<'_>) -> Self {
+        let apex = |side: u32| triangles[side as usize / 3][(side as usize + 2) % 3];
+        let ends = match (path.exits.first(), path.exits.last()) {
+            (Some(&first), Some(&last)) => [
+                End { apex: apex(first), is_odd: !path.begins_well(links) },
+                End { apex: apex(links.twins()[last as usize]), is_odd: !path.ends_well(links) },
+            ],
+            _ => {
+                // A triangle alone: whatever corner it begins with at an even place, it ends with the one before.
+                let [first, _, last] = triangles[path.first as usize];
+                [End { apex: first, is_odd: false }, End { apex: last, is_odd: true }]
+            }
+        };
+        Self { triangle: path.first, ends }
+    }
+}
+
+/// Joins ends of one kind at one vertex, two by two, without closing a loop.
+fn join_pieces(pieces: &[Piece]) -> Joints {
+    let mut joints = vec![NONE; 2 * pieces.len()];
+    // For the free ends of chains, the other end of the chain.
+    let mut far_ends: Vec<u32> = (0..2 * pieces.len() as u32).map(|end| end ^ 1).collect();
+    let mut ends: Vec<(End, u32)> = pieces.iter().flat_map(|piece| piece.ends).zip(0..).collect();
+    ends.sort_unstable_by_key(|&(end, i)| (end.apex, end.is_odd, i));
+    for equal in ends.chunk_by(|(a, _), (b, _)| a == b) {
+        for (i, &(_, one)) in equal.iter().enumerate() {
+            if joints[one as usize] != NONE {
+                continue;
+            }
+            let free = equal[i + 1..].iter().map(|&(_, other)| other).filter(|&o| joints[o as usize] == NONE);
+            let mut fitting = free.filter(|&other| far_ends[one as usize] != other);
+            if let Some(other) = fitting.next() {
+                joints[one as usize] = other;
+                joints[other as usize] = one;
+                let [a, b] = [one, other].map(|end| far_ends[end as usize]);
+                far_ends[a as usize] = b;
+                far_ends[b as usize] = a;
+            }
+        }
+    }
+    joints
+}
+
+/// The end at which each chain is best begun, in the order of the chains' first pieces.
+fn chain_starts(pieces: &[Piece], joints: &[u32]) -> Vec<u32> {
+    let mut is_done = vec![false; pieces.len()];
+    let mut starts = Vec::new();
+    for piece in 0..pieces.len() as u32 {
+        if is_done[piece as usize] {
+            continue;
+        }
+        let start = last_end(2 * piece + 1, joints, |_| ());
+        let other = last_end(start, joints, |piece| is_done[piece as usize] = true);
+        let is_odd = |end: u32| pieces[end as usize / 2].ends[end as usize % 2].is_odd;
+        // A chain costs an index if it begins at an even place and should not.
+        starts.push(if is_odd(start) && !is_odd(other) { other } else { start });
+    }
+    starts
+}
+
+/// The far end of the chain that is entered at this end; visits its pieces.
+fn last_end(mut entered: u32, joints: &[u32], mut visit: impl FnMut(u32)) -> u32 {
+    loop {
+        visit(entered / 2);
+        let far = entered ^ 1;
+        match joints[far as usize] {
+            NONE => return far,
+            next => entered = next,
+        }
+    }
+}
+
+/// Writes the pieces of a chain into one strip.
+struct Writer<'a, 'g> {
+    triangles: &'a [[u32; 3]],
+    links: &'a StripLinks<'g>,
+    pieces: &'a [Piece],
+    path: StripPath,
+}
+
+impl Writer<'_, '_> {
+    /// Appends a piece from one of its ends.
+    fn write(&mut self, entered: u32, out: &mut Vec<u32>) {
+        let piece = self.pieces[entered as usize / 2];
+        let end = piece.ends[entered as usize % 2];
+        let is_odd = out.len() % 2 == 1;
+        debug_assert!(out.is_empty() || is_odd == end.is_odd, "a joint on the wrong winding");
+        debug_assert!(out.last().is_none_or(|&last| last == end.apex), "a joint between two vertices");
+        self.path.follow(self.links, piece.triangle);
+        if self.path.exits.is_empty() {
+            // At an even place it begins with one of its ends' corners, at an odd one with the other's.
+            if end.is_odd && !is_odd {
+                out.push(end.apex);
+            }
+            let [a, b, c] = self.triangles[piece.triangle as usize];
+            out.extend(if end.is_odd { [c, b, a] } else { [a, b, c] });
+            return;
+        }
+        if entered % 2 == 1 {
+            self.path.reverse(self.links);
+        }
+        self.path.write(self.triangles, self.links, is_odd, out);
+    }
+}

@@ -1,0 +1,71 @@
+//! One entry for all stripifiers.
+
+use striata::mesh::{DualGraph, IndexedMesh, MeshError};
+use striata::strip::{StripLinks, StripSet, join_greedily, write_strips};
+
+use crate::cache::cheapest_for_cache;
+use crate::options::StripOptions;
+use crate::stripifier::Stripifier;
+use crate::task::{SpentFn, Task};
+use crate::tunnel::Identity;
+use crate::{cheapest, fewest, stripe, tunnel};
+
+/// Covers each triangle of a mesh by exactly one strip; degenerate triangles (two equal corners) are left out.
+///
+/// The groups of the set are those of the mesh (one if it has none).
+///
+/// # Errors
+/// [`MeshError`] if the mesh's parts do not fit together.
+pub fn stripify(mesh: &IndexedMesh, options: &StripOptions) -> Result<StripSet, MeshError> {
+    let allowed = options.allowed_moves(mesh.triangle_count());
+    stripify_from(mesh, &StripSet::new(), options, &mut |moves| moves as f64 / allowed.max(1.0))
+}
+
+/// Does as [`stripify`], but begins with strips that are there (none: an empty set) and lasts as long as
+/// the caller's budget.
+///
+/// Strips that do not fit the mesh are cut where they do not: triangles that it does not have, edges that its dual
+/// graph does not link, and, among equal triangles, where the one that a strip meant cannot be told. The
+/// stripifiers that do not search keep what is then there and cover the rest.
+///
+/// # Errors
+/// [`MeshError`] if the mesh's parts do not fit together.
+pub fn stripify_from(
+    mesh: &IndexedMesh,
+    start: &StripSet,
+    options: &StripOptions,
+    spent: &mut SpentFn<'_>,
+) -> Result<StripSet, MeshError> {
+    mesh.check()?;
+    let graph = DualGraph::of_vertices(mesh);
+    let groups: Vec<_> = mesh.groups_or_whole().iter().map(|group| group.range()).collect();
+    let task = Task { triangles: &mesh.triangles, groups: &groups, options };
+    let mut links = match start.strip_count() {
+        0 => StripLinks::new(&graph),
+        _ => StripLinks::from_strips(&graph, &mesh.triangles, start),
+    };
+    links.cut_loops();
+    let mut out = StripSet::new();
+    match options.stripifier {
+        Stripifier::Greedy => join_greedily(task.triangles, task.groups, &mut links),
+        Stripifier::Stripe => stripe::run(&task, &mut links),
+        Stripifier::Tunnel { max_length } => {
+            tunnel::run(&task, &mut links, max_length, Identity::Dynamic, spent);
+        }
+        Stripifier::StaticTunnel { max_length } => {
+            tunnel::run(&task, &mut links, max_length, Identity::Static, spent);
+        }
+        Stripifier::Fewest => fewest::run(&task, &graph, &mut links, spent),
+        Stripifier::Cheapest => {
+            cheapest::run(&task, &mut links, spent, &mut out);
+        }
+    }
+    debug_assert_eq!(links.clone().cut_loops(), 0, "{} closed a loop", options.stripifier);
+    if options.stripifier != Stripifier::Cheapest {
+        write_strips(task.triangles, &links, task.groups.iter().cloned(), &mut out);
+    }
+    if options.cache_weight > 0.0 {
+        out = cheapest_for_cache(&task, &links, out);
+    }
+    Ok(out)
+}

@@ -1,0 +1,174 @@
+//! One step: the mesh changes, the strips through the changed triangles go on, tunnels mend the rest.
+
+use striata::mesh::NO_TWIN;
+use striata::strip::StripLinks;
+
+use super::live_strips::LiveStrips;
+use super::options::{RepairGoal, RepairReport};
+use super::scratch::Scratch;
+use super::tunnel_search::{Found, TunnelSearch, swap_at};
+
+impl LiveStrips<'_> {
+    /// One step towards the base, whose number is the split count that it leads to.
+    pub(super) fn coarsen(&mut self, report: &mut RepairReport) {
+        self.scratch.touched.clear();
+        for vertex in self.sequence.step_vertices(self.split_count()).rev() {
+            self.collapse(vertex, report);
+        }
+        report.collapse_count += 1;
+        self.repair(report);
+    }
+
+    /// One step towards the full mesh, whose number is the split count that it leads from.
+    pub(super) fn refine(&mut self, report: &mut RepairReport) {
+        self.scratch.touched.clear();
+        for vertex in self.sequence.step_vertices(self.split_count()) {
+            self.vertex_split(vertex, report);
+        }
+        report.split_count += 1;
+        self.repair(report);
+    }
+
+    /// Takes a vertex away; strips go on past triangles that die inside them.
+    fn collapse(&mut self, vertex: u32, report: &mut RepairReport) {
+        let target = self.sequence.target(vertex);
+        let Self { graph, scratch, .. } = self;
+        let Scratch { changed: dying, bridges, touched, .. } = scratch;
+        graph.dying_into(vertex, target, dying);
+        bridges.clear();
+        touched.extend(graph.corners_at(vertex).map(|corner| corner / 3));
+        let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
+        let mut cut_count = 0;
+        for &triangle in dying.iter() {
+            touched.extend(neighbours(&links, triangle));
+            let solid = links.first_solid(triangle);
+            if let Some((one, other)) = solid.and_then(|one| Some((one, links.other_solid(one)?))) {
+                bridges.push([one, other].map(|side| links.twins()[side as usize]));
+            }
+            while let Some(side) = links.first_solid(triangle) {
+                links.cut(side);
+                cut_count += 1;
+            }
+        }
+        self.solid = links.into_bits();
+        graph.collapse(vertex, target, dying);
+        self.triangle_count -= dying.len();
+        self.count_links(0, cut_count, report);
+
+        let Self { graph, scratch, .. } = self;
+        let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
+        let mut joined_count = 0;
+        for &[one, other] in &scratch.bridges {
+            if links.twins()[one as usize] == other {
+                links.join(one);
+                joined_count += 1;
+            }
+        }
+        self.solid = links.into_bits();
+        self.count_links(joined_count, 0, report);
+    }
+
+    /// Brings a vertex back; strips run through triangles that appear inside them.
+    fn vertex_split(&mut self, vertex: u32, report: &mut RepairReport) {
+        let target = self.sequence.target(vertex);
+        let Self { graph, scratch, .. } = self;
+        let Scratch { changed: revived, parted, bridges, .. } = scratch;
+        graph.part_into(vertex, target, parted);
+        bridges.clear();
+        let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
+        for &side in parted.iter() {
+            let ends = [side, links.twins()[side as usize]];
+            scratch.touched.extend(ends.map(|side| side / 3));
+            if links.is_solid(side) {
+                links.cut(side);
+                bridges.push(ends);
+            }
+        }
+        let cut_count = bridges.len();
+        self.solid = links.into_bits();
+        graph.revive_into(vertex, target, parted, revived);
+        self.triangle_count += revived.len();
+        self.count_links(0, cut_count, report);
+
+        let Self { graph, scratch, .. } = self;
+        let Scratch { changed: revived, bridges, touched, .. } = scratch;
+        touched.extend(graph.corners_at(vertex).map(|corner| corner / 3));
+        let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
+        for &triangle in revived.iter() {
+            touched.extend(neighbours(&links, triangle));
+        }
+        let mut joined_count = 0;
+        for &ends in bridges.iter() {
+            let [a, b] = ends.map(|side| links.twins()[side as usize]);
+            if a != NO_TWIN && b != NO_TWIN && a / 3 == b / 3 && links.solid_degree(a / 3) == 0 {
+                links.join(a);
+                links.join(b);
+                joined_count += 2;
+            }
+        }
+        self.solid = links.into_bits();
+        self.count_links(joined_count, 0, report);
+    }
+
+    fn count_links(&mut self, joined_count: usize, cut_count: usize, report: &mut RepairReport) {
+        report.joined_count += joined_count;
+        report.cut_count += cut_count;
+        self.solid_count = self.solid_count + joined_count - cut_count;
+    }
+
+    /// Searches tunnels from the triangles around a step, and from where those that it finds lead.
+    fn repair(&mut self, report: &mut RepairReport) {
+        let Self { graph, scratch, search, .. } = self;
+        let seeds = &mut scratch.touched;
+        let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
+        seeds.sort_unstable();
+        seeds.dedup();
+        report.touched_count += seeds.len();
+        for _ in 0..self.reach {
+            for i in 0..seeds.len() {
+                seeds.extend(neighbours(&links, seeds[i]));
+            }
+            seeds.sort_unstable();
+            seeds.dedup();
+        }
+        let seed_limit = 2 * seeds.len();
+        let (mut joined_count, mut cut_count) = (0, 0);
+        let mut next = 0;
+        while let Some(&seed) = seeds.get(next) {
+            next += 1;
+            if let Some(found) = search_at(seed, self.goal, &mut links, search) {
+                report.tunnel_count += usize::from(found.is_gain);
+                joined_count += found.joined_count;
+                cut_count += found.cut_count;
+                seeds.extend(search.passed().take(seed_limit.saturating_sub(seeds.len())));
+            }
+        }
+        self.solid = links.into_bits();
+        self.count_links(joined_count, cut_count, report);
+    }
+}
+
+/// Searches from one triangle: where it is an end from there, else through those of its links that are swaps.
+fn search_at(
+    seed: u32,
+    goal: RepairGoal,
+    links: &mut StripLinks<'_>,
+    search: &mut TunnelSearch,
+) -> Option<Found> {
+    if links.solid_degree(seed) < 2 {
+        return search.dig_from(links, seed);
+    }
+    if goal == RepairGoal::FewestStrips {
+        return None;
+    }
+    (3 * seed..3 * seed + 3).find_map(|side| {
+        let is_swap = links.is_solid(side) && swap_at(links, side) > 0;
+        if is_swap { search.dig_through(links, side) } else { None }
+    })
+}
+
+/// Triangles across the links of a triangle.
+fn neighbours(links: &StripLinks<'_>, triangle: u32) -> impl Iterator<Item = u32> {
+    let sides = 3 * triangle as usize..3 * triangle as usize + 3;
+    links.twins()[sides].iter().filter(|&&twin| twin != NO_TWIN).map(|&twin| twin / 3)
+}
