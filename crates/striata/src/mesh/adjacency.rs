@@ -289,8 +289,9 @@ fn gather_edges(first_side: &[u32], sides: &mut [Side]) -> (Vec<u32>, Vec<EdgeRe
     (first_edge, edges)
 }
 
-/// Three different corners: others have no area to be beside and belong to no strip.
-pub(crate) fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
+/// Whether a triangle has three different corners: others have no area, no neighbors and no strip.
+#[inline]
+pub fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
     a != b && b != c && c != a
 }
 

@@ -31,8 +31,7 @@ mod triangle_tree;
 mod validate;
 mod weld;
 
-pub(crate) use adjacency::is_proper;
-pub use adjacency::{Adjacency, Edge};
+pub use adjacency::{Adjacency, Edge, is_proper};
 pub use appearance::{Appearance, Image, Material};
 pub use attribute_distance::{AttributeDistance, AttributeSpread, attribute_distance};
 pub use attributes::{AttributeLayer, LayerData, Semantic};
