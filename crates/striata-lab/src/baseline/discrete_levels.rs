@@ -10,9 +10,11 @@
 //! Cost: a change of level is free, a level takes about 5 bytes a triangle. Building stripifies about as many
 //! triangles as 2 (five levels) or 4 (ten) full meshes have.
 
-use crate::mesh::{CollapseSequence, IndexedMesh, MeshError, RefinableMesh, replay};
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology, join_strips};
-use crate::strip::{RESTART, StripIndices, StripOptions, StripSet, stripify};
+use striata::mesh::{CollapseSequence, IndexedMesh, MeshError, RefinableMesh, replay};
+use striata::model::{DrawCounts, LodModel, PartBytes, Topology, join_strips};
+use striata::strip::{RESTART, StripIndices, StripOptions, StripSet, stripify};
+
+use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// How many times the triangles of the coarsest level the finest has, where levels and base allow.
 const FINEST_TO_COARSEST: f64 = 16.0;
@@ -212,7 +214,9 @@ impl LodModel for DiscreteLevels {
     fn state_bytes(&self, _: &DiscreteLevelsState) -> usize {
         size_of::<DiscreteLevelsState>()
     }
+}
 
+impl PaperBytes for DiscreteLevels {
     /// The strips of all levels, and the positions of all but the finest, since each classic level has its own.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let own_vertices: usize = self.levels.iter().skip(1).map(|level| level.vertex_count).sum();

@@ -19,8 +19,10 @@
 
 use std::ops::Range;
 
-use crate::mesh::{RefinableMesh, is_proper};
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology};
+use striata::mesh::{RefinableMesh, is_proper};
+use striata::model::{DrawCounts, LodModel, PartBytes, Topology};
+
+use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// Ends a chain of triangles.
 const END: u32 = u32::MAX;
@@ -164,7 +166,9 @@ impl LodModel for OrderedMeshes {
     fn state_bytes(&self, _: &OrderedMeshesState) -> usize {
         size_of::<OrderedMeshesState>()
     }
+}
 
+impl PaperBytes for OrderedMeshes {
     /// Three vertices of each triangle and the step that takes it away, all long; for each step its first triangle, and
     /// how many it makes.
     fn paper_bytes(&self, accounting: Accounting) -> usize {

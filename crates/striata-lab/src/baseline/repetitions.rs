@@ -32,8 +32,8 @@ pub(super) fn write_filtered(strip: impl Iterator<Item = u32>, slot: &mut [u32])
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::canonical_triangles;
-    use crate::strip::strip_triangles;
+    use striata::mesh::canonical_triangles;
+    use striata::strip::strip_triangles;
 
     fn filtered(strip: &[u32]) -> Vec<u32> {
         let mut slot = vec![NONE; strip.len()];

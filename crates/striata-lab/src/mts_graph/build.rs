@@ -1,16 +1,16 @@
 //! Building the graph of each strip from its sequences at all levels.
 
-use super::super::MAX_STRIP_INDICES;
+use striata::mesh::RefinableMesh;
+use striata::model::mts::MAX_STRIP_INDICES;
+use striata::model::strip_history::{Piece, StripHistory};
+use striata::model::{ModelError, check_strips};
+use striata::strip::StripSet;
+
 use super::{AFRESH, END, MtsGraph, RowNode, SAME_VERTEX, StripNode};
-use crate::mesh::RefinableMesh;
-use crate::model::ModelError;
-use crate::model::strip_history::{Piece, StripHistory};
-use crate::model::strip_input::check_strips;
-use crate::strip::StripSet;
 
 impl MtsGraph {
     /// Builds the model from strips of the full mesh; strips longer than
-    /// [`MAX_STRIP_INDICES`] are cut, as in [`Mts`](super::super::Mts).
+    /// [`MAX_STRIP_INDICES`] are cut, as in [`Mts`](striata::model::Mts).
     ///
     /// # Errors
     /// [`ModelError`] where the strips are not those of the mesh.
@@ -194,8 +194,9 @@ fn put_first(row: &mut Vec<RowNode>, nexts: &[i32], res: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Accounting, LodModel};
-    use crate::strip::RESTART;
+    use crate::paper_bytes::{Accounting, PaperBytes};
+    use striata::model::LodModel;
+    use striata::strip::RESTART;
 
     fn piece(vertices: &[u32]) -> Piece {
         Piece { places: Vec::new(), vertices: vertices.to_vec() }

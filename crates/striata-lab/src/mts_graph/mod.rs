@@ -15,15 +15,17 @@
 //! level the right one. Rows are therefore built from the coarsest level to the finest: at each, the arcs of that
 //! level come first, those of coarser levels keep their order among and behind them.
 //!
-//! Levels count as in the paper, 0 the finest. Differs: arrays instead of pointers. [`Mts`](super::Mts) is the
+//! Levels count as in the paper, 0 the finest. Differs: arrays instead of pointers. [`Mts`](striata::model::Mts) is the
 //! same idea without what is stored twice here.
 //!
 //! Cost: a move recovers every strip, linear in what is shown.
 
 mod build;
 
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology};
-use crate::strip::RESTART;
+use striata::model::{DrawCounts, LodModel, PartBytes, Topology};
+use striata::strip::RESTART;
+
+use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// The strip ends; the next begins with the same vertex.
 const SAME_VERTEX: i32 = -1;
@@ -191,7 +193,9 @@ impl LodModel for MtsGraph {
     fn state_bytes(&self, state: &MtsGraphState) -> usize {
         4 * (state.current.len() + state.indices.capacity())
     }
+}
 
+impl PaperBytes for MtsGraph {
     /// Listing 1 of the paper: a long vertex, an integer and a pointer a column; an integer and a long `res` an arc or a
     /// beginning; two pointers a strip.
     fn paper_bytes(&self, accounting: Accounting) -> usize {

@@ -7,13 +7,14 @@
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
+use striata::mesh::{FragmentSequence, FragmentedMesh};
+use striata::model::ModelError;
+
 use super::LoopPatterns;
 use super::records::{Head, Link, MAX_LOOPS, Records};
 use super::rule::{RuleFinder, Shape};
 use super::surface::Surface;
-use crate::mesh::{FragmentSequence, FragmentedMesh};
-use crate::model::ModelError;
-use crate::model::baseline::MultiTriangulation;
+use crate::baseline::MultiTriangulation;
 
 const NO_STEP: u32 = FragmentSequence::NO_STEP;
 
@@ -56,7 +57,7 @@ impl LoopPatterns {
     /// # Errors
     /// As [`build`](Self::build).
     pub fn from_multi_triangulation(explicit: &MultiTriangulation) -> Result<Self, ModelError> {
-        use crate::model::{LodModel, StoredModel};
+        use striata::model::{LodModel, StoredModel};
         let step_count = explicit.step_count();
         let base_vertex_count = explicit.base_vertex_count();
         check_form(explicit.group_count(), explicit.vertex_count(), base_vertex_count + step_count)?;
@@ -76,7 +77,7 @@ impl LoopPatterns {
 }
 
 /// Refuses what the published form has no words for: groups and seams.
-pub(in crate::model::baseline) fn check_form(
+pub(in crate::baseline) fn check_form(
     group_count: usize,
     vertex_count: usize,
     position_count: usize,

@@ -40,12 +40,9 @@ use self::records::Records;
 pub(super) use self::rule::{Rule, RuleTable, Shape};
 pub use self::state::LoopPatternsState;
 pub(super) use self::surface::{Found, Side, Surface};
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, StoredModel, Topology};
+use striata::model::{DrawCounts, LodModel, PartBytes, StoredModel, Topology};
 
-/// Bits that the paper counts for a fragment: two anchors, rule and number of loops, the link down.
-const PAPER_FRAGMENT_BITS: usize = 64 + 16 + 36;
-/// Bits that it counts for an overlap: a fragment and one of its loops.
-const PAPER_LINK_BITS: usize = 36;
+use crate::paper_bytes::{Accounting, PaperBytes, pattern_bytes};
 
 /// The static half of the model; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -154,11 +151,12 @@ impl LodModel for LoopPatterns {
     fn state_bytes(&self, state: &LoopPatternsState) -> usize {
         state.bytes()
     }
+}
 
-    /// 116 bits a fragment and 36 an overlap, with the overlaps that there are: the paper's 206 bits are for 5/2 a fragment. The base
-    /// and the rules are not counted, nor does the size of integers matter.
+impl PaperBytes for LoopPatterns {
+    /// The paper's bits of each fragment and each overlap, with the overlaps that there are.
     fn paper_bytes(&self, _: Accounting) -> usize {
-        (self.step_count() * PAPER_FRAGMENT_BITS + self.overlap_count() * PAPER_LINK_BITS).div_ceil(8)
+        pattern_bytes(self.step_count(), self.overlap_count())
     }
 }
 

@@ -9,7 +9,7 @@
 //! Where a fragment's links begin the paper leaves open. Here the first link of every 32nd fragment is stored, a bit each, and the
 //! counts between are added up, sixteen at a time.
 
-use crate::model::bits::Bits;
+use striata::model::Bits;
 
 /// Loops that 4 bits can number, one number being the end of a loop.
 pub(super) const MAX_LOOPS: usize = 15;

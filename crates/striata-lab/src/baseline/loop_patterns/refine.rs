@@ -3,8 +3,9 @@
 //! A triangle belongs to the overlap of the fragment that makes it, told by its youngest corner, with one that covers it. An
 //! overlap is part of the current triangulation where the lower fragment is inserted and the upper one is not.
 
+use striata::model::{Condition, Overlap, PatternChange};
+
 use super::{LoopPatterns, LoopPatternsState};
-use crate::model::{Condition, Overlap, PatternChange};
 
 impl LoopPatterns {
     /// Goes to the smallest closed set of fragments in which no overlap is too coarse, from wherever the instance is.

@@ -17,7 +17,7 @@
 
 use std::collections::HashMap;
 
-use crate::model::ModelError;
+use striata::model::ModelError;
 
 /// Rules that 12 bits can number.
 pub(super) const MAX_RULES: usize = 1 << 12;
@@ -27,29 +27,29 @@ const MAX_RING: usize = 255;
 
 /// A fragment's surroundings: its ring from the anchors on, and its code.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::model::baseline) struct Shape {
+pub(in crate::baseline) struct Shape {
     /// The first two are the anchors.
-    pub(in crate::model::baseline) ring: Vec<u32>,
+    pub(in crate::baseline) ring: Vec<u32>,
     /// 1 for an open ring, then the apexes, triangle before its left part before its right one.
-    pub(in crate::model::baseline) code: Vec<u8>,
+    pub(in crate::baseline) code: Vec<u8>,
 }
 
 /// A rule of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::model::baseline) struct Rule<'a> {
+pub(in crate::baseline) struct Rule<'a> {
     /// Whether the ring is open.
-    pub(in crate::model::baseline) is_open: bool,
+    pub(in crate::baseline) is_open: bool,
     /// Apexes of the floor's triangles in order.
-    pub(in crate::model::baseline) apexes: &'a [u8],
+    pub(in crate::baseline) apexes: &'a [u8],
 }
 
 impl<'a> Rule<'a> {
-    pub(in crate::model::baseline) fn of_code(code: &'a [u8]) -> Self {
+    pub(in crate::baseline) fn of_code(code: &'a [u8]) -> Self {
         Self { is_open: code[0] != 0, apexes: &code[1..] }
     }
 
     /// Whether the apexes leave no part of the ring open.
-    pub(in crate::model::baseline) fn is_tree(self) -> bool {
+    pub(in crate::baseline) fn is_tree(self) -> bool {
         let n = self.ring_len();
         let mut rings = if n > 2 { vec![(1, n)] } else { Vec::new() };
         for &apex in self.apexes {
@@ -65,12 +65,12 @@ impl<'a> Rule<'a> {
     }
 
     /// Corners of the ring.
-    pub(in crate::model::baseline) fn ring_len(self) -> usize {
+    pub(in crate::baseline) fn ring_len(self) -> usize {
         self.apexes.len() + 2
     }
 
     /// Triangles of the ceiling.
-    pub(in crate::model::baseline) fn ceiling_len(self) -> usize {
+    pub(in crate::baseline) fn ceiling_len(self) -> usize {
         self.ring_len() - usize::from(self.is_open)
     }
 }
@@ -80,7 +80,7 @@ impl Shape {
     ///
     /// # Errors
     /// What it has that no rule can say.
-    pub(in crate::model::baseline) fn of(
+    pub(in crate::baseline) fn of(
         vertex: u32,
         ceiling: &[[u32; 3]],
         floor: &[[u32; 3]],
@@ -189,14 +189,14 @@ fn code_from(sides: &[[u8; 3]], n: usize, start: usize, is_open: bool) -> Option
 
 /// All rules of a model, sorted by code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in crate::model::baseline) struct RuleTable {
+pub(in crate::baseline) struct RuleTable {
     codes: Vec<u8>,
     /// First byte of each code, closed by their number.
     firsts: Vec<u32>,
 }
 
 impl RuleTable {
-    pub(in crate::model::baseline) fn of<'a>(codes: impl Iterator<Item = &'a [u8]>) -> Self {
+    pub(in crate::baseline) fn of<'a>(codes: impl Iterator<Item = &'a [u8]>) -> Self {
         let mut table = Self { codes: Vec::new(), firsts: vec![0] };
         for code in codes {
             table.codes.extend_from_slice(code);
@@ -205,16 +205,16 @@ impl RuleTable {
         table
     }
 
-    pub(in crate::model::baseline) fn len(&self) -> usize {
+    pub(in crate::baseline) fn len(&self) -> usize {
         self.firsts.len() - 1
     }
 
-    pub(in crate::model::baseline) fn code(&self, rule: usize) -> &[u8] {
+    pub(in crate::baseline) fn code(&self, rule: usize) -> &[u8] {
         &self.codes[self.firsts[rule] as usize..self.firsts[rule + 1] as usize]
     }
 
     #[inline]
-    pub(in crate::model::baseline) fn get(&self, rule: usize) -> Rule<'_> {
+    pub(in crate::baseline) fn get(&self, rule: usize) -> Rule<'_> {
         Rule::of_code(self.code(rule))
     }
 

@@ -1,10 +1,11 @@
 //! What one instance owns: the fragments that are inserted and the current triangulation with its neighbours.
 
+use striata::mesh::canonical_triangles;
+
 use super::LoopPatterns;
 use super::records::Head;
 use super::surface::{Found, Side, Surface};
-use crate::mesh::canonical_triangles;
-use crate::model::baseline::step_set::{Change, StepSet};
+use crate::baseline::step_set::{Change, StepSet};
 
 /// An instance: a closed set of fragments and the triangulation that it shows.
 ///

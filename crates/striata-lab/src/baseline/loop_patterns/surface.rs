@@ -7,11 +7,11 @@
 use super::rule::Rule;
 
 /// No triangle.
-pub(in crate::model::baseline) const NONE: u32 = u32::MAX;
+pub(in crate::baseline) const NONE: u32 = u32::MAX;
 
 /// A manifold surface of oriented triangles, borders allowed.
 #[derive(Clone, Debug)]
-pub(in crate::model::baseline) struct Surface {
+pub(in crate::baseline) struct Surface {
     corners: Vec<[u32; 3]>,
     beside: Vec<[u32; 3]>,
     /// Some triangle of each vertex, or [`NONE`].
@@ -20,9 +20,9 @@ pub(in crate::model::baseline) struct Surface {
 
 /// What a walk finds: a ring, what lies outside of it, and the triangles within.
 #[derive(Clone, Debug, Default)]
-pub(in crate::model::baseline) struct Found {
+pub(in crate::baseline) struct Found {
     /// Vertices of the ring from the first anchor on.
-    pub(in crate::model::baseline) ring: Vec<u32>,
+    pub(in crate::baseline) ring: Vec<u32>,
     /// Behind the side of the ring that each of them begins.
     outer: Vec<u32>,
     slots: Vec<u32>,
@@ -41,7 +41,7 @@ struct Part {
 }
 
 /// A triangle and one of its sides, or the corner that the side begins with.
-pub(in crate::model::baseline) type Side = (u32, usize);
+pub(in crate::baseline) type Side = (u32, usize);
 
 #[inline]
 fn next(side: usize) -> usize {
@@ -53,7 +53,7 @@ impl Surface {
     ///
     /// # Errors
     /// A triangle and what keeps it from being part of a surface.
-    pub(in crate::model::baseline) fn new(
+    pub(in crate::baseline) fn new(
         corners: &[[u32; 3]],
         vertex_count: usize,
     ) -> Result<Self, (usize, &'static str)> {
@@ -96,7 +96,7 @@ impl Surface {
         Ok(surface)
     }
 
-    pub(in crate::model::baseline) fn corners(&self) -> &[[u32; 3]] {
+    pub(in crate::baseline) fn corners(&self) -> &[[u32; 3]] {
         &self.corners
     }
 
@@ -105,7 +105,7 @@ impl Surface {
     }
 
     /// The next vertex, without triangles as yet.
-    pub(in crate::model::baseline) fn add_vertex(&mut self) {
+    pub(in crate::baseline) fn add_vertex(&mut self) {
         self.triangle_at.push(NONE);
     }
 
@@ -137,7 +137,7 @@ impl Surface {
 
     /// Lists the triangles of a vertex counterclockwise, with the corner where it stands: from the border on, if there is one.
     /// Whether they close a ring.
-    pub(in crate::model::baseline) fn star_into(&self, vertex: u32, out: &mut Vec<Side>) -> bool {
+    pub(in crate::baseline) fn star_into(&self, vertex: u32, out: &mut Vec<Side>) -> bool {
         out.clear();
         let slot = self.triangle_at[vertex as usize];
         if slot == NONE {
@@ -193,13 +193,13 @@ impl Surface {
     }
 
     /// Whether nothing lies behind a side.
-    pub(in crate::model::baseline) fn is_border(&self, (slot, side): Side) -> bool {
+    pub(in crate::baseline) fn is_border(&self, (slot, side): Side) -> bool {
         self.beside[slot as usize][side] == NONE
     }
 
     /// Lays the floor of a rule over the triangles from its first side on: the comparison of \[KG98\], where what is compared is
     /// a rule with a place. False where the triangles are otherwise, or the ring is not simple.
-    pub(in crate::model::baseline) fn find_floor(&self, rule: Rule, start: Side, found: &mut Found) -> bool {
+    pub(in crate::baseline) fn find_floor(&self, rule: Rule, start: Side, found: &mut Found) -> bool {
         let n = rule.ring_len();
         let (slot, side) = start;
         found.start(n);
@@ -235,13 +235,13 @@ impl Surface {
 
     /// Whether the fan of an open ring can be put where a floor was found: it lies at a border, or it closes a hole
     /// whose ends have no other border.
-    pub(in crate::model::baseline) fn is_openable(&self, found: &Found, star: &mut Vec<Side>) -> bool {
+    pub(in crate::baseline) fn is_openable(&self, found: &Found, star: &mut Vec<Side>) -> bool {
         let ends = [found.ring[0], found.ring[found.ring.len() - 1]];
         found.outer.last() == Some(&NONE) || ends.into_iter().all(|end| self.star_into(end, star))
     }
 
     /// The triangles of a floor that was found.
-    pub(in crate::model::baseline) fn found_corners<'f>(
+    pub(in crate::baseline) fn found_corners<'f>(
         &'f self,
         found: &'f Found,
     ) -> impl Iterator<Item = [u32; 3]> + 'f {
@@ -269,7 +269,7 @@ impl Surface {
     }
 
     /// Puts the fan of a new vertex where a floor was found.
-    pub(in crate::model::baseline) fn put_fan(&mut self, vertex: u32, rule: Rule, found: &mut Found) {
+    pub(in crate::baseline) fn put_fan(&mut self, vertex: u32, rule: Rule, found: &mut Found) {
         let (n, count) = (rule.ring_len(), rule.ceiling_len());
         while found.slots.len() < count {
             found.slots.push(self.corners.len() as u32);
@@ -399,7 +399,7 @@ impl Found {
     }
 
     /// A triangle that hangs on an edge of another: found where that has a border.
-    pub(in crate::model::baseline) fn hang(&mut self, ring: [u32; 2], on: u32) {
+    pub(in crate::baseline) fn hang(&mut self, ring: [u32; 2], on: u32) {
         self.start(2);
         self.ring.copy_from_slice(&ring);
         self.outer[0] = on;

@@ -29,8 +29,12 @@ mod state;
 
 pub use self::refine::MtQuestion;
 pub use self::state::MultiTriangulationState;
-use crate::mesh::{Face, Fragment, FragmentSequence, FragmentedMesh};
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, StepVertices, StoredModel, Topology};
+use striata::mesh::{Face, Fragment, FragmentSequence, FragmentedMesh};
+use striata::model::{
+    DrawCounts, LodModel, ModelError, PartBytes, Patterns, StepVertices, StoredModel, Topology,
+};
+
+use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// A triangle of some levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -160,7 +164,15 @@ impl MultiTriangulation {
 
     /// Vertices of the base mesh.
     pub fn base_vertex_count(&self) -> usize {
-        self.vertices.base_vertex_count as usize
+        self.vertices.base_vertex_count() as usize
+    }
+
+    /// The same as patterns.
+    ///
+    /// # Errors
+    /// As [`Patterns::build`].
+    pub fn to_patterns(&self) -> Result<Patterns, ModelError> {
+        Patterns::from_fragments(&self.to_fragments(), self.group_count)
     }
 
     /// The fragments that these are the triangles of.
@@ -243,7 +255,7 @@ impl LodModel for MultiTriangulation {
             part("ceilings", self.ceilings.bytes()),
             part("floors", self.floors.bytes() + 4 * self.floorless.len()),
             part("errors", 4 * self.errors.len()),
-            part("vertices", 4 * self.vertices.firsts.len()),
+            part("vertices", 4 * self.vertices.word_count()),
             part("groups", 4 * self.groups.len()),
         ]
     }
@@ -251,7 +263,9 @@ impl LodModel for MultiTriangulation {
     fn state_bytes(&self, state: &MultiTriangulationState) -> usize {
         state.bytes()
     }
+}
 
+impl PaperBytes for MultiTriangulation {
     /// The structures of \[KK97\] as \[KG98\] counts them, 32 bits for each vertex and pointer: a triangle has three vertices and
     /// two fragments, a fragment a number for each triangle of its ceiling and its floor. A vertex that goes with six
     /// triangles leaves four: 6 * 20 + 10 * 4 = 160 bytes. Errors and the lengths of lists are not counted.
@@ -263,7 +277,7 @@ impl LodModel for MultiTriangulation {
 
 impl StoredModel for MultiTriangulation {
     fn vertex_count(&self) -> usize {
-        self.vertices.vertex_count
+        self.vertices.vertex_count()
     }
 
     fn vertex_count_at(&self, split_count: usize) -> usize {

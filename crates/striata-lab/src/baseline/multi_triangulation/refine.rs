@@ -1,8 +1,9 @@
 //! Selective refinement by a condition on triangles: \[KG98\] section 3.4 where triangles are explicit.
 
+use striata::mesh::FragmentSequence;
+use striata::model::PatternChange;
+
 use super::{MultiTriangulation, MultiTriangulationState};
-use crate::mesh::FragmentSequence;
-use crate::model::PatternChange;
 
 const NO_STEP: u32 = FragmentSequence::NO_STEP;
 

@@ -1,8 +1,9 @@
 //! What one instance owns: the fragments that are inserted and the triangles that are there.
 
+use striata::mesh::FragmentSequence;
+
 use super::MultiTriangulation;
-use crate::mesh::FragmentSequence;
-use crate::model::baseline::step_set::{Change, StepSet};
+use crate::baseline::step_set::{Change, StepSet};
 
 const NO_STEP: u32 = FragmentSequence::NO_STEP;
 

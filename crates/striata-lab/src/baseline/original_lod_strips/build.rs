@@ -2,12 +2,11 @@
 //!
 //! The places of a vertex go to its target, so time is linear in what is listed.
 
+use striata::mesh::RefinableMesh;
+use striata::model::{ModelError, StepVertices, check_strips};
+use striata::strip::StripSet;
+
 use super::OriginalLodStrips;
-use crate::mesh::RefinableMesh;
-use crate::model::ModelError;
-use crate::model::step_vertices::StepVertices;
-use crate::model::strip_input::check_strips;
-use crate::strip::StripSet;
 
 impl OriginalLodStrips {
     /// Builds the model from strips of the full mesh, which are taken as they are.
@@ -18,12 +17,12 @@ impl OriginalLodStrips {
     pub fn build(refinable: &RefinableMesh, strips: &StripSet) -> Result<Self, ModelError> {
         check_strips(&refinable.mesh, strips)?;
         let vertices = StepVertices::of_sequence(&refinable.sequence).into_owned();
-        let mut places_of = places_by_vertex(strips, vertices.vertex_count);
+        let mut places_of = places_by_vertex(strips, vertices.vertex_count());
         check_size(&vertices, &places_of)?;
         let mut shown = ShownStrips::new(strips);
         let mut reversed = Vec::new();
         let mut ends = vec![0];
-        for vertex in (vertices.base_vertex_count..vertices.vertex_count as u32).rev() {
+        for vertex in (vertices.base_vertex_count()..vertices.vertex_count() as u32).rev() {
             let mut places = std::mem::take(&mut places_of[vertex as usize]);
             // Runs of those that came together: this sort merges them.
             places.sort();
@@ -55,7 +54,7 @@ fn places_by_vertex(strips: &StripSet, vertex_count: usize) -> Vec<Vec<u32>> {
 fn check_size(vertices: &StepVertices<'_>, places_of: &[Vec<u32>]) -> Result<(), ModelError> {
     let mut counts: Vec<u64> = places_of.iter().map(|places| places.len() as u64).collect();
     let mut found = 0;
-    for vertex in (vertices.base_vertex_count..vertices.vertex_count as u32).rev() {
+    for vertex in (vertices.base_vertex_count()..vertices.vertex_count() as u32).rev() {
         // At worst each place has a record of its own.
         found += 3 * counts[vertex as usize];
         counts[vertices.target(vertex) as usize] += counts[vertex as usize];

@@ -19,10 +19,11 @@
 
 mod build;
 
+use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, Topology};
+use striata::strip::{RESTART, StripSet};
+
 use super::repetitions::write_filtered;
-use crate::model::step_vertices::StepVertices;
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology};
-use crate::strip::{RESTART, StripSet};
+use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// The static half of the model; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -89,7 +90,7 @@ impl OriginalLodStrips {
 
     /// Puts `shown` in all places that a vertex has while it is there.
     fn substitute(&self, indices: &mut [u32], vertex: u32, shown: u32) {
-        let change = (vertex - self.vertices.base_vertex_count) as usize;
+        let change = (vertex - self.vertices.base_vertex_count()) as usize;
         let [start, end] = [change, change + 1].map(|i| self.change_offsets[i] as usize);
         for record in Records(&self.changes[start..end]) {
             let strip = &mut indices[self.strips.offsets()[record.strip as usize] as usize..];
@@ -182,7 +183,7 @@ impl LodModel for OriginalLodStrips {
         vec![
             part("strips", self.strips.indices().len()),
             part("strip offsets", self.strips.offsets().len() + self.strips.group_offsets().len()),
-            part("targets", self.vertices.targets.len() + self.vertices.firsts.len()),
+            part("targets", self.vertices.word_count()),
             part("change offsets", self.change_offsets.len()),
             part("changes", self.changes.len()),
         ]
@@ -191,7 +192,9 @@ impl LodModel for OriginalLodStrips {
     fn state_bytes(&self, state: &OriginalLodStripsState) -> usize {
         4 * state.indices.len()
     }
+}
 
+impl PaperBytes for OriginalLodStrips {
     /// The structures of \[RCRG06\], its figure 3, without resizes: a `Collapse` for each vertex, a pointer for each
     /// strip, a `Change` of two words for each step, a `RecordChange` of three (strip, number of collapses, pointer)
     /// for each strip that it affects, and a word for each place.
@@ -199,7 +202,7 @@ impl LodModel for OriginalLodStrips {
         let record_count = Records(&self.changes).count();
         // A record's strip and number are among the words already.
         let changes = self.step_count() + self.changes.len();
-        let integers = self.vertices.vertex_count + self.strips.indices().len() + changes;
+        let integers = self.vertices.vertex_count() + self.strips.indices().len() + changes;
         accounting.bytes(integers, self.strip_count() + self.step_count() + record_count)
     }
 }

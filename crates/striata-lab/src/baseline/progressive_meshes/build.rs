@@ -1,9 +1,10 @@
 //! Building the list and the records: one pass from the full mesh to the base, following each corner.
 
+use striata::mesh::{RefinableMesh, is_proper};
+use striata::model::StepVertices;
+
 use super::ProgressiveMeshes;
 use super::counts::{Counts, GroupNumbers};
-use crate::mesh::{RefinableMesh, is_proper};
-use crate::model::StepVertices;
 
 /// Ends a chain of corners.
 const END: u32 = u32::MAX;

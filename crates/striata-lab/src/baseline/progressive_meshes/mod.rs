@@ -26,7 +26,9 @@ use std::ops::Range;
 
 use self::counts::{Counts, GroupNumbers};
 pub use self::state::ProgressiveMeshesState;
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, StepVertices, Topology};
+use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, Topology};
+
+use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// The static half of the model; see the [module](self).
 ///
@@ -106,7 +108,7 @@ impl LodModel for ProgressiveMeshes {
         let counts = self.corner_counts.bytes() + self.removed_counts.bytes() + self.removed_groups.bytes();
         vec![
             part("triangles", 4 * self.indices.len()),
-            part("targets", 4 * (self.vertices.targets.len() + self.vertices.firsts.len())),
+            part("targets", 4 * self.vertices.word_count()),
             part("corners", 4 * self.corners.len()),
             part("counts", counts + 4 * self.group_offsets.len()),
         ]
@@ -115,12 +117,15 @@ impl LodModel for ProgressiveMeshes {
     fn state_bytes(&self, state: &ProgressiveMeshesState) -> usize {
         state.bytes()
     }
+}
 
+impl PaperBytes for ProgressiveMeshes {
     /// The list of the full mesh, three long indices a triangle: that holds the triangles that splits bring, too. A
     /// split: for each vertex its target, a pointer to its corners and a long index for each; and the number of
     /// triangles that come.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
-        let splits = 2 * self.vertices.targets.len() + self.corners.len();
+        let target_count = self.vertices.vertex_count() - self.vertices.base_vertex_count() as usize;
+        let splits = 2 * target_count + self.corners.len();
         accounting.bytes(self.step_count, self.indices.len() + splits)
     }
 }

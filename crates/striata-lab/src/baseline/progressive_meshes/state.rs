@@ -3,7 +3,7 @@
 use super::ProgressiveMeshes;
 use super::counts::GroupNumbers;
 
-/// An instance: its level and its list. Made by [`LodModel::new_state`](crate::model::LodModel).
+/// An instance: its level and its list. Made by [`LodModel::new_state`](striata::model::LodModel).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgressiveMeshesState {
     split_count: usize,
@@ -70,7 +70,7 @@ impl ProgressiveMeshesState {
         self.split_count -= 1;
         let step = self.split_count;
         for vertex in model.vertices.of_step(step).rev() {
-            let count = model.corner_counts.get((vertex - model.vertices.base_vertex_count) as usize);
+            let count = model.corner_counts.get((vertex - model.vertices.base_vertex_count()) as usize);
             let start = self.corner_cursor - count;
             let target = model.vertices.target(vertex);
             for &corner in &model.corners[start..self.corner_cursor] {
@@ -95,7 +95,7 @@ impl ProgressiveMeshesState {
         let step = self.split_count;
         self.split_count += 1;
         for vertex in model.vertices.of_step(step) {
-            let count = model.corner_counts.get((vertex - model.vertices.base_vertex_count) as usize);
+            let count = model.corner_counts.get((vertex - model.vertices.base_vertex_count()) as usize);
             let end = self.corner_cursor + count;
             for &corner in &model.corners[self.corner_cursor..end] {
                 self.indices[corner as usize] = vertex;

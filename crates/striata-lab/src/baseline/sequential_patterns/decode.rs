@@ -1,12 +1,13 @@
 //! Reading: whatever the bytes are, what comes out are levels of a surface or an error.
 
+use striata::mesh::{Face, Fragment, FragmentSequence, PositionIndex};
+use striata::model::Bits;
+
 use super::{
     ANCHOR_BITS, FRAGMENT_BITS, LONG_NEIGHBOUR, LONG_NEIGHBOUR_BITS, LONG_RULE, LONG_RULE_BITS,
     NEIGHBOUR_BITS, Neighbours, OPENS_TWICE, RULE_BITS, SequentialPatternsError,
 };
-use crate::mesh::{Face, Fragment, FragmentSequence, PositionIndex};
-use crate::model::baseline::loop_patterns::{Found, Rule, RuleTable, Surface};
-use crate::model::bits::Bits;
+use crate::baseline::loop_patterns::{Found, Rule, RuleTable, Surface};
 
 /// Reads fragments one after the other and keeps the level that they lead to.
 #[derive(Debug)]

@@ -2,21 +2,21 @@
 
 use std::collections::HashMap;
 
+use striata::mesh::{FragmentSequence, FragmentedMesh};
+use striata::model::{Bits, ModelError};
+
 use super::{
     ANCHOR_BITS, LONG_NEIGHBOUR, LONG_NEIGHBOUR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOUR_BITS, Neighbours,
     OPENS_TWICE, RULE_BITS, SequentialPatterns,
 };
-use crate::mesh::{FragmentSequence, FragmentedMesh};
-use crate::model::ModelError;
-use crate::model::baseline::loop_patterns::{Found, Rule, Shape, Side, Surface, check_form};
-use crate::model::bits::Bits;
+use crate::baseline::loop_patterns::{Found, Rule, Shape, Side, Surface, check_form};
 
 impl SequentialPatterns {
     /// Writes all levels of a mesh.
     ///
     /// # Errors
     /// [`ModelError`] naming the first step, or the triangle of the base, that the published form cannot hold, as
-    /// [`LoopPatterns::build`](crate::model::baseline::LoopPatterns::build) does.
+    /// [`LoopPatterns::build`](crate::baseline::LoopPatterns::build) does.
     pub fn encode(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
         let fragments = &mesh.fragments;
         let levels = fragments.levels();

@@ -1,6 +1,6 @@
 //! Why bytes are no sequence of patterns.
 
-use crate::mesh::FragmentError;
+use striata::mesh::FragmentError;
 
 /// What is wrong with bytes that should tell a sequence of fragments.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

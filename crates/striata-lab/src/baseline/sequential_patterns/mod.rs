@@ -27,8 +27,9 @@ mod error;
 
 pub use self::decode::SequentialDecoder;
 pub use self::error::SequentialPatternsError;
-use crate::mesh::FragmentSequence;
-use crate::model::baseline::loop_patterns::{Side, Surface};
+use striata::mesh::FragmentSequence;
+
+use crate::baseline::loop_patterns::{Side, Surface};
 
 /// Bits of a rule's number, and of one that does not fit.
 const RULE_BITS: u32 = 8;

@@ -1,12 +1,11 @@
 //! Building: the nodes of each strip, then for each step the strips that it changes.
 
+use striata::mesh::RefinableMesh;
+use striata::model::{ModelError, StepVertices, check_strips};
+use striata::strip::StripSet;
+
 use super::grow::{NodeArrays, StripGrower};
 use super::{SkipStrip, SkipStrips};
-use crate::mesh::RefinableMesh;
-use crate::model::ModelError;
-use crate::model::step_vertices::StepVertices;
-use crate::model::strip_input::check_strips;
-use crate::strip::StripSet;
 
 impl SkipStrips {
     /// Builds the model from strips of the full mesh, which are taken as they are.
@@ -32,10 +31,9 @@ impl SkipStrips {
             drawn_from: 0,
         });
         let (step_offsets, affected_strips) = affected.by_step(sequence.step_count());
-        let vertices = StepVertices::of_sequence(sequence);
         let mut model = Self {
             // Climbing goes over the nodes of strips: nothing reads the targets.
-            vertices: StepVertices { targets: [].as_slice().into(), ..vertices }.into_owned(),
+            vertices: StepVertices::of_sequence(sequence).without_targets(),
             strips: entries,
             group_offsets: strips.group_offsets().to_vec(),
             places: arrays.places,

@@ -5,9 +5,10 @@
 
 use std::collections::BinaryHeap;
 
+use striata::mesh::CollapseSequence;
+
 use super::place_groups::PlaceGroups;
 use super::{NO_NODE, SkipStrip};
-use crate::mesh::CollapseSequence;
 
 /// Grows one strip after another; see the [module](self).
 pub(super) struct StripGrower<'s> {

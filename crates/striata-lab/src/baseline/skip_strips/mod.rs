@@ -28,8 +28,9 @@ use std::ops::Range;
 
 pub use state::SkipStripsState;
 
-use crate::model::step_vertices::StepVertices;
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology, join_strips};
+use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, Topology, join_strips};
+
+use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// Stands where a node has no parent.
 const NO_NODE: u32 = u32::MAX;
@@ -79,7 +80,7 @@ impl SkipStrips {
         state.shown(strip)
     }
 
-    /// Appends what draws one group, with [`RESTART`](crate::strip::RESTART) between strips.
+    /// Appends what draws one group, with [`RESTART`](striata::strip::RESTART) between strips.
     ///
     /// # Panics
     /// If there is no such group.
@@ -134,7 +135,7 @@ impl LodModel for SkipStrips {
             part("strips", 3 * self.strips.len() + self.group_offsets.len()),
             part("places", self.places.len()),
             part("nodes", self.node_vertices.len() + self.node_parents.len()),
-            part("first vertices", self.vertices.firsts.len()),
+            part("first vertices", self.vertices.word_count()),
             part("affected strips", self.step_offsets.len() + self.affected_strips.len()),
         ]
     }
@@ -142,14 +143,16 @@ impl LodModel for SkipStrips {
     fn state_bytes(&self, state: &SkipStripsState) -> usize {
         state.bytes()
     }
+}
 
+impl PaperBytes for SkipStrips {
     /// The structures of \[EAV99\] as others describe them: a pointer for each strip and a word for each place; a node
     /// of four words (vertex, parent, number of children, pointer to them) and a word for each child; a vertex of the
     /// hierarchy with three (parent, number of affected strips, pointer to them) and a word for each affected strip.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let children = self.node_parents.iter().filter(|&&parent| parent != NO_NODE).count();
         let nodes = self.node_vertices.len();
-        let vertex_count = self.vertices.vertex_count;
+        let vertex_count = self.vertices.vertex_count();
         // Numbers of children and of affected strips are integers, all else names something.
         let longs = self.strip_count() + self.places.len() + 3 * nodes + children;
         let hierarchy = 2 * vertex_count + self.affected_strips.len();

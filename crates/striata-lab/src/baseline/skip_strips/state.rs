@@ -1,9 +1,9 @@
 //! What one instance of skip strips owns, and how it moves between levels.
 
 use super::SkipStrips;
-use crate::model::baseline::repetitions::write_filtered;
+use crate::baseline::repetitions::write_filtered;
 
-/// An instance: its level and its display strips. Made by [`LodModel::new_state`](crate::model::LodModel).
+/// An instance: its level and its display strips. Made by [`LodModel::new_state`](striata::model::LodModel).
 ///
 /// States are equal where they stand at the same level and show the same strips.
 #[derive(Clone, Debug)]

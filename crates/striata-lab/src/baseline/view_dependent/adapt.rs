@@ -1,8 +1,9 @@
 //! Following a criterion from one view to the next.
 
+use striata::view::{Criterion, Part, Verdict};
+
 use super::state::ASK;
 use super::{LEAF, NONE, ROOT, ViewDependentMeshes, ViewDependentState};
-use crate::view::{Criterion, Part, Verdict};
 
 /// Questions that are asked at once: few enough to stay in a cache.
 const BLOCK_LEN: usize = 64;

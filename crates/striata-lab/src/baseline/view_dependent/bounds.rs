@@ -5,9 +5,8 @@
 //! legal, is not in it.
 
 use glam::DVec3;
-
-use crate::mesh::{RefinableMesh, is_proper};
-use crate::view::{NormalCone, Part, Sphere};
+use striata::mesh::{RefinableMesh, is_proper};
+use striata::view::{NormalCone, Part, Sphere};
 
 /// The part of each step: what its split brings back.
 pub(super) fn parts(refinable: &RefinableMesh) -> Vec<Part> {
@@ -39,7 +38,8 @@ impl Below {
         self.sphere = self.sphere.with_sphere(&other.sphere);
         self.normals += other.normals;
         let kept = self.cone.with_cone(&other.cone);
-        let between = NormalCone::around(self.normals).with_cone(&self.cone).with_cone(&other.cone);
+        let between =
+            NormalCone::around(self.normals.to_array()).with_cone(&self.cone).with_cone(&other.cone);
         self.cone = if between.cos > kept.cos { between } else { kept };
     }
 }
@@ -61,12 +61,12 @@ fn leaves(refinable: &RefinableMesh) -> Vec<Below> {
             leaf.normals += normal;
         }
     }
-    leaves.iter_mut().for_each(|leaf| leaf.cone = NormalCone::around(leaf.normals));
+    leaves.iter_mut().for_each(|leaf| leaf.cone = NormalCone::around(leaf.normals.to_array()));
     for triangle in triangles() {
         let normal = normal(&triangle.map(|v| mesh.positions[v as usize]));
         // A triangle without area has no normal.
         if normal.length_squared() > 0.0 {
-            let cone = NormalCone::around(normal);
+            let cone = NormalCone::around(normal.to_array());
             triangle
                 .iter()
                 .map(|&v| v as usize)

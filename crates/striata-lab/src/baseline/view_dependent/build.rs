@@ -1,9 +1,10 @@
 //! Building the hierarchy: one pass from the full mesh to the base over a surface that knows its neighbours.
 
+use striata::mesh::{RefinableMesh, is_proper};
+
 use super::error::ViewDependentError;
 use super::surface::Surface;
 use super::{LEAF, NONE, ROOT, Triangle, VertexSplit, ViewDependentMeshes, bounds};
-use crate::mesh::{RefinableMesh, is_proper};
 
 impl ViewDependentMeshes {
     /// Builds the model from a mesh and its sequence.

@@ -42,8 +42,10 @@ mod surface;
 pub use self::adapt::Adapted;
 pub use self::error::ViewDependentError;
 pub use self::state::ViewDependentState;
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, Topology};
-use crate::view::Part;
+use striata::model::{DrawCounts, LodModel, PartBytes, Topology};
+use striata::view::Part;
+
+use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// No triangle, or no place.
 const NONE: u32 = u32::MAX;
@@ -239,7 +241,9 @@ impl LodModel for ViewDependentMeshes {
     fn state_bytes(&self, state: &ViewDependentState) -> usize {
         state.bytes()
     }
+}
 
+impl PaperBytes for ViewDependentMeshes {
     /// The structures of \[Hop97\], dynamic ones among them as there: a vertex of the hierarchy with two links of the active
     /// list, parent, children, left triangle, four neighbours and four numbers for the criterion; a triangle with two links,
     /// material, three vertices and three neighbours. Positions and normals are not counted.

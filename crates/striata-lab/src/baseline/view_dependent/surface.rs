@@ -1,8 +1,9 @@
 //! The surface while the model is built: triangles that know their neighbours, collapsed from the full mesh to the base.
 
+use striata::mesh::{Adjacency, IndexedMesh};
+
 use super::error::ViewDependentError;
 use super::{NONE, turn_of};
-use crate::mesh::{Adjacency, IndexedMesh};
 
 /// A manifold surface that loses vertices.
 pub(super) struct Surface {
