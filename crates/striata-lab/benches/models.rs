@@ -195,7 +195,6 @@ fn emit_forms(
             b.iter(|| instance.emit_into(table, form, &mut out))
         });
     }
-    #[cfg(feature = "parallel")]
     group.bench_function(format!("emit_parallel/{name}/{percent}"), |b| {
         b.iter(|| instance.emit_parallel_into(table, FanForm::Triangles, &mut out))
     });

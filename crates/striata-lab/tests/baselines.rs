@@ -1,5 +1,6 @@
 //! Progressive meshes, ordered meshes and discrete levels against the oracle.
 
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
 use proptest::prelude::*;
@@ -7,9 +8,10 @@ use striata::mesh::{
     CollapseSequence, IndexedMesh, MeshError, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
     canonical_triangles, replay, shapes,
 };
-use striata::model::baseline::{DiscreteLevels, DiscreteLevelsError, OrderedMeshes, ProgressiveMeshes};
-use striata::model::{Accounting, LodModel, PartBytes};
+use striata::model::{LodModel, PartBytes};
 use striata::strip::{StripOptions, Stripifier, restart_triangles_into};
+use striata_lab::baseline::{DiscreteLevels, DiscreteLevelsError, OrderedMeshes, ProgressiveMeshes};
+use striata_lab::{Accounting, PaperBytes};
 use support::{
     Random, Wildness, follows_the_oracle, follows_the_oracle_at, grid, hub_cases, nasty_cases,
     random_refinable, seam_cases, soups, surface_cases, with_seams_and_groups,

@@ -1,6 +1,7 @@
 //! The pattern model as published against the oracle: uniform levels, closed sets, the smallest set of any condition, and what
 //! its form refuses.
 
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
 use std::collections::BTreeSet;
@@ -8,11 +9,12 @@ use std::collections::BTreeSet;
 use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, fragment_faces, shapes,
 };
-use striata::model::baseline::{
+use striata::model::{LodModel, Overlap, PatternChange, Patterns, StoredModel};
+use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
+use striata_lab::baseline::{
     LoopPatterns, LoopPatternsState, MultiTriangulation, SequentialPatterns, decode_sequential,
 };
-use striata::model::{Accounting, LodModel, Overlap, PatternChange, Patterns, StoredModel};
-use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
+use striata_lab::{Accounting, PaperBytes};
 use support::{
     Random, closed_sets, follows_the_fragments, fragment_cases, grid, hub_cases, nasty_cases,
     random_closed_set, random_removals, seam_cases, shows_a_set, smallest_set,

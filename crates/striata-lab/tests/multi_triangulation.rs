@@ -1,17 +1,24 @@
 //! The explicit Multi-Triangulation against the oracle: uniform levels, closed sets, and the smallest set of any condition.
 
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
+use proptest::prelude::*;
 use striata::mesh::{FragmentSequence, FragmentedMesh, canonical_triangles};
-use striata::model::baseline::{MtQuestion, MultiTriangulation, MultiTriangulationState};
-use striata::model::{Accounting, LodModel, PatternChange, StoredModel};
+use striata::model::{LodModel, PatternChange, Patterns, StoredModel};
+use striata_lab::baseline::{MtQuestion, MultiTriangulation, MultiTriangulationState};
+use striata_lab::{Accounting, PaperBytes};
 use support::{
     Case, Random, closed_sets, follows_the_fragments, fragment_cases, grid, hub_cases, nasty_cases,
-    random_closed_set, random_removals, seam_cases, shows_a_set, smallest_set, soup, surface_cases,
+    random_closed_set, random_removals, seam_cases, shows_a_set, smallest_set, soup, soups, surface_cases,
 };
 
 fn fragmented(case: &Case) -> FragmentedMesh {
     FragmentedMesh::from_collapses(&case.refinable)
+}
+
+fn has_the_patterns_of(mesh: &FragmentedMesh, model: &MultiTriangulation) {
+    assert_eq!(model.to_patterns().unwrap(), Patterns::build(mesh).unwrap());
 }
 
 #[test]
@@ -19,14 +26,28 @@ fn all_kinds_of_collapses_follow_the_oracle() {
     let cases = nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases());
     for case in cases {
         let mesh = fragmented(&case);
-        follows_the_fragments(&mesh, &MultiTriangulation::build(&mesh), case.stride);
+        let model = MultiTriangulation::build(&mesh);
+        follows_the_fragments(&mesh, &model, case.stride);
+        has_the_patterns_of(&mesh, &model);
     }
 }
 
 #[test]
 fn removals_with_any_triangulation_follow_the_oracle() {
     for (_, mesh) in fragment_cases() {
-        follows_the_fragments(&mesh, &MultiTriangulation::build(&mesh), 1);
+        let model = MultiTriangulation::build(&mesh);
+        follows_the_fragments(&mesh, &model, 1);
+        has_the_patterns_of(&mesh, &model);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 160, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn soups_have_the_patterns_of_their_fragments(case in soups()) {
+        let mesh = fragmented(&case);
+        has_the_patterns_of(&mesh, &MultiTriangulation::build(&mesh));
     }
 }
 

@@ -1,5 +1,6 @@
 //! Patterns in sequential form: what is written is read again at every level, and whatever else is read is an error or a surface.
 
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
 use proptest::prelude::*;
@@ -7,10 +8,10 @@ use striata::mesh::{
     DefectKind, FragmentSequence, FragmentedMesh, IndexedMesh, canonical_triangles, fragment_faces,
     replay_fragments, shapes, validate,
 };
-use striata::model::baseline::{
+use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
+use striata_lab::baseline::{
     LoopPatterns, SequentialDecoder, SequentialPatterns, SequentialPatternsError, decode_sequential,
 };
-use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
 use support::{Random, fragment_cases, grid, hub_cases, nasty_cases, random_removals, seam_cases};
 
 fn collapsed(mesh: &IndexedMesh) -> FragmentedMesh {

@@ -1,12 +1,14 @@
 //! The baselines that draw strips, against the oracle: the original LodStrips and skip strips.
 
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
-use striata::model::baseline::{OriginalLodStrips, SkipStrips};
-use striata::model::{Accounting, LodModel, LodStrips, ModelError, Mts};
+use striata::model::{LodModel, LodStrips, ModelError, Mts};
 use striata::strip::{RESTART, StripOptions, StripSet, Stripifier, restart_triangles_into, stripify};
+use striata_lab::baseline::{OriginalLodStrips, SkipStrips};
+use striata_lab::{Accounting, PaperBytes};
 use support::{
     Random, Wildness, follows_the_oracle, grid, nasty_cases, random_refinable, seam_cases, soups,
     surface_cases, with_seams_and_groups,

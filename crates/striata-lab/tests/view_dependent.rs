@@ -1,5 +1,6 @@
 //! View-dependent progressive meshes against the oracle: uniform levels, and whatever criteria lead to.
 
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
 use std::cell::Cell;
@@ -7,10 +8,11 @@ use std::cell::Cell;
 use striata::mesh::{
     CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles, shapes,
 };
-use striata::model::baseline::{ViewDependentError, ViewDependentMeshes, ViewDependentState};
-use striata::model::{Accounting, LodModel};
+use striata::model::LodModel;
 use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
 use striata::view::{Camera, Criterion, NormalCone, Part, ScreenError, Sphere, Verdict};
+use striata_lab::baseline::{ViewDependentError, ViewDependentMeshes, ViewDependentState};
+use striata_lab::{Accounting, PaperBytes};
 use support::{Random, follows_the_oracle, grid, nasty_cases, seam_cases, with_seams_and_groups};
 
 /// Collapses random edges as long as the surface stays manifold, looking at all triangles each time.

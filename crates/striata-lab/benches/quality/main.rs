@@ -1,6 +1,6 @@
 //! How near simplified meshes stay to their originals, and what that costs: ours beside meshoptimizer's.
 //!
-//! `cargo bench -p striata --bench quality -- [OPTIONS] MESH...` prints Markdown tables. For each mesh and each share of
+//! `cargo bench -p striata-lab --bench quality -- [OPTIONS] MESH...` prints Markdown tables. For each mesh and each share of
 //! its triangles meshoptimizer makes one level, and every other tool a level of at most as many triangles; all
 //! levels are measured against the welded original with the same samples. Attributes are left out on both sides.
 //!
@@ -18,6 +18,7 @@ mod memory;
 mod promises;
 mod quality;
 mod speed;
+#[path = "../../../striata/benches/quality/table.rs"]
 mod table;
 
 use std::error::Error;
@@ -183,7 +184,7 @@ fn main() -> Fallible<()> {
     let request = Request::parse(std::env::args().skip(1))?;
     let mut out = std::io::stdout().lock();
     if request.paths.is_empty() {
-        writeln!(out, "no meshes given: cargo bench -p striata --bench quality -- path/to/bunny.ply")?;
+        writeln!(out, "no meshes given: cargo bench -p striata-lab --bench quality -- path/to/bunny.ply")?;
         return Ok(());
     }
     let subjects = request.paths.iter().map(|path| Subject::read(path)).collect::<Fallible<Vec<_>>>()?;
