@@ -10,9 +10,9 @@ use striata::codec::progressive::StreamError;
 use striata::codec::{DecodeError, EncodeError};
 use striata::mesh::MeshError;
 use striata::model::ModelError;
-use striata::model::baseline::DiscreteLevelsError;
 use striata::simplify::SimplifyError;
 use striata_io::{Place, ReadError, WriteError};
+use striata_lab::baseline::DiscreteLevelsError;
 
 /// A failure as the user gets to see it.
 #[derive(Debug)]

@@ -5,14 +5,13 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use striata::mesh::{FragmentedMesh, RefinableMesh};
-use striata::model::baseline::{
+use striata::model::{DrawCounts, Fans, LodModel, LodStrips, Mts, PartBytes, Patterns, Topology};
+use striata::strip::{StripOptions, StripSet};
+use striata_lab::baseline::{
     DiscreteLevels, DiscreteLevelsError, LoopPatterns, MultiTriangulation, OrderedMeshes, OriginalLodStrips,
     ProgressiveMeshes, SkipStrips,
 };
-use striata::model::{
-    Accounting, DrawCounts, Fans, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Patterns, Topology,
-};
-use striata::strip::{StripOptions, StripSet};
+use striata_lab::{Accounting, MtsGraph, PaperBytes};
 
 use crate::commands::build::unknown_name;
 use crate::failure::Failure;
@@ -157,7 +156,7 @@ struct Built<M: LodModel> {
 /// Builds a model up to [`BUILD_COUNT`] times, as long as that stays within [`BUILD_SECS`].
 fn built<M, E>(mut make: impl FnMut() -> Result<M, E>) -> Result<Box<dyn Contender>, Unbuilt>
 where
-    M: LodModel + 'static,
+    M: PaperBytes + 'static,
     E: Into<Unbuilt>,
 {
     let mut timed = || {
@@ -186,7 +185,7 @@ const BUILD_COUNT: usize = 3;
 /// Seconds after which a model is not built again.
 const BUILD_SECS: f64 = 1.0;
 
-impl<M: LodModel> Contender for Built<M> {
+impl<M: PaperBytes> Contender for Built<M> {
     fn build_secs(&self) -> f64 {
         self.build_secs
     }

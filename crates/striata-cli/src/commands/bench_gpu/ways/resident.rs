@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use striata::model::baseline::{DiscreteLevels, ProgressiveMeshes};
 use striata::model::{LodModel, LodStrips, StripModel, Topology};
 use striata_gpu::{Drawing, Gpu, GpuIndices};
+use striata_lab::baseline::{DiscreteLevels, ProgressiveMeshes};
 
 use super::super::stage::Stage;
 use super::Way;
