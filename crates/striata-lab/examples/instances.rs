@@ -1,5 +1,5 @@
-//! A thousand instances of one model, each as fine as one moving camera needs it: `cargo run --release --example instances
-//! -- [MESH]`.
+//! A thousand instances of one model, each as fine as one moving camera needs it: `cargo run --release -p striata-lab
+//! --example instances -- [MESH]`.
 //!
 //! All share one table; what each owns is a bit for every vertex that can go. The camera is brought into the space of each
 //! instance, since a criterion knows one model and one eye. Shown twice: instances that are refined from the base in every
