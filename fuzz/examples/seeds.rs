@@ -8,7 +8,7 @@ use striata::codec::progressive::{Effort, Precision, StreamOptions, StreamVersio
 use striata::codec::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
-use striata::model::baseline::SequentialPatterns;
+use striata_lab::baseline::SequentialPatterns;
 use striata::model::{FanBounds, Fans, LodStrips, Mts, PatternBounds, Patterns};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::strip::stripify;

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use striata::model::baseline::{SequentialDecoder, decode_sequential};
+use striata_lab::baseline::{SequentialDecoder, decode_sequential};
 
 fuzz_target!(|data: &[u8]| {
     let Ok(mut decoder) = SequentialDecoder::new(data) else { return };

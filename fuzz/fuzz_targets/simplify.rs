@@ -5,10 +5,11 @@ use libfuzzer_sys::fuzz_target;
 use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{RefinableMesh, canonical_triangles, replay};
-use striata::model::baseline::{OriginalLodStrips, ProgressiveMeshes, SkipStrips};
-use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, MtsGraph};
+use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, build_sequence};
 use striata::strip::stripify;
+use striata_lab::MtsGraph;
+use striata_lab::baseline::{OriginalLodStrips, ProgressiveMeshes, SkipStrips};
 use striata_fuzz::Bytes;
 
 fuzz_target!(|data: &[u8]| {

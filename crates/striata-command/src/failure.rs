@@ -10,7 +10,6 @@ use striata::codec::progressive::StreamError;
 use striata::codec::{DecodeError, EncodeError};
 use striata::mesh::MeshError;
 use striata::model::ModelError;
-use striata::model::baseline::DiscreteLevelsError;
 use striata::simplify::SimplifyError;
 use striata_io::{Place, ReadError, WriteError};
 
@@ -162,7 +161,7 @@ macro_rules! ours {
     };
 }
 
-ours!(DiscreteLevelsError, ModelError, DecodeError);
+ours!(ModelError, DecodeError);
 
 impl From<EncodeError> for Failure {
     fn from(error: EncodeError) -> Self {

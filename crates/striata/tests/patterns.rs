@@ -7,7 +7,6 @@ use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, Random,
     canonical_triangles, fragment_faces,
 };
-use striata::model::baseline::MultiTriangulation;
 use striata::model::{Overlap, PatternBounds, PatternInstance, PatternScene, Patterns, Wanted};
 use striata::view::{Camera, Criterion, DetailBox, ScreenError};
 use support::{
@@ -41,8 +40,6 @@ fn follows_any_way_of_fragments(fragmented: &FragmentedMesh, patterns: &Patterns
     let unpacked = patterns.unpack(errors).unwrap();
     let again = FragmentedMesh { mesh: fragmented.mesh.clone(), fragments: unpacked };
     assert_eq!(&Patterns::build(&again).unwrap(), patterns, "unpacked and built again");
-    let explicit = MultiTriangulation::build(fragmented);
-    assert_eq!(&Patterns::from_multi_triangulation(&explicit).unwrap(), patterns, "of explicit triangles");
     if step_count == 0 {
         return;
     }

@@ -5,14 +5,13 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use striata::mesh::{FragmentedMesh, RefinableMesh};
-use striata::model::baseline::{
-    DiscreteLevels, DiscreteLevelsError, LoopPatterns, MultiTriangulation, OrderedMeshes, OriginalLodStrips,
-    ProgressiveMeshes, SkipStrips,
-};
-use striata::model::{
-    Accounting, DrawCounts, Fans, LodModel, LodStrips, Mts, MtsGraph, PartBytes, Patterns, Topology,
-};
+use striata::model::{DrawCounts, Fans, LodModel, LodStrips, Mts, PartBytes, Patterns, Topology};
 use striata::strip::StripSet;
+use striata_lab::baseline::{
+    DiscreteLevels, LoopPatterns, MultiTriangulation, OrderedMeshes, OriginalLodStrips, ProgressiveMeshes,
+    SkipStrips,
+};
+use striata_lab::{Accounting, MtsGraph, PaperBytes};
 use striata_strip::{StripOptions, stripify};
 
 use striata_command::failure::Failure;
@@ -83,8 +82,10 @@ const ENTRIES: [Entry; 13] = [
     Entry::of_few_levels("discrete-10", |given| built(|| discrete(given, 10))),
 ];
 
-fn discrete(given: Given<'_>, level_count: usize) -> Result<DiscreteLevels, DiscreteLevelsError> {
-    DiscreteLevels::build(given.refinable, level_count, |mesh| stripify(mesh, given.level_strips))
+fn discrete(given: Given<'_>, level_count: usize) -> Result<DiscreteLevels, Failure> {
+    let strips = |mesh: &_| stripify(mesh, given.level_strips);
+    let model = DiscreteLevels::build(given.refinable, level_count, strips);
+    model.map_err(|error| Failure::internal(error.to_string()))
 }
 
 impl Entry {
@@ -158,7 +159,7 @@ struct Built<M: LodModel> {
 /// Builds a model up to [`BUILD_COUNT`] times, as long as that stays within [`BUILD_SECS`].
 fn built<M, E>(mut make: impl FnMut() -> Result<M, E>) -> Result<Box<dyn Contender>, Unbuilt>
 where
-    M: LodModel + 'static,
+    M: PaperBytes + 'static,
     E: Into<Unbuilt>,
 {
     let mut timed = || {
@@ -187,7 +188,7 @@ const BUILD_COUNT: usize = 3;
 /// Seconds after which a model is not built again.
 const BUILD_SECS: f64 = 1.0;
 
-impl<M: LodModel> Contender for Built<M> {
+impl<M: PaperBytes> Contender for Built<M> {
     fn build_secs(&self) -> f64 {
         self.build_secs
     }

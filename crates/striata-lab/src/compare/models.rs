@@ -7,10 +7,11 @@ use std::time::Instant;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
-use striata::model::{Accounting, Topology};
+use striata::model::Topology;
 use striata::simplify::{
     SequenceOptions, SimplifyError, TopologyRule, build_welded_sequence, certify_collapses_in_any_state,
 };
+use striata_lab::Accounting;
 
 use super::contenders::{Entry, Given, Unbuilt, entries};
 use super::contest::{Contestant, hold};

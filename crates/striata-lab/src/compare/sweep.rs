@@ -129,7 +129,7 @@ mod tests {
     fn stretches_lie_apart_and_reach_both_ends() {
         assert_eq!(spread(100, 3, 10), [0..10, 45..55, 90..100]);
         assert_eq!(spread(5, 32, 1), [0..1, 1..2, 2..3, 3..4, 4..5]);
-        assert_eq!(spread(0, 8, 4), []);
+        assert!(spread(0, 8, 4).is_empty());
         for (step_count, count, length) in [(34_000, 32, 200), (63, 32, 2), (7, 8, 64), (1, 1, 0)] {
             let stretches = spread(step_count, count, length);
             assert!(stretches.windows(2).all(|pair| pair[0].end <= pair[1].start), "{stretches:?}");

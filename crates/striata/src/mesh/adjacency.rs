@@ -289,7 +289,7 @@ fn gather_edges(first_side: &[u32], sides: &mut [Side]) -> (Vec<u32>, Vec<EdgeRe
     (first_edge, edges)
 }
 
-/// Whether a triangle has three different corners: others have no area to be beside and belong to no strip.
+/// Whether a triangle has three different corners: others have no area, no neighbors and no strip.
 #[inline]
 pub fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
     a != b && b != c && c != a

@@ -5,9 +5,9 @@ const PADDING: usize = 8;
 /// The widest number that a word holds wherever in a byte it begins.
 pub(in crate::model) const MAX_WIDTH: u32 = 57;
 
-/// Bits in bytes, the lowest first.
+/// Numbers of any width up to 57 bits in bytes, the lowest bit first.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::model) struct Bits {
+pub struct Bits {
     bytes: Vec<u8>,
     len: usize,
 }
@@ -20,7 +20,7 @@ impl Default for Bits {
 
 impl Bits {
     /// From bytes that hold `len` bits and no others; none where there are too few or too many, or bits behind the last.
-    pub(in crate::model) fn from_bytes(bytes: &[u8], len: usize) -> Option<Self> {
+    pub fn from_bytes(bytes: &[u8], len: usize) -> Option<Self> {
         if bytes.len() != len.div_ceil(8) {
             return None;
         }
@@ -35,17 +35,22 @@ impl Bits {
     }
 
     /// The bytes that hold the bits.
-    pub(in crate::model) fn as_bytes(&self) -> &[u8] {
+    pub fn as_bytes(&self) -> &[u8] {
         &self.bytes[..self.bytes.len() - PADDING]
     }
 
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
     /// Bits in all.
-    pub(in crate::model) fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         self.len
     }
 
-    /// Appends the lower `width` bits of a number that has no others.
-    pub(in crate::model) fn push(&mut self, number: u64, width: u32) {
+    /// Appends the lower `width` bits of a number that has no others; 57 at most.
+    pub fn push(&mut self, number: u64, width: u32) {
         debug_assert!(
             width <= MAX_WIDTH && (width == 64 || number >> width == 0),
             "{number} in {width} bits"
@@ -58,9 +63,12 @@ impl Bits {
         self.bytes[byte..byte + 8].copy_from_slice(&word.to_le_bytes());
     }
 
-    /// The number of `width` bits that begins at a bit.
+    /// The number of `width` bits, 57 at most, that begins at a bit.
+    ///
+    /// # Panics
+    /// If the bit lies far behind the last.
     #[inline]
-    pub(in crate::model) fn get(&self, at: usize, width: u32) -> u64 {
+    pub fn get(&self, at: usize, width: u32) -> u64 {
         self.word(at / 8) >> (at % 8) & ((1 << width) - 1)
     }
 
@@ -70,7 +78,7 @@ impl Bits {
     }
 
     /// Bytes in memory.
-    pub(in crate::model) fn bytes(&self) -> usize {
+    pub fn bytes(&self) -> usize {
         self.bytes.len()
     }
 }

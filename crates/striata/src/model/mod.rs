@@ -4,13 +4,13 @@
 //! instances and may borrow its arrays from a mapped file. The state is what one instance on the
 //! screen owns: where it stands and what it shows.
 
-pub mod baseline;
 pub mod fans;
 pub mod geomorph;
 pub mod growing;
 pub mod lod_strips;
 pub mod mts;
 pub mod patterns;
+pub mod strip_history;
 
 mod bits;
 mod error;
@@ -18,11 +18,11 @@ mod part_record;
 mod record_arena;
 mod step_bits;
 mod step_vertices;
-mod strip_history;
 mod strip_input;
 mod strip_run;
 mod superfluous;
 
+pub use bits::Bits;
 pub use error::ModelError;
 pub use fans::{
     FanBounds, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate,
@@ -31,13 +31,14 @@ pub use fans::{
 pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
 pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
-pub use mts::{Mts, MtsGraph, MtsGraphState, MtsState};
+pub use mts::{Mts, MtsState};
 pub use patterns::{
     Condition, Overlap, PatternBounds, PatternChange, PatternInstance, PatternScene, Patterns, PatternsState,
     Wanted,
 };
 pub(crate) use record_arena::{read_varint, write_varint};
-pub(crate) use step_vertices::StepVertices;
+pub use step_vertices::StepVertices;
+pub use strip_input::check_strips;
 
 use std::ops::Range;
 
@@ -50,25 +51,6 @@ pub struct PartBytes {
     pub name: &'static str,
     /// Its bytes.
     pub bytes: usize,
-}
-
-/// What a paper takes its numbers to need.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Accounting {
-    /// 4 bytes each \[RCRG06\].
-    Words,
-    /// 2 bytes an integer, 4 a long one or a pointer \[BRR02\].
-    ShortIntegers,
-}
-
-impl Accounting {
-    /// Bytes of so many integers, and of so many long ones or pointers.
-    pub(crate) fn bytes(self, integers: usize, longs: usize) -> usize {
-        match self {
-            Self::Words => 4 * (integers + longs),
-            Self::ShortIntegers => 2 * integers + 4 * longs,
-        }
-    }
 }
 
 /// How the indices of a model are drawn.
@@ -90,8 +72,8 @@ pub struct DrawCounts {
 }
 
 impl DrawCounts {
-    /// Of strips drawn with a restart index between them; empty ones are not drawn.
-    pub(crate) fn of_strips<'s>(strips: impl Iterator<Item = &'s [u32]>) -> Self {
+    /// Of strips drawn with [`RESTART`] between them; empty ones are not drawn.
+    pub fn of_strips<'s>(strips: impl Iterator<Item = &'s [u32]>) -> Self {
         let mut counts = Self::default();
         for strip in strips.filter(|strip| !strip.is_empty()) {
             counts.strip_count += 1;
@@ -102,8 +84,8 @@ impl DrawCounts {
     }
 }
 
-/// Appends strips with a restart index between them.
-pub(crate) fn join_strips<'s>(strips: impl Iterator<Item = &'s [u32]>, out: &mut Vec<u32>) {
+/// Appends strips with [`RESTART`] between them; empty ones are left out.
+pub fn join_strips<'s>(strips: impl Iterator<Item = &'s [u32]>, out: &mut Vec<u32>) {
     let mut is_first = true;
     for strip in strips.filter(|strip| !strip.is_empty()) {
         if !is_first {
@@ -160,9 +142,6 @@ pub trait LodModel {
 
     /// Bytes that an instance owns.
     fn state_bytes(&self, state: &Self::State) -> usize;
-
-    /// Bytes of the static half as the papers count: their structures, and not ours; positions not counted.
-    fn paper_bytes(&self, accounting: Accounting) -> usize;
 }
 
 /// A model that a file holds: it knows how many vertices a level has, and tells groups of triangles apart.

@@ -43,7 +43,7 @@ pub(in crate::model) fn bound(steps: &mut impl Bounded) -> Vec<PartRecord> {
         }
         let own = NormalCone::of_triangles(changed.iter().copied());
         let normal = direction(own.axis) + children().map(|child| normals[child as usize]).sum::<DVec3>();
-        let mut cone = NormalCone::around(normal).with_cone(&own);
+        let mut cone = NormalCone::around(normal.to_array()).with_cone(&own);
         let mut error = steps.error(step as u32);
         for child in children() {
             let below = records[child as usize].part(steps.center(child));
@@ -83,7 +83,7 @@ impl PartRecord {
         if cone.cos > 0.0 {
             // Towards zero, so that the axis is never longer than 1.
             record.axis = cone.axis.map(|x| (x * 127.0) as i8);
-            let around = NormalCone::around(direction(record.axis.map(f32::from))).with_cone(cone);
+            let around = NormalCone::around(direction(record.axis.map(f32::from)).to_array()).with_cone(cone);
             if around.cos > 0.0 {
                 let cos = f64::from(around.cos);
                 record.sin = ((1.0 - cos * cos).max(0.0).sqrt() * 255.0 + 1e-3).ceil().min(255.0) as u8;
@@ -178,11 +178,11 @@ mod tests {
         let mut wider = 0.0f32;
         for _ in 0..2000 {
             let (axis, other) = (direction(), direction());
-            let cone =
-                NormalCone::around(axis).with_cone(&NormalCone::around((axis * 1.5 + other).normalize()));
+            let cone = NormalCone::around(axis.to_array())
+                .with_cone(&NormalCone::around((axis * 1.5 + other).normalize().to_array()));
             let kept = PartRecord::holding(1.0, &cone, 0.0).part([0.0; 3]).cone;
             assert!(Vec3::from(kept.axis).length() <= 1.0);
-            let around = NormalCone::around(super::direction(kept.axis)).with_cone(&cone);
+            let around = NormalCone::around(super::direction(kept.axis).to_array()).with_cone(&cone);
             assert!(kept.cos <= around.cos, "{cone:?} became {kept:?}");
             wider = wider.max(cone.cos - kept.cos);
         }

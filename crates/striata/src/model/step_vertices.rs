@@ -6,9 +6,9 @@ use std::ops::Range;
 use super::ModelError;
 use crate::mesh::{CollapseSequence, Levels, PositionIndex};
 
-/// What the model takes from the sequence: the vertices of each step and where they collapse to.
+/// What a model takes from a sequence: the vertices of each step and where they collapse to.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct StepVertices<'a> {
+pub struct StepVertices<'a> {
     pub(crate) vertex_count: usize,
     pub(crate) base_vertex_count: u32,
     /// First vertex of each step, closed by the vertex count; empty where each step has one vertex.
@@ -18,7 +18,8 @@ pub(crate) struct StepVertices<'a> {
 
 impl StepVertices<'_> {
     /// Steps from the base mesh to the full mesh.
-    pub(super) fn step_count(&self) -> usize {
+    #[inline]
+    pub fn step_count(&self) -> usize {
         if self.firsts.is_empty() {
             self.vertex_count.saturating_sub(self.base_vertex_count as usize)
         } else {
@@ -26,9 +27,29 @@ impl StepVertices<'_> {
         }
     }
 
-    /// The vertices that a step restores.
+    /// Vertices of the full mesh.
     #[inline]
-    pub(super) fn of_step(&self, step: usize) -> Range<u32> {
+    pub fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    /// Vertices of the base: the first so many.
+    #[inline]
+    pub fn base_vertex_count(&self) -> u32 {
+        self.base_vertex_count
+    }
+
+    /// Numbers of 32 bits that are stored: first vertices and targets.
+    pub fn word_count(&self) -> usize {
+        self.firsts.len() + self.targets.len()
+    }
+
+    /// The vertices that a step restores.
+    ///
+    /// # Panics
+    /// If there is no such step and steps have several vertices.
+    #[inline]
+    pub fn of_step(&self, step: usize) -> Range<u32> {
         if self.firsts.is_empty() {
             let first = self.base_vertex_count + step as u32;
             first..first + 1
@@ -42,7 +63,7 @@ impl StepVertices<'_> {
     /// # Panics
     /// If the split count exceeds the step count.
     #[inline]
-    pub(super) fn count_at(&self, split_count: usize) -> usize {
+    pub fn count_at(&self, split_count: usize) -> usize {
         let step_count = self.step_count();
         assert!(split_count <= step_count, "split count {split_count} of {step_count}");
         if split_count == step_count { self.vertex_count } else { self.of_step(split_count).start as usize }
@@ -59,8 +80,11 @@ impl StepVertices<'_> {
     }
 
     /// Where a vertex above the base collapses to.
+    ///
+    /// # Panics
+    /// If there is no such vertex, or no targets are kept.
     #[inline]
-    pub(super) fn target(&self, vertex: u32) -> u32 {
+    pub fn target(&self, vertex: u32) -> u32 {
         self.targets[(vertex - self.base_vertex_count) as usize]
     }
 
@@ -108,8 +132,8 @@ impl StepVertices<'_> {
 }
 
 impl StepVertices<'static> {
-    /// The vertices of the steps between levels, for models that never ask for a target.
-    pub(super) fn of_levels(levels: &Levels) -> Self {
+    /// The vertices of the steps between levels, without targets.
+    pub fn of_levels(levels: &Levels) -> Self {
         let positions = levels.positions();
         let firsts = &positions.first_vertices()[levels.base_position_count()..];
         let vertices = Self {
@@ -124,7 +148,7 @@ impl StepVertices<'static> {
 
 impl<'a> StepVertices<'a> {
     /// The vertices of the steps as the sequence has them.
-    pub(crate) fn of_sequence(sequence: &'a CollapseSequence) -> Self {
+    pub fn of_sequence(sequence: &'a CollapseSequence) -> Self {
         let positions = sequence.positions();
         let firsts = &positions.first_vertices()[sequence.base_position_count()..];
         Self {
@@ -136,7 +160,7 @@ impl<'a> StepVertices<'a> {
     }
 
     /// Positions and their wedges; vertices of the base that share a position are not known here, and get one each.
-    pub(super) fn positions(&self) -> PositionIndex {
+    pub fn positions(&self) -> PositionIndex {
         let base = 0..self.base_vertex_count;
         let steps = (0..self.step_count()).map(|step| self.of_step(step).start);
         PositionIndex::from_first(base.chain(steps).chain([self.vertex_count as u32]).collect())
@@ -150,13 +174,14 @@ impl<'a> StepVertices<'a> {
         self
     }
 
-    /// The same with memory of its own, for models that never ask for a target.
-    pub(super) fn without_targets(mut self) -> StepVertices<'static> {
+    /// The same with arrays of its own and without targets.
+    pub fn without_targets(mut self) -> StepVertices<'static> {
         self.targets = Cow::Borrowed(&[]);
         self.into_owned()
     }
 
-    pub(super) fn into_owned(self) -> StepVertices<'static> {
+    /// The same with arrays of its own.
+    pub fn into_owned(self) -> StepVertices<'static> {
         StepVertices {
             vertex_count: self.vertex_count,
             base_vertex_count: self.base_vertex_count,

@@ -19,23 +19,25 @@ const LEAST_SAVED: usize = 2;
 
 /// Places of a strip that are drawn in one go, each with the vertex that it shows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Piece {
-    pub(super) places: Vec<u32>,
-    pub(super) vertices: Vec<u32>,
+pub struct Piece {
+    /// Places of the strip, rising.
+    pub places: Vec<u32>,
+    /// What each of them shows.
+    pub vertices: Vec<u32>,
 }
 
 /// A step that touched the strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Touch {
+pub struct Touch {
     /// The step.
-    pub(super) step: u32,
+    pub step: u32,
     /// Whether other places are left than before; else only vertices were substituted.
-    pub(super) drops: bool,
+    pub drops: bool,
 }
 
 /// A strip that goes from the full mesh down to the base.
 #[derive(Debug)]
-pub(super) struct StripHistory<'s> {
+pub struct StripHistory<'s> {
     sequence: &'s CollapseSequence,
     base_vertex_count: u32,
     pieces: Vec<Piece>,
@@ -45,7 +47,7 @@ pub(super) struct StripHistory<'s> {
 
 impl<'s> StripHistory<'s> {
     /// Of a strip of the full mesh.
-    pub(super) fn new(sequence: &'s CollapseSequence, strip: &[u32]) -> Self {
+    pub fn new(sequence: &'s CollapseSequence, strip: &[u32]) -> Self {
         let whole = Piece { places: (0..strip.len() as u32).collect(), vertices: strip.to_vec() };
         Self {
             sequence,
@@ -57,12 +59,12 @@ impl<'s> StripHistory<'s> {
     }
 
     /// What is left, in the strip's order; none of the pieces is empty.
-    pub(super) fn pieces(&self) -> &[Piece] {
+    pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
 
     /// Takes the next step that touches the strip; `None` where no vertex above the base is left in it.
-    pub(super) fn coarsen(&mut self) -> Option<Touch> {
+    pub fn coarsen(&mut self) -> Option<Touch> {
         let newest = self.pieces.iter().flat_map(|piece| &piece.vertices).copied().max()?;
         if newest < self.base_vertex_count {
             return None;

@@ -8,7 +8,7 @@ use crate::strip::{StripSet, strip_triangles};
 ///
 /// # Errors
 /// [`ModelError`] where they have other groups, other numbers of triangles, or vertices that are not there.
-pub(super) fn check_strips(mesh: &IndexedMesh, strips: &StripSet) -> Result<(), ModelError> {
+pub fn check_strips(mesh: &IndexedMesh, strips: &StripSet) -> Result<(), ModelError> {
     let groups = mesh.groups_or_whole();
     if strips.group_count() != groups.len() {
         return Err(ModelError::GroupCount { found: strips.group_count(), expected: groups.len() });

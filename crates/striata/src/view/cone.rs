@@ -20,9 +20,9 @@ impl NormalCone {
     /// Every direction.
     pub const ALL: Self = Self { axis: [0.0, 0.0, 1.0], cos: -1.0 };
 
-    /// One direction; every direction where it is none.
-    pub(crate) fn around(direction: DVec3) -> Self {
-        direction.try_normalize().map_or(Self::ALL, |axis| Self::rounded(axis, 1.0))
+    /// One direction, of any length; every direction if it has none.
+    pub fn around(direction: [f64; 3]) -> Self {
+        DVec3::from(direction).try_normalize().map_or(Self::ALL, |axis| Self::rounded(axis, 1.0))
     }
 
     /// The normals of triangles, corners in counter-clockwise order seen from where they face. Triangles without area have

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use striata::model::baseline::{DiscreteLevels, ProgressiveMeshes};
 use striata::model::{LodModel, LodStrips, StripModel, Topology};
 use striata_gpu::{Drawing, Gpu, GpuIndices};
+use striata_lab::baseline::{DiscreteLevels, ProgressiveMeshes};
 use striata_strip::stripify;
 
 use super::super::stage::Stage;
@@ -67,7 +67,8 @@ impl Resident {
     pub(super) fn discrete(stage: &Stage<'_>) -> Result<Self, Failure> {
         let model = DiscreteLevels::build(&stage.refinable, DISCRETE_COUNT, |mesh| {
             stripify(mesh, &stage.level_strips)
-        })?;
+        })
+        .map_err(|error| Failure::internal(error.to_string()))?;
         let levels: Vec<usize> = model.split_counts().collect();
         Ok(Self { rounds_down: true, ..Self::of_model(stage, &model, &levels)? })
     }

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use striata::model::baseline::{ProgressiveMeshes, ProgressiveMeshesState};
 use striata::model::{LodModel, LodStrips, LodStripsState};
 use striata_gpu::{Drawing, Gpu, GpuIndices, GpuLodStrips, GpuMultiDraw};
+use striata_lab::baseline::{ProgressiveMeshes, ProgressiveMeshesState};
 
 use super::super::stage::Stage;
 use super::{Way, whole};

@@ -8,8 +8,8 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::canonical_triangles;
-use striata::model::baseline::MtQuestion;
 use striata::model::{Overlap, PatternInstance};
+use striata_lab::baseline::MtQuestion;
 
 use super::sizes::Models;
 use striata_command::failure::Failure;

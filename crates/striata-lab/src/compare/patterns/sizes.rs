@@ -4,8 +4,9 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::FragmentedMesh;
-use striata::model::baseline::{LoopPatterns, MultiTriangulation, SequentialPatterns};
-use striata::model::{Accounting, LodModel, PatternBounds, Patterns};
+use striata::model::{LodModel, PatternBounds, Patterns};
+use striata_lab::baseline::{LoopPatterns, MultiTriangulation, SequentialPatterns};
+use striata_lab::{Accounting, PaperBytes};
 
 use super::Source;
 use striata_command::failure::Failure;

@@ -1,9 +1,9 @@
 //! Those who follow an eye: progressive fans with and without a memory, their rival, and a level that is the same everywhere.
 
 use striata::mesh::RefinableMesh;
-use striata::model::baseline::{ViewDependentMeshes, ViewDependentState};
 use striata::model::{FanBounds, FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
 use striata::view::ScreenError;
+use striata_lab::baseline::{ViewDependentMeshes, ViewDependentState};
 
 use super::asker::{Asker, Log};
 

@@ -1,8 +1,9 @@
 //! What models of a view take, as figure 5 of \[Cor01\] has it: what is built once, and what each instance owns.
 
 use serde::Serialize;
-use striata::model::baseline::{OrderedMeshes, ProgressiveMeshes};
-use striata::model::{Accounting, LodModel};
+use striata::model::LodModel;
+use striata_lab::baseline::{OrderedMeshes, ProgressiveMeshes};
+use striata_lab::{Accounting, PaperBytes};
 
 use super::super::bars::{BarChart, Bars};
 use super::super::papers::{COR01_BYTES_PER_VERTEX, cor01_megabytes};

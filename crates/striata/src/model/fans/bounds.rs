@@ -181,7 +181,7 @@ mod tests {
                 parents[child as usize] += 1;
                 let inner = part(child);
                 assert!(whole.sphere.with_sphere(&inner.sphere).radius <= whole.sphere.radius * 1.0001);
-                let axis = |cone: NormalCone| NormalCone::around(direction(cone.axis));
+                let axis = |cone: NormalCone| NormalCone::around(direction(cone.axis).to_array());
                 let around =
                     axis(whole.cone).with_cone(&NormalCone { axis: axis(inner.cone).axis, ..inner.cone });
                 assert!(whole.cone.cos <= around.cos + 1e-4, "{whole:?} around {inner:?}");

@@ -55,7 +55,7 @@ pub use table_fan::{ArcMaker, TableFan};
 
 use self::table::{Entry, Table};
 use super::step_vertices::StepVertices;
-use super::{Accounting, DrawCounts, LodModel, PartBytes, StoredModel, Topology};
+use super::{DrawCounts, LodModel, PartBytes, StoredModel, Topology};
 
 /// The static half of the model; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -193,20 +193,6 @@ impl LodModel for Fans {
 
     fn state_bytes(&self, _: &FansLevel) -> usize {
         size_of::<FansLevel>()
-    }
-
-    /// Section 3.6.2 of \[Cor01\] without the data of criteria: a pointer and two counts a vertex, a word for each node of
-    /// a ring, a word and as many bytes as its mask needs for each dependency.
-    fn paper_bytes(&self, accounting: Accounting) -> usize {
-        let (mut nodes, mut dependencies, mut mask_bytes) = (0, 0, 0);
-        self.for_each_fan_at(self.step_count, |fan| {
-            let count = fan.dependency_count();
-            nodes += fan.nodes().count();
-            dependencies += count;
-            mask_bytes += count * fan.nodes().count().div_ceil(8);
-        });
-        let longs = self.vertex_count() + nodes + dependencies;
-        accounting.bytes(2 * self.vertex_count(), longs) + mask_bytes
     }
 }
 

@@ -304,11 +304,6 @@ impl<'t> FanView<'t> {
         (0..self.node_count).map(move |i| numbers.read(bytes, i * numbers.bytes))
     }
 
-    /// What the paper calls dependencies: arcs that are there always count as one.
-    pub(super) fn dependency_count(&self) -> usize {
-        usize::from(self.always != 0) + self.creator_count
-    }
-
     /// The steps that make some of the triangles, each with their arcs.
     #[inline]
     pub(super) fn creators(&self) -> impl Iterator<Item = Creator> + use<'t> {

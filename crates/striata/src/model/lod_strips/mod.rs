@@ -27,14 +27,14 @@ mod validate;
 
 use std::borrow::Cow;
 
-use self::record::EditCounts;
+pub use record::EditCounts;
 pub use state::LodStripsState;
 pub use strip_buffer::StripBuffer;
 
 use super::record_arena::{head_bytes, record_at};
 use super::step_vertices::StepVertices;
 use super::{
-    Accounting, DrawCounts, LodModel, ModelError, PartBytes, StoredModel, StripModel, Topology, join_strips,
+    DrawCounts, LodModel, ModelError, PartBytes, StoredModel, StripModel, Topology, join_strips,
     strips_of_group_into,
 };
 
@@ -94,8 +94,13 @@ impl<'a> LodStrips<'a> {
         }
     }
 
+    /// The strips of the full mesh, one after the other.
+    pub fn indices(&self) -> &[u32] {
+        &self.indices
+    }
+
     /// What all records edit, in numbers.
-    fn edit_counts(&self) -> EditCounts {
+    pub fn edit_counts(&self) -> EditCounts {
         let mut counts = EditCounts::default();
         let mut cursor = 0;
         for (step, &length) in self.record_lengths.iter().enumerate() {
@@ -153,16 +158,6 @@ impl LodModel for LodStrips<'_> {
 
     fn state_bytes(&self, state: &LodStripsState) -> usize {
         state.bytes()
-    }
-
-    /// The structures of \[RCRG06\], its figure 3: a `Collapse` for each vertex, a pointer for each strip, a
-    /// `Change` of two words for each step, a `RecordChange` of four for each strip that it affects, and a word
-    /// for each place that is collapsed or resized.
-    fn paper_bytes(&self, accounting: Accounting) -> usize {
-        let edits = self.edit_counts();
-        let records = 3 * edits.strips + edits.places + edits.drops;
-        let integers = self.vertex_count() + self.indices.len() + self.step_count() + records;
-        accounting.bytes(integers, self.strip_count() + self.step_count() + edits.strips)
     }
 }
 

@@ -36,13 +36,13 @@ pub(super) struct Edit {
 
 /// What records edit, in numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct EditCounts {
+pub struct EditCounts {
     /// Strips, counted once for each record that edits them.
-    pub(super) strips: usize,
+    pub strips: usize,
     /// Places where a vertex is substituted.
-    pub(super) places: usize,
+    pub places: usize,
     /// Runs that are dropped.
-    pub(super) drops: usize,
+    pub drops: usize,
 }
 
 impl EditCounts {

@@ -11,7 +11,7 @@
 //! shown        after one change 0 .. 10, after three 2 .. 10, after four 2 3 4 | 8 9 10
 //! ```
 //!
-//! Differs: [`MtsGraph`] is the model as published, a graph of the strip's vertices whose arcs say which comes next and
+//! Differs: the published model is a graph of the strip's vertices whose arcs say which comes next and
 //! down to which level (`res`); each collapse brings a new column and new arcs into every strip that it touches. Here
 //! a column is a place of the strip. What vertex it shows is no matter of the strip: chains of targets are stored
 //! once for all strips. Places keep their order, so where an arc leads and how far it reaches follows from how long
@@ -23,19 +23,17 @@
 //! linear in the places. Building is linear in the steps times [`MAX_STRIP_INDICES`].
 
 mod build;
-pub mod graph;
 mod state;
 mod validate;
 
 use std::borrow::Cow;
 
-pub use graph::{MtsGraph, MtsGraphState};
 pub use state::MtsState;
 
 pub use super::lod_strips::MAX_STRIP_INDICES;
 use super::step_vertices::StepVertices;
 use super::{
-    Accounting, DrawCounts, LodModel, ModelError, PartBytes, StoredModel, StripModel, Topology, join_strips,
+    DrawCounts, LodModel, ModelError, PartBytes, StoredModel, StripModel, Topology, join_strips,
     strips_of_group_into,
 };
 use crate::strip::RESTART;
@@ -85,6 +83,11 @@ impl<'a> Mts<'a> {
     /// Vertex of each place at full detail, strip after strip.
     pub fn indices(&self) -> &[u32] {
         &self.parts.indices
+    }
+
+    /// Breaks between pieces of strips, over all levels.
+    pub fn break_count(&self) -> usize {
+        self.parts.breaks.len()
     }
 
     /// Walks every strip of an instance at its level, as the published model does at each change of level.
@@ -168,15 +171,6 @@ impl LodModel for Mts<'_> {
 
     fn state_bytes(&self, state: &MtsState) -> usize {
         state.bytes()
-    }
-
-    /// What \[BRR02\] would list: a vertex and a `res` for each column, a column and a `res` for each break, two pointers for
-    /// each strip; a target for each vertex and a strip for each change of one, which coherence needs.
-    fn paper_bytes(&self, accounting: Accounting) -> usize {
-        let parts = &self.parts;
-        let integers = parts.breaks.len() + self.change_count();
-        let columns = 2 * parts.indices.len() + parts.breaks.len();
-        accounting.bytes(integers, columns + 2 * self.strip_count() + self.vertices.targets.len())
     }
 }
 

@@ -263,7 +263,7 @@ impl Mts<'_> {
     }
 
     /// How often strips change, over all steps.
-    pub(super) fn change_count(&self) -> usize {
+    pub fn change_count(&self) -> usize {
         let mut count = 0;
         let mut cursor = 0;
         for &length in self.parts.record_lengths.iter() {

@@ -8,8 +8,7 @@ use super::rule::{Matched, Rule, Rulebook, first_corner};
 use super::rule_table::RuleTable;
 use super::{BaseFace, Patterns};
 use crate::mesh::{Face, FragmentSequence, FragmentedMesh};
-use crate::model::baseline::MultiTriangulation;
-use crate::model::{ModelError, StepVertices, StoredModel};
+use crate::model::{ModelError, StepVertices};
 
 /// Steps that are looked at to find out whether one is needed by another; what is not found is listed though it need not be.
 const MAX_SEARCH: usize = 24;
@@ -20,18 +19,14 @@ impl Patterns {
     /// # Errors
     /// [`ModelError::TooMany`] where the links would take more than 512 MB.
     pub fn build(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
-        Self::build_from(&mesh.fragments, mesh.mesh.groups.len().max(1))
+        Self::from_fragments(&mesh.fragments, mesh.mesh.groups.len().max(1))
     }
 
-    /// The same patterns from an explicit model.
+    /// The patterns of fragments alone.
     ///
     /// # Errors
     /// As [`build`](Self::build).
-    pub fn from_multi_triangulation(explicit: &MultiTriangulation) -> Result<Self, ModelError> {
-        Self::build_from(&explicit.to_fragments(), explicit.group_count())
-    }
-
-    pub(super) fn build_from(fragments: &FragmentSequence, group_count: usize) -> Result<Self, ModelError> {
+    pub fn from_fragments(fragments: &FragmentSequence, group_count: usize) -> Result<Self, ModelError> {
         let mut rulebook = Rulebook::new(fragments, group_count);
         let mut places = Places::new(fragments);
         let mut extras = Vec::new();

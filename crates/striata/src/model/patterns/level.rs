@@ -1,7 +1,7 @@
 //! Patterns as a model of uniform levels.
 
 use super::{PatternInstance, Patterns};
-use crate::model::{Accounting, DrawCounts, LodModel, PartBytes, StoredModel, Topology};
+use crate::model::{DrawCounts, LodModel, PartBytes, StoredModel, Topology};
 
 /// An instance at a uniform level.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,11 +15,6 @@ impl PatternsState {
         &self.instance
     }
 }
-
-/// Bits that the paper takes a link to need: a fragment and one of its loops.
-const PAPER_LINK_BITS: usize = 36;
-/// Bits of the two anchors, the rule with the number of loops, and the link down.
-const PAPER_FRAGMENT_BITS: usize = 64 + 16 + 36;
 
 impl LodModel for Patterns {
     type State = PatternsState;
@@ -88,10 +83,6 @@ impl LodModel for Patterns {
 
     fn state_bytes(&self, state: &PatternsState) -> usize {
         state.instance.bytes()
-    }
-
-    fn paper_bytes(&self, _accounting: Accounting) -> usize {
-        (self.fragment_count() * PAPER_FRAGMENT_BITS + self.overlap_count() * PAPER_LINK_BITS).div_ceil(8)
     }
 }
 

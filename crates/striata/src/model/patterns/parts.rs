@@ -97,7 +97,7 @@ impl Patterns {
             Self { vertices, group_count, base: base.collect(), unfounded, rules, ways, records, extras };
         patterns.check_size()?;
         let fragments = patterns.unpack(vec![0.0; step_count])?;
-        if Self::build_from(&fragments, group_count)? != patterns {
+        if Self::from_fragments(&fragments, group_count)? != patterns {
             return Err(ModelError::Listed {
                 what: "pattern",
                 place: 0,

@@ -1,0 +1,201 @@
+//! How near simplified meshes stay to their originals, and what that costs: ours beside meshoptimizer's.
+//!
+//! `cargo bench -p striata-lab --bench quality -- [OPTIONS] MESH...` prints Markdown tables. For each mesh and each share of
+//! its triangles meshoptimizer makes one level, and every other tool a level of at most as many triangles; all
+//! levels are measured against the welded original with the same samples. Attributes are left out on both sides.
+//!
+//! ```text
+//! --cost memoryless|accumulated|tracked|batches|hausdorff|all
+//!                                             what orders our collapses (batches: as a stream of 12 bits has them), or
+//!                                             (hausdorff) removals; default memoryless; several with commas
+//! --placement optimal                         adds our one-level simplifier that places vertices freely
+//! --promises                                  instead: guaranteed errors against measured ones
+//! --samples N                                 samples a surface; default 500000, 0 measures no distances
+//! --repeat N                                  timed runs, the best counts; default 5, 0 measures no time
+//! ```
+
+mod memory;
+mod promises;
+mod quality;
+mod speed;
+mod table;
+
+use std::error::Error;
+use std::io::Write;
+
+use striata::codec::progressive::{Precision, SHAPE_STEPS, StreamOptions};
+use striata::ignore_progress;
+use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, Welded, weld};
+use striata::simplify::{
+    BatchOptions, CollapseCost, RemovalOptions, SequenceOptions, SimplifyError, build_welded_batches,
+    build_welded_fragments, build_welded_sequence,
+};
+
+type Fallible<T> = Result<T, Box<dyn Error>>;
+
+/// Shares of the triangles that levels are made for.
+const SHARES: [f64; 4] = [0.5, 0.25, 0.1, 0.02];
+
+/// What the command line asks for.
+struct Request {
+    simplifiers: Vec<Simplifier>,
+    has_optimal: bool,
+    has_promises: bool,
+    sample_count: usize,
+    repeat_count: usize,
+    paths: Vec<String>,
+}
+
+impl Request {
+    fn parse(mut arguments: impl Iterator<Item = String>) -> Fallible<Self> {
+        let mut request = Self {
+            simplifiers: vec![Simplifier::Collapses(CollapseCost::Memoryless)],
+            has_optimal: false,
+            has_promises: false,
+            sample_count: 500_000,
+            repeat_count: 5,
+            paths: Vec::new(),
+        };
+        while let Some(argument) = arguments.next() {
+            let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
+            match argument.as_str() {
+                // Cargo says so to every bench.
+                "--bench" => {}
+                "--cost" => request.simplifiers = simplifiers_of(&value()?)?,
+                "--placement" => request.has_optimal = value()? == "optimal",
+                "--promises" => request.has_promises = true,
+                "--samples" => request.sample_count = value()?.parse()?,
+                "--repeat" => request.repeat_count = value()?.parse()?,
+                option if option.starts_with('-') => return Err(format!("unknown option {option}").into()),
+                _ => request.paths.push(argument),
+            }
+        }
+        Ok(request)
+    }
+}
+
+/// What makes a sequence of ours.
+#[derive(Clone, Copy)]
+enum Simplifier {
+    /// Half-edge collapses in the order of a cost.
+    Collapses(CollapseCost),
+    /// The first of these, in batches as a progressive stream of 12 bits has them.
+    Batches,
+    /// Removals of vertices, holes filled freely, ordered by squared distances, gaps and the largest distance together.
+    Removal,
+}
+
+impl Simplifier {
+    const ALL: [Self; 5] = [
+        Self::Collapses(CollapseCost::Memoryless),
+        Self::Collapses(CollapseCost::Accumulated),
+        Self::Collapses(CollapseCost::Tracked),
+        Self::Batches,
+        Self::Removal,
+    ];
+
+    fn name(self) -> String {
+        match self {
+            Self::Collapses(cost) => format!("{cost:?}").to_lowercase(),
+            Self::Batches => "batches".to_owned(),
+            Self::Removal => "hausdorff".to_owned(),
+        }
+    }
+
+    /// The whole sequence of a welded mesh.
+    fn build(self, welded: Welded) -> Result<Built, SimplifyError> {
+        match self {
+            Self::Collapses(cost) => {
+                let options = SequenceOptions::default().with_cost(cost);
+                let built = build_welded_sequence(welded, &options, &mut ignore_progress)?;
+                Ok(Built::Collapses(Box::new(built.refinable)))
+            }
+            Self::Batches => {
+                let step =
+                    StreamOptions::default().with_precision(Precision::Bits(12)).grid_step(&welded.mesh);
+                let options =
+                    BatchOptions::default().with_shape_step(step.ok().map(|step| SHAPE_STEPS * step));
+                let built = build_welded_batches(welded, &options, &mut ignore_progress)?;
+                Ok(Built::Collapses(Box::new(built.built.refinable)))
+            }
+            Self::Removal => {
+                let options = RemovalOptions::default();
+                let built = build_welded_fragments(welded, &options, &mut ignore_progress)?;
+                Ok(Built::Fragments(Box::new(built.fragmented)))
+            }
+        }
+    }
+}
+
+/// A sequence of ours.
+enum Built {
+    Collapses(Box<RefinableMesh>),
+    Fragments(Box<FragmentedMesh>),
+}
+
+fn simplifiers_of(name: &str) -> Fallible<Vec<Simplifier>> {
+    let is_chosen =
+        |simplifier: &Simplifier| name == "all" || name.split(',').any(|n| simplifier.name() == n);
+    let chosen: Vec<_> = Simplifier::ALL.into_iter().filter(is_chosen).collect();
+    if chosen.is_empty() { Err(format!("unknown cost {name}").into()) } else { Ok(chosen) }
+}
+
+/// A mesh to measure on: positions and triangles of the file, welded.
+struct Subject {
+    name: String,
+    welded: Welded,
+}
+
+impl Subject {
+    fn read(path: &str) -> Fallible<Self> {
+        let mesh = striata_io::read(path)?;
+        let welded = weld(&IndexedMesh::new(mesh.positions, mesh.triangles))?;
+        let file = std::path::Path::new(path).file_name().map_or(path.into(), |name| name.to_string_lossy());
+        let name = file.split('.').next().unwrap_or_default().to_owned();
+        Ok(Self { name, welded })
+    }
+
+    fn mesh(&self) -> &IndexedMesh {
+        &self.welded.mesh
+    }
+
+    /// The triangles of one level by meshoptimizer, which keeps original vertices as we do.
+    fn meshoptimizer(&self, share: f64) -> Fallible<Vec<u32>> {
+        let mesh = self.mesh();
+        let goal = (mesh.triangle_count() as f64 * share) as usize;
+        let vertices =
+            meshopt::VertexDataAdapter::new(bytemuck::cast_slice(&mesh.positions), size_of::<[f32; 3]>(), 0)?;
+        let indices = bytemuck::cast_slice(&mesh.triangles);
+        Ok(meshopt::simplify(indices, &vertices, 3 * goal, f32::MAX, meshopt::SimplifyOptions::None, None))
+    }
+
+    fn peer_level(&self, share: f64) -> Fallible<IndexedMesh> {
+        let indices = self.meshoptimizer(share)?;
+        let triangles: &[[u32; 3]] = bytemuck::cast_slice(&indices);
+        Ok(IndexedMesh::new(self.mesh().positions.clone(), triangles.to_vec()))
+    }
+}
+
+fn main() -> Fallible<()> {
+    if let Some(request) = memory::ChildRequest::from_environment() {
+        return request.answer();
+    }
+    let request = Request::parse(std::env::args().skip(1))?;
+    let mut out = std::io::stdout().lock();
+    if request.paths.is_empty() {
+        writeln!(out, "no meshes given: cargo bench -p striata-lab --bench quality -- path/to/bunny.ply")?;
+        return Ok(());
+    }
+    let subjects = request.paths.iter().map(|path| Subject::read(path)).collect::<Fallible<Vec<_>>>()?;
+    if request.has_promises {
+        return promises::report(&request, &subjects, &mut out);
+    }
+    if request.sample_count > 0 {
+        quality::report(&request, &subjects, &mut out)?;
+    }
+    if request.repeat_count > 0 {
+        speed::report(&request, &subjects, &mut out)?;
+        memory::report(&request, &subjects, &mut out)?;
+    }
+    Ok(())
+}

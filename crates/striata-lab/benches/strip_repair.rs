@@ -1,0 +1,207 @@
+//! Strips under level of detail: substituted, repaired, or made anew.
+//!
+//! `cargo bench -p striata-lab --bench strip_repair -- MESH...` prints Markdown tables; attributes are left out. Strips of
+//! the full mesh follow it to the base and back. The last table repeats the time of a step on terrains of growing size;
+//! times are those of the thread on its processor.
+
+#[path = "quality/table.rs"]
+mod table;
+
+use std::error::Error;
+use std::hint::black_box;
+use std::io::Write;
+use std::sync::OnceLock;
+use std::time::Instant;
+
+use striata::ignore_progress;
+use striata::mesh::{IndexedMesh, RefinableMesh, replay, shapes};
+use striata::model::{LodModel, LodStrips, StripModel};
+use striata::simplify::{SequenceOptions, build_sequence};
+use striata::strip::{StripSet, restart_triangles_into};
+use striata_strip::{
+    LiveStrips, RepairGoal, RepairOptions, RepairReport, StripOptions, Stripifier, stripify,
+};
+use table::Table;
+
+type Fallible<T> = Result<T, Box<dyn Error>>;
+
+/// Shares of the triangles that levels are compared at.
+const PERCENTS: [usize; 5] = [100, 50, 25, 10, 2];
+/// Runs that the best time is taken from.
+const RUN_COUNT: usize = 3;
+/// Sides of the terrains that time is measured on: 10 thousand, 100 thousand and a million triangles.
+const TERRAIN_SIDES: [u32; 3] = [71, 224, 708];
+
+fn main() -> Fallible<()> {
+    let paths: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let mut out = std::io::stdout().lock();
+    let mut head = vec!["mesh".to_owned(), "strips".to_owned()];
+    head.extend(PERCENTS.map(|percent| format!("{percent} %")));
+    head.extend(PERCENTS.iter().rev().skip(1).map(|percent| format!("back at {percent} %")));
+    let mut levels = Table::new(head);
+    let mut times = Table::new(TIMES_HEAD);
+    for path in &paths {
+        let mesh = striata_io::read(path)?;
+        let refinable = refinable(&IndexedMesh::new(mesh.positions, mesh.triangles))?;
+        let file = std::path::Path::new(path).file_name().map_or(path.into(), |name| name.to_string_lossy());
+        let name = file.split('.').next().unwrap_or_default().to_owned();
+        add_levels(&name, &refinable, &mut levels)?;
+        add_times(&name, &refinable, &mut times)?;
+    }
+    for side in TERRAIN_SIDES {
+        add_times("terrain", &refinable(&shapes::terrain(side, 1))?, &mut times)?;
+    }
+    writeln!(out, "Indices a triangle, restarts counted, and strips in brackets.\n")?;
+    levels.print(&mut out)?;
+    writeln!(out, "One sweep from the full mesh to the base and back, against new strips for one level.\n")?;
+    times.print(&mut out)?;
+    Ok(())
+}
+
+fn refinable(mesh: &IndexedMesh) -> Fallible<RefinableMesh> {
+    Ok(build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable)
+}
+
+/// What repair begins with and is measured by: a name and options.
+fn repairs() -> Vec<(&'static str, RepairOptions)> {
+    let goal = |goal| RepairOptions::default().with_goal(goal);
+    let quick = RepairOptions::default().with_tunnel_length(5).with_search_limit(8).with_reach(0);
+    vec![
+        ("carried on, no search", RepairOptions::default().with_tunnel_length(0)),
+        ("repaired, quick", quick),
+        ("repaired, fewest indices", goal(RepairGoal::FewestIndices)),
+        ("repaired, fewest strips", goal(RepairGoal::FewestStrips)),
+    ]
+}
+
+fn cell(strips: &StripSet) -> String {
+    let cost = strips.cost();
+    format!("{:.3} ({})", cost.indices_per_triangle, cost.strip_count)
+}
+
+fn add_levels(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {
+    let full = refinable.mesh.triangle_count();
+    let down = PERCENTS.map(|percent| refinable.sequence.split_count_for_triangles(full * percent / 100));
+    let way: Vec<usize> = down.into_iter().chain(down.into_iter().rev().skip(1)).collect();
+    let mut add = |tool: &str, cells: Vec<String>| {
+        table.push([name.to_owned(), tool.to_owned()].into_iter().chain(cells).collect());
+    };
+    let strips = stripify(&refinable.mesh, &StripOptions::default())?;
+    let model = LodStrips::build(refinable, &strips)?;
+    let mut state = model.new_state();
+    let mut cells = Vec::new();
+    for &split_count in &way {
+        model.move_to(&mut state, split_count);
+        cells.push(substituted(&model, &state));
+    }
+    add("LodStrips", cells);
+    for (tool, options) in repairs() {
+        let mut live = LiveStrips::new(refinable, down[0], &strips, &options)?;
+        let mut cells = Vec::new();
+        for (i, &split_count) in way.iter().enumerate() {
+            if i == PERCENTS.len() {
+                live.move_to(0);
+            }
+            live.move_to(split_count);
+            cells.push(cell(&live.to_strip_set()));
+        }
+        add(tool, cells);
+    }
+    for stripifier in ["greedy", "tunnel:17", "cheapest"] {
+        let Ok(stripifier) = stripifier.parse::<Stripifier>() else { continue };
+        let options = StripOptions::default().with_stripifier(stripifier);
+        let anew = |&s: &usize| Ok::<_, Box<dyn Error>>(cell(&stripify(&replay(refinable, s), &options)?));
+        let mut cells = down.iter().map(anew).collect::<Result<Vec<_>, _>>()?;
+        // They do not depend on the way.
+        cells.extend_from_within(..PERCENTS.len() - 1);
+        cells[PERCENTS.len()..].reverse();
+        add(&format!("anew, {stripifier}"), cells);
+    }
+    Ok(())
+}
+
+/// Indices a triangle and strips of LodStrips at a level.
+fn substituted(model: &LodStrips<'_>, state: &<LodStrips<'_> as LodModel>::State) -> String {
+    let (mut strip_count, mut index_count, mut triangles) = (0, 0, Vec::new());
+    for strip in 0..model.strip_count() {
+        let indices = model.strip(state, strip);
+        strip_count += usize::from(!indices.is_empty());
+        index_count += indices.len();
+        restart_triangles_into(indices, &mut triangles);
+    }
+    let with_restarts = (index_count + strip_count).saturating_sub(1);
+    format!("{:.3} ({strip_count})", with_restarts as f64 / triangles.len().max(1) as f64)
+}
+
+const TIMES_HEAD: [&str; 9] = [
+    "mesh",
+    "triangles",
+    "repair",
+    "µs a collapse",
+    "µs a split",
+    "tunnels a step",
+    "touched a step",
+    "bytes a triangle",
+    "anew, greedy, ms",
+];
+
+fn add_times(name: &str, refinable: &RefinableMesh, table: &mut Table) -> Fallible<()> {
+    let step_count = refinable.sequence.step_count();
+    let (anew_secs, strips) = best(|| stripify(&refinable.mesh, &StripOptions::default()));
+    let strips = strips?;
+    for (tool, options) in repairs() {
+        let full = LiveStrips::new(refinable, step_count, &strips, &options)?;
+        let (down_secs, (down, base)) = best_move(&full, 0);
+        let (up_secs, (up, live)) = best_move(&base, step_count);
+        let a_step = |secs: f64| format!("{:.2}", secs * 1e6 / step_count.max(1) as f64);
+        let share = |count: usize| format!("{:.2}", count as f64 / (2 * step_count).max(1) as f64);
+        table.push(vec![
+            name.to_owned(),
+            refinable.mesh.triangle_count().to_string(),
+            tool.to_owned(),
+            a_step(down_secs),
+            a_step(up_secs),
+            share(down.tunnel_count + up.tunnel_count),
+            share(down.touched_count + up.touched_count),
+            format!("{:.0}", live.bytes() as f64 / refinable.mesh.triangle_count() as f64),
+            format!("{:.1}", anew_secs * 1e3),
+        ]);
+    }
+    Ok(())
+}
+
+/// Best time of several moves from one state, the report and where the last one led.
+fn best_move<'a>(from: &LiveStrips<'a>, split_count: usize) -> (f64, (RepairReport, LiveStrips<'a>)) {
+    let run = || {
+        let mut live = from.clone();
+        let start = processor_secs();
+        let report = live.move_to(split_count);
+        (processor_secs() - start, (report, live))
+    };
+    (1..RUN_COUNT).fold(run(), |best, _| {
+        let next = run();
+        if next.0 < best.0 { next } else { best }
+    })
+}
+
+/// Best time of several runs, and what one of them made; too short for the system's account.
+fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
+    let mut run = || {
+        let start = Instant::now();
+        let made = black_box(work());
+        (start.elapsed().as_secs_f64(), made)
+    };
+    let first = run();
+    (1..RUN_COUNT).fold(first, |best, _| {
+        let next = run();
+        if next.0 < best.0 { next } else { best }
+    })
+}
+
+/// Time of this thread on a processor where the system tells it, else time on the clock.
+fn processor_secs() -> f64 {
+    static START: OnceLock<Instant> = OnceLock::new();
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanos = told.and_then(|text| text.split_whitespace().next()?.parse::<u64>().ok());
+    nanos.map_or_else(|| START.get_or_init(Instant::now).elapsed().as_secs_f64(), |nanos| nanos as f64 * 1e-9)
+}

@@ -1,0 +1,217 @@
+//! The published record of a fragment, packed to the bit.
+//!
+//! ```text
+//! heads   | anchor 32 | anchor 32 | rule 12 | down: fragment 32, loop 4 |   112 bits each
+//! counts  | loops 4 |                                                         4 bits each
+//! links   | fragment 32, loop 4 |                                            36 bits each, a fragment's in a row
+//! ```
+//!
+//! Where a fragment's links begin the paper leaves open. Here the first link of every 32nd fragment is stored, a bit each, and the
+//! counts between are added up, sixteen at a time.
+
+use striata::model::Bits;
+
+/// Loops that 4 bits can number, one number being the end of a loop.
+pub(super) const MAX_LOOPS: usize = 15;
+
+/// Instead of a loop, in the link that leads back to the covering fragment.
+const END: u32 = MAX_LOOPS as u32;
+
+const RULE_BITS: u32 = 12;
+const LOOP_BITS: u32 = 4;
+const LINK_BITS: u32 = 32 + LOOP_BITS;
+const HEAD_BITS: u32 = 64 + RULE_BITS + LINK_BITS;
+/// Counts in a word.
+const COUNTS_PER_WORD: usize = 16;
+/// Words of counts from one stored place to the next.
+const WORDS_PER_BLOCK: usize = 2;
+
+/// One element of a loop: the fragment that it leads to, and which of that one's loops goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Link {
+    pub(super) step: u32,
+    number: u32,
+}
+
+impl Link {
+    /// Which of the loops of its fragment goes on.
+    pub(super) fn number(self) -> usize {
+        self.number as usize
+    }
+
+    pub(super) fn to(step: u32, number: usize) -> Self {
+        Self { step, number: number as u32 }
+    }
+
+    /// Back to the fragment whose loop it is.
+    pub(super) fn back_to(step: u32) -> Self {
+        Self { step, number: END }
+    }
+
+    #[inline]
+    fn is_back(self) -> bool {
+        self.number == END
+    }
+
+    fn bits(self) -> u64 {
+        u64::from(self.step) | u64::from(self.number) << 32
+    }
+
+    fn of_bits(bits: u64) -> Self {
+        Self { step: bits as u32, number: (bits >> 32) as u32 }
+    }
+}
+
+/// What is stored of a fragment beside its links.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Head {
+    pub(super) anchors: [u32; 2],
+    pub(super) rule: u32,
+    pub(super) down: Link,
+}
+
+/// All fragments of a model.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Records {
+    count: usize,
+    heads: Bits,
+    /// Loops of each fragment, sixteen in a word.
+    counts: Vec<u64>,
+    links: Bits,
+    link_count: usize,
+    /// The first link of each block.
+    firsts: Vec<u32>,
+}
+
+impl Records {
+    /// Appends a fragment.
+    pub(super) fn push(&mut self, head: &Head, links: &[Link]) {
+        if self.count.is_multiple_of(COUNTS_PER_WORD) {
+            if self.counts.len().is_multiple_of(WORDS_PER_BLOCK) {
+                self.firsts.push(self.link_count as u32);
+            }
+            self.counts.push(0);
+        }
+        self.counts[self.count / COUNTS_PER_WORD] |=
+            (links.len() as u64) << (4 * (self.count % COUNTS_PER_WORD));
+        head.anchors.iter().for_each(|&anchor| self.heads.push(u64::from(anchor), 32));
+        self.heads.push(u64::from(head.rule), RULE_BITS);
+        self.heads.push(head.down.bits(), LINK_BITS);
+        links.iter().for_each(|link| self.links.push(link.bits(), LINK_BITS));
+        self.count += 1;
+        self.link_count += links.len();
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Links of all loops, those down not counted: one for each overlap.
+    pub(super) fn link_count(&self) -> usize {
+        self.link_count
+    }
+
+    #[inline]
+    pub(super) fn head(&self, step: u32) -> Head {
+        let at = step as usize * HEAD_BITS as usize;
+        let anchors = [0, 32].map(|behind| self.heads.get(at + behind, 32) as u32);
+        let rule = self.heads.get(at + 64, RULE_BITS) as u32;
+        Head { anchors, rule, down: self.down(step) }
+    }
+
+    #[inline]
+    pub(super) fn down(&self, step: u32) -> Link {
+        let at = step as usize * HEAD_BITS as usize + 64 + RULE_BITS as usize;
+        Link::of_bits(self.heads.get(at, LINK_BITS))
+    }
+
+    #[inline]
+    pub(super) fn loop_count(&self, step: u32) -> usize {
+        let step = step as usize;
+        (self.counts[step / COUNTS_PER_WORD] >> (4 * (step % COUNTS_PER_WORD)) & 15) as usize
+    }
+
+    #[inline]
+    fn link(&self, step: u32, number: u32) -> Link {
+        let word = step as usize / COUNTS_PER_WORD;
+        let block = word / WORDS_PER_BLOCK;
+        let mut at = self.firsts[block] as usize + number as usize;
+        at += self.counts[block * WORDS_PER_BLOCK..word].iter().map(|&counts| sum(counts)).sum::<usize>();
+        let before = (1u64 << (4 * (step as usize % COUNTS_PER_WORD))) - 1;
+        at += sum(self.counts[word] & before);
+        Link::of_bits(self.links.get(at * LINK_BITS as usize, LINK_BITS))
+    }
+
+    /// The fragments that a fragment covers: those of its loop.
+    #[inline]
+    pub(super) fn covered(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
+        let mut at = self.down(step);
+        std::iter::from_fn(move || {
+            let here = at;
+            (!here.is_back()).then(|| {
+                at = self.link(here.step, here.number);
+                here.step
+            })
+        })
+    }
+
+    /// The fragments that cover a fragment, each found at the end of a loop.
+    #[inline]
+    pub(super) fn covering(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
+        (0..self.loop_count(step) as u32).map(move |number| {
+            let mut at = self.link(step, number);
+            while !at.is_back() {
+                at = self.link(at.step, at.number);
+            }
+            at.step
+        })
+    }
+
+    /// Bytes of heads, of loops with their counts, and of what finds them.
+    pub(super) fn bytes(&self) -> [usize; 3] {
+        [self.heads.bytes(), self.links.bytes() + size_of_val(&self.counts[..]), 4 * self.firsts.len()]
+    }
+}
+
+/// Adds up sixteen numbers of four bits.
+#[inline]
+fn sum(counts: u64) -> usize {
+    const EVEN: u64 = 0x0F0F_0F0F_0F0F_0F0F;
+    let pairs = (counts & EVEN) + (counts >> 4 & EVEN);
+    // Eight sums of at most 30 fit a byte together.
+    (pairs.wrapping_mul(0x0101_0101_0101_0101) >> 56) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loops_are_followed_both_ways() {
+        let head = |down| Head { anchors: [u32::MAX, 7], rule: 4095, down };
+        let mut records = Records::default();
+        // 70 covers 68 and 3, 69 covers 3; all others cover nothing.
+        for step in 0..71 {
+            let (down, links) = match step {
+                3 => (Link::back_to(3), vec![Link::back_to(70), Link::back_to(69)]),
+                68 => (Link::back_to(68), vec![Link::to(3, 0)]),
+                69 => (Link::to(3, 1), vec![]),
+                70 => (Link::to(68, 0), vec![]),
+                other => (Link::back_to(other), vec![]),
+            };
+            records.push(&head(down), &links);
+        }
+        let covered = |step| records.covered(step).collect::<Vec<_>>();
+        let covering = |step| records.covering(step).collect::<Vec<_>>();
+        assert_eq!((covered(70), covered(69), covered(68)), (vec![68, 3], vec![3], vec![]));
+        assert_eq!((covering(3), covering(68), covering(70)), (vec![70, 69], vec![70], vec![]));
+        assert_eq!(records.head(70), head(Link::to(68, 0)));
+        assert_eq!((records.len(), records.link_count()), (71, 3));
+    }
+
+    #[test]
+    fn sixteen_counts_are_added_at_once() {
+        assert_eq!(sum(u64::MAX), 240);
+        assert_eq!(sum(0x1234_5678_9ABC_DEF0), 120);
+    }
+}

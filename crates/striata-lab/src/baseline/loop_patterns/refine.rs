@@ -1,0 +1,110 @@
+//! Selective refinement: \[KG98\] section 3.4.
+//!
+//! A triangle belongs to the overlap of the fragment that makes it, told by its youngest corner, with one that covers it. An
+//! overlap is part of the current triangulation where the lower fragment is inserted and the upper one is not.
+
+use striata::model::{Condition, Overlap, PatternChange};
+
+use super::{LoopPatterns, LoopPatternsState};
+
+impl LoopPatterns {
+    /// Goes to the smallest closed set of fragments in which no overlap is too coarse, from wherever the instance is.
+    ///
+    /// That set is the same for any condition, also where a fine overlap may be too coarse and the one below it not; the
+    /// two steps of the paper may then stop above it.
+    ///
+    /// # Panics
+    /// If the state belongs to another model.
+    pub fn adapt(&self, state: &mut LoopPatternsState, condition: &impl Condition) -> PatternChange {
+        state.check(self);
+        let coarse = |lower, upper| condition.is_too_coarse(Overlap { lower, upper });
+        let wanted = self.base_covers.iter().copied().filter(|&upper| coarse(None, upper)).collect();
+        let change = state.inserted.change_to(wanted, |step, waiting| {
+            waiting.extend(self.records.covered(step));
+            waiting.extend(self.records.covering(step).filter(|&upper| coarse(Some(step), upper)));
+        });
+        state.apply(self, &change);
+        PatternChange { inserted: change.inserted.len(), removed: change.removed.len() }
+    }
+
+    /// Removes fragments from the top as long as none of the overlaps in their floors is too coarse; how many went.
+    ///
+    /// # Panics
+    /// If the state belongs to another model.
+    pub fn coarsen(&self, state: &mut LoopPatternsState, condition: &impl Condition) -> usize {
+        state.check(self);
+        let mut waiting = state.inserted.steps().to_vec();
+        let mut count = 0;
+        while let Some(step) = waiting.pop() {
+            let is_top = |step| !self.records.covering(step).any(|upper| state.inserted.has(upper));
+            if !state.inserted.has(step) || !is_top(step) || self.is_wanted(step, condition) {
+                continue;
+            }
+            state.remove_fragment(self, step);
+            count += 1;
+            waiting.extend(self.records.covered(step));
+        }
+        count
+    }
+
+    /// Whether an overlap in the floor of a fragment is too coarse.
+    fn is_wanted(&self, step: u32, condition: &impl Condition) -> bool {
+        let is_coarse = |lower| condition.is_too_coarse(Overlap { lower, upper: step });
+        self.base_covers.binary_search(&step).is_ok() && is_coarse(None)
+            || self.records.covered(step).any(|lower| is_coarse(Some(lower)))
+    }
+
+    /// Inserts the upper fragments of all overlaps that are too coarse, with what they stand on, until there are none; how many
+    /// fragments came.
+    ///
+    /// # Panics
+    /// If the state belongs to another model.
+    pub fn refine(&self, state: &mut LoopPatternsState, condition: &impl Condition) -> usize {
+        state.check(self);
+        let coarse = |lower, upper| condition.is_too_coarse(Overlap { lower, upper });
+        let mut arrived = state.inserted.steps().to_vec();
+        let mut count = 0;
+        for &upper in &self.base_covers {
+            if !state.inserted.has(upper) && coarse(None, upper) {
+                count += self.lay_foundation(state, upper, &mut arrived);
+            }
+        }
+        while let Some(step) = arrived.pop() {
+            for upper in self.records.covering(step) {
+                if !state.inserted.has(upper) && coarse(Some(step), upper) {
+                    count += self.lay_foundation(state, upper, &mut arrived);
+                }
+            }
+        }
+        count
+    }
+
+    /// Inserts a fragment, and first what it stands on; how many fragments came.
+    ///
+    /// # Panics
+    /// If there is no such fragment, or the state belongs to another model.
+    pub fn insert(&self, state: &mut LoopPatternsState, step: u32) -> usize {
+        state.check(self);
+        self.lay_foundation(state, step, &mut Vec::new())
+    }
+
+    /// The paper's `layFoundation`, with a list of what waits instead of recursion; lists what comes.
+    fn lay_foundation(&self, state: &mut LoopPatternsState, step: u32, arrived: &mut Vec<u32>) -> usize {
+        let before = state.inserted.len();
+        let mut waiting = vec![step];
+        while let Some(&step) = waiting.last() {
+            if state.inserted.has(step) {
+                waiting.pop();
+                continue;
+            }
+            let count = waiting.len();
+            waiting.extend(self.records.covered(step).filter(|&below| !state.inserted.has(below)));
+            if waiting.len() == count {
+                waiting.pop();
+                state.insert_fragment(self, step);
+                arrived.push(step);
+            }
+        }
+        state.inserted.len() - before
+    }
+}

@@ -1,0 +1,131 @@
+//! Progressive meshes: one list of triangles, edited in place by the record of each step \[Hop96\], \[Hop98\].
+//!
+//! The triangles of each group stand in the order in which refinement brings them back, so those of a level are
+//! the first so many of their group. A step's record names the corners that change between its vertices and
+//! their targets, and says how many triangles come or go: no triangle is ever moved or copied. A triangle
+//! that goes keeps its corners as they were, which is what they have to be when it comes back.
+//!
+//! ```text
+//! group of the list | base | step 0 | step 1 | step 2 | ... | last step |
+//! split count 2     | ------- shown ------- | - waiting, as they were - |
+//! ```
+//!
+//! Differs: \[Hop96\] places vertices anew and splits into wedges as it refines; here collapses are half-edge
+//! collapses over one vertex buffer, so attributes need no record. \[Hop98\] finds the corners of a split by
+//! walking around the vertex, with the neighbours of each triangle kept in the instance; here they are listed, which
+//! serves any mesh, needs no neighbours and makes a step a few writes. A corner is a word, a count is a byte.
+//!
+//! Cost: a step touches about three corners and two triangles. Building is linear in the corners that change, but
+//! for sorting.
+
+mod build;
+mod counts;
+mod state;
+
+use std::ops::Range;
+
+use self::counts::{Counts, GroupNumbers};
+pub use self::state::ProgressiveMeshesState;
+use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, Topology};
+
+use crate::paper_bytes::{Accounting, PaperBytes};
+
+/// The static half of the model; see the [module](self).
+///
+/// [`ProgressiveMeshesState::indices`] is the list that a renderer draws,
+/// [`group_ranges`](Self::group_ranges) says what of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProgressiveMeshes {
+    step_count: usize,
+    vertices: StepVertices<'static>,
+    /// The list of the full mesh, three indices a triangle.
+    indices: Vec<u32>,
+    /// First triangle of each group in the list, closed by the number of triangles.
+    group_offsets: Vec<u32>,
+    /// Places in the list that change from a vertex to its target, vertex by vertex above the base.
+    corners: Vec<u32>,
+    /// For each vertex above the base, how many of `corners` are its own.
+    corner_counts: Counts,
+    /// For each step, how many triangles its collapse removes.
+    removed_counts: Counts,
+    /// The groups of these, step by step.
+    removed_groups: GroupNumbers,
+}
+
+impl ProgressiveMeshes {
+    /// Groups of triangles.
+    pub fn group_count(&self) -> usize {
+        self.group_offsets.len() - 1
+    }
+
+    /// For each group (material) the range of [`ProgressiveMeshesState::indices`] to draw as triangles.
+    ///
+    /// # Panics
+    /// If the state belongs to a model of another shape.
+    pub fn group_ranges(&self, state: &ProgressiveMeshesState) -> impl Iterator<Item = Range<u32>> {
+        assert_eq!(state.live_counts().len(), self.group_count(), "the state belongs to another model");
+        let live = self.group_offsets.iter().zip(state.live_counts());
+        live.map(|(&first, &count)| 3 * first..3 * (first + count))
+    }
+}
+
+impl LodModel for ProgressiveMeshes {
+    type State = ProgressiveMeshesState;
+
+    fn step_count(&self) -> usize {
+        self.step_count
+    }
+
+    fn new_state(&self) -> ProgressiveMeshesState {
+        ProgressiveMeshesState::new(self)
+    }
+
+    fn split_count(&self, state: &ProgressiveMeshesState) -> usize {
+        state.split_count()
+    }
+
+    fn move_to(&self, state: &mut ProgressiveMeshesState, split_count: usize) {
+        state.move_to(self, split_count);
+    }
+
+    fn topology(&self) -> Topology {
+        Topology::Triangles
+    }
+
+    fn draw_counts(&self, state: &ProgressiveMeshesState) -> DrawCounts {
+        let triangle_count: usize = state.live_counts().iter().map(|&n| n as usize).sum();
+        DrawCounts { strip_count: 0, index_count: 3 * triangle_count }
+    }
+
+    fn indices_into(&self, state: &ProgressiveMeshesState, out: &mut Vec<u32>) {
+        for range in self.group_ranges(state) {
+            out.extend_from_slice(&state.indices()[range.start as usize..range.end as usize]);
+        }
+    }
+
+    fn bytes(&self) -> Vec<PartBytes> {
+        let part = |name, bytes| PartBytes { name, bytes };
+        let counts = self.corner_counts.bytes() + self.removed_counts.bytes() + self.removed_groups.bytes();
+        vec![
+            part("triangles", 4 * self.indices.len()),
+            part("targets", 4 * self.vertices.word_count()),
+            part("corners", 4 * self.corners.len()),
+            part("counts", counts + 4 * self.group_offsets.len()),
+        ]
+    }
+
+    fn state_bytes(&self, state: &ProgressiveMeshesState) -> usize {
+        state.bytes()
+    }
+}
+
+impl PaperBytes for ProgressiveMeshes {
+    /// The list of the full mesh, three long indices a triangle: that holds the triangles that splits bring, too. A
+    /// split: for each vertex its target, a pointer to its corners and a long index for each; and the number of
+    /// triangles that come.
+    fn paper_bytes(&self, accounting: Accounting) -> usize {
+        let target_count = self.vertices.vertex_count() - self.vertices.base_vertex_count() as usize;
+        let splits = 2 * target_count + self.corners.len();
+        accounting.bytes(self.step_count, self.indices.len() + splits)
+    }
+}

@@ -1,0 +1,146 @@
+//! Writing: each fragment told by its place in the level before it.
+
+use std::collections::HashMap;
+
+use striata::mesh::{FragmentSequence, FragmentedMesh};
+use striata::model::{Bits, ModelError};
+
+use super::{
+    ANCHOR_BITS, LONG_NEIGHBOUR, LONG_NEIGHBOUR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOUR_BITS, Neighbours,
+    OPENS_TWICE, RULE_BITS, SequentialPatterns,
+};
+use crate::baseline::loop_patterns::{Found, Rule, Shape, Side, Surface, check_form};
+
+impl SequentialPatterns {
+    /// Writes all levels of a mesh.
+    ///
+    /// # Errors
+    /// [`ModelError`] naming the first step, or the triangle of the base, that the published form cannot hold, as
+    /// [`LoopPatterns::build`](crate::baseline::LoopPatterns::build) does.
+    pub fn encode(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
+        let fragments = &mesh.fragments;
+        let levels = fragments.levels();
+        let positions = levels.positions();
+        check_form(mesh.mesh.groups.len(), positions.vertex_count(), positions.position_count())?;
+        let base_vertex_count = levels.base_vertex_count();
+        let base: Vec<[u32; 3]> =
+            fragments.faces()[..fragments.base_face_count()].iter().map(|face| face.corners).collect();
+        let surface = Surface::new(&base, base_vertex_count)
+            .map_err(|(place, reason)| ModelError::Listed { what: "triangle of the base", place, reason })?;
+        if base_vertex_count > 3 * base.len() {
+            let (found, limit) = (base_vertex_count as u64, 3 * base.len() as u64);
+            return Err(ModelError::Form { what: "vertices of the base", found, limit });
+        }
+        let shapes = shapes_of(fragments)?;
+        let (rules, numbers) = number_rules(&shapes)?;
+        let mut bytes = Vec::new();
+        for count in [base_vertex_count, base.len(), shapes.len(), rules.len()] {
+            bytes.extend_from_slice(&(count as u32).to_le_bytes());
+        }
+        base.as_flattened().iter().for_each(|v| bytes.extend_from_slice(&v.to_le_bytes()));
+        for code in &rules {
+            let rule = Rule::of_code(code);
+            bytes.extend_from_slice(&[rule.ring_len() as u8, u8::from(rule.is_open)]);
+            bytes.extend_from_slice(rule.apexes);
+        }
+        let mut writer = Writer {
+            surface,
+            bits: Bits::default(),
+            around: Neighbours::default(),
+            found: Found::default(),
+            star: Vec::new(),
+        };
+        for (step, (shape, number)) in shapes.iter().zip(numbers).enumerate() {
+            let vertex = (base_vertex_count + step) as u32;
+            writer.push(vertex, shape, number).map_err(|reason| ModelError::Step { step, reason })?;
+        }
+        bytes.extend_from_slice(writer.bits.as_bytes());
+        Ok(Self { bytes, step_count: shapes.len(), fragment_bits: writer.bits.len() })
+    }
+}
+
+/// What each fragment looks like.
+fn shapes_of(fragments: &FragmentSequence) -> Result<Vec<Shape>, ModelError> {
+    let base_vertex_count = fragments.levels().base_vertex_count();
+    let corners = |face: u32| fragments.faces()[face as usize].corners;
+    let shape = |step: usize| {
+        let ceiling: Vec<_> = fragments.ceiling(step as u32).map(corners).collect();
+        let floor: Vec<_> = fragments.floor(step as u32).iter().map(|&face| corners(face)).collect();
+        Shape::of((base_vertex_count + step) as u32, &ceiling, &floor)
+            .map_err(|reason| ModelError::Step { step, reason })
+    };
+    (0..fragments.step_count()).map(shape).collect()
+}
+
+/// The codes of all rules, those that are met most often first, and the number of each shape's.
+fn number_rules(shapes: &[Shape]) -> Result<(Vec<&[u8]>, Vec<u32>), ModelError> {
+    let mut counts: HashMap<&[u8], u32> = HashMap::new();
+    for shape in shapes {
+        *counts.entry(&shape.code).or_insert(0) += 1;
+    }
+    let mut sorted: Vec<(&[u8], u32)> = counts.iter().map(|(&code, &count)| (code, count)).collect();
+    sorted.sort_unstable_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
+    let limit = 1 << LONG_RULE_BITS;
+    if sorted.len() > limit {
+        return Err(ModelError::Form { what: "rules", found: sorted.len() as u64, limit: limit as u64 });
+    }
+    sorted.iter().zip(0..).for_each(|(&(code, _), number)| *counts.entry(code).or_insert(0) = number);
+    let numbers = shapes.iter().map(|shape| counts[&shape.code[..]]).collect();
+    Ok((sorted.into_iter().map(|(code, _)| code).collect(), numbers))
+}
+
+struct Writer {
+    surface: Surface,
+    bits: Bits,
+    around: Neighbours,
+    found: Found,
+    star: Vec<Side>,
+}
+
+impl Writer {
+    fn push(&mut self, vertex: u32, shape: &Shape, rule_number: u32) -> Result<(), &'static str> {
+        let rule = Rule::of_code(&shape.code);
+        let a = shape.ring[0];
+        self.around.find(&self.surface, a);
+        let place = self.find(rule, shape).ok_or("has a floor that is not where its anchors are")?;
+        let is_hung = rule.apexes.is_empty();
+        if rule.is_open && !is_hung && !self.surface.is_openable(&self.found, &mut self.star) {
+            return Err(OPENS_TWICE);
+        }
+        self.write(u64::from(rule_number), LONG_RULE, [RULE_BITS, LONG_RULE_BITS]);
+        self.bits.push(u64::from(a), ANCHOR_BITS);
+        let counted = self.around.counted(place) as u64;
+        self.write(counted, LONG_NEIGHBOUR, [NEIGHBOUR_BITS, LONG_NEIGHBOUR_BITS]);
+        self.surface.add_vertex();
+        self.surface.put_fan(vertex, rule, &mut self.found);
+        Ok(())
+    }
+
+    /// The place of the second anchor among the neighbours of the first; leaves the floor in `found`.
+    fn find(&mut self, rule: Rule, shape: &Shape) -> Option<usize> {
+        let [a, b] = [shape.ring[0], shape.ring[1]];
+        let mut places = 0..self.around.count();
+        if rule.apexes.is_empty() {
+            let last = places.next_back()?;
+            let is_it = !self.around.is_closed && self.around.vertex(&self.surface, last) == b;
+            self.found.hang([a, b], self.around.star[last.checked_sub(1)?].0);
+            return is_it.then_some(last);
+        }
+        places.find(|&place| {
+            self.around.vertex(&self.surface, place) == b
+                && self.around.side(place).is_some_and(|side| {
+                    self.surface.find_floor(rule, side, &mut self.found) && self.found.ring == shape.ring
+                })
+        })
+    }
+
+    /// A number, or what says that it is longer and then the number.
+    fn write(&mut self, number: u64, long: u64, [width, long_width]: [u32; 2]) {
+        if number < long {
+            self.bits.push(number, width);
+        } else {
+            self.bits.push(long, width);
+            self.bits.push(number, long_width);
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! What is published and that we only compare with: nothing that anybody ships depends on it.
+//!
+//! [`baseline`] holds models of level of detail as their papers have them, [`mts_graph`] the graph of \[BRR02\] that
+//! [`Mts`](striata::model::Mts) does better. They implement the traits of [`striata::model`] and show the same triangles
+//! over the same vertex buffer as the library's models, so that what is compared is the data structure alone.
+//! [`PaperBytes`] counts the bytes of all of them, the library's included, as the papers count.
+//!
+//! ```
+//! use striata::mesh::shapes;
+//! use striata::model::{LodModel, LodStrips};
+//! use striata::simplify::build_sequence;
+//! use striata::strip::{StripOptions, stripify};
+//! use striata_lab::{Accounting, PaperBytes, baseline::ProgressiveMeshes};
+//!
+//! let torus = shapes::torus(32, 16, 1.0, 0.4);
+//! let refinable = build_sequence(&torus, &Default::default(), &mut striata::ignore_progress)?.refinable;
+//! let strips = stripify(&refinable.mesh, &StripOptions::default())?;
+//! let (ours, theirs) = (LodStrips::build(&refinable, &strips)?, ProgressiveMeshes::build(&refinable));
+//! assert_eq!(ours.step_count(), theirs.step_count());
+//! assert!(ours.paper_bytes(Accounting::Words) < theirs.paper_bytes(Accounting::Words));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod baseline;
+pub mod mts_graph;
+mod paper_bytes;
+
+pub use mts_graph::{MtsGraph, MtsGraphState};
+pub use paper_bytes::{Accounting, PaperBytes};
