@@ -7,17 +7,17 @@
 //!
 //! ```
 //! use striata::mesh::shapes;
-//! use striata::model::{LodModel, LodStrips};
+//! use striata::model::{LodModel, Mts};
 //! use striata::simplify::build_sequence;
 //! use striata::strip::{StripOptions, stripify};
-//! use striata_lab::{Accounting, PaperBytes, baseline::ProgressiveMeshes};
+//! use striata_lab::{Accounting, MtsGraph, PaperBytes};
 //!
 //! let torus = shapes::torus(32, 16, 1.0, 0.4);
 //! let refinable = build_sequence(&torus, &Default::default(), &mut striata::ignore_progress)?.refinable;
 //! let strips = stripify(&refinable.mesh, &StripOptions::default())?;
-//! let (ours, theirs) = (LodStrips::build(&refinable, &strips)?, ProgressiveMeshes::build(&refinable));
-//! assert_eq!(ours.step_count(), theirs.step_count());
-//! assert!(ours.paper_bytes(Accounting::Words) < theirs.paper_bytes(Accounting::Words));
+//! let (ours, published) = (Mts::build(&refinable, &strips)?, MtsGraph::build(&refinable, &strips)?);
+//! assert_eq!(ours.step_count(), published.step_count());
+//! assert!(ours.paper_bytes(Accounting::Words) < published.paper_bytes(Accounting::Words));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
