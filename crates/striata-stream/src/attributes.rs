@@ -1,6 +1,5 @@
 //! Attributes of new vertices: whom to ask, and where the answers are kept.
 
-use super::super::entropy::Coder;
 use super::base_hood::BaseHoods;
 use super::growth::Growth;
 use super::layer_hood::{LayerHood, LayerValues};
@@ -10,6 +9,7 @@ use super::ring_fit::RingFit;
 use super::surface::{NONE, Surface, next, previous};
 use super::wedges::SplitWedges;
 use super::{Effort, StreamVersion};
+use crate::entropy::Coder;
 
 /// The layers of a stream, as far as it has come.
 #[derive(Clone, Debug)]

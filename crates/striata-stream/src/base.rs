@@ -1,9 +1,9 @@
 //! The base mesh that the splits begin with.
 
-use super::super::entropy::{AdaptiveNumber, Coder, Rate};
 use super::source::Source;
 use super::surface::{NONE, Surface, SurfaceDefect};
 use super::wedges::WedgeModel;
+use crate::entropy::{AdaptiveNumber, Coder, Rate};
 
 /// A closed surface of few triangles, its vertices numbered as on both sides: virtual ones, then copies of positions.
 #[derive(Clone, Debug, Default)]

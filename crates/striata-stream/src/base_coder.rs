@@ -7,9 +7,9 @@
 
 use std::collections::HashMap;
 
-use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
 use super::base::Base;
 use super::surface::{NONE, SurfaceDefect};
+use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
 
 /// Which parts of a writer's base are where in what a reader gets.
 #[derive(Clone, Debug, Default)]

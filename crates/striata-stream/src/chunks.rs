@@ -1,6 +1,5 @@
 //! From a sequence in batch order to compressed chunks.
 
-use super::super::entropy::{PART_COUNT, RangeWriter};
 use super::base::Base;
 use super::base_coder::BaseLimits;
 use super::descent::Descent;
@@ -9,7 +8,8 @@ use super::head::{least_bytes, least_bytes_in_all};
 use super::refiner::{Refiner, Terms};
 use super::surface_stage::StepDefect;
 use super::truth::{Points, Truth, base_of};
-use crate::mesh::RefinableMesh;
+use crate::entropy::{PART_COUNT, RangeWriter};
+use striata::mesh::RefinableMesh;
 
 /// Splits of a chunk: what is checked, and can be asked for, at once.
 const CHUNK_SPLITS: usize = 4096;
@@ -40,7 +40,7 @@ pub(super) struct Chunks {
     pub(super) base_positions: Vec<u32>,
     /// Vertices of the mesh in the order of the stream; empty where each position is one.
     pub(super) source_vertex: Vec<u32>,
-    /// Bits by part, in the order of [`Part`](super::super::entropy::Part).
+    /// Bits by part, in the order of [`Part`](crate::entropy::Part).
     pub(super) spent: [f64; PART_COUNT],
 }
 

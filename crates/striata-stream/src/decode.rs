@@ -2,19 +2,18 @@
 
 use std::ops::Range;
 
-use super::super::entropy::RangeReader;
-use super::super::{DecodeError, SectionKind};
-use super::StreamDefect;
 use super::base::Base;
 use super::base_coder::BaseLimits;
 use super::growth::Growth;
 use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length, most_wedges_beyond};
 use super::layers::LayerForm;
+use super::prefix::PrefixMesh;
 use super::refiner::{Ended, Refiner, Terms};
 use super::source::Unknown;
-use crate::mesh::{
-    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, PrefixMesh, RefinableMesh, SequenceParts,
-    TriangleGroup,
+use super::{DecodeError, StreamDefect};
+use crate::entropy::RangeReader;
+use striata::mesh::{
+    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
 };
 
 /// What some bytes have brought: append [`vertices`](Self::vertices) to a vertex buffer, write
@@ -37,7 +36,7 @@ pub struct StreamUpdate {
 ///
 /// # Example
 /// ```
-/// use striata::codec::progressive::{StreamDecoder, StreamOptions, encode_stream};
+/// use striata_stream::{StreamDecoder, StreamOptions, encode_stream};
 /// use striata::mesh::shapes;
 /// use striata::simplify::{BatchOptions, build_batches};
 ///
@@ -129,8 +128,8 @@ impl StreamDecoder {
         if !self.is_over {
             return Ok(());
         }
-        let (kind, offset) = (SectionKind::STREAM, self.read as usize);
-        Err(DecodeError::Malformed { kind, offset, reason: "reading has ended here" })
+        let offset = self.read as usize;
+        Err(DecodeError::Malformed { offset, reason: "reading has ended here" })
     }
 
     /// Reads what a last, incomplete chunk tells, its checksum unknown. No more bytes can follow.

@@ -9,7 +9,7 @@ use super::chunks::BatchDefect;
 use super::general_stage::{GeneralStage, LevelTriangles};
 use super::surface_stage::SurfaceStage;
 use super::{StreamVersion, cutting};
-use crate::mesh::RefinableMesh;
+use striata::mesh::RefinableMesh;
 
 /// A stretch of the way.
 #[derive(Debug)]

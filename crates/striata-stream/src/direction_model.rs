@@ -5,13 +5,13 @@
 //! last is exact, wherever on the arc the vertex lies. Which of these, or which sum of them, did best lately is asked for
 //! each degree of conflict between geometry and neighbours: where they agree geometry is best, where not the mean.
 
-use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::directions::{Octahedron, scaled};
 use super::layer_history::LayerHistory;
 use super::layer_hood::{BASE_KIND, KINDS, LayerHood, LayerValues};
 use super::least_squares::LeastSquares;
 use super::residuals::{Contest, Expected, Residuals, SCALES, scale_of};
 use super::{Effort, StreamVersion};
+use crate::entropy::{AdaptiveBit, Coder, Rate};
 
 /// Bits of the length that directions have where they are added.
 pub(super) const UNIT_BITS: u32 = 15;

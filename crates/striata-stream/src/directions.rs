@@ -1,6 +1,6 @@
 //! Directions on the unfolded octahedron, in integers: prediction, and differences across its folds.
 //!
-//! The grid is that of [`octahedral`](crate::mesh::octahedral). A point of the square is a direction whose absolute
+//! The grid is that of [`octahedral`](striata::mesh::octahedral). A point of the square is a direction whose absolute
 //! coordinates sum to the half side; sums of such directions, brought back to the grid, serve as means. Where a
 //! prediction lies in the lower half, both it and what is coded are seen from below, so that the seam of the square is
 //! always far from where differences are small.
@@ -87,7 +87,7 @@ pub(super) fn scaled(direction: [i64; 3], length: i64) -> [i64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Random, octahedral};
+    use striata::mesh::{Random, octahedral};
 
     /// Points that mean a direction, each direction once.
     fn points(bits: u32) -> Vec<[i32; 2]> {

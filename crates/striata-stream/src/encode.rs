@@ -1,6 +1,5 @@
 //! The writer's front: options, the stream's bytes, and what they were spent on.
 
-use super::super::EncodeError;
 use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, encode_chunks};
 use super::descent::Descent;
@@ -11,7 +10,8 @@ use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
 use super::truth::Points;
 use super::{Effort, StreamVersion};
-use crate::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
+use striata::file::EncodeError;
+use striata::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
 
 /// How exactly positions are kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,7 +84,7 @@ impl StreamOptions {
 }
 
 /// How many steps of the grid an edge's shape should weigh in the batches of a stream
-/// ([`BatchOptions::shape_step`](crate::simplify::BatchOptions::shape_step)): regular leftovers are cheap to foretell.
+/// ([`BatchOptions::shape_step`](striata::simplify::BatchOptions::shape_step)): regular leftovers are cheap to foretell.
 pub const SHAPE_STEPS: f64 = 1.5;
 
 /// What the bytes of a stream are spent on; the sum is all of it.
@@ -164,7 +164,7 @@ pub enum StreamError {
     Text(#[from] EncodeError),
 }
 
-/// Codes a mesh with its sequence, whose steps are in batches as [`build_batches`](crate::simplify::build_batches) makes
+/// Codes a mesh with its sequence, whose steps are in batches as [`build_batches`](striata::simplify::build_batches) makes
 /// them: `batches` are the split counts at which batches begin, closed by the number of steps.
 ///
 /// # Errors
@@ -260,7 +260,7 @@ fn head_of(
     (options, terms): (&StreamOptions, &Terms),
 ) -> Head {
     let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
-    let group = |g: &crate::mesh::TriangleGroup| GroupName { name: g.name.clone(), material: g.material };
+    let group = |g: &striata::mesh::TriangleGroup| GroupName { name: g.name.clone(), material: g.material };
     let mut before = 0;
     let rows = chunks.chunks.iter().map(|chunk| {
         // Within a batch steps change places, so the error of its beginning holds for all of it.

@@ -1,6 +1,6 @@
 //! What the head of a stream says of the whole of it.
 
-use super::super::DecodeError;
+use super::DecodeError;
 use super::head::{Head, head_length};
 use super::{Effort, StreamVersion};
 

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::chunks::BatchDefect;
 use super::surface::NONE;
-use crate::mesh::RefinableMesh;
+use striata::mesh::RefinableMesh;
 
 /// The triangles of the mesh that a level has, and what they show.
 #[derive(Debug)]

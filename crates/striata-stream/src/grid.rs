@@ -9,8 +9,8 @@
 //! Differs from the usual grids of coders: the step is the same along all axes, and a tolerance is kept with all
 //! rounding counted in.
 
-use super::super::entropy::{AdaptiveNumber, Coder, Rate};
-use crate::mesh::Bounds;
+use crate::entropy::{AdaptiveNumber, Coder, Rate};
+use striata::mesh::Bounds;
 
 /// The most bits a coordinate may take.
 pub(crate) const MAX_BITS: u32 = 24;
@@ -262,9 +262,9 @@ impl CorrectionModel {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::entropy::{RangeReader, RangeWriter};
     use super::*;
-    use crate::mesh::Random;
+    use crate::entropy::{RangeReader, RangeWriter};
+    use striata::mesh::Random;
 
     fn cloud(scale: f32, offset: f32, seed: u64) -> Vec<[f32; 3]> {
         let mut random = Random::new(seed);

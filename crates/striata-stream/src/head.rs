@@ -10,17 +10,16 @@
 //! 16           counts, grid, layers, groups, appearance, metadata, chunks
 //! ```
 
-use super::super::byte_reader::{ByteReader, put_block};
-use super::super::mesh_sections::{appearance_from_bytes, appearance_to_bytes};
-use super::super::{DecodeError, EncodeError, SectionKind};
+use striata::file::{EncodeError, appearance_from_bytes, appearance_to_bytes};
+use striata::mesh::Appearance;
+
+use super::byte_reader::{ByteReader, put_block, write_varint};
 use super::grid::PositionGrid;
 use super::layers::LayerForm;
-use super::{Effort, StreamDefect, StreamVersion};
-use crate::mesh::Appearance;
-use crate::model::write_varint;
+use super::{DecodeError, Effort, StreamDefect, StreamVersion};
 
-/// The first bytes of a stream.
-pub const STREAM_MAGIC: [u8; 4] = *b"\x89STR";
+pub use striata::file::STREAM_MAGIC;
+
 /// The newest version of streams that is read.
 const NEWEST: u8 = 2;
 /// Bytes of the head that are always there.
@@ -124,7 +123,7 @@ pub(super) fn head_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> {
     let length = u32::from_le_bytes([fixed[8], fixed[9], fixed[10], fixed[11]]) as usize;
     if length < FIXED_BYTES {
         let reason = "the head is shorter than its own beginning";
-        return Err(DecodeError::Malformed { kind: SectionKind::STREAM, offset: 8, reason });
+        return Err(DecodeError::Malformed { offset: 8, reason });
     }
     Ok(Some(length))
 }
@@ -217,7 +216,7 @@ impl Head {
         if found != expected {
             return Err(DecodeError::HeaderChecksum { found, expected });
         }
-        let mut reader = ByteReader::new(SectionKind::STREAM, bytes);
+        let mut reader = ByteReader::new(bytes);
         let version = version_of(reader.bytes(5)?[4]).unwrap_or_default();
         let effort = match reader.u8()? {
             0 => Effort::Fast,
@@ -244,7 +243,7 @@ impl Head {
         let groups = read_groups(&mut reader)?;
         let appearance = match reader.block()? {
             [] => Appearance::default(),
-            bytes => appearance_from_bytes(bytes)?,
+            bytes => appearance_from_bytes(bytes).map_err(DecodeError::Appearance)?,
         };
         let mut metadata = Vec::new();
         for _ in 0..reader.short_count(8)? {

@@ -4,9 +4,9 @@
 //! often share a normal, and so do all corners of a flat part. Whether a vertex copies another one is asked first, in the
 //! context of how many vertices around it did. If none did, the answer costs next to nothing.
 
-use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::layer_hood::{KINDS, LayerHood, LayerValues};
 use super::residuals::{SCALES, scale_of};
+use crate::entropy::{AdaptiveBit, Coder, Rate};
 
 /// Vertices around that are looked at.
 const MOST_AROUND: usize = 8;
@@ -178,9 +178,9 @@ fn resemblance(values: &LayerValues, hood: &LayerHood<'_>) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::entropy::{RangeReader, RangeWriter};
     use super::super::ring_fit::RingFit;
     use super::*;
+    use crate::entropy::{RangeReader, RangeWriter};
 
     /// Vertices in a row; every second has the value of the one before it, or of the one before that.
     fn code<C: Coder>(coder: &mut C, meant: &[i32]) -> Vec<Option<u32>> {

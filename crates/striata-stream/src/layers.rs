@@ -5,11 +5,11 @@
 //! them where the caller wants every bit) are stored as the integers that order them. Numbers made of a layer's integers
 //! give the same integers again, so a stream can be written again without further loss.
 
-use super::super::DecodeError;
-use super::super::byte_reader::{ByteReader, put_u32};
-use super::super::mesh_sections::{semantic_code, semantic_of};
+use super::DecodeError;
+use super::byte_reader::{ByteReader, put_u32};
 use super::grid::{Axis, MAX_BITS, from_ordered, ordered};
-use crate::mesh::{AttributeLayer, LayerData, Semantic, octahedral};
+use striata::file::{semantic_code, semantic_of};
+use striata::mesh::{AttributeLayer, LayerData, Semantic, octahedral};
 
 /// How many bits attributes get.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -396,9 +396,8 @@ fn read_axis(reader: &mut ByteReader<'_>) -> Result<Axis, DecodeError> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::SectionKind;
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     fn unit(random: &mut Random) -> [f32; 3] {
         let v = [(); 3].map(|()| random.between(-1.0, 1.0));
@@ -536,11 +535,11 @@ mod tests {
             let form = LayerForm::of(&layer, &LayerOptions::default());
             let mut bytes = Vec::new();
             form.write(&mut bytes);
-            let mut reader = ByteReader::new(SectionKind::LAYER, &bytes);
+            let mut reader = ByteReader::new(&bytes);
             assert_eq!(LayerForm::read(&mut reader).unwrap(), form);
             reader.end().unwrap();
             for length in 0..bytes.len() {
-                assert!(LayerForm::read(&mut ByteReader::new(SectionKind::LAYER, &bytes[..length])).is_err());
+                assert!(LayerForm::read(&mut ByteReader::new(&bytes[..length])).is_err());
             }
         }
     }
@@ -556,7 +555,7 @@ mod tests {
                 for value in [0, 1, 2, 5, 17, 25, 128, 255] {
                     let mut bad = bytes.clone();
                     bad[at] = value;
-                    let Ok(form) = LayerForm::read(&mut ByteReader::new(SectionKind::LAYER, &bad)) else {
+                    let Ok(form) = LayerForm::read(&mut ByteReader::new(&bad)) else {
                         continue;
                     };
                     let integers: Vec<i32> =

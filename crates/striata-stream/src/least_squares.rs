@@ -85,7 +85,7 @@ impl<const N: usize> LeastSquares<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     #[test]
     fn weights_of_predictions_that_resemble_each_other_are_found() {

@@ -4,11 +4,35 @@
 //! vertex splits, a cut which of its triangles go to the new vertex; then the new vertices' places and attributes
 //! are told relative to what is around them. The idea of sending fragments coarse to fine is that of \[KG98\] (3.1), with
 //! the batches of \[PR00\]; connectivity is not stored by rules but predicted from the geometry that is there.
+//!
+//! [`encode_stream`] writes a stream and [`StreamDecoder`] reads it in pieces of any size. [`GrowingHierarchy`] shows views of what
+//! has come. [`open`] reads `.striata` files whose mesh is a stream, and [`file_model`] stores a stream in such a file.
+//!
+//! # Example
+//! ```
+//! use striata::mesh::shapes;
+//! use striata::simplify::{BatchOptions, build_batches};
+//! use striata_stream::{StreamDecoder, StreamOptions, encode_stream};
+//!
+//! let mesh = shapes::torus(32, 16, 1.0, 0.4);
+//! let built = build_batches(&mesh, &BatchOptions::default(), &mut striata::ignore_progress)?;
+//! let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default())?;
+//!
+//! let mut decoder = StreamDecoder::new();
+//! for piece in stream.bytes.chunks(100) {
+//!     let update = decoder.push(piece)?;
+//!     println!("{} more vertices, {} more triangles", update.vertices.len(), update.triangles.len());
+//! }
+//! assert!(decoder.is_complete());
+//! assert_eq!(decoder.triangles().len(), mesh.triangle_count());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod attributes;
 mod base;
 mod base_coder;
 mod base_hood;
+mod byte_reader;
 mod chunks;
 mod connectivity;
 mod cutting;
@@ -17,11 +41,15 @@ mod descent;
 mod direction_model;
 mod directions;
 mod encode;
+mod entropy;
+mod error;
 mod facts;
+mod files;
 mod general;
 mod general_order;
 mod general_stage;
 mod grid;
+pub mod growing;
 mod growth;
 mod head;
 mod hidden_wedges;
@@ -35,6 +63,7 @@ mod mixed_number;
 mod number_model;
 mod order;
 mod positions;
+mod prefix;
 mod quick;
 mod quick_cuts;
 mod refiner;
@@ -54,10 +83,14 @@ pub use decode::{StreamDecoder, StreamUpdate};
 pub use encode::{
     EncodedStream, Precision, SHAPE_STEPS, StreamError, StreamOptions, StreamSizes, encode_stream,
 };
+pub use error::{DecodeError, StreamDefect};
 pub use facts::StreamFacts;
+pub use files::{file_model, open, open_cut, open_stream, open_with};
 pub use grid::GridError;
+pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
 pub use head::STREAM_MAGIC;
 pub use layers::{LayerBitsError, LayerOptions};
+pub use prefix::PrefixMesh;
 pub use surface::SurfaceDefect;
 pub use surface_stage::StepDefect;
 
@@ -95,69 +128,8 @@ impl StreamVersion {
     }
 }
 
-/// What can be wrong within a stream whose bytes are as they were written.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum StreamDefect {
-    /// There are so many batches of so few splits that reading them would take for ever.
-    #[error("{batch_count} batches were read, and they are too many for so few splits")]
-    Batches {
-        /// Batches read.
-        batch_count: u32,
-    },
-    /// The grid is none.
-    #[error(transparent)]
-    Grid(#[from] GridError),
-    /// The stream ends before its base mesh does.
-    #[error("it ends before the base mesh does")]
-    NoBase,
-    /// The base is no closed surface.
-    #[error("the base mesh is no surface: {0}")]
-    Base(#[from] SurfaceDefect),
-    /// A position lies off the grid.
-    #[error("position {position} lies off the grid")]
-    Place {
-        /// The position, in the order of the stream.
-        position: usize,
-    },
-    /// Positions have more vertices than so few bytes can tell.
-    #[error("chunk {chunk} tells of more vertices than its bytes can")]
-    Wedges {
-        /// The chunk, from 0, which holds the base.
-        chunk: usize,
-    },
-    /// A chunk's bytes are damaged.
-    #[error("chunk {chunk} at byte {offset} is damaged: checksum {found:08x}, expected {expected:08x}")]
-    Checksum {
-        /// The chunk, from 0, which holds the base.
-        chunk: usize,
-        /// Where it begins in the stream.
-        offset: u64,
-        /// Checksum of the bytes.
-        found: u32,
-        /// Checksum that the head holds.
-        expected: u32,
-    },
-    /// What was decoded is not what the head promises.
-    #[error("it gives {found} {what}, but its head says {expected}")]
-    Count {
-        /// What is counted.
-        what: &'static str,
-        /// What came.
-        found: u64,
-        /// What was promised.
-        expected: u64,
-    },
-    /// A step brings a triangle that has two corners at one position.
-    #[error("step {step} brings a triangle without three different corners")]
-    Step {
-        /// The step, from 0.
-        step: usize,
-    },
-    /// A batch splits nothing, so that the stream would never end.
-    #[error("batch {batch} splits no vertex")]
-    EmptyBatch {
-        /// The batch, from 1.
-        batch: u32,
-    },
-}
+/// The examples of both readmes, compiled with the documentation's tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+#[doc = include_str!("../README.md")]
+struct Readme;

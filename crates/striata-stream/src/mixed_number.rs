@@ -1,10 +1,10 @@
 //! Integers under several contexts at once: what each has learned of a decision is mixed.
 //!
-//! The decisions are those of [`AdaptiveNumber`](super::super::entropy::AdaptiveNumber): zero, sign, doubling buckets, two bits below the first. Each context has
+//! The decisions are those of [`AdaptiveNumber`](crate::entropy::AdaptiveNumber): zero, sign, doubling buckets, two bits below the first. Each context has
 //! probabilities of its own, and a mixer weighs them \[Mah05\], so a context that tells nothing costs nothing. Some four
 //! times the work of one context.
 
-use super::super::entropy::{AdaptiveBit, Coder, Mixer, Rate, log_odds};
+use crate::entropy::{AdaptiveBit, Coder, Mixer, Rate, log_odds};
 
 /// Decisions there are: zero, sign, 31 buckets, 3 for the top bits of each.
 const NODES: usize = 2 + 31 + 32 * 3;
@@ -82,9 +82,9 @@ impl<const N: usize> MixedNumber<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::entropy::{AdaptiveNumber, RangeReader, RangeWriter};
     use super::*;
-    use crate::mesh::Random;
+    use crate::entropy::{AdaptiveNumber, RangeReader, RangeWriter};
+    use striata::mesh::Random;
 
     #[test]
     fn numbers_of_all_sizes_come_back() {

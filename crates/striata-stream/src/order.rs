@@ -1,7 +1,7 @@
 //! A mesh in the order of its stream, so that models beside a stream number vertices and levels as it does.
 
 use super::EncodedStream;
-use crate::mesh::{CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts};
+use striata::mesh::{CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts};
 
 impl EncodedStream {
     /// The mesh that was coded, its vertices and steps in the order of the stream; positions are as they were, not on the grid.
@@ -91,14 +91,15 @@ fn errors_in_order(steps: &[u32], sequence: &CollapseSequence) -> Vec<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::codec::progressive::StreamSizes;
-    use crate::mesh::{canonical_triangles, replay, shapes};
-    use crate::simplify::{SequenceOptions, build_sequence};
+    use crate::StreamSizes;
+    use striata::mesh::{canonical_triangles, replay, shapes};
+    use striata::simplify::{SequenceOptions, build_sequence};
 
     #[test]
     fn levels_that_have_the_same_steps_show_the_same() {
         let mesh = shapes::torus(16, 8, 1.0, 0.4);
-        let built = build_sequence(&mesh, &SequenceOptions::default(), &mut crate::ignore_progress).unwrap();
+        let built =
+            build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap();
         let refinable = built.refinable;
         let sequence = &refinable.sequence;
         let base = sequence.base_vertex_count();

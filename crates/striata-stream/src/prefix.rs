@@ -2,11 +2,9 @@
 
 use std::ops::Range;
 
-use super::is_proper;
-
 /// Borrowed arrays of a mesh that grows step by step: a stream whose bytes are still arriving, for example.
 ///
-/// Vertices are numbered in refinement order, as in a [`CollapseSequence`](super::CollapseSequence). Triangles are listed in the
+/// Vertices are numbered in refinement order, as in a [`CollapseSequence`](striata::mesh::CollapseSequence). Triangles are listed in the
 /// order in which steps add them, so every level uses a prefix of the triangles as well as of the vertices.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PrefixMesh<'a> {
@@ -109,6 +107,11 @@ impl<'a> PrefixMesh<'a> {
             }
         }
     }
+}
+
+/// Whether a triangle has three different corners.
+pub(crate) fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
+    a != b && b != c && c != a
 }
 
 #[cfg(test)]

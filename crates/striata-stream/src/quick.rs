@@ -6,7 +6,6 @@
 //! vertex is missing. Cuts around vertices of few triangles are two symbols (`quick_cuts.rs`); around others, and in streams of
 //! the first version, they are chains of decisions. Effort default takes cuts of few triangles from `connectivity/learned.rs`.
 
-use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::connectivity::{LearnedCuts, Scene, Spoke as LearnedSpoke};
 use super::positions::Surroundings;
 use super::quick_cuts::{self, Edge, QuickCuts};
@@ -14,6 +13,7 @@ use super::rings::{Neighbour, Rings};
 use super::surface::{Cut, NONE, Surface, triangle_of};
 use super::walk::Walk;
 use super::{Effort, StreamVersion};
+use crate::entropy::{AdaptiveBit, Coder, Rate};
 
 /// What is kept with a vertex.
 #[derive(Clone, Copy, Debug, Default)]
@@ -486,7 +486,7 @@ fn look_around(
 mod tests {
     use super::super::cutting::close;
     use super::*;
-    use crate::mesh::shapes;
+    use striata::mesh::shapes;
 
     #[test]
     fn what_is_kept_follows_vertices_to_new_numbers() {

@@ -3,7 +3,7 @@
 //! Runs are ranked by the lengths of their edges, inner ones counting twice, since a vertex is missing where edges are long;
 //! and by how few triangles lie around the vertices at their ends, which get one more.
 
-use super::super::entropy::{Coder, QuickSymbol};
+use crate::entropy::{Coder, QuickSymbol};
 
 /// Rings have at most so many triangles here.
 pub(super) const MOST: usize = 16;
@@ -147,9 +147,9 @@ fn best(mut starts: u32, scores: &[i64; MOST]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::entropy::{RangeReader, RangeWriter};
     use super::*;
-    use crate::mesh::Random;
+    use crate::entropy::{RangeReader, RangeWriter};
+    use striata::mesh::Random;
 
     fn random_edges(random: &mut Random) -> Vec<Edge> {
         let edge = |random: &mut Random| Edge {

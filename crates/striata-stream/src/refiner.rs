@@ -3,7 +3,6 @@
 //! One generic code over a [`Coder`]: a writer has a [`Source`] that knows what is to come, a reader has none. So the two
 //! cannot disagree, as long as models look only at what has been coded.
 
-use super::super::entropy::{Coder, Part};
 use super::attributes::{Actual, Around, Attributes};
 use super::base::Base;
 use super::base_coder::{BaseLimits, code_base};
@@ -22,6 +21,7 @@ use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::{Walk, WalkOrder};
 use super::wedges::{Split, SplitWedges, WedgeModel};
 use super::{Effort, StreamDefect, StreamVersion};
+use crate::entropy::{Coder, Part};
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.
 const STRETCH: usize = 1024;

@@ -123,7 +123,7 @@ fn normal(arms: &[[i64; 3]], is_closed: bool) -> [i64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     fn fitted(centre: [i32; 3], ring: &[[i32; 3]]) -> RingFit {
         let mut fit = RingFit::default();

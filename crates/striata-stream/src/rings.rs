@@ -101,7 +101,7 @@ impl Rings {
 mod tests {
     use super::super::cutting::close;
     use super::*;
-    use crate::mesh::shapes;
+    use striata::mesh::shapes;
 
     #[test]
     fn rings_are_those_of_the_surface() {

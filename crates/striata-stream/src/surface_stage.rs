@@ -7,7 +7,7 @@ use super::cutting::Closed;
 use super::descent::close_level;
 use super::general_stage::LevelTriangles;
 use super::surface::{NONE, Surface, Undo, next, previous, triangle_of};
-use crate::mesh::RefinableMesh;
+use striata::mesh::RefinableMesh;
 
 /// What keeps a step from being coded as a vertex split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

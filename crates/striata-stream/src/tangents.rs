@@ -4,7 +4,7 @@ use super::direction_model::UNIT_BITS;
 use super::directions::{Octahedron, scaled};
 use super::layer_hood::{LayerHood, LayerValues};
 use super::layers::{LayerForm, Transform};
-use crate::mesh::Semantic;
+use striata::mesh::Semantic;
 
 /// What tangents follow from: texture coordinates, in whose first direction they point, and normals, which they are
 /// perpendicular to.
@@ -75,7 +75,7 @@ mod tests {
     use super::super::layers::{LayerOptions, NumberType};
     use super::super::ring_fit::RingFit;
     use super::*;
-    use crate::mesh::AttributeLayer;
+    use striata::mesh::AttributeLayer;
 
     #[test]
     fn tangents_follow_texture_coordinates() {

@@ -11,7 +11,7 @@ use super::layer_hood::LayerValues;
 use super::source::Source;
 use super::surface::{Cut, NONE, Surface, Undo, triangle_of};
 use super::surface_stage::SurfaceStage;
-use crate::mesh::RefinableMesh;
+use striata::mesh::RefinableMesh;
 
 /// Where the positions of the mesh are, and what its vertices have beside.
 pub(super) struct Points {
@@ -172,7 +172,7 @@ fn base_triangles(surface: &Surface, undo: &[Undo]) -> (Vec<u32>, Vec<u32>) {
 fn groups_of_triangles(refinable: &RefinableMesh) -> Vec<u32> {
     let groups = refinable.mesh.groups_or_whole();
     let of_group =
-        |(g, group): (u32, &crate::mesh::TriangleGroup)| std::iter::repeat_n(g, group.count as usize);
+        |(g, group): (u32, &striata::mesh::TriangleGroup)| std::iter::repeat_n(g, group.count as usize);
     (0..).zip(groups.iter()).flat_map(of_group).collect()
 }
 

@@ -259,7 +259,7 @@ impl Walk {
 mod tests {
     use super::super::cutting::close;
     use super::*;
-    use crate::mesh::shapes;
+    use striata::mesh::shapes;
 
     /// A grid, whose boundary is one virtual vertex: 0.
     fn surface() -> Surface {

@@ -8,13 +8,13 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::super::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
 use super::StreamVersion;
 use super::general::CodedStep;
 use super::growth::Growth;
 use super::hidden_wedges::HiddenWedges;
 use super::source::Source;
 use super::surface::{NONE, Surface, next, previous, triangle_of};
+use crate::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
 
 /// Answers whether a guess is right: by who asks, whether both guesses agree, and which it is.
 const GUESSES: usize = ASKED * 2 * 2;

@@ -1,17 +1,21 @@
 //! A hierarchy that grows step by step shows what replay and fans show, however its steps are handed over.
 
+#[path = "../../striata/tests/meshes/mod.rs"]
 mod meshes;
 
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
-use striata::codec::progressive::{StreamDecoder, StreamOptions, encode_stream};
 use striata::mesh::{
-    CollapseSequence, IndexedMesh, PositionIndex, PrefixMesh, RefinableMesh, SequenceParts,
-    canonical_triangles, replay, shapes,
+    CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles, replay,
+    shapes,
 };
-use striata::model::{FanBounds, FanFront, FanInstance, FanScene, Fans, GrowingHierarchy, HierarchyCut};
+use striata::model::{FanBounds, FanFront, FanInstance, FanScene, Fans};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::view::{Camera, Criterion, Part, ScreenError};
+use striata_stream::{
+    GrowingHierarchy, HierarchyCut, PrefixMesh, StreamDecoder, StreamOptions, encode_stream,
+};
 use support::{
     Case, Random, Whim, hub_cases, nasty_cases, seam_cases, selective_triangles, surface_cases,
     with_seams_and_groups,

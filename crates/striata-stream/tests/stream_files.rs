@@ -1,14 +1,16 @@
 //! Files with streams: alone and beside models, whole and cut off.
 
+#[path = "../../striata/tests/meshes/mod.rs"]
 mod meshes;
+#[path = "../../striata/tests/support/mod.rs"]
 mod support;
 
-use striata::codec::progressive::{EncodedStream, StreamOptions, encode_stream};
-use striata::codec::{DecodeError, FileModel, SectionKind, StriataFile, WriteOptions, to_striata};
+use striata::file::{DecodeError, FileModel, SectionKind, WriteOptions, to_striata};
 use striata::mesh::{RefinableMesh, canonical_triangles, replay, shapes};
 use striata::model::{LodModel, LodStrips};
 use striata::simplify::{BatchOptions, build_batches};
 use striata::strip::{StripOptions, stripify};
+use striata_stream::{EncodedStream, StreamOptions, encode_stream, file_model, open, open_cut, open_stream};
 use support::with_seams_and_groups;
 
 struct Made {
@@ -25,7 +27,7 @@ fn make(mesh: &striata::mesh::IndexedMesh) -> Made {
 
 fn alone(made: &Made) -> Vec<u8> {
     let options = WriteOptions::default().with_metadata("source", "torus");
-    to_striata(&made.refinable, &[FileModel::Progressive(&made.stream.bytes)], &options).unwrap()
+    to_striata(&made.refinable, &[file_model(&made.stream.bytes).unwrap()], &options).unwrap()
 }
 
 #[test]
@@ -35,7 +37,7 @@ fn a_mesh_in_the_order_of_its_stream_has_its_levels() {
     for mesh in plain.into_iter().chain(seamed) {
         let made = make(&mesh);
         let bytes = alone(&made);
-        let decoded = StriataFile::parse(&bytes).unwrap().refinable_mesh().unwrap();
+        let decoded = open(&bytes).unwrap().refinable_mesh().unwrap();
         let (ours, theirs) = (&made.refinable, &decoded);
         assert_eq!(ours.sequence.positions(), theirs.sequence.positions());
         assert_eq!(ours.sequence.targets(), theirs.sequence.targets());
@@ -58,7 +60,7 @@ fn a_mesh_in_the_order_of_its_stream_has_its_levels() {
 fn a_stream_alone_is_all_that_a_file_needs() {
     let made = make(&shapes::torus(40, 20, 1.0, 0.4));
     let bytes = alone(&made);
-    let file = StriataFile::parse(&bytes).unwrap();
+    let file = open(&bytes).unwrap();
     let kinds: Vec<_> = file.sections().iter().map(|s| s.kind).collect();
     assert_eq!(kinds, [SectionKind::SUMMARY, SectionKind::METADATA, SectionKind::STREAM]);
     assert!(file.is_stream_only() && !file.is_cut() && file.has_collapses());
@@ -78,7 +80,7 @@ fn a_stream_alone_is_all_that_a_file_needs() {
     assert!(matches!(file.level(step_count + 1), Err(DecodeError::SplitCount { .. })));
     assert!(file.lod_strips().is_none() && file.fans().is_none() && file.strips().is_none());
     // The bare stream stands for the same.
-    let bare = StriataFile::from_stream(&made.stream.bytes).unwrap();
+    let bare = open_stream(&made.stream.bytes).unwrap();
     assert_eq!(bare.refinable_mesh().unwrap(), refinable);
     let (mut a, b) = (file.summary(), bare.summary());
     assert!(a.bounds.take().is_some());
@@ -91,15 +93,14 @@ fn models_and_stream_lie_in_one_file() {
     let made = make(&shapes::torus(40, 20, 1.0, 0.4));
     let strips = stripify(&made.refinable.mesh, &StripOptions::default()).unwrap();
     let model = LodStrips::build(&made.refinable, &strips).unwrap();
-    let models = [FileModel::Progressive(&made.stream.bytes), FileModel::LodStrips(&model)];
+    let models = [file_model(&made.stream.bytes).unwrap(), FileModel::LodStrips(&model)];
     let bytes = to_striata(&made.refinable, &models, &WriteOptions::default()).unwrap();
-    let file = StriataFile::parse(&bytes).unwrap();
+    let file = open(&bytes).unwrap();
     assert_eq!(file.sections().last().map(|s| s.kind), Some(SectionKind::STREAM));
     assert!(!file.is_stream_only());
     assert_eq!(file.mesh().unwrap().positions, made.refinable.mesh.positions);
     assert_eq!(file.lod_strips().unwrap().unwrap().step_count(), model.step_count());
-    let decoded =
-        StriataFile::from_stream(file.stream().unwrap().unwrap()).unwrap().refinable_mesh().unwrap();
+    let decoded = open_stream(file.stream().unwrap().unwrap()).unwrap().refinable_mesh().unwrap();
     let split_count = model.step_count() / 2;
     let [a, b] = [file.level(split_count).unwrap(), replay(&decoded, split_count)];
     assert_eq!(canonical_triangles(&a.triangles), canonical_triangles(&b.triangles));
@@ -109,15 +110,15 @@ fn models_and_stream_lie_in_one_file() {
 fn a_file_that_is_cut_off_has_the_beginning_of_its_stream() {
     let made = make(&shapes::torus(40, 20, 1.0, 0.4));
     let bytes = alone(&made);
-    let whole = StriataFile::parse(&bytes).unwrap();
+    let whole = open(&bytes).unwrap();
     let full = whole.refinable_mesh().unwrap();
     let stream = *whole.sections().last().unwrap();
     let offset = stream.offset as usize;
     let mut counts = Vec::new();
     for length in 0..bytes.len() {
         let part = &bytes[..length];
-        assert!(StriataFile::parse(part).is_err(), "{length}");
-        let file = match StriataFile::parse_cut(part) {
+        assert!(open(part).is_err(), "{length}");
+        let file = match open_cut(part) {
             Ok(file) => file,
             Err(error) => {
                 assert!(
@@ -146,12 +147,12 @@ fn a_file_that_is_cut_off_has_the_beginning_of_its_stream() {
         }
     }
     assert!(counts.len() > 20 && counts.is_sorted(), "{counts:?}");
-    assert!(StriataFile::parse_cut(&bytes).is_ok_and(|file| !file.is_cut()));
+    assert!(open_cut(&bytes).is_ok_and(|file| !file.is_cut()));
     // No file is longer than it says, and none without a stream may be cut off.
     let longer = [&bytes[..], &[0]].concat();
-    assert!(matches!(StriataFile::parse_cut(&longer), Err(DecodeError::FileLength { .. })));
+    assert!(matches!(open_cut(&longer), Err(DecodeError::FileLength { .. })));
     let plain = to_striata(&made.refinable, &[], &WriteOptions::default()).unwrap();
-    assert!(matches!(StriataFile::parse_cut(&plain[..plain.len() - 1]), Err(DecodeError::FileLength { .. })));
+    assert!(matches!(open_cut(&plain[..plain.len() - 1]), Err(DecodeError::FileLength { .. })));
 }
 
 #[test]
@@ -161,14 +162,14 @@ fn damaged_files_do_no_harm() {
     for at in (0..bytes.len()).step_by(3) {
         let mut hurt = bytes.clone();
         hurt[at] ^= 0x20;
-        if let Ok(file) = StriataFile::parse(&hurt) {
+        if let Ok(file) = open(&hurt) {
             // What lies between sections is not looked at.
             if let Ok(mesh) = file.mesh() {
                 assert_eq!(mesh.triangle_count(), made.refinable.mesh.triangle_count());
             }
         }
         // The end of a file that is cut off is not checked: any sound mesh may come.
-        let cut = StriataFile::parse_cut(&hurt[..hurt.len() - 1]);
+        let cut = open_cut(&hurt[..hurt.len() - 1]);
         if let Ok(mesh) = cut.and_then(|file| file.mesh()) {
             mesh.check().unwrap();
         }
@@ -180,15 +181,23 @@ fn streams_of_other_meshes_are_refused() {
     let made = make(&shapes::torus(24, 12, 1.0, 0.4));
     let other = make(&shapes::torus(24, 11, 1.0, 0.4));
     let refused = |stream: &[u8]| {
-        to_striata(&made.refinable, &[FileModel::Progressive(stream)], &WriteOptions::default()).unwrap_err()
+        let written = file_model(stream)
+            .and_then(|model| to_striata(&made.refinable, &[model], &WriteOptions::default()));
+        written.unwrap_err()
     };
     assert_eq!(
         refused(&other.stream.bytes).to_string(),
         "the progressive model has 264 vertices, the mesh has 288"
     );
+    let whole = made.stream.bytes.len();
+    assert_eq!(
+        refused(&made.stream.bytes[..whole - 1]).to_string(),
+        format!("the progressive model has {} bytes, the mesh has {whole}", whole - 1)
+    );
     assert!(refused(&made.stream.bytes[..100]).to_string().contains("bytes"));
     assert!(refused(b"no stream").to_string().contains("bytes"));
-    let twice = [FileModel::Progressive(&made.stream.bytes); 2];
+    assert!(file_model(&[&made.stream.bytes[..], &[0]].concat()).is_err());
+    let twice = [file_model(&made.stream.bytes).unwrap(); 2];
     let error = to_striata(&made.refinable, &twice, &WriteOptions::default()).unwrap_err();
     assert!(error.to_string().contains("more than once"), "{error}");
 }

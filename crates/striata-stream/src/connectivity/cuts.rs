@@ -5,10 +5,10 @@
 //! after each split every weight that had a say moves along the gradient of what the split cost. Scores without what a run
 //! brings as a whole are running sums, cheap enough to ask of every vertex how well it could split.
 
-use super::super::super::entropy::Coder;
 use super::patch::{self, Patch};
 use super::ring::{Ring, Spoke};
 use super::softmax::{Choice, SCORE_ONE, exponential, log_sum};
+use crate::entropy::Coder;
 
 /// Most triangles of a run that the model knows; longer ones are told in another way.
 pub(super) const LONGEST: usize = 12;

@@ -1,6 +1,6 @@
 //! Whether a vertex splits: many small contexts, mixed.
 
-use super::super::super::entropy::{AdaptiveBit, Coder, Mixer, Rate, Refiner, log_odds};
+use crate::entropy::{AdaptiveBit, Coder, Mixer, Rate, Refiner, log_odds};
 
 /// Contexts are below this.
 const CONTEXT_SIZE: usize = 1024;

@@ -5,10 +5,10 @@
 //! a part for its length. A run is told by two symbols, its length and then its beginning, both with the shares that the
 //! exponentials of scores come to. All weights then move along the gradient.
 
-use super::super::super::entropy::{Coder, QuickShares, log2_q8};
 use super::super::quick_cuts::MOST;
 use super::ring::{cross, dot, dot_wide, log2_wide, mean};
 use super::softmax::{SCORE_ONE, exponential};
+use crate::entropy::{Coder, QuickShares, log2_q8};
 
 /// Features of an edge, as places in one table that has weights for ends and for inner edges.
 const LENGTHS: usize = 17;
@@ -359,9 +359,9 @@ fn triangle_keys(area: i32, against: i32, (is_blunt, tangent): (bool, i32)) -> [
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::super::entropy::{RangeReader, RangeWriter};
     use super::*;
-    use crate::mesh::Random;
+    use crate::entropy::{RangeReader, RangeWriter};
+    use striata::mesh::Random;
 
     fn random_spokes(random: &mut Random) -> Vec<Spoke> {
         let reach = 1 << random.below(24);

@@ -29,10 +29,10 @@ mod softmax;
 #[cfg(test)]
 mod tests;
 
-use super::super::entropy::{AdaptiveBit, Coder, Rate};
 use super::Effort;
 use super::surface::{Cut, Surface, next, triangle_of};
 use super::walk::Walk;
+use crate::entropy::{AdaptiveBit, Coder, Rate};
 use cuts::{CutModel, LONGEST};
 use flags::{FlagModel, Question};
 pub(super) use learned::{LearnedCuts, Spoke};

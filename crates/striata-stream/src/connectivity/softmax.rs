@@ -3,7 +3,7 @@
 //! Scores are natural logarithms in 1/65536. Their exponentials come from a table that is made by integer arithmetic
 //! when the library is compiled.
 
-use super::super::super::entropy::{Coder, Refiner, log_odds, log2_q8};
+use crate::entropy::{Coder, Refiner, log_odds, log2_q8};
 
 /// One in scores.
 pub(super) const SCORE_ONE: i32 = 1 << 16;
@@ -139,9 +139,9 @@ fn halve<C: Coder>(coder: &mut C, weights: &[u32], total: u64, actual: usize) ->
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::super::entropy::{RangeReader, RangeWriter};
     use super::*;
-    use crate::mesh::Random;
+    use crate::entropy::{RangeReader, RangeWriter};
+    use striata::mesh::Random;
 
     #[test]
     fn exponentials_and_logarithms_are_right() {

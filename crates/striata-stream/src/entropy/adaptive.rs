@@ -81,7 +81,7 @@ impl AdaptiveBit {
 mod tests {
     use super::super::{RangeReader, RangeWriter};
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     #[test]
     fn first_decisions_count_most() {

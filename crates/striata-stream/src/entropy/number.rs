@@ -90,7 +90,7 @@ pub(crate) fn code_uniform<C: Coder>(coder: &mut C, count: u32, meant: u32) -> u
 mod tests {
     use super::super::{RangeReader, RangeWriter};
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     fn numbers() -> Vec<i32> {
         let mut random = Random::new(11);

@@ -122,7 +122,7 @@ pub(super) fn symbol_at(shares: &QuickShares, place: i16) -> usize {
 mod tests {
     use super::super::{RangeReader, RangeWriter};
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     fn triangular(count: usize, seed: u64) -> Vec<usize> {
         let mut random = Random::new(seed);

@@ -305,7 +305,7 @@ impl Coder for RangeReader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     /// Decisions with their probabilities, every 16th of them raw bits.
     fn message(seed: u64, count: usize, is_extreme: bool) -> Vec<(u32, u32)> {

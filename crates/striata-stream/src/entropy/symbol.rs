@@ -61,7 +61,7 @@ pub(crate) fn code_symbol<C: Coder>(
 mod tests {
     use super::super::{RangeReader, RangeWriter};
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     #[test]
     fn symbols_come_back_near_their_entropy() {

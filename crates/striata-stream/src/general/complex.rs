@@ -98,7 +98,7 @@ impl Complex {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     #[test]
     fn corners_follow_their_positions() {

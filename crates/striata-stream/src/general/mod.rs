@@ -18,7 +18,7 @@ mod shown;
 mod stage;
 mod step;
 
-use super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
+use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
 use model::GeneralModel;
 use shown::ShownModel;
 

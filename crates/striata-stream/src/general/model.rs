@@ -5,9 +5,9 @@
 
 use std::collections::HashMap;
 
-use super::super::super::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
 use super::complex::Complex;
 use super::step::{Born, CodedStep, KnownStep};
+use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
 
 /// Rings of more triangles are not brought into order.
 const LARGE_RING: usize = 32;

@@ -5,12 +5,12 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::super::super::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
 use super::super::growth::Growth;
 use super::super::surface::NONE;
 use super::super::wedges::WedgeModel;
 use super::complex::Complex;
 use super::step::{CodedStep, KnownBorn, KnownStep};
+use crate::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
 
 /// Guesses for one corner.
 const GUESSES: usize = 3;

@@ -1,6 +1,5 @@
 //! A general batch within the loop that both sides run.
 
-use super::super::super::entropy::{Coder, Part};
 use super::super::StreamDefect;
 use super::super::attributes::{GeneralVertex, RingVertex};
 use super::super::cutting::{Closed, close_used};
@@ -8,6 +7,7 @@ use super::super::refiner::{Ended, Refiner, actual_layers};
 use super::super::source::Source;
 use super::super::surface::NONE;
 use super::{CodedStep, Complex, KnownStep};
+use crate::entropy::{Coder, Part};
 
 impl Refiner {
     /// Codes whether the next batch is a general one, and gets ready for it.

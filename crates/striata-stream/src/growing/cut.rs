@@ -3,9 +3,9 @@
 use std::collections::BinaryHeap;
 
 use super::{ALL_THROUGH, GrowingHierarchy, NONE};
-use crate::mesh::PrefixMesh;
-use crate::model::step_bits::StepBits;
-use crate::view::{Criterion, Part, Verdict};
+use crate::PrefixMesh;
+use striata::model::StepBits;
+use striata::view::{Criterion, Part, Verdict};
 
 /// Steps that are asked about together: few enough to stay in a cache.
 const ASKED_TOGETHER: usize = 64;

@@ -9,8 +9,9 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::{ALL_THROUGH, GrowingHierarchy, NONE};
-use crate::mesh::{PrefixMesh, is_proper};
-use crate::view::{NormalCone, Part, Sphere};
+use crate::PrefixMesh;
+use crate::prefix::is_proper;
+use striata::view::{NormalCone, Part, Sphere};
 
 /// Entries that the lists of needs may have for each new step on average, and beyond that in all. Meshes take about 6 a step. A list
 /// that would exceed the sum stands for its largest entry and all older steps, so that damaged streams do not exhaust memory.
@@ -21,7 +22,7 @@ impl GrowingHierarchy {
     /// Appends the steps that have arrived since the last call.
     ///
     /// `changed` lists the older triangles with other corners than before, without repetitions, as
-    /// [`StreamUpdate`](crate::codec::progressive::StreamUpdate) does; further triangles do no harm. `error` is the error of the level that
+    /// [`StreamUpdate`](crate::StreamUpdate) does; further triangles do no harm. `error` is the error of the level that
     /// lacks a step, mesh units, and must not rise with the step.
     ///
     /// # Panics
@@ -140,7 +141,8 @@ impl Change {
         // Rounded up, so that the farthest corner is held.
         let radius = if self.square > 0.0 { (self.square.sqrt() as f32).next_up() } else { 0.0 };
         let sphere = Sphere { center: self.center, radius };
-        Part { sphere, cone: NormalCone::of_normals(&self.normals), error }
+        let cone = NormalCone::of_normals(self.normals.iter().map(DVec3::to_array));
+        Part { sphere, cone, error }
     }
 }
 

@@ -3,7 +3,7 @@
 //! Each step is a node. To refine a step, every position around the restored vertex has to be active, and the position that it
 //! collapses to; the hierarchy lists these steps for each step (`grow.rs`). A **cut** is a set of refined steps that holds what each of
 //! them needs (`cut.rs`). It shows the triangles that its steps add, and each corner of a triangle is the first active vertex along the
-//! chain of targets. These are the triangles of [`FanInstance`](super::FanInstance) for the same set of steps, whatever the topology of
+//! chain of targets. These are the triangles of [`FanInstance`](striata::model::FanInstance) for the same set of steps, whatever the topology of
 //! the steps is.
 //!
 //! ```text
@@ -29,7 +29,7 @@ mod grow;
 
 pub use cut::{CutUpdate, HierarchyCut};
 
-use crate::view::Part;
+use striata::view::Part;
 
 /// No step: the parent of a node that hangs from the base, or the end of a list.
 const NONE: u32 = u32::MAX;
@@ -44,11 +44,10 @@ const ALL_THROUGH: u32 = 1 << 31;
 ///
 /// # Example
 /// ```
-/// use striata::codec::progressive::{StreamDecoder, StreamOptions, encode_stream};
 /// use striata::mesh::shapes;
-/// use striata::model::{GrowingHierarchy, HierarchyCut};
 /// use striata::simplify::{BatchOptions, build_batches};
 /// use striata::view::Part;
+/// use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamOptions, encode_stream};
 ///
 /// let built = build_batches(&shapes::torus(32, 16, 1.0, 0.4), &BatchOptions::default(), &mut striata::ignore_progress)?;
 /// let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default())?;

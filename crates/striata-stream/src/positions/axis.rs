@@ -5,12 +5,12 @@
 //! two questions after that for the side. Each answer has a probability under every density, and one from counters for how
 //! often it went so at this point of the tree under like circumstances; two mixers weigh them, and their mean counts.
 
-use super::super::super::entropy::{
-    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q8, log2_q16, probability,
-};
 use super::bumps::{Bumps, Width, below};
 use super::local::Local;
 use super::mixed::AxisCoder;
+use crate::entropy::{
+    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q8, log2_q16, probability,
+};
 
 const COUNTERS: usize = 4;
 const DEPTHS: usize = 6;

@@ -39,7 +39,7 @@ impl<const N: usize> Blend<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Random;
+    use striata::mesh::Random;
 
     #[test]
     fn a_blend_finds_the_weights_of_what_it_sees() {

@@ -3,12 +3,12 @@
 //! The two axes along which the surface runs most are coded first. After each, guesses that were near count more
 //! for the next one; for the last, all guesses are moved along the surface to where the vertex now must be.
 
-use super::super::super::entropy::Coder;
 use super::super::hood::Hood;
 use super::axis::Axis;
 use super::blend::Blend;
 use super::guesses::KINDS;
 use super::sight::{FEATURES, Sight, normal_order};
+use crate::entropy::Coder;
 
 /// Logarithms of half the widths of bumps, along the surface and across it, in local units.
 type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];

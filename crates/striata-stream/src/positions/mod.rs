@@ -34,9 +34,9 @@ mod plain;
 mod quick;
 mod sight;
 
-use super::super::entropy::Coder;
 use super::hood::Hood;
 use super::{Effort, StreamVersion};
+use crate::entropy::Coder;
 pub(super) use ahead::Surroundings;
 use axis::AxisModel;
 use cells::CellModel;

@@ -3,8 +3,8 @@
 //! The prediction blends the middle of the ring, what the triangles around it point to, and the vertex that split, by learned
 //! weights. What is left is one symbol an axis, and the bits below.
 
-use super::super::super::entropy::{AdaptiveNumber, Coder, QuickSymbol, Rate, code_by_two, log2_q8};
 use super::ahead::{Outlook, POINTS, Surroundings};
+use crate::entropy::{AdaptiveNumber, Coder, QuickSymbol, Rate, code_by_two, log2_q8};
 
 /// Kinds of sizes, and kinds of disagreement.
 const SIZES: usize = 64;

@@ -1,12 +1,12 @@
 //! Positions of made-up surfaces, there and back.
 
-use super::super::super::entropy::{Coder, RangeReader, RangeWriter};
 use super::super::cutting::close;
 use super::super::hood::Hood;
 use super::super::surface::{NONE, Surface, next};
 use super::super::{Effort, StreamVersion};
 use super::{CellModel, MixedModel, PositionModel, Surroundings};
-use crate::mesh::{IndexedMesh, Random, shapes};
+use crate::entropy::{Coder, RangeReader, RangeWriter};
+use striata::mesh::{IndexedMesh, Random, shapes};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
 /// All models that there are.

@@ -1,7 +1,6 @@
 //! Reading and writing the small mixed sections: numbers and texts one after the other.
 
 use super::{DecodeError, EncodeError, SectionKind};
-use crate::model::read_varint;
 
 /// Takes numbers and texts off a section; every length is checked against what is left.
 pub(super) struct ByteReader<'a> {
@@ -34,28 +33,6 @@ impl<'a> ByteReader<'a> {
     pub(super) fn u32(&mut self) -> Result<u32, DecodeError> {
         let bytes = self.bytes(4)?;
         Ok(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
-    }
-
-    /// A number in bytes of 7 bits, low ones first.
-    pub(super) fn varint(&mut self) -> Result<u32, DecodeError> {
-        let mut left = &self.bytes[self.at..];
-        let value = read_varint(&mut left).ok_or_else(|| self.malformed("a number does not end"))?;
-        self.at = self.bytes.len() - left.len();
-        Ok(value)
-    }
-
-    /// A count of items that take at least `item_bytes` each, as a varint.
-    pub(super) fn short_count(&mut self, item_bytes: usize) -> Result<usize, DecodeError> {
-        let count = self.varint()? as usize;
-        if count > (self.bytes.len() - self.at) / item_bytes {
-            return Err(self.malformed("more items than bytes"));
-        }
-        Ok(count)
-    }
-
-    pub(super) fn f64(&mut self) -> Result<f64, DecodeError> {
-        let (low, high) = (self.u32()?, self.u32()?);
-        Ok(f64::from_bits(u64::from(low) | u64::from(high) << 32))
     }
 
     pub(super) fn f32(&mut self) -> Result<f32, DecodeError> {

@@ -1,7 +1,6 @@
 //! What can be wrong with a file, and with what is to become one.
 
 use super::SectionKind;
-use super::progressive::StreamDefect;
 use crate::mesh::{MeshError, SequenceError};
 use crate::model::ModelError;
 use crate::strip::StripSetError;
@@ -113,7 +112,10 @@ pub enum DecodeError {
     NoCollapses,
     /// A progressive stream is unsound.
     #[error("the stream is damaged: {0}")]
-    Stream(#[from] StreamDefect),
+    Stream(String),
+    /// The mesh is in a stream, and no [`StreamCodec`](super::StreamCodec) was given.
+    #[error("the mesh is in a progressive stream, which needs the striata-stream crate")]
+    NoStreamCodec,
     /// The mesh is unsound.
     #[error(transparent)]
     Mesh(#[from] MeshError),

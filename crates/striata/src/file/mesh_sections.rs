@@ -11,7 +11,9 @@ const NO_MATERIAL: u32 = u32::MAX;
 /// Header of a layer before its name: four bytes and three numbers.
 const LAYER_HEADER_BYTES: usize = 16;
 
-pub(super) fn semantic_code(semantic: &Semantic) -> (u8, u32, &str) {
+/// The numbers that stand for a meaning in files and streams: its kind, and which one of that kind; and the name of a layer that has
+/// no other meaning.
+pub fn semantic_code(semantic: &Semantic) -> (u8, u32, &str) {
     match semantic {
         Semantic::Normal => (0, 0, ""),
         Semantic::Tangent => (1, 0, ""),
@@ -26,7 +28,8 @@ pub(super) fn semantic_code(semantic: &Semantic) -> (u8, u32, &str) {
     }
 }
 
-pub(super) fn semantic_of(code: u8, set: u32, name: &str) -> Option<Semantic> {
+/// The meaning that [`semantic_code`] gave such numbers; `None` if they mean nothing.
+pub fn semantic_of(code: u8, set: u32, name: &str) -> Option<Semantic> {
     let (small, wide) = (u8::try_from(set).ok(), u16::try_from(set).ok());
     Some(match code {
         0 => Semantic::Normal,
@@ -138,7 +141,11 @@ pub(super) fn groups_from_bytes(bytes: &[u8]) -> Result<Vec<TriangleGroup>, Deco
     Ok(groups)
 }
 
-pub(super) fn appearance_to_bytes(appearance: &Appearance) -> Result<Vec<u8>, EncodeError> {
+/// Materials, images and what goes with them as a file has them in one section, and a stream in its head.
+///
+/// # Errors
+/// [`EncodeError::TooLong`] if a text or an image is too large for the format.
+pub fn appearance_to_bytes(appearance: &Appearance) -> Result<Vec<u8>, EncodeError> {
     let mut out = Vec::new();
     put_u32(appearance.materials.len() as u32, &mut out);
     for material in &appearance.materials {
@@ -159,7 +166,11 @@ pub(super) fn appearance_to_bytes(appearance: &Appearance) -> Result<Vec<u8>, En
     Ok(out)
 }
 
-pub(super) fn appearance_from_bytes(bytes: &[u8]) -> Result<Appearance, DecodeError> {
+/// What [`appearance_to_bytes`] wrote.
+///
+/// # Errors
+/// [`DecodeError::Malformed`] if the bytes are unsound.
+pub fn appearance_from_bytes(bytes: &[u8]) -> Result<Appearance, DecodeError> {
     let mut reader = ByteReader::new(SectionKind::APPEARANCE, bytes);
     let mut appearance = Appearance::default();
     for _ in 0..reader.count(8)? {

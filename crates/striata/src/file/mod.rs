@@ -6,19 +6,20 @@
 
 mod byte_reader;
 mod container;
-mod entropy;
 mod error;
 mod file_head;
 mod mesh_sections;
-pub mod progressive;
 mod reader;
+mod stream;
 mod summary;
 mod writer;
 
 pub use container::{SectionInfo, SectionKind, VERSION as FORMAT_VERSION, Verify};
 pub use error::{DecodeError, EncodeError};
 pub use file_head::FileHead;
+pub use mesh_sections::{appearance_from_bytes, appearance_to_bytes, semantic_code, semantic_of};
 pub use reader::StriataFile;
+pub use stream::{STREAM_MAGIC, StoredStream, StreamCodec, StreamHead, StreamMesh};
 pub use summary::Summary;
 pub use writer::{FileModel, WriteOptions, to_striata, write_fragments, write_striata};
 

@@ -6,10 +6,9 @@ mod stream;
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-use self::stream::DecodedStream;
 use super::container::{Container, Ending};
 use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes, metadata_from_bytes};
-use super::{DecodeError, SectionInfo, SectionKind, Summary, Verify};
+use super::{DecodeError, SectionInfo, SectionKind, StreamCodec, Summary, Verify};
 use crate::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts,
     TriangleGroup,
@@ -30,11 +29,14 @@ pub struct StriataFile<'a> {
     /// The patterns, once they have been checked: that takes as long as building them.
     patterns: OnceLock<(Patterns, PatternBounds)>,
     /// The mesh of a stream, once it has been decoded, where the file has nothing else.
-    decoded: OnceLock<DecodedStream>,
+    decoded: OnceLock<RefinableMesh>,
+    codec: Option<&'static dyn StreamCodec>,
 }
 
 impl<'a> StriataFile<'a> {
     /// Reads header, table and summary; checksums of sections are compared as they are read.
+    ///
+    /// The mesh of a file that has it in a stream alone takes a decoder: see [`with_codec`](Self::with_codec).
     ///
     /// # Errors
     /// [`DecodeError`] where the bytes are no sound `.striata` file.
@@ -56,7 +58,7 @@ impl<'a> StriataFile<'a> {
     }
 
     fn of_parts(container: Container<'a>, summary: Summary) -> Self {
-        Self { container, summary, patterns: OnceLock::new(), decoded: OnceLock::new() }
+        Self { container, summary, patterns: OnceLock::new(), decoded: OnceLock::new(), codec: None }
     }
 
     /// Counts and bounds.

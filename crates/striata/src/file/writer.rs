@@ -5,8 +5,7 @@ use std::io::Write;
 
 use super::container::{ENTRY_BYTES, HEADER_BYTES, MAGIC, REQUIRED, VERSION, header_checksum, padding};
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
-use super::progressive::StreamFacts;
-use super::{EncodeError, SectionKind, Summary};
+use super::{EncodeError, SectionKind, StoredStream, Summary};
 use crate::mesh::{CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
 use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StoredModel};
 
@@ -23,9 +22,9 @@ pub enum FileModel<'m> {
     /// Patterns, for levels that differ from place to place, and the bounds of their fragments.
     Patterns(&'m Patterns, &'m PatternBounds),
     /// The progressive stream of the mesh, which is in the stream's order
-    /// ([`EncodedStream::reorder`](super::progressive::EncodedStream::reorder)). Alone it is all that the file
-    /// has: mesh and levels are decoded from it.
-    Progressive(&'m [u8]),
+    /// (`EncodedStream::reorder` of the crate `striata-stream`). Alone it is all that the file has: mesh and levels are decoded
+    /// from it.
+    Progressive(StoredStream<'m>),
 }
 
 impl<'m> FileModel<'m> {
@@ -233,7 +232,7 @@ fn lay_out<'m>(
         add(SectionKind::METADATA, 0, metadata_to_bytes(&options.metadata)?.into());
     }
     if let [FileModel::Progressive(stream)] = models {
-        add(SectionKind::STREAM, REQUIRED, (*stream).into());
+        add(SectionKind::STREAM, REQUIRED, stream.bytes.into());
         return Ok(sections);
     }
     add(SectionKind::GROUPS, REQUIRED, groups_to_bytes(&mesh.groups)?.into());
@@ -269,7 +268,7 @@ fn lay_out<'m>(
     }
     for model in models {
         if let FileModel::Progressive(stream) = model {
-            add(SectionKind::STREAM, 0, (*stream).into());
+            add(SectionKind::STREAM, 0, stream.bytes.into());
         }
     }
     Ok(sections)
@@ -305,13 +304,10 @@ fn check_model(
             patterns.check_size().map_err(|reason| EncodeError::Unstorable { model: name, reason })?;
         }
         FileModel::Progressive(stream) => {
-            let facts = StreamFacts::read(stream).ok().flatten().unwrap_or_default();
-            let length = usize::try_from(facts.stream_bytes).unwrap_or(usize::MAX);
-            expect(name, "bytes", stream.len(), length)?;
-            expect(name, "vertices", facts.vertex_count, source.mesh.vertex_count())?;
-            expect(name, "triangles", facts.triangle_count, triangle_count)?;
-            expect(name, "steps", facts.step_count, source.levels.step_count())?;
-            expect(name, "groups", facts.group_count, source.mesh.groups.len())?;
+            expect(name, "vertices", stream.vertex_count, source.mesh.vertex_count())?;
+            expect(name, "triangles", stream.triangle_count, triangle_count)?;
+            expect(name, "steps", stream.step_count, source.levels.step_count())?;
+            expect(name, "groups", stream.group_count, source.mesh.groups.len())?;
         }
     }
     if before.iter().any(|other| other.name() == name) {

@@ -1,7 +1,7 @@
 //! Patterns and fragments of a file, and the levels that only they know.
 
 use super::StriataFile;
-use crate::codec::{DecodeError, SectionKind};
+use crate::file::{DecodeError, SectionKind};
 use crate::mesh::{FragmentedMesh, Levels};
 use crate::model::patterns::PatternsParts;
 use crate::model::{LodModel, PatternBounds, Patterns};

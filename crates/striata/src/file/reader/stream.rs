@@ -1,19 +1,9 @@
 //! Files with a stream, whole or cut off.
 
 use super::super::container::{Container, Ending};
-use super::super::progressive::{StreamDecoder, StreamDefect, StreamFacts};
-use super::super::{DecodeError, SectionKind, Summary, Verify};
+use super::super::{DecodeError, SectionKind, StreamCodec, StreamHead, StreamMesh, Verify};
 use super::StriataFile;
 use crate::mesh::{IndexedMesh, RefinableMesh, replay};
-
-/// Bytes that a decoder gets at once: what waits is moved with each chunk.
-const PIECE_BYTES: usize = 1 << 16;
-
-/// What a stream tells.
-#[derive(Clone, Debug)]
-pub(super) struct DecodedStream {
-    refinable: RefinableMesh,
-}
 
 impl<'a> StriataFile<'a> {
     /// Reads a file that may be cut off within its stream: header, table and all sections before it must be there.
@@ -30,35 +20,19 @@ impl<'a> StriataFile<'a> {
     /// A stream alone, whole or cut off, as if it were all that a file has. Its bounds are not known before it is decoded.
     ///
     /// # Errors
-    /// [`DecodeError`] where the bytes begin no sound stream, or end before its base mesh does.
-    pub fn from_stream(bytes: &'a [u8]) -> Result<Self, DecodeError> {
-        let Some(facts) = StreamFacts::read(bytes)? else {
-            let found = bytes.len() as u64;
-            return Err(DecodeError::FileLength { found, expected: found + 1 });
-        };
-        if facts.stream_bytes < bytes.len() as u64 {
-            let (found, expected) = (bytes.len() as u64, facts.stream_bytes);
-            return Err(DecodeError::FileLength { found, expected });
-        }
-        let base = usize::try_from(facts.base_bytes).ok().and_then(|length| bytes.get(..length));
-        let Some(base) = base else {
-            return Err(StreamDefect::NoBase.into());
-        };
-        let mut decoder = StreamDecoder::new();
-        decoder.push(base)?;
-        let summary = Summary {
-            vertex_count: facts.vertex_count,
-            position_count: facts.position_count,
-            triangle_count: facts.triangle_count,
-            group_count: facts.group_count,
-            step_count: facts.step_count,
-            base_position_count: facts.position_count - facts.step_count,
-            base_vertex_count: decoder.positions().len(),
-            base_triangle_count: decoder.triangles().len(),
-            error_max: facts.error_max,
-            bounds: None,
-        };
-        Ok(Self::of_parts(Container::of_stream(bytes, facts.stream_bytes), summary))
+    /// As [`StreamCodec::head`].
+    pub fn from_stream(bytes: &'a [u8], codec: &'static dyn StreamCodec) -> Result<Self, DecodeError> {
+        let StreamHead { stream_bytes, summary } = codec.head(bytes)?;
+        Ok(Self::of_parts(Container::of_stream(bytes, stream_bytes), summary).with_codec(codec))
+    }
+
+    /// Decodes the mesh with a codec, if it is in a stream alone.
+    pub fn with_codec(self, codec: &'static dyn StreamCodec) -> Self {
+        Self { codec: Some(codec), ..self }
+    }
+
+    fn codec(&self) -> Result<&'static dyn StreamCodec, DecodeError> {
+        self.codec.ok_or(DecodeError::NoStreamCodec)
     }
 
     /// Whether the file ends before its stream does.
@@ -81,8 +55,7 @@ impl<'a> StriataFile<'a> {
         if !self.is_stream_only() {
             return Ok(Vec::new());
         }
-        let facts = StreamFacts::read(self.container.get(SectionKind::STREAM)?)?;
-        Ok(facts.map_or(Vec::new(), |facts| facts.metadata))
+        self.codec()?.metadata(self.container.get(SectionKind::STREAM)?)
     }
 
     /// What the stream tells, where the file has nothing else.
@@ -90,31 +63,17 @@ impl<'a> StriataFile<'a> {
         if !self.is_stream_only() {
             return Ok(None);
         }
-        if let Some(decoded) = self.decoded.get() {
-            return Ok(Some(&decoded.refinable));
+        if let Some(refinable) = self.decoded.get() {
+            return Ok(Some(refinable));
         }
         let refinable = self.decode()?;
-        Ok(Some(&self.decoded.get_or_init(|| DecodedStream { refinable }).refinable))
+        Ok(Some(self.decoded.get_or_init(|| refinable)))
     }
 
     fn decode(&self) -> Result<RefinableMesh, DecodeError> {
+        let codec = self.codec()?;
         let bytes = self.container.get(SectionKind::STREAM)?;
-        let mut decoder = StreamDecoder::new();
-        for piece in bytes.chunks(PIECE_BYTES) {
-            decoder.push(piece)?;
-        }
-        if !decoder.is_complete() {
-            if !self.is_cut() {
-                let (kind, offset) = (SectionKind::STREAM, bytes.len());
-                return Err(DecodeError::Malformed { kind, offset, reason: "the stream goes on" });
-            }
-            decoder.finish()?;
-        }
-        let is_complete = decoder.is_complete();
-        let Some(refinable) = decoder.refinable_mesh() else {
-            let (kind, offset) = (SectionKind::STREAM, bytes.len());
-            return Err(DecodeError::Malformed { kind, offset, reason: "the stream gives no mesh" });
-        };
+        let StreamMesh { refinable, is_complete } = codec.decode(bytes, self.is_cut())?;
         if is_complete {
             self.expect_decoded(&refinable)?;
         }
