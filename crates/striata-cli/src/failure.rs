@@ -6,13 +6,13 @@ use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
-use striata::codec::progressive::StreamError;
-use striata::codec::{DecodeError, EncodeError};
+use striata::file::{DecodeError, EncodeError};
 use striata::mesh::MeshError;
 use striata::model::ModelError;
 use striata::model::baseline::DiscreteLevelsError;
 use striata::simplify::SimplifyError;
 use striata_io::{Place, ReadError, WriteError};
+use striata_stream::StreamError;
 
 /// A failure as the user gets to see it.
 #[derive(Debug)]
@@ -164,7 +164,7 @@ macro_rules! ours {
     };
 }
 
-ours!(DiscreteLevelsError, ModelError, DecodeError);
+ours!(DiscreteLevelsError, ModelError, DecodeError, striata_stream::DecodeError);
 
 impl From<EncodeError> for Failure {
     fn from(error: EncodeError) -> Self {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use striata::codec::progressive::Effort;
+use striata_stream::Effort;
 
 use super::EffortArg;
 use super::strips::{BUILD_STRIPS, STRIPS, parse_at_least_zero};

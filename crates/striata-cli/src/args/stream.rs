@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use striata::codec::progressive::{LayerOptions, Precision, SHAPE_STEPS, StreamError, StreamOptions};
+use striata_stream::{LayerOptions, Precision, SHAPE_STEPS, StreamError, StreamOptions};
 
 use striata::mesh::IndexedMesh;
 
