@@ -15,9 +15,11 @@ use crate::{bare, browser, golden, target_folder, web};
 pub(crate) const FULL: &str = "striata-cli/full";
 
 /// Each feature that must compile by itself: the crate and the features.
-const FEATURES_ALONE: [(&str, &str); 14] = [
+const FEATURES_ALONE: [(&str, &str); 16] = [
     ("striata", ""),
     ("striata", "parallel"),
+    ("striata-stream", ""),
+    ("striata-stream", "parallel"),
     ("striata-io", ""),
     ("striata-io", "ply"),
     ("striata-io", "obj"),
@@ -111,7 +113,7 @@ fn check_fuzz() -> Result<()> {
 }
 
 fn check_wasm() -> Result<()> {
-    let check = ["check", "-p", "striata", "--target", WASM_TARGET];
+    let check = ["check", "-p", "striata", "-p", "striata-stream", "--target", WASM_TARGET];
     steps::run(&mut cargo(&check))?;
     steps::run(cargo(&check).arg("--no-default-features"))
 }
