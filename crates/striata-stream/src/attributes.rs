@@ -1,6 +1,7 @@
 //! Attributes of new vertices: whom to ask, and where the answers are kept.
 
 use super::base_hood::BaseHoods;
+use super::form::{Effort, StreamVersion};
 use super::growth::Growth;
 use super::layer_hood::{LayerHood, LayerValues};
 use super::layer_model::LayerModel;
@@ -8,7 +9,6 @@ use super::layers::LayerForm;
 use super::ring_fit::RingFit;
 use super::surface::{NONE, Surface, next, previous};
 use super::wedges::SplitWedges;
-use super::{Effort, StreamVersion};
 use crate::entropy::Coder;
 
 /// The layers of a stream, as far as it has come.

@@ -2,7 +2,7 @@
 
 use striata::file::EncodeError;
 
-use super::DecodeError;
+use super::error::DecodeError;
 
 /// Takes numbers and texts off a head; every length is checked against what is left.
 pub(crate) struct ByteReader<'a> {

@@ -1,5 +1,7 @@
 //! From a sequence in batch order to compressed chunks.
 
+use striata::mesh::RefinableMesh;
+
 use super::base::Base;
 use super::base_coder::BaseLimits;
 use super::descent::Descent;
@@ -9,7 +11,6 @@ use super::refiner::{Refiner, Terms};
 use super::surface_stage::StepDefect;
 use super::truth::{Points, Truth, base_of};
 use crate::entropy::{PART_COUNT, RangeWriter};
-use striata::mesh::RefinableMesh;
 
 /// Splits of a chunk: what is checked, and can be asked for, at once.
 const CHUNK_SPLITS: usize = 4096;

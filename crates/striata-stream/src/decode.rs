@@ -2,19 +2,20 @@
 
 use std::ops::Range;
 
+use striata::mesh::{
+    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
+};
+
 use super::base::Base;
 use super::base_coder::BaseLimits;
+use super::error::{DecodeError, StreamDefect};
 use super::growth::Growth;
 use super::head::{FIXED_BYTES, GroupName, Head, Row, head_length, most_wedges_beyond};
 use super::layers::LayerForm;
 use super::prefix::PrefixMesh;
 use super::refiner::{Ended, Refiner, Terms};
 use super::source::Unknown;
-use super::{DecodeError, StreamDefect};
 use crate::entropy::RangeReader;
-use striata::mesh::{
-    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, TriangleGroup,
-};
 
 /// What some bytes have brought: append [`vertices`](Self::vertices) to a vertex buffer, write
 /// [`changed_triangles`](Self::changed_triangles) of an index buffer anew, append [`triangles`](Self::triangles).

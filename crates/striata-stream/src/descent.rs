@@ -5,11 +5,13 @@
 
 use std::ops::Range;
 
+use striata::mesh::RefinableMesh;
+
 use super::chunks::BatchDefect;
+use super::cutting;
+use super::form::StreamVersion;
 use super::general_stage::{GeneralStage, LevelTriangles};
 use super::surface_stage::SurfaceStage;
-use super::{StreamVersion, cutting};
-use striata::mesh::RefinableMesh;
 
 /// A stretch of the way.
 #[derive(Debug)]

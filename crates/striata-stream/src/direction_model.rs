@@ -6,11 +6,11 @@
 //! each degree of conflict between geometry and neighbours: where they agree geometry is best, where not the mean.
 
 use super::directions::{Octahedron, scaled};
+use super::form::{Effort, StreamVersion};
 use super::layer_history::LayerHistory;
 use super::layer_hood::{BASE_KIND, KINDS, LayerHood, LayerValues};
 use super::least_squares::LeastSquares;
 use super::residuals::{Contest, Expected, Residuals, SCALES, scale_of};
-use super::{Effort, StreamVersion};
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 
 /// Bits of the length that directions have where they are added.

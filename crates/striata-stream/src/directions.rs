@@ -86,8 +86,9 @@ pub(super) fn scaled(direction: [i64; 3], length: i64) -> [i64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use striata::mesh::{Random, octahedral};
+
+    use super::*;
 
     /// Points that mean a direction, each direction once.
     fn points(bits: u32) -> Vec<[i32; 2]> {

@@ -1,17 +1,18 @@
 //! The writer's front: options, the stream's bytes, and what they were spent on.
 
+use striata::file::EncodeError;
+use striata::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
+
 use super::base_coder::BaseLimits;
 use super::chunks::{BatchDefect, Chunks, check_batches, encode_chunks};
 use super::descent::Descent;
+use super::form::{Effort, StreamVersion};
 use super::grid::{GridError, PositionGrid};
 use super::head::{GroupName, Head, MOST_NUMBERS, Row};
 use super::layer_hood::LayerValues;
 use super::layers::{LayerBitsError, LayerForm, LayerOptions};
 use super::refiner::Terms;
 use super::truth::Points;
-use super::{Effort, StreamVersion};
-use striata::file::EncodeError;
-use striata::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
 
 /// How exactly positions are kept.
 #[derive(Clone, Copy, Debug, PartialEq)]

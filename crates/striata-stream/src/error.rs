@@ -2,7 +2,8 @@
 
 use striata::file::{self, SectionKind};
 
-use crate::{GridError, SurfaceDefect};
+use crate::grid::GridError;
+use crate::surface::SurfaceDefect;
 
 /// Why bytes are not a progressive stream, or not a sound one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

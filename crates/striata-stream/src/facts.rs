@@ -1,8 +1,8 @@
 //! What the head of a stream says of the whole of it.
 
-use super::DecodeError;
+use super::error::DecodeError;
+use super::form::{Effort, StreamVersion};
 use super::head::{Head, head_length};
-use super::{Effort, StreamVersion};
 
 /// What a stream holds, in numbers; all of it is known as soon as its head is there.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,7 +5,9 @@ use striata::file::{
     Verify,
 };
 
-use crate::{DecodeError, StreamDecoder, StreamDefect, StreamFacts};
+use crate::decode::StreamDecoder;
+use crate::error::{DecodeError, StreamDefect};
+use crate::facts::StreamFacts;
 
 /// Bytes that a decoder gets at once: what waits is moved with each chunk.
 const PIECE_BYTES: usize = 1 << 16;

@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use striata::mesh::RefinableMesh;
+
 use super::chunks::BatchDefect;
 use super::surface::NONE;
-use striata::mesh::RefinableMesh;
 
 /// The triangles of the mesh that a level has, and what they show.
 #[derive(Debug)]

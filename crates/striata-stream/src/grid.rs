@@ -9,8 +9,9 @@
 //! Differs from the usual grids of coders: the step is the same along all axes, and a tolerance is kept with all
 //! rounding counted in.
 
-use crate::entropy::{AdaptiveNumber, Coder, Rate};
 use striata::mesh::Bounds;
+
+use crate::entropy::{AdaptiveNumber, Coder, Rate};
 
 /// The most bits a coordinate may take.
 pub(crate) const MAX_BITS: u32 = 24;
@@ -262,9 +263,10 @@ impl CorrectionModel {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::*;
     use crate::entropy::{RangeReader, RangeWriter};
-    use striata::mesh::Random;
 
     fn cloud(scale: f32, offset: f32, seed: u64) -> Vec<[f32; 3]> {
         let mut random = Random::new(seed);

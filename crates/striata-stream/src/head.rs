@@ -10,15 +10,14 @@
 //! 16           counts, grid, layers, groups, appearance, metadata, chunks
 //! ```
 
-use striata::file::{EncodeError, appearance_from_bytes, appearance_to_bytes};
+use striata::file::{EncodeError, STREAM_MAGIC, appearance_from_bytes, appearance_to_bytes};
 use striata::mesh::Appearance;
 
 use super::byte_reader::{ByteReader, put_block, write_varint};
+use super::error::{DecodeError, StreamDefect};
+use super::form::{Effort, StreamVersion};
 use super::grid::PositionGrid;
 use super::layers::LayerForm;
-use super::{DecodeError, Effort, StreamDefect, StreamVersion};
-
-pub use striata::file::STREAM_MAGIC;
 
 /// The newest version of streams that is read.
 const NEWEST: u8 = 2;

@@ -7,14 +7,15 @@
 //!
 //! Integers only; all that is looked at is what a reader has.
 
+use striata::mesh::Semantic;
+
 use super::direction_model::DirectionModel;
+use super::form::{Effort, StreamVersion};
 use super::layer_hood::{LayerHood, LayerValues};
 use super::layers::{LayerForm, NumberType, Transform};
 use super::number_model::{NumberModel, plain_hints, weight_hints};
 use super::tangents::TangentSources;
-use super::{Effort, StreamVersion};
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
-use striata::mesh::Semantic;
 
 /// All layers of a stream.
 #[derive(Clone, Debug)]
@@ -188,11 +189,12 @@ impl LabelModel {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::{AttributeLayer, LayerData, Random};
+
     use super::super::layers::LayerOptions;
     use super::super::ring_fit::RingFit;
     use super::*;
     use crate::entropy::{RangeReader, RangeWriter};
-    use striata::mesh::{AttributeLayer, LayerData, Random};
 
     /// A vertex of a made-up refinement: what is around it, and where it is.
     struct Site {

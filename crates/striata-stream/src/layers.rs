@@ -5,11 +5,12 @@
 //! them where the caller wants every bit) are stored as the integers that order them. Numbers made of a layer's integers
 //! give the same integers again, so a stream can be written again without further loss.
 
-use super::DecodeError;
-use super::byte_reader::{ByteReader, put_u32};
-use super::grid::{Axis, MAX_BITS, from_ordered, ordered};
 use striata::file::{semantic_code, semantic_of};
 use striata::mesh::{AttributeLayer, LayerData, Semantic, octahedral};
+
+use super::byte_reader::{ByteReader, put_u32};
+use super::error::DecodeError;
+use super::grid::{Axis, MAX_BITS, from_ordered, ordered};
 
 /// How many bits attributes get.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -396,8 +397,9 @@ fn read_axis(reader: &mut ByteReader<'_>) -> Result<Axis, DecodeError> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use striata::mesh::Random;
+
+    use super::*;
 
     fn unit(random: &mut Random) -> [f32; 3] {
         let v = [(); 3].map(|()| random.between(-1.0, 1.0));

@@ -84,8 +84,9 @@ impl<const N: usize> LeastSquares<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use striata::mesh::Random;
+
+    use super::*;
 
     #[test]
     fn weights_of_predictions_that_resemble_each_other_are_found() {

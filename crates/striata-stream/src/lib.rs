@@ -45,6 +45,7 @@ mod entropy;
 mod error;
 mod facts;
 mod files;
+mod form;
 mod general;
 mod general_order;
 mod general_stage;
@@ -86,47 +87,14 @@ pub use encode::{
 pub use error::{DecodeError, StreamDefect};
 pub use facts::StreamFacts;
 pub use files::{file_model, open, open_cut, open_stream, open_with};
+pub use form::{Effort, StreamVersion};
 pub use grid::GridError;
 pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
-pub use head::STREAM_MAGIC;
 pub use layers::{LayerBitsError, LayerOptions};
 pub use prefix::PrefixMesh;
+pub use striata::file::STREAM_MAGIC;
 pub use surface::SurfaceDefect;
 pub use surface_stage::StepDefect;
-
-/// How hard the coder tries.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Effort {
-    /// Simple models, quickest to read.
-    Fast,
-    /// Good models.
-    #[default]
-    Default,
-    /// The smallest files, slowest to read.
-    Small,
-}
-
-/// What the bits of a stream mean.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum StreamVersion {
-    /// The first one: splits of a surface only. It can still be written, for readers that know no other.
-    One,
-    /// The present one.
-    #[default]
-    Two,
-}
-
-impl StreamVersion {
-    /// As the head of a stream has it.
-    pub fn number(self) -> u8 {
-        match self {
-            Self::One => 1,
-            Self::Two => 2,
-        }
-    }
-}
 
 /// The examples of both readmes, compiled with the documentation's tests.
 #[cfg(doctest)]

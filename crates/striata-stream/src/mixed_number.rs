@@ -82,9 +82,10 @@ impl<const N: usize> MixedNumber<N> {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::*;
     use crate::entropy::{AdaptiveNumber, RangeReader, RangeWriter};
-    use striata::mesh::Random;
 
     #[test]
     fn numbers_of_all_sizes_come_back() {

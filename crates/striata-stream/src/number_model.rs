@@ -4,12 +4,12 @@
 //! same position changed; the prediction that did best lately is taken. The rest is coded in the context of how far the
 //! ring spreads around the prediction and how well the vertices around could be predicted.
 
+use super::form::{Effort, StreamVersion};
 use super::layer_history::LayerHistory;
 use super::layer_hood::{KINDS, LayerHood, LayerValues};
 use super::layers::{LayerForm, NumberType, Transform};
 use super::residuals::{Contest, Expected, Residuals, scale_of};
 use super::ring_fit::WEIGHT_BITS;
-use super::{Effort, StreamVersion};
 use crate::entropy::Coder;
 
 /// Predictions that compete: in version 1 the first four.

@@ -1,7 +1,8 @@
 //! A mesh in the order of its stream, so that models beside a stream number vertices and levels as it does.
 
-use super::EncodedStream;
 use striata::mesh::{CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts};
+
+use super::encode::EncodedStream;
 
 impl EncodedStream {
     /// The mesh that was coded, its vertices and steps in the order of the stream; positions are as they were, not on the grid.
@@ -90,10 +91,11 @@ fn errors_in_order(steps: &[u32], sequence: &CollapseSequence) -> Vec<f32> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::StreamSizes;
     use striata::mesh::{canonical_triangles, replay, shapes};
     use striata::simplify::{SequenceOptions, build_sequence};
+
+    use super::*;
+    use crate::encode::StreamSizes;
 
     #[test]
     fn levels_that_have_the_same_steps_show_the_same() {

@@ -7,12 +7,12 @@
 //! the first version, they are chains of decisions. Effort default takes cuts of few triangles from `connectivity/learned.rs`.
 
 use super::connectivity::{LearnedCuts, Scene, Spoke as LearnedSpoke};
+use super::form::{Effort, StreamVersion};
 use super::positions::Surroundings;
 use super::quick_cuts::{self, Edge, QuickCuts};
 use super::rings::{Neighbour, Rings};
 use super::surface::{Cut, NONE, Surface, triangle_of};
 use super::walk::Walk;
-use super::{Effort, StreamVersion};
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 
 /// What is kept with a vertex.
@@ -484,9 +484,10 @@ fn look_around(
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::shapes;
+
     use super::super::cutting::close;
     use super::*;
-    use striata::mesh::shapes;
 
     #[test]
     fn what_is_kept_follows_vertices_to_new_numbers() {

@@ -147,9 +147,10 @@ fn best(mut starts: u32, scores: &[i64; MOST]) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::*;
     use crate::entropy::{RangeReader, RangeWriter};
-    use striata::mesh::Random;
 
     fn random_edges(random: &mut Random) -> Vec<Edge> {
         let edge = |random: &mut Random| Edge {

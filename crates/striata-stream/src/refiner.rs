@@ -8,6 +8,8 @@ use super::base::Base;
 use super::base_coder::{BaseLimits, code_base};
 use super::base_hood::BaseHoods;
 use super::connectivity::{ConnectivityModel, Scene};
+use super::error::StreamDefect;
+use super::form::{Effort, StreamVersion};
 use super::general::General;
 use super::grid::{CorrectionModel, PositionGrid};
 use super::growth::Growth;
@@ -20,7 +22,6 @@ use super::source::Source;
 use super::surface::{Cut, NONE, Surface, next, triangle_of};
 use super::walk::{Walk, WalkOrder};
 use super::wedges::{Split, SplitWedges, WedgeModel};
-use super::{Effort, StreamDefect, StreamVersion};
 use crate::entropy::{Coder, Part};
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.

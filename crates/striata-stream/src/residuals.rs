@@ -1,8 +1,8 @@
 //! What predictions were off, under what is expected of them; and which of several predictions to trust.
 
+use super::form::{Effort, StreamVersion};
 use super::layer_hood::KINDS;
 use super::mixed_number::MixedNumber;
-use super::{Effort, StreamVersion};
 use crate::entropy::{AdaptiveNumber, Coder, Rate, log2_q8};
 
 /// Buckets of half octaves for what is expected.

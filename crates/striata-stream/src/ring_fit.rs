@@ -122,8 +122,9 @@ fn normal(arms: &[[i64; 3]], is_closed: bool) -> [i64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use striata::mesh::Random;
+
+    use super::*;
 
     fn fitted(centre: [i32; 3], ring: &[[i32; 3]]) -> RingFit {
         let mut fit = RingFit::default();

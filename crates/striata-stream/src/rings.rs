@@ -99,9 +99,10 @@ impl Rings {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::shapes;
+
     use super::super::cutting::close;
     use super::*;
-    use striata::mesh::shapes;
 
     #[test]
     fn rings_are_those_of_the_surface() {

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
+use striata::mesh::RefinableMesh;
+
 use super::chunks::BatchDefect;
 use super::cutting::Closed;
 use super::descent::close_level;
 use super::general_stage::LevelTriangles;
 use super::surface::{NONE, Surface, Undo, next, previous, triangle_of};
-use striata::mesh::RefinableMesh;
 
 /// What keeps a step from being coded as a vertex split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

@@ -1,10 +1,11 @@
 //! Where tangents point, by texture coordinates and normals.
 
+use striata::mesh::Semantic;
+
 use super::direction_model::UNIT_BITS;
 use super::directions::{Octahedron, scaled};
 use super::layer_hood::{LayerHood, LayerValues};
 use super::layers::{LayerForm, Transform};
-use striata::mesh::Semantic;
 
 /// What tangents follow from: texture coordinates, in whose first direction they point, and normals, which they are
 /// perpendicular to.
@@ -72,10 +73,11 @@ fn across(direction: [i64; 3], normal: [i64; 3]) -> [i64; 3] {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::AttributeLayer;
+
     use super::super::layers::{LayerOptions, NumberType};
     use super::super::ring_fit::RingFit;
     use super::*;
-    use striata::mesh::AttributeLayer;
 
     #[test]
     fn tangents_follow_texture_coordinates() {

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use striata::mesh::RefinableMesh;
+
 use super::base::Base;
 use super::base_coder::BaseOrder;
 use super::descent::{Descent, Stage};
@@ -11,7 +13,6 @@ use super::layer_hood::LayerValues;
 use super::source::Source;
 use super::surface::{Cut, NONE, Surface, Undo, triangle_of};
 use super::surface_stage::SurfaceStage;
-use striata::mesh::RefinableMesh;
 
 /// Where the positions of the mesh are, and what its vertices have beside.
 pub(super) struct Points {

@@ -257,9 +257,10 @@ impl Walk {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::shapes;
+
     use super::super::cutting::close;
     use super::*;
-    use striata::mesh::shapes;
 
     /// A grid, whose boundary is one virtual vertex: 0.
     fn surface() -> Surface {

@@ -8,7 +8,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::StreamVersion;
+use super::form::StreamVersion;
 use super::general::CodedStep;
 use super::growth::Growth;
 use super::hidden_wedges::HiddenWedges;

@@ -359,9 +359,10 @@ fn triangle_keys(area: i32, against: i32, (is_blunt, tangent): (bool, i32)) -> [
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::*;
     use crate::entropy::{RangeReader, RangeWriter};
-    use striata::mesh::Random;
 
     fn random_spokes(random: &mut Random) -> Vec<Spoke> {
         let reach = 1 << random.below(24);

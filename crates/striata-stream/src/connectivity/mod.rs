@@ -29,12 +29,13 @@ mod softmax;
 #[cfg(test)]
 mod tests;
 
-use super::Effort;
+use cuts::{CutModel, LONGEST};
+use flags::{FlagModel, Question};
+
+use super::form::Effort;
 use super::surface::{Cut, Surface, next, triangle_of};
 use super::walk::Walk;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-use cuts::{CutModel, LONGEST};
-use flags::{FlagModel, Question};
 pub(super) use learned::{LearnedCuts, Spoke};
 use memory::{Memory, Trace};
 use ring::Ring;

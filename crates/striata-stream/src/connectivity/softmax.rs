@@ -139,9 +139,10 @@ fn halve<C: Coder>(coder: &mut C, weights: &[u32], total: u64, actual: usize) ->
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::*;
     use crate::entropy::{RangeReader, RangeWriter};
-    use striata::mesh::Random;
 
     #[test]
     fn exponentials_and_logarithms_are_right() {

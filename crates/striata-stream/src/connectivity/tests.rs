@@ -1,10 +1,11 @@
 //! Splits chosen at random, written and read with the same models.
 
+use striata::mesh::{IndexedMesh, Random, shapes};
+
 use super::super::surface::{Surface, previous};
 use super::super::walk::WalkOrder;
 use super::*;
 use crate::entropy::{RangeReader, RangeWriter};
-use striata::mesh::{IndexedMesh, Random, shapes};
 
 const MAX_PATCH: u32 = 15;
 

@@ -4,7 +4,7 @@
 //! model is of use after a handful of them; then the weight settles and old decisions fade. Small meshes live in
 //! the first phase: a fixed rate would cost them several percent.
 
-use super::Coder;
+use super::coder::Coder;
 
 /// How long a probability remembers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,9 +79,10 @@ impl AdaptiveBit {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::super::{RangeReader, RangeWriter};
     use super::*;
-    use striata::mesh::Random;
 
     #[test]
     fn first_decisions_count_most() {

@@ -4,7 +4,8 @@
 //! two bits below the first are learned for each bucket; the rest is as good as noise. A small context chooses among
 //! independent sets of probabilities.
 
-use super::{AdaptiveBit, Coder, Rate};
+use super::coder::Coder;
+use super::{AdaptiveBit, Rate};
 
 /// What is learned about numbers in one context.
 #[derive(Clone, Copy, Debug)]
@@ -88,9 +89,10 @@ pub(crate) fn code_uniform<C: Coder>(coder: &mut C, count: u32, meant: u32) -> u
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::super::{RangeReader, RangeWriter};
     use super::*;
-    use striata::mesh::Random;
 
     fn numbers() -> Vec<i32> {
         let mut random = Random::new(11);

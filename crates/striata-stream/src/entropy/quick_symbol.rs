@@ -5,11 +5,7 @@
 
 use wide::i16x8;
 
-use super::Coder;
-use super::symbol::SYMBOLS;
-
-/// Where each symbol's share begins, of 32768; the first at 0.
-pub(crate) type QuickShares = [i16; SYMBOLS];
+use super::coder::{Coder, QuickShares, SYMBOLS};
 
 /// Logarithm of the part of the whole that is shared evenly: no symbol's share falls below a sixteenth of it.
 const EVEN_LOG: u32 = 7;
@@ -120,9 +116,10 @@ pub(super) fn symbol_at(shares: &QuickShares, place: i16) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::super::{RangeReader, RangeWriter};
     use super::*;
-    use striata::mesh::Random;
 
     fn triangular(count: usize, seed: u64) -> Vec<usize> {
         let mut random = Random::new(seed);

@@ -9,10 +9,9 @@
 //! interval allows, and these are not written. So a reader must be told whether its bytes are all there are. Where they
 //! are, zeros follow; where they are cut off, it says so at the first decision that the missing bytes might have turned.
 
+use super::coder::{Coder, PART_COUNT, Part, QuickShares, Shares};
 use super::logistic::log2_q16;
-use super::quick_symbol::{QuickShares, symbol_at};
-use super::symbol::Shares;
-use super::{Coder, PART_COUNT, Part};
+use super::quick_symbol::symbol_at;
 
 /// Below this width the interval moves on.
 const NARROW: u64 = 1 << 32;
@@ -304,8 +303,9 @@ impl Coder for RangeReader<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use striata::mesh::Random;
+
+    use super::*;
 
     /// Decisions with their probabilities, every 16th of them raw bits.
     fn message(seed: u64, count: usize, is_extreme: bool) -> Vec<(u32, u32)> {

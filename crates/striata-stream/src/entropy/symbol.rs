@@ -3,12 +3,7 @@
 //! A model keeps where each symbol's share of the whole begins, and moves these towards the symbol that came. All
 //! sixteen move alike, so that a processor does it in a few steps; and the mean of two models is a model.
 
-use super::Coder;
-
-/// Symbols of an alphabet.
-pub(crate) const SYMBOLS: usize = 16;
-/// Where each symbol's share begins, of 65536; the first at 0.
-pub(crate) type Shares = [i32; SYMBOLS];
+use super::coder::{Coder, SYMBOLS, Shares};
 
 /// What no symbol's share falls below, of 65536.
 const LEAST: i32 = 24;
@@ -59,9 +54,10 @@ pub(crate) fn code_symbol<C: Coder>(
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::super::{RangeReader, RangeWriter};
     use super::*;
-    use striata::mesh::Random;
 
     #[test]
     fn symbols_come_back_near_their_entropy() {

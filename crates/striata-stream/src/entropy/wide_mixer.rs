@@ -72,9 +72,10 @@ impl<const VECTORS: usize> WideMixer<VECTORS> {
 
 #[cfg(test)]
 mod tests {
+    use striata::mesh::Random;
+
     use super::super::logistic::log_odds;
     use super::*;
-    use striata::mesh::Random;
 
     fn cost(p_one: i32, bit: bool) -> f64 {
         -(f64::from(if bit { p_one } else { 65536 - p_one }) / 65536.0).log2()

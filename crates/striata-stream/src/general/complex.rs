@@ -97,8 +97,9 @@ impl Complex {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use striata::mesh::Random;
+
+    use super::*;
 
     #[test]
     fn corners_follow_their_positions() {

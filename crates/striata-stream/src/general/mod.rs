@@ -18,9 +18,10 @@ mod shown;
 mod stage;
 mod step;
 
-use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
 use model::GeneralModel;
 use shown::ShownModel;
+
+use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
 
 pub(super) use complex::Complex;
 pub(super) use step::{Born, CodedStep, KnownBorn, KnownStep};

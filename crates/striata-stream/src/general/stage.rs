@@ -1,8 +1,8 @@
 //! A general batch within the loop that both sides run.
 
-use super::super::StreamDefect;
 use super::super::attributes::{GeneralVertex, RingVertex};
 use super::super::cutting::{Closed, close_used};
+use super::super::error::StreamDefect;
 use super::super::refiner::{Ended, Refiner, actual_layers};
 use super::super::source::Source;
 use super::super::surface::NONE;

@@ -2,10 +2,11 @@
 
 use std::collections::BinaryHeap;
 
-use super::{ALL_THROUGH, GrowingHierarchy, NONE};
-use crate::PrefixMesh;
 use striata::model::StepBits;
 use striata::view::{Criterion, Part, Verdict};
+
+use super::{ALL_THROUGH, GrowingHierarchy, NONE};
+use crate::prefix::PrefixMesh;
 
 /// Steps that are asked about together: few enough to stay in a cache.
 const ASKED_TOGETHER: usize = 64;

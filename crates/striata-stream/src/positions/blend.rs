@@ -38,8 +38,9 @@ impl<const N: usize> Blend<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use striata::mesh::Random;
+
+    use super::*;
 
     #[test]
     fn a_blend_finds_the_weights_of_what_it_sees() {

@@ -34,8 +34,8 @@ mod plain;
 mod quick;
 mod sight;
 
+use super::form::{Effort, StreamVersion};
 use super::hood::Hood;
-use super::{Effort, StreamVersion};
 use crate::entropy::Coder;
 pub(super) use ahead::Surroundings;
 use axis::AxisModel;

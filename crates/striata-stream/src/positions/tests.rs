@@ -1,12 +1,13 @@
 //! Positions of made-up surfaces, there and back.
 
+use striata::mesh::{IndexedMesh, Random, shapes};
+
 use super::super::cutting::close;
+use super::super::form::{Effort, StreamVersion};
 use super::super::hood::Hood;
 use super::super::surface::{NONE, Surface, next};
-use super::super::{Effort, StreamVersion};
 use super::{CellModel, MixedModel, PositionModel, Surroundings};
 use crate::entropy::{Coder, RangeReader, RangeWriter};
-use striata::mesh::{IndexedMesh, Random, shapes};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
 /// All models that there are.
