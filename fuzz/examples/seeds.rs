@@ -4,8 +4,8 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use striata::codec::progressive::{Effort, Precision, StreamOptions, StreamVersion, encode_stream};
-use striata::codec::{FileModel, WriteOptions, to_striata, write_fragments};
+use striata_stream::{Effort, Precision, StreamOptions, StreamVersion, encode_stream, file_model};
+use striata::file::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
 use striata_lab::baseline::SequentialPatterns;
@@ -126,7 +126,7 @@ fn stream_in_file(mesh: &IndexedMesh) -> Result<Vec<u8>, Box<dyn Error>> {
     let made = build_batches(mesh, &BatchOptions::default(), &mut ignore_progress)?;
     let refinable = &made.built.refinable;
     let stream = encode_stream(refinable, &made.batches, &StreamOptions::default())?;
-    let models = [FileModel::Progressive(&stream.bytes)];
+    let models = [file_model(&stream.bytes)?];
     Ok(to_striata(&stream.reorder(refinable), &models, &WriteOptions::default())?)
 }
 

@@ -2,8 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use striata::codec::DecodeError;
-use striata::codec::progressive::{StreamDecoder, StreamDefect};
+use striata_stream::{DecodeError, StreamDecoder, StreamDefect};
 use striata::mesh::replay;
 
 /// Chunks whose checksums are set right.

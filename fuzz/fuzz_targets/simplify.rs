@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
+use striata::file::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{RefinableMesh, canonical_triangles, replay};
 use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts};

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use striata::codec::{DecodeError, StriataFile, Verify};
+use striata::file::{DecodeError, StriataFile, Verify};
 use striata::mesh::{FragmentSequence, RefinableMesh, canonical_triangles, fragment_faces, replay};
 use striata::model::{
     FanBounds, FanFront, FanScene, Fans, Overlap, PatternBounds, PatternInstance, PatternScene, Patterns,
@@ -15,13 +15,13 @@ fuzz_target!(|data: &[u8]| {
     let _ = read_all(data, Verify::WhenRead);
     let _ = read_all(&with_checksums_set_right(data), Verify::All);
     // A file that is cut off has no more than its stream's beginning.
-    if let Ok(mesh) = StriataFile::parse_cut(&data[..data.len() * 7 / 8]).and_then(|file| file.mesh()) {
+    if let Ok(mesh) = striata_stream::open_cut(&data[..data.len() * 7 / 8]).and_then(|file| file.mesh()) {
         assert_eq!(mesh.check(), Ok(()));
     }
 });
 
 fn read_all(bytes: &[u8], verify: Verify) -> Result<(), DecodeError> {
-    let file = StriataFile::parse_with(bytes, verify)?;
+    let file = striata_stream::open_with(bytes, verify)?;
     let _ = file.metadata();
     let _ = file.layers();
     let refinable = file.refinable_mesh();

@@ -18,6 +18,8 @@ pub(crate) const FULL: &str = "striata-cli/full";
 const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata", ""),
     ("striata", "parallel"),
+    ("striata-stream", ""),
+    ("striata-stream", "parallel"),
     ("striata-io", ""),
     ("striata-io", "ply"),
     ("striata-io", "obj"),
@@ -114,7 +116,7 @@ fn check_fuzz() -> Result<()> {
 }
 
 fn check_wasm() -> Result<()> {
-    let check = ["check", "-p", "striata", "--target", WASM_TARGET];
+    let check = ["check", "-p", "striata", "-p", "striata-stream", "--target", WASM_TARGET];
     steps::run(&mut cargo(&check))?;
     steps::run(cargo(&check).arg("--no-default-features"))
 }

@@ -6,12 +6,12 @@ use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
-use striata::codec::progressive::StreamError;
-use striata::codec::{DecodeError, EncodeError};
+use striata::file::{DecodeError, EncodeError};
 use striata::mesh::MeshError;
 use striata::model::ModelError;
 use striata::simplify::SimplifyError;
 use striata_io::{Place, ReadError, WriteError};
+use striata_stream::StreamError;
 
 /// A failure as the user gets to see it.
 #[derive(Debug)]
@@ -161,7 +161,7 @@ macro_rules! ours {
     };
 }
 
-ours!(ModelError, DecodeError);
+ours!(ModelError, DecodeError, striata_stream::DecodeError);
 
 impl From<EncodeError> for Failure {
     fn from(error: EncodeError) -> Self {

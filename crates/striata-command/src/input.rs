@@ -6,7 +6,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use memmap2::Mmap;
-use striata::codec::StriataFile;
+use striata::file::StriataFile;
 use striata::mesh::IndexedMesh;
 use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes};
 
@@ -167,10 +167,10 @@ impl Input {
     pub fn striata(&self) -> Result<StriataFile<'_>, Failure> {
         let parsed = match &self.content {
             Content::File(file) if file.format == Format::Striata => {
-                StriataFile::parse_cut(file.bytes.as_slice())
+                striata_stream::open_cut(file.bytes.as_slice())
             }
             Content::File(file) if file.format == Format::Stream => {
-                StriataFile::from_stream(file.bytes.as_slice())
+                striata_stream::open_stream(file.bytes.as_slice())
             }
             _ => {
                 let message = format!("{}: this is a mesh ({}), not a .striata file", self.name, self.kind());
@@ -182,7 +182,7 @@ impl Input {
     }
 
     /// A failure to decode this file.
-    pub fn damaged(&self, error: &striata::codec::DecodeError) -> Failure {
+    pub fn damaged(&self, error: &striata::file::DecodeError) -> Failure {
         Failure::user(format!("{}: {error}", self.name))
             .with_hint("the file is damaged or cut off; build it again, or copy it again")
     }

@@ -3,9 +3,9 @@
 use std::time::Instant;
 
 use serde_json::{Value, json};
-use striata::codec::progressive::{Effort, Precision, StreamDecoder, StreamDefect, StreamFacts};
-use striata::codec::{DecodeError, StriataFile};
+use striata::file::{DecodeError, StriataFile};
 use striata::mesh::RefinableMesh;
+use striata_stream::{Effort, Precision, StreamDecoder, StreamDefect, StreamFacts};
 
 use crate::args::EffortArg;
 use crate::output::grouped;

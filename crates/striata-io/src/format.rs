@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::Path;
 
-use striata::codec::progressive::STREAM_MAGIC;
+use striata::file::STREAM_MAGIC;
 
 /// A kind of file that striata knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

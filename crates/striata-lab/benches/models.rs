@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
-use striata::codec::{FileModel, StriataFile, WriteOptions, to_striata};
+use striata::file::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, shapes};
 use striata::model::{
     FanBounds, FanForm, FanIndices, FanInstance, FanMorphs, Fans, LodModel, LodStrips, Mts, Overlap,

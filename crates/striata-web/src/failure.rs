@@ -1,9 +1,9 @@
 //! What a method fails with: a code for programs, a sentence for people, and the cure where it is known.
 
-use striata::codec::DecodeError;
-use striata::codec::progressive::StreamDefect;
+use striata::file::DecodeError;
 use striata::simplify::SimplifyError;
 use striata_io::ReadError;
+use striata_stream::StreamDefect;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Why something did not work; JavaScript catches it as an object with `code`, `message` and `hint`.
@@ -78,6 +78,12 @@ impl From<DecodeError> for Failure {
             }
             _ => Self::corrupt(error),
         }
+    }
+}
+
+impl From<striata_stream::DecodeError> for Failure {
+    fn from(error: striata_stream::DecodeError) -> Self {
+        DecodeError::from(error).into()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where in a `.striata` file its stream lies, told by the file's first bytes, so that a page fetches only that.
 
-use striata::codec::FileHead;
+use striata::file::FileHead;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::Failure;

@@ -4,7 +4,7 @@
 //! whole will be, so what cannot fit is refused when it has come; the decoder itself allocates no more than the bytes that
 //! are there can pay for.
 
-use striata::codec::progressive::StreamFacts;
+use striata_stream::StreamFacts;
 
 use crate::Failure;
 

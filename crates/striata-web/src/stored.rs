@@ -3,7 +3,7 @@
 //! The library's own way to a file's mesh knows patterns too, and with them comes a tenth of what a page would fetch; so
 //! triangles are taken here from what nearly all files have. Files of patterns alone are refused, with the cure.
 
-use striata::codec::StriataFile;
+use striata::file::StriataFile;
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::model::{LodModel, StoredModel};
 use striata::strip::strip_triangles;

@@ -4,9 +4,8 @@
 //! needs no model. Views are taken from a hierarchy that grows with the stream. Both show only what has been revealed: more is decoded
 //! meanwhile, but requests are answered without new vertices and normals.
 
-use striata::codec::progressive::{StreamDecoder, StreamFacts};
 use striata::mesh::Bounds;
-use striata::model::{GrowingHierarchy, HierarchyCut};
+use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamFacts};
 
 use crate::camera::View;
 use crate::shown::{Shown, Wish};

@@ -1,7 +1,6 @@
 //! The model as a page uses it: bytes in, levels out, and whatever the bytes hold, an answer.
 
-use striata::codec::progressive::{StreamDecoder, StreamOptions, encode_stream};
-use striata::codec::{FileModel, WriteOptions, to_striata};
+use striata::file::{FileModel, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{
     AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, canonical_triangles, replay, shapes,
@@ -9,6 +8,7 @@ use striata::mesh::{
 use striata::model::{FanBounds, Fans};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata_io::{Format, to_bytes};
+use striata_stream::{StreamDecoder, StreamOptions, encode_stream, file_model};
 use striata_web::{Model, StreamPlace, View};
 
 /// A torus with colours and two groups.
@@ -295,7 +295,7 @@ fn a_head_tells_where_the_stream_is() {
     let mesh = torus();
     let built = build_batches(&mesh, &BatchOptions::default(), &mut ignore_progress).unwrap();
     let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap();
-    let models = [FileModel::Progressive(&stream.bytes)];
+    let models = [file_model(&stream.bytes).unwrap()];
     let bytes = to_striata(&built.built.refinable, &models, &WriteOptions::default()).unwrap();
     let mut length = 0;
     let place = loop {

@@ -3,7 +3,7 @@
 mod support;
 
 use proptest::prelude::*;
-use striata::codec::{
+use striata::file::{
     DecodeError, EncodeError, FileModel, SectionKind, StriataFile, Verify, WriteOptions, to_striata,
 };
 use striata::mesh::{

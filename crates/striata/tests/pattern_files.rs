@@ -3,7 +3,7 @@
 mod support;
 
 use proptest::prelude::*;
-use striata::codec::{
+use striata::file::{
     DecodeError, FileModel, SectionKind, StriataFile, WriteOptions, to_striata, write_fragments,
 };
 use striata::mesh::{

@@ -4,7 +4,7 @@ mod meshes;
 
 use meshes::{Named, all, check_each};
 use proptest::prelude::*;
-use striata::codec::{FileModel, StriataFile, Verify, WriteOptions, to_striata};
+use striata::file::{FileModel, StriataFile, Verify, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes};
 use striata::model::{LodModel, LodStrips, LodStripsState, StoredModel, StripBuffer, StripModel};

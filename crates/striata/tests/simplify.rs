@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 use meshes::{COSTS, all, check_each, closed, open, with_patches};
 use proptest::prelude::*;
-use striata::codec::{WriteOptions, to_striata};
+use striata::file::{WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::mesh::{
     Adjacency, CollapseSequence, IndexedMesh, RefinableMesh, SequenceParts, canonical_triangles, replay,

@@ -12,8 +12,9 @@ use crate::workspace;
 const NAME: &str = "built-from.txt";
 
 /// Sources by name; folders count with all that is in them.
-const SOURCES: [(&str, &[&str]); 6] = [
+const SOURCES: [(&str, &[&str]); 7] = [
     ("library", &["crates/striata/src", "crates/striata/Cargo.toml"]),
+    ("stream", &["crates/striata-stream/src", "crates/striata-stream/Cargo.toml"]),
     ("io", &["crates/striata-io/src", "crates/striata-io/Cargo.toml"]),
     ("web-crate", &["crates/striata-web/src", "crates/striata-web/Cargo.toml"]),
     ("rust-packages", &["Cargo.toml", "Cargo.lock"]),

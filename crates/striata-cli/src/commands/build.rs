@@ -4,12 +4,12 @@ use std::path::Path;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
-use striata::codec::progressive::{EncodedStream, StreamFacts, StreamOptions, encode_stream};
-use striata::codec::{DecodeError, FileModel, StriataFile, WriteOptions, to_striata, write_fragments};
+use striata::file::{DecodeError, FileModel, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, MeshError, RefinableMesh, weld};
 use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes, PatternBounds, Patterns};
 use striata::simplify::{Retriangulation, StopReason, Target};
 use striata::strip::StripSet;
+use striata_stream::{EncodedStream, StreamFacts, StreamOptions, encode_stream, file_model};
 
 use crate::args::BuildArgs;
 use striata_command::args::{OrderArg, SequenceArgs};
@@ -195,13 +195,13 @@ impl Models {
         Ok(models)
     }
 
-    fn in_file(&self) -> Vec<FileModel<'_>> {
+    fn in_file(&self) -> Result<Vec<FileModel<'_>>, Failure> {
         let lod_strips = self.lod_strips.iter().map(FileModel::LodStrips);
         let fans = self.fans.iter().map(|(fans, bounds)| FileModel::Fans(fans, bounds));
         let patterns = self.patterns.iter().map(|(patterns, bounds)| FileModel::Patterns(patterns, bounds));
-        let streams = self.stream.iter().map(|stream| FileModel::Progressive(&stream.bytes));
+        let stream = self.stream.as_ref().map(|stream| file_model(&stream.bytes)).transpose()?;
         let of_strips = lod_strips.chain(self.mts.iter().map(FileModel::Mts));
-        of_strips.chain(fans).chain(patterns).chain(streams).collect()
+        Ok(of_strips.chain(fans).chain(patterns).chain(stream).collect())
     }
 
     /// Each model's name and parts.
@@ -323,7 +323,7 @@ impl Built {
             .with_metadata("order", self.order.as_str())
             .with_metadata(ERRORS, if self.error_is_guaranteed { GUARANTEED } else { "estimated" });
         match (&self.steps, &self.models.patterns) {
-            (Steps::Collapses(refinable), _) => Ok(to_striata(refinable, &self.models.in_file(), &options)?),
+            (Steps::Collapses(refinable), _) => Ok(to_striata(refinable, &self.models.in_file()?, &options)?),
             (Steps::Fragments(fragmented), Some((patterns, bounds))) => {
                 let mut bytes = Vec::new();
                 write_fragments(fragmented, (patterns, bounds), &options, &mut bytes)?;

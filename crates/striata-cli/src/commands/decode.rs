@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::codec::StriataFile;
+use striata::file::StriataFile;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay};
 use striata::simplify::Target;
 

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use serde::Serialize;
 use serde_json::{Value, json};
-use striata::codec::progressive::{EncodedStream, StreamFacts, StreamOptions, encode_stream};
-use striata::codec::{FileModel, WriteOptions, to_striata};
+use striata::file::{WriteOptions, to_striata};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata_io::Format;
+use striata_stream::{EncodedStream, StreamFacts, StreamOptions, encode_stream, file_model};
 
 use crate::args::EncodeArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
@@ -85,7 +85,7 @@ fn contained(refinable: &RefinableMesh, stream: &EncodedStream, source: &str) ->
     let options = WriteOptions::default()
         .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
         .with_metadata("source", source);
-    Ok(to_striata(&stream.reorder(refinable), &[FileModel::Progressive(&stream.bytes)], &options)?)
+    Ok(to_striata(&stream.reorder(refinable), &[file_model(&stream.bytes)?], &options)?)
 }
 
 /// What a report is made from.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::codec::StriataFile;
+use striata::file::StriataFile;
 use striata::mesh::{Bounds, IndexedMesh};
 use striata::model::{
     FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel,

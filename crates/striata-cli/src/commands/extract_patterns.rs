@@ -5,7 +5,7 @@
 
 use std::time::Instant;
 
-use striata::codec::StriataFile;
+use striata::file::StriataFile;
 use striata::mesh::IndexedMesh;
 use striata::model::{Overlap, PatternBounds, PatternInstance, PatternScene, Patterns};
 use striata::simplify::StopReason;

@@ -3,10 +3,10 @@
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::codec::StriataFile;
-use striata::codec::progressive::StreamDecoder;
+use striata::file::StriataFile;
 use striata::mesh::{Levels, replay};
 use striata::simplify::{StopReason, Target};
+use striata_stream::StreamDecoder;
 
 use super::decode::stream_of;
 use super::extract::{diagonal_of, drawn, no_level};

@@ -1,7 +1,7 @@
 //! Flags of all verbs that write streams.
 
 use clap::{Args, ValueEnum};
-use striata::codec::progressive::{LayerOptions, Precision, SHAPE_STEPS, StreamError, StreamOptions};
+use striata_stream::{LayerOptions, Precision, SHAPE_STEPS, StreamError, StreamOptions};
 
 use striata::mesh::IndexedMesh;
 

@@ -23,7 +23,6 @@ mod table;
 use std::error::Error;
 use std::io::Write;
 
-use striata::codec::progressive::{Precision, SHAPE_STEPS, StreamOptions};
 use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, Welded, weld};
 use striata::simplify::{
@@ -74,6 +73,13 @@ impl Request {
     }
 }
 
+/// What the batches of a stream of 12 bits weigh the shape of edges by: one and a half steps of its grid.
+fn shape_step(mesh: &IndexedMesh) -> Option<f64> {
+    let bounds = mesh.bounds()?;
+    let side = (0..3).map(|a| f64::from(bounds.max[a]) - f64::from(bounds.min[a])).fold(0.0, f64::max);
+    Some(1.5 * (side / 4095.0))
+}
+
 /// What makes a sequence of ours.
 #[derive(Clone, Copy)]
 enum Simplifier {
@@ -111,10 +117,7 @@ impl Simplifier {
                 Ok(Built::Collapses(Box::new(built.refinable)))
             }
             Self::Batches => {
-                let step =
-                    StreamOptions::default().with_precision(Precision::Bits(12)).grid_step(&welded.mesh);
-                let options =
-                    BatchOptions::default().with_shape_step(step.ok().map(|step| SHAPE_STEPS * step));
+                let options = BatchOptions::default().with_shape_step(shape_step(&welded.mesh));
                 let built = build_welded_batches(welded, &options, &mut ignore_progress)?;
                 Ok(Built::Collapses(Box::new(built.built.refinable)))
             }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use striata::codec::progressive::Effort;
+use striata_stream::Effort;
 
 use crate::compare::compared_models;
 use striata_command::args::{BUILD_STRIPS, EffortArg, STRIPS, parse_at_least_zero};

@@ -1,6 +1,6 @@
 //! A ball that was built before a test begins.
 
-use striata::codec::{FileModel, WriteOptions, to_striata};
+use striata::file::{FileModel, WriteOptions, to_striata};
 use striata::ignore_progress;
 use striata::model::LodStrips;
 use striata::simplify::{SequenceOptions, build_sequence};

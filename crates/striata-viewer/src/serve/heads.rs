@@ -5,9 +5,9 @@
 
 use std::io::{self, Read, Seek, SeekFrom};
 
-use striata::codec::FileHead;
-use striata::codec::progressive::StreamFacts;
+use striata::file::FileHead;
 use striata_io::Format;
+use striata_stream::StreamFacts;
 
 /// Bytes that are read at first.
 const HEAD_BYTES: usize = 64 << 10;

@@ -53,8 +53,7 @@ fn mesh_of(input: &Input, output: &Output) -> Result<IndexedMesh, Failure> {
     let damaged = |error| input.damaged(&error);
     let file = input.striata()?;
     if let Some(stream) = file.stream() {
-        let is_enough =
-            |decoder: &striata::codec::progressive::StreamDecoder| decoder.triangles().len() >= MAX_TRIANGLES;
+        let is_enough = |decoder: &striata_stream::StreamDecoder| decoder.triangles().len() >= MAX_TRIANGLES;
         let decoder = Received::read(stream.map_err(damaged)?, is_enough).map_err(damaged)?.decoder;
         return Ok(IndexedMesh::new(decoder.positions().to_vec(), decoder.triangles().to_vec()));
     }

@@ -6,7 +6,6 @@
 
 pub mod fans;
 pub mod geomorph;
-pub mod growing;
 pub mod lod_strips;
 pub mod mts;
 pub mod patterns;
@@ -29,14 +28,13 @@ pub use fans::{
     Fans, FansLevel, MovingVertex, fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
-pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsState};
 pub use patterns::{
     Condition, Overlap, PatternBounds, PatternChange, PatternInstance, PatternScene, Patterns, PatternsState,
     Wanted,
 };
-pub(crate) use record_arena::{read_varint, write_varint};
+pub use step_bits::StepBits;
 pub use step_vertices::StepVertices;
 pub use strip_input::check_strips;
 

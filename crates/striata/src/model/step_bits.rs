@@ -1,28 +1,41 @@
 //! A bit for each step.
 
-/// Which steps are in a set.
+/// Which steps are in a set: a bit for each.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in crate::model) struct StepBits {
+pub struct StepBits {
     words: Vec<u64>,
 }
 
 impl StepBits {
-    pub(in crate::model) fn none(step_count: usize) -> Self {
+    /// No step of so many.
+    pub fn none(step_count: usize) -> Self {
         Self { words: vec![0; step_count.div_ceil(64)] }
     }
 
+    /// Whether a step is in the set.
+    ///
+    /// # Panics
+    /// If there is no such step.
     #[inline]
-    pub(in crate::model) fn has(&self, step: u32) -> bool {
+    pub fn has(&self, step: u32) -> bool {
         self.words[step as usize / 64] & 1 << (step % 64) != 0
     }
 
+    /// Puts a step in.
+    ///
+    /// # Panics
+    /// If there is no such step.
     #[inline]
-    pub(in crate::model) fn insert(&mut self, step: u32) {
+    pub fn insert(&mut self, step: u32) {
         self.words[step as usize / 64] |= 1 << (step % 64);
     }
 
+    /// Takes a step out.
+    ///
+    /// # Panics
+    /// If there is no such step.
     #[inline]
-    pub(in crate::model) fn remove(&mut self, step: u32) {
+    pub fn remove(&mut self, step: u32) {
         self.words[step as usize / 64] &= !(1 << (step % 64));
     }
 
@@ -39,7 +52,7 @@ impl StepBits {
 
     /// The first step of the set from one on.
     #[inline]
-    pub(in crate::model) fn first_from(&self, start: u32) -> Option<u32> {
+    pub fn first_from(&self, start: u32) -> Option<u32> {
         let (mut at, bit) = (start as usize / 64, start % 64);
         let mut word = self.words.get(at)? & u64::MAX << bit;
         while word == 0 {

@@ -36,9 +36,10 @@ impl NormalCone {
     }
 
     /// The cone of unit normals; [`ALL`](Self::ALL) for none.
-    pub(crate) fn of_normals(normals: &[DVec3]) -> Self {
-        let Some(axis) = normals.iter().sum::<DVec3>().try_normalize() else { return Self::ALL };
-        Self::rounded(axis, normals.iter().map(|normal| normal.dot(axis)).fold(1.0, f64::min))
+    pub fn of_normals(normals: impl Iterator<Item = [f64; 3]> + Clone) -> Self {
+        let normals = || normals.clone().map(DVec3::from);
+        let Some(axis) = normals().sum::<DVec3>().try_normalize() else { return Self::ALL };
+        Self::rounded(axis, normals().map(|normal| normal.dot(axis)).fold(1.0, f64::min))
     }
 
     /// The cone of the same axis that also holds another.

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::codec::StriataFile;
+use striata::file::StriataFile;
 use striata::model::LodModel;
 use striata_io::{Format, WriteOptions, to_bytes};
 

@@ -10,7 +10,6 @@ use std::path::Path;
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::codec::StriataFile;
 use striata_io::{Source, read_bytes, write_atomically};
 
 use crate::args::DemoArgs;
@@ -48,7 +47,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let bytes = built.to_bytes("nefertiti.ply.zst")?;
     folder.write("nefertiti.striata", "every level in one file", &bytes)?;
     let levels = levels::measure(&built);
-    let file = StriataFile::parse(&bytes)?;
+    let file = striata_stream::open(&bytes)?;
     levels::write_meshes(&file, &built, &mut folder)?;
     bar.phase("pictures");
     let pictures = pictures::draw_all(&built, &mut Artist::best(output))?;

@@ -1,7 +1,7 @@
 //! The demo's viewer: one page with the web viewer and the bust as a stream inside.
 
-use striata::codec::progressive::{StreamOptions, encode_stream};
 use striata::mesh::{IndexedMesh, weld};
+use striata_stream::{StreamOptions, encode_stream};
 
 use super::Folder;
 use striata_command::failure::Failure;

@@ -4,10 +4,10 @@ mod limits;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
-use striata::codec::progressive::{StreamDefect, StreamFacts};
-use striata::codec::{DecodeError, FORMAT_VERSION, StriataFile};
+use striata::file::{DecodeError, FORMAT_VERSION, StriataFile};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, validate, weld};
 use striata::model::{LodModel, PartBytes, StripModel};
+use striata_stream::{StreamDefect, StreamFacts};
 
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
@@ -127,8 +127,8 @@ impl Report {
     /// What the head of the stream says, and how far the bytes go.
     fn add_stream(&mut self, file: &StriataFile<'_>, stream: &[u8], input: &Input) -> Result<(), Failure> {
         let damaged = |error: DecodeError| input.damaged(&error);
-        let facts = StreamFacts::read(stream).map_err(damaged)?.ok_or(StreamDefect::NoBase);
-        let facts = facts.map_err(|error| damaged(error.into()))?;
+        let facts = StreamFacts::read(stream).map_err(|error| damaged(error.into()))?;
+        let facts = facts.ok_or(StreamDefect::NoBase).map_err(|error| damaged(error.into()))?;
         self.add_model(PROGRESSIVE, &[PartBytes { name: "stream", bytes: stream.len() }], None);
         let split_count = match (file.is_stream_only(), file.is_cut()) {
             (true, _) => file.levels().map_err(damaged)?.step_count(),

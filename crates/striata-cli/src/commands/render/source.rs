@@ -1,6 +1,6 @@
 //! Where levels come from: a mesh alone, a mesh that is simplified, or a file that has them all.
 
-use striata::codec::StriataFile;
+use striata::file::StriataFile;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
 use striata::model::{FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, StoredModel, StripModel};
 use striata::simplify::Target;

@@ -12,8 +12,8 @@ mod streams;
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::codec::progressive::Effort;
 use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance};
+use striata_stream::Effort;
 
 use self::draco::Draco;
 use self::streams::Streams;

@@ -3,11 +3,11 @@
 use std::time::Instant;
 
 use striata::ProgressFn;
-use striata::codec::progressive::{
-    Effort, Precision, SHAPE_STEPS, StreamError, StreamFacts, StreamOptions, encode_stream,
-};
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{BatchOptions, build_batches};
+use striata_stream::{
+    Effort, Precision, SHAPE_STEPS, StreamError, StreamFacts, StreamOptions, encode_stream,
+};
 
 use super::{Coded, RateRow, Ruler, quickest, stream_name};
 use striata_command::failure::Failure;

@@ -1,0 +1,274 @@
+//! Splits chosen at random, written and read with the same models.
+
+use striata::mesh::{IndexedMesh, Random, shapes};
+
+use super::super::surface::{Surface, previous};
+use super::super::walk::WalkOrder;
+use super::*;
+use crate::entropy::{RangeReader, RangeWriter};
+
+const MAX_PATCH: u32 = 15;
+
+/// What the refiner does, with places made up.
+struct World {
+    surface: Surface,
+    places: Vec<[i32; 3]>,
+    walk: Walk,
+    model: ConnectivityModel,
+    corners: Vec<u32>,
+    asked: usize,
+}
+
+impl World {
+    fn new(surface: Surface, places: Vec<[i32; 3]>, effort: Effort) -> Self {
+        let walk = Walk::new(if effort == Effort::Small { WalkOrder::Near } else { WalkOrder::Numbers });
+        let model = ConnectivityModel::new(effort);
+        Self { surface, places, walk, model, corners: Vec::new(), asked: 0 }
+    }
+
+    /// One batch in which `choose` says who splits; the splits as they came out, done two by two.
+    fn batch<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        mut choose: impl FnMut(&Scene<'_>, u32) -> Option<Cut>,
+    ) -> Vec<Cut> {
+        self.walk.begin(&self.surface);
+        self.model.begin_batch(&self.surface, self.walk.end());
+        let (mut all, mut pending) = (Vec::new(), Vec::new());
+        loop {
+            let vertex = self.walk.next_vertex();
+            if pending.len() == 2 || vertex.is_none() {
+                self.split(&pending);
+                all.append(&mut pending);
+            }
+            let Some(vertex) = vertex else { return all };
+            let (surface, places, walk) = (&self.surface, self.places.as_slice(), &self.walk);
+            let scene = Scene { surface, places, walk, max_patch: MAX_PATCH };
+            let actual = choose(&scene, vertex);
+            self.corners = self.surface.ring(vertex).collect();
+            let known = (vertex, self.corners.as_slice());
+            let cut = if self.model.is_thorough() {
+                self.model.code(coder, &scene, known, actual)
+            } else if self.model.flag(coder, vertex, actual.is_some()) {
+                self.model.cut(coder, &scene, known, actual)
+            } else {
+                None
+            };
+            self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
+            self.asked += 1;
+            for corner in cut.into_iter().flat_map(|cut| run(&self.surface, cut)).collect::<Vec<_>>() {
+                self.surface.set_mark(triangle_of(corner), self.walk.batch());
+            }
+            pending.extend(cut);
+        }
+    }
+
+    fn split(&mut self, cuts: &[Cut]) {
+        for &cut in cuts {
+            let patch = run(&self.surface, cut);
+            let v = self.surface.split(&patch);
+            let made = self.surface.triangle_count() as u32;
+            (made - 2..made).for_each(|t| self.surface.set_mark(t, self.walk.batch()));
+            // Somewhere between two of its neighbours.
+            let known = |w: &u32| *w < v && !self.surface.is_virtual(*w);
+            let ring: Vec<u32> =
+                self.surface.ring(v).map(|c| self.surface.vertex(next(c))).filter(known).collect();
+            let [a, b] = [0, ring.len() / 2].map(|i| self.places.get(ring[i] as usize).copied());
+            let (a, b) = (a.unwrap_or_default(), b.unwrap_or_default());
+            self.places
+                .push([0, 1, 2].map(|i| a[i].midpoint(b[i]).wrapping_add((v as i32 * 37 + i as i32) % 5)));
+        }
+    }
+}
+
+/// A closed surface, given by its triangles.
+pub(super) fn surface_of(triangles: &[[u32; 3]], vertex_count: usize, virtual_count: u32) -> Surface {
+    let edge = |c: usize| [1, 2].map(|i| triangles[c / 3][(c % 3 + i) % 3]);
+    let corners = 0..3 * triangles.len();
+    let across = |c: usize| corners.clone().find(|&d| edge(d) == [edge(c)[1], edge(c)[0]]);
+    let opposite: Vec<u32> = corners.clone().map(|c| across(c).unwrap() as u32).collect();
+    Surface::from_closed(triangles, &opposite, vertex_count, virtual_count).unwrap()
+}
+
+/// The corners of a cut.
+fn run(surface: &Surface, cut: Cut) -> Vec<u32> {
+    let corners = std::iter::successors(Some(cut.first), |&c| Some(surface.swing(c)));
+    corners.take(cut.length as usize).collect()
+}
+
+/// A cut that can be made around a vertex, sometimes a long one; none where the one that was thought of cannot.
+fn random_cut(scene: &Scene<'_>, vertex: u32, random: &mut Random) -> Option<Cut> {
+    let corners: Vec<u32> = scene.surface.ring(vertex).collect();
+    let n = corners.len();
+    if n < 2 || random.below(4) != 0 {
+        return None;
+    }
+    let most = (MAX_PATCH as usize).min(n - 1);
+    let shortest = if most > LONGEST { LONGEST } else { 0 };
+    let length = 1 + shortest as u32 + random.below(most.min(shortest + 4) as u32 - shortest as u32);
+    let cut = Cut { first: corners[random.below(n as u32) as usize], length };
+    let run = run(scene.surface, cut);
+    let is_free = run.iter().all(|&c| !scene.is_taken(triangle_of(c)));
+    let is_virtual = |&c: &u32| scene.surface.is_virtual(scene.surface.vertex(next(c)));
+    (is_free && !run[1..].iter().any(is_virtual)).then_some(cut)
+}
+
+/// Two vertices with many triangles each.
+fn double_cone(side_count: u32) -> IndexedMesh {
+    let rim = (0..side_count).map(|i| [(i as f32 - 9.5).abs() - 5.0, (i as f32 - 4.5).abs() - 5.0, 0.0]);
+    let positions = [[0.0, 0.0, 4.0], [0.0, 0.0, -4.0]].into_iter().chain(rim).collect();
+    let sides = (0..side_count).map(|i| [2 + i, 2 + (i + 1) % side_count]);
+    IndexedMesh::new(positions, sides.flat_map(|[a, b]| [[0, a, b], [1, b, a]]).collect())
+}
+
+fn closed(mesh: &IndexedMesh) -> (Surface, Vec<[i32; 3]>) {
+    let closed = super::super::cutting::close(&mesh.triangles, mesh.positions.len());
+    let virtual_places = (0..closed.surface.virtual_count()).map(|_| [0; 3]);
+    let places =
+        closed.vertex_of_copy.iter().map(|&v| mesh.positions[v as usize].map(|x| (x * 900.0) as i32));
+    let places = virtual_places.chain(places).collect();
+    (closed.surface, places)
+}
+
+fn write(
+    surface: &Surface,
+    places: &[[i32; 3]],
+    effort: Effort,
+    seed: u64,
+) -> (Vec<u8>, Vec<Vec<Cut>>, World) {
+    let mut random = Random::new(seed);
+    let mut world = World::new(surface.clone(), places.to_vec(), effort);
+    let mut writer = RangeWriter::new();
+    let batches = (0..7)
+        .map(|_| world.batch(&mut writer, |scene, vertex| random_cut(scene, vertex, &mut random)))
+        .collect();
+    (writer.finish().0, batches, world)
+}
+
+#[test]
+fn random_splits_come_back() {
+    let meshes =
+        [double_cone(20), shapes::torus(9, 6, 1.0, 0.4), shapes::grid(6, 5), shapes::icosphere(1, 1.0)];
+    for (seed, mesh) in meshes.iter().enumerate() {
+        let (surface, places) = closed(mesh);
+        for effort in [Effort::Default, Effort::Small] {
+            let (bytes, batches, world) = write(&surface, &places, effort, seed as u64);
+            assert!(batches.iter().all(|batch| batch.len() > 2), "next to nothing splits");
+            assert!(batches.iter().flatten().any(|cut| cut.length as usize > LONGEST) || seed > 0);
+            let mut reader = RangeReader::new(&bytes, true);
+            let mut other = World::new(surface.clone(), places.clone(), effort);
+            for batch in &batches {
+                assert_eq!(&other.batch(&mut reader, |_, _| None), batch, "{effort:?}");
+            }
+            assert_eq!(other.asked, world.asked);
+        }
+    }
+}
+
+#[test]
+fn memory_knows_what_is_around() {
+    let (surface, places) = closed(&shapes::grid(6, 5));
+    for effort in [Effort::Default, Effort::Small] {
+        let (_, _, world) = write(&surface, &places, effort, 8);
+        for vertex in world.surface.virtual_count()..world.surface.vertex_count() as u32 {
+            let valence = world.surface.ring(vertex).count();
+            let free = world.surface.ring(vertex);
+            let free = free.filter(|&c| world.surface.mark(triangle_of(c)) != world.walk.batch()).count();
+            let trace = world.model.memory.trace(vertex);
+            assert_eq!(usize::from(trace.valence), valence, "valence of {vertex}");
+            // Of vertices that split, nothing more is asked in the batch.
+            if trace.rest > 0 {
+                assert_eq!(usize::from(trace.free), free, "free triangles of {vertex}");
+            }
+        }
+    }
+}
+
+#[test]
+fn streams_are_the_same_everywhere() {
+    let (surface, places) = closed(&shapes::grid(9, 7));
+    let found = [Effort::Default, Effort::Small].map(|effort| {
+        let (bytes, ..) = write(&surface, &places, effort, 3);
+        (bytes.len(), crc32fast::hash(&bytes))
+    });
+    assert_eq!(found, [(217, 131_253_625), (204, 4_022_687_919)]);
+}
+
+#[test]
+fn any_bytes_split_any_surface() {
+    let pillow = surface_of(&[[0, 1, 2], [0, 2, 1]], 3, 0);
+    let holes = surface_of(&[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]], 4, 2);
+    let (grid, places) = closed(&shapes::grid(4, 4));
+    let far = [1 << 24, -(1 << 24), 0, i32::MAX, i32::MIN];
+    let mut random = Random::new(77);
+    for (at, surface) in [pillow, holes, grid].into_iter().enumerate() {
+        for effort in [Effort::Default, Effort::Small] {
+            for _ in 0..20 {
+                let bytes: Vec<u8> = (0..400).map(|_| random.next_u64() as u8).collect();
+                let mut places = places.clone();
+                if at < 2 || random.below(2) == 0 {
+                    let mut number = || far[random.below(5) as usize];
+                    places = (0..surface.vertex_count()).map(|_| [number(), number(), number()]).collect();
+                }
+                let mut reader = RangeReader::new(&bytes, true);
+                let mut world = World::new(surface.clone(), places, effort);
+                for _ in 0..6 {
+                    for cut in world.batch(&mut reader, |_, _| None) {
+                        assert!((1..=MAX_PATCH).contains(&cut.length));
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn regular_splits_become_cheap() {
+    // Every vertex of even number loses the two triangles that begin with its longest edges.
+    let (surface, places) = closed(&shapes::torus(40, 20, 1.0, 0.4));
+    let mut world = World::new(surface, places, Effort::Small);
+    let mut writer = RangeWriter::new();
+    let cuts = world.batch(&mut writer, |scene, vertex| {
+        let corners: Vec<u32> = scene.surface.ring(vertex).collect();
+        let square = |c: u32| {
+            let [a, b] = [vertex, scene.surface.vertex(next(c))].map(|v| scene.places[v as usize]);
+            (0..3).map(|i| i64::from(a[i] - b[i]).pow(2)).sum::<i64>()
+        };
+        let longest = corners.iter().copied().max_by_key(|&c| (square(c), c))?;
+        let cut = Cut { first: previous(scene.surface.opposite(previous(longest))), length: 2 };
+        let is_free = run(scene.surface, cut).iter().all(|&c| !scene.is_taken(triangle_of(c)));
+        (is_free && vertex.is_multiple_of(2)).then_some(cut)
+    });
+    let bits = writer.finish().0.len() as f64 * 8.0;
+    assert!(cuts.len() > 100, "{} splits", cuts.len());
+    // Without a model: one of some twenty runs, and a flag for each vertex.
+    assert!(bits / cuts.len() as f64 <= 6.5, "{} bits a split", bits / cuts.len() as f64);
+}
+
+#[test]
+fn traces_follow_their_vertices_to_new_numbers() {
+    let (surface, places) = closed(&shapes::grid(6, 5));
+    let (_, _, mut world) = write(&surface, &places, Effort::Default, 8);
+    let count = world.surface.vertex_count() as u32;
+    let memory = &mut world.model.memory;
+    memory.begin_batch(&world.surface);
+    let densities: Vec<u8> = (0..count).map(|v| memory.trace(v).density).collect();
+    // As if the surface had been built anew with vertices 3 and 5 in each other's place and vertex 4 as a new one.
+    let old_of_new: Vec<u32> = (0..count)
+        .map(|v| match v {
+            3 => 5,
+            4 => super::super::surface::NONE,
+            5 => 3,
+            _ => v,
+        })
+        .collect();
+    memory.renumber(&old_of_new);
+    memory.begin_batch(&world.surface);
+    for vertex in 0..count {
+        let trace = memory.trace(vertex);
+        assert_eq!(usize::from(trace.valence), world.surface.ring(vertex).count());
+        let old = old_of_new[vertex as usize];
+        assert_eq!(trace.density, densities.get(old as usize).copied().unwrap_or(40));
+        assert_eq!(memory.age(vertex), 3);
+    }
+}

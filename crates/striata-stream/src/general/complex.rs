@@ -1,0 +1,136 @@
+//! Triangles by the positions that they meet at, while steps are done one after another.
+//!
+//! A general step may happen anywhere: at edges of many triangles, at a position that two parts share, at one that has no triangle at all. So
+//! nothing is asked of the triangles here but that each names its three positions.
+
+use super::super::surface::NONE;
+
+/// Corners by position. Corner `i` of triangle `t` is `3 t + i`.
+#[derive(Clone, Debug, Default)]
+pub(in super::super) struct Complex {
+    /// The first corner at each position.
+    first: Vec<u32>,
+    /// The next corner at the same position.
+    next: Vec<u32>,
+    /// The position at each corner.
+    positions: Vec<u32>,
+}
+
+impl Complex {
+    /// Triangles over so many positions.
+    pub(in super::super) fn new(triangles: &[[u32; 3]], position_count: usize) -> Self {
+        let mut complex = Self { first: vec![NONE; position_count], ..Self::default() };
+        complex.next.reserve(3 * triangles.len());
+        complex.positions.reserve(3 * triangles.len());
+        triangles.iter().for_each(|&t| complex.push_triangle(t));
+        complex
+    }
+
+    /// Positions.
+    pub(in super::super) fn position_count(&self) -> usize {
+        self.first.len()
+    }
+
+    /// The positions of a triangle.
+    pub(in super::super) fn triangle(&self, triangle: u32) -> [u32; 3] {
+        let at = 3 * triangle as usize;
+        [self.positions[at], self.positions[at + 1], self.positions[at + 2]]
+    }
+
+    /// The positions of all triangles.
+    pub(in super::super) fn triangles(&self) -> Vec<[u32; 3]> {
+        self.positions.as_chunks::<3>().0.to_vec()
+    }
+
+    /// Adds a position without triangles.
+    pub(in super::super) fn push_position(&mut self) {
+        self.first.push(NONE);
+    }
+
+    /// Adds a triangle.
+    pub(in super::super) fn push_triangle(&mut self, positions: [u32; 3]) {
+        for position in positions {
+            let corner = self.positions.len() as u32;
+            self.positions.push(position);
+            self.next.push(std::mem::replace(&mut self.first[position as usize], corner));
+        }
+    }
+
+    /// The corners at a position.
+    pub(in super::super) fn corners(&self, position: u32) -> impl Iterator<Item = u32> + '_ {
+        let begin = Some(self.first[position as usize]).filter(|&corner| corner != NONE);
+        std::iter::successors(begin, |&corner| {
+            Some(self.next[corner as usize]).filter(|&corner| corner != NONE)
+        })
+    }
+
+    /// The two other positions of a corner's triangle, in its order.
+    pub(in super::super) fn edge(&self, corner: u32) -> [u32; 2] {
+        let (t, i) = (corner / 3 * 3, corner % 3);
+        [(i + 1) % 3, (i + 2) % 3].map(|j| self.positions[(t + j) as usize])
+    }
+
+    /// Moves some of the corners at a position, given in the order of [`Self::corners`], to the last position.
+    pub(in super::super) fn move_to_last(&mut self, from: u32, moved: &[u32]) {
+        let to = self.first.len() as u32 - 1;
+        let mut rest = moved.iter().copied().peekable();
+        let mut here = self.first[from as usize];
+        let mut lasts = [NONE; 2];
+        let mut firsts = [NONE, self.first[to as usize]];
+        while here != NONE {
+            let after = self.next[here as usize];
+            let side = usize::from(rest.next_if_eq(&here).is_some());
+            if side == 1 {
+                self.positions[here as usize] = to;
+            }
+            match lasts[side] {
+                NONE => firsts[side] = here,
+                last => self.next[last as usize] = here,
+            }
+            lasts[side] = here;
+            self.next[here as usize] = NONE;
+            here = after;
+        }
+        [self.first[from as usize], self.first[to as usize]] = firsts;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use striata::mesh::Random;
+
+    use super::*;
+
+    #[test]
+    fn corners_follow_their_positions() {
+        let mut random = Random::new(5);
+        let mut triangles = vec![[0, 1, 2], [0, 2, 3], [0, 1, 2], [2, 1, 3]];
+        let mut complex = Complex::new(&triangles, 4);
+        for _ in 0..200 {
+            let from = random.below(complex.position_count() as u32);
+            let moved: Vec<u32> = complex.corners(from).filter(|_| random.below(3) == 0).collect();
+            complex.push_position();
+            let to = complex.position_count() as u32 - 1;
+            complex.move_to_last(from, &moved);
+            moved.iter().for_each(|&c| triangles[c as usize / 3][c as usize % 3] = to);
+            let new = [to, from, random.below(to)];
+            if new[1] != new[2] {
+                complex.push_triangle(new);
+                triangles.push(new);
+            }
+            assert_eq!(complex.triangles(), triangles);
+            for p in 0..=to {
+                let mut found: Vec<u32> = complex.corners(p).collect();
+                found.sort_unstable();
+                let expected: Vec<u32> = (0..3 * triangles.len() as u32)
+                    .filter(|&c| triangles[c as usize / 3][c as usize % 3] == p)
+                    .collect();
+                assert_eq!(found, expected);
+                for c in found {
+                    let t = complex.triangle(c / 3);
+                    assert_eq!(complex.edge(c), [t[(c as usize + 1) % 3], t[(c as usize + 2) % 3]]);
+                }
+            }
+        }
+    }
+}

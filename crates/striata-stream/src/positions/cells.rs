@@ -1,0 +1,381 @@
+//! One coordinate as one of sixteen cells, and what is left within it.
+//!
+//! Around the expected place lie fourteen cells, narrow in the middle and wider outside, and two more hold all the rest. What
+//! speaks for a cell adds up, as logarithms: how much of the density of guesses lies there, and for each of four
+//! circumstances a weight for each cell. After each coordinate all of these move along the gradient of what it cost. So an
+//! axis takes one decision among sixteen where halving takes four or five.
+
+use wide::{i16x8, i32x4};
+
+use super::axis::{Axis, DISTANCES, PLACES, SIZES, SPREADS};
+use super::bumps::{Bumps, Width, below};
+use super::mixed::AxisCoder;
+use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, QuickShares, Rate, code_shares, log2_q16};
+
+/// Cells of an axis.
+const CELLS: usize = 16;
+/// Where cells end, in steps of the grid or of a power of two of it; the last one does not.
+const ENDS: [i32; CELLS - 1] = [-16, -10, -7, -5, -3, -2, -1, 0, 1, 2, 3, 5, 7, 10, 16];
+/// Steps of cells are wider than one where half the interval is wider than 2 to this.
+const SPAN_LOG: u32 = 5;
+
+/// One in scores, as a power of two: a bit.
+const SCORE_LOG: u32 = 9;
+/// Weights are finer than scores by this power of two.
+const WEIGHT_LOG: u32 = 8;
+/// One in the weight of the density.
+const DENSITY_ONE: i32 = 1 << 14;
+/// Mass that lies in every cell, of 2^14, as a multiple of a step.
+const DOUBT: usize = 192 >> MASS_LOG;
+/// Masses are told apart in steps of 2 to this.
+const MASS_LOG: u32 = 2;
+/// Powers of two from 0 down, in steps of 1/64.
+const POWERS: usize = 1024;
+
+/// `2^(15 - at / 64)`, rounded down: by repeated multiplication with `2^(-1/64)` in 1/2^62.
+static EXPONENTIALS: [u16; POWERS] = {
+    let mut table = [0; POWERS];
+    let mut power: u128 = (1 << 62) - 1;
+    let mut at = 0;
+    while at < POWERS {
+        table[at] = (power >> 47) as u16;
+        power = (power * 4_562_008_997_483_360_256) >> 62;
+        at += 1;
+    }
+    table
+};
+
+/// Logarithms to base 2 of masses and a little more, in 1/256.
+static LOGARITHMS: [i16; (1 << (14 - MASS_LOG)) + 1] = {
+    let mut table = [0; (1 << (14 - MASS_LOG)) + 1];
+    let mut at = 0;
+    while at < table.len() {
+        table[at] = (log2_q16((at + DOUBT) as u64) >> 8) as i16;
+        at += 1;
+    }
+    table
+};
+
+/// What a density says of all cells: logarithms to base 2, in 1/256.
+type Said = [i16x8; 2];
+
+/// Weights of all cells under one circumstance.
+#[derive(Clone, Copy, Debug)]
+struct Weights {
+    weights: [i32x4; CELLS / 4],
+    seen: u32,
+}
+
+/// What is learned about one axis.
+#[derive(Clone, Debug)]
+pub(super) struct CellModel {
+    by_size: Vec<Weights>,
+    by_place: Vec<Weights>,
+    by_spread: Vec<Weights>,
+    by_distance: Vec<Weights>,
+    /// How much the density counts, by place.
+    trust: [i32; PLACES],
+    /// Whether a coordinate lies in the upper part of what is left of a cell, by its width and what the density says.
+    halves: Vec<AdaptiveBit>,
+    far: AdaptiveNumber,
+}
+
+/// Kinds of widths, and kinds of what the density says, of halves.
+const WIDTHS: usize = 16;
+const CHANCES: usize = 32;
+
+impl CellModel {
+    /// Knows nothing yet.
+    pub(super) fn new() -> Self {
+        let weights = |count: usize| vec![Weights { weights: [i32x4::ZERO; CELLS / 4], seen: 0 }; count];
+        Self {
+            by_size: weights(SIZES),
+            by_place: weights(PLACES),
+            by_spread: weights(SPREADS),
+            by_distance: weights(DISTANCES),
+            trust: [FIRST_TRUST; PLACES],
+            halves: vec![AdaptiveBit::new(Rate::Steady); WIDTHS * CHANCES],
+            far: AdaptiveNumber::new(2 * SIZES, Rate::Steady),
+        }
+    }
+
+    fn circumstances(&mut self, axis: &Axis<'_, 1, 1>) -> [&mut Weights; 4] {
+        [
+            &mut self.by_size[axis.size],
+            &mut self.by_place[axis.place],
+            &mut self.by_spread[axis.spread],
+            &mut self.by_distance[axis.distance],
+        ]
+    }
+
+    /// Codes a cell as counters see it, given what the density says.
+    #[inline]
+    fn cell<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, 1, 1>, said: &Said, meant: usize) -> usize {
+        let trust = i16x8::splat(self.trust[axis.place] as i16);
+        // Of 1/256 and 1/16384, in scores.
+        let scores = said.map(|said| (said << (SCORE_LOG - 6)).mul_keep_high(trust));
+        let circumstances = self.circumstances(axis);
+        let scores = add_weights(&circumstances, scores);
+        let (parts, shares) = parts_of(&scores);
+        let cell = code_shares(coder, meant, &shares);
+        let mut errors = parts.map(|part| -part);
+        errors[cell & 15] += i16::MAX;
+        let steps: [i32x4; CELLS / 4] = std::array::from_fn(|quarter| {
+            i32x4::new(std::array::from_fn(|at| i32::from(errors[4 * quarter + at]) << 1))
+        });
+        circumstances.into_iter().for_each(|weights| weights.learn(&steps));
+        let errors = [0, 8].map(|at| i16x8::from_slice_unaligned(&errors[at..at + 8]));
+        let pull: i32 = (said[0].dot(errors[0]) + said[1].dot(errors[1])).to_array().iter().sum();
+        let trust = &mut self.trust[axis.place];
+        *trust = (*trust + (pull >> TRUST_SHIFT)).clamp(0, 2 * DENSITY_ONE - 1);
+        cell
+    }
+
+    /// Codes what is left of a cell between two offsets from the center.
+    fn within<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        axis: &Axis<'_, 1, 1>,
+        (mut low, mut high): (i32, i32),
+        actual: i32,
+    ) -> i32 {
+        if high - low < 2 {
+            return low;
+        }
+        let width = axis.widths;
+        let mass = |off: i32| below_all(axis, off, &width);
+        let [mut below_low, mut below_high] = [low, high].map(mass);
+        while high - low > 1 {
+            let middle = low.midpoint(high);
+            let below = mass(middle);
+            let [up, all] =
+                [below_high - below, below_high - below_low].map(|m| i64::from(m.max(0)) + (1 << 16));
+            let chance = ((up * CHANCES as i64) / (all + (1 << 16))).clamp(0, CHANCES as i64 - 1) as usize;
+            let width = (high - low).ilog2().min(WIDTHS as u32 - 1) as usize;
+            let is_up = self.halves[width * CHANCES + chance].code(coder, actual >= middle);
+            if is_up {
+                (low, below_low) = (middle, below);
+            } else {
+                (high, below_high) = (middle, below);
+            }
+        }
+        low
+    }
+}
+
+/// How slowly weights are learned in the end, and the trust in densities.
+const LAST_SHIFT: u32 = 4;
+const TRUST_SHIFT: u32 = 15;
+/// How much the density counts at first.
+const FIRST_TRUST: i32 = 16_000;
+
+impl Weights {
+    #[inline]
+    fn learn(&mut self, steps: &[i32x4; CELLS / 4]) {
+        self.seen = (self.seen + 1).min(1 << 12);
+        let shift = (1 + (self.seen >> 2)).ilog2().min(LAST_SHIFT);
+        for (weights, &step) in self.weights.iter_mut().zip(steps) {
+            *weights += step >> shift;
+        }
+    }
+}
+
+/// Adds to what the density says what weights say under all circumstances.
+#[inline]
+fn add_weights(circumstances: &[&mut Weights; 4], said: [i16x8; 2]) -> [i16; CELLS] {
+    let mut scores = [0; CELLS];
+    let said = said.map(|said| said.to_array());
+    for (quarter, (scores, said)) in
+        scores.chunks_exact_mut(4).zip(said.as_flattened().chunks_exact(4)).enumerate()
+    {
+        let sum = circumstances.iter().fold(i32x4::ZERO, |sum, weights| sum + weights.weights[quarter]);
+        let sum = (sum >> WEIGHT_LOG).to_array();
+        for ((score, sum), &said) in scores.iter_mut().zip(sum).zip(said) {
+            *score = (sum + i32::from(said)).clamp(-16_000, 16_000) as i16;
+        }
+    }
+    scores
+}
+
+/// The probability of each cell, in 1/32768, and where each one's share begins.
+#[inline]
+fn parts_of(scores: &[i16; CELLS]) -> ([i16; CELLS], QuickShares) {
+    let [low, high] = [0, 8].map(|at| i16x8::from_slice_unaligned(&scores[at..at + 8]));
+    let best = i16x8::splat(low.max(high).reduce_max());
+    let last = i16x8::splat(POWERS as i16 - 1);
+    let steps = [low, high].map(|half| (best.saturating_sub(half) >> (SCORE_LOG - 6)).min(last).to_array());
+    let (mut parts, mut shares) = ([0; CELLS], [0; CELLS]);
+    let mut sum = 0;
+    for (part, &step) in parts.iter_mut().zip(steps.as_flattened()) {
+        *part = EXPONENTIALS[step as usize % POWERS] as i16;
+        sum += *part as u32;
+    }
+    let inverse = ((1u32 << 31) - 1) / sum.max(1);
+    let mut begin = 0;
+    for (part, share) in parts.iter_mut().zip(&mut shares) {
+        *part = ((*part as u32 * inverse) >> 16) as i16;
+        *share = begin;
+        begin += *part;
+    }
+    (parts, shares)
+}
+
+/// The ends of cells in local units for each power of two of a step, from [`LEAST_STEP_LOG`] on; the last one is beyond all.
+static LOCAL_ENDS: [[i16; CELLS]; 16 - LEAST_STEP_LOG as usize] = {
+    let mut table = [[i16::MAX; CELLS]; 16 - LEAST_STEP_LOG as usize];
+    let mut log = 0;
+    while log < table.len() {
+        let mut at = 0;
+        while at < CELLS - 1 {
+            let end = ENDS[at] << (log + LEAST_STEP_LOG as usize);
+            table[log][at] = if end > 16_000 {
+                16_000
+            } else if end < -16_000 {
+                -16_000
+            } else {
+                end as i16
+            };
+            at += 1;
+        }
+        log += 1;
+    }
+    table
+};
+const LEAST_STEP_LOG: u32 = 4;
+
+/// How much of the density lies below a coordinate so far from the center.
+fn below_all(axis: &Axis<'_, 1, 1>, off: i32, width: &[Width; 1]) -> i32 {
+    let x = axis.local.border(axis.centre.wrapping_add(off), axis.axis);
+    below(axis.bumps, x, width)[0]
+}
+
+/// What the density says of the cells, these in the order in which counters see them.
+#[inline]
+fn said_of(axis: &Axis<'_, 1, 1>, step_log: u32) -> Said {
+    let local_log = (step_log as i32 + axis.local.shift - LEAST_STEP_LOG as i32).max(0) as usize;
+    let center = i16x8::splat(axis.local.border(axis.centre, axis.axis));
+    let (low, high) = LOCAL_ENDS[local_log.min(LOCAL_ENDS.len() - 1)].split_at(8);
+    let ends = [low, high].map(|ends| i16x8::from_slice_unaligned(ends).saturating_add(center));
+    let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
+    let (mut said, mut below) = ([0; CELLS], 0);
+    for (cell, &sum) in below_ends(axis.bumps, ends, axis.widths[0]).iter().enumerate() {
+        let mass = (sum - below).max(0) as usize >> MASS_LOG;
+        said[cell ^ flip] = LOGARITHMS[mass.min(LOGARITHMS.len() - 1)];
+        below = sum;
+    }
+    [0, 8].map(|at| i16x8::from_slice_unaligned(&said[at..at + 8]))
+}
+
+/// How much of the density lies below each end, all of it being about 2^13 to 2^14.
+#[inline]
+fn below_ends(density: &[Bumps], ends: [i16x8; 2], width: Width) -> [i16; CELLS] {
+    // Zeros that the compiler does not know of: it would take shifts and products apart into 32-bit lanes.
+    let opaque = i16x8::new(std::hint::black_box([0; 8]));
+    let mut sums = [i16x8::ZERO; 2];
+    for bumps in density {
+        for (&at, &weight) in bumps.at.iter().zip(&bumps.weight).filter(|&(_, &weight)| weight != 0) {
+            let (at, weight) = (i16x8::splat(at), i16x8::splat(weight) ^ opaque);
+            for (sum, end) in sums.iter_mut().zip(ends) {
+                let below: i16x8 = (width.below(end.saturating_sub(at)) ^ opaque) << 2u32;
+                *sum += (below ^ opaque).mul_keep_high(weight);
+            }
+        }
+    }
+    let mut all = [0; CELLS];
+    all[..8].copy_from_slice(sums[0].as_array());
+    all[8..].copy_from_slice(sums[1].as_array());
+    all
+}
+
+impl AxisCoder<1, 1> for CellModel {
+    fn new(_: bool) -> Self {
+        Self::new()
+    }
+
+    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, 1, 1>, actual: i32) -> i32 {
+        let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
+        let step_log = span_log.saturating_sub(SPAN_LOG);
+        let said = said_of(axis, step_log);
+        let actual = actual.wrapping_sub(axis.centre);
+        let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
+        let meant = ENDS.iter().filter(|&&end| actual >= end << step_log).count() ^ flip;
+        let cell = self.cell(coder, axis, &said, meant) ^ flip;
+        let off = if cell == 0 {
+            let beyond = (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(actual) as u32;
+            (ENDS[0] << step_log)
+                .wrapping_sub(1)
+                .wrapping_sub(self.far.unsigned(coder, axis.size, beyond) as i32)
+        } else if cell == CELLS - 1 {
+            let first = ENDS[CELLS - 2] << step_log;
+            let beyond = actual.wrapping_sub(first) as u32;
+            first.wrapping_add(self.far.unsigned(coder, SIZES + axis.size, beyond) as i32)
+        } else {
+            self.within(coder, axis, (ENDS[cell - 1] << step_log, ENDS[cell] << step_log), actual)
+        };
+        axis.centre.wrapping_add(off)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::local::Local;
+    use super::*;
+
+    #[test]
+    fn exponentials_and_logarithms_are_right() {
+        for (at, &power) in EXPONENTIALS.iter().enumerate() {
+            let expected = 32_768.0 * (-(at as f64) / 64.0).exp2();
+            assert!((f64::from(power) - expected).abs() <= 1.01, "{at}: {power} for {expected}");
+        }
+        for (at, &logarithm) in LOGARITHMS.iter().enumerate() {
+            let expected = ((at + DOUBT) as f64).log2() * 256.0;
+            assert!((f64::from(logarithm) - expected).abs() < 1.01, "{at}: {logarithm} for {expected}");
+        }
+    }
+
+    #[test]
+    fn parts_are_probabilities() {
+        let mut scores = [-600; CELLS];
+        scores[3] = 512;
+        scores[9] = 1024;
+        let (parts, shares) = parts_of(&scores);
+        // One bit apart.
+        assert!((parts[9] - 2 * parts[3]).abs() < 40, "{parts:?}");
+        assert!(shares.is_sorted() && shares[0] == 0);
+        let sum: i32 = parts.iter().map(|&part| i32::from(part)).sum();
+        assert!((32_700..=32_768).contains(&sum), "{sum}");
+        let even = parts_of(&[-16_000; CELLS]).0;
+        assert!(even.iter().all(|&part| (2040..=2048).contains(&part)), "{even:?}");
+    }
+
+    /// A density of one bump, and an axis where that stands.
+    fn axis<'a>(local: &'a Local, bumps: &'a [Bumps], is_mirrored: bool) -> Axis<'a, 1, 1> {
+        Axis {
+            local,
+            axis: 0,
+            bumps,
+            widths: [Width::new(7)],
+            centre: 40,
+            is_mirrored,
+            is_last: false,
+            size: 20,
+            place: 1,
+            distance: 2,
+            spread: 3,
+        }
+    }
+
+    #[test]
+    fn densities_speak_for_the_cells_where_they_lie() {
+        // One step of the grid is 64 local units.
+        let local = Local { origin: [40, 0, 0], shift: 6, factor: 1 << 22, radius: 1200, ..Local::default() };
+        let bumps = [Bumps { at: [130, 0, 0, 0, 0, 0, 0, 0], weight: [16_000, 0, 0, 0, 0, 0, 0, 0] }];
+        for is_mirrored in [false, true] {
+            let said = said_of(&axis(&local, &bumps, is_mirrored), 0).map(|half| half.to_array());
+            let said = said.as_flattened();
+            let best = (0..CELLS).max_by_key(|&cell| said[cell]).unwrap();
+            // Two steps above the center, counted from either end.
+            assert_eq!(best, if is_mirrored { CELLS - 1 - 10 } else { 10 }, "{said:?}");
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! Positions from one prediction: quick to read.
+//!
+//! The prediction blends the middle of the ring, what the triangles around it point to, and the vertex that split, by learned
+//! weights. What is left is one symbol an axis, and the bits below.
+
+use super::super::hood::Hood;
+use super::super::surface::next;
+use super::blend::Blend;
+use super::local::LANES;
+use super::sight::INVERSES;
+use crate::entropy::{AdaptiveNumber, AdaptiveSymbol, Coder, Rate, code_symbol, log2_q8};
+
+/// Kinds of sizes, and kinds of disagreement.
+const SIZES: usize = 64;
+const SPREADS: usize = 16;
+
+/// A model of positions with one prediction.
+#[derive(Clone, Debug)]
+pub(super) struct PlainModel {
+    /// Along the surface and across it, by valence.
+    blends: [[Blend<3>; 4]; 2],
+    axes: [PlainAxis; 3],
+}
+
+/// How far off predictions are along an axis: zero, or a sign and a bucket (1, 2 to 3, ..), all else being noise.
+#[derive(Clone, Debug)]
+struct PlainAxis {
+    by_size: Vec<AdaptiveSymbol>,
+    by_spread: Vec<AdaptiveSymbol>,
+    far: AdaptiveNumber,
+}
+
+/// The symbol of what lies in no bucket.
+const FAR: usize = 15;
+/// The buckets that have symbols, and the number that lies beyond them.
+const NEAR: u32 = 1 << 7;
+
+impl PlainAxis {
+    fn new() -> Self {
+        Self {
+            by_size: vec![AdaptiveSymbol::new(); SIZES],
+            by_spread: vec![AdaptiveSymbol::new(); SPREADS],
+            far: AdaptiveNumber::new(SIZES, Rate::Steady),
+        }
+    }
+
+    /// Codes how far off the prediction is; the lowest `noise` bits tell nothing.
+    #[inline]
+    fn code<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        (size, spread, noise): (usize, usize, u32),
+        actual: i32,
+    ) -> i32 {
+        let high = actual >> noise;
+        let distance = high.unsigned_abs();
+        let bucket = distance.max(1).ilog2();
+        let meant = match distance {
+            0 => 0,
+            NEAR.. => FAR,
+            _ => 1 + 2 * bucket as usize + usize::from(high < 0),
+        };
+        let symbol = code_symbol(coder, &mut self.by_size[size], &mut self.by_spread[spread], meant);
+        let bucket = if symbol == FAR { 0 } else { (symbol.max(1) as u32 - 1) / 2 };
+        let bits = bucket + noise;
+        let below = distance << noise | actual as u32 & ((1 << noise) - 1);
+        let below = if bits == 0 { 0 } else { coder.raw(below, bits) };
+        let top = match symbol {
+            0 => 0,
+            FAR => self.far.signed(coder, size, high),
+            _ => 1 << bucket | (below >> noise) as i32,
+        };
+        let high = if symbol % 2 == 0 { -top } else { top };
+        let high = if symbol == FAR { top } else { high };
+        high.wrapping_shl(noise) | (below & ((1 << noise) - 1)) as i32
+    }
+}
+
+/// What is around a new vertex, as far as one prediction needs it.
+///
+/// Sums are in grid steps, from a ring vertex; only what comes of them is taken to local units, where the ring's radius has
+/// eleven bits.
+struct Around {
+    /// The ring vertex that all is counted from.
+    base: [i32; 3],
+    /// The middle of the ring, in 1/16 grid steps.
+    middle: [i32; 3],
+    /// Local units are 1/16 grid steps times 2 to this.
+    scale: i32,
+    /// The ring's radius, roughly, in local units.
+    radius: i32,
+    normal: [i32; 3],
+    /// Axes from the most tangential to the most normal.
+    axes: [usize; 3],
+    /// By axis, how far from the middle of the ring others lie: the mean of parallelograms across ring edges, the vertex
+    /// that split, and the middle of its neighbours in the ring.
+    features: [[i32; 3]; 3],
+}
+
+/// Three coordinates and whether they are known: all zero if not.
+type Known = [i32; 4];
+
+/// Local coordinates stay within this.
+const LOCAL_REACH: i64 = 12_000;
+
+impl Around {
+    fn look(hood: &Hood<'_>) -> Self {
+        let corners = &hood.corners[..hood.corners.len().min(LANES)];
+        let n = corners.len();
+        let first = hood.surface.virtual_count();
+        let is_known = |vertex: u32| first <= vertex && vertex < hood.vertex;
+        let mut ids = corners.iter().map(|&corner| hood.surface.vertex(next(corner)));
+        let near = ids.find(|&vertex| is_known(vertex)).map(|vertex| vertex as usize);
+        let base = near.map_or([0; 3], |near| hood.places[near]);
+        // No branches: nobody can foretell what is known.
+        let off = |vertex: u32| {
+            let is_known = is_known(vertex);
+            let place = hood.places[if is_known { vertex as usize } else { near.unwrap_or(0) }];
+            let mask = -i32::from(is_known);
+            let [x, y, z] = [0, 1, 2].map(|a| place[a].wrapping_sub(base[a]) & mask);
+            [x, y, z, i32::from(is_known)]
+        };
+        let (mut ring, mut apexes) = ([[0; 4]; LANES + 1], [[0; 4]; LANES]);
+        for (i, &corner) in corners.iter().enumerate() {
+            ring[i] = off(hood.surface.vertex(next(corner)));
+            apexes[i] = off(hood.surface.vertex(hood.surface.opposite(corner)));
+        }
+        let ring_sum = ring.iter().fold([0; 4], |sum, p| add(sum, *p));
+        ring[n] = ring[0];
+        let mut sum = [0i32; 4];
+        for i in 0..LANES {
+            let (p, q, r) = (ring[i], ring[i + 1], apexes[i]);
+            // All ones where all three are known.
+            let mask = -(p[3] & q[3] & r[3]);
+            (0..4).for_each(|a| {
+                sum[a] = sum[a].wrapping_add(p[a].wrapping_add(q[a]).wrapping_sub(r[a]) & mask);
+            });
+        }
+        let middle = mean(ring_sum).unwrap_or_default();
+        let from_middle = |p: Known| mean(p).map_or([0; 3], |p| minus(p, middle));
+        let quarter = (n / 4).max(1);
+        let [d, e] = [[0, n / 2], [quarter, (quarter + n / 2) % n]]
+            .map(|[i, j]| minus(from_middle(ring[i]), from_middle(ring[j])));
+        // Ways along axes are longer than straight ones by a half.
+        let radius = d.iter().chain(&e).map(|x| x.unsigned_abs() >> 2).sum::<u32>().max(12) / 3 * 2;
+        let scale = 10 - radius.ilog2() as i32;
+        let radius = if scale < 0 { radius >> -scale } else { radius << scale } as i32;
+        let mut around =
+            Self { base, middle, scale, radius, normal: [0; 3], axes: [0, 1, 2], features: [[0; 3]; 3] };
+        let points = [sum, ring[0], add(ring[1], ring[n - 1])].map(from_middle);
+        around.features = [0, 1, 2].map(|a| points.map(|p| around.localise(p[a].into())));
+        around.face(d, e);
+        around
+    }
+
+    /// The normal, from two diagonals of the ring.
+    fn face(&mut self, d: [i32; 3], e: [i32; 3]) {
+        let [d, e] = [d, e].map(|x| x.map(|x| self.localise(x.into())));
+        self.normal = [[1, 2], [2, 0], [0, 1]].map(|[a, b]| d[a] * e[b] - d[b] * e[a]);
+        let steep = self.normal.map(i32::unsigned_abs);
+        self.axes.sort_unstable_by_key(|&a| steep[a]);
+    }
+
+    /// A distance in 1/16 grid steps in local units.
+    #[inline]
+    fn localise(&self, distance: i64) -> i32 {
+        ((distance << 8) >> (8 - self.scale)).clamp(-LOCAL_REACH, LOCAL_REACH) as i32
+    }
+
+    /// The grid coordinate nearest to one that lies so far from the middle, in local units.
+    #[inline]
+    fn to_grid(&self, local: i32, axis: usize) -> i32 {
+        let off = (i64::from(local) << (24 - self.scale)) >> 24;
+        self.base[axis].wrapping_add(((i64::from(self.middle[axis]) + off + 8) >> 4) as i32)
+    }
+
+    /// How far a grid coordinate lies from the middle, in local units.
+    #[inline]
+    fn off_middle(&self, coordinate: i32, axis: usize) -> i32 {
+        let off = coordinate.wrapping_sub(self.base[axis]);
+        self.localise(16 * i64::from(off) - i64::from(self.middle[axis]))
+    }
+}
+
+#[inline]
+fn add(p: Known, q: Known) -> Known {
+    [0, 1, 2, 3].map(|a| p[a].wrapping_add(q[a]))
+}
+
+/// The mean of so many points as a sum has, in 1/16 of its steps.
+#[inline]
+fn mean(sum: Known) -> Option<[i32; 3]> {
+    let inverse = i64::from(INVERSES[sum[3] as usize]);
+    (sum[3] > 0).then(|| [0, 1, 2].map(|a| ((i64::from(sum[a]) * inverse) >> 8) as i32))
+}
+
+#[inline]
+fn minus(p: [i32; 3], q: [i32; 3]) -> [i32; 3] {
+    [0, 1, 2].map(|a| p[a].wrapping_sub(q[a]))
+}
+
+impl PlainModel {
+    /// Knows nothing yet.
+    pub(super) fn new() -> Self {
+        Self {
+            blends: [[Blend::new([16_000, 0, 0]); 4]; 2],
+            axes: [PlainAxis::new(), PlainAxis::new(), PlainAxis::new()],
+        }
+    }
+
+    /// Codes the place of a new vertex.
+    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, hood: &Hood<'_>, actual: [i32; 3]) -> [i32; 3] {
+        let around = Around::look(hood);
+        let (normal, axes) = (around.normal, around.axes);
+        let valence = hood.corners.len().clamp(4, 7) - 4;
+        let size = (2 * (20 + around.scale) + (around.radius >> 9 & 1)).clamp(0, SIZES as i32 - 1) as usize;
+        let mut place = [0; 3];
+        // What the place found so far adds to the height of the last axis.
+        let mut rise = 0;
+        for (slot, &a) in axes.iter().enumerate() {
+            let features = &around.features[a];
+            let blend = &mut self.blends[slot / 2][valence];
+            let expected = blend.predict(features);
+            let lifted = if slot < 2 { expected } else { (expected - rise).clamp(-12_000, 12_000) };
+            let centre = around.to_grid(lifted, a);
+            let spread =
+                ((log2_q8(features[0].unsigned_abs() + 16) - 1024) >> 7).clamp(0, SPREADS as i32 - 1);
+            // Where rings are wide the lowest bits tell nothing.
+            let noise = (1 - around.scale - slot as i32 / 2).clamp(0, 17) as u32;
+            let residual = actual[a].wrapping_sub(centre);
+            place[a] =
+                centre.wrapping_add(self.axes[slot].code(coder, (size, spread as usize, noise), residual));
+            let found = around.off_middle(place[a], a);
+            let error = (found - lifted).clamp(-around.radius, around.radius);
+            blend.learn(features, error);
+            if slot < 2 && normal[axes[2]] != 0 {
+                rise +=
+                    (i64::from(found - expected) * i64::from(normal[a]) / i64::from(normal[axes[2]])) as i32;
+            }
+        }
+        place
+    }
+}

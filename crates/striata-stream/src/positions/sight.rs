@@ -1,0 +1,258 @@
+//! The densities of a new vertex's place, axis by axis.
+
+use wide::{i16x8, i32x4};
+
+use super::super::hood::Hood;
+use super::axis::{Axis, DISTANCES, SIZES, SPREADS};
+use super::bumps::{Bumps, Width};
+use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
+use super::local::{LANES, Local, Point};
+use crate::entropy::log2_q8;
+
+/// Within which distance, in 1/256 of the radius, a guess of the first and of the second axis counts for more: widely, narrowly.
+const NEAR: [[i32; 2]; 2] = [[45, 10], [130, 20]];
+/// What a guess counts that was far off; one that was widely right counts 12288 more, one that was narrowly right 16384 more.
+const FAR_WORTH: i16 = 2800;
+/// What guesses count at first, and planes where they come in.
+const FULL_WORTH: i16 = 1 << 9;
+const PLANE_WORTH: i16 = 400;
+/// What a coordinate is blended of.
+pub(super) const FEATURES: usize = KINDS + 4;
+/// 4096 by each number.
+pub(super) const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 683, 585, 512];
+
+/// What is known of one new vertex, with the first `USED` kinds of guesses.
+#[derive(Clone, Debug)]
+pub(super) struct Sight<const USED: usize> {
+    /// What is around it.
+    pub(super) local: Local,
+    guesses: [Guesses; KINDS],
+    bumps: [Bumps; USED],
+    is_last: bool,
+    /// True where the last axis runs against the normal.
+    is_inward: bool,
+    /// By axis, the vertex that split and what is seen from there.
+    kept: [[i32; 4]; 3],
+    /// How much each guess counts, by what is known of the vertex already.
+    weights: [i16x8; USED],
+}
+
+impl<const USED: usize> Sight<USED> {
+    /// True where guesses need what is two rings away.
+    pub(super) const LOOKS_BEYOND: bool = USED > STRAIGHT;
+
+    /// Nothing seen yet.
+    pub(super) fn new() -> Self {
+        Self {
+            local: Local::default(),
+            guesses: [Guesses::default(); KINDS],
+            bumps: [Bumps::default(); USED],
+            weights: [i16x8::ZERO; USED],
+            is_last: false,
+            is_inward: false,
+            kept: [[0; 4]; 3],
+        }
+    }
+
+    /// Looks at the surroundings of another vertex.
+    pub(super) fn look(&mut self, hood: &Hood<'_>) {
+        self.local.look(hood, Self::LOOKS_BEYOND);
+        guess(&self.local, &mut self.guesses);
+        self.kept = kept_and_beside(&self.local);
+        for (weights, guesses) in self.weights.iter_mut().zip(&self.guesses) {
+            *weights = first_lanes(guesses.count) & i16x8::splat(FULL_WORTH);
+        }
+    }
+
+    /// Puts the bumps where the guesses are along an axis, given what is known of the place.
+    pub(super) fn aim(&mut self, slot: usize, (normal, axes): ([i64; 3], [usize; 3]), place: [i32; 3]) {
+        self.is_last = slot == 2;
+        self.is_inward = normal[axes[2]] < 0;
+        if slot == 2 {
+            self.move_along(normal, axes, place);
+            self.raise_planes(axes, place);
+        } else {
+            for (bumps, guesses) in self.bumps.iter_mut().zip(&self.guesses) {
+                bumps.at = guesses.at[axes[slot]];
+            }
+        }
+        // All weights together come to 2^14 to 2^15.
+        let total: i32 = self.weights.iter().map(|weights| sum(weights.dot(i16x8::ONE))).sum();
+        let lift = 14 - total.max(1).ilog2() as i32;
+        for (bumps, weights) in self.bumps.iter_mut().zip(&mut self.weights) {
+            *weights = if lift >= 0 { *weights << lift as u32 } else { *weights >> -lift as u32 };
+            bumps.weight = weights.to_array();
+        }
+    }
+
+    /// Moves all guesses along the ring's plane to what is known of the vertex.
+    fn move_along(&mut self, normal: [i64; 3], axes: [usize; 3], place: [i32; 3]) {
+        let [a, b, c] = axes;
+        let [x, y] = [a, b].map(|a| self.local.localise_axis(place[a], a));
+        let steep = if normal[c] == 0 { 1 } else { normal[c] };
+        for at in 0..4 {
+            let rise =
+                normal[a] * i64::from(x - self.kept[a][at]) + normal[b] * i64::from(y - self.kept[b][at]);
+            self.kept[c][at] = (i64::from(self.kept[c][at]) - rise / steep).clamp(-16_000, 16_000) as i32;
+        }
+        // Slopes of at most 1, in 1/16384; differences of a few radii, times 4.
+        let slopes = [a, b].map(|a| i16x8::splat((normal[a] * 16_383 / steep) as i16));
+        let known = [x, y].map(|x| i16x8::splat(x as i16));
+        for (bumps, guesses) in self.bumps.iter_mut().zip(&self.guesses) {
+            let [rise, more] = [(a, 0), (b, 1)].map(|(a, i)| {
+                let off = known[i].saturating_sub(i16x8::new(guesses.at[a]));
+                let off: i16x8 = off.max(i16x8::splat(-8191)).min(i16x8::splat(8191)) << 2u32;
+                off.mul_keep_high(slopes[i])
+            });
+            let moved = i16x8::new(guesses.at[c]).saturating_sub(rise).saturating_sub(more);
+            bumps.at = moved.to_array();
+        }
+    }
+
+    /// Puts the heights of the planes across ring edges in the place of a kind.
+    fn raise_planes(&mut self, [a, b, c]: [usize; 3], place: [i32; 3]) {
+        let local = &self.local;
+        let [x, y] = [a, b].map(|a| local.localise_axis(place[a], a));
+        let mut count = 0;
+        for i in 0..local.count {
+            let j = if i + 1 == local.count { 0 } else { i + 1 };
+            let (Some(p), Some(q), Some(r)) = (local.ring[i], local.ring[j], local.apexes[i]) else {
+                continue;
+            };
+            let normal = cross(minus(q, p), minus(r, p));
+            if 2 * normal[c].abs() <= normal[a].abs().max(normal[b].abs()) {
+                continue;
+            }
+            let rise = (normal[a] * i64::from(x - p[a]) + normal[b] * i64::from(y - p[b])) / normal[c];
+            self.bumps[MOVED].at[count] = (i64::from(p[c]) - rise).clamp(-16_000, 16_000) as i16;
+            count += 1;
+        }
+        self.guesses[MOVED].count = count;
+        self.weights[MOVED] = first_lanes(count) & i16x8::splat(PLANE_WORTH);
+    }
+
+    /// What a coordinate is blended of: the middle of the ring, and how far from there others are: the mean of each kind of
+    /// guesses, in the place of the middles that of all guesses by weight, and what depends on the vertex that split.
+    pub(super) fn features(&self, axis: usize) -> (i32, [i32; FEATURES]) {
+        let base = i32::from(self.bumps[MIDDLE].at[0]);
+        let mut features = [0; FEATURES];
+        let (mut all, mut total) = (0, 0);
+        for (kind, (bumps, guesses)) in self.bumps.iter().zip(&self.guesses).enumerate() {
+            let (at, weight) = (i16x8::new(bumps.at), i16x8::new(bumps.weight));
+            if guesses.count > 0 {
+                let sum = sum(at.dot(first_lanes(guesses.count) & i16x8::ONE));
+                features[kind] = ((sum * INVERSES[guesses.count]) >> 12) - base;
+            }
+            all += sum(at.dot(weight)) >> 4;
+            total += sum(weight.dot(i16x8::ONE));
+        }
+        features[MIDDLE] = all / (total >> 4).max(1) - base;
+        features[KINDS..].copy_from_slice(&self.kept[axis].map(|x| x - base));
+        (base, features)
+    }
+
+    /// What one axis is coded with: what is expected there, and what the surroundings are like.
+    pub(super) fn axis<const DENSITIES: usize, const WIDTHS: usize>(
+        &self,
+        axis: usize,
+        widths: [u32; WIDTHS],
+        (expected, place): (i32, usize),
+        features: &[i32; FEATURES],
+    ) -> Axis<'_, DENSITIES, WIDTHS> {
+        let local = &self.local;
+        // Guesses are no better than the grid.
+        let narrowest = local.shift.clamp(0, 13) as u32;
+        let size = 2 * (local.shift + 16) + (local.radius >> 9 & 1);
+        let distance = (self.kept[axis][0] - expected).abs();
+        let is_mirrored = if self.is_last { self.is_inward } else { self.kept[axis][0] < expected };
+        let spread =
+            [INSIDE, ACROSS, STRAIGHT].iter().map(|&kind| features[kind].unsigned_abs()).sum::<u32>();
+        let spread = log2_q8(spread * 1024 / local.radius as u32 + 16) - 1024;
+        Axis {
+            local,
+            axis,
+            bumps: &self.bumps,
+            widths: widths.map(|width| Width::new(width.max(narrowest))),
+            // The cell that is expected is the first upwards, from either end.
+            centre: local.to_grid(expected, axis).wrapping_add(i32::from(is_mirrored)),
+            is_last: self.is_last,
+            is_mirrored,
+            size: (size as usize).min(SIZES - 1),
+            place,
+            distance: (distance * 16 / local.radius).min(DISTANCES as i32 - 1) as usize,
+            spread: (spread >> 7).clamp(0, SPREADS as i32 - 1) as usize,
+        }
+    }
+
+    /// Guesses far from what was found count less from now on.
+    pub(super) fn reweigh(&mut self, slot: usize, found: i32) {
+        let found = i16x8::splat(found as i16);
+        let reaches = NEAR[slot].map(|reach| {
+            let reach = (self.local.radius * reach) >> 8;
+            let lift = 13 - reach.ilog2();
+            (i16x8::splat(reach as i16), i16x8::splat((((1 << 28) / (reach << lift)) - 1) as i16), lift)
+        });
+        for (weights, bumps) in self.weights.iter_mut().zip(&self.bumps) {
+            let off = found.saturating_sub(i16x8::new(bumps.at));
+            let off = off.max(-off);
+            let [wide, narrow] = reaches.map(|(reach, inverse, lift)| {
+                // The nearest are at 2^14.
+                let near: i16x8 = reach.saturating_sub(off).max(i16x8::ZERO) << lift;
+                let near: i16x8 = near.mul_keep_high(inverse) << 2u32;
+                near.mul_keep_high(near)
+            });
+            let worth = i16x8::splat(FAR_WORTH) + wide + (wide << 1u32) + (narrow << 2u32);
+            *weights = weights.mul_keep_high(worth);
+        }
+    }
+}
+
+/// The normal of the ring, and the axes from the most tangential to the most normal.
+pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
+    let mut normal = [0i64; 3];
+    for i in 0..local.count {
+        let j = if i + 1 == local.count { 0 } else { i + 1 };
+        let (Some(p), Some(q)) = (local.ring[i], local.ring[j]) else { continue };
+        normal.iter_mut().zip(cross(p, q)).for_each(|(sum, x)| *sum += x);
+    }
+    let mut axes = [0, 1, 2];
+    axes.sort_by_key(|&a| normal[a].abs());
+    (normal, axes)
+}
+
+/// By axis, where the vertex that split is, the middle of its neighbours in the ring, that of the next ones, and that of what
+/// lies across its edges to its neighbours.
+fn kept_and_beside(local: &Local) -> [[i32; 4]; 3] {
+    let n = local.count;
+    let kept = local.ring[0].unwrap_or_default();
+    let beside = mean(local.ring[1 % n], local.ring[n - 1]);
+    let further = mean(local.ring[2 % n], local.ring[(2 * n - 2) % n]);
+    let behind = mean(local.apexes[0], local.apexes[n - 1]);
+    [0, 1, 2].map(|a| [kept[a], beside[a], further[a], behind[a]])
+}
+
+/// The middle of two points, or the one that there is.
+pub(super) fn mean(p: Option<Point>, q: Option<Point>) -> Point {
+    match (p, q) {
+        (Some(p), Some(q)) => [0, 1, 2].map(|a| (p[a] + q[a]) >> 1),
+        (p, q) => p.or(q).unwrap_or_default(),
+    }
+}
+
+fn minus(p: Point, q: Point) -> Point {
+    [p[0] - q[0], p[1] - q[1], p[2] - q[2]]
+}
+
+fn cross(p: Point, q: Point) -> [i64; 3] {
+    let part = |b: usize, c: usize| i64::from(p[b]) * i64::from(q[c]) - i64::from(p[c]) * i64::from(q[b]);
+    [part(1, 2), part(2, 0), part(0, 1)]
+}
+
+fn sum(lanes: i32x4) -> i32 {
+    lanes.to_array().iter().sum()
+}
+
+/// All bits of so many lanes.
+fn first_lanes(count: usize) -> i16x8 {
+    i16x8::new([0, 1, 2, 3, 4, 5, 6, 7]).simd_lt(i16x8::splat(count as i16))
+}

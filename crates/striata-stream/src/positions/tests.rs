@@ -1,0 +1,177 @@
+//! Positions of made-up surfaces, there and back.
+
+use striata::mesh::{IndexedMesh, Random, shapes};
+
+use super::super::cutting::close;
+use super::super::form::{Effort, StreamVersion};
+use super::super::hood::Hood;
+use super::super::surface::{NONE, Surface, next};
+use super::{CellModel, MixedModel, PositionModel, Surroundings};
+use crate::entropy::{Coder, RangeReader, RangeWriter};
+
+const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
+/// All models that there are.
+const KINDS: [(Effort, StreamVersion); 5] = [
+    (Effort::Fast, StreamVersion::One),
+    (Effort::Default, StreamVersion::One),
+    (Effort::Small, StreamVersion::One),
+    (Effort::Fast, StreamVersion::Two),
+    (Effort::Default, StreamVersion::Two),
+];
+
+/// A closed surface, and a place for each of its vertices.
+struct Sample {
+    surface: Surface,
+    places: Vec<[i32; 3]>,
+}
+
+fn sample(mesh: &IndexedMesh, place: impl Fn(usize) -> [i32; 3]) -> Sample {
+    let surface = close(&mesh.triangles, mesh.positions.len()).surface;
+    let first = surface.virtual_count() as usize;
+    let places = (0..surface.vertex_count()).map(|v| v.checked_sub(first).map_or([0; 3], &place)).collect();
+    Sample { surface, places }
+}
+
+/// The mesh on a grid of so many steps to a unit.
+fn on_grid(mesh: &IndexedMesh, steps: f32) -> Sample {
+    sample(mesh, |v| mesh.positions[v].map(|x| (x * steps).round() as i32))
+}
+
+fn samples() -> Vec<Sample> {
+    let torus = shapes::torus(40, 16, 1.0, 0.4);
+    let grid = shapes::grid(20, 15);
+    let mut random = Random::new(2);
+    let wild: Vec<[i32; 3]> =
+        torus.positions.iter().map(|_| [(); 3].map(|()| random.next_u64() as i32)).collect();
+    vec![
+        on_grid(&torus, 1000.0),
+        on_grid(&torus, 3.0),
+        on_grid(&grid, 50.0),
+        on_grid(&shapes::icosphere(3, 1.0), 4_000_000.0),
+        sample(&torus, |v| wild[v]),
+        sample(&torus, |v| if v % 2 == 0 { [i32::MIN; 3] } else { [i32::MAX; 3] }),
+        sample(&grid, |_| [7; 3]),
+    ]
+}
+
+/// Samples that a model knows how to code: what looks ahead takes places of grids only.
+fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
+    let is_on_grid =
+        |sample: &Sample| sample.places.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
+    let is_ahead = kind == (Effort::Fast, StreamVersion::Two);
+    samples().into_iter().filter(|sample| !is_ahead || is_on_grid(sample)).collect()
+}
+
+/// What lies around a vertex as far as it is known.
+fn around(hood: &Hood<'_>) -> Surroundings {
+    let mut around = Surroundings { count: hood.corners.len().min(8), ..Surroundings::default() };
+    let spot = |vertex: u32| hood.place(vertex).map_or([0; 4], |[x, y, z]| [x, y, z, 1]);
+    for (i, &corner) in hood.corners.iter().enumerate().take(8) {
+        around.ring[i] = spot(hood.surface.vertex(next(corner)));
+        around.across[i] = spot(hood.surface.vertex(hood.surface.opposite(corner)));
+    }
+    around
+}
+
+/// Codes all places but the first few in order; `unseen` stands where places are not known yet.
+fn code<C: Coder>(
+    coder: &mut C,
+    sample: &Sample,
+    (effort, version): (Effort, StreamVersion),
+    unseen: [i32; 3],
+) -> Vec<[i32; 3]> {
+    let first = sample.surface.virtual_count() as usize + 4;
+    let mut places = sample.places[..first].to_vec();
+    places.resize(sample.places.len(), unseen);
+    let mut model = PositionModel::new(effort, version);
+    for vertex in first..places.len() {
+        let corners: Vec<u32> = sample.surface.ring(vertex as u32).collect();
+        let hood =
+            Hood { surface: &sample.surface, places: &places, vertex: vertex as u32, corners: &corners };
+        if let Some(ahead) = model.ahead(vertex as u32) {
+            ahead.look_ahead(&around(&hood));
+        }
+        let actual = if C::READS { [0; 3] } else { sample.places[vertex] };
+        places[vertex] = model.code(coder, &hood, actual);
+    }
+    places
+}
+
+fn write(sample: &Sample, kind: (Effort, StreamVersion), unseen: [i32; 3]) -> Vec<u8> {
+    let mut writer = RangeWriter::new();
+    assert_eq!(code(&mut writer, sample, kind, unseen), sample.places);
+    writer.finish().0
+}
+
+#[test]
+fn places_of_all_sizes_come_back() {
+    for kind in KINDS {
+        for (at, sample) in samples_for(kind).iter().enumerate() {
+            let bytes = write(sample, kind, [0; 3]);
+            let places = code(&mut RangeReader::new(&bytes, true), sample, kind, [1; 3]);
+            assert_eq!(places, sample.places, "sample {at}, {kind:?}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_seen_before_its_time() {
+    for kind in KINDS {
+        for (at, sample) in samples_for(kind).iter().enumerate() {
+            let expected = write(sample, kind, [0; 3]);
+            for rubbish in [[i32::MAX; 3], [-5, 4000, 77]] {
+                assert_eq!(write(sample, kind, rubbish), expected, "sample {at}, {kind:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn any_bytes_give_places() {
+    let mut random = Random::new(6);
+    // What looks ahead is told at once of places that are off the grid, and asked no more.
+    let kinds = KINDS.into_iter().filter(|&kind| kind != (Effort::Fast, StreamVersion::Two));
+    for kind in kinds {
+        for sample in &samples() {
+            let bytes: Vec<u8> = (0..400).map(|_| random.next_u64() as u8).collect();
+            code(&mut RangeReader::new(&bytes, true), sample, kind, [0; 3]);
+            let mut cut = RangeReader::new(&bytes[..40], false);
+            code(&mut cut, sample, kind, [0; 3]);
+            assert!(cut.overran());
+        }
+    }
+}
+
+#[test]
+fn more_effort_takes_fewer_bytes() {
+    let mesh = shapes::torus(120, 50, 1.0, 0.4);
+    let mut random = Random::new(3);
+    // Sampled with some noise, so that nothing is foretold for sure.
+    let noise: Vec<[f32; 3]> =
+        mesh.positions.iter().map(|_| [(); 3].map(|()| random.between(-4.0, 4.0))).collect();
+    let sample =
+        sample(&mesh, |v| [0, 1, 2].map(|a| (mesh.positions[v][a] * 1000.0 + noise[v][a]).round() as i32));
+    let bits = EFFORTS.map(|effort| {
+        write(&sample, (effort, StreamVersion::One), [0; 3]).len() as f64 * 8.0 / mesh.positions.len() as f64
+    });
+    // The noise alone is 9.5 bits.
+    assert!(bits[0] < 20.0 && bits[1] < 15.5 && bits[2] < 15.0, "{bits:?}");
+    assert!(bits[2] < bits[1] && bits[1] < bits[0], "{bits:?}");
+    let of_cells = write(&sample, (Effort::Default, StreamVersion::Two), [0; 3]).len() as f64 * 8.0;
+    assert!(of_cells / (mesh.positions.len() as f64) < bits[1] * 1.02, "{of_cells}");
+}
+
+#[test]
+fn bytes_are_the_same_everywhere() {
+    let samples = samples();
+    let found = KINDS.map(|kind| crc32fast::hash(&write(&samples[0], kind, [0; 3])));
+    assert_eq!(found, [541_360_663, 4_176_046_866, 815_267_749, 1_581_675_626, 1_206_542_486]);
+}
+
+#[test]
+fn errors_follow_their_vertices_to_new_numbers() {
+    let mut model = MixedModel::<4, 1, 1, CellModel>::new([[5], [4]]);
+    model.errors = vec![[1, 2], [3, 4], [5, 6]];
+    model.renumber(&[2, NONE, 0]);
+    assert_eq!(model.errors, [[5, 6], [7, 7], [1, 2]]);
+}

@@ -1,0 +1,314 @@
+//! Streams whose checksums hold and whose contents lie: an error or a mesh, in bounded time and memory.
+
+#[path = "../../striata/tests/meshes/mod.rs"]
+mod meshes;
+
+#[path = "../../striata/tests/support/mod.rs"]
+mod support;
+
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, replay, shapes};
+use striata::simplify::{BatchOptions, build_batches};
+use striata_stream::{
+    DecodeError, Effort, Precision, StreamDecoder, StreamDefect, StreamFacts, StreamOptions, encode_stream,
+};
+use support::{Random, soup, with_seams_and_groups};
+
+const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
+
+fn stream_of(mesh: &IndexedMesh, options: &StreamOptions) -> Vec<u8> {
+    let batches = BatchOptions::default().with_general_floor(0);
+    let built = build_batches(mesh, &batches, &mut striata::ignore_progress).unwrap();
+    encode_stream(&built.built.refinable, &built.batches, options).unwrap().bytes
+}
+
+/// The level that a decoder has must be a mesh.
+fn check(decoder: &StreamDecoder) {
+    let Some(level) = decoder.refinable_mesh() else {
+        assert!(decoder.positions().is_empty(), "what has come is a mesh");
+        return;
+    };
+    level.mesh.check().unwrap();
+    let full = replay(&level, level.sequence.step_count());
+    assert_eq!(full.triangle_count(), level.mesh.triangle_count());
+    let half = level.sequence.step_count() / 2;
+    assert_eq!(replay(&level, half).triangle_count(), level.sequence.triangle_count_at(half));
+}
+
+/// What fuzzing found worth keeping, faults that it found among them.
+#[test]
+fn what_fuzzing_kept_does_no_harm() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/kept/progressive_stream");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let mut bytes = std::fs::read(entry.unwrap().path()).unwrap();
+        let _ = read_set_right(&mut bytes);
+        count += 1;
+    }
+    assert!(count > 50, "only {count} streams are kept");
+}
+
+/// Reads bytes whose checksums are set right as they are met.
+fn read_set_right(bytes: &mut [u8]) -> Result<StreamDecoder, DecodeError> {
+    loop {
+        let mut decoder = StreamDecoder::new();
+        let mut result = decoder.push(bytes);
+        check(&decoder);
+        if result.is_ok() && !decoder.is_complete() {
+            result = decoder.finish();
+            check(&decoder);
+        }
+        let error = match result {
+            Ok(_) => return Ok(decoder),
+            Err(error) => error,
+        };
+        let (found, expected) = match error {
+            DecodeError::HeaderChecksum { found, expected }
+            | DecodeError::Stream(StreamDefect::Checksum { found, expected, .. }) => (found, expected),
+            _ => return Err(error),
+        };
+        let Some(at) = bytes.windows(4).position(|b| b == expected.to_le_bytes()) else { return Err(error) };
+        bytes[at..at + 4].copy_from_slice(&found.to_le_bytes());
+    }
+}
+
+fn put_varint(mut number: u32, out: &mut Vec<u8>) {
+    while number >= 128 {
+        out.push(number as u8 | 128);
+        number >>= 7;
+    }
+    out.push(number as u8);
+}
+
+/// Positions, vertices, triangles, steps and most triangles of a patch.
+type Counts = [u32; 5];
+
+/// A head without names, layers and groups; a chunk is what it claims, bytes and splits, and its bytes.
+fn head(effort: u8, counts: Counts, chunks: &[(u32, u32, &[u8])]) -> Vec<u8> {
+    let mut out = b"\x89STR".to_vec();
+    // Efforts from 3 on: version 2, with general batches.
+    let (version, flags) = if effort < 3 { (1, 0) } else { (2, 2) };
+    out.extend([version, effort % 3, flags, 0]);
+    out.extend([0; 8]);
+    counts.into_iter().for_each(|n| put_varint(n, &mut out));
+    out.push(14);
+    out.extend([0; 12]);
+    out.extend(1f64.to_le_bytes());
+    out.extend([0, 0, 0, 0, 0, 0, 0]);
+    put_varint(chunks.len() as u32, &mut out);
+    for &(claimed, splits, bytes) in chunks {
+        put_varint(claimed, &mut out);
+        put_varint(splits, &mut out);
+        out.extend([0; 2]);
+        out.extend(crc32fast::hash(bytes).to_le_bytes());
+    }
+    let length = out.len() as u32;
+    out[8..12].copy_from_slice(&length.to_le_bytes());
+    let checked = [&out[..12], &out[16..]].concat();
+    out[12..16].copy_from_slice(&crc32fast::hash(&checked).to_le_bytes());
+    out
+}
+
+fn triangle() -> IndexedMesh {
+    IndexedMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]])
+}
+
+/// The first chunk of a stream of one triangle.
+fn base_of_a_triangle() -> Vec<u8> {
+    let bytes = stream_of(&triangle(), &StreamOptions::default());
+    let facts = StreamFacts::read(&bytes).unwrap().unwrap();
+    bytes[facts.head_bytes as usize..].to_vec()
+}
+
+#[test]
+fn a_head_that_claims_billions_gets_no_memory_for_them() {
+    let base = base_of_a_triangle();
+    let steps = 3_000_000_000;
+    let chunks = [(base.len() as u32, 0, &base[..]), (steps / 256, steps, &[])];
+    for effort in 0..6 {
+        let mut bytes = head(effort, [3 + steps, 3 + steps, 1, steps, 7], &chunks);
+        bytes.extend(&base);
+        let mut decoder = StreamDecoder::new();
+        let update = decoder.push(&bytes).unwrap();
+        assert_eq!((update.vertices, update.triangles), (0..3, 0..1));
+        decoder.finish().unwrap();
+        check(&decoder);
+    }
+}
+
+/// Vertices that a first chunk gives where the head promises billions; 0 where it is refused.
+fn vertices_of(chunk: &[u8]) -> usize {
+    let chunks = [(chunk.len() as u32, 0, chunk), (16 << 20, 0, &[])];
+    let mut bytes = head(1, [3, u32::MAX, 1, 0, 7], &chunks);
+    bytes.extend(chunk);
+    let mut decoder = StreamDecoder::new();
+    let result = decoder.push(&bytes);
+    check(&decoder);
+    result.map_or(0, |update| update.vertices.len())
+}
+
+#[test]
+fn vertices_are_no_more_than_the_bytes_can_tell() {
+    // Byte by byte what gives most vertices, behind the triangle.
+    let base = base_of_a_triangle();
+    let mut most = 0;
+    for kept in base.len() - 2..=base.len() {
+        let mut chunk = base[..kept].to_vec();
+        for _ in 0..5 {
+            let of = |byte: &u8| vertices_of(&[&chunk[..], &[*byte]].concat());
+            let best = (0..=255).max_by_key(of).unwrap();
+            chunk.push(best);
+            let vertices = vertices_of(&chunk);
+            assert!(vertices <= 3 + 256 * (chunk.len() + 1), "{vertices} of {} bytes", chunk.len());
+            most = most.max(vertices);
+        }
+    }
+    assert!(most > 1000, "{most}: they claim many");
+}
+
+/// Anything may stand in chunks whose checksums hold.
+#[test]
+fn any_chunks_give_an_error_or_a_mesh() {
+    let mut random = Random::new(6);
+    for round in 0..6000u32 {
+        let position_count = 3 + random.below(4) as u32;
+        let steps = 40;
+        let wedges = if round % 2 == 0 { 0 } else { 50 };
+        let counts =
+            [position_count + steps, position_count + steps + wedges, 9, steps, random.below(300) as u32];
+        let [base, splits] = [30, 90].map(|length| {
+            let bits = random.below(8);
+            // Runs of zeros decide the same thing again and again.
+            let count = random.below(length);
+            let byte = |_| if random.below(8) < bits { 0 } else { random.below(256) as u8 };
+            (0..count).map(byte).collect::<Vec<u8>>()
+        });
+        let chunks = [(base.len() as u32, 0, &base[..]), (splits.len() as u32, steps, &splits[..])];
+        let mut bytes = head((round % 6) as u8, counts, &chunks);
+        bytes.extend(&base);
+        bytes.extend(&splits);
+        let mut decoder = StreamDecoder::new();
+        let result = decoder.push(&bytes);
+        check(&decoder);
+        if let Err(error) = result {
+            assert!(matches!(error, DecodeError::Stream(_)), "{error}");
+            assert!(decoder.push(&[0]).is_err() && decoder.finish().is_err(), "an end is an end");
+            check(&decoder);
+        }
+    }
+}
+
+#[test]
+fn changed_bytes_behind_right_checksums_do_no_harm() {
+    let mut random = Random::new(7);
+    let soup = soup(20, 40, &mut Random::new(2));
+    let surface = with_seams_and_groups(support::grid(12, true));
+    for mesh in [triangle(), surface, soup.clone(), with_seams_and_groups(soup), meshes::asset(9, 4)] {
+        for effort in EFFORTS {
+            for precision in [Precision::Bits(10), Precision::Lossless] {
+                let options = StreamOptions::default().with_effort(effort).with_precision(precision);
+                let bytes = stream_of(&mesh, &options);
+                let head_bytes = StreamFacts::read(&bytes).unwrap().unwrap().head_bytes as usize;
+                for round in 0..250 {
+                    let mut damaged = bytes.clone();
+                    let range = if round % 2 == 0 { 0..head_bytes } else { head_bytes..bytes.len() };
+                    for _ in 0..1 + random.below(3) {
+                        damaged[range.start + random.below(range.len())] = random.below(256) as u8;
+                    }
+                    let _ = read_set_right(&mut damaged);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_truncation_of_a_small_stream_is_a_prefix() {
+    let surface = with_seams_and_groups(support::grid(9, true));
+    let streams = [&surface, &meshes::asset(3, 8)]
+        .map(|mesh| EFFORTS.map(|effort| stream_of(mesh, &StreamOptions::default().with_effort(effort))));
+    for bytes in streams.as_flattened() {
+        let facts = StreamFacts::read(bytes).unwrap().unwrap();
+        let mut whole = StreamDecoder::new();
+        whole.push(bytes).unwrap();
+        let (mut splits, mut error) = (0, f32::INFINITY);
+        for length in 0..bytes.len() {
+            let mut decoder = StreamDecoder::new();
+            decoder.push(&bytes[..length]).unwrap();
+            assert!(!decoder.is_complete());
+            if decoder.finish().is_err() {
+                assert!((length as u64) < facts.base_bytes, "{length}");
+                continue;
+            }
+            assert!(length as u64 >= facts.base_bytes && decoder.split_count() >= splits);
+            splits = decoder.split_count();
+            assert!(decoder.error().is_some_and(|now| now <= error));
+            error = decoder.error().unwrap();
+            assert_eq!(decoder.positions(), &whole.positions()[..decoder.positions().len()]);
+            // Attributes of a part are that part of all.
+            let count = decoder.positions().len();
+            let part = count / 3..count;
+            for (found, all) in decoder.layers_of(part.clone()).iter().zip(whole.layers_of(0..count)) {
+                let order: Vec<u32> = part.clone().map(|v| v as u32).collect();
+                assert_eq!(found.data.as_bytes(), all.gather(&order).data.as_bytes());
+            }
+        }
+        assert!(splits > 10 && whole.error() == Some(0.0));
+        assert_eq!(whole.bytes_for(0), Some(facts.base_bytes));
+        assert_eq!(whole.bytes_for(facts.step_count), Some(facts.stream_bytes));
+        assert_eq!(whole.bytes_for(facts.step_count + 1), None);
+    }
+}
+
+#[test]
+fn odd_but_honest_meshes_come_back() {
+    let mut scaled = shapes::torus(12, 8, 1.0, 0.4);
+    scaled.positions.iter_mut().flatten().for_each(|x| *x *= 1e30);
+    let mut wild = shapes::torus(12, 8, 1.0, 0.4);
+    let numbers = (0..wild.vertex_count()).map(|v| [f32::NAN, f32::INFINITY, v as f32][v % 3]).collect();
+    wild.layers.push(AttributeLayer::from_f32(Semantic::Generic("wild".into()), 1, numbers));
+    // A tip whose every corner is a vertex of its own.
+    let count = 5000u32;
+    let mut tip = IndexedMesh::default();
+    for i in 0..count {
+        let place = |i: u32| {
+            let (angle, far) = (i as f32 / count as f32, 1.0 + (i % 7) as f32 / 9.0);
+            [far * (0.5 - angle), far * angle * (1.0 - angle), 1.0]
+        };
+        tip.positions.extend([[0.0; 3], place(i), place((i + 1) % count)]);
+        tip.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
+    }
+    tip.layers.push(AttributeLayer::from_f32(
+        Semantic::TexCoord(0),
+        2,
+        (0..3 * count).flat_map(|v| [(v / 3) as f32, 0.0]).collect(),
+    ));
+    for (name, mesh) in [("empty", IndexedMesh::default()), ("far", scaled), ("wild", wild), ("tip", tip)] {
+        for effort in EFFORTS {
+            let bytes = stream_of(&mesh, &StreamOptions::default().with_effort(effort));
+            let mut decoder = StreamDecoder::new();
+            decoder.push(&bytes).unwrap();
+            assert!(decoder.is_complete(), "{name}");
+            assert_eq!(decoder.triangles().len(), mesh.triangle_count(), "{name}");
+            check(&decoder);
+        }
+    }
+}
+
+#[test]
+fn unknown_flags_and_too_many_layers_are_refused() {
+    let base = base_of_a_triangle();
+    let mut bytes = head(1, [3, 3, 1, 0, 0], &[(base.len() as u32, 0, &base[..])]);
+    bytes.extend(&base);
+    StreamDecoder::new().push(&bytes).unwrap();
+    bytes[6] = 2;
+    let error = read_set_right(&mut bytes).map(|_| ()).unwrap_err();
+    assert!(matches!(error, DecodeError::Malformed { .. }), "{error}");
+    let mut mesh = triangle();
+    for index in 0..17 {
+        let semantic = Semantic::Generic(format!("layer {index}"));
+        mesh.layers.push(AttributeLayer::from_f32(semantic, 255, vec![1.0; 3 * 255]));
+    }
+    let built = build_batches(&mesh, &BatchOptions::default(), &mut striata::ignore_progress).unwrap();
+    let error = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap_err();
+    assert_eq!(error.to_string(), "a vertex has 4335 numbers in all layers, but streams have room for 4096");
+}

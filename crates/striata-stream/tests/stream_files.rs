@@ -1,0 +1,203 @@
+//! Files with streams: alone and beside models, whole and cut off.
+
+#[path = "../../striata/tests/meshes/mod.rs"]
+mod meshes;
+#[path = "../../striata/tests/support/mod.rs"]
+mod support;
+
+use striata::file::{DecodeError, FileModel, SectionKind, WriteOptions, to_striata};
+use striata::mesh::{RefinableMesh, canonical_triangles, replay, shapes};
+use striata::model::{LodModel, LodStrips};
+use striata::simplify::{BatchOptions, build_batches};
+use striata::strip::stripify;
+use striata_stream::{EncodedStream, StreamOptions, encode_stream, file_model, open, open_cut, open_stream};
+use support::with_seams_and_groups;
+
+struct Made {
+    /// In the order of the stream.
+    refinable: RefinableMesh,
+    stream: EncodedStream,
+}
+
+fn make(mesh: &striata::mesh::IndexedMesh) -> Made {
+    let built = build_batches(mesh, &BatchOptions::default(), &mut striata::ignore_progress).unwrap();
+    let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap();
+    Made { refinable: stream.reorder(&built.built.refinable), stream }
+}
+
+fn alone(made: &Made) -> Vec<u8> {
+    let options = WriteOptions::default().with_metadata("source", "torus");
+    to_striata(&made.refinable, &[file_model(&made.stream.bytes).unwrap()], &options).unwrap()
+}
+
+#[test]
+fn a_mesh_in_the_order_of_its_stream_has_its_levels() {
+    let seamed = [shapes::torus(24, 12, 1.0, 0.4), support::grid(14, true)].map(with_seams_and_groups);
+    let plain = [shapes::torus(40, 20, 1.0, 0.4), shapes::grid(21, 17), shapes::icosphere(3, 1.0)];
+    for mesh in plain.into_iter().chain(seamed) {
+        let made = make(&mesh);
+        let bytes = alone(&made);
+        let decoded = open(&bytes).unwrap().refinable_mesh().unwrap();
+        let (ours, theirs) = (&made.refinable, &decoded);
+        assert_eq!(ours.sequence.positions(), theirs.sequence.positions());
+        assert_eq!(ours.sequence.targets(), theirs.sequence.targets());
+        let groups = |m: &RefinableMesh| m.mesh.groups.iter().map(|g| g.count).collect::<Vec<_>>();
+        assert_eq!(groups(ours), groups(theirs));
+        assert_eq!(ours.mesh.layers.len(), theirs.mesh.layers.len());
+        assert_eq!(ours.sequence.removed_triangle_counts(), theirs.sequence.removed_triangle_counts());
+        for split_count in (0..=ours.sequence.step_count()).step_by(17) {
+            let [a, b] = [ours, theirs].map(|m| canonical_triangles(&replay(m, split_count).triangles));
+            assert_eq!(a, b, "{split_count}");
+        }
+        let step = mesh.diagonal() / 16383.0;
+        for (a, b) in ours.mesh.positions.iter().zip(&theirs.mesh.positions) {
+            assert!((0..3).all(|i| f64::from((a[i] - b[i]).abs()) <= step), "{a:?} became {b:?}");
+        }
+    }
+}
+
+#[test]
+fn a_stream_alone_is_all_that_a_file_needs() {
+    let made = make(&shapes::torus(40, 20, 1.0, 0.4));
+    let bytes = alone(&made);
+    let file = open(&bytes).unwrap();
+    let kinds: Vec<_> = file.sections().iter().map(|s| s.kind).collect();
+    assert_eq!(kinds, [SectionKind::SUMMARY, SectionKind::METADATA, SectionKind::STREAM]);
+    assert!(file.is_stream_only() && !file.is_cut() && file.has_collapses());
+    assert_eq!(file.stream().unwrap().unwrap(), made.stream.bytes);
+    assert_eq!(file.metadata().unwrap(), [("source".to_owned(), "torus".to_owned())]);
+    let refinable = file.refinable_mesh().unwrap();
+    assert_eq!(file.mesh().unwrap(), refinable.mesh);
+    assert_eq!(file.sequence().unwrap(), refinable.sequence);
+    assert_eq!(file.positions().unwrap(), refinable.mesh.positions);
+    assert_eq!(file.errors().unwrap(), refinable.sequence.errors());
+    assert_eq!(file.groups().unwrap(), refinable.mesh.groups);
+    assert_eq!(file.layers().unwrap(), refinable.mesh.layers);
+    let step_count = refinable.sequence.step_count();
+    assert_eq!(file.summary().step_count, step_count);
+    assert_eq!(file.summary().base_triangle_count, refinable.sequence.triangle_count_at(0));
+    assert_eq!(file.level(step_count / 3).unwrap(), replay(&refinable, step_count / 3));
+    assert!(matches!(file.level(step_count + 1), Err(DecodeError::SplitCount { .. })));
+    assert!(file.lod_strips().is_none() && file.fans().is_none() && file.strips().is_none());
+    // The bare stream stands for the same.
+    let bare = open_stream(&made.stream.bytes).unwrap();
+    assert_eq!(bare.refinable_mesh().unwrap(), refinable);
+    let (mut a, b) = (file.summary(), bare.summary());
+    assert!(a.bounds.take().is_some());
+    a.error_max = b.error_max;
+    assert_eq!(a, b);
+}
+
+#[test]
+fn models_and_stream_lie_in_one_file() {
+    let made = make(&shapes::torus(40, 20, 1.0, 0.4));
+    let strips = stripify(&made.refinable.mesh).unwrap();
+    let model = LodStrips::build(&made.refinable, &strips).unwrap();
+    let models = [file_model(&made.stream.bytes).unwrap(), FileModel::LodStrips(&model)];
+    let bytes = to_striata(&made.refinable, &models, &WriteOptions::default()).unwrap();
+    let file = open(&bytes).unwrap();
+    assert_eq!(file.sections().last().map(|s| s.kind), Some(SectionKind::STREAM));
+    assert!(!file.is_stream_only());
+    assert_eq!(file.mesh().unwrap().positions, made.refinable.mesh.positions);
+    assert_eq!(file.lod_strips().unwrap().unwrap().step_count(), model.step_count());
+    let decoded = open_stream(file.stream().unwrap().unwrap()).unwrap().refinable_mesh().unwrap();
+    let split_count = model.step_count() / 2;
+    let [a, b] = [file.level(split_count).unwrap(), replay(&decoded, split_count)];
+    assert_eq!(canonical_triangles(&a.triangles), canonical_triangles(&b.triangles));
+}
+
+#[test]
+fn a_file_that_is_cut_off_has_the_beginning_of_its_stream() {
+    let made = make(&shapes::torus(40, 20, 1.0, 0.4));
+    let bytes = alone(&made);
+    let whole = open(&bytes).unwrap();
+    let full = whole.refinable_mesh().unwrap();
+    let stream = *whole.sections().last().unwrap();
+    let offset = stream.offset as usize;
+    let mut counts = Vec::new();
+    for length in 0..bytes.len() {
+        let part = &bytes[..length];
+        assert!(open(part).is_err(), "{length}");
+        let file = match open_cut(part) {
+            Ok(file) => file,
+            Err(error) => {
+                assert!(
+                    length < offset
+                        && matches!(error, DecodeError::FileLength { .. } | DecodeError::Magic { .. }),
+                    "{length}: {error}"
+                );
+                continue;
+            }
+        };
+        assert!(file.is_cut() && length >= offset);
+        assert_eq!(file.stream().unwrap().unwrap(), &made.stream.bytes[..length - offset]);
+        if length % 23 != 0 {
+            continue;
+        }
+        match file.refinable_mesh() {
+            Ok(part) => {
+                let split_count = part.sequence.step_count();
+                counts.push(split_count);
+                let expected = canonical_triangles(&replay(&full, split_count).triangles);
+                assert_eq!(canonical_triangles(&part.mesh.triangles), expected);
+                assert_eq!(file.level(split_count).unwrap().vertex_count(), part.mesh.vertex_count());
+                assert!(file.level(split_count + 1).is_err());
+            }
+            Err(error) => assert!(counts.is_empty(), "{length}: {error}"),
+        }
+    }
+    assert!(counts.len() > 20 && counts.is_sorted(), "{counts:?}");
+    assert!(open_cut(&bytes).is_ok_and(|file| !file.is_cut()));
+    // No file is longer than it says, and none without a stream may be cut off.
+    let longer = [&bytes[..], &[0]].concat();
+    assert!(matches!(open_cut(&longer), Err(DecodeError::FileLength { .. })));
+    let plain = to_striata(&made.refinable, &[], &WriteOptions::default()).unwrap();
+    assert!(matches!(open_cut(&plain[..plain.len() - 1]), Err(DecodeError::FileLength { .. })));
+}
+
+#[test]
+fn damaged_files_do_no_harm() {
+    let made = make(&shapes::torus(24, 12, 1.0, 0.4));
+    let bytes = alone(&made);
+    for at in (0..bytes.len()).step_by(3) {
+        let mut hurt = bytes.clone();
+        hurt[at] ^= 0x20;
+        if let Ok(file) = open(&hurt) {
+            // What lies between sections is not looked at.
+            if let Ok(mesh) = file.mesh() {
+                assert_eq!(mesh.triangle_count(), made.refinable.mesh.triangle_count());
+            }
+        }
+        // The end of a file that is cut off is not checked: any sound mesh may come.
+        let cut = open_cut(&hurt[..hurt.len() - 1]);
+        if let Ok(mesh) = cut.and_then(|file| file.mesh()) {
+            mesh.check().unwrap();
+        }
+    }
+}
+
+#[test]
+fn streams_of_other_meshes_are_refused() {
+    let made = make(&shapes::torus(24, 12, 1.0, 0.4));
+    let other = make(&shapes::torus(24, 11, 1.0, 0.4));
+    let refused = |stream: &[u8]| {
+        let written = file_model(stream)
+            .and_then(|model| to_striata(&made.refinable, &[model], &WriteOptions::default()));
+        written.unwrap_err()
+    };
+    assert_eq!(
+        refused(&other.stream.bytes).to_string(),
+        "the progressive model has 264 vertices, the mesh has 288"
+    );
+    let whole = made.stream.bytes.len();
+    assert_eq!(
+        refused(&made.stream.bytes[..whole - 1]).to_string(),
+        format!("the progressive model has {} bytes, the mesh has {whole}", whole - 1)
+    );
+    assert!(refused(&made.stream.bytes[..100]).to_string().contains("bytes"));
+    assert!(refused(b"no stream").to_string().contains("bytes"));
+    assert!(file_model(&[&made.stream.bytes[..], &[0]].concat()).is_err());
+    let twice = [file_model(&made.stream.bytes).unwrap(); 2];
+    let error = to_striata(&made.refinable, &twice, &WriteOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("more than once"), "{error}");
+}

@@ -1,0 +1,514 @@
+//! Progressive streams: what is read is what was written, from any prefix, and damaged bytes do no harm.
+
+#[path = "../../striata/tests/meshes/mod.rs"]
+mod meshes;
+#[path = "../../striata/tests/support/mod.rs"]
+mod support;
+
+use proptest::prelude::*;
+use striata::mesh::{
+    AttributeLayer, CollapseSequence, IndexedMesh, LayerData, PositionIndex, RefinableMesh, Semantic,
+    SequenceParts, canonical_triangles, replay, shapes,
+};
+use striata::simplify::{BatchOptions, SequenceOptions, TopologyRule, build_batches, build_sequence};
+use striata_stream::{
+    DecodeError, Effort, EncodedStream, Precision, StreamDecoder, StreamError, StreamOptions, StreamVersion,
+    encode_stream,
+};
+use support::{Random, Wildness, random_refinable, soup, with_seams_and_groups};
+
+const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
+const VERSIONS: [StreamVersion; 2] = [StreamVersion::One, StreamVersion::Two];
+
+/// All efforts in both versions.
+fn kinds() -> impl Iterator<Item = StreamOptions> {
+    let options =
+        |version| EFFORTS.map(|effort| StreamOptions::default().with_effort(effort).with_version(version));
+    VERSIONS.into_iter().flat_map(options)
+}
+
+struct Written {
+    source: RefinableMesh,
+    stream: EncodedStream,
+}
+
+fn write(mesh: &IndexedMesh, options: &StreamOptions) -> Written {
+    // As far as it goes, so that small meshes have general batches too.
+    let batches =
+        BatchOptions::default().with_general(options.version != StreamVersion::One).with_general_floor(0);
+    let built = build_batches(mesh, &batches, &mut striata::ignore_progress).unwrap();
+    let stream = encode_stream(&built.built.refinable, &built.batches, options).unwrap();
+    Written { source: built.built.refinable, stream }
+}
+
+fn read(bytes: &[u8]) -> StreamDecoder {
+    let mut decoder = StreamDecoder::new();
+    decoder.push(bytes).unwrap();
+    assert!(decoder.is_complete());
+    decoder
+}
+
+/// The triangles of each group, by the numbers of the mesh that was given.
+fn groups_of(mesh: &IndexedMesh, vertex: impl Fn(u32) -> u32) -> Vec<Vec<[u32; 3]>> {
+    let triangles = |range: std::ops::Range<usize>| {
+        let renamed: Vec<_> = mesh.triangles[range].iter().map(|t| t.map(&vertex)).collect();
+        canonical_triangles(&renamed)
+    };
+    mesh.groups_or_whole().iter().map(|g| triangles(g.range())).collect()
+}
+
+fn check_whole(written: &Written, options: &StreamOptions) -> RefinableMesh {
+    let Written { source, stream } = written;
+    let decoded = read(&stream.bytes).refinable_mesh().unwrap();
+    decoded.mesh.check().unwrap();
+    assert_eq!(decoded.sequence.step_count(), source.sequence.step_count());
+    assert_eq!(decoded.sequence.base_vertex_count(), source.sequence.base_vertex_count());
+    let original = |v: u32| stream.source_vertex[v as usize];
+    assert_eq!(groups_of(&decoded.mesh, original), groups_of(&source.mesh, |v| v));
+    for (v, &from) in stream.source_vertex.iter().enumerate() {
+        let (found, expected) = (decoded.mesh.positions[v], source.mesh.positions[from as usize]);
+        match options.precision {
+            Precision::Lossless => assert_eq!(found.map(f32::to_bits), expected.map(f32::to_bits)),
+            Precision::Tolerance(limit) => {
+                let off: f64 = (0..3).map(|a| (f64::from(found[a]) - f64::from(expected[a])).powi(2)).sum();
+                assert!(off.sqrt() <= limit, "vertex {v}: {found:?} for {expected:?}");
+            }
+            _ => {}
+        }
+        if v >= decoded.sequence.base_vertex_count() {
+            let target = decoded.sequence.target(v as u32);
+            assert_eq!(original(target), source.sequence.target(from));
+        }
+    }
+    check_layers(written, options, &decoded);
+    decoded
+}
+
+fn check_layers(written: &Written, options: &StreamOptions, decoded: &RefinableMesh) {
+    let Written { source, stream } = written;
+    assert_eq!(decoded.mesh.layers.len(), source.mesh.layers.len());
+    for (found, layer) in decoded.mesh.layers.iter().zip(&source.mesh.layers) {
+        let expected = layer.gather(&stream.source_vertex);
+        let kind = (&found.semantic, found.component_count, found.normalized);
+        assert_eq!(kind, (&expected.semantic, expected.component_count, expected.normalized));
+        if options.precision == Precision::Lossless || !matches!(expected.data, LayerData::F32(_)) {
+            assert_eq!(found.data.as_bytes(), expected.data.as_bytes(), "{}", found.semantic);
+            continue;
+        }
+        // Components of one unit share their steps; directions are a thousandth of a circle apart.
+        let n = usize::from(layer.component_count);
+        let number = |v: usize| expected.get(v / n, v % n);
+        let range_of = |component: usize| {
+            let all = || (0..expected.data.len() / n).map(|v| expected.get(v, component));
+            all().fold(f32::MIN, f32::max) - all().fold(f32::MAX, f32::min)
+        };
+        let range = (0..n).map(range_of).fold(2.0, f32::max);
+        for v in 0..expected.data.len() {
+            let off = (found.get(v / n, v % n) - number(v)).abs();
+            // A direction of no length may become any.
+            let is_nothing = (0..n).all(|component| expected.get(v / n, component) == 0.0);
+            assert!(
+                off <= range / 200.0 || !number(v).is_finite() || is_nothing,
+                "{}: {off} of {range}",
+                found.semantic
+            );
+        }
+    }
+}
+
+fn check_prefix(decoder: &StreamDecoder, whole: &RefinableMesh) {
+    let level = decoder.refinable_mesh().unwrap();
+    level.mesh.check().unwrap();
+    let split_count = decoder.split_count();
+    assert_eq!(level.sequence.step_count(), split_count);
+    let expected = replay(whole, split_count);
+    assert_eq!(level.mesh.positions, expected.positions);
+    for (found, expected) in level.mesh.layers.iter().zip(&expected.layers) {
+        // As bytes: there may be NaN among them.
+        assert_eq!(found.data.as_bytes(), expected.data.as_bytes(), "{}", found.semantic);
+    }
+    assert_eq!(groups_of(&level.mesh, |v| v), groups_of(&expected, |v| v), "level {split_count}");
+    assert_eq!(level.sequence.targets(), &whole.sequence.targets()[..level.sequence.targets().len()]);
+}
+
+/// Reads in slices and from prefixes.
+fn check_parts(bytes: &[u8], whole: &RefinableMesh, random: &mut Random) {
+    let mut decoder = StreamDecoder::new();
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    let mut at = 0;
+    while at < bytes.len() {
+        let end = (at + 1 + random.below(bytes.len() / 7 + 2)).min(bytes.len());
+        let update = decoder.push(&bytes[at..end]).unwrap();
+        // A viewer keeps its own copy and follows the updates.
+        assert_eq!(update.triangles.start, triangles.len());
+        for &t in &update.changed_triangles {
+            triangles[t as usize] = decoder.triangles()[t as usize];
+        }
+        triangles.extend_from_slice(&decoder.triangles()[update.triangles]);
+        assert_eq!(triangles, decoder.triangles());
+        assert_eq!(update.vertices.end, decoder.positions().len());
+        at = end;
+    }
+    assert!(decoder.is_complete());
+    let groups = decoder.triangle_groups();
+    for (group, expected) in whole.mesh.groups.iter().enumerate().filter(|_| !groups.is_empty()) {
+        let count = groups.iter().filter(|&&g| g as usize == group).count();
+        assert_eq!(count, expected.count as usize);
+    }
+    for _ in 0..12 {
+        let cut = random.below(bytes.len());
+        let mut decoder = StreamDecoder::new();
+        decoder.push(&bytes[..cut]).unwrap();
+        let promised = (0..=whole.sequence.step_count())
+            .take_while(|&s| decoder.bytes_for(s).is_some_and(|b| b <= cut as u64));
+        let promised = promised.last();
+        match decoder.finish() {
+            Ok(_) => {
+                check_prefix(&decoder, whole);
+                assert!(Some(decoder.split_count()) >= promised);
+            }
+            Err(_) => assert_eq!(promised, None, "{cut} of {} bytes", bytes.len()),
+        }
+    }
+}
+
+fn check(mesh: &IndexedMesh, options: &StreamOptions, seed: u64) {
+    let written = write(mesh, options);
+    let whole = check_whole(&written, options);
+    check_parts(&written.stream.bytes, &whole, &mut Random::new(seed));
+}
+
+#[test]
+fn streams_of_all_meshes_come_back_whole_and_in_parts() {
+    for (index, (name, mesh)) in meshes::all().into_iter().enumerate() {
+        eprintln!("{name}");
+        kinds().for_each(|options| check(&mesh, &options, index as u64));
+    }
+}
+
+#[test]
+fn positions_are_as_exact_as_was_asked_for() {
+    for (name, mesh) in meshes::all() {
+        eprintln!("{name}");
+        let options = StreamOptions::default().with_effort(Effort::Fast);
+        check(&mesh, &options.clone().with_precision(Precision::Lossless), 1);
+        let tolerance = (mesh.diagonal() * 1e-3).max(1e-30);
+        // Far from the origin floats themselves are coarser.
+        let size = mesh.positions.iter().flatten().fold(0.0f32, |size, x| size.max(x.abs()));
+        if tolerance > f64::from(size) * 1e-6 {
+            check(&mesh, &options.clone().with_precision(Precision::Tolerance(tolerance)), 2);
+        }
+        for bits in [1, 8, 20, 24] {
+            check(&mesh, &options.clone().with_precision(Precision::Bits(bits)), 3);
+        }
+    }
+}
+
+#[test]
+fn seams_groups_and_layers_come_back() {
+    for (name, mesh) in meshes::all() {
+        eprintln!("{name}");
+        let mesh = with_seams_and_groups(mesh);
+        kinds().for_each(|options| check(&mesh, &options, 4));
+        check(&mesh, &StreamOptions::default().with_precision(Precision::Lossless), 5);
+    }
+}
+
+/// Rings so large that runs are told by sums.
+#[test]
+fn hubs_of_thousands_of_triangles_come_back() {
+    for mesh in [shapes::closed_fan(5000), shapes::uv_sphere(3, 3000, 1.0)] {
+        kinds().for_each(|options| check(&mesh, &options, 9));
+    }
+}
+
+/// A cone whose triangles share no vertices, so that its tip has as many as there are triangles.
+fn split_cone(n: u32) -> RefinableMesh {
+    let rim = |i: u32| {
+        let angle = f64::from(i) / f64::from(n) * std::f64::consts::TAU;
+        [angle.cos() as f32, angle.sin() as f32, 0.0]
+    };
+    let normal = |i: u32| [0.6 * rim(i)[0], 0.6 * rim(i)[1], 0.8];
+    let (mut positions, mut normals) = (Vec::new(), Vec::new());
+    for i in 0..n {
+        // In the triangle that begins at this place of the rim, and in the one before.
+        positions.extend([rim(i); 2]);
+        normals.extend([normal(i), normal((i + n - 1) % n)]);
+    }
+    positions.extend((0..n).map(|_| [0.0, 0.0, 1.0]));
+    normals.extend((0..n).map(normal));
+    // The step takes the last two triangles away.
+    let order = (1..n - 1).chain([0, n - 1]);
+    let triangles = order.map(|i| [2 * n + i, 2 * i, 2 * ((i + 1) % n) + 1]).collect();
+    let mut mesh = IndexedMesh::new(positions, triangles);
+    let normals = normals.into_iter().flatten().collect();
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals));
+    let first = (0..n).map(|i| 2 * i).chain([2 * n, 3 * n]).collect();
+    let sequence = CollapseSequence::from_parts(SequenceParts {
+        positions: PositionIndex::from_first(first),
+        base_position_count: n as usize,
+        targets: (0..n).map(|i| u32::from(i == n - 1)).collect(),
+        errors: vec![1.0],
+        removed_triangle_counts: vec![2],
+        triangle_count: n as usize,
+    });
+    RefinableMesh { mesh, sequence: sequence.unwrap() }
+}
+
+/// If each vertex of a hub were held against all others, this would take a minute.
+#[test]
+fn hubs_of_thousands_of_vertices_take_linear_time() {
+    let cone = split_cone(100_000);
+    let options = StreamOptions::default();
+    let stream = encode_stream(&cone, &[0, 1], &options).unwrap();
+    assert!(stream.sizes.wedge_bits < 40.0 * 100_000.0, "{:?}", stream.sizes);
+    check_whole(&Written { source: cone, stream }, &options);
+    let made = build_batches(&split_cone(5000).mesh, &BatchOptions::default(), &mut striata::ignore_progress);
+    let made = made.unwrap();
+    for version in [StreamVersion::One, StreamVersion::Two] {
+        let options = StreamOptions::default().with_version(version);
+        let source = made.built.refinable.clone();
+        let stream = encode_stream(&source, &made.batches, &options).unwrap();
+        check_whole(&Written { source, stream }, &options);
+    }
+}
+
+/// Nothing is asked of the order of steps where each is a batch of its own.
+#[test]
+fn steps_one_at_a_time_are_batches_too() {
+    for mesh in [shapes::torus(24, 12, 1.0, 0.4), shapes::icosphere(3, 1.0), support::grid(16, true)] {
+        // A coder has no words for steps that change the topology.
+        let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
+        let built = build_sequence(&mesh, &options, &mut striata::ignore_progress).unwrap();
+        let batches: Vec<u32> = (0..=built.refinable.sequence.step_count() as u32).collect();
+        let options = StreamOptions::default();
+        let stream = encode_stream(&built.refinable, &batches, &options).unwrap();
+        check_whole(&Written { source: built.refinable, stream }, &options);
+    }
+}
+
+#[test]
+fn bytes_after_the_end_are_refused() {
+    let bytes = write(&shapes::torus(20, 10, 1.0, 0.4), &StreamOptions::default()).stream.bytes;
+    let expected = bytes.len() as u64;
+    let longer = [&bytes[..], &[1, 2, 3]].concat();
+    let mut at_once = StreamDecoder::new();
+    assert_eq!(at_once.push(&longer).unwrap_err(), DecodeError::FileLength { found: expected + 3, expected });
+    let mut later = read(&bytes);
+    assert!(later.push(&[]).is_ok());
+    assert_eq!(later.push(&[0]).unwrap_err(), DecodeError::FileLength { found: expected + 1, expected });
+    for decoder in [at_once, later] {
+        assert!(decoder.is_complete(), "what came before stays");
+        assert_eq!(decoder.triangles().len(), 400);
+    }
+}
+
+#[test]
+fn damaged_bytes_are_refused_or_give_a_mesh() {
+    let mesh = with_seams_and_groups(support::grid(14, true));
+    for options in kinds() {
+        let bytes = write(&mesh, &options).stream.bytes;
+        for at in 0..bytes.len() {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= 1 << (at % 8);
+            let mut decoder = StreamDecoder::new();
+            // A head that says that it is longer waits for bytes that never come.
+            let error = decoder.push(&damaged).and_then(|_| decoder.finish());
+            assert!(error.is_err(), "checksums cover every byte");
+            if let Some(level) = decoder.refinable_mesh() {
+                level.mesh.check().unwrap();
+            }
+        }
+    }
+}
+
+/// A cut chunk is read without its checksum, so what is read may be anything.
+#[test]
+fn nonsense_in_the_last_chunk_gives_a_mesh() {
+    let mut random = Random::new(8);
+    let mesh = with_seams_and_groups(support::grid(20, false));
+    for options in kinds() {
+        let bytes = write(&mesh, &options).stream.bytes;
+        for _ in 0..300 {
+            let mut damaged = bytes[..bytes.len() - 1].to_vec();
+            for _ in 0..1 + random.below(4) {
+                let from_end = 1 + random.below(damaged.len() / 3);
+                let at = damaged.len() - from_end;
+                damaged[at] = random.below(256) as u8;
+            }
+            let mut decoder = StreamDecoder::new();
+            if decoder.push(&damaged).and_then(|_| decoder.finish()).is_ok() {
+                let level = decoder.refinable_mesh().unwrap();
+                level.mesh.check().unwrap();
+                let step_count = level.sequence.step_count();
+                assert_eq!(replay(&level, step_count).triangles.len(), level.mesh.triangle_count());
+                for split_count in [0, step_count / 2] {
+                    let expected = level.sequence.triangle_count_at(split_count);
+                    assert_eq!(replay(&level, split_count).triangles.len(), expected);
+                }
+            }
+        }
+    }
+}
+
+/// A mesh with a boundary, seams, groups and layers, of which streams of both versions are kept beside the tests.
+fn kept_surface() -> IndexedMesh {
+    meshes::with_patches(meshes::rough(shapes::terrain(24, 3), 0.01, 7), 140)
+}
+
+const KEPT: [&str; 4] = ["fast", "default", "small", "exact"];
+
+/// The streams that are kept of the present version; the last one has general batches.
+fn kept_streams() -> Vec<(&'static str, IndexedMesh, StreamOptions)> {
+    let options = StreamOptions::default().with_precision(Precision::Bits(12));
+    let all = [
+        options.clone().with_effort(Effort::Fast),
+        options.clone(),
+        options.clone().with_effort(Effort::Small),
+        options.clone().with_precision(Precision::Lossless),
+    ];
+    let surfaces = KEPT.into_iter().zip(all).map(|(name, options)| (name, kept_surface(), options));
+    surfaces.chain([("parts", meshes::asset(12, 5), options)]).collect()
+}
+
+fn path_of_kept(version: StreamVersion, name: &str) -> std::path::PathBuf {
+    let folder = format!("tests/kept_streams/version{}", version.number());
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder).join(format!("{name}.stri"))
+}
+
+/// The files were written by another build, of other optimisation and on another machine than most that run this.
+#[test]
+fn streams_have_the_same_bits_on_every_machine() {
+    for (name, mesh, options) in kept_streams() {
+        let bytes = std::fs::read(path_of_kept(StreamVersion::Two, name)).expect("a stream that is kept");
+        let written = write(&mesh, &options);
+        assert!(written.stream.bytes == bytes, "{name}: this build writes another stream");
+        check_whole(&written, &options);
+        let decoded = read(&bytes).refinable_mesh().unwrap();
+        assert_eq!(decoded.mesh.triangle_count(), written.source.mesh.triangle_count());
+    }
+}
+
+/// The files were written when there was no other version, from batches that are chosen otherwise by now.
+#[test]
+fn streams_of_the_first_version_are_still_read() {
+    let mesh = kept_surface();
+    let nearest = |place: [f32; 3]| {
+        let off = |v: &usize| (0..3).map(|a| (mesh.positions[*v][a] - place[a]).powi(2)).sum::<f32>();
+        let nearest = (0..mesh.positions.len()).min_by(|v, w| off(v).total_cmp(&off(w))).unwrap();
+        (nearest, off(&nearest).sqrt())
+    };
+    // Vertices of one position have the same nearest one.
+    let position: Vec<u32> = mesh.positions.iter().map(|&place| nearest(place).0 as u32).collect();
+    for name in KEPT {
+        let bytes = std::fs::read(path_of_kept(StreamVersion::One, name)).expect("a stream that is kept");
+        let decoder = read(&bytes);
+        let decoded = decoder.refinable_mesh().unwrap();
+        let found: Vec<(usize, f32)> = decoded.mesh.positions.iter().map(|&place| nearest(place)).collect();
+        let most = if name == "exact" { 0.0 } else { mesh.diagonal() as f32 / 4096.0 };
+        assert!(found.iter().all(|&(_, off)| off <= most), "{name}: a vertex is elsewhere");
+        assert_eq!(
+            groups_of(&decoded.mesh, |v| found[v as usize].0 as u32),
+            groups_of(&mesh, |v| position[v as usize])
+        );
+        check_parts(&bytes, &decoded, &mut Random::new(1));
+    }
+}
+
+/// Run by hand after a change of what streams mean: `cargo test --release --test streams -- --ignored`.
+#[test]
+#[ignore = "writes the streams that are kept"]
+fn streams_are_written_anew() {
+    for (name, mesh, options) in kept_streams() {
+        let path = path_of_kept(StreamVersion::Two, name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, write(&mesh, &options).stream.bytes).unwrap();
+    }
+}
+
+/// Cuts the steps of a sequence into batches anywhere.
+fn random_batches(refinable: &RefinableMesh, random: &mut Random) -> Vec<u32> {
+    let step_count = refinable.sequence.step_count() as u32;
+    let mut batches = vec![0];
+    while *batches.last().unwrap() < step_count {
+        let last = *batches.last().unwrap();
+        batches.push((last + 1 + random.below(30) as u32).min(step_count));
+    }
+    batches
+}
+
+/// Leaves the coarsest levels out until all positions of the base are in triangles.
+fn with_used_base(refinable: RefinableMesh) -> RefinableMesh {
+    let is_used = |&split_count: &usize| {
+        let level = replay(&refinable, split_count);
+        (0..level.positions.len() as u32).all(|v| level.triangles.as_flattened().contains(&v))
+    };
+    let first = (0..refinable.sequence.step_count()).find(is_used).unwrap_or(refinable.sequence.step_count());
+    refinable.clone().without_levels_below(first)
+}
+
+fn check_sequence(source: RefinableMesh, options: &StreamOptions, seed: u64) {
+    let mut random = Random::new(seed);
+    let batches = random_batches(&source, &mut random);
+    let stream = encode_stream(&source, &batches, options).unwrap();
+    let written = Written { source, stream };
+    let whole = check_whole(&written, options);
+    check_parts(&written.stream.bytes, &whole, &mut random);
+}
+
+/// Parts that vanish, edges of many triangles, folds: nothing is left that a stream cannot tell.
+#[test]
+fn assets_go_down_to_next_to_nothing() {
+    for seed in 0..6 {
+        let mesh = meshes::asset(40, seed);
+        let built = build_batches(
+            &mesh,
+            &BatchOptions::default().with_general_floor(60),
+            &mut striata::ignore_progress,
+        );
+        let built = built.unwrap();
+        let sequence = &built.built.refinable.sequence;
+        let (full, base) = (mesh.triangle_count(), sequence.triangle_count_at(0));
+        assert!(full > 500 && base <= 60, "{base} of {full} triangles are left");
+        for effort in EFFORTS {
+            let options = StreamOptions::default().with_effort(effort);
+            let stream = encode_stream(&built.built.refinable, &built.batches, &options).unwrap();
+            let written = Written { source: built.built.refinable.clone(), stream };
+            let whole = check_whole(&written, &options);
+            check_parts(&written.stream.bytes, &whole, &mut Random::new(seed));
+        }
+        let old = StreamOptions::default().with_version(StreamVersion::One);
+        let error = encode_stream(&built.built.refinable, &built.batches, &old).unwrap_err();
+        assert!(matches!(error, StreamError::Batches(_)), "{error}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn any_sequence_in_any_batches_comes_back(seed: u64, vertices in 3usize..40, triangles in 0usize..80, far in 0usize..60) {
+        let mut random = Random::new(seed);
+        let mesh = soup(vertices, triangles, &mut random);
+        let wildness = Wildness { far_percent: far, base_position_count: 1 };
+        let source = with_used_base(random_refinable(&mesh, wildness, &mut random));
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
+        check_sequence(source, &options, seed);
+    }
+
+    #[test]
+    fn sequences_of_assets_in_any_batches_come_back(seed: u64, pieces in 1usize..12) {
+        let mesh = meshes::asset(pieces, seed);
+        let built = build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap();
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
+        check_sequence(built.refinable, &options, seed);
+    }
+
+    #[test]
+    fn streams_of_soups_come_back(seed in any::<u64>(), vertices in 3usize..40, triangles in 0usize..80, has_seams: bool) {
+        let mut mesh = soup(vertices, triangles, &mut Random::new(seed));
+        if has_seams {
+            mesh = with_seams_and_groups(mesh);
+        }
+        let options = kinds().nth(seed as usize % 6).unwrap();
+        check(&mesh, &options, seed);
+    }
+}

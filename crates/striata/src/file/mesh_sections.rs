@@ -1,0 +1,212 @@
+//! The sections of attribute layers, groups, appearance and metadata.
+
+use super::byte_reader::{ByteReader, put_block, put_texts, put_u32};
+use super::container::numbers;
+use super::{DecodeError, EncodeError, SectionKind};
+use crate::mesh::{Appearance, AttributeLayer, Image, LayerData, Material, Semantic, TriangleGroup};
+
+/// Stands for "no material" in a group.
+const NO_MATERIAL: u32 = u32::MAX;
+
+/// Header of a layer before its name: four bytes and three numbers.
+const LAYER_HEADER_BYTES: usize = 16;
+
+/// The numbers that stand for a meaning in files and streams: its kind, and which one of that kind; and the name of a layer that has
+/// no other meaning.
+pub fn semantic_code(semantic: &Semantic) -> (u8, u32, &str) {
+    match semantic {
+        Semantic::Normal => (0, 0, ""),
+        Semantic::Tangent => (1, 0, ""),
+        Semantic::TexCoord(set) => (2, u32::from(*set), ""),
+        Semantic::Color(set) => (3, u32::from(*set), ""),
+        Semantic::Joints(set) => (4, u32::from(*set), ""),
+        Semantic::Weights(set) => (5, u32::from(*set), ""),
+        Semantic::MorphPosition(target) => (6, u32::from(*target), ""),
+        Semantic::MorphNormal(target) => (7, u32::from(*target), ""),
+        Semantic::MorphTangent(target) => (8, u32::from(*target), ""),
+        Semantic::Generic(name) => (9, 0, name),
+    }
+}
+
+/// The meaning that [`semantic_code`] gave such numbers; `None` if they mean nothing.
+pub fn semantic_of(code: u8, set: u32, name: &str) -> Option<Semantic> {
+    let (small, wide) = (u8::try_from(set).ok(), u16::try_from(set).ok());
+    Some(match code {
+        0 => Semantic::Normal,
+        1 => Semantic::Tangent,
+        2 => Semantic::TexCoord(small?),
+        3 => Semantic::Color(small?),
+        4 => Semantic::Joints(small?),
+        5 => Semantic::Weights(small?),
+        6 => Semantic::MorphPosition(wide?),
+        7 => Semantic::MorphNormal(wide?),
+        8 => Semantic::MorphTangent(wide?),
+        9 => Semantic::Generic(name.to_owned()),
+        _ => return None,
+    })
+}
+
+pub(super) fn layer_to_bytes(layer: &AttributeLayer) -> Result<Vec<u8>, EncodeError> {
+    let (code, set, name) = semantic_code(&layer.semantic);
+    let number_type = match layer.data {
+        LayerData::F32(_) => 0,
+        LayerData::U8(_) => 1,
+        LayerData::U16(_) => 2,
+        LayerData::U32(_) => 3,
+    };
+    let mut out = vec![code, number_type, layer.component_count, u8::from(layer.normalized)];
+    put_u32(set, &mut out);
+    let data_offset = (LAYER_HEADER_BYTES + name.len()).next_multiple_of(64);
+    let what = "a layer's name";
+    put_u32(
+        u32::try_from(data_offset).map_err(|_| EncodeError::TooLong { what, length: name.len() })?,
+        &mut out,
+    );
+    put_block(what, name.as_bytes(), &mut out)?;
+    out.resize(data_offset, 0);
+    out.extend_from_slice(layer.data.as_bytes());
+    Ok(out)
+}
+
+/// The layer's head, and its numbers for the first `vertex_count` vertices of `full_vertex_count`.
+pub(super) fn layer_from_bytes(
+    bytes: &[u8],
+    vertex_count: usize,
+    full_vertex_count: usize,
+) -> Result<AttributeLayer, DecodeError> {
+    let kind = SectionKind::LAYER;
+    let mut reader = ByteReader::new(kind, bytes);
+    let [code, number_type, component_count, normalized] =
+        [reader.u8()?, reader.u8()?, reader.u8()?, reader.u8()?];
+    let (set, data_offset) = (reader.u32()?, reader.u32()? as usize);
+    let name = reader.text()?;
+    let Some(semantic) = semantic_of(code, set, &name) else {
+        return Err(reader.malformed("unknown meaning of a layer"));
+    };
+    if component_count == 0 || normalized > 1 {
+        return Err(reader.malformed("a layer has 1 to 255 components, normalized or not"));
+    }
+    let data = bytes.get(data_offset..).filter(|_| data_offset >= LAYER_HEADER_BYTES + name.len());
+    let data = data.ok_or_else(|| reader.malformed("the numbers begin outside the section"))?;
+    let number_bytes = match number_type {
+        0 | 3 => 4,
+        1 => 1,
+        2 => 2,
+        _ => return Err(reader.malformed("unknown type of numbers")),
+    };
+    let vertex_bytes = component_count as usize * number_bytes;
+    let expected = full_vertex_count as u64 * vertex_bytes as u64;
+    if data.len() as u64 != expected {
+        return Err(DecodeError::Count {
+            kind,
+            what: "bytes of numbers",
+            found: data.len() as u64,
+            expected,
+        });
+    }
+    let data = &data[..vertex_count * vertex_bytes];
+    let data = match number_type {
+        0 => LayerData::F32(numbers(kind, data)?.into_owned()),
+        1 => LayerData::U8(data.to_vec()),
+        2 => LayerData::U16(numbers(kind, data)?.into_owned()),
+        _ => LayerData::U32(numbers(kind, data)?.into_owned()),
+    };
+    Ok(AttributeLayer { semantic, component_count, normalized: normalized == 1, data })
+}
+
+pub(super) fn groups_to_bytes(groups: &[TriangleGroup]) -> Result<Vec<u8>, EncodeError> {
+    let mut out = Vec::new();
+    put_u32(groups.len() as u32, &mut out);
+    for group in groups {
+        put_u32(group.count, &mut out);
+        put_u32(group.material.unwrap_or(NO_MATERIAL), &mut out);
+        put_block("a group's name", group.name.as_bytes(), &mut out)?;
+    }
+    Ok(out)
+}
+
+pub(super) fn groups_from_bytes(bytes: &[u8]) -> Result<Vec<TriangleGroup>, DecodeError> {
+    let mut reader = ByteReader::new(SectionKind::GROUPS, bytes);
+    let count = reader.count(12)?;
+    let mut groups = Vec::with_capacity(count);
+    let mut first = 0u32;
+    for _ in 0..count {
+        let (count, material, name) = (reader.u32()?, reader.u32()?, reader.text()?);
+        let material = (material != NO_MATERIAL).then_some(material);
+        groups.push(TriangleGroup { name, material, first, count });
+        let next = first.checked_add(count);
+        first = next.ok_or_else(|| reader.malformed("more triangles than can be counted"))?;
+    }
+    reader.end()?;
+    Ok(groups)
+}
+
+/// Materials, images and what goes with them as a file has them in one section, and a stream in its head.
+///
+/// # Errors
+/// [`EncodeError::TooLong`] if a text or an image is too large for the format.
+pub fn appearance_to_bytes(appearance: &Appearance) -> Result<Vec<u8>, EncodeError> {
+    let mut out = Vec::new();
+    put_u32(appearance.materials.len() as u32, &mut out);
+    for material in &appearance.materials {
+        put_block("a material's name", material.name.as_bytes(), &mut out)?;
+        put_block("a material", material.gltf_json.as_bytes(), &mut out)?;
+    }
+    put_u32(appearance.images.len() as u32, &mut out);
+    for image in &appearance.images {
+        put_block("an image's name", image.name.as_bytes(), &mut out)?;
+        put_block("an image's place", image.uri.as_bytes(), &mut out)?;
+        put_block("an image's type", image.mime_type.as_bytes(), &mut out)?;
+        put_block("an image", &image.bytes, &mut out)?;
+    }
+    put_texts("a texture", &appearance.textures_json, &mut out)?;
+    put_texts("a sampler", &appearance.samplers_json, &mut out)?;
+    put_texts("an extension's name", &appearance.extensions_used, &mut out)?;
+    put_texts("a material library's name", &appearance.material_libraries, &mut out)?;
+    Ok(out)
+}
+
+/// What [`appearance_to_bytes`] wrote.
+///
+/// # Errors
+/// [`DecodeError::Malformed`] if the bytes are unsound.
+pub fn appearance_from_bytes(bytes: &[u8]) -> Result<Appearance, DecodeError> {
+    let mut reader = ByteReader::new(SectionKind::APPEARANCE, bytes);
+    let mut appearance = Appearance::default();
+    for _ in 0..reader.count(8)? {
+        appearance.materials.push(Material { name: reader.text()?, gltf_json: reader.text()? });
+    }
+    for _ in 0..reader.count(16)? {
+        appearance.images.push(Image {
+            name: reader.text()?,
+            uri: reader.text()?,
+            mime_type: reader.text()?,
+            bytes: reader.block()?.to_vec(),
+        });
+    }
+    appearance.textures_json = reader.texts()?;
+    appearance.samplers_json = reader.texts()?;
+    appearance.extensions_used = reader.texts()?;
+    appearance.material_libraries = reader.texts()?;
+    reader.end()?;
+    Ok(appearance)
+}
+
+pub(super) fn metadata_to_bytes(metadata: &[(String, String)]) -> Result<Vec<u8>, EncodeError> {
+    let mut out = Vec::new();
+    put_u32(metadata.len() as u32, &mut out);
+    for (key, value) in metadata {
+        put_block("a metadata key", key.as_bytes(), &mut out)?;
+        put_block("a metadata value", value.as_bytes(), &mut out)?;
+    }
+    Ok(out)
+}
+
+pub(super) fn metadata_from_bytes(bytes: &[u8]) -> Result<Vec<(String, String)>, DecodeError> {
+    let mut reader = ByteReader::new(SectionKind::METADATA, bytes);
+    let count = reader.count(8)?;
+    let pairs =
+        (0..count).map(|_| Ok((reader.text()?, reader.text()?))).collect::<Result<_, DecodeError>>()?;
+    reader.end()?;
+    Ok(pairs)
+}

@@ -1,0 +1,27 @@
+//! Bytes: the `.striata` container and its sections, as `docs/format.md` lays them out.
+//!
+//! A file is a table of sections; the big arrays lie in it as they lie in memory, aligned, so that a mapped
+//! file is read without copying. Everything is bounded by the file's length and checked before it is
+//! trusted; sections of kinds that a reader does not know are skipped unless they are flagged as required.
+
+mod byte_reader;
+mod container;
+mod error;
+mod file_head;
+mod mesh_sections;
+mod reader;
+mod stream;
+mod summary;
+mod writer;
+
+pub use container::{SectionInfo, SectionKind, VERSION as FORMAT_VERSION, Verify};
+pub use error::{DecodeError, EncodeError};
+pub use file_head::FileHead;
+pub use mesh_sections::{appearance_from_bytes, appearance_to_bytes, semantic_code, semantic_of};
+pub use reader::StriataFile;
+pub use stream::{STREAM_MAGIC, StoredStream, StreamCodec, StreamHead, StreamMesh};
+pub use summary::Summary;
+pub use writer::{FileModel, WriteOptions, to_striata, write_fragments, write_striata};
+
+#[cfg(target_endian = "big")]
+compile_error!("the arrays of a .striata file are little-endian and are read in place");

@@ -1,0 +1,510 @@
+//! Reading a file: typed views of its sections, the whole mesh, single levels.
+
+mod patterns;
+mod stream;
+
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+use super::container::{Container, Ending};
+use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes, metadata_from_bytes};
+use super::{DecodeError, SectionInfo, SectionKind, StreamCodec, Summary, Verify};
+use crate::mesh::{
+    AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts,
+    TriangleGroup,
+};
+use crate::model::fans::FansParts;
+use crate::model::lod_strips::LodStripsParts;
+use crate::model::mts::MtsParts;
+use crate::model::{
+    FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StepVertices, StoredModel, StripModel,
+};
+use crate::strip::{StripSet, strip_triangles};
+
+/// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
+#[derive(Clone, Debug)]
+pub struct StriataFile<'a> {
+    container: Container<'a>,
+    summary: Summary,
+    /// The patterns, once they have been checked: that takes as long as building them.
+    patterns: OnceLock<(Patterns, PatternBounds)>,
+    /// The mesh of a stream, once it has been decoded, where the file has nothing else.
+    decoded: OnceLock<RefinableMesh>,
+    codec: Option<&'static dyn StreamCodec>,
+}
+
+impl<'a> StriataFile<'a> {
+    /// Reads header, table and summary; checksums of sections are compared as they are read.
+    ///
+    /// The mesh of a file that has it in a stream alone takes a decoder: see [`with_codec`](Self::with_codec).
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the bytes are no sound `.striata` file.
+    pub fn parse(bytes: &'a [u8]) -> Result<Self, DecodeError> {
+        Self::parse_with(bytes, Verify::WhenRead)
+    }
+
+    /// The same, saying when checksums are compared.
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse).
+    pub fn parse_with(bytes: &'a [u8], verify: Verify) -> Result<Self, DecodeError> {
+        Self::of_container(Container::parse(bytes, verify, Ending::Whole)?)
+    }
+
+    fn of_container(container: Container<'a>) -> Result<Self, DecodeError> {
+        let summary = Summary::from_bytes(container.get(SectionKind::SUMMARY)?)?;
+        Ok(Self::of_parts(container, summary))
+    }
+
+    fn of_parts(container: Container<'a>, summary: Summary) -> Self {
+        Self { container, summary, patterns: OnceLock::new(), decoded: OnceLock::new(), codec: None }
+    }
+
+    /// Counts and bounds.
+    pub fn summary(&self) -> Summary {
+        self.summary
+    }
+
+    /// All sections with their sizes, in the order of the file.
+    pub fn sections(&self) -> &[SectionInfo] {
+        &self.container.sections
+    }
+
+    /// Texts about the file by key; empty where there are none.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the section is unsound.
+    pub fn metadata(&self) -> Result<Vec<(String, String)>, DecodeError> {
+        match self.container.find(SectionKind::METADATA)? {
+            Some(bytes) => metadata_from_bytes(bytes),
+            None => self.metadata_of_stream(),
+        }
+    }
+
+    /// Positions of all vertices in refinement order.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the section is unsound.
+    pub fn positions(&self) -> Result<Cow<'a, [[f32; 3]]>, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.mesh.positions.clone().into());
+        }
+        let kind = SectionKind::POSITIONS;
+        let positions = self.container.numbers::<[f32; 3]>(kind)?;
+        self.expect(kind, "vertices", positions.len(), self.summary.vertex_count)?;
+        Ok(positions)
+    }
+
+    /// The attribute layers.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where a section is unsound.
+    pub fn layers(&self) -> Result<Vec<AttributeLayer>, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.mesh.layers.clone());
+        }
+        self.layers_of_first(self.positions()?.len())
+    }
+
+    /// The layers, for the first so many vertices only.
+    fn layers_of_first(&self, vertex_count: usize) -> Result<Vec<AttributeLayer>, DecodeError> {
+        let full = self.positions()?.len();
+        self.container
+            .all(SectionKind::LAYER)
+            .map(|bytes| layer_from_bytes(bytes?, vertex_count, full))
+            .collect()
+    }
+
+    /// Groups of the full mesh.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the section is unsound.
+    pub fn groups(&self) -> Result<Vec<TriangleGroup>, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.mesh.groups.clone());
+        }
+        let kind = SectionKind::GROUPS;
+        let groups = groups_from_bytes(self.container.get(kind)?)?;
+        self.expect(kind, "groups", groups.len(), self.summary.group_count)?;
+        Ok(groups)
+    }
+
+    /// Errors of the levels, from the base up; see [`CollapseSequence::errors`].
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the section is unsound.
+    pub fn errors(&self) -> Result<Cow<'a, [f32]>, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.sequence.errors().to_vec().into());
+        }
+        let errors = self.container.numbers::<f32>(SectionKind::ERRORS)?;
+        self.expect(SectionKind::ERRORS, "errors", errors.len(), self.summary.step_count)?;
+        Ok(errors)
+    }
+
+    /// Whether the file's steps are collapses; if not, only its patterns know its levels.
+    pub fn has_collapses(&self) -> bool {
+        self.has(SectionKind::TARGETS) || !self.has(SectionKind::PATTERN_RECORDS)
+    }
+
+    /// The levels, whatever leads from one to the next.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where a section is unsound.
+    pub fn levels(&self) -> Result<Levels, DecodeError> {
+        if self.has_collapses() {
+            return Ok(self.sequence()?.levels().clone());
+        }
+        self.levels_of(&self.read_patterns()?.0)
+    }
+
+    /// The sequence, checked and in memory of its own.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where a section is unsound, or there are no collapses.
+    pub fn sequence(&self) -> Result<CollapseSequence, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.sequence.clone());
+        }
+        if !self.has_collapses() {
+            return Err(DecodeError::NoCollapses);
+        }
+        let sequence = CollapseSequence::from_parts(SequenceParts {
+            positions: self.position_index()?,
+            base_position_count: self.summary.base_position_count,
+            targets: self.container.numbers::<u32>(SectionKind::TARGETS)?.into_owned(),
+            errors: self.errors()?.into_owned(),
+            removed_triangle_counts: self.container.get(SectionKind::REMOVED)?.to_vec(),
+            triangle_count: self.summary.triangle_count,
+        })?;
+        for (what, found, expected) in [
+            ("base vertices", self.summary.base_vertex_count, sequence.base_vertex_count()),
+            ("base triangles", self.summary.base_triangle_count, sequence.triangle_count_at(0)),
+        ] {
+            self.expect(SectionKind::SUMMARY, what, found, expected)?;
+        }
+        Ok(sequence)
+    }
+
+    fn position_index(&self) -> Result<PositionIndex, DecodeError> {
+        // Bounded by the positions that are really there, not by what the summary says.
+        let vertex_count = self.positions()?.len();
+        let kind = SectionKind::FIRST_VERTICES;
+        let Some(firsts) = self.first_vertices()? else {
+            self.expect(SectionKind::SUMMARY, "positions", self.summary.position_count, vertex_count)?;
+            return Ok(PositionIndex::identity(vertex_count));
+        };
+        let is_sound = firsts.first() == Some(&0)
+            && firsts.last().is_some_and(|&last| last as usize == vertex_count)
+            && firsts.windows(2).all(|w| w[0] < w[1]);
+        if !is_sound {
+            let reason = "first vertices do not rise from 0 to the vertex count";
+            return Err(DecodeError::Malformed { kind, offset: 0, reason });
+        }
+        Ok(PositionIndex::from_first(firsts.into_owned()))
+    }
+
+    fn first_vertices(&self) -> Result<Option<Cow<'a, [u32]>>, DecodeError> {
+        let kind = SectionKind::FIRST_VERTICES;
+        if self.container.find(kind)?.is_none() {
+            return Ok(None);
+        }
+        let firsts = self.container.numbers::<u32>(kind)?;
+        self.expect(kind, "numbers", firsts.len(), self.summary.position_count.saturating_add(1))?;
+        Ok(Some(firsts))
+    }
+
+    /// Whether the file has sections of a kind.
+    fn has(&self, kind: SectionKind) -> bool {
+        self.container.sections.iter().any(|section| section.kind == kind)
+    }
+
+    /// Triangles of the full mesh as they stand in a section of their own; files with strips, fans or patterns have none.
+    ///
+    /// Vertices are not looked at: [`mesh`](Self::mesh) does.
+    pub fn triangles(&self) -> Option<Result<Cow<'a, [[u32; 3]]>, DecodeError>> {
+        self.has(SectionKind::TRIANGLES).then(|| self.container.numbers(SectionKind::TRIANGLES))
+    }
+
+    /// The strips of the full mesh, if the file has them; in memory of their own.
+    ///
+    /// Vertices are not looked at: [`refinable_mesh`](Self::refinable_mesh) and the models do.
+    pub fn strips(&self) -> Option<Result<StripSet, DecodeError>> {
+        self.has(SectionKind::STRIP_INDICES).then(|| {
+            let strips = StripSet::from_parts(
+                self.container.numbers(SectionKind::STRIP_INDICES)?.into_owned(),
+                self.container.numbers(SectionKind::STRIP_OFFSETS)?.into_owned(),
+                self.container.numbers(SectionKind::STRIP_GROUPS)?.into_owned(),
+            )?;
+            let group_count = self.summary.group_count.max(1);
+            self.expect(SectionKind::STRIP_GROUPS, "groups", strips.group_count(), group_count)?;
+            Ok(strips)
+        })
+    }
+
+    /// The LodStrips, if the file has them: borrowed from the file and checked once, so that no move can fail.
+    pub fn lod_strips(&self) -> Option<Result<LodStrips<'a>, DecodeError>> {
+        self.has(SectionKind::RECORDS).then(|| self.read_lod_strips())
+    }
+
+    fn read_lod_strips(&self) -> Result<LodStrips<'a>, DecodeError> {
+        let parts = LodStripsParts {
+            indices: self.container.numbers(SectionKind::STRIP_INDICES)?,
+            offsets: self.container.numbers(SectionKind::STRIP_OFFSETS)?,
+            group_offsets: self.container.numbers(SectionKind::STRIP_GROUPS)?,
+            record_lengths: self.container.get(SectionKind::RECORD_LENGTHS)?.into(),
+            arena: self.container.get(SectionKind::RECORDS)?.into(),
+        };
+        let model = LodStrips::from_parts(self.step_vertices()?, parts);
+        let model = model.map_err(|reason| DecodeError::Model { model: "lodstrips", reason })?;
+        self.expect_model(&model, SectionKind::RECORD_LENGTHS)?;
+        Ok(model)
+    }
+
+    /// The MTS, if the file has it: borrowed from the file and checked once, so that no move can fail.
+    pub fn mts(&self) -> Option<Result<Mts<'a>, DecodeError>> {
+        self.has(SectionKind::LAST_CHANGES).then(|| self.read_mts())
+    }
+
+    fn read_mts(&self) -> Result<Mts<'a>, DecodeError> {
+        let parts = MtsParts {
+            indices: self.container.numbers(SectionKind::STRIP_INDICES)?,
+            offsets: self.container.numbers(SectionKind::STRIP_OFFSETS)?,
+            group_offsets: self.container.numbers(SectionKind::STRIP_GROUPS)?,
+            lasts: self.container.get(SectionKind::LAST_CHANGES)?.into(),
+            break_offsets: self.container.numbers(SectionKind::BREAK_OFFSETS)?,
+            breaks: self.container.numbers(SectionKind::BREAKS)?,
+            record_lengths: self.container.get(SectionKind::CHANGE_LENGTHS)?.into(),
+            arena: self.container.get(SectionKind::CHANGES)?.into(),
+        };
+        let model = Mts::from_parts(self.step_vertices()?, parts);
+        let model = model.map_err(|reason| DecodeError::Model { model: "mts", reason })?;
+        self.expect_model(&model, SectionKind::CHANGE_LENGTHS)?;
+        Ok(model)
+    }
+
+    /// The fans and the bounds of their steps, if the file has them: in memory of their own and checked once, so that no move
+    /// can fail.
+    pub fn fans(&self) -> Option<Result<(Fans, FanBounds), DecodeError>> {
+        self.has(SectionKind::FAN_ENTRIES).then(|| self.read_fans())
+    }
+
+    fn read_fans(&self) -> Result<(Fans, FanBounds), DecodeError> {
+        let parts = FansParts {
+            entries: self.container.get(SectionKind::FAN_ENTRIES)?,
+            blocks: &self.container.numbers(SectionKind::FAN_BLOCKS)?,
+            starts: &self.container.numbers(SectionKind::FAN_STARTS)?,
+            waits: &self.container.numbers(SectionKind::FAN_WAITS)?,
+            far: &self.container.numbers(SectionKind::FAN_FAR_TARGETS)?,
+            orphans: &self.container.numbers(SectionKind::FAN_ORPHANS)?,
+        };
+        let unsound = |reason| DecodeError::Model { model: "fans", reason };
+        let removed = self.container.get(SectionKind::REMOVED)?;
+        let group_count = self.summary.group_count.max(1);
+        let fans = Fans::from_parts(self.step_vertices()?, removed, group_count, parts).map_err(unsound)?;
+        self.expect(SectionKind::REMOVED, "steps", fans.step_count(), self.summary.step_count)?;
+        let base_triangle_count = self.summary.base_triangle_count;
+        let kind = SectionKind::FAN_ENTRIES;
+        self.expect(kind, "triangles of the base", fans.base_triangle_count(), base_triangle_count)?;
+        let records = self.container.get(SectionKind::FAN_BOUNDS)?;
+        let bounds = FanBounds::from_bytes(records, &self.errors()?).map_err(unsound)?;
+        Ok((fans, bounds))
+    }
+
+    fn step_vertices(&self) -> Result<StepVertices<'a>, DecodeError> {
+        let base = self.summary.base_position_count;
+        let firsts = match self.first_vertices()? {
+            None => Cow::Borrowed(&[][..]),
+            Some(Cow::Borrowed(all)) => all.get(base..).unwrap_or(&[]).into(),
+            Some(Cow::Owned(all)) => all.get(base..).unwrap_or(&[]).to_vec().into(),
+        };
+        Ok(StepVertices {
+            vertex_count: self.positions()?.len(),
+            base_vertex_count: self.summary.base_vertex_count as u32,
+            firsts,
+            targets: match self.has_collapses() {
+                true => self.container.numbers(SectionKind::TARGETS)?,
+                false => Cow::Borrowed(&[]),
+            },
+        })
+    }
+
+    /// Whether a model is of this file's size.
+    fn expect_model(&self, model: &impl StripModel, steps_in: SectionKind) -> Result<(), DecodeError> {
+        self.expect(steps_in, "steps", model.step_count(), self.summary.step_count)?;
+        let group_count = self.summary.group_count.max(1);
+        self.expect(SectionKind::STRIP_GROUPS, "groups", model.group_count(), group_count)
+    }
+
+    /// The whole mesh with its sequence, checked and in memory of its own. Of a stream alone, what is there of it.
+    ///
+    /// In files with strips the triangles come in the order of the strips, in files without them in that of the fans or patterns.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where any part is unsound or parts do not fit together, or where there are no collapses.
+    pub fn refinable_mesh(&self) -> Result<RefinableMesh, DecodeError> {
+        let sequence = self.sequence()?;
+        Ok(RefinableMesh { mesh: self.mesh()?, sequence })
+    }
+
+    /// The whole mesh, checked and in memory of its own (of a stream alone, what is there of it), its triangles in the order of [`refinable_mesh`](Self::refinable_mesh).
+    ///
+    /// # Errors
+    /// [`DecodeError`] where any part is unsound or parts do not fit together.
+    pub fn mesh(&self) -> Result<IndexedMesh, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return Ok(refinable.mesh.clone());
+        }
+        let mut mesh = IndexedMesh {
+            positions: self.positions()?.into_owned(),
+            triangles: Vec::new(),
+            layers: self.layers()?,
+            groups: self.groups()?,
+            appearance: self.appearance()?,
+        };
+        let kind = match self.strips() {
+            Some(strips) => {
+                self.append_strips(&strips?, &mut mesh)?;
+                SectionKind::STRIP_INDICES
+            }
+            None if !self.has(SectionKind::TRIANGLES) && self.has(SectionKind::FAN_ENTRIES) => {
+                self.append_full(&self.read_fans()?.0, SectionKind::FAN_ENTRIES, &mut mesh)?;
+                SectionKind::FAN_ENTRIES
+            }
+            None if !self.has(SectionKind::TRIANGLES) && self.has(SectionKind::PATTERN_RECORDS) => {
+                self.append_full(&self.read_patterns()?.0, SectionKind::PATTERN_RECORDS, &mut mesh)?;
+                SectionKind::PATTERN_RECORDS
+            }
+            None => {
+                mesh.triangles = self.container.numbers(SectionKind::TRIANGLES)?.into_owned();
+                SectionKind::TRIANGLES
+            }
+        };
+        self.expect(kind, "triangles", mesh.triangle_count(), self.summary.triangle_count)?;
+        mesh.check()?;
+        Ok(mesh)
+    }
+
+    /// One level as a mesh of its own, by way of the first model that the file has.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where the file has no model, no such level, or any part is unsound.
+    pub fn level(&self, split_count: usize) -> Result<IndexedMesh, DecodeError> {
+        if let Some(refinable) = self.mesh_of_stream()? {
+            return stream::level(refinable, split_count);
+        }
+        let step_count = self.summary.step_count;
+        if split_count > step_count {
+            return Err(DecodeError::SplitCount { split_count, step_count });
+        }
+        if let Some(model) = self.lod_strips() {
+            return self.moved(&model?, split_count);
+        }
+        if let Some(model) = self.mts() {
+            return self.moved(&model?, split_count);
+        }
+        if let Some(model) = self.fans() {
+            return self.moved(&model?.0, split_count);
+        }
+        let missing = DecodeError::SectionCount { kind: SectionKind::STRIP_INDICES, found: 0 };
+        self.moved(&self.patterns().ok_or(missing)??.0, split_count)
+    }
+
+    fn moved<M: StoredModel>(&self, model: &M, split_count: usize) -> Result<IndexedMesh, DecodeError> {
+        let mut state = model.new_state();
+        model.move_to(&mut state, split_count);
+        self.level_of(model, &state)
+    }
+
+    /// The level that an instance of one of the file's models shows; for callers who keep model and state.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where any part is unsound, or the model is not the file's.
+    pub fn level_of<M: StoredModel>(&self, model: &M, state: &M::State) -> Result<IndexedMesh, DecodeError> {
+        let positions = self.positions()?;
+        let vertex_count = model.vertex_count_at(model.split_count(state));
+        let Some(shown) = positions.get(..vertex_count) else {
+            let (kind, what) = (SectionKind::POSITIONS, "vertices");
+            let (found, expected) = (positions.len() as u64, vertex_count as u64);
+            return Err(DecodeError::Count { kind, what, found, expected });
+        };
+        let mut level = IndexedMesh {
+            positions: shown.to_vec(),
+            triangles: Vec::new(),
+            layers: self.layers_of_first(vertex_count)?,
+            groups: self.groups()?,
+            appearance: self.appearance()?,
+        };
+        let group_count = level.groups.len().max(1);
+        self.expect(SectionKind::GROUPS, "groups", group_count, model.group_count())?;
+        for group in 0..group_count {
+            let first = level.triangles.len();
+            model.group_triangles_into(state, group, &mut level.triangles);
+            if let Some(group) = level.groups.get_mut(group) {
+                (group.first, group.count) = (first as u32, (level.triangles.len() - first) as u32);
+            }
+        }
+        level.check()?;
+        Ok(level)
+    }
+
+    /// Appends the triangles of the full mesh's strips, which have to be as many as the groups say.
+    fn append_strips(&self, strips: &StripSet, mesh: &mut IndexedMesh) -> Result<(), DecodeError> {
+        for group in 0..strips.group_count() {
+            let first = mesh.triangles.len();
+            for strip in strips.group_strips(group) {
+                mesh.triangles.extend(strip_triangles(strips.strip(strip)));
+            }
+            self.end_group(SectionKind::STRIP_GROUPS, group, first, mesh)?;
+        }
+        Ok(())
+    }
+
+    /// The same of the full level of a model that stands in a section.
+    fn append_full<M: StoredModel>(
+        &self,
+        model: &M,
+        kind: SectionKind,
+        mesh: &mut IndexedMesh,
+    ) -> Result<(), DecodeError> {
+        let full = model.new_state();
+        for group in 0..model.group_count() {
+            let first = mesh.triangles.len();
+            model.group_triangles_into(&full, group, &mut mesh.triangles);
+            self.end_group(kind, group, first, mesh)?;
+        }
+        Ok(())
+    }
+
+    /// Ends a group with the last triangle of a mesh.
+    fn end_group(
+        &self,
+        kind: SectionKind,
+        group: usize,
+        first: usize,
+        mesh: &mut IndexedMesh,
+    ) -> Result<(), DecodeError> {
+        let count = mesh.triangles.len() - first;
+        if let Some(group) = mesh.groups.get_mut(group) {
+            self.expect(kind, "triangles of a group", count, group.count as usize)?;
+            group.first = first as u32;
+        }
+        Ok(())
+    }
+
+    fn appearance(&self) -> Result<crate::mesh::Appearance, DecodeError> {
+        self.container.find(SectionKind::APPEARANCE)?.map_or(Ok(Default::default()), appearance_from_bytes)
+    }
+
+    fn expect(
+        &self,
+        kind: SectionKind,
+        what: &'static str,
+        found: usize,
+        expected: usize,
+    ) -> Result<(), DecodeError> {
+        let (found, expected) = (found as u64, expected as u64);
+        if found == expected { Ok(()) } else { Err(DecodeError::Count { kind, what, found, expected }) }
+    }
+}

@@ -1,0 +1,71 @@
+//! Patterns and fragments of a file, and the levels that only they know.
+
+use super::StriataFile;
+use crate::file::{DecodeError, SectionKind};
+use crate::mesh::{FragmentedMesh, Levels};
+use crate::model::patterns::PatternsParts;
+use crate::model::{LodModel, PatternBounds, Patterns};
+
+impl StriataFile<'_> {
+    /// The patterns and the bounds of their fragments, if the file has them: in memory of their own and checked once, so that no
+    /// move can fail.
+    pub fn patterns(&self) -> Option<Result<(Patterns, PatternBounds), DecodeError>> {
+        self.has(SectionKind::PATTERN_RECORDS).then(|| self.read_patterns())
+    }
+
+    pub(super) fn read_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
+        if let Some(checked) = self.patterns.get() {
+            return Ok(checked.clone());
+        }
+        let checked = self.check_patterns()?;
+        Ok(self.patterns.get_or_init(|| checked).clone())
+    }
+
+    fn check_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
+        let header = self.container.numbers::<u32>(SectionKind::PATTERN_WIDTHS)?;
+        self.expect(SectionKind::PATTERN_WIDTHS, "numbers", header.len(), 4)?;
+        let parts = PatternsParts {
+            header: [header[0], header[1], header[2], header[3]],
+            rules: self.container.get(SectionKind::PATTERN_RULES)?.into(),
+            ways: self.container.get(SectionKind::PATTERN_WAYS)?.into(),
+            blocks: &self.container.numbers(SectionKind::PATTERN_BLOCKS)?,
+            records: self.container.get(SectionKind::PATTERN_RECORDS)?,
+            base: self.container.numbers(SectionKind::PATTERN_BASE)?.into_owned(),
+            extras: self.container.numbers(SectionKind::PATTERN_EXTRAS)?.into_owned(),
+        };
+        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
+        let group_count = self.groups()?.len().max(1);
+        let patterns = Patterns::from_parts(self.step_vertices()?, group_count, parts).map_err(unsound)?;
+        let kind = SectionKind::PATTERN_RECORDS;
+        self.expect(kind, "steps", patterns.step_count(), self.summary.step_count)?;
+        let full = patterns.triangle_counts().last().map_or(0, |&count| count as usize);
+        self.expect(kind, "triangles", full, self.summary.triangle_count)?;
+        let records = self.container.get(SectionKind::PATTERN_BOUNDS)?;
+        let bounds = PatternBounds::from_bytes(records, patterns.step_count()).map_err(unsound)?;
+        Ok((patterns, bounds))
+    }
+
+    pub(super) fn levels_of(&self, patterns: &Patterns) -> Result<Levels, DecodeError> {
+        let base = self.summary.base_position_count;
+        let errors = self.errors()?.into_owned();
+        let levels = Levels::new(self.position_index()?, base, patterns.triangle_counts(), errors)?;
+        let kind = SectionKind::SUMMARY;
+        self.expect(kind, "base vertices", self.summary.base_vertex_count, levels.base_vertex_count())?;
+        self.expect(kind, "base triangles", self.summary.base_triangle_count, levels.triangle_count_at(0))?;
+        Ok(levels)
+    }
+
+    /// The whole mesh with fragments, checked and in memory of its own: those of the patterns, or of the collapses. The error of
+    /// a floor is that of the level without it.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where any part is unsound or parts do not fit together.
+    pub fn fragmented_mesh(&self) -> Result<FragmentedMesh, DecodeError> {
+        let Some(patterns) = self.patterns() else {
+            return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));
+        };
+        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
+        let fragments = patterns?.0.unpack(self.errors()?.into_owned()).map_err(unsound)?;
+        Ok(FragmentedMesh { mesh: self.mesh()?, fragments })
+    }
+}

@@ -1,0 +1,331 @@
+//! Writing a file: all sections are laid out, then header, table and bytes go out in one pass.
+
+use std::borrow::Cow;
+use std::io::Write;
+
+use super::container::{ENTRY_BYTES, HEADER_BYTES, MAGIC, REQUIRED, VERSION, header_checksum, padding};
+use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
+use super::{EncodeError, SectionKind, StoredStream, Summary};
+use crate::mesh::{CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
+use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StoredModel};
+
+/// A model to be stored beside the mesh.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum FileModel<'m> {
+    /// Strips that are edited in place.
+    LodStrips(&'m LodStrips<'m>),
+    /// Strips that are walked again where they change.
+    Mts(&'m Mts<'m>),
+    /// Fans of each vertex, for levels that differ from place to place, and the bounds of their steps.
+    Fans(&'m Fans, &'m FanBounds),
+    /// Patterns, for levels that differ from place to place, and the bounds of their fragments.
+    Patterns(&'m Patterns, &'m PatternBounds),
+    /// The progressive stream of the mesh, which is in the stream's order
+    /// (`EncodedStream::reorder` of the crate `striata-stream`). Alone it is all that the file has: mesh and levels are decoded
+    /// from it.
+    Progressive(StoredStream<'m>),
+}
+
+impl<'m> FileModel<'m> {
+    /// What the model is called in files and on the command line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::LodStrips(_) => "lodstrips",
+            Self::Mts(_) => "mts",
+            Self::Fans(..) => "fans",
+            Self::Patterns(..) => "patterns",
+            Self::Progressive(_) => "progressive",
+        }
+    }
+
+    /// The strips that it starts from, if it does: groups, offsets, indices.
+    fn strips(&self) -> Option<[&'m [u32]; 3]> {
+        match *self {
+            Self::LodStrips(model) => Some([&model.group_offsets, &model.offsets, &model.indices]),
+            Self::Mts(model) => {
+                Some([&model.parts.group_offsets, &model.parts.offsets, &model.parts.indices])
+            }
+            Self::Fans(..) | Self::Patterns(..) | Self::Progressive(_) => None,
+        }
+    }
+
+    /// Its sections beside the strips.
+    fn sections(&self) -> Vec<(SectionKind, Cow<'m, [u8]>)> {
+        match *self {
+            Self::LodStrips(model) => vec![
+                (SectionKind::RECORD_LENGTHS, model.record_lengths[..].into()),
+                (SectionKind::RECORDS, model.arena[..].into()),
+            ],
+            Self::Mts(model) => {
+                let parts = &model.parts;
+                vec![
+                    (SectionKind::LAST_CHANGES, parts.lasts[..].into()),
+                    (SectionKind::BREAK_OFFSETS, bytes_of(&parts.break_offsets)),
+                    (SectionKind::BREAKS, bytes_of(&parts.breaks)),
+                    (SectionKind::CHANGE_LENGTHS, parts.record_lengths[..].into()),
+                    (SectionKind::CHANGES, parts.arena[..].into()),
+                ]
+            }
+            Self::Fans(fans, bounds) => {
+                let parts = fans.parts();
+                vec![
+                    (SectionKind::FAN_ENTRIES, parts.entries.into()),
+                    (SectionKind::FAN_BLOCKS, bytes_of(parts.blocks)),
+                    (SectionKind::FAN_STARTS, bytes_of(parts.starts)),
+                    (SectionKind::FAN_WAITS, bytes_of(parts.waits)),
+                    (SectionKind::FAN_FAR_TARGETS, bytes_of(parts.far)),
+                    (SectionKind::FAN_ORPHANS, bytes_of(parts.orphans)),
+                    (SectionKind::FAN_BOUNDS, bounds.as_bytes().into()),
+                ]
+            }
+            Self::Patterns(patterns, bounds) => {
+                let parts = patterns.parts();
+                vec![
+                    (SectionKind::PATTERN_WIDTHS, bytes_of(&parts.header).into_owned().into()),
+                    (SectionKind::PATTERN_RULES, parts.rules.into()),
+                    (SectionKind::PATTERN_WAYS, parts.ways.into()),
+                    (SectionKind::PATTERN_BLOCKS, bytes_of(parts.blocks)),
+                    (SectionKind::PATTERN_RECORDS, parts.records.into()),
+                    (SectionKind::PATTERN_BASE, bytes_of(&parts.base).into_owned().into()),
+                    (SectionKind::PATTERN_EXTRAS, bytes_of(&parts.extras).into_owned().into()),
+                    (SectionKind::PATTERN_BOUNDS, bounds.as_bytes().into()),
+                ]
+            }
+            // It goes last, where a file that is cut off still has its beginning.
+            Self::Progressive(_) => Vec::new(),
+        }
+    }
+}
+
+fn bytes_of<T: bytemuck::NoUninit>(numbers: &[T]) -> Cow<'_, [u8]> {
+    bytemuck::must_cast_slice(numbers).into()
+}
+
+/// Options of [`write_striata`].
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct WriteOptions {
+    /// Texts about the file by key, such as `creator` or `source`; default none.
+    pub metadata: Vec<(String, String)>,
+}
+
+impl WriteOptions {
+    /// Appends to [`WriteOptions::metadata`].
+    pub fn with_metadata(mut self, key: impl Into<String>, value: impl Into<String>) -> Self {
+        self.metadata.push((key.into(), value.into()));
+        self
+    }
+}
+
+/// A section before it has a place.
+struct Section<'m> {
+    kind: SectionKind,
+    flags: u32,
+    bytes: Cow<'m, [u8]>,
+}
+
+/// Writes a mesh, its sequence and its models as one `.striata` file.
+///
+/// The same input gives the same bytes on every machine. With models of strips the triangles are stored as strips only,
+/// once for all models, and come back in the strips' order; with fans alone they come back from these, with a stream alone
+/// from that, as exact as it is. A stream is the last section, so that a file that is cut off has its beginning.
+///
+/// # Errors
+/// [`EncodeError`] where the mesh is unsound, a model was built from another mesh, or the writer fails.
+pub fn write_striata(
+    refinable: &RefinableMesh,
+    models: &[FileModel<'_>],
+    options: &WriteOptions,
+    out: &mut dyn Write,
+) -> Result<(), EncodeError> {
+    let RefinableMesh { mesh, sequence } = refinable;
+    let source = Source { mesh, levels: sequence.levels(), collapses: Some(sequence) };
+    write_sections(&lay_out(source, models, options)?, out)
+}
+
+/// Writes a mesh with fragments and its patterns as one `.striata` file: no other model can be made of fragments.
+///
+/// The same input gives the same bytes on every machine. The triangles come back in the order of the patterns; of errors, those
+/// of the levels are kept, and those of single floors in the bounds of the patterns.
+///
+/// # Errors
+/// As [`write_striata`].
+pub fn write_fragments(
+    fragmented: &FragmentedMesh,
+    (patterns, bounds): (&Patterns, &PatternBounds),
+    options: &WriteOptions,
+    out: &mut dyn Write,
+) -> Result<(), EncodeError> {
+    let levels = fragmented.fragments.levels();
+    let source = Source { mesh: &fragmented.mesh, levels, collapses: None };
+    write_sections(&lay_out(source, &[FileModel::Patterns(patterns, bounds)], options)?, out)
+}
+
+/// What a file is made of beside models.
+#[derive(Clone, Copy)]
+struct Source<'m> {
+    mesh: &'m IndexedMesh,
+    levels: &'m Levels,
+    /// None where vertices were removed otherwise.
+    collapses: Option<&'m CollapseSequence>,
+}
+
+fn write_sections(sections: &[Section<'_>], out: &mut dyn Write) -> Result<(), EncodeError> {
+    let mut head = vec![0; HEADER_BYTES];
+    let mut end = HEADER_BYTES + ENTRY_BYTES * sections.len();
+    for section in sections {
+        let offset = padding(end).end;
+        head.extend(section.kind.0);
+        head.extend(section.flags.to_le_bytes());
+        head.extend((offset as u64).to_le_bytes());
+        head.extend((section.bytes.len() as u64).to_le_bytes());
+        head.extend(crc32fast::hash(&section.bytes).to_le_bytes());
+        head.extend([0; 4]);
+        end = offset + section.bytes.len();
+    }
+    head[..8].copy_from_slice(&MAGIC);
+    head[8..12].copy_from_slice(&VERSION.to_le_bytes());
+    head[12..16].copy_from_slice(&(sections.len() as u32).to_le_bytes());
+    head[16..24].copy_from_slice(&(end as u64).to_le_bytes());
+    let checksum = header_checksum(&head);
+    head[24..28].copy_from_slice(&checksum.to_le_bytes());
+    out.write_all(&head)?;
+    let mut end = head.len();
+    for section in sections {
+        let padding = padding(end);
+        out.write_all(&[0; 64][..padding.len()])?;
+        out.write_all(&section.bytes)?;
+        end = padding.end + section.bytes.len();
+    }
+    Ok(())
+}
+
+/// As [`write_striata`], into memory.
+///
+/// # Errors
+/// As [`write_striata`].
+pub fn to_striata(
+    refinable: &RefinableMesh,
+    models: &[FileModel<'_>],
+    options: &WriteOptions,
+) -> Result<Vec<u8>, EncodeError> {
+    let mut out = Vec::new();
+    write_striata(refinable, models, options, &mut out)?;
+    Ok(out)
+}
+
+fn lay_out<'m>(
+    source: Source<'m>,
+    models: &[FileModel<'m>],
+    options: &WriteOptions,
+) -> Result<Vec<Section<'m>>, EncodeError> {
+    let Source { mesh, levels, collapses } = source;
+    mesh.check()?;
+    for (i, model) in models.iter().enumerate() {
+        check_model(model, &models[..i], source)?;
+    }
+    let mut sections = Vec::new();
+    let mut add = |kind, flags, bytes: Cow<'m, [u8]>| sections.push(Section { kind, flags, bytes });
+    add(SectionKind::SUMMARY, REQUIRED, Summary::of_levels(mesh, levels).to_bytes().into());
+    if !options.metadata.is_empty() {
+        add(SectionKind::METADATA, 0, metadata_to_bytes(&options.metadata)?.into());
+    }
+    if let [FileModel::Progressive(stream)] = models {
+        add(SectionKind::STREAM, REQUIRED, stream.bytes.into());
+        return Ok(sections);
+    }
+    add(SectionKind::GROUPS, REQUIRED, groups_to_bytes(&mesh.groups)?.into());
+    if !levels.positions().is_identity() {
+        let firsts = levels.positions().first_vertices();
+        add(SectionKind::FIRST_VERTICES, REQUIRED, bytemuck::must_cast_slice(firsts).into());
+    }
+    if let Some(sequence) = collapses {
+        add(SectionKind::TARGETS, REQUIRED, bytemuck::must_cast_slice(sequence.targets()).into());
+    }
+    add(SectionKind::ERRORS, REQUIRED, bytemuck::must_cast_slice(levels.errors()).into());
+    if let Some(sequence) = collapses {
+        add(SectionKind::REMOVED, REQUIRED, sequence.removed_triangle_counts().into());
+    }
+    add(SectionKind::POSITIONS, REQUIRED, bytemuck::must_cast_slice(&mesh.positions).into());
+    for layer in &mesh.layers {
+        add(SectionKind::LAYER, REQUIRED, layer_to_bytes(layer)?.into());
+    }
+    if let Some([groups, offsets, indices]) = models.iter().find_map(FileModel::strips) {
+        add(SectionKind::STRIP_GROUPS, 0, bytes_of(groups));
+        add(SectionKind::STRIP_OFFSETS, 0, bytes_of(offsets));
+        add(SectionKind::STRIP_INDICES, 0, bytes_of(indices));
+    }
+    for model in models {
+        model.sections().into_iter().for_each(|(kind, bytes)| add(kind, 0, bytes));
+    }
+    if models.is_empty() {
+        add(SectionKind::TRIANGLES, 0, bytemuck::must_cast_slice(&mesh.triangles).into());
+    }
+    // Images are large and needed last.
+    if !mesh.appearance.is_empty() {
+        add(SectionKind::APPEARANCE, REQUIRED, appearance_to_bytes(&mesh.appearance)?.into());
+    }
+    for model in models {
+        if let FileModel::Progressive(stream) = model {
+            add(SectionKind::STREAM, 0, stream.bytes.into());
+        }
+    }
+    Ok(sections)
+}
+
+/// # Errors
+/// Where the model is of another mesh, is there already, or starts from other strips than those before it.
+fn check_model(
+    model: &FileModel<'_>,
+    before: &[FileModel<'_>],
+    source: Source<'_>,
+) -> Result<(), EncodeError> {
+    let name = model.name();
+    let (triangle_count, base_triangle_count) =
+        (source.mesh.triangle_count(), source.levels.triangle_count_at(0));
+    match model {
+        FileModel::LodStrips(model) => check_counts(name, *model, source)?,
+        FileModel::Mts(model) => check_counts(name, *model, source)?,
+        FileModel::Fans(fans, bounds) => {
+            check_counts(name, *fans, source)?;
+            let shown = |split_count| fans.draw_counts(&fans.level_at(split_count)).index_count / 3;
+            let step_count = fans.step_count();
+            expect(name, "bounds", bounds.step_count(), step_count)?;
+            expect(name, "triangles", shown(step_count), triangle_count)?;
+            expect(name, "triangles of the base", shown(0), base_triangle_count)?;
+        }
+        FileModel::Patterns(patterns, bounds) => {
+            check_counts(name, *patterns, source)?;
+            let counts = patterns.triangle_counts();
+            expect(name, "bounds", bounds.step_count(), patterns.step_count())?;
+            expect(name, "triangles", counts[counts.len() - 1] as usize, triangle_count)?;
+            expect(name, "triangles of the base", counts[0] as usize, base_triangle_count)?;
+            patterns.check_size().map_err(|reason| EncodeError::Unstorable { model: name, reason })?;
+        }
+        FileModel::Progressive(stream) => {
+            expect(name, "vertices", stream.vertex_count, source.mesh.vertex_count())?;
+            expect(name, "triangles", stream.triangle_count, triangle_count)?;
+            expect(name, "steps", stream.step_count, source.levels.step_count())?;
+            expect(name, "groups", stream.group_count, source.mesh.groups.len())?;
+        }
+    }
+    if before.iter().any(|other| other.name() == name) {
+        return Err(EncodeError::RepeatedModel { model: name });
+    }
+    let first = before.iter().find_map(FileModel::strips);
+    if first.is_some() && model.strips().is_some_and(|strips| first != Some(strips)) {
+        return Err(EncodeError::OtherStrips { model: name });
+    }
+    Ok(())
+}
+
+fn check_counts(name: &'static str, model: &impl StoredModel, source: Source<'_>) -> Result<(), EncodeError> {
+    expect(name, "vertices", model.vertex_count(), source.mesh.vertex_count())?;
+    expect(name, "steps", model.step_count(), source.levels.step_count())?;
+    expect(name, "groups", model.group_count(), source.mesh.groups.len().max(1))
+}
+
+fn expect(model: &'static str, what: &'static str, found: usize, expected: usize) -> Result<(), EncodeError> {
+    if found == expected { Ok(()) } else { Err(EncodeError::Model { model, what, found, expected }) }
+}
