@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use striata_stream::{Effort, Precision, StreamOptions, StreamVersion, encode_stream, file_model};
 use striata::file::{FileModel, WriteOptions, to_striata, write_fragments};
-use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
 use striata_lab::baseline::SequentialPatterns;
 use striata::model::{FanBounds, Fans, LodStrips, Mts, PatternBounds, Patterns};
@@ -49,8 +48,8 @@ type NamedBytes = (&'static str, Vec<u8>);
 /// Progressive streams of each effort, an exact one, and one of the first version.
 fn streams(mesh: &IndexedMesh) -> Result<Vec<NamedBytes>, Box<dyn Error>> {
     let all = BatchOptions::default().with_general_floor(0);
-    let built = build_batches(mesh, &all, &mut ignore_progress)?;
-    let surface = build_batches(mesh, &all.with_general(false), &mut ignore_progress)?;
+    let built = build_batches(mesh, &all)?;
+    let surface = build_batches(mesh, &all.with_general(false))?;
     let options = StreamOptions::default().with_precision(Precision::Bits(8));
     let forms = [
         ("fast", options.clone().with_effort(Effort::Fast)),
@@ -69,7 +68,7 @@ fn streams(mesh: &IndexedMesh) -> Result<Vec<NamedBytes>, Box<dyn Error>> {
 
 /// Patterns in sequential form, if the mesh is a surface.
 fn patterns(mesh: &IndexedMesh) -> Result<Option<Vec<u8>>, Box<dyn Error>> {
-    let simplified = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?;
+    let simplified = build_sequence(mesh, &SequenceOptions::default())?;
     let fragmented = FragmentedMesh::from_collapses(&simplified.refinable);
     Ok(SequentialPatterns::encode(&fragmented).ok().map(|written| written.as_bytes().to_vec()))
 }
@@ -102,7 +101,7 @@ type Container = (&'static str, Vec<u8>);
 
 /// Files with models of strips, with fans alone, with patterns, beside collapses and without any, and with a stream alone.
 fn containers(mesh: &IndexedMesh) -> Result<[Container; 5], Box<dyn Error>> {
-    let refinable = build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
+    let refinable = build_sequence(mesh, &SequenceOptions::default())?.refinable;
     let strips = stripify(&refinable.mesh)?;
     let (lod_strips, mts) = (LodStrips::build(&refinable, &strips)?, Mts::build(&refinable, &strips)?);
     let fans = Fans::build(&refinable);
@@ -123,7 +122,7 @@ fn containers(mesh: &IndexedMesh) -> Result<[Container; 5], Box<dyn Error>> {
 }
 
 fn stream_in_file(mesh: &IndexedMesh) -> Result<Vec<u8>, Box<dyn Error>> {
-    let made = build_batches(mesh, &BatchOptions::default(), &mut ignore_progress)?;
+    let made = build_batches(mesh, &BatchOptions::default())?;
     let refinable = &made.built.refinable;
     let stream = encode_stream(refinable, &made.batches, &StreamOptions::default())?;
     let models = [file_model(&stream.bytes)?];

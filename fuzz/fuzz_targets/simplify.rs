@@ -3,7 +3,6 @@
 
 use libfuzzer_sys::fuzz_target;
 use striata::file::{FileModel, StriataFile, WriteOptions, to_striata};
-use striata::ignore_progress;
 use striata::mesh::{RefinableMesh, canonical_triangles, replay};
 use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, build_sequence};
@@ -16,7 +15,7 @@ fuzz_target!(|data: &[u8]| {
     let mut bytes = Bytes(data);
     let options = options(&mut bytes);
     let mesh = bytes.mesh();
-    let built = build_sequence(&mesh, &options, &mut ignore_progress);
+    let built = build_sequence(&mesh, &options);
     assert_eq!(built.is_ok(), mesh.check().is_ok(), "{:?}", built.err());
     let Ok(built) = built else { return };
     check_levels(&built.refinable);

@@ -6,8 +6,9 @@ use striata::ProgressFn;
 use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
 use striata::simplify::{
     BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, RemovalOptions, Retriangulation, SeamRule,
-    SequenceOptions, SimplifyError, StopReason, TopologyRule, build_welded_batches, build_welded_fragments,
-    build_welded_sequence, certify, certify_collapses, certify_collapses_in_any_state,
+    SequenceOptions, SimplifyError, StopReason, TopologyRule, build_welded_batches_with_progress,
+    build_welded_fragments_with_progress, build_welded_sequence_with_progress,
+    certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_with_progress,
 };
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
@@ -118,7 +119,7 @@ impl Sequenced {
             (Steps::Collapses(refinable), None) => {
                 let fragmented = FragmentedMesh::from_collapses(refinable);
                 Cow::Owned(if self.error_is_guaranteed {
-                    certify(&fragmented, progress)?
+                    certify_with_progress(&fragmented, progress)?
                 } else {
                     fragmented
                 })
@@ -202,7 +203,7 @@ impl SequencePlan {
                 certified(made, options.max_error, *promise, progress)
             }
             Self::Hausdorff(options) => {
-                let built = build_welded_fragments(welded, options, progress)?;
+                let built = build_welded_fragments_with_progress(welded, options, progress)?;
                 let (steps, floors) = match built.refinable {
                     Some(refinable) => (Steps::Collapses(refinable), Some(built.fragmented)),
                     None => (Steps::Fragments(built.fragmented), None),
@@ -222,11 +223,11 @@ fn collapses(
     progress: &mut ProgressFn<'_>,
 ) -> Result<Made, SimplifyError> {
     let Some(BatchTerms { share, shape_step }) = batches else {
-        return Ok((build_welded_sequence(welded, &options, progress)?, None));
+        return Ok((build_welded_sequence_with_progress(welded, &options, progress)?, None));
     };
     let mut options = BatchOptions::default().with_sequence(options).with_shape_step(shape_step);
     options.share = share.unwrap_or(options.share);
-    let made = build_welded_batches(welded, &options, progress)?;
+    let made = build_welded_batches_with_progress(welded, &options, progress)?;
     Ok((made.built, Some(made.batches)))
 }
 
@@ -241,8 +242,8 @@ fn certified(
     progress: &mut ProgressFn<'_>,
 ) -> Result<Sequenced, SimplifyError> {
     let refinable = match promise {
-        Promise::AnyState => certify_collapses_in_any_state(&built.refinable, progress)?,
-        _ => certify_collapses(&built.refinable, progress)?,
+        Promise::AnyState => certify_collapses_in_any_state_with_progress(&built.refinable, progress)?,
+        _ => certify_collapses_with_progress(&built.refinable, progress)?,
     };
     let first = max_error.map_or(0, |error| refinable.sequence.split_count_for_error(error));
     if let Some(batches) = &mut batches {

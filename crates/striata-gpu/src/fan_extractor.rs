@@ -142,7 +142,7 @@ mod tests {
         let on_processor = Gpu::new(&GpuOptions::default().with_fallback(true));
         let gpu = on_processor.or_else(|_| Gpu::new(&GpuOptions::default())).expect("an adapter");
         let mesh = shapes::icosphere(4, 1.0);
-        let built = build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress).unwrap();
+        let built = build_sequence(&mesh, &Default::default()).unwrap();
         let fans = Fans::build(&built.refinable);
         let table = GpuFans::upload(&gpu, &fans).unwrap();
         let mut extractor = FanExtractor::new(&gpu);

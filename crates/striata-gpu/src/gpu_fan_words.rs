@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn blocks_hold_every_fan_once_and_no_group_shares_one() {
         let mesh = shapes::two_material_sphere(24, 40);
-        let built = build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress).unwrap();
+        let built = build_sequence(&mesh, &Default::default()).unwrap();
         let fans = Fans::build(&built.refinable);
         let words = FanWords::new(&fans);
         assert_eq!(words.group_blocks.len(), 3);
@@ -124,7 +124,7 @@ mod tests {
     #[test]
     fn words_say_what_the_table_says() {
         for mesh in [shapes::uv_cylinder(300, 3), shapes::icosphere(3, 1.0), shapes::terrain(12, 3)] {
-            let built = build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress).unwrap();
+            let built = build_sequence(&mesh, &Default::default()).unwrap();
             let fans = Fans::build(&built.refinable);
             let words = FanWords::new(&fans);
             assert_eq!(words.fans.len(), fans.table_fans().count());

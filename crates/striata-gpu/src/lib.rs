@@ -15,7 +15,7 @@
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let mesh = striata::mesh::shapes::icosphere(6, 1.0);
-//! let refinable = build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress)?.refinable;
+//! let refinable = build_sequence(&mesh, &Default::default())?.refinable;
 //! let fans = Fans::build(&refinable);
 //!
 //! let gpu = Gpu::new(&Default::default())?;

@@ -77,7 +77,7 @@ impl<'a> Bench<'a> {
 
 /// Some meshes are no meshes.
 fn refinable(mesh: &IndexedMesh) -> Option<RefinableMesh> {
-    Some(build_sequence(mesh, &Default::default(), &mut striata::ignore_progress).ok()?.refinable)
+    Some(build_sequence(mesh, &Default::default()).ok()?.refinable)
 }
 
 #[test]

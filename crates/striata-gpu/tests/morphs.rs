@@ -32,7 +32,7 @@ fn with_layers(mut mesh: IndexedMesh) -> RefinableMesh {
         AttributeLayer::from_f32(Semantic::Normal, 3, normals),
         AttributeLayer::from_f32(Semantic::Color(0), 3, colours),
     ];
-    build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress).unwrap().refinable
+    build_sequence(&mesh, &Default::default()).unwrap().refinable
 }
 
 /// Blends on both sides, and draws both.

@@ -52,7 +52,7 @@ impl Studio {
 }
 
 fn refinable(mesh: &IndexedMesh) -> RefinableMesh {
-    build_sequence(mesh, &Default::default(), &mut striata::ignore_progress).unwrap().refinable
+    build_sequence(mesh, &Default::default()).unwrap().refinable
 }
 
 fn lod_strips(refinable: &RefinableMesh) -> LodStrips<'static> {

@@ -11,7 +11,7 @@ use striata_gpu::{Drawing, Gpu, GpuLodStrips};
 use support::gpu;
 
 fn refinable(mesh: &IndexedMesh) -> Option<RefinableMesh> {
-    Some(build_sequence(mesh, &Default::default(), &mut striata::ignore_progress).ok()?.refinable)
+    Some(build_sequence(mesh, &Default::default()).ok()?.refinable)
 }
 
 fn model(refinable: &RefinableMesh) -> LodStrips<'static> {

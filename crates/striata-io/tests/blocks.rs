@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use striata::ignore_progress;
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, canonical_triangles, shapes};
 use striata::strip::{restart_triangles_into, strip_triangles};
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteOptions, read, to_bytes};
@@ -66,8 +65,7 @@ fn strip_to(place: &Place, block_triangles: usize, format: Format, out: &Path) -
     let mut blocks = place.open(block_triangles).unwrap();
     let mut spool = StripSpool::new(format, &place.scratch).unwrap();
     let options = BlockOptions::default();
-    let report =
-        stripify_blocks(&mut blocks, &options, &mut |_, strip| spool.push(strip), &mut ignore_progress);
+    let report = stripify_blocks(&mut blocks, &options, &mut |_, strip| spool.push(strip));
     spool.write(out, &blocks).unwrap();
     assert_eq!(fs::read_dir(&place.scratch).unwrap().count(), 0);
     report.unwrap()
@@ -179,8 +177,7 @@ fn polygons_are_fanned_and_other_elements_passed() {
         found.extend(strip_triangles(strip));
         Ok(())
     };
-    stripify_blocks(&mut place.open(2).unwrap(), &BlockOptions::default(), &mut take, &mut ignore_progress)
-        .unwrap();
+    stripify_blocks(&mut place.open(2).unwrap(), &BlockOptions::default(), &mut take).unwrap();
     assert_eq!(canonical_triangles(&found), canonical_triangles(&[[0, 1, 2], [0, 2, 3], [0, 3, 4]]));
 }
 
@@ -203,7 +200,7 @@ fn a_flipped_bit_is_an_error_or_another_mesh() {
         let place = place("flipped.ply", &bytes);
         let Ok(mut blocks) = place.open(2) else { continue };
         let write = &mut |_: u32, _: &[u32]| Ok::<(), ()>(());
-        stripify_blocks(&mut blocks, &BlockOptions::default(), write, &mut ignore_progress).unwrap();
+        stripify_blocks(&mut blocks, &BlockOptions::default(), write).unwrap();
     }
 }
 

@@ -37,9 +37,7 @@ fn sphere(ring_count: u32) -> IndexedMesh {
 }
 
 fn refinable(mesh: &IndexedMesh) -> RefinableMesh {
-    build_sequence(mesh, &SequenceOptions::default(), &mut striata::ignore_progress)
-        .expect("the mesh is sound")
-        .refinable
+    build_sequence(mesh, &SequenceOptions::default()).expect("the mesh is sound").refinable
 }
 
 fn lod_strips(c: &mut Criterion) {

@@ -12,7 +12,6 @@ use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, shapes};
 use striata_strip::{BlockOptions, MeshBlocks, StripOptions, stripify, stripify_blocks};
 use table::Table;
@@ -85,7 +84,6 @@ fn add_mesh(
             &mut MeshBlocks::new(mesh, block_triangles)?,
             &BlockOptions::default().with_strip(options.clone()),
             &mut |_, _| Ok::<(), Infallible>(()),
-            &mut ignore_progress,
         )?;
         let ms = start.elapsed().as_secs_f64() * 1e3;
         table.push(vec![

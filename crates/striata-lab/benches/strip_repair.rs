@@ -13,7 +13,6 @@ use std::io::Write;
 use std::sync::OnceLock;
 use std::time::Instant;
 
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay, shapes};
 use striata::model::{LodModel, LodStrips, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
@@ -59,7 +58,7 @@ fn main() -> Fallible<()> {
 }
 
 fn refinable(mesh: &IndexedMesh) -> Fallible<RefinableMesh> {
-    Ok(build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable)
+    Ok(build_sequence(mesh, &SequenceOptions::default())?.refinable)
 }
 
 /// What repair begins with and is measured by: a name and options.

@@ -18,7 +18,6 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay, weld};
 use striata::model::{LodModel, LodStrips, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
@@ -101,8 +100,7 @@ fn main() -> Fallible<()> {
         }
         contest::add_rows(&name, &mesh, &arguments.choice, &mut strips)?;
         if !arguments.is_strips_only {
-            let refinable =
-                build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress)?.refinable;
+            let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
             add_model(&name, &refinable, &mut models)?;
             add_levels(&name, &refinable, &mut levels)?;
         }

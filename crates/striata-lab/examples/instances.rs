@@ -34,8 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(path) => striata_io::read(path)?,
         None => potato(),
     };
-    let refinable =
-        build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress)?.refinable;
+    let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
     let fans = Fans::build(&refinable);
     let bounds = FanBounds::build(&fans, &refinable);
     let scene = FanScene::new(&fans, &bounds, &refinable);

@@ -13,7 +13,7 @@
 //! use striata_lab::{Accounting, MtsGraph, PaperBytes};
 //!
 //! let torus = shapes::torus(32, 16, 1.0, 0.4);
-//! let refinable = build_sequence(&torus, &Default::default(), &mut striata::ignore_progress)?.refinable;
+//! let refinable = build_sequence(&torus, &Default::default())?.refinable;
 //! let strips = stripify(&refinable.mesh, &StripOptions::default())?;
 //! let (ours, published) = (Mts::build(&refinable, &strips)?, MtsGraph::build(&refinable, &strips)?);
 //! assert_eq!(ours.step_count(), published.step_count());

@@ -34,7 +34,7 @@ fn collapsed_cases() -> impl Iterator<Item = FragmentedMesh> {
     meshes.into_iter().map(|mesh| {
         // The model is for manifolds.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
-        let simplified = build_sequence(&mesh, &options, &mut striata::ignore_progress).unwrap();
+        let simplified = build_sequence(&mesh, &options).unwrap();
         FragmentedMesh::from_collapses(&simplified.refinable)
     })
 }

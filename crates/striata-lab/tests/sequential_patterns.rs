@@ -17,7 +17,7 @@ use support::{Random, fragment_cases, grid, hub_cases, nasty_cases, random_remov
 fn collapsed(mesh: &IndexedMesh) -> FragmentedMesh {
     // The model is for manifolds.
     let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
-    let simplified = build_sequence(mesh, &options, &mut striata::ignore_progress).unwrap();
+    let simplified = build_sequence(mesh, &options).unwrap();
     FragmentedMesh::from_collapses(&simplified.refinable)
 }
 

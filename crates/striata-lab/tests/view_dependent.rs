@@ -97,7 +97,7 @@ fn cases() -> impl Iterator<Item = (u64, RefinableMesh)> {
     meshes.into_iter().flat_map(|mesh| {
         // The model is for manifolds.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
-        let tame = build_sequence(&mesh, &options, &mut striata::ignore_progress).unwrap();
+        let tame = build_sequence(&mesh, &options).unwrap();
         let wild = (1..6).map(move |seed| (seed, random_manifold(&mesh, &mut Random::new(seed))));
         wild.chain([(0, tame.refinable)])
     })
@@ -251,7 +251,7 @@ fn following_a_view_shows_what_the_view_alone_shows() {
 fn a_far_journey_makes_no_verdict_last_longer() {
     let mesh = shapes::icosphere(4, 1.0);
     let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
-    let refinable = build_sequence(&mesh, &options, &mut striata::ignore_progress).unwrap().refinable;
+    let refinable = build_sequence(&mesh, &options).unwrap().refinable;
     let model = ViewDependentMeshes::build(&refinable).unwrap();
     let see = |eye: [f32; 3]| {
         let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();

@@ -41,7 +41,7 @@ pub struct StreamUpdate {
 /// use striata::mesh::shapes;
 /// use striata::simplify::{BatchOptions, build_batches};
 ///
-/// let built = build_batches(&shapes::torus(32, 16, 1.0, 0.4), &BatchOptions::default(), &mut striata::ignore_progress)?;
+/// let built = build_batches(&shapes::torus(32, 16, 1.0, 0.4), &BatchOptions::default())?;
 /// let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default())?;
 /// let mut decoder = StreamDecoder::new();
 /// for piece in stream.bytes.chunks(100) {

@@ -15,7 +15,7 @@
 //! use striata_stream::{StreamDecoder, StreamOptions, encode_stream};
 //!
 //! let mesh = shapes::torus(32, 16, 1.0, 0.4);
-//! let built = build_batches(&mesh, &BatchOptions::default(), &mut striata::ignore_progress)?;
+//! let built = build_batches(&mesh, &BatchOptions::default())?;
 //! let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default())?;
 //!
 //! let mut decoder = StreamDecoder::new();

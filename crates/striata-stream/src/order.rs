@@ -100,8 +100,7 @@ mod tests {
     #[test]
     fn levels_that_have_the_same_steps_show_the_same() {
         let mesh = shapes::torus(16, 8, 1.0, 0.4);
-        let built =
-            build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap();
+        let built = build_sequence(&mesh, &SequenceOptions::default()).unwrap();
         let refinable = built.refinable;
         let sequence = &refinable.sequence;
         let base = sequence.base_vertex_count();

@@ -285,7 +285,7 @@ fn a_stream_grows_to_the_cuts_of_fans_of_its_mesh() {
     ];
     for mesh in meshes {
         let batches = BatchOptions::default().with_general_floor(20);
-        let built = build_batches(&mesh, &batches, &mut striata::ignore_progress).unwrap();
+        let built = build_batches(&mesh, &batches).unwrap();
         let options = StreamOptions::default();
         let bytes = encode_stream(&built.built.refinable, &built.batches, &options).unwrap().bytes;
         for length in [bytes.len(), bytes.len() * 4 / 5] {
@@ -353,7 +353,7 @@ fn a_budget_is_used_for_what_weighs_most() {
 fn views_show_few_more_triangles_than_with_bounds_built_from_the_leaves() {
     let meshes = [shapes::uv_sphere(60, 60, 1.0), shapes::terrain(64, 3), shapes::torus(80, 40, 1.0, 0.4)];
     for mesh in meshes {
-        let built = build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress);
+        let built = build_sequence(&mesh, &SequenceOptions::default());
         let ordered = Ordered::new(built.unwrap().refinable);
         let sequence = &ordered.refinable.sequence;
         let fans = Fans::build(&ordered.refinable);

@@ -17,7 +17,7 @@ const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
 
 fn stream_of(mesh: &IndexedMesh, options: &StreamOptions) -> Vec<u8> {
     let batches = BatchOptions::default().with_general_floor(0);
-    let built = build_batches(mesh, &batches, &mut striata::ignore_progress).unwrap();
+    let built = build_batches(mesh, &batches).unwrap();
     encode_stream(&built.built.refinable, &built.batches, options).unwrap().bytes
 }
 
@@ -308,7 +308,7 @@ fn unknown_flags_and_too_many_layers_are_refused() {
         let semantic = Semantic::Generic(format!("layer {index}"));
         mesh.layers.push(AttributeLayer::from_f32(semantic, 255, vec![1.0; 3 * 255]));
     }
-    let built = build_batches(&mesh, &BatchOptions::default(), &mut striata::ignore_progress).unwrap();
+    let built = build_batches(&mesh, &BatchOptions::default()).unwrap();
     let error = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap_err();
     assert_eq!(error.to_string(), "a vertex has 4335 numbers in all layers, but streams have room for 4096");
 }

@@ -20,7 +20,7 @@ struct Made {
 }
 
 fn make(mesh: &striata::mesh::IndexedMesh) -> Made {
-    let built = build_batches(mesh, &BatchOptions::default(), &mut striata::ignore_progress).unwrap();
+    let built = build_batches(mesh, &BatchOptions::default()).unwrap();
     let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap();
     Made { refinable: stream.reorder(&built.built.refinable), stream }
 }

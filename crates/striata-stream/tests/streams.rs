@@ -36,7 +36,7 @@ fn write(mesh: &IndexedMesh, options: &StreamOptions) -> Written {
     // As far as it goes, so that small meshes have general batches too.
     let batches =
         BatchOptions::default().with_general(options.version != StreamVersion::One).with_general_floor(0);
-    let built = build_batches(mesh, &batches, &mut striata::ignore_progress).unwrap();
+    let built = build_batches(mesh, &batches).unwrap();
     let stream = encode_stream(&built.built.refinable, &built.batches, options).unwrap();
     Written { source: built.built.refinable, stream }
 }
@@ -263,7 +263,7 @@ fn hubs_of_thousands_of_vertices_take_linear_time() {
     let stream = encode_stream(&cone, &[0, 1], &options).unwrap();
     assert!(stream.sizes.wedge_bits < 40.0 * 100_000.0, "{:?}", stream.sizes);
     check_whole(&Written { source: cone, stream }, &options);
-    let made = build_batches(&split_cone(5000).mesh, &BatchOptions::default(), &mut striata::ignore_progress);
+    let made = build_batches(&split_cone(5000).mesh, &BatchOptions::default());
     let made = made.unwrap();
     for version in [StreamVersion::One, StreamVersion::Two] {
         let options = StreamOptions::default().with_version(version);
@@ -279,7 +279,7 @@ fn steps_one_at_a_time_are_batches_too() {
     for mesh in [shapes::torus(24, 12, 1.0, 0.4), shapes::icosphere(3, 1.0), support::grid(16, true)] {
         // A coder has no words for steps that change the topology.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
-        let built = build_sequence(&mesh, &options, &mut striata::ignore_progress).unwrap();
+        let built = build_sequence(&mesh, &options).unwrap();
         let batches: Vec<u32> = (0..=built.refinable.sequence.step_count() as u32).collect();
         let options = StreamOptions::default();
         let stream = encode_stream(&built.refinable, &batches, &options).unwrap();
@@ -461,11 +461,7 @@ fn check_sequence(source: RefinableMesh, options: &StreamOptions, seed: u64) {
 fn assets_go_down_to_next_to_nothing() {
     for seed in 0..6 {
         let mesh = meshes::asset(40, seed);
-        let built = build_batches(
-            &mesh,
-            &BatchOptions::default().with_general_floor(60),
-            &mut striata::ignore_progress,
-        );
+        let built = build_batches(&mesh, &BatchOptions::default().with_general_floor(60));
         let built = built.unwrap();
         let sequence = &built.built.refinable.sequence;
         let (full, base) = (mesh.triangle_count(), sequence.triangle_count_at(0));
@@ -497,7 +493,7 @@ proptest! {
     #[test]
     fn sequences_of_assets_in_any_batches_come_back(seed: u64, pieces in 1usize..12) {
         let mesh = meshes::asset(pieces, seed);
-        let built = build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap();
+        let built = build_sequence(&mesh, &SequenceOptions::default()).unwrap();
         let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
         check_sequence(built.refinable, &options, seed);
     }

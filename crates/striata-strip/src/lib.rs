@@ -37,7 +37,7 @@ mod tunnel;
 
 pub use blocks::{
     Block, BlockCurve, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks,
-    WriteStripFn, block_length, stripify_blocks,
+    WriteStripFn, block_length, stripify_blocks, stripify_blocks_with_progress,
 };
 pub use entry::{stripify, stripify_from};
 pub use fewest::strip_count_bound;

@@ -6,12 +6,11 @@ mod support;
 use std::convert::Infallible;
 
 use proptest::prelude::*;
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, canonical_triangles, shapes};
 use striata::strip::{RESTART, StripSet};
 use striata_strip::{
     Block, BlockOptions, BlockSource, BlockTriangle, BlocksError, BlocksReport, MeshBlocks, StripOptions,
-    Stripifier, stripify, stripify_blocks,
+    Stripifier, stripify, stripify_blocks, stripify_blocks_with_progress,
 };
 use support::{Random, soup, with_seams_and_groups};
 
@@ -22,20 +21,15 @@ fn strips_of<S: BlockSource>(
     options: &BlockOptions,
 ) -> Result<(StripSet, BlocksReport), BlocksError<S::Error, Infallible>> {
     let (mut set, mut open) = (StripSet::new(), 0);
-    let report = stripify_blocks(
-        source,
-        options,
-        &mut |group, strip| {
-            assert!(group >= open, "group {group} comes after {open}");
-            while open < group {
-                set.end_group();
-                open += 1;
-            }
-            set.push(strip);
-            Ok(())
-        },
-        &mut ignore_progress,
-    )?;
+    let report = stripify_blocks(source, options, &mut |group, strip| {
+        assert!(group >= open, "group {group} comes after {open}");
+        while open < group {
+            set.end_group();
+            open += 1;
+        }
+        set.push(strip);
+        Ok(())
+    })?;
     (set.group_count()..group_count).for_each(|_| set.end_group());
     Ok((set, report))
 }
@@ -264,18 +258,14 @@ fn wrong_blocks_are_told_by_their_number() {
 fn a_failing_writer_and_a_break_end_the_work() {
     let mesh = shapes::terrain(20, 1);
     let mut written = 0;
-    let failed = stripify_blocks(
-        &mut MeshBlocks::new(&mesh, 50).unwrap(),
-        &BlockOptions::default(),
-        &mut |_, _| {
+    let failed =
+        stripify_blocks(&mut MeshBlocks::new(&mesh, 50).unwrap(), &BlockOptions::default(), &mut |_, _| {
             written += 1;
             if written == 3 { Err("full") } else { Ok(()) }
-        },
-        &mut ignore_progress,
-    );
+        });
     assert_eq!((failed, written), (Err(BlocksError::Write("full")), 3));
     let mut seen = Vec::new();
-    let stopped = stripify_blocks(
+    let stopped = stripify_blocks_with_progress(
         &mut MeshBlocks::new(&mesh, 50).unwrap(),
         &BlockOptions::default(),
         &mut |_, _| Ok::<(), Infallible>(()),

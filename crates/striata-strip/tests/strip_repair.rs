@@ -4,7 +4,6 @@
 mod support;
 
 use proptest::prelude::*;
-use striata::ignore_progress;
 use striata::mesh::{DualGraph, RefinableMesh, canonical_triangles, replay, shapes};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::StripSet;
@@ -111,7 +110,7 @@ fn seams_and_groups_follow_the_oracle() {
 }
 
 fn simplified(mesh: &striata::mesh::IndexedMesh) -> RefinableMesh {
-    build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress).unwrap().refinable
+    build_sequence(mesh, &SequenceOptions::default()).unwrap().refinable
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use striata::ProgressFn;
 use striata::mesh::{Bounds, IndexedMesh, RefinableMesh};
 use striata::model::{FanBounds, FanForm, FanFront, FanIndices, FanScene, Fans, LodModel};
-use striata::simplify::{SequenceOptions, build_sequence};
+use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use striata::view::{ScreenError, Sphere};
 use striata_io::{Source, read_bytes};
 
@@ -66,7 +66,7 @@ impl Built {
             return Err(Failure::unsupported("the file has no triangles")
                 .with_hint("point clouds and curves cannot be simplified"));
         }
-        let built = build_sequence(&mesh, &SequenceOptions::default(), progress)?;
+        let built = build_sequence_with_progress(&mesh, &SequenceOptions::default(), progress)?;
         drop(mesh);
         Ok(Self::new(built.refinable))
     }

@@ -24,7 +24,7 @@ fn torus() -> IndexedMesh {
 }
 
 fn stream_of(mesh: &IndexedMesh) -> Vec<u8> {
-    let built = build_batches(mesh, &BatchOptions::default(), &mut ignore_progress).unwrap();
+    let built = build_batches(mesh, &BatchOptions::default()).unwrap();
     encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap().bytes
 }
 
@@ -259,8 +259,7 @@ fn files_come_built() {
     model.show_triangles(300);
     assert!(triangles(&model).len() <= 300);
 
-    let refinable =
-        build_sequence(&torus(), &SequenceOptions::default(), &mut ignore_progress).unwrap().refinable;
+    let refinable = build_sequence(&torus(), &SequenceOptions::default()).unwrap().refinable;
     let fans = Fans::build(&refinable);
     let bounds = FanBounds::build(&fans, &refinable);
     for models in [vec![], vec![FileModel::Fans(&fans, &bounds)]] {
@@ -293,7 +292,7 @@ fn a_head_tells_where_the_stream_is() {
     assert!(StreamPlace::find(b"STRIATA\0").unwrap().needed > 64.0);
     assert_eq!(StreamPlace::find(&[b'x'; 64]).unwrap_err().code(), "format");
     let mesh = torus();
-    let built = build_batches(&mesh, &BatchOptions::default(), &mut ignore_progress).unwrap();
+    let built = build_batches(&mesh, &BatchOptions::default()).unwrap();
     let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap();
     let models = [file_model(&stream.bytes).unwrap()];
     let bytes = to_striata(&built.built.refinable, &models, &WriteOptions::default()).unwrap();

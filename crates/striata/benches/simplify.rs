@@ -3,7 +3,6 @@
 //! The environment variable `STRIATA_MESHES` may name files, parted by `:`; otherwise generated meshes are used.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, shapes, weld};
 use striata::simplify::{CollapseCost, SequenceOptions, build_welded_sequence};
 
@@ -47,7 +46,7 @@ fn simplify(c: &mut Criterion) {
             group.bench_function(format!("{name}/{id}"), |b| {
                 b.iter_batched(
                     || welded.clone(),
-                    |welded| build_welded_sequence(welded, &options, &mut ignore_progress),
+                    |welded| build_welded_sequence(welded, &options),
                     BatchSize::PerIteration,
                 );
             });

@@ -6,7 +6,6 @@ mod support;
 
 use meshes::{COSTS, asset, random_options};
 use proptest::prelude::*;
-use striata::ignore_progress;
 use striata::mesh::{
     DistanceOptions, FragmentedMesh, RefinableMesh, canonical_triangles, replay, surface_distance,
 };
@@ -23,7 +22,7 @@ fn refinable_asset(piece_count: usize, seed: u64, cost: usize) -> RefinableMesh 
         0 => SequenceOptions::default().with_cost(COSTS[cost]),
         _ => random_options(&mesh, seed, cost),
     };
-    build_sequence(&mesh, &options, &mut ignore_progress).expect("assets are sound").refinable
+    build_sequence(&mesh, &options).expect("assets are sound").refinable
 }
 
 proptest! {
@@ -64,14 +63,14 @@ proptest! {
     fn patterns_follow_removals(pieces in 1usize..4, seed: u64) {
         let mesh = asset(pieces, seed);
         let removals = RemovalOptions::default();
-        let fragmented = build_fragments(&mesh, &removals, &mut ignore_progress).expect("assets are sound").fragmented;
+        let fragmented = build_fragments(&mesh, &removals).expect("assets are sound").fragmented;
         follows_the_fragments(&fragmented, &Patterns::build(&fragmented).expect("fragments are sound"), 3);
     }
 
     #[test]
     fn certified_errors_hold(pieces in 1usize..5, seed: u64) {
         let refinable = refinable_asset(pieces, seed, 0);
-        let certain = certify_collapses(&refinable, &mut ignore_progress).expect("nobody cancels");
+        let certain = certify_collapses(&refinable);
         let options = DistanceOptions::default().with_sample_count(2000);
         for split_count in (0..refinable.sequence.step_count()).step_by(5) {
             let level = replay(&refinable, split_count);

@@ -11,16 +11,15 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use meshes::{COSTS, Named, all, asset, closed, open, rough, with_patches};
 use proptest::prelude::*;
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, Statistics, canonical_triangles, replay, shapes, weld};
 use striata::simplify::{
     BatchOptions, BoundaryRule, BuiltBatches, SequenceOptions, SimplifyError, StopReason, TopologyRule,
-    build_batches, build_welded_batches,
+    build_batches, build_batches_with_progress, build_welded_batches,
 };
 use support::{ClosedSurface, nasty};
 
 fn build(mesh: &IndexedMesh, options: &BatchOptions) -> BuiltBatches {
-    build_batches(mesh, options, &mut ignore_progress).expect("sound meshes are simplified")
+    build_batches(mesh, options).expect("sound meshes are simplified")
 }
 
 /// Batches of splits of a surface alone.
@@ -323,7 +322,7 @@ fn options_out_of_range_are_refused() {
         ),
     ];
     for (name, options) in cases {
-        match build_batches(&mesh, &options, &mut ignore_progress) {
+        match build_batches(&mesh, &options) {
             Err(SimplifyError::Option { option, .. }) => assert_eq!(option, name),
             other => panic!("{name}: {other:?}"),
         }
@@ -334,7 +333,7 @@ fn options_out_of_range_are_refused() {
 fn callback_cancels() {
     let mesh = shapes::icosphere(3, 1.0);
     let mut calls = 0;
-    let result = build_batches(&mesh, &BatchOptions::default(), &mut |_| {
+    let result = build_batches_with_progress(&mesh, &BatchOptions::default(), &mut |_| {
         calls += 1;
         if calls < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     });
@@ -347,7 +346,7 @@ fn same_input_gives_same_batches() {
     let mesh = with_patches(rough(shapes::torus(40, 30, 2.0, 0.7), 0.05, 9), 50);
     let [one, other] = [(); 2].map(|()| {
         let welded = weld(&mesh).expect("a sound mesh");
-        build_welded_batches(welded, &on_the_surface(), &mut ignore_progress).expect("a sound mesh")
+        build_welded_batches(welded, &on_the_surface()).expect("a sound mesh")
     });
     assert_eq!(one.built.refinable, other.built.refinable);
     assert_eq!(one.batches, other.batches);

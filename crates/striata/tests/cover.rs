@@ -5,14 +5,15 @@ mod meshes;
 mod support;
 
 use proptest::prelude::*;
+use striata::Cancelled;
 use striata::mesh::{
     DistanceOptions, FragmentSequence, FragmentedMesh, IndexedMesh, Random, RefinableMesh, fragment_faces,
     replay, replay_fragments, shapes, surface_distance,
 };
 use striata::simplify::{
     SequenceOptions, build_sequence, certify, certify_collapses, certify_collapses_in_any_state,
+    certify_with_progress,
 };
-use striata::{Cancelled, ignore_progress};
 use support::{Case, Wildness, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases};
 
 /// The distance of samples of `full` from `state`; 0 where there is nothing to measure.
@@ -30,7 +31,7 @@ fn above(error: f32, mesh: &IndexedMesh) -> f64 {
 }
 
 fn levels_hold(refinable: &RefinableMesh, stride: usize, sample_count: usize) {
-    let certain = certify_collapses(refinable, &mut ignore_progress).unwrap();
+    let certain = certify_collapses(refinable);
     assert_eq!(certain.mesh, refinable.mesh);
     assert_eq!(certain.sequence.targets(), refinable.sequence.targets());
     for split_count in (0..refinable.sequence.step_count()).step_by(stride) {
@@ -43,9 +44,9 @@ fn levels_hold(refinable: &RefinableMesh, stride: usize, sample_count: usize) {
 /// Random sets of steps, each with all that it stands on.
 fn selections_hold(refinable: &RefinableMesh, count: usize, sample_count: usize) {
     let fragmented = FragmentedMesh::from_collapses(refinable);
-    let certain = certify(&fragmented, &mut ignore_progress).unwrap();
+    let certain = certify(&fragmented);
     let fragments = &certain.fragments;
-    let collapses = certify_collapses_in_any_state(refinable, &mut ignore_progress).unwrap();
+    let collapses = certify_collapses_in_any_state(refinable);
     assert_eq!(collapses.sequence.errors(), fragments.levels().errors());
     let replaced_by = fragments.replaced_by();
     let mut random = Random::new(7);
@@ -116,7 +117,7 @@ proptest! {
     fn assets_hold(pieces in 1usize..4, seed: u64, cost in 0usize..3) {
         let mesh = meshes::asset(pieces, seed);
         let options = meshes::random_options(&mesh, seed, cost);
-        let refinable = build_sequence(&mesh, &options, &mut ignore_progress).unwrap().refinable;
+        let refinable = build_sequence(&mesh, &options).unwrap().refinable;
         everything_holds(&Case { stride: 1, seed, refinable });
     }
 
@@ -153,7 +154,7 @@ fn surfaces() -> Vec<(&'static str, IndexedMesh)> {
 }
 
 fn quadric_sequence(mesh: &IndexedMesh) -> RefinableMesh {
-    build_sequence(mesh, &SequenceOptions::default(), &mut ignore_progress).unwrap().refinable
+    build_sequence(mesh, &SequenceOptions::default()).unwrap().refinable
 }
 
 #[test]
@@ -200,7 +201,7 @@ fn what_is_flat_stays_exact() {
     }
     for (name, mesh, triangle_count) in [("grid", shapes::grid(24, 24), 2), ("cube", cube, 12)] {
         let refinable = quadric_sequence(&mesh);
-        let certain = certify_collapses(&refinable, &mut ignore_progress).unwrap();
+        let certain = certify_collapses(&refinable);
         let level = certain.sequence.split_count_for_triangles(triangle_count);
         assert!(certain.sequence.triangle_count_at(level) <= triangle_count, "{name}");
         let error = f64::from(certain.sequence.error_at(level)) / mesh.diagonal();
@@ -231,7 +232,7 @@ fn bounds_are_tight() {
     let mut ratios = Vec::new();
     for (name, mesh) in surfaces().into_iter().take(4) {
         let refinable = quadric_sequence(&mesh);
-        let certain = certify_collapses(&refinable, &mut ignore_progress).unwrap();
+        let certain = certify_collapses(&refinable);
         for percent in [75, 50, 25, 10, 5] {
             let level = certain.sequence.split_count_for_triangles(mesh.triangle_count() * percent / 100);
             let found = measured(&refinable.mesh, &replay(&refinable, level), 100_000);
@@ -248,13 +249,13 @@ fn bounds_are_tight() {
 fn certifying_can_be_cancelled() {
     let fragmented = FragmentedMesh::from_collapses(&quadric_sequence(&shapes::torus(64, 32, 1.0, 0.4)));
     let mut calls = 0;
-    let result = certify(&fragmented, &mut |progress| {
+    let result = certify_with_progress(&fragmented, &mut |progress| {
         calls += 1;
         assert_eq!(progress.phase, "certify");
         if progress.done > 0 { std::ops::ControlFlow::Break(()) } else { std::ops::ControlFlow::Continue(()) }
     });
     assert_eq!((result, calls), (Err(Cancelled), 2));
-    let whole = certify(&fragmented, &mut ignore_progress).unwrap();
+    let whole = certify(&fragmented);
     let level = fragmented.fragments.step_count() / 2;
     assert_eq!(replay_fragments(&whole, level), replay_fragments(&fragmented, level));
 }

@@ -97,7 +97,7 @@ fn a_front_shows_what_is_refined_from_the_base() {
 #[test]
 fn most_of_what_is_there_is_not_asked_again() {
     let mesh = striata::mesh::shapes::uv_sphere(60, 60, 1.0);
-    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let refinable = built.unwrap().refinable;
     let (fans, bounds) = stage(&refinable);
     let scene = FanScene::new(&fans, &bounds, &refinable);
@@ -246,7 +246,7 @@ fn a_budget_and_a_tolerance_may_take_turns() {
 
 fn sphere_stage() -> RefinableMesh {
     let mesh = striata::mesh::shapes::uv_sphere(40, 40, 1.0);
-    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default());
     built.unwrap().refinable
 }
 
@@ -317,8 +317,7 @@ fn a_view_of_a_model_is_the_same_at_any_scale() {
     let changes_at = |scale: f32| {
         let mut mesh = sphere.clone();
         mesh.positions.iter_mut().flatten().for_each(|x| *x *= scale);
-        let built =
-            striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+        let built = striata::simplify::build_sequence(&mesh, &Default::default());
         changes_at_once(&built.unwrap().refinable, 1.0, scale)
     };
     let changes = changes_at(1.0);

@@ -10,7 +10,7 @@ use striata::strip::stripify;
 
 fn make() -> RefinableMesh {
     let mesh = shapes::torus(24, 12, 1.0, 0.4);
-    build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress).unwrap().refinable
+    build_sequence(&mesh, &SequenceOptions::default()).unwrap().refinable
 }
 
 /// A stream that says it is of a mesh; nobody looks at its bytes here.

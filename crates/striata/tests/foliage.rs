@@ -1,6 +1,5 @@
 //! Clouds of leaves keep what a viewer sees of them: the area that they cover.
 
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, replay};
 use striata::simplify::{SequenceOptions, TopologyRule, build_sequence};
 
@@ -95,7 +94,7 @@ fn paint(corners: [[f32; 2]; 3], covered: &mut [bool]) {
 
 /// Silhouettes of the levels at some shares of the triangles, as shares of that of the mesh.
 fn silhouettes(mesh: &IndexedMesh, options: &SequenceOptions, shares: &[f64]) -> Vec<f64> {
-    let refinable = build_sequence(mesh, options, &mut ignore_progress).expect("cards are sound").refinable;
+    let refinable = build_sequence(mesh, options).expect("cards are sound").refinable;
     let whole = silhouette(mesh) as f64;
     let at = |&share: &f64| {
         let target = (share * mesh.triangle_count() as f64) as usize;
@@ -120,6 +119,6 @@ fn parts_that_must_stay_do_not_grow() {
     // What stays cannot make up for anything: every card keeps one of its two triangles.
     let mesh = crown(40, 5);
     let options = SequenceOptions::default().with_topology(TopologyRule::KeepParts);
-    let refinable = build_sequence(&mesh, &options, &mut ignore_progress).expect("cards are sound").refinable;
+    let refinable = build_sequence(&mesh, &options).expect("cards are sound").refinable;
     assert_eq!(refinable.sequence.triangle_count_at(0), 40 * 8);
 }

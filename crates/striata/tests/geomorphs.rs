@@ -6,7 +6,6 @@ mod meshes;
 mod support;
 
 use proptest::prelude::*;
-use striata::ignore_progress;
 use striata::mesh::{AttributeLayer, RefinableMesh, Semantic, canonical_triangles, replay};
 use striata::model::{FanInstance, FanMorphs, Fans, Geomorph, LodModel, MorphPlace};
 use striata::simplify::build_sequence;
@@ -362,7 +361,7 @@ proptest! {
     fn random_assets_morph_without_a_jump(pieces in 1usize..4, seed: u64, cost in 0usize..3) {
         let mesh = meshes::asset(pieces, seed);
         let options = meshes::random_options(&mesh, seed, cost);
-        let refinable = build_sequence(&mesh, &options, &mut ignore_progress).unwrap().refinable;
+        let refinable = build_sequence(&mesh, &options).unwrap().refinable;
         let case = Case { stride: 1, seed: seed >> 1, refinable };
         check_between(&case);
         check_running(&case, 4);

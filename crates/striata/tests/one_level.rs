@@ -3,14 +3,13 @@
 mod meshes;
 
 use meshes::{all, check_each};
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, canonical_triangles, replay, shapes};
 use striata::simplify::{
     SequenceOptions, Simplified, SimplifyOptions, StopReason, Target, TopologyRule, build_sequence, simplify,
 };
 
 fn level(mesh: &IndexedMesh, options: &SimplifyOptions) -> Simplified {
-    simplify(mesh, options, &mut ignore_progress).expect("sound meshes are simplified")
+    simplify(mesh, options).expect("sound meshes are simplified")
 }
 
 fn asked(target: Target, options: &SequenceOptions) -> SimplifyOptions {
@@ -20,9 +19,7 @@ fn asked(target: Target, options: &SequenceOptions) -> SimplifyOptions {
 #[test]
 fn a_level_is_that_of_the_sequence() {
     check_each(all(), |_, mesh, options| {
-        let refinable = build_sequence(mesh, options, &mut ignore_progress)
-            .expect("sound meshes are simplified")
-            .refinable;
+        let refinable = build_sequence(mesh, options).expect("sound meshes are simplified").refinable;
         let sequence = &refinable.sequence;
         let step_count = sequence.step_count();
         for split_count in [0, step_count / 3, step_count] {
@@ -99,8 +96,7 @@ fn near_parts_contract_where_asked() {
         part.iter_mut().for_each(|p| *p = [p[0] - by, p[1] - up, p[2]]);
     }
     let left = |options: &SequenceOptions| {
-        let built =
-            build_sequence(&mesh, options, &mut ignore_progress).expect("sound meshes are simplified");
+        let built = build_sequence(&mesh, options).expect("sound meshes are simplified");
         built.refinable.sequence.triangle_count_at(0)
     };
     let apart = SequenceOptions::default().with_topology(TopologyRule::Keep);
@@ -115,8 +111,7 @@ fn contraction_keeps_the_counts_of_every_level() {
         for share in [0.01, 0.2] {
             let distance = share * mesh.diagonal();
             let options = options.clone().with_pair_distance(distance);
-            let built =
-                build_sequence(mesh, &options, &mut ignore_progress).expect("sound meshes are simplified");
+            let built = build_sequence(mesh, &options).expect("sound meshes are simplified");
             let sequence = &built.refinable.sequence;
             for split_count in (0..=sequence.step_count()).rev() {
                 let level = replay(&built.refinable, split_count);

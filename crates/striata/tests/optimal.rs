@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use striata::mesh::{Adjacency, IndexedMesh, Semantic, Statistics, shapes, weld};
 use striata::simplify::{
     BoundaryRule, Placement, SeamRule, SequenceOptions, Simplified, SimplifyError, SimplifyOptions,
-    StopReason, Target, TopologyRule, simplify,
+    StopReason, Target, TopologyRule, simplify, simplify_with_progress,
 };
 
 fn options(target: Target) -> SimplifyOptions {
@@ -17,7 +17,7 @@ fn options(target: Target) -> SimplifyOptions {
 }
 
 fn run(mesh: &IndexedMesh, options: &SimplifyOptions) -> Simplified {
-    let out = simplify(mesh, options, &mut striata::ignore_progress).unwrap();
+    let out = simplify(mesh, options).unwrap();
     out.mesh.check().unwrap();
     out
 }
@@ -51,7 +51,7 @@ fn nothing_panics_on_nasty_meshes() {
         ];
         for target in targets {
             let valid = options(target).check().is_ok();
-            match simplify(&mesh, &options(target), &mut striata::ignore_progress) {
+            match simplify(&mesh, &options(target)) {
                 Ok(out) => {
                     out.mesh.check().unwrap_or_else(|e| panic!("{name}, {target:?}: {e}"));
                     assert!(out.mesh.triangle_count() <= mesh.triangle_count(), "{name}, {target:?}");
@@ -281,14 +281,11 @@ fn free_vertices_lie_nearer_than_a_subset() {
 #[test]
 fn cancelling_and_pairs_are_errors() {
     let mesh = shapes::icosphere(5, 1.0);
-    let out = simplify(&mesh, &options(Target::Triangles(100)), &mut |_| ControlFlow::Break(()));
+    let out =
+        simplify_with_progress(&mesh, &options(Target::Triangles(100)), &mut |_| ControlFlow::Break(()));
     assert_eq!(out.unwrap_err(), SimplifyError::Cancelled(striata::Cancelled));
     let sequence = SequenceOptions::default().with_pair_distance(0.1);
-    let out = simplify(
-        &mesh,
-        &options(Target::Triangles(100)).with_sequence(sequence),
-        &mut striata::ignore_progress,
-    );
+    let out = simplify(&mesh, &options(Target::Triangles(100)).with_sequence(sequence));
     assert!(matches!(out, Err(SimplifyError::Option { option: "pair_distance", .. })));
 }
 

@@ -108,8 +108,7 @@ proptest! {
 fn small_terrains() -> impl Iterator<Item = Case> {
     (0..12).map(|seed| {
         let mesh = striata::mesh::shapes::terrain(4, seed);
-        let built =
-            striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+        let built = striata::simplify::build_sequence(&mesh, &Default::default());
         Case { stride: 1, seed, refinable: built.unwrap().refinable }
     })
 }
@@ -181,7 +180,7 @@ fn holds_what_is_wanted(patterns: &Patterns, scene: PatternScene<'_>, criterion:
 #[test]
 fn views_and_boxes_find_all_that_they_want() {
     let mesh = striata::mesh::shapes::terrain(48, 7);
-    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
     let patterns = Patterns::build(&fragmented).unwrap();
     let bounds = PatternBounds::build(&fragmented);
@@ -210,7 +209,7 @@ fn views_and_boxes_find_all_that_they_want() {
 #[test]
 fn a_box_shows_full_detail() {
     let mesh = striata::mesh::shapes::terrain(40, 3);
-    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
     let patterns = Patterns::build(&fragmented).unwrap();
     let bounds = PatternBounds::build(&fragmented);
@@ -305,7 +304,7 @@ fn what_is_taken_away_gives_its_memory_back() {
 #[test]
 fn errors_that_rise_and_fall_are_found() {
     let mesh = striata::mesh::shapes::terrain(24, 5);
-    let built = striata::simplify::build_sequence(&mesh, &Default::default(), &mut striata::ignore_progress);
+    let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let mut fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
     let mut random = Random::new(11);
     let errors = (0..fragmented.fragments.step_count()).map(|_| random.below(1000) as f32 * 0.001);

@@ -5,14 +5,13 @@ mod meshes;
 use meshes::{Named, all, check_each};
 use proptest::prelude::*;
 use striata::file::{FileModel, StriataFile, Verify, WriteOptions, to_striata};
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes};
 use striata::model::{LodModel, LodStrips, LodStripsState, StoredModel, StripBuffer, StripModel};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripSet, restart_triangles_into, stripify};
 
 fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> RefinableMesh {
-    build_sequence(mesh, options, &mut ignore_progress).expect("sound meshes are simplified").refinable
+    build_sequence(mesh, options).expect("sound meshes are simplified").refinable
 }
 
 fn strips_of(refinable: &RefinableMesh) -> StripSet {

@@ -5,7 +5,6 @@ mod meshes;
 use glam::DVec3;
 use meshes::{COSTS, asset, folded, inside_out, random_options};
 use proptest::prelude::*;
-use striata::ignore_progress;
 use striata::mesh::{IndexedMesh, Random, RefinableMesh, replay, replay_fragments, shapes, weld};
 use striata::simplify::{
     RemovalOptions, Retriangulation, SequenceOptions, build_fragments, build_sequence, certify_collapses,
@@ -64,9 +63,8 @@ fn some_levels(step_count: usize, count: usize) -> impl Iterator<Item = usize> {
 /// Certified errors are never exceeded. Gives the reported errors as shares of the measured ones.
 fn errors_hold(name: &str, refinable: &RefinableMesh, levels: usize) -> Vec<f64> {
     let (full, sequence) = (&refinable.mesh, &refinable.sequence);
-    let certain = certify_collapses(refinable, &mut ignore_progress).expect("nobody cancels");
-    let in_any_state =
-        certify_collapses_in_any_state(refinable, &mut ignore_progress).expect("nobody cancels");
+    let certain = certify_collapses(refinable);
+    let in_any_state = certify_collapses_in_any_state(refinable);
     let mut shares = Vec::new();
     for split_count in some_levels(sequence.step_count(), levels) {
         let level = replay(refinable, split_count);
@@ -145,7 +143,7 @@ fn errors_hold_where_parts_vanish_and_fold() {
     for (name, mesh) in special() {
         for cost in COSTS {
             let options = SequenceOptions::default().with_cost(cost);
-            let built = build_sequence(&mesh, &options, &mut ignore_progress).expect("they are sound");
+            let built = build_sequence(&mesh, &options).expect("they are sound");
             shares.extend(errors_hold(name, &built.refinable, 12));
         }
     }
@@ -158,7 +156,7 @@ fn estimates_on_assets_are_honest() {
     for seed in 0..60 {
         let mesh = asset(1 + seed as usize % 6, seed);
         let options = random_options(&mesh, seed, seed as usize % 3);
-        let built = build_sequence(&mesh, &options, &mut ignore_progress).expect("assets are sound");
+        let built = build_sequence(&mesh, &options).expect("assets are sound");
         shares.extend(errors_hold("asset", &built.refinable, 6));
     }
     are_honest(shares, "assets");
@@ -171,7 +169,7 @@ proptest! {
     fn certified_errors_hold_on_assets(pieces in 1usize..6, seed: u64, cost in 0usize..3) {
         let mesh = asset(pieces, seed);
         let options = random_options(&mesh, seed, cost);
-        let built = build_sequence(&mesh, &options, &mut ignore_progress).expect("assets are sound");
+        let built = build_sequence(&mesh, &options).expect("assets are sound");
         errors_hold("asset", &built.refinable, 6);
     }
 
@@ -180,9 +178,9 @@ proptest! {
         let mesh = asset(pieces, seed);
         let limit = share * mesh.diagonal();
         let options = random_options(&mesh, seed, 0);
-        let built = build_sequence(&mesh, &options, &mut ignore_progress).expect("assets are sound");
+        let built = build_sequence(&mesh, &options).expect("assets are sound");
         prop_assume!(!built.refinable.mesh.triangles.is_empty());
-        let certain = certify_collapses(&built.refinable, &mut ignore_progress).expect("nobody cancels");
+        let certain = certify_collapses(&built.refinable);
         let within = certain.sequence.split_count_for_error(limit);
         let cut = certain.without_levels_below(within);
         prop_assert!(f64::from(cut.sequence.error_at(0)) <= limit);
@@ -195,7 +193,7 @@ proptest! {
         let mesh = asset(pieces, seed);
         let way = if is_free { Retriangulation::Free } else { Retriangulation::Collapse };
         let options = RemovalOptions::default().with_retriangulation(way);
-        let built = build_fragments(&mesh, &options, &mut ignore_progress).expect("assets are sound");
+        let built = build_fragments(&mesh, &options).expect("assets are sound");
         let welded = weld(&mesh).expect("assets are sound").mesh;
         let levels = built.fragmented.fragments.levels();
         for split_count in some_levels(levels.step_count(), 6) {

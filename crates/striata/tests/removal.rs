@@ -10,19 +10,19 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use meshes::{Named, all, closed, odd, open, with_patches};
 use proptest::prelude::*;
-use striata::ignore_progress;
 use striata::mesh::{
     Adjacency, DistanceOptions, FragmentedMesh, IndexedMesh, canonical_triangles, replay, replay_fragments,
     shapes, surface_distance, weld,
 };
 use striata::simplify::{
     BoundaryRule, BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, SeamRule, SequenceOptions,
-    SimplifyError, StopReason, TopologyRule, build_fragments, build_sequence, certify_collapses,
+    SimplifyError, StopReason, TopologyRule, build_fragments, build_fragments_with_progress, build_sequence,
+    certify_collapses,
 };
 use support::Topology;
 
 fn build(mesh: &IndexedMesh, options: &RemovalOptions) -> BuiltFragments {
-    build_fragments(mesh, options, &mut ignore_progress).expect("sound meshes are simplified")
+    build_fragments(mesh, options).expect("sound meshes are simplified")
 }
 
 /// All ways to fill holes.
@@ -359,9 +359,8 @@ fn limits_leave_little_to_remove() {
     let count = built.fragmented.fragments.levels().triangle_count_at(0);
     assert_eq!(built.stop_reason, StopReason::ErrorLimit);
     assert!((count as f64) < 1.8 * needed, "{count} triangles, {needed:.0} needed");
-    let collapsed =
-        build_sequence(&sphere, &SequenceOptions::default(), &mut ignore_progress).expect("sound");
-    let certified = certify_collapses(&collapsed.refinable, &mut ignore_progress).expect("nobody cancels");
+    let collapsed = build_sequence(&sphere, &SequenceOptions::default()).expect("sound");
+    let certified = certify_collapses(&collapsed.refinable);
     let levels = certified.sequence.levels();
     let by_collapses = levels.triangle_count_at(levels.split_count_for_error(0.02));
     assert!(count < by_collapses, "{count} triangles, {by_collapses} by collapses");
@@ -434,7 +433,7 @@ fn options_out_of_range_are_refused() {
         ("locked_vertices", options().with_locked_vertices(vec![3, 8])),
     ];
     for (name, options) in cases {
-        match build_fragments(&mesh, &options, &mut ignore_progress) {
+        match build_fragments(&mesh, &options) {
             Err(SimplifyError::Option { option, .. }) => assert_eq!(option, name),
             other => panic!("{name} in {options:?}: {:?}", other.map(|built| built.stop_reason)),
         }
@@ -446,7 +445,7 @@ fn unsound_meshes_are_refused_with_their_place() {
     let mut count = 0;
     for (name, mesh) in shapes::nasty() {
         let Err(expected) = mesh.check() else { continue };
-        let error = build_fragments(&mesh, &RemovalOptions::default(), &mut ignore_progress).unwrap_err();
+        let error = build_fragments(&mesh, &RemovalOptions::default()).unwrap_err();
         // Compared as text, since NaN is not equal to itself.
         assert_eq!(error.to_string(), expected.to_string(), "{name}");
         count += 1;
@@ -462,7 +461,7 @@ fn the_callback_sees_progress_and_can_cancel() {
         seen.push((progress.phase, progress.done, progress.total));
         ControlFlow::Continue(())
     };
-    build_fragments(&mesh, &RemovalOptions::default(), &mut watch).expect("nobody cancels");
+    build_fragments_with_progress(&mesh, &RemovalOptions::default(), &mut watch).expect("nobody cancels");
     assert!(!seen.is_empty());
     assert!(seen.iter().all(|(_, done, total)| done <= total), "{seen:?}");
     let mut calls = 0;
@@ -470,7 +469,7 @@ fn the_callback_sees_progress_and_can_cancel() {
         calls += 1;
         ControlFlow::Break(())
     };
-    let error = build_fragments(&mesh, &RemovalOptions::default(), &mut cancel).unwrap_err();
+    let error = build_fragments_with_progress(&mesh, &RemovalOptions::default(), &mut cancel).unwrap_err();
     assert_eq!(error, SimplifyError::Cancelled(striata::Cancelled));
     assert_eq!(calls, 1, "nothing is asked again after a cancellation");
 }

@@ -10,19 +10,18 @@ use std::ops::ControlFlow;
 use meshes::{COSTS, all, check_each, closed, open, with_patches};
 use proptest::prelude::*;
 use striata::file::{WriteOptions, to_striata};
-use striata::ignore_progress;
 use striata::mesh::{
     Adjacency, CollapseSequence, IndexedMesh, RefinableMesh, SequenceParts, canonical_triangles, replay,
     shapes, weld,
 };
 use striata::simplify::{
     BoundaryRule, BuiltSequence, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
-    build_sequence,
+    build_sequence, build_sequence_with_progress,
 };
 use support::Topology;
 
 fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> BuiltSequence {
-    build_sequence(mesh, options, &mut ignore_progress).expect("sound meshes are simplified")
+    build_sequence(mesh, options).expect("sound meshes are simplified")
 }
 
 fn options_by_cost() -> impl Iterator<Item = SequenceOptions> {
@@ -423,7 +422,7 @@ fn options_out_of_range_are_refused() {
         ("locked_vertices", options().with_locked_vertices(vec![3, 8])),
     ];
     for (name, options) in cases {
-        match build_sequence(&mesh, &options, &mut ignore_progress) {
+        match build_sequence(&mesh, &options) {
             Err(SimplifyError::Option { option, .. }) => assert_eq!(option, name),
             other => panic!("{name} in {options:?}: {:?}", other.map(|built| built.stop_reason)),
         }
@@ -435,7 +434,7 @@ fn unsound_meshes_are_refused_with_their_place() {
     let mut count = 0;
     for (name, mesh) in shapes::nasty() {
         let Err(expected) = mesh.check() else { continue };
-        let error = build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress).unwrap_err();
+        let error = build_sequence(&mesh, &SequenceOptions::default()).unwrap_err();
         // Compared as text, since NaN is not equal to itself.
         assert_eq!(error.to_string(), expected.to_string(), "{name}");
         count += 1;
@@ -452,7 +451,7 @@ fn the_callback_sees_progress_and_can_cancel() {
             seen.push((progress.done, progress.total));
             ControlFlow::Continue(())
         };
-        build_sequence(&mesh, &options, &mut watch).expect("nobody cancels");
+        build_sequence_with_progress(&mesh, &options, &mut watch).expect("nobody cancels");
         assert!(!seen.is_empty());
         assert!(seen.is_sorted() && seen.iter().all(|(done, total)| done <= total), "{seen:?}");
         let mut calls = 0;
@@ -460,7 +459,7 @@ fn the_callback_sees_progress_and_can_cancel() {
             calls += 1;
             ControlFlow::Break(())
         };
-        let error = build_sequence(&mesh, &options, &mut cancel).unwrap_err();
+        let error = build_sequence_with_progress(&mesh, &options, &mut cancel).unwrap_err();
         assert_eq!(error, SimplifyError::Cancelled(striata::Cancelled));
         assert_eq!(calls, 1, "nothing is asked again after a cancellation");
     }

@@ -5,7 +5,8 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance, weld};
 use striata::simplify::{
-    Placement, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target, simplify,
+    Placement, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target,
+    simplify_with_progress,
 };
 
 use crate::args::{PlacementArg, SimplifyArgs};
@@ -206,7 +207,7 @@ impl<'a> Maker<'a> {
                     .with_target(target.unwrap_or(Target::Detail(0.0)))
                     .with_placement(Placement::Optimal)
                     .with_sequence(options.clone());
-                simplify(mesh, &options, &mut |progress| bar.show(progress))
+                simplify_with_progress(mesh, &options, &mut |progress| bar.show(progress))
             }
         }
     }

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata_io::{Format, ReadError, StripSpool, TriangleBlocks, WriteError};
-use striata_strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks};
+use striata_strip::{BlockOptions, BlocksError, BlocksReport, stripify_blocks_with_progress};
 
 use crate::args::StripArgs;
 use striata_command::clock::peak_rss_bytes;
@@ -63,8 +63,9 @@ pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> 
         Some(spool) => spool.push(strip),
         None => Ok(()),
     };
-    let made = stripify_blocks(&mut blocks, &options, &mut write, &mut |progress| bar.show(progress))
-        .map_err(failure_of)?;
+    let made =
+        stripify_blocks_with_progress(&mut blocks, &options, &mut write, &mut |progress| bar.show(progress))
+            .map_err(failure_of)?;
     let stripify_secs = started.elapsed().as_secs_f64() - read_secs;
     let written_index_count = match (spool, &args.output) {
         (Some(spool), Some(path)) => {

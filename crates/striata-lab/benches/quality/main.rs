@@ -23,7 +23,6 @@ mod table;
 use std::error::Error;
 use std::io::Write;
 
-use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, Welded, weld};
 use striata::simplify::{
     BatchOptions, CollapseCost, RemovalOptions, SequenceOptions, SimplifyError, build_welded_batches,
@@ -113,17 +112,17 @@ impl Simplifier {
         match self {
             Self::Collapses(cost) => {
                 let options = SequenceOptions::default().with_cost(cost);
-                let built = build_welded_sequence(welded, &options, &mut ignore_progress)?;
+                let built = build_welded_sequence(welded, &options)?;
                 Ok(Built::Collapses(Box::new(built.refinable)))
             }
             Self::Batches => {
                 let options = BatchOptions::default().with_shape_step(shape_step(&welded.mesh));
-                let built = build_welded_batches(welded, &options, &mut ignore_progress)?;
+                let built = build_welded_batches(welded, &options)?;
                 Ok(Built::Collapses(Box::new(built.built.refinable)))
             }
             Self::Removal => {
                 let options = RemovalOptions::default();
-                let built = build_welded_fragments(welded, &options, &mut ignore_progress)?;
+                let built = build_welded_fragments(welded, &options)?;
                 Ok(Built::Fragments(Box::new(built.fragmented)))
             }
         }

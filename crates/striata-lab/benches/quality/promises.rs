@@ -4,7 +4,6 @@
 
 use std::io::Write;
 
-use striata::ignore_progress;
 use striata::mesh::{
     DistanceOptions, FragmentedMesh, IndexedMesh, Levels, replay_fragments, surface_distance,
 };
@@ -26,14 +25,12 @@ pub(crate) fn report(request: &Request, subjects: &[Subject], out: &mut dyn Writ
     let mut table = Table::new(head.into_iter().chain(PERCENTS.map(|percent| format!("{percent} %"))));
     let mut ratios: [Vec<f64>; 3] = Default::default();
     for subject in subjects {
-        let built =
-            build_welded_sequence(subject.welded.clone(), &SequenceOptions::default(), &mut ignore_progress)?;
+        let built = build_welded_sequence(subject.welded.clone(), &SequenceOptions::default())?;
         let collapses = FragmentedMesh::from_collapses(&built.refinable);
-        let for_levels = certify_collapses(&built.refinable, &mut ignore_progress)?.sequence.levels().clone();
-        let for_any = certify(&collapses, &mut ignore_progress)?.fragments.levels().clone();
+        let for_levels = certify_collapses(&built.refinable).sequence.levels().clone();
+        let for_any = certify(&collapses).fragments.levels().clone();
         let options = RemovalOptions::default();
-        let removals =
-            build_welded_fragments(subject.welded.clone(), &options, &mut ignore_progress)?.fragmented;
+        let removals = build_welded_fragments(subject.welded.clone(), &options)?.fragmented;
         let promised = [
             ("levels of collapses", &collapses, &for_levels),
             ("any state of collapses", &collapses, &for_any),

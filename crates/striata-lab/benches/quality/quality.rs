@@ -2,7 +2,6 @@
 
 use std::io::Write;
 
-use striata::ignore_progress;
 use striata::mesh::{
     DistanceOptions, IndexedMesh, SurfaceDistance, replay, replay_fragments, surface_distance,
 };
@@ -36,7 +35,7 @@ impl Tool {
                 let options = SimplifyOptions::default()
                     .with_target(Target::Triangles(triangle_count))
                     .with_placement(Placement::Optimal);
-                let out = simplify(subject.mesh(), &options, &mut ignore_progress)?;
+                let out = simplify(subject.mesh(), &options)?;
                 Ok((out.mesh, out.error))
             }
         }

@@ -1,7 +1,7 @@
 //! What all ways share: the mesh with its steps and strips, its vertices on the GPU, and the picture that is drawn.
 
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::simplify::{SequenceOptions, build_welded_sequence};
+use striata::simplify::{SequenceOptions, build_welded_sequence_with_progress};
 use striata::strip::StripSet;
 use striata_gpu::{Canvas, Gpu, GpuVertices, Look, Painter, Scene, Viewpoint};
 use striata_strip::StripOptions;
@@ -36,7 +36,8 @@ impl<'a> Stage<'a> {
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
         let options = SequenceOptions::default();
-        let built = build_welded_sequence(weld(mesh)?, &options, &mut |progress| bar.show(progress))?;
+        let built =
+            build_welded_sequence_with_progress(weld(mesh)?, &options, &mut |progress| bar.show(progress))?;
         let refinable = built.refinable;
         let strips = plan.run(&refinable.mesh, &mut |share| bar.share("strip", share))?.strips;
         let Some(bounds) = refinable.mesh.bounds().filter(|_| refinable.mesh.triangle_count() > 0) else {

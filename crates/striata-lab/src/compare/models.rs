@@ -9,7 +9,8 @@ use serde_json::{Map, Value};
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
 use striata::model::Topology;
 use striata::simplify::{
-    SequenceOptions, SimplifyError, TopologyRule, build_welded_sequence, certify_collapses_in_any_state,
+    SequenceOptions, SimplifyError, TopologyRule, build_welded_sequence_with_progress,
+    certify_collapses_in_any_state_with_progress,
 };
 use striata_lab::Accounting;
 
@@ -127,10 +128,13 @@ impl Sequenced {
         let started = Instant::now();
         // Published models are for manifolds and for steps that keep them: all models get what all can hold.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
-        let built = build_welded_sequence(weld(mesh)?, &options, &mut |progress| bar.show(progress))?;
+        let built =
+            build_welded_sequence_with_progress(weld(mesh)?, &options, &mut |progress| bar.show(progress))?;
         let refinable = match is_certified {
-            true => certify_collapses_in_any_state(&built.refinable, &mut |progress| bar.show(progress))
-                .map_err(SimplifyError::from)?,
+            true => certify_collapses_in_any_state_with_progress(&built.refinable, &mut |progress| {
+                bar.show(progress)
+            })
+            .map_err(SimplifyError::from)?,
             false => built.refinable,
         };
         Ok(Self { refinable, secs: started.elapsed().as_secs_f64() })

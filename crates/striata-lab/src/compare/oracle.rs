@@ -84,7 +84,7 @@ mod tests {
     fn a_model_that_shows_something_else_is_named_with_its_level() {
         // Some of the models are for manifolds only.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
-        let built = build_sequence(&shapes::torus(12, 8, 1.0, 0.4), &options, &mut striata::ignore_progress);
+        let built = build_sequence(&shapes::torus(12, 8, 1.0, 0.4), &options);
         let right = built.unwrap().refinable;
         let mut wrong = right.clone();
         wrong.mesh.triangles[0].swap(0, 1);

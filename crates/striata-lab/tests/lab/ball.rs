@@ -1,7 +1,6 @@
 //! A ball that was built before a test begins.
 
 use striata::file::{FileModel, WriteOptions, to_striata};
-use striata::ignore_progress;
 use striata::model::LodStrips;
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::stripify;
@@ -14,8 +13,7 @@ impl Workbench {
         let bench = Self::new();
         bench.write("sphere.obj", sphere(16, 16));
         let mesh = striata_io::read(bench.path("sphere.obj")).expect("a mesh");
-        let built =
-            build_sequence(&mesh, &SequenceOptions::default(), &mut ignore_progress).expect("a sequence");
+        let built = build_sequence(&mesh, &SequenceOptions::default()).expect("a sequence");
         let refinable = &built.refinable;
         let strips = stripify(&refinable.mesh).expect("strips");
         let model = LodStrips::build(refinable, &strips).expect("a model");

@@ -49,7 +49,7 @@ const ALL_THROUGH: u32 = 1 << 31;
 /// use striata::view::Part;
 /// use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamOptions, encode_stream};
 ///
-/// let built = build_batches(&shapes::torus(32, 16, 1.0, 0.4), &BatchOptions::default(), &mut striata::ignore_progress)?;
+/// let built = build_batches(&shapes::torus(32, 16, 1.0, 0.4), &BatchOptions::default())?;
 /// let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default())?;
 /// let (mut decoder, mut hierarchy, mut cut) = (StreamDecoder::new(), GrowingHierarchy::new(), HierarchyCut::new());
 /// for piece in stream.bytes.chunks(500) {

@@ -29,7 +29,7 @@ mod source;
 mod window;
 mod work;
 
-use striata::{Cancelled, Progress, ProgressFn};
+use striata::{Cancelled, Progress, ProgressFn, ignore_progress};
 
 use work::Work;
 
@@ -58,7 +58,6 @@ pub use source::{Block, BlockSource, BlockTriangle};
 ///         indices.extend_from_slice(strip);
 ///         Ok::<(), Infallible>(())
 ///     },
-///     &mut striata::ignore_progress,
 /// )?;
 /// assert_eq!(report.cost.triangle_count, mesh.triangle_count());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -67,6 +66,18 @@ pub use source::{Block, BlockSource, BlockTriangle};
 /// # Errors
 /// [`BlocksError`], first of all if reading or writing fails; strips written until then stay written.
 pub fn stripify_blocks<S: BlockSource, W>(
+    source: &mut S,
+    options: &BlockOptions,
+    write: &mut WriteStripFn<'_, W>,
+) -> Result<BlocksReport, BlocksError<S::Error, W>> {
+    stripify_blocks_with_progress(source, options, write, &mut ignore_progress)
+}
+
+/// Does as [`stripify_blocks`] and reports its progress; the callback can cancel.
+///
+/// # Errors
+/// As [`stripify_blocks`], and if the callback cancels.
+pub fn stripify_blocks_with_progress<S: BlockSource, W>(
     source: &mut S,
     options: &BlockOptions,
     write: &mut WriteStripFn<'_, W>,

@@ -21,7 +21,7 @@ use super::tunnel_search::TunnelSearch;
 /// use striata_strip::{LiveStrips, RepairOptions, StripOptions, stripify};
 ///
 /// let mesh = shapes::icosphere(3, 1.0);
-/// let refinable = build_sequence(&mesh, &SequenceOptions::default(), &mut striata::ignore_progress)?.refinable;
+/// let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
 /// let full = refinable.sequence.step_count();
 /// let strips = stripify(&refinable.mesh, &StripOptions::default())?;
 /// let mut live = LiveStrips::new(&refinable, full, &strips, &RepairOptions::default())?;

@@ -31,23 +31,30 @@ mod tracked;
 mod wedges;
 mod witness;
 
-pub use batches::{BatchOptions, BuiltBatches, build_batches, build_welded_batches};
-pub use cover::{certify, certify_collapses, certify_collapses_in_any_state};
+pub use batches::{
+    BatchOptions, BuiltBatches, build_batches, build_batches_with_progress, build_welded_batches,
+    build_welded_batches_with_progress,
+};
+pub use cover::{
+    certify, certify_collapses, certify_collapses_in_any_state, certify_collapses_in_any_state_with_progress,
+    certify_collapses_with_progress, certify_with_progress,
+};
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SeamRule, SequenceOptions,
     Simplified, SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
 };
 pub use removal::{
-    BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, build_fragments, build_welded_fragments,
+    BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, build_fragments,
+    build_fragments_with_progress, build_welded_fragments, build_welded_fragments_with_progress,
 };
 
-use crate::ProgressFn;
 use crate::mesh::{IndexedMesh, Welded, replay, weld};
+use crate::{ProgressFn, ignore_progress};
 
 /// Simplifies a mesh as far as it goes and gives every level on the way.
 ///
 /// # Errors
-/// [`SimplifyError`] where the mesh does not hang together, an option is out of range, or the callback cancels.
+/// [`SimplifyError`] where the mesh does not hang together or an option is out of range.
 ///
 /// # Example
 /// ```
@@ -55,7 +62,7 @@ use crate::mesh::{IndexedMesh, Welded, replay, weld};
 /// use striata::simplify::{SequenceOptions, Target, build_sequence};
 ///
 /// let torus = shapes::torus(32, 16, 1.0, 0.4);
-/// let built = build_sequence(&torus, &SequenceOptions::default(), &mut striata::ignore_progress)?;
+/// let built = build_sequence(&torus, &SequenceOptions::default())?;
 /// let sequence = &built.refinable.sequence;
 /// let (split_count, _) = Target::Triangles(200).resolve(sequence);
 /// let level = striata::mesh::replay(&built.refinable, split_count);
@@ -63,14 +70,22 @@ use crate::mesh::{IndexedMesh, Welded, replay, weld};
 /// println!("{} triangles, error {}", level.triangle_count(), sequence.error_at(split_count));
 /// # Ok::<(), striata::simplify::SimplifyError>(())
 /// ```
-pub fn build_sequence(
+pub fn build_sequence(mesh: &IndexedMesh, options: &SequenceOptions) -> Result<BuiltSequence, SimplifyError> {
+    build_sequence_with_progress(mesh, options, &mut ignore_progress)
+}
+
+/// Does as [`build_sequence`] and reports its progress; the callback can cancel.
+///
+/// # Errors
+/// As [`build_sequence`], and if the callback cancels.
+pub fn build_sequence_with_progress(
     mesh: &IndexedMesh,
     options: &SequenceOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltSequence, SimplifyError> {
     options.check()?;
     options.check_locked(mesh.vertex_count())?;
-    build_welded_sequence(weld(mesh)?, options, progress)
+    build_welded_sequence_with_progress(weld(mesh)?, options, progress)
 }
 
 /// The same for a mesh that is welded already.
@@ -78,6 +93,17 @@ pub fn build_sequence(
 /// # Errors
 /// As [`build_sequence`].
 pub fn build_welded_sequence(
+    welded: Welded,
+    options: &SequenceOptions,
+) -> Result<BuiltSequence, SimplifyError> {
+    build_welded_sequence_with_progress(welded, options, &mut ignore_progress)
+}
+
+/// Does as [`build_welded_sequence`] and reports its progress; the callback can cancel.
+///
+/// # Errors
+/// As [`build_welded_sequence`], and if the callback cancels.
+pub fn build_welded_sequence_with_progress(
     welded: Welded,
     options: &SequenceOptions,
     progress: &mut ProgressFn<'_>,
@@ -100,7 +126,15 @@ pub fn build_welded_sequence(
 ///
 /// # Errors
 /// As [`build_sequence`].
-pub fn simplify(
+pub fn simplify(mesh: &IndexedMesh, options: &SimplifyOptions) -> Result<Simplified, SimplifyError> {
+    simplify_with_progress(mesh, options, &mut ignore_progress)
+}
+
+/// Does as [`simplify`] and reports its progress; the callback can cancel.
+///
+/// # Errors
+/// As [`simplify`], and if the callback cancels.
+pub fn simplify_with_progress(
     mesh: &IndexedMesh,
     options: &SimplifyOptions,
     progress: &mut ProgressFn<'_>,
@@ -120,7 +154,7 @@ pub fn simplify(
     if let Some(error) = options.tolerance {
         sequence_options.max_error = Some(limit(error));
     }
-    let built = build_welded_sequence(welded, &sequence_options, progress)?;
+    let built = build_welded_sequence_with_progress(welded, &sequence_options, progress)?;
     let sequence = &built.refinable.sequence;
     let (mut split_count, mut stop_reason) = options.target.resolve(sequence);
     if let Some(error) = options.tolerance {

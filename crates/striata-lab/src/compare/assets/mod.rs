@@ -19,7 +19,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, replay};
-use striata::simplify::{SequenceOptions, build_sequence};
+use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 
 use self::levels::{LevelRow, Request, measure_level};
 use self::subject::Subject;
@@ -125,7 +125,7 @@ fn prepare<'a>(
 fn striata<'a>(subject: &Subject, bar: &mut Bar) -> Result<Simplify<'a>, Failure> {
     let started = Instant::now();
     let options = SequenceOptions::default();
-    let built = build_sequence(&subject.mesh, &options, &mut |progress| bar.show(progress))?;
+    let built = build_sequence_with_progress(&subject.mesh, &options, &mut |progress| bar.show(progress))?;
     let secs = started.elapsed().as_secs_f64();
     Ok(Box::new(move |request| {
         let sequence = &built.refinable.sequence;

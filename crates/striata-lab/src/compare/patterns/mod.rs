@@ -10,7 +10,7 @@ mod sizes;
 
 use serde::Serialize;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh};
-use striata::simplify::{RemovalOptions, Retriangulation, build_fragments};
+use striata::simplify::{RemovalOptions, Retriangulation, build_fragments_with_progress};
 
 pub(super) use self::charts::sections;
 use self::extraction::ExtractionRow;
@@ -78,7 +78,7 @@ impl Source {
             Self::RemovalCollapse => Retriangulation::Collapse,
         };
         let options = RemovalOptions::default().with_retriangulation(how);
-        Ok(build_fragments(mesh, &options, &mut |progress| bar.show(progress))?.fragmented)
+        Ok(build_fragments_with_progress(mesh, &options, &mut |progress| bar.show(progress))?.fragmented)
     }
 }
 

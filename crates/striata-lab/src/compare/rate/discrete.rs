@@ -1,7 +1,7 @@
 //! Levels that are coded by themselves and come one after another, each with half the triangles of the next.
 
 use striata::mesh::{IndexedMesh, replay};
-use striata::simplify::{SequenceOptions, build_sequence};
+use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 
 use super::{Coder, RateRow, Ruler};
 use striata_command::failure::Failure;
@@ -20,7 +20,8 @@ pub(super) fn measure(
     coders: &[(String, Coder<'_>)],
     (ruler, bar): (&Ruler<'_>, &mut Bar),
 ) -> Result<Vec<RateRow>, Failure> {
-    let built = build_sequence(mesh, &SequenceOptions::default(), &mut |progress| bar.show(progress))?;
+    let built =
+        build_sequence_with_progress(mesh, &SequenceOptions::default(), &mut |progress| bar.show(progress))?;
     let refinable = built.refinable;
     let mut counts: Vec<usize> =
         std::iter::successors(Some(refinable.mesh.triangle_count()), |n| Some(n / 2))

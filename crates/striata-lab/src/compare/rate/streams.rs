@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use striata::ProgressFn;
 use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::simplify::{BatchOptions, build_batches};
+use striata::simplify::{BatchOptions, build_batches_with_progress};
 use striata_stream::{
     Effort, Precision, SHAPE_STEPS, StreamError, StreamFacts, StreamOptions, encode_stream,
 };
@@ -39,7 +39,7 @@ impl Streams {
         let options = StreamOptions::default().with_precision(Precision::Bits(BATCH_BITS));
         let step = options.grid_step(mesh).map_err(StreamError::Grid)?;
         let options = BatchOptions::default().with_shape_step(Some(SHAPE_STEPS * step));
-        let made = build_batches(mesh, &options, progress)?;
+        let made = build_batches_with_progress(mesh, &options, progress)?;
         let simplify_secs = started.elapsed().as_secs_f64();
         Ok(Self { refinable: made.built.refinable, batches: made.batches, simplify_secs })
     }

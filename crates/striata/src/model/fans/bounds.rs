@@ -136,7 +136,7 @@ mod tests {
     fn terrain() -> RefinableMesh {
         let mesh = crate::mesh::shapes::terrain(24, 5);
         let options = crate::simplify::SequenceOptions::default();
-        crate::simplify::build_sequence(&mesh, &options, &mut crate::ignore_progress).unwrap().refinable
+        crate::simplify::build_sequence(&mesh, &options).unwrap().refinable
     }
 
     #[test]

@@ -86,7 +86,7 @@ mod tests {
     fn the_fans_of_the_table_tell_all_that_an_instance_shows() {
         for mesh in [shapes::icosphere(2, 1.0), shapes::uv_cylinder(9, 4), shapes::two_material_sphere(6, 8)]
         {
-            let built = build_sequence(&mesh, &Default::default(), &mut crate::ignore_progress).unwrap();
+            let built = build_sequence(&mesh, &Default::default()).unwrap();
             let fans = Fans::build(&built.refinable);
             for split_count in 0..=fans.step_count {
                 let instance = FanInstance::uniform(&fans, split_count);

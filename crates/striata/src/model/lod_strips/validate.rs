@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn a_step_has_to_put_its_vertices_out_of_every_strip() {
         let mesh = shapes::grid(8, 8);
-        let built = build_sequence(&mesh, &SequenceOptions::default(), &mut crate::ignore_progress).unwrap();
+        let built = build_sequence(&mesh, &SequenceOptions::default()).unwrap();
         let strips = stripify(&built.refinable.mesh).unwrap();
         let model = LodStrips::build(&built.refinable, &strips).unwrap();
         for step in 0..model.record_lengths.len() {

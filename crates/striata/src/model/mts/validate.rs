@@ -172,7 +172,7 @@ mod tests {
     }
 
     fn model_of(mesh: &IndexedMesh) -> Mts<'static> {
-        let built = build_sequence(mesh, &SequenceOptions::default(), &mut crate::ignore_progress).unwrap();
+        let built = build_sequence(mesh, &SequenceOptions::default()).unwrap();
         let strips = stripify(&built.refinable.mesh).unwrap();
         Mts::build(&built.refinable, &strips).unwrap()
     }

@@ -28,8 +28,8 @@ mod taste;
 
 pub use options::BatchOptions;
 
-use crate::ProgressFn;
 use crate::mesh::{IndexedMesh, Welded, weld};
+use crate::{ProgressFn, ignore_progress};
 
 use super::finish::finish;
 use super::options::{BuiltSequence, SimplifyError};
@@ -49,7 +49,7 @@ pub struct BuiltBatches {
 /// The error of a level within a batch is that of the batch's coarse end, so steps may change places within a batch.
 ///
 /// # Errors
-/// [`SimplifyError`] where the mesh does not hang together, an option is out of range, or the callback cancels.
+/// [`SimplifyError`] where the mesh does not hang together or an option is out of range.
 ///
 /// # Example
 /// ```
@@ -57,7 +57,7 @@ pub struct BuiltBatches {
 /// use striata::simplify::{BatchOptions, build_batches};
 ///
 /// let torus = shapes::torus(32, 16, 1.0, 0.4);
-/// let built = build_batches(&torus, &BatchOptions::default(), &mut striata::ignore_progress)?;
+/// let built = build_batches(&torus, &BatchOptions::default())?;
 /// let sequence = &built.built.refinable.sequence;
 /// assert_eq!(built.batches.last(), Some(&(sequence.step_count() as u32)));
 /// for steps in built.batches.windows(2) {
@@ -65,21 +65,37 @@ pub struct BuiltBatches {
 /// }
 /// # Ok::<(), striata::simplify::SimplifyError>(())
 /// ```
-pub fn build_batches(
+pub fn build_batches(mesh: &IndexedMesh, options: &BatchOptions) -> Result<BuiltBatches, SimplifyError> {
+    build_batches_with_progress(mesh, options, &mut ignore_progress)
+}
+
+/// Does as [`build_batches`] and reports its progress; the callback can cancel.
+///
+/// # Errors
+/// As [`build_batches`], and if the callback cancels.
+pub fn build_batches_with_progress(
     mesh: &IndexedMesh,
     options: &BatchOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltBatches, SimplifyError> {
     options.check()?;
     options.sequence.check_locked(mesh.vertex_count())?;
-    build_welded_batches(weld(mesh)?, options, progress)
+    build_welded_batches_with_progress(weld(mesh)?, options, progress)
 }
 
 /// The same for a mesh that is welded already.
 ///
 /// # Errors
 /// As [`build_batches`].
-pub fn build_welded_batches(
+pub fn build_welded_batches(welded: Welded, options: &BatchOptions) -> Result<BuiltBatches, SimplifyError> {
+    build_welded_batches_with_progress(welded, options, &mut ignore_progress)
+}
+
+/// Does as [`build_welded_batches`] and reports its progress; the callback can cancel.
+///
+/// # Errors
+/// As [`build_welded_batches`], and if the callback cancels.
+pub fn build_welded_batches_with_progress(
     welded: Welded,
     options: &BatchOptions,
     progress: &mut ProgressFn<'_>,

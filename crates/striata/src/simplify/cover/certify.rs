@@ -1,7 +1,7 @@
 //! Errors that hold, for a sequence that exists.
 
 use crate::mesh::{CollapseSequence, Face, FragmentSequence, FragmentedMesh, RefinableMesh, SequenceParts};
-use crate::{Cancelled, Progress, ProgressFn};
+use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
 
 use super::Cover;
 use super::adopt::Adopters;
@@ -15,23 +15,31 @@ const STEPS_PER_REPORT: usize = 1 << 10;
 /// All points of the original surface count, not its vertices alone; of the simplified surface nothing is said. A step that is not
 /// taken and whose floor is empty counts as well. Where nothing is left at all, its error is the diagonal of the mesh's bounds.
 ///
-/// # Errors
-/// [`Cancelled`] where the callback asks for it.
-///
 /// # Example
 /// ```
 /// use striata::mesh::{FragmentedMesh, shapes};
 /// use striata::simplify::{SequenceOptions, build_sequence, certify};
 ///
-/// let built = build_sequence(&shapes::torus(32, 16, 1.0, 0.4), &SequenceOptions::default(), &mut striata::ignore_progress)?;
+/// let built = build_sequence(&shapes::torus(32, 16, 1.0, 0.4), &SequenceOptions::default())?;
 /// let fragmented = FragmentedMesh::from_collapses(&built.refinable);
-/// let certain = certify(&fragmented, &mut striata::ignore_progress)?;
+/// let certain = certify(&fragmented);
 /// let levels = certain.fragments.levels();
 /// let level = levels.split_count_for_triangles(200);
 /// println!("no point of the torus is more than {} away", levels.error_at(level));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn certify(mesh: &FragmentedMesh, progress: &mut ProgressFn<'_>) -> Result<FragmentedMesh, Cancelled> {
+pub fn certify(mesh: &FragmentedMesh) -> FragmentedMesh {
+    certify_with_progress(mesh, &mut ignore_progress).expect("nobody cancels")
+}
+
+/// Does as [`certify`] and reports its progress; the callback can cancel.
+///
+/// # Errors
+/// [`Cancelled`] if the callback asks for it.
+pub fn certify_with_progress(
+    mesh: &FragmentedMesh,
+    progress: &mut ProgressFn<'_>,
+) -> Result<FragmentedMesh, Cancelled> {
     let errors = floor_errors(mesh, Scope::All, progress)?;
     let fragments = mesh.fragments.with_floor_errors(errors).expect("a finite error for each step");
     Ok(FragmentedMesh { mesh: mesh.mesh.clone(), fragments })
@@ -41,10 +49,15 @@ pub fn certify(mesh: &FragmentedMesh, progress: &mut ProgressFn<'_>) -> Result<F
 ///
 /// Levels only, not what selective refinement makes of the steps: so the errors may be lower than those of [`certify`] and of
 /// [`certify_collapses_in_any_state`].
+pub fn certify_collapses(refinable: &RefinableMesh) -> RefinableMesh {
+    certify_collapses_with_progress(refinable, &mut ignore_progress).expect("nobody cancels")
+}
+
+/// Does as [`certify_collapses`] and reports its progress; the callback can cancel.
 ///
 /// # Errors
-/// [`Cancelled`] where the callback asks for it.
-pub fn certify_collapses(
+/// [`Cancelled`] if the callback asks for it.
+pub fn certify_collapses_with_progress(
     refinable: &RefinableMesh,
     progress: &mut ProgressFn<'_>,
 ) -> Result<RefinableMesh, Cancelled> {
@@ -54,10 +67,15 @@ pub fn certify_collapses(
 /// The same collapses with errors that hold in any state, as those of [`certify`] do: for models that follow views.
 ///
 /// What a state shows is nowhere farther from the original surface than the error of the coarsest step that it lacks.
+pub fn certify_collapses_in_any_state(refinable: &RefinableMesh) -> RefinableMesh {
+    certify_collapses_in_any_state_with_progress(refinable, &mut ignore_progress).expect("nobody cancels")
+}
+
+/// Does as [`certify_collapses_in_any_state`] and reports its progress; the callback can cancel.
 ///
 /// # Errors
-/// [`Cancelled`] where the callback asks for it.
-pub fn certify_collapses_in_any_state(
+/// [`Cancelled`] if the callback asks for it.
+pub fn certify_collapses_in_any_state_with_progress(
     refinable: &RefinableMesh,
     progress: &mut ProgressFn<'_>,
 ) -> Result<RefinableMesh, Cancelled> {

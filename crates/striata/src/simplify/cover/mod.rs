@@ -33,7 +33,10 @@ mod pieces;
 mod polygon;
 mod settle;
 
-pub use certify::{certify, certify_collapses, certify_collapses_in_any_state};
+pub use certify::{
+    certify, certify_collapses, certify_collapses_in_any_state, certify_collapses_in_any_state_with_progress,
+    certify_collapses_with_progress, certify_with_progress,
+};
 
 use glam::DVec3;
 

@@ -38,8 +38,8 @@ mod record;
 
 pub use options::{BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation};
 
-use crate::ProgressFn;
 use crate::mesh::{IndexedMesh, Welded, weld};
+use crate::{ProgressFn, ignore_progress};
 
 use super::options::{SimplifyError, check_locked};
 
@@ -49,7 +49,7 @@ use super::options::{SimplifyError, check_locked};
 /// times the time; steps that are no collapses.
 ///
 /// # Errors
-/// [`SimplifyError`] where the mesh does not hang together, an option is out of range, or the callback cancels.
+/// [`SimplifyError`] where the mesh does not hang together or an option is out of range.
 ///
 /// # Example
 /// ```
@@ -58,7 +58,7 @@ use super::options::{SimplifyError, check_locked};
 ///
 /// let torus = shapes::torus(32, 16, 1.0, 0.4);
 /// let options = RemovalOptions::default().with_max_error(0.05);
-/// let built = build_fragments(&torus, &options, &mut striata::ignore_progress)?;
+/// let built = build_fragments(&torus, &options)?;
 /// let level = replay_fragments(&built.fragmented, 0);
 /// // No point of the torus is farther from the level.
 /// let error = built.fragmented.fragments.levels().error_at(0);
@@ -68,11 +68,22 @@ use super::options::{SimplifyError, check_locked};
 pub fn build_fragments(
     mesh: &IndexedMesh,
     options: &RemovalOptions,
+) -> Result<BuiltFragments, SimplifyError> {
+    build_fragments_with_progress(mesh, options, &mut ignore_progress)
+}
+
+/// Does as [`build_fragments`] and reports its progress; the callback can cancel.
+///
+/// # Errors
+/// As [`build_fragments`], and if the callback cancels.
+pub fn build_fragments_with_progress(
+    mesh: &IndexedMesh,
+    options: &RemovalOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltFragments, SimplifyError> {
     options.check()?;
     check_locked(&options.locked_vertices, mesh.vertex_count())?;
-    build_welded_fragments(weld(mesh)?, options, progress)
+    build_welded_fragments_with_progress(weld(mesh)?, options, progress)
 }
 
 /// The same for a mesh that is welded already.
@@ -80,6 +91,17 @@ pub fn build_fragments(
 /// # Errors
 /// As [`build_fragments`].
 pub fn build_welded_fragments(
+    welded: Welded,
+    options: &RemovalOptions,
+) -> Result<BuiltFragments, SimplifyError> {
+    build_welded_fragments_with_progress(welded, options, &mut ignore_progress)
+}
+
+/// Does as [`build_welded_fragments`] and reports its progress; the callback can cancel.
+///
+/// # Errors
+/// As [`build_welded_fragments`], and if the callback cancels.
+pub fn build_welded_fragments_with_progress(
     welded: Welded,
     options: &RemovalOptions,
     progress: &mut ProgressFn<'_>,

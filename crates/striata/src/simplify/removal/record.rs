@@ -2,7 +2,7 @@
 
 use crate::ProgressFn;
 use crate::mesh::{Face, Fragment, FragmentSequence, FragmentedMesh, PositionIndex, Welded};
-use crate::simplify::cover::{certify, certify_collapses};
+use crate::simplify::cover::{certify_collapses_with_progress, certify_with_progress};
 use crate::simplify::finish::{Record, RefinementOrder, finish};
 use crate::simplify::options::{SimplifyError, StopReason};
 
@@ -78,7 +78,7 @@ impl RemovalRecord {
         let mut fragmented = FragmentedMesh { mesh, fragments };
         if self.has_vanished {
             // What an empty floor stood for lies nearest to others.
-            fragmented = certify(&fragmented, progress)?;
+            fragmented = certify_with_progress(&fragmented, progress)?;
         }
         let (degenerate_triangle_count, merged_vertex_count) =
             (welded.degenerate_triangle_count, welded.merged_vertex_count);
@@ -99,7 +99,11 @@ impl RemovalRecord {
                 let record = Record { removed: self.removed, errors, removed_triangle_counts, targets };
                 let refinable = finish(welded, record)?.0;
                 // A sequence of collapses is for its levels alone.
-                Some(if self.has_vanished { certify_collapses(&refinable, progress)? } else { refinable })
+                Some(if self.has_vanished {
+                    certify_collapses_with_progress(&refinable, progress)?
+                } else {
+                    refinable
+                })
             }
         };
         Ok(BuiltFragments {
