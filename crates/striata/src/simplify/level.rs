@@ -2,7 +2,7 @@
 
 use crate::mesh::{CollapseSequence, Levels};
 
-use super::options::{StopReason, Target};
+use crate::simplify::options::{StopReason, Target};
 
 impl Target {
     /// The split count of the level that this target means, and how near it comes.

@@ -1,49 +1,25 @@
 //! From a mesh to its simplification sequence: half-edge collapses ordered by cost.
 
-mod absorb;
-mod aftermath;
-mod attributes;
-mod batches;
-mod charts;
-mod course;
-mod cover;
-mod crossing;
-mod engine;
-mod fan;
-mod finish;
-mod heap;
-mod judge;
-mod legality;
+mod certify;
+mod collapse;
 mod level;
-mod links;
-mod optimal;
 mod options;
-mod outward;
-mod pairs;
-mod parts;
-mod quadric;
-mod relaxation;
-mod relaxed;
-mod removal;
-mod rest;
-mod star;
-mod tracked;
-mod wedges;
-mod witness;
+mod place;
+mod remove;
 
-pub use batches::{
-    BatchOptions, BuiltBatches, build_batches, build_batches_with_progress, build_welded_batches,
-    build_welded_batches_with_progress,
-};
-pub use cover::{
+pub use certify::{
     certify, certify_collapses, certify_collapses_in_any_state, certify_collapses_in_any_state_with_progress,
     certify_collapses_with_progress, certify_with_progress,
+};
+pub use collapse::batches::{
+    BatchOptions, BuiltBatches, build_batches, build_batches_with_progress, build_welded_batches,
+    build_welded_batches_with_progress,
 };
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SeamRule, SequenceOptions,
     Simplified, SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
 };
-pub use removal::{
+pub use remove::{
     BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, build_fragments,
     build_fragments_with_progress, build_welded_fragments, build_welded_fragments_with_progress,
 };
@@ -109,10 +85,10 @@ pub fn build_welded_sequence_with_progress(
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltSequence, SimplifyError> {
     options.check()?;
-    let (record, stop_reason) = engine::Engine::new(&welded, options).run(progress)?;
+    let (record, stop_reason) = collapse::engine::Engine::new(&welded, options).run(progress)?;
     let degenerate_triangle_count = welded.degenerate_triangle_count;
     let merged_vertex_count = welded.merged_vertex_count;
-    let (refinable, source_vertex) = finish::finish(welded, record)?;
+    let (refinable, source_vertex) = collapse::finish::finish(welded, record)?;
     Ok(BuiltSequence {
         refinable,
         source_vertex,
@@ -143,7 +119,7 @@ pub fn simplify_with_progress(
     options.sequence.check_locked(mesh.vertex_count())?;
     let welded = weld(mesh)?;
     if options.placement == Placement::Optimal {
-        return optimal::simplify_optimal(&welded, options, progress);
+        return place::simplify_optimal(&welded, options, progress);
     }
     let mut sequence_options = options.sequence.clone();
     if let Target::Triangles(n) = options.target {

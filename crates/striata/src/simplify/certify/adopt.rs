@@ -16,7 +16,7 @@
 use glam::{DVec3, Vec3, Vec3A};
 
 use crate::mesh::{AxisBox, BoxTree, FragmentSequence};
-use crate::simplify::fan::distance_squared;
+use crate::simplify::collapse::fan::distance_squared;
 
 /// Points of an island that look for the nearest face, at most.
 const MAX_POINTS: usize = 24;

@@ -27,13 +27,13 @@
 //! triangles of the bunny.
 
 mod adopt;
-mod certify;
+mod errors;
 mod floor;
 mod pieces;
 mod polygon;
 mod settle;
 
-pub use certify::{
+pub use errors::{
     certify, certify_collapses, certify_collapses_in_any_state, certify_collapses_in_any_state_with_progress,
     certify_collapses_with_progress, certify_with_progress,
 };

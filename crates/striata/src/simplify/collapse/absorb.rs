@@ -19,9 +19,9 @@ use super::links::LinkEdge;
 use super::parts::Estate;
 
 /// Parts of more triangles than this are not foliage.
-pub(super) const MAX_LEAF: usize = 16;
+pub(in crate::simplify) const MAX_LEAF: usize = 16;
 /// Share of the triangles that must belong to such parts.
-pub(super) const LEAF_SHARE: f32 = 0.5;
+pub(in crate::simplify) const LEAF_SHARE: f32 = 0.5;
 /// Cosine of the angle by which a grown triangle may turn.
 const LEAST_COSINE: f32 = 0.3;
 /// Weight of the square of the longest edge against the area that is missing or too much.
@@ -30,7 +30,7 @@ const LENGTH_WEIGHT: f32 = 0.1;
 impl Judge<'_> {
     /// The contraction that makes up for the part of the edge between `v` and `u`, which vanishes with it: a corner of the part
     /// nearest to it, and the choice to collapse that to `v` or `u`.
-    pub(super) fn absorber(&mut self, v: u32, u: u32) -> Option<(u32, Choice)> {
+    pub(in crate::simplify) fn absorber(&mut self, v: u32, u: u32) -> Option<(u32, Choice)> {
         let relaxed = self.relaxed.as_ref().filter(|relaxed| relaxed.is_foliage)?;
         let Estate { cover, host, is_covered } = relaxed.parts.estate(relaxed.parts.part_of(v))?;
         let host = relaxed.current_of(host);

@@ -13,18 +13,18 @@ use super::relaxed::{Standing, find};
 const MAX_FOLLOWERS: usize = 24;
 
 /// What vanishes with a position that loses all its triangles, and what is left to stand in for it.
-pub(super) struct Departure {
+pub(in crate::simplify) struct Departure {
     /// Where what stood at the lost positions is from now on; none if nothing is left.
-    pub(super) place: Option<u32>,
+    pub(in crate::simplify) place: Option<u32>,
     /// Positions that have no triangles any more, besides the collapsed one.
-    pub(super) lost: Vec<u32>,
+    pub(in crate::simplify) lost: Vec<u32>,
     /// Points of a part that has vanished.
-    pub(super) points: Vec<Vec3>,
+    pub(in crate::simplify) points: Vec<Vec3>,
 }
 
 impl Judge<'_> {
     /// Notes that a relaxed collapse has been carried out.
-    pub(super) fn note_relaxed(&mut self) {
+    pub(in crate::simplify) fn note_relaxed(&mut self) {
         if let Some(relaxed) = &mut self.relaxed {
             relaxed.has_relaxed = true;
         }
@@ -32,23 +32,23 @@ impl Judge<'_> {
 
     /// True if steps are measured against the original mesh: with seams, or once a relaxed collapse has been carried out.
     /// Closed scans do without, which would take a third of their time.
-    pub(super) fn is_measured_outward(&self) -> bool {
+    pub(in crate::simplify) fn is_measured_outward(&self) -> bool {
         let Some(relaxed) = &self.relaxed else { return false };
         self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.is_tail)
     }
 
     /// True if what would raise the error is looked for in all of the mesh: with seams, or once a relaxed collapse has been carried out.
-    pub(super) fn looks_everywhere(&self) -> bool {
+    pub(in crate::simplify) fn looks_everywhere(&self) -> bool {
         self.relaxed.is_some() && (self.wedges.is_some() || self.has_relaxed())
     }
 
     /// True once a relaxed collapse has been carried out.
-    pub(super) fn has_relaxed(&self) -> bool {
+    pub(in crate::simplify) fn has_relaxed(&self) -> bool {
         self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_relaxed)
     }
 
     /// Some of the positions that have come together at `u`, if they are at least so many, evenly spread over all of them.
-    pub(super) fn followers_into(&self, u: u32, least: usize, out: &mut Vec<u32>) {
+    pub(in crate::simplify) fn followers_into(&self, u: u32, least: usize, out: &mut Vec<u32>) {
         out.clear();
         let Some(relaxed) = &self.relaxed else { return };
         let count = relaxed.follower_count[u as usize] as usize;
@@ -66,7 +66,7 @@ impl Judge<'_> {
     }
 
     /// Looks for what stands nearest to a point that may have lost what stood for it: see [`Relaxed::standing`].
-    pub(super) fn standing(&mut self, from: Vec3, known: Standing, enough: f32) -> Standing {
+    pub(in crate::simplify) fn standing(&mut self, from: Vec3, known: Standing, enough: f32) -> Standing {
         if !self.looks_everywhere() {
             return known;
         }
@@ -80,7 +80,7 @@ impl Judge<'_> {
 
     /// The distance from the original mesh of the triangles that the collapse of `v` to its neighbor `u` would leave, if they
     /// may stick out farther than anything so far; `worst` is the largest squared error.
-    pub(super) fn outward_ahead(&mut self, (v, u): (u32, u32), protrusion: f32, worst: f32) -> Option<f32> {
+    pub(in crate::simplify) fn outward_ahead(&mut self, (v, u): (u32, u32), protrusion: f32, worst: f32) -> Option<f32> {
         let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
         let bound = relaxed.outward.bound_after(v, protrusion, (worst, positions.len()));
         if bound * bound <= worst {
@@ -92,7 +92,7 @@ impl Judge<'_> {
     }
 
     /// Notes how far what the collapse of `v` to `u` has left sticks out of the original, at most.
-    pub(super) fn note_outward(&mut self, (v, u): (u32, u32), ring: &[u32], choice: &Choice, worst: f32) {
+    pub(in crate::simplify) fn note_outward(&mut self, (v, u): (u32, u32), ring: &[u32], choice: &Choice, worst: f32) {
         let Self { relaxed: Some(relaxed), positions, .. } = self else { return };
         let bound = match choice.outward {
             Some(measured) => measured,
@@ -103,7 +103,7 @@ impl Judge<'_> {
 
     /// The largest distance from the original mesh of the triangles around `u` after the collapse of `v` to it, if they may stick
     /// out farther than anything so far; `worst` is the square of that.
-    pub(super) fn outward_behind(&mut self, (v, u): (u32, u32), choice: &Choice, worst: f32) -> Option<f32> {
+    pub(in crate::simplify) fn outward_behind(&mut self, (v, u): (u32, u32), choice: &Choice, worst: f32) -> Option<f32> {
         let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
         let bound = relaxed.outward.bound_after(v, choice.sticks_out_squared(), (worst, positions.len()));
         if bound * bound <= worst {
@@ -114,7 +114,7 @@ impl Judge<'_> {
     }
 
     /// Notes a collapse that has been carried out, `ring` being the neighbors that `v` had; says who lost everything by it.
-    pub(super) fn note_departure(
+    pub(in crate::simplify) fn note_departure(
         &mut self,
         v: u32,
         u: u32,
@@ -169,7 +169,7 @@ impl Judge<'_> {
     }
 
     /// Takes back the scratch of a departure.
-    pub(super) fn forget(&mut self, departure: Departure) {
+    pub(in crate::simplify) fn forget(&mut self, departure: Departure) {
         if let Some(relaxed) = &mut self.relaxed {
             relaxed.lost = departure.lost;
         }

@@ -13,9 +13,9 @@ use crate::mesh::{AttributeLayer, Semantic, Welded};
 
 use super::charts;
 use super::fan::nearest;
-use super::options::AttributeWeights;
 use super::star::Star;
 use super::wedges::Wedges;
+use crate::simplify::options::AttributeWeights;
 
 /// What coordinates of a kind count where a seam is crossed or receives another course.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +50,7 @@ const MAX_WEDGES: usize = 12;
 
 /// Attributes of all vertices as coordinates in scaled units.
 #[derive(Debug)]
-pub(super) struct AttributeSpace {
+pub(in crate::simplify) struct AttributeSpace {
     dimension: usize,
     values: Vec<f32>,
     /// Coordinates that are texture coordinates, one bit each.
@@ -65,7 +65,7 @@ pub(super) struct AttributeSpace {
 
 impl AttributeSpace {
     /// The weighted layers of a mesh, texture coordinates with a factor for each material; `None` if no layer has a weight.
-    pub(super) fn new(welded: &Welded, weights: &AttributeWeights, texcoord_factors: &[f32]) -> Option<Self> {
+    pub(in crate::simplify) fn new(welded: &Welded, weights: &AttributeWeights, texcoord_factors: &[f32]) -> Option<Self> {
         let weight = |semantic: &Semantic| match semantic {
             Semantic::Normal => weights.normal,
             Semantic::TexCoord(_) => weights.texcoord,
@@ -167,13 +167,13 @@ impl AttributeSpace {
     }
 
     /// Squared difference of two vertices' attributes and materials.
-    pub(super) fn difference_squared(&self, a: u32, b: u32) -> f32 {
+    pub(in crate::simplify) fn difference_squared(&self, a: u32, b: u32) -> f32 {
         let squared: f32 = self.of(a).iter().zip(self.of(b)).map(|(x, y)| (x - y) * (x - y)).sum();
         if self.share_material(a, b) { squared } else { squared + self.material_squared }
     }
 
     /// Squared difference of the attributes and materials on both sides of a seam that takes another course.
-    pub(super) fn border_squared(&self, a: u32, b: u32) -> f32 {
+    pub(in crate::simplify) fn border_squared(&self, a: u32, b: u32) -> f32 {
         let squared = self.weighted_squared(a, b, |factors| factors.border);
         if self.share_material(a, b) { squared } else { squared + self.material_squared }
     }
@@ -197,7 +197,7 @@ impl AttributeSpace {
     }
 
     /// Squared difference between two points of triangles, each given by its corners and barycentric coordinates.
-    pub(super) fn points_difference_squared(
+    pub(in crate::simplify) fn points_difference_squared(
         &self,
         (corners, weights): ([u32; 3], [f32; 3]),
         (other_corners, other_weights): ([u32; 3], [f32; 3]),
@@ -223,7 +223,7 @@ impl AttributeSpace {
     }
 
     /// What it costs over a unit of area that `to` stands for `from` on the other side of a seam.
-    pub(super) fn crossing_squared(&self, from: u32, to: u32) -> f32 {
+    pub(in crate::simplify) fn crossing_squared(&self, from: u32, to: u32) -> f32 {
         let squared = self.weighted_squared(from, to, |factors| factors.crossing);
         let material =
             if self.share_material(from, to) { 0.0 } else { TILED.crossing * self.material_squared };
@@ -231,7 +231,7 @@ impl AttributeSpace {
     }
 
     /// What collapsing `v` to neighbour `k` of its star costs in attributes; the wedges must be paired already.
-    pub(super) fn cost(&self, star: &Star, wedges: Option<&Wedges<'_>>, v: u32, k: usize) -> f32 {
+    pub(in crate::simplify) fn cost(&self, star: &Star, wedges: Option<&Wedges<'_>>, v: u32, k: usize) -> f32 {
         let vertex_at = |t: usize, position: u32| {
             wedges.map_or(position, |w| {
                 if w.is_split(position) { w.shown(star.triangles[t], position) } else { w.first(position) }
@@ -273,7 +273,7 @@ impl AttributeSpace {
     }
 
     /// Squared difference between a vertex and a point of the triangle `corners` with these barycentric coordinates.
-    pub(super) fn interpolation_error(&self, wedge: u32, corners: [u32; 3], weights: [f32; 3]) -> f32 {
+    pub(in crate::simplify) fn interpolation_error(&self, wedge: u32, corners: [u32; 3], weights: [f32; 3]) -> f32 {
         let [a, b, c] = corners.map(|corner| self.of(corner));
         let own = self.of(wedge);
         (0..self.dimension)

@@ -20,7 +20,7 @@ const MAX_OVERLAP: f64 = 0.6;
 /// atlas; 0 if not.
 ///
 /// O(n) time for n triangles, and that of painting them into a square of 512 by 512 cells.
-pub(super) fn atlas_lengths(welded: &Welded, layer: &AttributeLayer) -> Vec<f32> {
+pub(in crate::simplify) fn atlas_lengths(welded: &Welded, layer: &AttributeLayer) -> Vec<f32> {
     let mesh = &welded.mesh;
     let mut lengths = vec![0.0; mesh.vertex_count()];
     if layer.component_count < 2 {

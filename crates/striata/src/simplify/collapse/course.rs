@@ -18,26 +18,26 @@ const LEAST_FOLLOWERS: usize = 16;
 
 /// The collapses so far.
 #[derive(Debug)]
-pub(super) struct Course {
+pub(in crate::simplify) struct Course {
     /// Mesh units of one scaled unit.
     scale: f64,
     witnesses: Witnesses,
     /// The neighbours that the position removed last had, each once.
-    pub(super) ring: Vec<u32>,
+    pub(in crate::simplify) ring: Vec<u32>,
     /// Triangles that are left.
-    pub(super) triangle_count: usize,
+    pub(in crate::simplify) triangle_count: usize,
     /// Steps before the last collapse.
     last: usize,
     /// Scratch: positions without triangles, and points of triangles that go.
     gone: Vec<u32>,
     points: Vec<Vec3>,
     /// What was collapsed; errors are the caller's to add.
-    pub(super) record: Record,
+    pub(in crate::simplify) record: Record,
 }
 
 impl Course {
     /// `is_closed_scan` as [`Judge::is_closed_scan`] says before the first collapse.
-    pub(super) fn new(welded: &Welded, scale: f64, is_closed_scan: bool) -> Self {
+    pub(in crate::simplify) fn new(welded: &Welded, scale: f64, is_closed_scan: bool) -> Self {
         Self {
             scale,
             witnesses: Witnesses::new(welded.positions.position_count(), !is_closed_scan),
@@ -51,13 +51,13 @@ impl Course {
     }
 
     /// The largest squared error so far.
-    pub(super) fn worst(&self) -> f32 {
+    pub(in crate::simplify) fn worst(&self) -> f32 {
         self.witnesses.worst()
     }
 
     /// The squared distance of the witness of `v` from the fan that its collapse to the neighbor `u` would leave, if it may be
     /// farther away than anything so far; `own` is that of `v` itself.
-    pub(super) fn witness_ahead(&self, judge: &mut Judge<'_>, (v, u): (u32, u32), own: f32) -> Option<f32> {
+    pub(in crate::simplify) fn witness_ahead(&self, judge: &mut Judge<'_>, (v, u): (u32, u32), own: f32) -> Option<f32> {
         let vertex = self.witnesses.suspect(v, own)?;
         let Judge { star, links, positions, .. } = judge;
         star.gather(links, positions, v);
@@ -71,7 +71,7 @@ impl Course {
 
     /// Removes `v` as `choice` says, and with it all positions that lose their last triangle by that; returns the error
     /// after it, mesh units.
-    pub(super) fn collapse(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice) -> f64 {
+    pub(in crate::simplify) fn collapse(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice) -> f64 {
         let u = choice.target;
         self.last = self.record.removed.len();
         let tracked = self.leave(judge, v, u);
@@ -168,7 +168,7 @@ impl Course {
     }
 
     /// Takes the last collapse off the record; links and wedges stay as they are.
-    pub(super) fn forget_last(&mut self) {
+    pub(in crate::simplify) fn forget_last(&mut self) {
         self.record.removed.truncate(self.last);
         self.record.removed_triangle_counts.truncate(self.last);
     }

@@ -7,7 +7,7 @@ const CORNER_SHARE: f32 = 1.0 / 6.0;
 
 impl Judge<'_> {
     /// What it costs that wedges of the gathered star cross seams to those of its neighbor `k`; the wedges must be paired.
-    pub(super) fn crossing_cost(&self, k: usize) -> f32 {
+    pub(in crate::simplify) fn crossing_cost(&self, k: usize) -> f32 {
         let Self { star, wedges: Some(wedges), attributes: Some(attributes), .. } = self else { return 0.0 };
         let mut cost = 0.0;
         for t in 0..star.triangle_count() {

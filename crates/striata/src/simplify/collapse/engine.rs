@@ -21,8 +21,8 @@ use super::finish::Record;
 use super::heap::IndexedHeap;
 use super::judge::{Choice, Judge, Memory, Tier};
 use super::links::LinkKind;
-use super::options::{SequenceOptions, SimplifyError, StopReason};
 use super::relaxation::Relaxation;
+use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};
 
 /// No target chosen yet: the key is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
@@ -32,7 +32,7 @@ const UNMEASURED: f32 = -1.0;
 const REPORT_INTERVAL: u64 = 4096;
 
 /// All state of one simplification.
-pub(super) struct Engine<'a> {
+pub(in crate::simplify) struct Engine<'a> {
     options: &'a SequenceOptions,
     judge: Judge<'a>,
     heap: IndexedHeap,
@@ -47,7 +47,7 @@ pub(super) struct Engine<'a> {
 }
 
 impl<'a> Engine<'a> {
-    pub(super) fn new(welded: &'a Welded, options: &'a SequenceOptions) -> Self {
+    pub(in crate::simplify) fn new(welded: &'a Welded, options: &'a SequenceOptions) -> Self {
         let scaled = scaled_positions(welded);
         let (position_count, scale) = (scaled.0.len(), scaled.1);
         let judge = Judge::new(welded, options, scaled);
@@ -67,7 +67,7 @@ impl<'a> Engine<'a> {
     }
 
     /// Collapses until nothing can be, the base is reached or an error limit forbids to go on.
-    pub(super) fn run(
+    pub(in crate::simplify) fn run(
         mut self,
         progress: &mut ProgressFn<'_>,
     ) -> Result<(Record, StopReason), SimplifyError> {
@@ -265,7 +265,7 @@ impl<'a> Engine<'a> {
 }
 
 /// One entry a position, about the centre of the bounds and with their diagonal as unit, and that unit.
-pub(super) fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
+pub(in crate::simplify) fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
     let Some(bounds) = welded.mesh.bounds() else { return (Vec::new(), 1.0) };
     let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };
     let centre: [f64; 3] =

@@ -9,7 +9,7 @@ use wide::f32x8;
 ///
 /// The regions of the triangle are told apart as in Ericson, Real-Time Collision Detection, 5.1.5.
 #[inline]
-pub(super) fn distance_squared(a: Vec3, b: Vec3, c: Vec3) -> f32 {
+pub(in crate::simplify) fn distance_squared(a: Vec3, b: Vec3, c: Vec3) -> f32 {
     let [_, v, w] = nearest(a, b, c);
     (a + (b - a) * v + (c - a) * w).length_squared()
 }
@@ -17,12 +17,12 @@ pub(super) fn distance_squared(a: Vec3, b: Vec3, c: Vec3) -> f32 {
 /// Barycentric coordinates of the point of the triangle `(a, b, c)` nearest to the origin.
 #[inline]
 /// A position as a vector, without its padding.
-pub(super) fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
+pub(in crate::simplify) fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
     let [x, y, z, _] = positions[p as usize];
     Vec3::new(x, y, z)
 }
 
-pub(super) fn nearest(a: Vec3, b: Vec3, c: Vec3) -> [f32; 3] {
+pub(in crate::simplify) fn nearest(a: Vec3, b: Vec3, c: Vec3) -> [f32; 3] {
     let (ab, ac) = (b - a, c - a);
     let (d1, d2) = (-ab.dot(a), -ac.dot(a));
     if d1 <= 0.0 && d2 <= 0.0 {
@@ -71,30 +71,30 @@ const NEEDLE_QUALITY: f32 = 0.02;
 
 /// The sum of the normals of a star.
 #[derive(Clone, Copy)]
-pub(super) struct StarNormal {
+pub(in crate::simplify) struct StarNormal {
     length: f32x8,
 }
 
 impl StarNormal {
     #[inline]
-    pub(super) fn new(mean: Vec3) -> Self {
+    pub(in crate::simplify) fn new(mean: Vec3) -> Self {
         Self { length: f32x8::splat(mean.length()) }
     }
 }
 
 /// Eight triangles `(v, a, b)` and the fan triangles `(u, a, b)` that are to replace them.
 #[derive(Clone, Copy)]
-pub(super) struct Change {
+pub(in crate::simplify) struct Change {
     /// Lengths of the unscaled normals.
-    pub(super) old_length: f32x8,
-    pub(super) new_length: f32x8,
+    pub(in crate::simplify) old_length: f32x8,
+    pub(in crate::simplify) new_length: f32x8,
     /// Dot products of the unscaled normals, and with the sum of all normals of the star.
-    pub(super) new_on_old: f32x8,
-    pub(super) new_on_mean: f32x8,
-    pub(super) old_on_mean: f32x8,
+    pub(in crate::simplify) new_on_old: f32x8,
+    pub(in crate::simplify) new_on_mean: f32x8,
+    pub(in crate::simplify) old_on_mean: f32x8,
     /// Sums of the squared edge lengths.
-    pub(super) old_edges: f32x8,
-    pub(super) new_edges: f32x8,
+    pub(in crate::simplify) old_edges: f32x8,
+    pub(in crate::simplify) new_edges: f32x8,
 }
 
 impl Change {
@@ -103,7 +103,7 @@ impl Change {
     /// A needle faces nowhere in particular, so what follows it must agree with the mean of the star, or stay as
     /// small. Scans are full of needles, and locking them would lock their neighbours.
     #[inline]
-    pub(super) fn is_allowed(self, star: StarNormal) -> f32x8 {
+    pub(in crate::simplify) fn is_allowed(self, star: StarNormal) -> f32x8 {
         let splat = f32x8::splat;
         let was_needle =
             (splat(TWICE_ROOT_3) * self.old_length).simd_le(splat(NEEDLE_QUALITY) * self.old_edges);
@@ -124,20 +124,20 @@ impl Change {
 ///
 /// With `p` the point: `d` holds AB.Ap, AC.Ap, AB.Bp, AC.Bp, AB.Cp, AC.Cp.
 #[derive(Clone, Copy)]
-pub(super) struct Products {
-    pub(super) d: [f32x8; 6],
+pub(in crate::simplify) struct Products {
+    pub(in crate::simplify) d: [f32x8; 6],
     /// Squared distances of the point from A, B and C.
-    pub(super) corners: [f32x8; 3],
+    pub(in crate::simplify) corners: [f32x8; 3],
     /// Distance from the plane times the length of the unscaled normal.
-    pub(super) height: f32x8,
-    pub(super) normal_squared: f32x8,
+    pub(in crate::simplify) height: f32x8,
+    pub(in crate::simplify) normal_squared: f32x8,
 }
 
 impl Products {
     /// Squared distance of the point from the triangle; exact in the plane's direction, and to a few
     /// units in the last place of the squared edges beside it. The point of a triangle without area is near its sides.
     #[inline]
-    pub(super) fn distance_squared(&self) -> f32x8 {
+    pub(in crate::simplify) fn distance_squared(&self) -> f32x8 {
         let [d1, d2, d3, d4, d5, d6] = self.d;
         let [from_a, from_b, _] = self.corners;
         let (vc, vb, va) = (d1 * d4 - d3 * d2, d5 * d2 - d1 * d6, d3 * d6 - d5 * d4);

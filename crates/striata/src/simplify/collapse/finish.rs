@@ -4,30 +4,30 @@ use crate::mesh::{CollapseSequence, PositionIndex, RefinableMesh, SequenceError,
 
 /// What the collapses leave behind, in the numbering of the welded mesh and the order of removal.
 #[derive(Debug, Default)]
-pub(super) struct Record {
+pub(in crate::simplify) struct Record {
     /// Removed positions.
-    pub(super) removed: Vec<u32>,
+    pub(in crate::simplify) removed: Vec<u32>,
     /// Error of the mesh after each removal, mesh units, never falling.
-    pub(super) errors: Vec<f32>,
+    pub(in crate::simplify) errors: Vec<f32>,
     /// Triangles that each removal removes.
-    pub(super) removed_triangle_counts: Vec<u8>,
+    pub(in crate::simplify) removed_triangle_counts: Vec<u8>,
     /// For every vertex of a removed position, the vertex it collapses to.
-    pub(super) targets: Vec<u32>,
+    pub(in crate::simplify) targets: Vec<u32>,
 }
 
 /// How the vertices of a welded mesh are numbered when positions are removed in some order.
-pub(super) struct RefinementOrder {
-    pub(super) base_position_count: usize,
+pub(in crate::simplify) struct RefinementOrder {
+    pub(in crate::simplify) base_position_count: usize,
     /// First new vertex of every position in refinement order, closed by the vertex count.
-    pub(super) first: Vec<u32>,
+    pub(in crate::simplify) first: Vec<u32>,
     /// The old vertex of each new one.
-    pub(super) vertex_order: Vec<u32>,
+    pub(in crate::simplify) vertex_order: Vec<u32>,
     /// The new vertex of each old one.
-    pub(super) new_index: Vec<u32>,
+    pub(in crate::simplify) new_index: Vec<u32>,
 }
 
 impl RefinementOrder {
-    pub(super) fn new(old: &PositionIndex, removed: &[u32]) -> Self {
+    pub(in crate::simplify) fn new(old: &PositionIndex, removed: &[u32]) -> Self {
         let position_count = old.position_count();
         let mut is_removed = vec![false; position_count];
         for &p in removed {
@@ -50,7 +50,7 @@ impl RefinementOrder {
 }
 
 /// Renumbers the mesh so that every level uses a prefix of its vertices; also gives each vertex's source.
-pub(super) fn finish(welded: Welded, record: Record) -> Result<(RefinableMesh, Vec<u32>), SequenceError> {
+pub(in crate::simplify) fn finish(welded: Welded, record: Record) -> Result<(RefinableMesh, Vec<u32>), SequenceError> {
     let order = RefinementOrder::new(&welded.positions, &record.removed);
     let RefinementOrder { base_position_count, first, vertex_order, new_index } = order;
     let base_vertex_count = first[base_position_count] as usize;

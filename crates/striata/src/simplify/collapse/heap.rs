@@ -5,7 +5,7 @@ const ABSENT: u32 = u32::MAX;
 
 /// Smallest key first, ties by position number, so that the order depends on nothing else.
 #[derive(Debug)]
-pub(super) struct IndexedHeap {
+pub(in crate::simplify) struct IndexedHeap {
     /// Key bits above, position below: one comparison orders both.
     items: Vec<u64>,
     /// Where each position stands in `items`.
@@ -20,7 +20,7 @@ fn pack(key: f32, v: u32) -> u64 {
 
 impl IndexedHeap {
     /// A heap of the positions with a key; `f32::INFINITY` leaves a position out.
-    pub(super) fn new(keys: &[f32]) -> Self {
+    pub(in crate::simplify) fn new(keys: &[f32]) -> Self {
         let items: Vec<u64> = keys
             .iter()
             .enumerate()
@@ -39,13 +39,13 @@ impl IndexedHeap {
 
     /// The smallest key and its position.
     #[inline]
-    pub(super) fn first(&self) -> Option<(f32, u32)> {
+    pub(in crate::simplify) fn first(&self) -> Option<(f32, u32)> {
         self.items.first().map(|&item| (f32::from_bits((item >> 32) as u32), item as u32))
     }
 
     /// Inserts a position or changes its key; `f32::INFINITY` takes it out.
     #[inline]
-    pub(super) fn set(&mut self, v: u32, key: f32) {
+    pub(in crate::simplify) fn set(&mut self, v: u32, key: f32) {
         debug_assert!(key >= 0.0, "keys are never negative, nor NaN");
         let place = self.place[v as usize];
         if key == f32::INFINITY {
@@ -66,7 +66,7 @@ impl IndexedHeap {
     }
 
     /// Takes a position out, if it is there.
-    pub(super) fn remove(&mut self, v: u32) {
+    pub(in crate::simplify) fn remove(&mut self, v: u32) {
         let place = self.place[v as usize];
         if place == ABSENT {
             return;

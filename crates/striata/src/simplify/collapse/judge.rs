@@ -8,13 +8,13 @@ use super::attributes::AttributeSpace;
 use super::fan::point;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
-use super::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
 use super::pairs::Pairs;
 use super::quadric::Quadric;
 use super::relaxed::Relaxed;
 use super::star::Star;
 use super::tracked::{MEMORYLESS_SHARE, Tracker};
 use super::wedges::Wedges;
+use crate::simplify::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
 
 /// Share of the squared way between two parts that merging them costs, over the area that moves.
 const PAIR_WEIGHT: f32 = 0.1;
@@ -25,7 +25,7 @@ const PAIR_WEIGHT: f32 = 0.1;
 const BOUND_FACTOR: f32 = 2.0;
 
 /// What a cost function remembers of the past.
-pub(super) enum Memory {
+pub(in crate::simplify) enum Memory {
     /// Nothing: the current mesh decides.
     Memoryless,
     /// The planes of all triangles that were.
@@ -56,7 +56,7 @@ struct Candidate {
 
 /// What a collapse does to the surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Tier {
+pub(in crate::simplify) enum Tier {
     /// It keeps what the surface is.
     #[default]
     Strict,
@@ -74,21 +74,21 @@ pub(super) enum Tier {
 
 /// A collapse that was judged in full.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Choice {
-    pub(super) tier: Tier,
-    pub(super) cost: f32,
-    pub(super) target: u32,
+pub(in crate::simplify) struct Choice {
+    pub(in crate::simplify) tier: Tier,
+    pub(in crate::simplify) cost: f32,
+    pub(in crate::simplify) target: u32,
     /// Squared distance of the vertex from its new fan.
-    pub(super) distance_squared: f32,
+    pub(in crate::simplify) distance_squared: f32,
     /// Squared distance of the fan's new edges from the old star.
-    pub(super) protrusion_squared: f32,
+    pub(in crate::simplify) protrusion_squared: f32,
     /// Distance of the fan from the original mesh, if it has been measured.
-    pub(super) outward: Option<f32>,
+    pub(in crate::simplify) outward: Option<f32>,
 }
 
 impl Choice {
     /// How far, squared, what it leaves sticks out of what it replaces, at most.
-    pub(super) fn sticks_out_squared(&self) -> f32 {
+    pub(in crate::simplify) fn sticks_out_squared(&self) -> f32 {
         // A fold moves its triangles by the whole edge.
         let moved = if self.tier == Tier::Fold { self.distance_squared } else { 0.0 };
         self.protrusion_squared.max(moved)
@@ -96,19 +96,19 @@ impl Choice {
 }
 
 /// The mesh as it is, and all that judges it.
-pub(super) struct Judge<'a> {
+pub(in crate::simplify) struct Judge<'a> {
     /// Positions about the bounds' centre, diagonal 1, padded to a vector register.
-    pub(super) positions: Vec<[f32; 4]>,
-    pub(super) links: Links,
-    pub(super) wedges: Option<Wedges<'a>>,
-    pub(super) memory: Memory,
-    pub(super) pairs: Option<Pairs>,
-    pub(super) star: Star,
-    pub(super) legality: Legality,
+    pub(in crate::simplify) positions: Vec<[f32; 4]>,
+    pub(in crate::simplify) links: Links,
+    pub(in crate::simplify) wedges: Option<Wedges<'a>>,
+    pub(in crate::simplify) memory: Memory,
+    pub(in crate::simplify) pairs: Option<Pairs>,
+    pub(in crate::simplify) star: Star,
+    pub(in crate::simplify) legality: Legality,
     /// What relaxed collapses need, once there may be some.
-    pub(super) relaxed: Option<Relaxed<'a>>,
-    pub(super) attributes: Option<AttributeSpace>,
-    pub(super) is_locked: Vec<bool>,
+    pub(in crate::simplify) relaxed: Option<Relaxed<'a>>,
+    pub(in crate::simplify) attributes: Option<AttributeSpace>,
+    pub(in crate::simplify) is_locked: Vec<bool>,
     seams: SeamRule,
     locks_boundary: bool,
     partners: Vec<u32>,
@@ -117,7 +117,7 @@ pub(super) struct Judge<'a> {
 
 impl<'a> Judge<'a> {
     /// `positions` and `scale` as [`scaled_positions`](super::engine::scaled_positions) gives them.
-    pub(super) fn new(
+    pub(in crate::simplify) fn new(
         welded: &'a Welded,
         options: &SequenceOptions,
         (positions, scale): (Vec<[f32; 4]>, f64),
@@ -197,13 +197,13 @@ impl<'a> Judge<'a> {
     }
 
     /// Fills in the costs of the gathered star's candidates, as far as they are quadratic.
-    pub(super) fn load_costs(&mut self, v: u32) {
+    pub(in crate::simplify) fn load_costs(&mut self, v: u32) {
         self.fill_costs(v);
         self.apply_borders(v);
     }
 
     /// Fills in the costs of the gathered star's candidates, as if it lay on no border.
-    pub(super) fn fill_costs(&mut self, v: u32) {
+    pub(in crate::simplify) fn fill_costs(&mut self, v: u32) {
         self.star.compute_costs();
         match &self.memory {
             Memory::Memoryless => {}
@@ -244,14 +244,14 @@ impl<'a> Judge<'a> {
     }
 
     /// Gathers the star of `v` with the vertices that it shows there.
-    pub(super) fn gather(&mut self, v: u32) {
+    pub(in crate::simplify) fn gather(&mut self, v: u32) {
         self.star.gather(&self.links, &self.positions, v);
         self.load_wedges(v);
     }
 
     /// Gathers the star of `v` and pairs its wedges with those of its neighbor `u`; gives the neighbor's index in the star, if
     /// it is one.
-    pub(super) fn gather_and_pair(&mut self, v: u32, u: u32) -> Option<usize> {
+    pub(in crate::simplify) fn gather_and_pair(&mut self, v: u32, u: u32) -> Option<usize> {
         self.gather(v);
         let k = self.star.ids.iter().position(|&w| w == u)?;
         self.pair(v, k);
@@ -259,7 +259,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Pairs the wedges of `v` with those of neighbor `k` of its star; false if the rule for seams or a conflict forbids it.
-    pub(super) fn pair(&mut self, v: u32, k: usize) -> bool {
+    pub(in crate::simplify) fn pair(&mut self, v: u32, k: usize) -> bool {
         let Self { wedges: Some(wedges), attributes, star, .. } = self else { return true };
         match self.seams {
             SeamRule::Keep => wedges.pair(star, v, k),
@@ -270,27 +270,27 @@ impl<'a> Judge<'a> {
     }
 
     /// Locks every position that is on a boundary at present, if the options lock boundaries: relaxed collapses may close them.
-    pub(super) fn lock_boundary(&mut self) {
+    pub(in crate::simplify) fn lock_boundary(&mut self) {
         for v in (0..self.positions.len() as u32).filter(|_| self.locks_boundary) {
             self.is_locked[v as usize] |= self.links.is_boundary(v);
         }
     }
 
     /// True if the surface has no border of any kind, and no seam.
-    pub(super) fn is_closed_scan(&self) -> bool {
+    pub(in crate::simplify) fn is_closed_scan(&self) -> bool {
         let is_closed = |p: u32| matches!(self.links.kind(p), LinkKind::Closed | LinkKind::Empty);
         self.wedges.is_none() && (0..self.positions.len() as u32).all(is_closed)
     }
 
     /// True where the options or the lack of a triangle forbid to remove `v`.
-    pub(super) fn is_fixed(&self, v: u32) -> bool {
+    pub(in crate::simplify) fn is_fixed(&self, v: u32) -> bool {
         self.is_locked[v as usize]
             || self.links.kind(v) == LinkKind::Empty
             || (self.locks_boundary && self.links.is_boundary(v))
     }
 
     /// What collapsing `v` costs at least, as a rule; infinite where it may not be collapsed at all.
-    pub(super) fn lower_bound(&mut self, v: u32) -> f32 {
+    pub(in crate::simplify) fn lower_bound(&mut self, v: u32) -> f32 {
         if self.is_fixed(v) {
             return f32::INFINITY;
         }
@@ -316,13 +316,13 @@ impl<'a> Judge<'a> {
     ///
     /// Costs are refined best first: whichever candidate looks cheapest gets its next, dearer test, until the
     /// cheapest one has passed them all.
-    pub(super) fn best_choice(&mut self, v: u32) -> Option<Choice> {
+    pub(in crate::simplify) fn best_choice(&mut self, v: u32) -> Option<Choice> {
         self.best_choice_with(v, |_, _| {})
     }
 
     /// The same with `adjust` called before any candidate is tested: it may raise the costs in the star, which count as part of
     /// the quadratic cost from then on, or set them to infinity for targets that are out of the question.
-    pub(super) fn best_choice_with(
+    pub(in crate::simplify) fn best_choice_with(
         &mut self,
         v: u32,
         adjust: impl FnOnce(&Links, &mut Star),
@@ -404,13 +404,13 @@ impl<'a> Judge<'a> {
     }
 
     /// What the collapse of `v` to neighbor `k` costs in attributes; the wedges must be paired.
-    pub(super) fn attribute_cost(&self, v: u32, k: usize) -> f32 {
+    pub(in crate::simplify) fn attribute_cost(&self, v: u32, k: usize) -> f32 {
         let attributes = self.attributes.as_ref();
         attributes.map_or(0.0, |space| space.cost(&self.star, self.wedges.as_ref(), v, k))
     }
 
     /// What a squared distance of the star of `v` costs; gathers the star.
-    pub(super) fn distance_cost(&mut self, v: u32, squared: f32) -> f32 {
+    pub(in crate::simplify) fn distance_cost(&mut self, v: u32, squared: f32) -> f32 {
         self.star.gather(&self.links, &self.positions, v);
         self.star.compute_costs();
         self.memoryless_share() * self.star.distance_cost(squared)
@@ -449,7 +449,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Sends all wedges of `v`, which no triangle shows, to the first vertex of `u`.
-    pub(super) fn write_single_target(&self, v: u32, u: u32, targets: &mut [u32]) {
+    pub(in crate::simplify) fn write_single_target(&self, v: u32, u: u32, targets: &mut [u32]) {
         match &self.wedges {
             Some(wedges) => wedges.write_single_target(v, u, targets),
             None => targets[v as usize] = u,
@@ -457,7 +457,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Pairs each wedge of `v` with the wedge of `u` nearest to it in attributes: for parts that merge.
-    pub(super) fn pair_wedges(&mut self, v: u32, u: u32) {
+    pub(in crate::simplify) fn pair_wedges(&mut self, v: u32, u: u32) {
         let Some(wedges) = &mut self.wedges else { return };
         let attributes = &self.attributes;
         wedges.pair_nearest(v, u, |a, b| {
@@ -472,7 +472,7 @@ fn accumulated_cost(quadrics: &[Quadric], positions: &[[f32; 4]], v: u32, u: u32
 }
 
 /// Which positions must stay: those of locked vertices, and those on locked borders between groups.
-pub(super) fn locked_positions(
+pub(in crate::simplify) fn locked_positions(
     welded: &Welded,
     locked_vertices: &[u32],
     group_borders: BoundaryRule,

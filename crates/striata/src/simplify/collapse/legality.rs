@@ -9,15 +9,15 @@ use super::links::{LinkEdge, LinkKind, Links};
 /// A target may not gather more neighbours than this, unless it had them before: hubs cost quadratic time.
 const MAX_VALENCE: usize = 40;
 /// Triangles that one collapse may remove: the sequence counts them in a byte.
-pub(super) const MAX_REMOVED: usize = 255;
+pub(in crate::simplify) const MAX_REMOVED: usize = 255;
 
 /// Scratch for checks on links that are no rings.
 #[derive(Debug, Default)]
-pub(super) struct Legality {
+pub(in crate::simplify) struct Legality {
     /// Parts may merge: what they share then keeps nothing apart.
-    pub(super) may_merge: bool,
+    pub(in crate::simplify) may_merge: bool,
     /// Whole parts may vanish, so that a soup of them can shrink.
-    pub(super) may_vanish: bool,
+    pub(in crate::simplify) may_vanish: bool,
     apexes: Vec<u32>,
     edges: Vec<LinkEdge>,
     other: Vec<LinkEdge>,
@@ -25,7 +25,7 @@ pub(super) struct Legality {
 
 impl Legality {
     /// True where `v`, a neighbour of `u`, may be collapsed to it.
-    pub(super) fn allows(&mut self, links: &Links, v: u32, u: u32) -> bool {
+    pub(in crate::simplify) fn allows(&mut self, links: &Links, v: u32, u: u32) -> bool {
         let is_ring = |p| matches!(links.kind(p), LinkKind::Closed | LinkKind::Open);
         if is_ring(v) && is_ring(u) {
             return rings_allow(links, v, u, (self.may_merge, self.may_vanish));

@@ -18,7 +18,7 @@
 /// How the link of a position is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
-pub(super) enum LinkKind {
+pub(in crate::simplify) enum LinkKind {
     /// No triangle.
     Empty,
     /// A cycle: entry `i` and its successor, cyclically, span a triangle.
@@ -39,15 +39,15 @@ struct Slab {
 
 /// One edge of a link: the triangle `(v, a, b)`, with its number where triangles are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct LinkEdge {
-    pub(super) a: u32,
-    pub(super) b: u32,
-    pub(super) triangle: u32,
+pub(in crate::simplify) struct LinkEdge {
+    pub(in crate::simplify) a: u32,
+    pub(in crate::simplify) b: u32,
+    pub(in crate::simplify) triangle: u32,
 }
 
 /// All links of a mesh.
 #[derive(Debug)]
-pub(super) struct Links {
+pub(in crate::simplify) struct Links {
     slabs: Vec<Slab>,
     entries: Vec<u32>,
     /// Beside `entries`: the triangle that the entry begins. Empty unless triangles are followed.
@@ -64,7 +64,7 @@ const SLACK: u32 = 2;
 
 impl Links {
     /// Links of `position_count` positions from triangles of positions.
-    pub(super) fn new(position_count: usize, triangles: &[[u32; 3]], follows_triangles: bool) -> Self {
+    pub(in crate::simplify) fn new(position_count: usize, triangles: &[[u32; 3]], follows_triangles: bool) -> Self {
         let mut first = vec![0u32; position_count + 1];
         for &p in triangles.iter().flatten() {
             first[p as usize + 1] += 1;
@@ -111,12 +111,12 @@ impl Links {
     }
 
     /// True where links know the numbers of their triangles.
-    pub(super) fn follows_triangles(&self) -> bool {
+    pub(in crate::simplify) fn follows_triangles(&self) -> bool {
         self.follows_triangles
     }
 
     /// Whether a position lies on an edge of one triangle.
-    pub(super) fn is_boundary(&self, v: u32) -> bool {
+    pub(in crate::simplify) fn is_boundary(&self, v: u32) -> bool {
         match self.kind(v) {
             LinkKind::Open => true,
             LinkKind::Edges => {
@@ -129,26 +129,26 @@ impl Links {
 
     /// How the link of `v` is stored.
     #[inline]
-    pub(super) fn kind(&self, v: u32) -> LinkKind {
+    pub(in crate::simplify) fn kind(&self, v: u32) -> LinkKind {
         self.slabs[v as usize].kind
     }
 
     /// The entries of the link of `v`, as its kind reads them.
     #[inline]
-    pub(super) fn entries(&self, v: u32) -> &[u32] {
+    pub(in crate::simplify) fn entries(&self, v: u32) -> &[u32] {
         let slab = self.slabs[v as usize];
         &self.entries[slab.start as usize..][..slab.len as usize]
     }
 
     /// The triangles that the entries of `v` begin; only where triangles are followed.
     #[inline]
-    pub(super) fn entry_triangles(&self, v: u32) -> &[u32] {
+    pub(in crate::simplify) fn entry_triangles(&self, v: u32) -> &[u32] {
         let slab = self.slabs[v as usize];
         &self.triangles[slab.start as usize..][..slab.len as usize]
     }
 
     /// Triangles around `v`.
-    pub(super) fn triangle_count(&self, v: u32) -> usize {
+    pub(in crate::simplify) fn triangle_count(&self, v: u32) -> usize {
         let slab = self.slabs[v as usize];
         match slab.kind {
             LinkKind::Empty => 0,
@@ -159,7 +159,7 @@ impl Links {
     }
 
     /// The link of `v` edge by edge, into `out`.
-    pub(super) fn edges_into(&self, v: u32, out: &mut Vec<LinkEdge>) {
+    pub(in crate::simplify) fn edges_into(&self, v: u32, out: &mut Vec<LinkEdge>) {
         out.clear();
         let slab = self.slabs[v as usize];
         let entries = &self.entries[slab.start as usize..][..slab.len as usize];
@@ -190,7 +190,7 @@ impl Links {
     /// Replaces `v` by `u` in every link and drops the triangles that lose a corner; the link of `v` ends empty.
     ///
     /// Legal for any two positions, neighbours or not: what is sensible is the caller's business.
-    pub(super) fn collapse(&mut self, v: u32, u: u32) {
+    pub(in crate::simplify) fn collapse(&mut self, v: u32, u: u32) {
         if !self.splice(v, u) {
             self.merge(v, u);
         }
@@ -210,7 +210,7 @@ impl Links {
 
     /// Takes out `v` with the triangles around it and puts in `floor` instead: numbers and corners of triangles that
     /// have neighbours of `v` at their corners.
-    pub(super) fn fill(&mut self, v: u32, floor: &[(u32, [u32; 3])]) {
+    pub(in crate::simplify) fn fill(&mut self, v: u32, floor: &[(u32, [u32; 3])]) {
         let mut edges = std::mem::take(&mut self.edges);
         let mut ring = std::mem::take(&mut self.ring);
         ring.clear();

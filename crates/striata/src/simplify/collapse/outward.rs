@@ -33,7 +33,7 @@ const SAMPLES: [[f32; 3]; 9] = [
 
 /// Bounds of all positions, and the original mesh once it is needed.
 #[derive(Default)]
-pub(super) struct Outward {
+pub(in crate::simplify) struct Outward {
     origin: Option<Rest>,
     /// Largest distance of the triangles around each position from the original; empty until the first question.
     bounds: Vec<f32>,
@@ -42,7 +42,7 @@ pub(super) struct Outward {
 impl Outward {
     /// A bound for the triangles around `v` once some that stick out of them by `protrusion_squared` replace them; `worst` is
     /// the largest squared error so far.
-    pub(super) fn bound_after(
+    pub(in crate::simplify) fn bound_after(
         &mut self,
         v: u32,
         protrusion_squared: f32,
@@ -56,7 +56,7 @@ impl Outward {
     }
 
     /// Notes that the triangles around `u`, which the `ring` shares, stay within a distance.
-    pub(super) fn note(&mut self, u: u32, ring: &[u32], bound: f32) {
+    pub(in crate::simplify) fn note(&mut self, u: u32, ring: &[u32], bound: f32) {
         for &p in ring.iter().chain([&u]) {
             if let Some(there) = self.bounds.get_mut(p as usize) {
                 *there = there.max(bound);
@@ -66,7 +66,7 @@ impl Outward {
 
     /// The largest distance of triangles from the original mesh, or a share of the largest error so far if that is more:
     /// triangles of `u` with the opposite `edges`. `worst` is that error, squared.
-    pub(super) fn measure(
+    pub(in crate::simplify) fn measure(
         &mut self,
         (welded, positions): (&Welded, &[[f32; 4]]),
         (u, edges): (u32, &[LinkEdge]),

@@ -15,7 +15,7 @@ const NONE: u32 = u32::MAX;
 
 /// Candidates for contraction besides the neighbours.
 #[derive(Debug)]
-pub(super) struct Pairs {
+pub(in crate::simplify) struct Pairs {
     /// First entry of the list of every position.
     head: Vec<u32>,
     tail: Vec<u32>,
@@ -27,7 +27,7 @@ pub(super) struct Pairs {
 
 impl Pairs {
     /// All pairs nearer than `threshold` (scaled units) that `is_neighbour` does not join already.
-    pub(super) fn new(
+    pub(in crate::simplify) fn new(
         positions: &[[f32; 4]],
         threshold: f32,
         is_neighbour: impl Fn(u32, u32) -> bool,
@@ -93,7 +93,7 @@ impl Pairs {
     }
 
     /// The partners of `v` as they are now, each once, into `out`.
-    pub(super) fn partners_into(&mut self, v: u32, out: &mut Vec<u32>) {
+    pub(in crate::simplify) fn partners_into(&mut self, v: u32, out: &mut Vec<u32>) {
         out.clear();
         let mut entry = self.head[v as usize];
         for _ in 0..MAX_LOOKS {
@@ -110,7 +110,7 @@ impl Pairs {
     }
 
     /// `v` has gone to `u`, and its partners with it.
-    pub(super) fn collapse(&mut self, v: u32, u: u32) {
+    pub(in crate::simplify) fn collapse(&mut self, v: u32, u: u32) {
         self.current[v as usize] = u;
         let (head, tail) = (self.head[v as usize], self.tail[v as usize]);
         if head == NONE {

@@ -31,12 +31,12 @@ const EXTENT_WEIGHT: f32 = 1.0;
 
 /// What happens if a part vanishes.
 #[derive(Clone, Debug)]
-pub(super) struct Fate {
-    pub(super) cost: f32,
+pub(in crate::simplify) struct Fate {
+    pub(in crate::simplify) cost: f32,
     /// Largest distance from the part, and from what it stands for, to what stands in for it.
-    pub(super) distance: f32,
+    pub(in crate::simplify) distance: f32,
     /// A corner of the triangle nearest to its first sample.
-    pub(super) host: u32,
+    pub(in crate::simplify) host: u32,
     /// The parts that stand in for it.
     hosts: Vec<u32>,
     /// The build of the rest that it was measured against.
@@ -44,19 +44,19 @@ pub(super) struct Fate {
 }
 
 impl Fate {
-    pub(super) fn distance_squared(&self) -> f32 {
+    pub(in crate::simplify) fn distance_squared(&self) -> f32 {
         self.distance * self.distance
     }
 }
 
 /// What a part leaves behind.
-pub(super) struct Estate {
+pub(in crate::simplify) struct Estate {
     /// The area that it should show.
-    pub(super) cover: f32,
+    pub(in crate::simplify) cover: f32,
     /// A corner of what stands in for it.
-    pub(super) host: u32,
+    pub(in crate::simplify) host: u32,
     /// Whether that lies so close that it covers the same places.
-    pub(super) is_covered: bool,
+    pub(in crate::simplify) is_covered: bool,
 }
 
 #[derive(Debug, Default)]
@@ -74,7 +74,7 @@ struct Part {
 
 /// All parts of a mesh.
 #[derive(Debug)]
-pub(super) struct Parts {
+pub(in crate::simplify) struct Parts {
     of_position: Vec<u32>,
     parts: Vec<Part>,
     /// Parts that have grown together.
@@ -91,13 +91,13 @@ struct Members {
 }
 
 /// What distances are measured in.
-pub(super) struct Surroundings<'a> {
-    pub(super) welded: &'a Welded,
-    pub(super) positions: &'a [[f32; 4]],
-    pub(super) attributes: Option<&'a AttributeSpace>,
-    pub(super) rest: &'a Rest,
+pub(in crate::simplify) struct Surroundings<'a> {
+    pub(in crate::simplify) welded: &'a Welded,
+    pub(in crate::simplify) positions: &'a [[f32; 4]],
+    pub(in crate::simplify) attributes: Option<&'a AttributeSpace>,
+    pub(in crate::simplify) rest: &'a Rest,
     /// Counts the builds of the rest.
-    pub(super) generation: u32,
+    pub(in crate::simplify) generation: u32,
 }
 
 /// One point of a part.
@@ -111,7 +111,7 @@ struct Sample {
 
 impl Parts {
     /// The parts of the original mesh, without any triangle yet: see [`Self::count`].
-    pub(super) fn new(welded: &Welded) -> Self {
+    pub(in crate::simplify) fn new(welded: &Welded) -> Self {
         let position_count = welded.positions.position_count();
         let of = |t: &[u32; 3]| t.map(|v| welded.positions.position_of(v));
         let mut sets = DisjointSets::new(position_count);
@@ -135,7 +135,7 @@ impl Parts {
     }
 
     /// Forgets how many triangles there are.
-    pub(super) fn clear_counts(&mut self) {
+    pub(in crate::simplify) fn clear_counts(&mut self) {
         self.parts.iter_mut().for_each(|part| part.triangle_count = 0);
     }
 
@@ -165,30 +165,30 @@ impl Parts {
     }
 
     /// What a part that still has triangles stands for: its area for each of them, and its reach.
-    pub(super) fn share(&self, part: u32) -> (f32, f32) {
+    pub(in crate::simplify) fn share(&self, part: u32) -> (f32, f32) {
         let Part { triangle_count, area, reach, .. } = self.parts[part as usize];
         (area / triangle_count.max(1) as f32, reach)
     }
 
     /// What a part leaves behind if it vanishes, if that is known.
-    pub(super) fn estate(&self, part: u32) -> Option<Estate> {
+    pub(in crate::simplify) fn estate(&self, part: u32) -> Option<Estate> {
         let Part { cover, radius, fate, .. } = &self.parts[part as usize];
         let Fate { host, distance, .. } = fate.as_ref()?;
         Some(Estate { cover: *cover, host: *host, is_covered: *distance < COVERED_SHARE * radius })
     }
 
     /// The area that a part should show, for itself and for what has vanished beside it.
-    pub(super) fn cover(&self, part: u32) -> f32 {
+    pub(in crate::simplify) fn cover(&self, part: u32) -> f32 {
         self.parts[part as usize].cover
     }
 
     /// How many parts there were.
-    pub(super) fn len(&self) -> usize {
+    pub(in crate::simplify) fn len(&self) -> usize {
         self.parts.len()
     }
 
     /// The part of a position.
-    pub(super) fn part_of(&self, position: u32) -> u32 {
+    pub(in crate::simplify) fn part_of(&self, position: u32) -> u32 {
         self.root(self.of_position[position as usize])
     }
 
@@ -201,18 +201,18 @@ impl Parts {
     }
 
     /// Triangles that a part still has.
-    pub(super) fn triangle_count(&self, part: u32) -> usize {
+    pub(in crate::simplify) fn triangle_count(&self, part: u32) -> usize {
         self.parts[part as usize].triangle_count
     }
 
     /// Counts a triangle of the part of `position`.
-    pub(super) fn count(&mut self, position: u32) {
+    pub(in crate::simplify) fn count(&mut self, position: u32) {
         let part = self.part_of(position);
         self.parts[part as usize].triangle_count += 1;
     }
 
     /// Notes that `v` was collapsed to `u` and that `removed` triangles went with it.
-    pub(super) fn collapse(&mut self, v: u32, u: u32, removed: usize) {
+    pub(in crate::simplify) fn collapse(&mut self, v: u32, u: u32, removed: usize) {
         let [own, other] = [v, u].map(|p| self.part_of(p));
         if own != other {
             self.merge(own, other);
@@ -238,7 +238,7 @@ impl Parts {
     }
 
     /// True if the end of a part that was found to lie this far, squared, from the rest is as it was.
-    pub(super) fn knows_fate(&self, part: u32, generation: u32, distance_squared: f32) -> bool {
+    pub(in crate::simplify) fn knows_fate(&self, part: u32, generation: u32, distance_squared: f32) -> bool {
         let fate = self.parts[part as usize].fate.as_ref();
         self.is_up_to_date(part, generation)
             && fate.is_some_and(|fate| fate.distance_squared() == distance_squared)
@@ -253,7 +253,7 @@ impl Parts {
     }
 
     /// What happens if a part vanishes; `None` if there is nothing else.
-    pub(super) fn fate(&mut self, part: u32, around: &Surroundings<'_>) -> Option<&Fate> {
+    pub(in crate::simplify) fn fate(&mut self, part: u32, around: &Surroundings<'_>) -> Option<&Fate> {
         if self.members.is_none() {
             self.measure(around.welded, around.positions);
         }
@@ -342,7 +342,7 @@ impl Parts {
     }
 
     /// Corners of some triangles of the original part, into `out`.
-    pub(super) fn corners_into(
+    pub(in crate::simplify) fn corners_into(
         &self,
         part: u32,
         (welded, positions): (&Welded, &[[f32; 4]]),
@@ -357,7 +357,7 @@ impl Parts {
     }
 
     /// Notes that a part has vanished: its hosts stand for it from now on.
-    pub(super) fn bequeath(&mut self, part: u32, around: &Surroundings<'_>) -> Option<Fate> {
+    pub(in crate::simplify) fn bequeath(&mut self, part: u32, around: &Surroundings<'_>) -> Option<Fate> {
         let Part { area, fate, .. } = std::mem::take(&mut self.parts[part as usize]);
         let mut fate = fate?;
         self.add_hosts_along(part, &mut fate, around);
@@ -403,7 +403,7 @@ impl Parts {
 }
 
 /// What it costs that an area vanishes whose points lie so far, squared, from what is left.
-pub(super) fn vanishing_cost(area: f32, squared: f32) -> f32 {
+pub(in crate::simplify) fn vanishing_cost(area: f32, squared: f32) -> f32 {
     (area + EXTENT_WEIGHT * squared) * squared
 }
 
@@ -452,7 +452,7 @@ impl Members {
 mod tests {
     use super::*;
     use crate::mesh::{IndexedMesh, weld};
-    use crate::simplify::links::Links;
+    use crate::simplify::collapse::links::Links;
 
     /// A large triangle, and small ones at some heights over it.
     fn with_decals(heights: &[f32]) -> Welded {

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 /// A sum of squared, area-weighted distances from planes, as a quadratic function of the point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Quadric {
+pub(in crate::simplify) struct Quadric {
     /// xx yy zz xy xz yz of the quadratic part.
     a: [f64; 6],
     /// The linear part, halved.
@@ -15,7 +15,7 @@ pub(super) struct Quadric {
 
 impl Quadric {
     /// Squared distance from the plane of a triangle, times its area.
-    pub(super) fn of_triangle([p, q, r]: [DVec3; 3]) -> Self {
+    pub(in crate::simplify) fn of_triangle([p, q, r]: [DVec3; 3]) -> Self {
         let normal = (q - p).cross(r - p);
         let length = normal.length();
         if length == 0.0 {
@@ -32,7 +32,7 @@ impl Quadric {
         }
     }
 
-    pub(super) fn add(&mut self, other: &Self) {
+    pub(in crate::simplify) fn add(&mut self, other: &Self) {
         for (x, y) in self.a.iter_mut().zip(other.a) {
             *x += y;
         }
@@ -41,7 +41,7 @@ impl Quadric {
     }
 
     /// The value at a point; at least 0, whatever rounding says.
-    pub(super) fn at(&self, p: DVec3) -> f64 {
+    pub(in crate::simplify) fn at(&self, p: DVec3) -> f64 {
         let [xx, yy, zz, xy, xz, yz] = self.a;
         let DVec3 { x, y, z } = p;
         let quadratic = xx * x * x + yy * y * y + zz * z * z + 2.0 * (xy * x * y + xz * x * z + yz * y * z);

@@ -7,8 +7,8 @@ use crate::mesh::Welded;
 
 use super::judge::Judge;
 use super::links::LinkKind;
-use super::options::TopologyRule;
 use super::relaxed::Relaxed;
+use crate::simplify::options::TopologyRule;
 
 /// A closed surface of several parts waits with relaxed collapses if its parts have this many triangles on average: strict ones
 /// lead it down to a twenty-fifth by themselves.
@@ -25,7 +25,7 @@ enum State {
 }
 
 /// Whether positions without a strict collapse look for relaxed ones.
-pub(super) struct Relaxation<'a> {
+pub(in crate::simplify) struct Relaxation<'a> {
     welded: &'a Welded,
     keeps_parts: bool,
     state: State,
@@ -34,26 +34,26 @@ pub(super) struct Relaxation<'a> {
 }
 
 /// Positions removed so far, and the target of each vertex of them.
-pub(super) type Removed<'r> = (&'r [u32], &'r [u32]);
+pub(in crate::simplify) type Removed<'r> = (&'r [u32], &'r [u32]);
 
 impl<'a> Relaxation<'a> {
-    pub(super) fn new(welded: &'a Welded, rule: TopologyRule) -> Self {
+    pub(in crate::simplify) fn new(welded: &'a Welded, rule: TopologyRule) -> Self {
         let state = if rule == TopologyRule::Keep { State::Never } else { State::Unknown };
         Self { welded, keeps_parts: rule == TopologyRule::KeepParts, state, waiting: None }
     }
 
     /// True if there may be relaxed collapses at some time.
-    pub(super) fn is_possible(&self) -> bool {
+    pub(in crate::simplify) fn is_possible(&self) -> bool {
         self.state != State::Never
     }
 
     /// True if relaxed collapses wait until no strict one is left.
-    pub(super) fn is_waiting(&self) -> bool {
+    pub(in crate::simplify) fn is_waiting(&self) -> bool {
         self.state == State::Later
     }
 
     /// Decides what happens now that a position has no strict collapse.
-    pub(super) fn consider(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
+    pub(in crate::simplify) fn consider(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
         if self.state != State::Unknown {
             return;
         }
@@ -72,7 +72,7 @@ impl<'a> Relaxation<'a> {
     }
 
     /// Lets relaxed collapses begin; if there are none, parts and what they have lost are followed all the same.
-    pub(super) fn begin(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
+    pub(in crate::simplify) fn begin(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
         let mut relaxed = self.waiting.take().unwrap_or_else(|| Relaxed::new(self.welded, self.keeps_parts));
         relaxed.is_tail = self.is_waiting();
         relaxed.begin(judge, removed);

@@ -38,38 +38,38 @@ const NEARLY_GONE: usize = 4;
 const MAX_COST: f32 = 1e30;
 
 /// What relaxed collapses need to know of the whole mesh.
-pub(super) struct Relaxed<'a> {
-    pub(super) welded: &'a Welded,
-    pub(super) parts: Parts,
+pub(in crate::simplify) struct Relaxed<'a> {
+    pub(in crate::simplify) welded: &'a Welded,
+    pub(in crate::simplify) parts: Parts,
     /// Where each position has gone, with shortcuts.
-    pub(super) current: Vec<u32>,
+    pub(in crate::simplify) current: Vec<u32>,
     /// Cycles of positions that have come together, and how many there are in the cycle of each that is still there.
-    pub(super) next: Vec<u32>,
-    pub(super) follower_count: Vec<u32>,
-    pub(super) triangle_count: usize,
-    pub(super) rest: Rest,
+    pub(in crate::simplify) next: Vec<u32>,
+    pub(in crate::simplify) follower_count: Vec<u32>,
+    pub(in crate::simplify) triangle_count: usize,
+    pub(in crate::simplify) rest: Rest,
     /// Counts the builds of `rest`.
-    pub(super) generation: u32,
-    pub(super) outward: Outward,
+    pub(in crate::simplify) generation: u32,
+    pub(in crate::simplify) outward: Outward,
     /// The last search that looked at the star of each position.
-    pub(super) stamps: Vec<u32>,
-    pub(super) search: u32,
-    pub(super) keeps_parts: bool,
+    pub(in crate::simplify) stamps: Vec<u32>,
+    pub(in crate::simplify) search: u32,
+    pub(in crate::simplify) keeps_parts: bool,
     /// Whether relaxed collapses only come after all strict ones.
-    pub(super) is_tail: bool,
+    pub(in crate::simplify) is_tail: bool,
     /// Whether small parts make up most of the mesh.
-    pub(super) is_foliage: bool,
-    pub(super) has_locks: bool,
+    pub(in crate::simplify) is_foliage: bool,
+    pub(in crate::simplify) has_locks: bool,
     /// True once a relaxed collapse has been carried out.
-    pub(super) has_relaxed: bool,
-    pub(super) edges: Vec<LinkEdge>,
-    pub(super) order: Vec<u32>,
-    pub(super) lost: Vec<u32>,
+    pub(in crate::simplify) has_relaxed: bool,
+    pub(in crate::simplify) edges: Vec<LinkEdge>,
+    pub(in crate::simplify) order: Vec<u32>,
+    pub(in crate::simplify) lost: Vec<u32>,
 }
 
 impl<'a> Relaxed<'a> {
     /// Finds the parts of a mesh; [`Self::begin`] must follow.
-    pub(super) fn new(welded: &'a Welded, keeps_parts: bool) -> Self {
+    pub(in crate::simplify) fn new(welded: &'a Welded, keeps_parts: bool) -> Self {
         Self {
             welded,
             parts: Parts::new(welded),
@@ -94,7 +94,7 @@ impl<'a> Relaxed<'a> {
     }
 
     /// Looks at the mesh after the collapses so far: `removed` and `targets` are those of their record.
-    pub(super) fn begin(&mut self, judge: &Judge<'_>, (removed, targets): (&[u32], &[u32])) {
+    pub(in crate::simplify) fn begin(&mut self, judge: &Judge<'_>, (removed, targets): (&[u32], &[u32])) {
         let positions = &self.welded.positions;
         self.current = (0..judge.positions.len() as u32).collect();
         self.next.clone_from(&self.current);
@@ -129,12 +129,12 @@ impl<'a> Relaxed<'a> {
     }
 
     /// How many parts the mesh had.
-    pub(super) fn part_count(&self) -> usize {
+    pub(in crate::simplify) fn part_count(&self) -> usize {
         self.parts.len()
     }
 
     /// Where a position is now.
-    pub(super) fn current_of(&self, mut p: u32) -> u32 {
+    pub(in crate::simplify) fn current_of(&self, mut p: u32) -> u32 {
         while self.current[p as usize] != p {
             p = self.current[p as usize];
         }
@@ -142,7 +142,7 @@ impl<'a> Relaxed<'a> {
     }
 
     /// Notes that what stood at `v` stands at `u` now.
-    pub(super) fn follow(&mut self, v: u32, u: u32) {
+    pub(in crate::simplify) fn follow(&mut self, v: u32, u: u32) {
         self.current[v as usize] = u;
         // Swapping two links of two cycles makes one of them.
         self.next.swap(v as usize, u as usize);
@@ -150,7 +150,7 @@ impl<'a> Relaxed<'a> {
     }
 
     /// Builds the tree of the rest anew if half of its triangles are gone.
-    pub(super) fn refresh(&mut self, links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) {
+    pub(in crate::simplify) fn refresh(&mut self, links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) {
         if self.generation == 0 || 2 * self.triangle_count < self.rest.triangle_count() {
             self.rest = Rest::new(links, wedges, positions);
             self.generation += 1;
@@ -159,13 +159,13 @@ impl<'a> Relaxed<'a> {
 }
 
 /// A squared distance from the current surface, and a position near the point that it was measured to.
-pub(super) type Standing = (f32, u32);
+pub(in crate::simplify) type Standing = (f32, u32);
 
 impl Relaxed<'_> {
     /// Looks for what stands nearest to a point: in the tree of the rest for triangles of the past, and from their corners
     /// for the stars that they have become, as far as these are counted. Never farther than `known`; stops at a squared distance
     /// of `enough`.
-    pub(super) fn standing(
+    pub(in crate::simplify) fn standing(
         &mut self,
         (links, positions): (&Links, &[[f32; 4]]),
         from: Vec3,
@@ -200,7 +200,7 @@ impl Relaxed<'_> {
 }
 
 /// Where a position is now.
-pub(super) fn find(current: &mut [u32], mut p: u32) -> u32 {
+pub(in crate::simplify) fn find(current: &mut [u32], mut p: u32) -> u32 {
     while current[p as usize] != p {
         let above = current[p as usize];
         current[p as usize] = current[above as usize];
@@ -212,7 +212,7 @@ pub(super) fn find(current: &mut [u32], mut p: u32) -> u32 {
 impl Judge<'_> {
     /// The cheapest collapse of `v` to any neighbor; for positions that [`Self::best_choice`] finds no target for, right
     /// after it.
-    pub(super) fn relaxed_choice(&mut self, v: u32) -> Option<Choice> {
+    pub(in crate::simplify) fn relaxed_choice(&mut self, v: u32) -> Option<Choice> {
         let mut order = std::mem::take(&mut self.relaxed.as_mut()?.order);
         self.fill_costs(v);
         order.clear();
@@ -235,7 +235,7 @@ impl Judge<'_> {
     }
 
     /// True if the part of `v` is down to so few triangles that one collapse may take all of them.
-    pub(super) fn is_nearly_gone(&self, v: u32) -> bool {
+    pub(in crate::simplify) fn is_nearly_gone(&self, v: u32) -> bool {
         self.relaxed.as_ref().is_some_and(|relaxed| {
             relaxed.is_foliage && relaxed.parts.triangle_count(relaxed.parts.part_of(v)) <= NEARLY_GONE
         })
@@ -243,7 +243,7 @@ impl Judge<'_> {
 
     /// The collapse of `v` that takes all triangles of its part, if there is one that is cheaper than `limit`; right after
     /// [`Self::best_choice`]. Cutting a card to a single triangle may be worse than doing without it.
-    pub(super) fn ending_choice(&mut self, v: u32, limit: f32) -> Option<Choice> {
+    pub(in crate::simplify) fn ending_choice(&mut self, v: u32, limit: f32) -> Option<Choice> {
         self.fill_costs(v);
         for k in 0..self.star.ids.len() {
             let takes_all = (0..self.star.triangle_count()).all(|t| self.star.triangle(t).contains(&k));
@@ -259,7 +259,7 @@ impl Judge<'_> {
     }
 
     /// True if a relaxed choice that was made before may still be carried out at its cost.
-    pub(super) fn relaxed_stands(&self, v: u32, u: u32, (tier, distance_squared): (Tier, f32)) -> bool {
+    pub(in crate::simplify) fn relaxed_stands(&self, v: u32, u: u32, (tier, distance_squared): (Tier, f32)) -> bool {
         let Some(relaxed) = &self.relaxed else { return false };
         let entries = self.links.entries(v);
         if !entries.contains(&u) {
@@ -286,7 +286,7 @@ impl Judge<'_> {
     }
 
     /// True if a collapse leaves the mesh a triangle, and each locked position as well.
-    pub(super) fn leaves_enough(&self, v: u32, u: u32) -> bool {
+    pub(in crate::simplify) fn leaves_enough(&self, v: u32, u: u32) -> bool {
         let removed = shared_triangles(&self.links, v, u);
         let kept = self.links.triangle_count(v) + self.links.triangle_count(u) - 2 * removed;
         let is_last = self.relaxed.as_ref().is_some_and(|relaxed| removed >= relaxed.triangle_count);
@@ -370,7 +370,7 @@ impl Judge<'_> {
         })
     }
 
-    pub(super) fn memoryless_share(&self) -> f32 {
+    pub(in crate::simplify) fn memoryless_share(&self) -> f32 {
         if matches!(self.memory, Memory::Tracked(_)) { MEMORYLESS_SHARE } else { 1.0 }
     }
 
@@ -482,7 +482,7 @@ impl Judge<'_> {
     }
 
     /// What happens if a part vanishes.
-    pub(super) fn fate(&mut self, part: u32) -> Option<&Fate> {
+    pub(in crate::simplify) fn fate(&mut self, part: u32) -> Option<&Fate> {
         let Self { relaxed: Some(relaxed), links, wedges, positions, attributes, .. } = self else {
             return None;
         };

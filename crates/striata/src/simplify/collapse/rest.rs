@@ -16,30 +16,30 @@ use super::wedges::Wedges;
 
 /// A triangle of the tree.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RestTriangle {
-    pub(super) positions: [u32; 3],
-    pub(super) vertices: [u32; 3],
+pub(in crate::simplify) struct RestTriangle {
+    pub(in crate::simplify) positions: [u32; 3],
+    pub(in crate::simplify) vertices: [u32; 3],
 }
 
 /// The point of the rest that is nearest to a point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RestPoint {
-    pub(super) distance_squared: f32,
-    pub(super) triangle: RestTriangle,
+pub(in crate::simplify) struct RestPoint {
+    pub(in crate::simplify) distance_squared: f32,
+    pub(in crate::simplify) triangle: RestTriangle,
     /// Barycentric coordinates in the triangle.
-    pub(super) weights: [f32; 3],
+    pub(in crate::simplify) weights: [f32; 3],
 }
 
 /// All triangles at the moment of building, in a tree.
 #[derive(Default)]
-pub(super) struct Rest {
+pub(in crate::simplify) struct Rest {
     tree: BoxTree,
     triangles: Vec<RestTriangle>,
 }
 
 impl Rest {
     /// Builds the tree over the triangles that the links hold.
-    pub(super) fn new(links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) -> Self {
+    pub(in crate::simplify) fn new(links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) -> Self {
         let mut triangles = Vec::new();
         let mut edges: Vec<LinkEdge> = Vec::new();
         for p in 0..positions.len() as u32 {
@@ -58,7 +58,7 @@ impl Rest {
     }
 
     /// Builds the tree over triangles given by their corners.
-    pub(super) fn of_triangles(triangles: Vec<RestTriangle>, positions: &[[f32; 4]]) -> Self {
+    pub(in crate::simplify) fn of_triangles(triangles: Vec<RestTriangle>, positions: &[[f32; 4]]) -> Self {
         let box_of = |t: &RestTriangle| {
             let [a, b, c] = t.positions.map(|p| Vec3A::from(point(positions, p)));
             AxisBox { min: a.min(b).min(c), max: a.max(b).max(c) }
@@ -69,17 +69,17 @@ impl Rest {
 
     /// Hands over triangles in boxes that are nearer to a point than a limit, squared, near ones first; `visit` returns the
     /// limit from then on.
-    pub(super) fn visit_near(&self, from: Vec3, limit: f32, mut visit: impl FnMut(&RestTriangle) -> f32) {
+    pub(in crate::simplify) fn visit_near(&self, from: Vec3, limit: f32, mut visit: impl FnMut(&RestTriangle) -> f32) {
         self.tree.visit_near(Vec3A::from(from), limit, |index| visit(&self.triangles[index]));
     }
 
     /// Triangles at the moment of building.
-    pub(super) fn triangle_count(&self) -> usize {
+    pub(in crate::simplify) fn triangle_count(&self) -> usize {
         self.triangles.len()
     }
 
     /// The nearest point on the triangles that `is_host` accepts, if one is within the squared distance `limit`.
-    pub(super) fn nearest(
+    pub(in crate::simplify) fn nearest(
         &self,
         positions: &[[f32; 4]],
         from: Vec3,

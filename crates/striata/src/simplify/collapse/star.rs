@@ -66,16 +66,16 @@ impl Special {
 }
 
 /// For two triangles of a star, the squared difference of attributes if they show the center as different wedges.
-pub(super) type SeamBetween<'a> = &'a dyn Fn(&Star, usize, usize) -> Option<f32>;
+pub(in crate::simplify) type SeamBetween<'a> = &'a dyn Fn(&Star, usize, usize) -> Option<f32>;
 
 /// Three coordinates of many points.
 type Coordinates = [Vec<f32>; 3];
 
 /// Scratch that holds one star at a time.
 #[derive(Debug, Default)]
-pub(super) struct Star {
+pub(in crate::simplify) struct Star {
     /// Neighbours, each once; candidates for the target.
-    pub(super) ids: Vec<u32>,
+    pub(in crate::simplify) ids: Vec<u32>,
     /// Neighbours relative to v; one more for the ring's wrap, then zeros up to whole lanes.
     offsets: Coordinates,
     /// Corners of each triangle as indices into `ids`; empty for rings, whose triangle i is (i, i + 1).
@@ -85,9 +85,9 @@ pub(super) struct Star {
     /// Unscaled normals of the triangles, zeros up to whole lanes.
     normals: Coordinates,
     /// Cost of each neighbour as the target; infinite where it may not be.
-    pub(super) costs: Vec<f32>,
+    pub(in crate::simplify) costs: Vec<f32>,
     /// Triangle numbers, where followed.
-    pub(super) triangles: Vec<u32>,
+    pub(in crate::simplify) triangles: Vec<u32>,
     triangle_count: usize,
     /// The quadratic form: xx, yy, zz, xy, xz, yz.
     form: [f32; 6],
@@ -102,7 +102,7 @@ pub(super) struct Star {
     edges: Vec<LinkEdge>,
     special: Vec<Special>,
     /// The vertex of the center that each triangle shows, if [`Wedges::load`](super::wedges::Wedges::load) was called.
-    pub(super) shown: Vec<u32>,
+    pub(in crate::simplify) shown: Vec<u32>,
 }
 
 /// Eight floats from `index` on; every array is padded so that they are there.
@@ -172,17 +172,17 @@ fn grow(array: &mut Vec<f32>, len: usize) {
 
 impl Star {
     /// Triangles.
-    pub(super) fn triangle_count(&self) -> usize {
+    pub(in crate::simplify) fn triangle_count(&self) -> usize {
         self.triangle_count
     }
 
     /// Area of the star, in scaled units.
-    pub(super) fn area(&self) -> f32 {
+    pub(in crate::simplify) fn area(&self) -> f32 {
         0.5 * self.area_doubled
     }
 
     /// Squared length of the longest edge of all triangles.
-    pub(super) fn longest_edge_squared(&self) -> f32 {
+    pub(in crate::simplify) fn longest_edge_squared(&self) -> f32 {
         let spokes = (0..self.ids.len()).map(|i| self.offset(i).length_squared());
         let rim = (0..self.triangle_count).map(|t| {
             let [a, b] = self.triangle(t).map(|i| self.offset(i));
@@ -193,14 +193,14 @@ impl Star {
 
     /// Neighbour `i` relative to the centre.
     #[inline]
-    pub(super) fn offset(&self, i: usize) -> Vec3 {
+    pub(in crate::simplify) fn offset(&self, i: usize) -> Vec3 {
         let [x, y, z] = &self.offsets;
         Vec3::new(x[i], y[i], z[i])
     }
 
     /// The two neighbours that span triangle `t`.
     #[inline]
-    pub(super) fn triangle(&self, t: usize) -> [usize; 2] {
+    pub(in crate::simplify) fn triangle(&self, t: usize) -> [usize; 2] {
         if self.pairs.is_empty() {
             [t, if t + 1 == self.ids.len() { 0 } else { t + 1 }]
         } else {
@@ -219,7 +219,7 @@ impl Star {
     }
 
     /// Gathers the star of `v`, triangle numbers included where links follow them.
-    pub(super) fn gather(&mut self, links: &Links, positions: &[[f32; 4]], v: u32) {
+    pub(in crate::simplify) fn gather(&mut self, links: &Links, positions: &[[f32; 4]], v: u32) {
         self.pairs.clear();
         match links.kind(v) {
             LinkKind::Closed | LinkKind::Open => {
@@ -306,7 +306,7 @@ impl Star {
     }
 
     /// Fills `costs` with the quadratic form at every neighbour.
-    pub(super) fn compute_costs(&mut self) {
+    pub(in crate::simplify) fn compute_costs(&mut self) {
         self.form = self.quadric();
         let [xx, yy, zz, xy, xz, yz] = self.form.map(f32x8::splat);
         let n = self.ids.len();
@@ -326,7 +326,7 @@ impl Star {
     }
 
     /// The quadratic form at a place that need not be a neighbour.
-    pub(super) fn cost_at(&self, at: Vec3) -> f32 {
+    pub(in crate::simplify) fn cost_at(&self, at: Vec3) -> f32 {
         let [xx, yy, zz, xy, xz, yz] = self.form;
         let Vec3 { x, y, z } = at;
         let mixed = xy * x * y + xz * x * z + yz * y * z;
@@ -369,7 +369,7 @@ impl Star {
     ///
     /// `seam_between(i, j)` gives the squared difference of attributes if triangles `i` and `j` show v different wedges; infinite
     /// if the seam must stay.
-    pub(super) fn apply_borders(&mut self, kind: LinkKind, seam_between: Option<SeamBetween<'_>>) {
+    pub(in crate::simplify) fn apply_borders(&mut self, kind: LinkKind, seam_between: Option<SeamBetween<'_>>) {
         if kind == LinkKind::Closed && seam_between.is_none() {
             return;
         }
@@ -450,7 +450,7 @@ impl Star {
 
     /// Squared distance of v from the fan that neighbour `k` as the target would leave; `None` where a triangle would
     /// flip or become a sliver.
-    pub(super) fn fan_distance_squared(&mut self, k: usize) -> Option<f32> {
+    pub(in crate::simplify) fn fan_distance_squared(&mut self, k: usize) -> Option<f32> {
         self.mark_vanishing(Some(k));
         let distance_squared = self.distance_squared_from(self.offset(k))?;
         if distance_squared < f32::INFINITY {
@@ -465,7 +465,7 @@ impl Star {
     }
 
     /// The same for a target that is no neighbour: all triangles stay.
-    pub(super) fn moved_distance_squared(&mut self, to: Vec3) -> Option<f32> {
+    pub(in crate::simplify) fn moved_distance_squared(&mut self, to: Vec3) -> Option<f32> {
         self.mark_vanishing(None);
         self.distance_squared_from(to)
     }
@@ -516,7 +516,7 @@ impl Star {
 
     /// Squared distance of the point `p` from the fan that was judged last, neighbour `k` being the target; infinite
     /// where no triangle is left.
-    pub(super) fn fan_distance_squared_of(&self, k: usize, p: Vec3) -> f32 {
+    pub(in crate::simplify) fn fan_distance_squared_of(&self, k: usize, p: Vec3) -> f32 {
         let [a, b] = self.corners();
         let (u, p) = (Vec3x8::splat(self.offset(k)), Vec3x8::splat(p));
         let mut least = f32x8::splat(f32::INFINITY);
@@ -541,12 +541,12 @@ impl Star {
     }
 
     /// The cost of a squared distance from v over the area of the star.
-    pub(super) fn distance_cost(&self, squared: f32) -> f32 {
+    pub(in crate::simplify) fn distance_cost(&self, squared: f32) -> f32 {
         (self.area() + SPIKE_WEIGHT * squared) * squared
     }
 
     /// Notes which triangles a collapse to neighbour `k` removes.
-    pub(super) fn mark_vanishing(&mut self, k: Option<usize>) {
+    pub(in crate::simplify) fn mark_vanishing(&mut self, k: Option<usize>) {
         let padded = self.triangle_count.next_multiple_of(LANES);
         grow(&mut self.vanishes, padded);
         let mut vanishes = std::mem::take(&mut self.vanishes);
@@ -576,7 +576,7 @@ impl Star {
     }
 
     /// The candidate that looks cheapest at present; the first of equal ones.
-    pub(super) fn cheapest(&self) -> Option<(usize, f32)> {
+    pub(in crate::simplify) fn cheapest(&self) -> Option<(usize, f32)> {
         let mut best = None;
         let mut least = f32::INFINITY;
         for (k, &cost) in self.costs.iter().enumerate() {
@@ -591,7 +591,7 @@ impl Star {
     /// How far the fan's new edges stick out: the largest squared distance of their midpoints from the old star.
     ///
     /// The distance of v alone does not see a fan that bridges a valley.
-    pub(super) fn protrusion_squared(&mut self, k: usize) -> f32 {
+    pub(in crate::simplify) fn protrusion_squared(&mut self, k: usize) -> f32 {
         // A ring of three has no new edge; where sheets meet there can be one among fewer.
         if self.pairs.is_empty() && self.triangle_count < 4 {
             return 0.0;

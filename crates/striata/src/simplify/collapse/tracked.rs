@@ -12,13 +12,13 @@ use super::fan::distance_squared;
 use super::star::Star;
 
 /// Share of the memoryless cost in the tracked one.
-pub(super) const MEMORYLESS_SHARE: f32 = 0.2;
+pub(in crate::simplify) const MEMORYLESS_SHARE: f32 = 0.2;
 
 const NONE: u32 = u32::MAX;
 
 /// Removed vertices by triangle.
 #[derive(Debug)]
-pub(super) struct Tracker {
+pub(in crate::simplify) struct Tracker {
     /// First removed vertex of every triangle.
     head: Vec<u32>,
     /// The next one of the same triangle.
@@ -30,7 +30,7 @@ pub(super) struct Tracker {
 }
 
 impl Tracker {
-    pub(super) fn new(triangle_count: usize, weight: Vec<f32>) -> Self {
+    pub(in crate::simplify) fn new(triangle_count: usize, weight: Vec<f32>) -> Self {
         Self {
             head: vec![NONE; triangle_count],
             next: vec![NONE; weight.len()],
@@ -41,7 +41,7 @@ impl Tracker {
     }
 
     /// Gathers the removed vertices of the star of `v`, relative to it.
-    pub(super) fn load(&mut self, star: &Star, positions: &[[f32; 4]], v: u32) {
+    pub(in crate::simplify) fn load(&mut self, star: &Star, positions: &[[f32; 4]], v: u32) {
         self.points.clear();
         let [vx, vy, vz, _] = positions[v as usize];
         for &t in &star.triangles[..star.triangle_count()] {
@@ -56,7 +56,7 @@ impl Tracker {
 
     /// What collapsing the star's centre `v` to neighbour `k` adds to the loaded vertices' weighted squared distances,
     /// at least 0; `own` is the squared distance of v from the fan.
-    pub(super) fn increase(&self, star: &Star, k: usize, (v, own): (u32, f32)) -> f32 {
+    pub(in crate::simplify) fn increase(&self, star: &Star, k: usize, (v, own): (u32, f32)) -> f32 {
         let to = star.offset(k);
         let grown = |&(p, at): &(u32, Vec3)| {
             // Where no triangle is left, the target is.
@@ -67,7 +67,7 @@ impl Tracker {
     }
 
     /// Moves the loaded vertices and `v` itself to the triangles of the fan; returns the largest squared distance.
-    pub(super) fn collapse(&mut self, star: &Star, v: u32, k: usize) -> f32 {
+    pub(in crate::simplify) fn collapse(&mut self, star: &Star, v: u32, k: usize) -> f32 {
         for &t in &star.triangles[..star.triangle_count()] {
             self.head[t as usize] = NONE;
         }

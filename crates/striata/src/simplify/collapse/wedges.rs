@@ -13,7 +13,7 @@ use super::star::Star;
 
 /// The vertices (wedges) that the triangles show at present.
 #[derive(Debug)]
-pub(super) struct Wedges<'a> {
+pub(in crate::simplify) struct Wedges<'a> {
     positions: &'a PositionIndex,
     /// Vertices of every triangle, kept up to date by [`Self::substitute`].
     corners: Vec<[u32; 3]>,
@@ -24,35 +24,35 @@ pub(super) struct Wedges<'a> {
 }
 
 impl<'a> Wedges<'a> {
-    pub(super) fn new(positions: &'a PositionIndex, corners: Vec<[u32; 3]>) -> Self {
+    pub(in crate::simplify) fn new(positions: &'a PositionIndex, corners: Vec<[u32; 3]>) -> Self {
         Self { positions, corners, map: Vec::new(), first_crossing: 0 }
     }
 
     /// True where `position` has several vertices.
     #[inline]
-    pub(super) fn is_split(&self, position: u32) -> bool {
+    pub(in crate::simplify) fn is_split(&self, position: u32) -> bool {
         self.positions.wedges(position).len() > 1
     }
 
     /// The first vertex of `position`.
     #[inline]
-    pub(super) fn first(&self, position: u32) -> u32 {
+    pub(in crate::simplify) fn first(&self, position: u32) -> u32 {
         self.positions.first_vertex(position)
     }
 
     /// The partner at `position` that the pairing found last gives to `wedge`.
-    pub(super) fn paired(&self, wedge: u32, position: u32) -> u32 {
+    pub(in crate::simplify) fn paired(&self, wedge: u32, position: u32) -> u32 {
         let pair = self.map.iter().find(|(from, _)| *from == wedge);
         pair.map_or(self.positions.first_vertex(position), |&(_, to)| to)
     }
 
     /// True if the pairing found last takes `wedge` across a seam.
-    pub(super) fn crosses(&self, wedge: u32) -> bool {
+    pub(in crate::simplify) fn crosses(&self, wedge: u32) -> bool {
         self.map[self.first_crossing..].iter().any(|(from, _)| *from == wedge)
     }
 
     /// Notes in `star` which vertex of `v` each of its triangles shows.
-    pub(super) fn load(&self, star: &mut Star, v: u32) {
+    pub(in crate::simplify) fn load(&self, star: &mut Star, v: u32) {
         let mut shown = std::mem::take(&mut star.shown);
         shown.clear();
         let count = star.triangle_count();
@@ -66,7 +66,7 @@ impl<'a> Wedges<'a> {
 
     /// Pairs every wedge of `v` with the wedge of `u` that `difference` finds nearest: for positions without a common
     /// edge, where no triangle tells.
-    pub(super) fn pair_nearest(&mut self, v: u32, u: u32, difference: impl Fn(u32, u32) -> f32) {
+    pub(in crate::simplify) fn pair_nearest(&mut self, v: u32, u: u32, difference: impl Fn(u32, u32) -> f32) {
         self.map.clear();
         for from in self.positions.wedges(v) {
             self.map.push((from, self.nearest_wedge(from, u, &difference)));
@@ -83,30 +83,30 @@ impl<'a> Wedges<'a> {
 
     /// The vertices of a triangle.
     #[inline]
-    pub(super) fn corners(&self, triangle: u32) -> [u32; 3] {
+    pub(in crate::simplify) fn corners(&self, triangle: u32) -> [u32; 3] {
         self.corners[triangle as usize]
     }
 
     /// The vertices of all triangles.
-    pub(super) fn into_corners(self) -> Vec<[u32; 3]> {
+    pub(in crate::simplify) fn into_corners(self) -> Vec<[u32; 3]> {
         self.corners
     }
 
     /// The position of a vertex.
     #[inline]
-    pub(super) fn position_of(&self, vertex: u32) -> u32 {
+    pub(in crate::simplify) fn position_of(&self, vertex: u32) -> u32 {
         self.positions.position_of(vertex)
     }
 
     /// Adds a triangle and numbers it.
-    pub(super) fn push(&mut self, corners: [u32; 3]) -> u32 {
+    pub(in crate::simplify) fn push(&mut self, corners: [u32; 3]) -> u32 {
         self.corners.push(corners);
         self.corners.len() as u32 - 1
     }
 
     /// The vertex that `triangle` shows at `position`.
     #[inline]
-    pub(super) fn shown(&self, triangle: u32, position: u32) -> u32 {
+    pub(in crate::simplify) fn shown(&self, triangle: u32, position: u32) -> u32 {
         let [a, b, c] = self.corners[triangle as usize];
         if self.positions.position_of(a) == position {
             a
@@ -119,7 +119,7 @@ impl<'a> Wedges<'a> {
 
     /// Pairs the wedges of `v` with those of its neighbour `star.ids[k]`; false if some wedge has no partner on its own
     /// side of the seam.
-    pub(super) fn pair(&mut self, star: &Star, v: u32, k: usize) -> bool {
+    pub(in crate::simplify) fn pair(&mut self, star: &Star, v: u32, k: usize) -> bool {
         let u = star.ids[k];
         self.map.clear();
         if !self.is_split(v) && !self.is_split(u) {
@@ -144,7 +144,7 @@ impl<'a> Wedges<'a> {
 
     /// Pairs like [`Self::pair`], but lets wedges without a partner cross the seam to the wedge that `difference` finds
     /// nearest; false only in a conflict. The star must be loaded by [`Self::load`].
-    pub(super) fn pair_across(
+    pub(in crate::simplify) fn pair_across(
         &mut self,
         star: &Star,
         v: u32,
@@ -189,7 +189,7 @@ impl<'a> Wedges<'a> {
     }
 
     /// Writes the target of every wedge of `v` by the pairing found last, `u` being the target position.
-    pub(super) fn write_targets(&self, v: u32, u: u32, targets: &mut [u32]) {
+    pub(in crate::simplify) fn write_targets(&self, v: u32, u: u32, targets: &mut [u32]) {
         for wedge in self.positions.wedges(v) {
             // A wedge that no triangle shows any more goes with the others.
             let paired = self.map.iter().find(|(from, _)| *from == wedge).or(self.map.first());
@@ -198,13 +198,13 @@ impl<'a> Wedges<'a> {
     }
 
     /// Writes the first vertex of `u` as the target of every wedge of `v`.
-    pub(super) fn write_single_target(&self, v: u32, u: u32, targets: &mut [u32]) {
+    pub(in crate::simplify) fn write_single_target(&self, v: u32, u: u32, targets: &mut [u32]) {
         let target = self.positions.first_vertex(u);
         self.positions.wedges(v).for_each(|wedge| targets[wedge as usize] = target);
     }
 
     /// Shows the targets in the triangles around `v`.
-    pub(super) fn substitute(&mut self, star: &Star, v: u32, targets: &[u32]) {
+    pub(in crate::simplify) fn substitute(&mut self, star: &Star, v: u32, targets: &[u32]) {
         let wedges = self.positions.wedges(v);
         for &t in &star.triangles[..star.triangle_count()] {
             for corner in &mut self.corners[t as usize] {
@@ -219,7 +219,7 @@ impl<'a> Wedges<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simplify::links::Links;
+    use crate::simplify::collapse::links::Links;
 
     /// A fan of four about position 0, whose first two triangles show wedge 0 there and the others wedge 1; the rim has
     /// positions 1 to 4, of which the first has two wedges.

@@ -29,7 +29,7 @@ const NOBODY: Witness = Witness { vertex: NONE, distance: 0.0 };
 
 /// One removed vertex for each position, and scratch.
 #[derive(Debug)]
-pub(super) struct Witnesses {
+pub(in crate::simplify) struct Witnesses {
     of: Vec<Witness>,
     worst: f32,
     /// Whether witnesses beside a collapse are looked at too; closed scans do without, which saves a quarter of their time.
@@ -38,13 +38,13 @@ pub(super) struct Witnesses {
 }
 
 impl Witnesses {
-    pub(super) fn new(position_count: usize, follows_rings: bool) -> Self {
+    pub(in crate::simplify) fn new(position_count: usize, follows_rings: bool) -> Self {
         Self { of: vec![NOBODY; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
     }
 
     /// Called after `v`, whose neighbors were `ring`, was collapsed to `u`, `own` being the squared distance of v from its new fan.
     /// Returns the largest squared distance among v and the witnesses of all these.
-    pub(super) fn collapse(
+    pub(in crate::simplify) fn collapse(
         &mut self,
         judge: &mut Judge<'_>,
         (v, u): (u32, u32),
@@ -72,7 +72,7 @@ impl Witnesses {
     }
 
     /// The witness of `v` if it may become the worst by a collapse of v that moves v by the squared distance `own`.
-    pub(super) fn suspect(&self, v: u32, own: f32) -> Option<u32> {
+    pub(in crate::simplify) fn suspect(&self, v: u32, own: f32) -> Option<u32> {
         let Witness { vertex, distance } = self.of[v as usize];
         let reach = distance + MOVE_FACTOR * own.sqrt();
         (vertex != NONE && reach * reach > self.worst).then_some(vertex)
@@ -110,7 +110,7 @@ impl Witnesses {
     /// Called after a relaxed collapse. Everything that the `lost` positions stood for settles anew from `place`, and so do the
     /// `points` of the triangles that have gone; what that puts above all that was seen before is looked for everywhere.
     /// Returns the largest squared distance seen so far.
-    pub(super) fn lose(
+    pub(in crate::simplify) fn lose(
         &mut self,
         judge: &mut Judge<'_>,
         (lost, points): (&[u32], &[Vec3]),
@@ -146,12 +146,12 @@ impl Witnesses {
     }
 
     /// The largest squared distance so far.
-    pub(super) fn worst(&self) -> f32 {
+    pub(in crate::simplify) fn worst(&self) -> f32 {
         self.worst
     }
 
     /// Raises the worst squared distance, and gives it.
-    pub(super) fn raise(&mut self, distance_squared: f32) -> f32 {
+    pub(in crate::simplify) fn raise(&mut self, distance_squared: f32) -> f32 {
         self.worst = self.worst.max(distance_squared);
         self.worst
     }

@@ -6,9 +6,9 @@
 
 use glam::DVec3;
 
-use super::super::fan::nearest;
-use super::super::judge::Judge;
-use super::super::links::{LinkEdge, Links};
+use crate::simplify::collapse::fan::nearest;
+use crate::simplify::collapse::judge::Judge;
+use crate::simplify::collapse::links::{LinkEdge, Links};
 
 const NONE: u32 = u32::MAX;
 /// Stars that one search may cross; it goes on next time.

@@ -1,6 +1,6 @@
 //! When to stop: the caller's target in the counts that the loop keeps.
 
-use super::super::options::{SimplifyOptions, StopReason, Target};
+use crate::simplify::options::{SimplifyOptions, StopReason, Target};
 
 /// What there is to be simplified.
 #[derive(Clone, Copy, Debug)]

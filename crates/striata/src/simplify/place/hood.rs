@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::super::links::{LinkEdge, LinkKind, Links};
 use super::form::{BORDER_WEIGHT, Form, Shared};
+use crate::simplify::collapse::links::{LinkEdge, LinkKind, Links};
 
 /// Squared cosine that the normals of an old and a new triangle must at least have between them.
 const FLIP_COSINE_SQUARED: f64 = 0.04;
@@ -175,7 +175,7 @@ impl Hood {
         let x = (place - self.centre).as_vec3();
         let distances = self
             .staying(other)
-            .map(|(a, b, _)| super::super::fan::distance_squared(x, a.as_vec3(), b.as_vec3()));
+            .map(|(a, b, _)| crate::simplify::collapse::fan::distance_squared(x, a.as_vec3(), b.as_vec3()));
         f64::from(distances.fold(x.length_squared(), f32::min))
     }
 }

@@ -49,13 +49,13 @@ use glam::DVec3;
 use crate::mesh::{IndexedMesh, Welded};
 use crate::{Cancelled, Progress, ProgressFn};
 
-use super::engine::scaled_positions;
-use super::heap::IndexedHeap;
-use super::judge::{self, Judge, Tier};
-use super::options::{
+use crate::simplify::collapse::engine::scaled_positions;
+use crate::simplify::collapse::heap::IndexedHeap;
+use crate::simplify::collapse::judge::{self, Judge, Tier};
+use crate::simplify::collapse::relaxation::Relaxation;
+use crate::simplify::options::{
     CollapseCost, SeamRule, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason,
 };
-use super::relaxation::Relaxation;
 use course::{Course, first_cost, places};
 use drift::Drift;
 use form::{EdgeForm, Form};

@@ -6,8 +6,8 @@
 
 use glam::DVec3;
 
-use super::super::judge::Judge;
-use super::super::options::SeamRule;
+use crate::simplify::collapse::judge::Judge;
+use crate::simplify::options::SeamRule;
 
 /// What happens to the vertices of an edge.
 #[derive(Clone, Copy, Debug)]

@@ -3,8 +3,8 @@
 //! What may be collapsed, along which edges, and what crossing a seam costs is what the collapse simplifier says. If there is no
 //! such collapse either, `judge` tries relaxed ones.
 
-use crate::simplify::judge::Judge as CollapseJudge;
-use crate::simplify::links::LinkKind;
+use crate::simplify::collapse::judge::Judge as CollapseJudge;
+use crate::simplify::collapse::links::LinkKind;
 
 use super::hole::Features;
 use super::judge::{Filling, Judge, MEMORYLESS_SHARE, Verdict, fan_into};

@@ -3,12 +3,12 @@
 use std::ops::ControlFlow;
 
 use crate::mesh::Welded;
-use crate::simplify::cover::Cover;
-use crate::simplify::heap::IndexedHeap;
-use crate::simplify::judge::Judge as CollapseJudge;
+use crate::simplify::certify::Cover;
+use crate::simplify::collapse::heap::IndexedHeap;
+use crate::simplify::collapse::judge::Judge as CollapseJudge;
+use crate::simplify::collapse::relaxation::Relaxation;
+use crate::simplify::collapse::wedges::Wedges;
 use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
-use crate::simplify::relaxation::Relaxation;
-use crate::simplify::wedges::Wedges;
 use crate::{Cancelled, Progress, ProgressFn};
 
 use super::judge::{Depth, Filling, Judge, Reach};

@@ -6,12 +6,12 @@
 //! largest distance alone: the Hausdorff distance that orders \[KLS96\], which decides where it stands out.
 
 use crate::mesh::Welded;
-use crate::simplify::engine::scaled_positions;
-use crate::simplify::judge::{Choice, Judge as CollapseJudge};
-use crate::simplify::links::{LinkKind, Links};
+use crate::simplify::collapse::engine::scaled_positions;
+use crate::simplify::collapse::judge::{Choice, Judge as CollapseJudge};
+use crate::simplify::collapse::links::{LinkKind, Links};
+use crate::simplify::collapse::star::Star;
+use crate::simplify::collapse::wedges::Wedges;
 use crate::simplify::options::SequenceOptions;
-use crate::simplify::star::Star;
-use crate::simplify::wedges::Wedges;
 
 use glam::Vec3;
 

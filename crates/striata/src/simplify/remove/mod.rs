@@ -41,7 +41,7 @@ pub use options::{BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation
 use crate::mesh::{IndexedMesh, Welded, weld};
 use crate::{ProgressFn, ignore_progress};
 
-use super::options::{SimplifyError, check_locked};
+use crate::simplify::options::{SimplifyError, check_locked};
 
 /// Removes vertices as far as it goes, and gives every level on the way.
 ///

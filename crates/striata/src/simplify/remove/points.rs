@@ -1,10 +1,10 @@
 //! All removed vertices, each with the face nearest to it.
 //!
-//! As [`tracked`](crate::simplify::tracked), for holes that are filled in any way.
+//! As [`tracked`](crate::simplify::collapse::tracked), for holes that are filled in any way.
 
 use glam::Vec3;
 
-use crate::simplify::fan::distance_squared;
+use crate::simplify::collapse::fan::distance_squared;
 
 const NONE: u32 = u32::MAX;
 

@@ -2,8 +2,8 @@
 
 use crate::ProgressFn;
 use crate::mesh::{Face, Fragment, FragmentSequence, FragmentedMesh, PositionIndex, Welded};
-use crate::simplify::cover::{certify_collapses_with_progress, certify_with_progress};
-use crate::simplify::finish::{Record, RefinementOrder, finish};
+use crate::simplify::certify::{certify_collapses_with_progress, certify_with_progress};
+use crate::simplify::collapse::finish::{Record, RefinementOrder, finish};
 use crate::simplify::options::{SimplifyError, StopReason};
 
 use super::options::BuiltFragments;

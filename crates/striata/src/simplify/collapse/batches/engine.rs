@@ -11,12 +11,12 @@
 use std::ops::ControlFlow;
 
 use crate::mesh::Welded;
-use crate::simplify::course::Course;
-use crate::simplify::engine::scaled_positions;
-use crate::simplify::finish::Record;
-use crate::simplify::judge::{Choice, Judge, Memory, Tier};
+use crate::simplify::collapse::course::Course;
+use crate::simplify::collapse::engine::scaled_positions;
+use crate::simplify::collapse::finish::Record;
+use crate::simplify::collapse::judge::{Choice, Judge, Memory, Tier};
+use crate::simplify::collapse::relaxation::Relaxation;
 use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
-use crate::simplify::relaxation::Relaxation;
 use crate::{Cancelled, Progress, ProgressFn};
 
 use super::options::BatchOptions;

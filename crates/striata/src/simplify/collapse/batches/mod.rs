@@ -32,7 +32,7 @@ use crate::mesh::{IndexedMesh, Welded, weld};
 use crate::{ProgressFn, ignore_progress};
 
 use super::finish::finish;
-use super::options::{BuiltSequence, SimplifyError};
+use crate::simplify::options::{BuiltSequence, SimplifyError};
 
 /// What [`build_batches`] gives.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Which positions a batch takes: the cheapest share in order, as long as they keep out of each other's way.
 
-use crate::simplify::links::Links;
+use crate::simplify::collapse::links::Links;
 
 /// Places that each candidate among its neighbours puts a candidate back, as a share of all. It makes batches larger by a few
 /// hundredths, so fewer vertices are asked whether they split; more of it costs error for next to nothing.

@@ -5,8 +5,8 @@
 //! neighbour more, and only an **ear**, one triangle between two boundary edges, can break the link condition there: when its
 //! third edge has no other side, or none that a surface could go on through.
 
-use crate::simplify::legality::Legality;
-use crate::simplify::links::{LinkKind, Links};
+use crate::simplify::collapse::legality::Legality;
+use crate::simplify::collapse::links::{LinkKind, Links};
 
 /// Triangles around `v` on the closed surface, at a position that is manifold.
 pub(super) fn valence(links: &Links, v: u32) -> usize {

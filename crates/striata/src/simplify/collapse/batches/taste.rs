@@ -5,8 +5,8 @@
 //! last collapses before it: the extra fades as the mesh shrinks, in proportion to the positions that are left. Over four
 //! meshes that gave 0.1 bits a vertex for the same RMS at a quarter of the triangles, and less of it from there on.
 
-use crate::simplify::links::Links;
-use crate::simplify::star::Star;
+use crate::simplify::collapse::links::Links;
+use crate::simplify::collapse::star::Star;
 
 use super::options::BatchOptions;
 use super::surface;

@@ -12,7 +12,7 @@ mod search;
 use glam::Vec3;
 
 use super::options::MAX_DEGREE;
-use crate::simplify::fan::distance_squared;
+use crate::simplify::collapse::fan::distance_squared;
 
 /// An open ring has one position more than triangles.
 const MAX_RING: usize = MAX_DEGREE + 1;

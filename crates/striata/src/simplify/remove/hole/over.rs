@@ -4,7 +4,7 @@
 //! exactly one triangle of any triangulation, so sums over points are sums over triangles.
 
 use super::{Hole, RingTriangle};
-use crate::simplify::removal::points::Point;
+use crate::simplify::remove::points::Point;
 
 impl Hole {
     /// Notes for each diagonal on which side the points lie.
@@ -53,7 +53,7 @@ impl Hole {
     /// Sum of the weighted squared heights of the points over the triangles of a floor, and the largest squared height.
     ///
     /// The points must be those of the last search.
-    pub(in crate::simplify::removal) fn heights(
+    pub(in crate::simplify::remove) fn heights(
         &self,
         floor: &[RingTriangle],
         points: &[Point],

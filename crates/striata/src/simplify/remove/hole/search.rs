@@ -16,15 +16,15 @@
 //! Time O(n^3) for a ring of n, each triangle looked at once.
 
 use super::{Hole, RingTriangle, edges_squared, quality};
-use crate::simplify::removal::options::HoleCriterion;
-use crate::simplify::removal::points::Point;
+use crate::simplify::remove::options::HoleCriterion;
+use crate::simplify::remove::points::Point;
 
 /// Cost of a squared gap under a new edge, per area of the star.
 const GAP_WEIGHT: f32 = 0.2;
 
 impl Hole {
     /// The best triangulation into `floor`; false where there is none.
-    pub(in crate::simplify::removal) fn triangulate(
+    pub(in crate::simplify::remove) fn triangulate(
         &mut self,
         points: &[Point],
         criterion: HoleCriterion,
@@ -110,7 +110,7 @@ impl Hole {
     }
 
     /// The nearest fan into `floor`, as a half-edge collapse leaves it; the member of the ring that it is around.
-    pub(in crate::simplify::removal) fn best_fan(
+    pub(in crate::simplify::remove) fn best_fan(
         &mut self,
         points: &[Point],
         floor: &mut Vec<RingTriangle>,
