@@ -34,9 +34,9 @@ enum Chore {
     Golden,
     /// The browser part alone: the viewer page in Chromium, over `striata serve`
     Browser,
-    /// Builds the wasm, the npm package and the viewer page into their places
+    /// Builds the wasm, the npm package and the viewer page, which is committed, into their places
     Web,
-    /// The web part alone: check that these are what the sources make, and run their tests
+    /// The web part alone: build and test the package, and check that the viewer is what the sources make
     WebCheck,
     /// The tables of the docs: run their commands again and compare counts and bytes
     Results(results::ResultsArgs),

@@ -28,13 +28,13 @@ const WASM_OPT_FEATURES: [&str; 7] = [
 
 /// What is made of `crates/striata-web`.
 pub(super) struct Built {
-    pub(super) wasm: Vec<u8>,
+    wasm: Vec<u8>,
     script: String,
     types: String,
 }
 
 /// # Errors
-/// Where a tool fails.
+/// What the tools report.
 pub(super) fn build() -> Result<Built> {
     let arguments =
         ["build", "--locked", "-p", "striata-web", "--lib", "--profile", "web", "--target", WASM_TARGET];
