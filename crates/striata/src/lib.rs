@@ -17,3 +17,8 @@ pub use progress::{Cancelled, Progress, ProgressFn, ignore_progress};
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;
+
+/// The same of the readme of this crate.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeOfCrate;
