@@ -28,6 +28,8 @@ use crate::steps::{self, say};
 use crate::workspace;
 use stamp::Stamp;
 
+pub(crate) use wasm::said_by_rustc;
+
 /// What the check says if it fails.
 const CURE: &str = "run `cargo xtask web` and commit what it writes";
 

@@ -83,7 +83,7 @@ fn flags() -> Result<Vec<String>> {
 ///
 /// # Errors
 /// Where it does not start.
-pub(super) fn said_by_rustc(arguments: &[&str]) -> Result<String> {
+pub(crate) fn said_by_rustc(arguments: &[&str]) -> Result<String> {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc).args(arguments).output().context("cannot start rustc")?;
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
