@@ -33,15 +33,12 @@ pub(crate) use wasm::said_by_rustc;
 /// What the check says if it fails.
 const CURE: &str = "run `cargo xtask web` and commit what it writes";
 
-/// `cargo xtask web`: builds everything into its place.
+/// `cargo xtask web`: builds everything into its place; the npm package only if it is not there or older than its sources.
 ///
 /// # Errors
 /// What the tools lack or report.
 pub(crate) fn build() -> Result<()> {
-    if let Some(missing) = missing_tool() {
-        bail!(missing);
-    }
-    build_library()?;
+    prepare_library()?;
     build_viewer(&viewer())?;
     stamp::write(&viewer_stamp())?;
     say(&assets::sizes(&dist())?);

@@ -10,13 +10,14 @@ use super::wasm;
 use crate::workspace;
 
 /// Sources by name; folders count with all that is in them. What is not there counts as nothing.
-const SOURCES: [(&str, &[&str]); 8] = [
+const SOURCES: [(&str, &[&str]); 9] = [
     ("library", &["crates/striata/src", "crates/striata/Cargo.toml"]),
     ("strips", &["crates/striata-strip/src", "crates/striata-strip/Cargo.toml"]),
     ("streams", &["crates/striata-stream/src", "crates/striata-stream/Cargo.toml"]),
     ("io", &["crates/striata-io/src", "crates/striata-io/Cargo.toml"]),
     ("web-crate", &["crates/striata-web/src", "crates/striata-web/Cargo.toml"]),
     ("rust-packages", &["Cargo.toml", "Cargo.lock"]),
+    ("recipe", &["xtask/src/web.rs", "xtask/src/web"]),
     ("page", &["web/src", "web/viewer"]),
     (
         "page-packages",
