@@ -5,8 +5,7 @@ export default defineConfig({
   publicDir: false,
   worker: { format: 'iife' },
   build: {
-    // The check builds beside what is committed.
-    outDir: process.env['STRIATA_WEB_DIST'] ?? 'dist',
+    outDir: 'dist',
     // striata.wasm lies there already.
     emptyOutDir: false,
     target: 'es2022',

@@ -3,9 +3,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 
-// The check builds beside what is committed.
-const dist = process.env['STRIATA_WEB_DIST'] ?? fileURLToPath(new URL('dist', import.meta.url));
-const wasm = `${dist}/striata.wasm`;
+const wasm = fileURLToPath(new URL('dist/striata.wasm', import.meta.url));
 
 /** Puts striata.wasm beside the script, as the built page has it, also while developing. */
 function wasmBesideScript(): Plugin {
@@ -31,6 +29,7 @@ export default defineConfig({
   plugins: [wasmBesideScript()],
   worker: { format: 'iife' },
   build: {
+    // The check builds apart from what is committed.
     outDir: process.env['STRIATA_WEB_VIEWER'] ?? '../../crates/striata-viewer/viewer',
     emptyOutDir: true,
     target: 'es2022',

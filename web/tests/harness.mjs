@@ -33,13 +33,13 @@ export function run(...words) {
 
 /** Models that the tests look at, all made by the command. */
 export function makeModels(folder) {
-  const asset = (name) => join(workspace, 'assets', name);
+  const bust = join(workspace, 'crates/striata-cli/assets/nefertiti.ply.zst');
   const at = (...parts) => join(folder, ...parts);
   mkdirSync(at('sub'), { recursive: true });
-  run('encode', '-q', asset('nefertiti.ply.zst'), '-o', at('nefertiti.stri'), '--bits', '18');
+  run('encode', '-q', bust, '-o', at('nefertiti.stri'), '--bits', '18');
   run('encode', '-q', 'shape:icosphere', '-o', at('icosphere.stri'));
   run('encode', '-q', 'shape:terrain', '-o', at('sub', 'terrain.stri'));
-  run('build', '-q', asset('spot.obj.zst'), '-o', at('spot.striata'));
+  run('build', '-q', join(workspace, 'assets/spot.obj.zst'), '-o', at('spot.striata'));
   run('convert', '-q', 'shape:torus', at('torus.obj'));
   run('convert', '-q', 'shape:tetrahedron', at('tetrahedron.obj'));
   const whole = readFileSync(at('icosphere.stri'));

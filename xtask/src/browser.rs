@@ -15,5 +15,7 @@ pub(crate) fn run() -> Result<()> {
     let command = crate::test::built_command()?;
     let web = workspace().join("web");
     machine::npm_install(&web)?;
+    // A page among the tests imports it.
+    crate::web::prepare_library()?;
     steps::run(Command::new("node").arg("tests/run.mjs").current_dir(web).env("STRIATA_BIN", command))
 }

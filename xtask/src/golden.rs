@@ -13,8 +13,8 @@ use crate::{machine, workspace};
 const EXPECTED: [&str; 6] =
     ["index.html", "viewer.html", "nefertiti.striata", "nefertiti.stri", "levels.png", "view.png"];
 
-/// Assets that are also written as triangle strips; the latter has seams.
-const STRIPPED: [&str; 2] = ["nefertiti.ply.zst", "spot.obj.zst"];
+/// Meshes of the repository that are also written as triangle strips; the latter has seams.
+const STRIPPED: [&str; 2] = ["crates/striata-cli/assets/nefertiti.ply.zst", "assets/spot.obj.zst"];
 
 /// Runs the demo into a folder of its own and checks what it wrote.
 ///
@@ -50,9 +50,10 @@ pub(crate) fn run() -> Result<()> {
 /// Writes triangle strips as GLB, one file an asset.
 fn strip_scenes(command: &Path, folder: &Path) -> Result<()> {
     for asset in STRIPPED {
-        let out = folder.join(format!("{asset}.strips.glb"));
-        let asset = workspace().join("assets").join(asset);
-        steps::run(Command::new(command).arg("strip").arg(asset).arg("-o").arg(out))?;
+        let asset = workspace().join(asset);
+        let name = asset.file_name().unwrap_or_default().to_string_lossy();
+        let out = folder.join(format!("{name}.strips.glb"));
+        steps::run(Command::new(command).arg("strip").arg(&asset).arg("-o").arg(out))?;
     }
     Ok(())
 }

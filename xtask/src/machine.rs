@@ -148,7 +148,8 @@ fn is_in_path(program: &str) -> bool {
         .is_some_and(|path| std::env::split_paths(&path).any(|folder| folder.join(program).is_file()))
 }
 
-fn starts(program: &str) -> bool {
+/// Whether a program is there and says its version.
+pub(crate) fn starts(program: &str) -> bool {
     let quiet = || Stdio::null();
     let status =
         Command::new(program).arg("--version").stdin(quiet()).stdout(quiet()).stderr(quiet()).status();

@@ -4,7 +4,10 @@ mod bare;
 mod browser;
 mod cpu_time;
 mod golden;
+mod licenses;
 mod machine;
+mod oldest_rust;
+mod packages;
 mod results;
 mod steps;
 mod test;
@@ -34,10 +37,16 @@ enum Chore {
     Golden,
     /// The browser part alone: the viewer page in Chromium, over `striata serve`
     Browser,
-    /// Builds the wasm, the npm package and the viewer page into their places
+    /// Builds the wasm, the npm package and the viewer page, which is committed, into their places
     Web,
-    /// The web part alone: check that these are what the sources make, and run their tests
+    /// The web part alone: build and test the package, and check that the viewer is what the sources make
     WebCheck,
+    /// The packages alone: pack what would be published, and check that nothing is missing in it
+    Packages,
+    /// The licenses alone: `cargo deny` over all dependencies
+    Licenses,
+    /// The oldest Rust alone: compile with the one that `rust-version` claims
+    OldestRust,
     /// The tables of the docs: run their commands again and compare counts and bytes
     Results(results::ResultsArgs),
 }
@@ -50,6 +59,9 @@ fn main() -> ExitCode {
         Chore::Browser => browser::run(),
         Chore::Web => web::build(),
         Chore::WebCheck => web::check(),
+        Chore::Packages => packages::run(),
+        Chore::Licenses => licenses::check(),
+        Chore::OldestRust => oldest_rust::check(),
         Chore::Results(args) => results::run(&args),
     };
     match outcome {

@@ -9,7 +9,7 @@ use anyhow::{Result, ensure};
 
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, Steps, cargo, say};
-use crate::{bare, browser, golden, target_folder, web};
+use crate::{bare, browser, golden, licenses, oldest_rust, packages, target_folder, web};
 
 /// All of the command, its window included.
 pub(crate) const FULL: &str = "striata-cli/full";
@@ -68,6 +68,15 @@ fn run_all(steps: &mut Steps) -> Result<()> {
         steps::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
     })?;
     steps.step("each feature alone", check_features)?;
+    match oldest_rust::obstacle() {
+        None => steps.step("oldest Rust", oldest_rust::check)?,
+        Some(reason) => steps.skip("oldest Rust", &reason),
+    }
+    steps.step("packages", packages::run)?;
+    match licenses::obstacle() {
+        None => steps.step("licenses", licenses::check)?,
+        Some(reason) => steps.skip("licenses", reason),
+    }
     if machine::has_wasm_target() {
         steps.step("wasm32", check_wasm)?;
     } else {

@@ -49,3 +49,8 @@ fn refuse_arguments(error: &clap::Error) -> ExitCode {
     let _ = error.print();
     if error.use_stderr() { ExitCode::from(Failure::USERS) } else { ExitCode::SUCCESS }
 }
+
+/// The readme's example, compiled with the documentation's tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

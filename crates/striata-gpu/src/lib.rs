@@ -76,3 +76,8 @@ pub use vertices::GpuVertices;
 pub use viewpoint::Viewpoint;
 
 pub use wgpu;
+
+/// The readme's example, compiled with the documentation's tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

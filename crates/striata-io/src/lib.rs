@@ -53,3 +53,8 @@ pub use read::{Source, read_bytes};
 pub use write::{WriteOptions, to_bytes};
 #[cfg(not(target_family = "wasm"))]
 pub use write::{to_file_bytes, write};
+
+/// The readme's example, compiled with the documentation's tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -27,3 +27,8 @@ mod paper_bytes;
 
 pub use mts_graph::{MtsGraph, MtsGraphState};
 pub use paper_bytes::{Accounting, PaperBytes};
+
+/// The examples of the repository's readme, compiled with the documentation's tests.
+#[cfg(all(doctest, feature = "command"))]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

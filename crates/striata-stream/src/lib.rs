@@ -98,6 +98,5 @@ pub use surface_stage::StepDefect;
 
 /// The examples of both readmes, compiled with the documentation's tests.
 #[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -140,7 +140,8 @@ fn groups_and_seams_are_borders_of_strips() {
 #[test]
 fn blocks_cost_hardly_more_indices_than_the_whole() {
     let scan =
-        striata_io::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/nefertiti.ply.zst")).unwrap();
+        striata_io::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../striata-cli/assets/nefertiti.ply.zst"))
+            .unwrap();
     for (name, mesh, block_triangles) in [
         ("terrain", shapes::terrain(180, 3), 6000),
         ("sphere", shapes::uv_sphere(150, 200, 1.0), 12_000),

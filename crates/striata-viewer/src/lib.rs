@@ -12,3 +12,8 @@ pub mod window;
 
 #[cfg(all(feature = "serve", not(feature = "window")))]
 pub use browser_args::BrowserArgs;
+
+/// The readme's example, compiled with the documentation's tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

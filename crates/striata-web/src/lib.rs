@@ -31,3 +31,8 @@ pub use head::StreamPlace;
 pub use model::Model;
 pub use progress::Sink;
 pub use vertices::Vertices;
+
+/// The readme's example, compiled with the documentation's tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -12,3 +12,8 @@ pub mod strip;
 pub mod view;
 
 pub use progress::{Cancelled, Progress, ProgressFn, ignore_progress};
+
+/// The readme's example, compiled with the documentation's tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

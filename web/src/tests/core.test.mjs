@@ -3,10 +3,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-const dist = process.env.STRIATA_WEB_DIST ? pathToFileURL(`${process.env.STRIATA_WEB_DIST}/`) : new URL('../../dist/', import.meta.url);
+const dist = new URL('../../dist/', import.meta.url);
 const { Engine, initialise, Model, StreamPlace, StriataError, View, asStriataError } = await import(new URL('core.js', dist));
 const asset = (name) => readFileSync(new URL(`../../../assets/${name}`, import.meta.url));
 const stream = readFileSync(new URL('spot.stri', import.meta.url));

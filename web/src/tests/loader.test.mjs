@@ -6,10 +6,9 @@ import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
 import { setTimeout as passed } from 'node:timers/promises';
-import { pathToFileURL } from 'node:url';
 import { CubeCamera, Group, Mesh, MeshBasicMaterial, OrthographicCamera, PerspectiveCamera, WebGLCubeRenderTarget } from 'three';
 
-const dist = process.env.STRIATA_WEB_DIST ? pathToFileURL(`${process.env.STRIATA_WEB_DIST}/`) : new URL('../../dist/', import.meta.url);
+const dist = new URL('../../dist/', import.meta.url);
 const { StriataLoader } = await import(new URL('striata.js', dist));
 const wasm = await WebAssembly.compile(readFileSync(new URL('striata.wasm', dist)));
 const stream = readFileSync(new URL('spot.stri', import.meta.url));

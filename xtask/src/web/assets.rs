@@ -6,8 +6,6 @@ use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 
-use super::wasm::Built;
-
 /// Compares two folders, built and committed.
 ///
 /// # Errors
@@ -17,8 +15,6 @@ pub(super) fn compare(built: &Path, committed: &Path) -> Result<()> {
     for folder in [built, committed] {
         list(folder, "", &mut names)?;
     }
-    // The stamp is about the committed ones alone.
-    names.remove("built-from.txt");
     let differs = |name: &&String| {
         let read = |folder: &Path| std::fs::read(folder.join(name)).ok();
         read(built) != read(committed)
@@ -46,8 +42,8 @@ fn list(folder: &Path, prefix: &str, names: &mut BTreeSet<String>) -> Result<()>
 /// What a page has to fetch, one line a file.
 ///
 /// # Errors
-/// Where Node.js does not start.
-pub(super) fn sizes(dist: &Path, built: &Built) -> Result<String> {
+/// What keeps Node.js from measuring them.
+pub(super) fn sizes(dist: &Path) -> Result<String> {
     const SCRIPT: &str = "const z = require('node:zlib'), fs = require('node:fs');
 for (const file of process.argv.slice(1)) {
   const bytes = fs.readFileSync(file);
@@ -59,7 +55,7 @@ for (const file of process.argv.slice(1)) {
         Command::new("node").args(["-e", SCRIPT]).args(files).output().context("cannot start node")?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     if text.is_empty() {
-        bail!("no sizes of {} bytes of wasm: {}", built.wasm.len(), String::from_utf8_lossy(&output.stderr));
+        bail!("no sizes: {}", String::from_utf8_lossy(&output.stderr));
     }
     Ok(text)
 }

@@ -1,23 +1,22 @@
-//! What the assets were built from: the Rust, and digests of the sources.
+//! What something was built from: the Rust, and digests of the sources.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use sha2::{Digest as _, Sha256};
 
 use super::wasm;
 use crate::workspace;
 
-const NAME: &str = "built-from.txt";
-
-/// Sources by name; folders count with all that is in them.
-const SOURCES: [(&str, &[&str]); 7] = [
+/// Sources by name; folders count with all that is in them. What is not there counts as nothing.
+const SOURCES: [(&str, &[&str]); 8] = [
     ("library", &["crates/striata/src", "crates/striata/Cargo.toml"]),
-    ("stream", &["crates/striata-stream/src", "crates/striata-stream/Cargo.toml"]),
+    ("streams", &["crates/striata-stream/src", "crates/striata-stream/Cargo.toml"]),
     ("io", &["crates/striata-io/src", "crates/striata-io/Cargo.toml"]),
     ("web-crate", &["crates/striata-web/src", "crates/striata-web/Cargo.toml"]),
     ("rust-packages", &["Cargo.toml", "Cargo.lock"]),
+    ("recipe", &["xtask/src/web.rs", "xtask/src/web"]),
     ("page", &["web/src", "web/viewer"]),
     (
         "page-packages",
@@ -32,17 +31,19 @@ const SOURCES: [(&str, &[&str]); 7] = [
     ),
 ];
 
-/// The stamp of some assets: lines of a name and a value.
+/// Folders among them that do not count: what is built, and tests.
+const NO_SOURCES: [&str; 2] = ["web/src/wasm", "web/src/tests"];
+
+/// The stamp of what was built: lines of a name and a value.
 pub(super) struct Stamp {
     text: String,
 }
 
 impl Stamp {
     /// # Errors
-    /// Where there is none.
-    pub(super) fn read(dist: &Path) -> Result<Self> {
-        let path = dist.join(NAME);
-        let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string())?;
+    /// That there is none.
+    pub(super) fn read(path: &Path) -> Result<Self> {
+        let text = std::fs::read_to_string(path).with_context(|| path.display().to_string())?;
         Ok(Self { text })
     }
 
@@ -50,29 +51,25 @@ impl Stamp {
         self.text.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(": "))
     }
 
-    /// Whether the rustc of today is the one that made the assets.
-    ///
-    /// # Errors
-    /// Where it does not start.
-    pub(super) fn is_of_this_rust(&self) -> Result<bool> {
-        Ok(self.value("rustc") == Some(&rustc()?))
+    /// The compiler, in its own words.
+    pub(super) fn rustc(&self) -> &str {
+        self.value("rustc").unwrap_or("an unknown rustc")
     }
 
-    /// Compares digests of all sources.
-    ///
-    /// # Errors
-    /// Names of what has changed.
-    pub(super) fn check(&self) -> Result<()> {
-        let mut stale = Vec::new();
-        for (name, paths) in SOURCES {
-            if self.value(name) != Some(&digest(paths)?) {
-                stale.push(format!("{name} ({})", paths.join(", ")));
-            }
-        }
-        if stale.is_empty() {
-            return Ok(());
-        }
-        bail!("changed since the web assets were built: {}", stale.join("; "))
+    /// Whether the rustc of today is the one that built it.
+    pub(super) fn is_of_this_rust(&self) -> bool {
+        rustc().is_ok_and(|rustc| self.value("rustc") == Some(&rustc))
+    }
+
+    /// Names of the sources that have changed since.
+    pub(super) fn changed(&self) -> Vec<&'static str> {
+        let is_same = |name, paths| digest(paths).is_ok_and(|digest| self.value(name) == Some(&digest));
+        SOURCES.iter().filter(|(name, paths)| !is_same(name, paths)).map(|(name, _)| *name).collect()
+    }
+
+    /// Whether building again would make the same.
+    pub(super) fn is_fresh(&self) -> bool {
+        self.is_of_this_rust() && self.changed().is_empty()
     }
 }
 
@@ -80,13 +77,13 @@ impl Stamp {
 ///
 /// # Errors
 /// What the system reports.
-pub(super) fn write(dist: &Path) -> Result<()> {
+pub(super) fn write(path: &Path) -> Result<()> {
     let mut text = format!("rustc: {}\n", rustc()?);
     for (name, paths) in SOURCES {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{name}: {}", digest(paths)?);
     }
-    Ok(std::fs::write(dist.join(NAME), text)?)
+    std::fs::write(path, text).with_context(|| path.display().to_string())
 }
 
 fn rustc() -> Result<String> {
@@ -121,7 +118,7 @@ fn list(path: &Path, name: &Path, files: &mut Vec<(String, PathBuf)>) -> Result<
         files.push((name.to_string_lossy().replace('\\', "/"), path.to_owned()));
         return Ok(());
     }
-    if !path.is_dir() {
+    if !path.is_dir() || NO_SOURCES.iter().any(|folder| name == Path::new(folder)) {
         return Ok(());
     }
     for entry in std::fs::read_dir(path)? {

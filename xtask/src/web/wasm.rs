@@ -28,13 +28,13 @@ const WASM_OPT_FEATURES: [&str; 7] = [
 
 /// What is made of `crates/striata-web`.
 pub(super) struct Built {
-    pub(super) wasm: Vec<u8>,
+    wasm: Vec<u8>,
     script: String,
     types: String,
 }
 
 /// # Errors
-/// Where a tool fails.
+/// What the tools report.
 pub(super) fn build() -> Result<Built> {
     let arguments =
         ["build", "--locked", "-p", "striata-web", "--lib", "--profile", "web", "--target", WASM_TARGET];
@@ -83,7 +83,7 @@ fn flags() -> Result<Vec<String>> {
 ///
 /// # Errors
 /// Where it does not start.
-pub(super) fn said_by_rustc(arguments: &[&str]) -> Result<String> {
+pub(crate) fn said_by_rustc(arguments: &[&str]) -> Result<String> {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc).args(arguments).output().context("cannot start rustc")?;
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())

@@ -21,8 +21,8 @@ use striata_command::failure::Failure;
 use striata_command::output::{Output, grouped, lasted, sized};
 use striata_viewer::picture::Artist;
 
-/// The bust of Nefertiti; `assets/README.md` tells its origin.
-const NEFERTITI: &[u8] = include_bytes!("../../../../../assets/nefertiti.ply.zst");
+/// The bust of Nefertiti; `assets/README.md` at the root of the repository says where it comes from.
+const NEFERTITI: &[u8] = include_bytes!("../../../assets/nefertiti.ply.zst");
 
 #[derive(Serialize)]
 struct Report {

@@ -80,7 +80,12 @@ impl Judge<'_> {
 
     /// The distance from the original mesh of the triangles that the collapse of `v` to its neighbor `u` would leave, if they
     /// may stick out farther than anything so far; `worst` is the largest squared error.
-    pub(in crate::simplify) fn outward_ahead(&mut self, (v, u): (u32, u32), protrusion: f32, worst: f32) -> Option<f32> {
+    pub(in crate::simplify) fn outward_ahead(
+        &mut self,
+        (v, u): (u32, u32),
+        protrusion: f32,
+        worst: f32,
+    ) -> Option<f32> {
         let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
         let bound = relaxed.outward.bound_after(v, protrusion, (worst, positions.len()));
         if bound * bound <= worst {
@@ -92,7 +97,13 @@ impl Judge<'_> {
     }
 
     /// Notes how far what the collapse of `v` to `u` has left sticks out of the original, at most.
-    pub(in crate::simplify) fn note_outward(&mut self, (v, u): (u32, u32), ring: &[u32], choice: &Choice, worst: f32) {
+    pub(in crate::simplify) fn note_outward(
+        &mut self,
+        (v, u): (u32, u32),
+        ring: &[u32],
+        choice: &Choice,
+        worst: f32,
+    ) {
         let Self { relaxed: Some(relaxed), positions, .. } = self else { return };
         let bound = match choice.outward {
             Some(measured) => measured,
@@ -103,7 +114,12 @@ impl Judge<'_> {
 
     /// The largest distance from the original mesh of the triangles around `u` after the collapse of `v` to it, if they may stick
     /// out farther than anything so far; `worst` is the square of that.
-    pub(in crate::simplify) fn outward_behind(&mut self, (v, u): (u32, u32), choice: &Choice, worst: f32) -> Option<f32> {
+    pub(in crate::simplify) fn outward_behind(
+        &mut self,
+        (v, u): (u32, u32),
+        choice: &Choice,
+        worst: f32,
+    ) -> Option<f32> {
         let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
         let bound = relaxed.outward.bound_after(v, choice.sticks_out_squared(), (worst, positions.len()));
         if bound * bound <= worst {

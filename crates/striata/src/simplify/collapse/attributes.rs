@@ -65,7 +65,11 @@ pub(in crate::simplify) struct AttributeSpace {
 
 impl AttributeSpace {
     /// The weighted layers of a mesh, texture coordinates with a factor for each material; `None` if no layer has a weight.
-    pub(in crate::simplify) fn new(welded: &Welded, weights: &AttributeWeights, texcoord_factors: &[f32]) -> Option<Self> {
+    pub(in crate::simplify) fn new(
+        welded: &Welded,
+        weights: &AttributeWeights,
+        texcoord_factors: &[f32],
+    ) -> Option<Self> {
         let weight = |semantic: &Semantic| match semantic {
             Semantic::Normal => weights.normal,
             Semantic::TexCoord(_) => weights.texcoord,
@@ -231,7 +235,13 @@ impl AttributeSpace {
     }
 
     /// What collapsing `v` to neighbour `k` of its star costs in attributes; the wedges must be paired already.
-    pub(in crate::simplify) fn cost(&self, star: &Star, wedges: Option<&Wedges<'_>>, v: u32, k: usize) -> f32 {
+    pub(in crate::simplify) fn cost(
+        &self,
+        star: &Star,
+        wedges: Option<&Wedges<'_>>,
+        v: u32,
+        k: usize,
+    ) -> f32 {
         let vertex_at = |t: usize, position: u32| {
             wedges.map_or(position, |w| {
                 if w.is_split(position) { w.shown(star.triangles[t], position) } else { w.first(position) }
@@ -273,7 +283,12 @@ impl AttributeSpace {
     }
 
     /// Squared difference between a vertex and a point of the triangle `corners` with these barycentric coordinates.
-    pub(in crate::simplify) fn interpolation_error(&self, wedge: u32, corners: [u32; 3], weights: [f32; 3]) -> f32 {
+    pub(in crate::simplify) fn interpolation_error(
+        &self,
+        wedge: u32,
+        corners: [u32; 3],
+        weights: [f32; 3],
+    ) -> f32 {
         let [a, b, c] = corners.map(|corner| self.of(corner));
         let own = self.of(wedge);
         (0..self.dimension)

@@ -57,7 +57,12 @@ impl Course {
 
     /// The squared distance of the witness of `v` from the fan that its collapse to the neighbor `u` would leave, if it may be
     /// farther away than anything so far; `own` is that of `v` itself.
-    pub(in crate::simplify) fn witness_ahead(&self, judge: &mut Judge<'_>, (v, u): (u32, u32), own: f32) -> Option<f32> {
+    pub(in crate::simplify) fn witness_ahead(
+        &self,
+        judge: &mut Judge<'_>,
+        (v, u): (u32, u32),
+        own: f32,
+    ) -> Option<f32> {
         let vertex = self.witnesses.suspect(v, own)?;
         let Judge { star, links, positions, .. } = judge;
         star.gather(links, positions, v);

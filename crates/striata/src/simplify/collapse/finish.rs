@@ -50,7 +50,10 @@ impl RefinementOrder {
 }
 
 /// Renumbers the mesh so that every level uses a prefix of its vertices; also gives each vertex's source.
-pub(in crate::simplify) fn finish(welded: Welded, record: Record) -> Result<(RefinableMesh, Vec<u32>), SequenceError> {
+pub(in crate::simplify) fn finish(
+    welded: Welded,
+    record: Record,
+) -> Result<(RefinableMesh, Vec<u32>), SequenceError> {
     let order = RefinementOrder::new(&welded.positions, &record.removed);
     let RefinementOrder { base_position_count, first, vertex_order, new_index } = order;
     let base_vertex_count = first[base_position_count] as usize;

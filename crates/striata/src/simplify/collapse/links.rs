@@ -64,7 +64,11 @@ const SLACK: u32 = 2;
 
 impl Links {
     /// Links of `position_count` positions from triangles of positions.
-    pub(in crate::simplify) fn new(position_count: usize, triangles: &[[u32; 3]], follows_triangles: bool) -> Self {
+    pub(in crate::simplify) fn new(
+        position_count: usize,
+        triangles: &[[u32; 3]],
+        follows_triangles: bool,
+    ) -> Self {
         let mut first = vec![0u32; position_count + 1];
         for &p in triangles.iter().flatten() {
             first[p as usize + 1] += 1;

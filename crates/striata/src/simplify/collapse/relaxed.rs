@@ -150,7 +150,12 @@ impl<'a> Relaxed<'a> {
     }
 
     /// Builds the tree of the rest anew if half of its triangles are gone.
-    pub(in crate::simplify) fn refresh(&mut self, links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) {
+    pub(in crate::simplify) fn refresh(
+        &mut self,
+        links: &Links,
+        wedges: Option<&Wedges<'_>>,
+        positions: &[[f32; 4]],
+    ) {
         if self.generation == 0 || 2 * self.triangle_count < self.rest.triangle_count() {
             self.rest = Rest::new(links, wedges, positions);
             self.generation += 1;
@@ -259,7 +264,12 @@ impl Judge<'_> {
     }
 
     /// True if a relaxed choice that was made before may still be carried out at its cost.
-    pub(in crate::simplify) fn relaxed_stands(&self, v: u32, u: u32, (tier, distance_squared): (Tier, f32)) -> bool {
+    pub(in crate::simplify) fn relaxed_stands(
+        &self,
+        v: u32,
+        u: u32,
+        (tier, distance_squared): (Tier, f32),
+    ) -> bool {
         let Some(relaxed) = &self.relaxed else { return false };
         let entries = self.links.entries(v);
         if !entries.contains(&u) {

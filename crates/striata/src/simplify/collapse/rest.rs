@@ -39,7 +39,11 @@ pub(in crate::simplify) struct Rest {
 
 impl Rest {
     /// Builds the tree over the triangles that the links hold.
-    pub(in crate::simplify) fn new(links: &Links, wedges: Option<&Wedges<'_>>, positions: &[[f32; 4]]) -> Self {
+    pub(in crate::simplify) fn new(
+        links: &Links,
+        wedges: Option<&Wedges<'_>>,
+        positions: &[[f32; 4]],
+    ) -> Self {
         let mut triangles = Vec::new();
         let mut edges: Vec<LinkEdge> = Vec::new();
         for p in 0..positions.len() as u32 {
@@ -69,7 +73,12 @@ impl Rest {
 
     /// Hands over triangles in boxes that are nearer to a point than a limit, squared, near ones first; `visit` returns the
     /// limit from then on.
-    pub(in crate::simplify) fn visit_near(&self, from: Vec3, limit: f32, mut visit: impl FnMut(&RestTriangle) -> f32) {
+    pub(in crate::simplify) fn visit_near(
+        &self,
+        from: Vec3,
+        limit: f32,
+        mut visit: impl FnMut(&RestTriangle) -> f32,
+    ) {
         self.tree.visit_near(Vec3A::from(from), limit, |index| visit(&self.triangles[index]));
     }
 

@@ -369,7 +369,11 @@ impl Star {
     ///
     /// `seam_between(i, j)` gives the squared difference of attributes if triangles `i` and `j` show v different wedges; infinite
     /// if the seam must stay.
-    pub(in crate::simplify) fn apply_borders(&mut self, kind: LinkKind, seam_between: Option<SeamBetween<'_>>) {
+    pub(in crate::simplify) fn apply_borders(
+        &mut self,
+        kind: LinkKind,
+        seam_between: Option<SeamBetween<'_>>,
+    ) {
         if kind == LinkKind::Closed && seam_between.is_none() {
             return;
         }

@@ -1,5 +1,0 @@
-/** Models that stream in coarse to fine, for three.js. */
-export { StriataError } from './error.ts';
-export { StriataLoader, type StriataLoaderConstructor, type StriataLoaderInstance } from './loader.ts';
-export { StriataMesh } from './mesh.ts';
-export type * from './types.ts';
