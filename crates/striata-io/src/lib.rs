@@ -27,6 +27,8 @@ mod error;
 mod format;
 #[cfg(feature = "gltf")]
 mod gltf;
+#[cfg(not(target_family = "wasm"))]
+mod lod;
 mod normals;
 #[cfg(feature = "obj")]
 mod obj;
@@ -47,6 +49,8 @@ pub use blocks::{StripSpool, TriangleBlocks};
 pub use compressed::decompressed;
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
+#[cfg(not(target_family = "wasm"))]
+pub use lod::{open, save};
 #[cfg(not(target_family = "wasm"))]
 pub use read::read;
 pub use read::{Source, read_bytes};

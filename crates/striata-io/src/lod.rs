@@ -1,0 +1,65 @@
+//! Levels of detail in `.striata` files.
+
+use std::fs;
+use std::path::Path;
+
+use striata::Lod;
+use striata::file::{StriataFile, WriteOptions};
+
+use crate::{Place, ReadError, WriteError, write_atomically};
+
+/// Writes a [`Lod`] as one `.striata` file, with the mesh, every level and all it takes to follow a camera.
+///
+/// The file is there whole or not at all.
+///
+/// # Errors
+/// [`WriteError`] with the file and the reason.
+pub fn save(path: impl AsRef<Path>, lod: &Lod) -> Result<(), WriteError> {
+    let path = path.as_ref();
+    let refused = |reason: String| WriteError::BadMesh { file: path.display().to_string(), reason };
+    let bytes = lod.to_striata(&WriteOptions::default()).map_err(|error| refused(error.to_string()))?;
+    write_atomically(path, |out| out.write_all(&bytes))
+}
+
+/// Reads a [`Lod`] from a `.striata` file, whichever models it holds. A file whose mesh is a progressive stream is opened by the
+/// crate `striata-stream` instead.
+///
+/// # Errors
+/// [`ReadError`] with the file and the reason.
+pub fn open(path: impl AsRef<Path>) -> Result<Lod, ReadError> {
+    let path = path.as_ref();
+    let file = || path.display().to_string();
+    let bytes = fs::read(path).map_err(|source| ReadError::Io { file: file(), source })?;
+    StriataFile::parse(&bytes)
+        .and_then(|parsed| Lod::from_file(&parsed))
+        .map_err(|error| ReadError::Malformed { file: file(), place: Place::File, reason: error.to_string() })
+}
+
+#[cfg(test)]
+mod tests {
+    use striata::mesh::shapes;
+    use striata::{LodOptions, Target};
+
+    use super::*;
+
+    #[test]
+    fn what_is_saved_is_opened() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("torus.striata");
+        let lod = Lod::build(&shapes::torus(24, 12, 1.0, 0.4), &LodOptions::default()).unwrap();
+        save(&path, &lod).unwrap();
+        let opened = open(&path).unwrap();
+        let target = Target::Triangles(100);
+        assert_eq!(opened.level(target).indices(), lod.level(target).indices());
+    }
+
+    #[test]
+    fn what_is_no_such_file_is_refused_by_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("text.striata");
+        fs::write(&path, "no model").unwrap();
+        let error = open(&path).unwrap_err().to_string();
+        assert!(error.contains("text.striata") && error.contains("not a .striata file"), "{error}");
+        assert!(matches!(open(folder.path().join("none.striata")), Err(ReadError::Io { .. })));
+    }
+}

@@ -1,0 +1,77 @@
+//! What all levels and views of one mesh share.
+
+use crate::file::{DecodeError, EncodeError, FileModel, StriataFile, WriteOptions, to_striata};
+use crate::mesh::RefinableMesh;
+use crate::model::{FanBounds, FanScene, Fans};
+use crate::view::Sphere;
+
+/// The key under which a file says whether its errors hold, and what it then says.
+const ERRORS: (&str, &str) = ("errors", "guaranteed");
+
+/// The mesh in refinement order with its fans.
+#[derive(Debug)]
+pub(super) struct Tables {
+    refinable: RefinableMesh,
+    fans: Fans,
+    bounds: FanBounds,
+    /// Around all positions.
+    sphere: Sphere,
+    has_guaranteed_errors: bool,
+}
+
+impl Tables {
+    pub(super) fn new(refinable: RefinableMesh, has_guaranteed_errors: bool) -> Self {
+        let fans = Fans::build(&refinable);
+        let bounds = FanBounds::build(&fans, &refinable);
+        Self::of_parts(refinable, (fans, bounds), has_guaranteed_errors)
+    }
+
+    pub(super) fn from_file(file: &StriataFile<'_>) -> Result<Self, DecodeError> {
+        let refinable = file.refinable_mesh()?;
+        let (key, value) = ERRORS;
+        let has_guaranteed_errors = file.metadata()?.iter().any(|(k, v)| k == key && v == value);
+        match file.fans() {
+            Some(fans) => Ok(Self::of_parts(refinable, fans?, has_guaranteed_errors)),
+            None => Ok(Self::new(refinable, has_guaranteed_errors)),
+        }
+    }
+
+    fn of_parts(
+        refinable: RefinableMesh,
+        (fans, bounds): (Fans, FanBounds),
+        has_guaranteed_errors: bool,
+    ) -> Self {
+        let sphere = FanScene::new(&fans, &bounds, &refinable).sphere();
+        Self { refinable, fans, bounds, sphere, has_guaranteed_errors }
+    }
+
+    pub(super) fn to_striata(&self, options: &WriteOptions) -> Result<Vec<u8>, EncodeError> {
+        let mut options = options.clone();
+        let (key, value) = ERRORS;
+        if options.metadata.iter().all(|(k, _)| k != key) {
+            let value = if self.has_guaranteed_errors { value } else { "estimated" };
+            options = options.with_metadata(key, value);
+        }
+        to_striata(&self.refinable, &[FileModel::Fans(&self.fans, &self.bounds)], &options)
+    }
+
+    pub(super) fn refinable(&self) -> &RefinableMesh {
+        &self.refinable
+    }
+
+    pub(super) fn fans(&self) -> &Fans {
+        &self.fans
+    }
+
+    pub(super) fn scene(&self) -> FanScene<'_> {
+        FanScene::new(&self.fans, &self.bounds, &self.refinable)
+    }
+
+    pub(super) fn sphere(&self) -> Sphere {
+        self.sphere
+    }
+
+    pub(super) fn has_guaranteed_errors(&self) -> bool {
+        self.has_guaranteed_errors
+    }
+}

@@ -1,0 +1,104 @@
+use super::*;
+use crate::file::WriteOptions;
+use crate::mesh::{canonical_triangles, replay, shapes};
+use crate::strip::restart_triangles_into;
+use crate::view::Camera;
+
+fn meshes() -> [IndexedMesh; 4] {
+    [
+        shapes::icosphere(3, 1.0),
+        shapes::terrain(20, 3),
+        shapes::two_material_sphere(12, 16),
+        IndexedMesh { positions: Vec::new(), ..shapes::tetrahedron() },
+    ]
+}
+
+fn sound() -> impl Iterator<Item = IndexedMesh> {
+    meshes().into_iter().filter(|mesh| mesh.check().is_ok())
+}
+
+#[test]
+fn levels_are_those_of_the_oracle() {
+    for mesh in sound() {
+        let lod = Lod::build(&mesh, &LodOptions::default()).unwrap();
+        let refinable = lod.tables.refinable();
+        for split_count in 0..=lod.step_count() {
+            let level = lod.level(Target::SplitCount(split_count));
+            let expected = replay(refinable, split_count);
+            assert_eq!(canonical_triangles(level.triangles()), canonical_triangles(&expected.triangles));
+            assert_eq!(level.split_count(), split_count);
+            assert!(level.indices().iter().all(|&index| (index as usize) < level.vertex_count()));
+            let mut of_strips = Vec::new();
+            let strips = level.strips();
+            for range in &strips.group_ranges {
+                let range = range.start as usize..range.end as usize;
+                restart_triangles_into(&strips.indices[range], &mut of_strips);
+            }
+            assert_eq!(canonical_triangles(&of_strips), canonical_triangles(&expected.triangles));
+            let groups: usize = level.groups().iter().map(|range| range.len()).sum();
+            assert_eq!(groups, level.indices().len());
+        }
+    }
+}
+
+#[test]
+fn a_level_that_moves_is_one_that_was_made_there() {
+    let lod = Lod::build(&shapes::terrain(20, 3), &LodOptions::default()).unwrap();
+    let mut level = lod.level(Target::Detail(1.0));
+    for triangles in [100, 700, 3, 100_000] {
+        level.move_to(Target::Triangles(triangles));
+        let made = lod.level(Target::Triangles(triangles));
+        assert_eq!(level.indices(), made.indices());
+        assert_eq!((level.error(), level.stop_reason()), (made.error(), made.stop_reason()));
+    }
+}
+
+#[test]
+fn views_show_what_a_camera_needs() {
+    let lod = Lod::build(&shapes::terrain(40, 3), &LodOptions::default()).unwrap();
+    let center = lod.mesh().bounds().unwrap().min;
+    let mut view = lod.view();
+    assert_eq!(view.triangle_count(), lod.level(Target::SplitCount(0)).triangle_count());
+    let camera = |away: f32| {
+        Camera::new([center[0], center[1], center[2] + away], center, [0.0, 1.0, 0.0], 0.577, [800, 600])
+    };
+    let diagonal = lod.mesh().diagonal() as f32;
+    view.update(&camera(100.0 * diagonal).unwrap(), 1.0);
+    let far = view.triangle_count();
+    view.update(&camera(0.5 * diagonal).unwrap(), 1.0);
+    assert!(view.triangle_count() > 2 * far, "{} against {far}", view.triangle_count());
+    assert_eq!(view.indices().len(), 3 * view.triangle_count());
+    view.update_to_budget(&camera(0.5 * diagonal).unwrap(), 1.0, 200);
+    assert!(view.triangle_count() <= 200);
+    assert_eq!(view.indices().len(), 3 * view.triangle_count());
+}
+
+#[test]
+fn files_keep_all_of_it() {
+    for (mesh, is_guaranteed) in sound().zip([false, true, false]) {
+        let options = LodOptions::default().with_guaranteed_errors(is_guaranteed);
+        let lod = Lod::build(&mesh, &options).unwrap();
+        let bytes = lod.to_striata(&WriteOptions::default()).unwrap();
+        let read = Lod::from_file(&StriataFile::parse(&bytes).unwrap()).unwrap();
+        assert_eq!(read.has_guaranteed_errors(), is_guaranteed);
+        assert_eq!(read.positions(), lod.positions());
+        assert_eq!(canonical_triangles(&read.mesh().triangles), canonical_triangles(&lod.mesh().triangles));
+        let target = Target::Detail(0.5);
+        assert_eq!(read.level(target).indices(), lod.level(target).indices());
+        assert_eq!(read.level(target).error(), lod.level(target).error());
+    }
+}
+
+#[test]
+fn meshes_whose_parts_do_not_fit_are_refused() {
+    let broken = meshes().into_iter().find(|mesh| mesh.check().is_err()).unwrap();
+    assert!(matches!(Lod::build(&broken, &LodOptions::default()), Err(SimplifyError::Mesh(_))));
+}
+
+#[test]
+fn the_callback_can_cancel() {
+    let mesh = shapes::terrain(100, 1);
+    let cancelled =
+        Lod::build_with_progress(&mesh, &LodOptions::default(), &mut |_| std::ops::ControlFlow::Break(()));
+    assert!(matches!(cancelled, Err(SimplifyError::Cancelled(_))), "{cancelled:?}");
+}
