@@ -28,6 +28,7 @@ use striata::simplify::{
     BatchOptions, CollapseCost, RemovalOptions, SequenceOptions, SimplifyError, build_welded_batches,
     build_welded_fragments, build_welded_sequence,
 };
+use striata_stream::{Precision, SHAPE_STEPS, StreamOptions};
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
 
@@ -72,13 +73,6 @@ impl Request {
     }
 }
 
-/// What the batches of a stream of 12 bits weigh the shape of edges by: one and a half steps of its grid.
-fn shape_step(mesh: &IndexedMesh) -> Option<f64> {
-    let bounds = mesh.bounds()?;
-    let side = (0..3).map(|a| f64::from(bounds.max[a]) - f64::from(bounds.min[a])).fold(0.0, f64::max);
-    Some(1.5 * (side / 4095.0))
-}
-
 /// What makes a sequence of ours.
 #[derive(Clone, Copy)]
 enum Simplifier {
@@ -116,7 +110,10 @@ impl Simplifier {
                 Ok(Built::Collapses(Box::new(built.refinable)))
             }
             Self::Batches => {
-                let options = BatchOptions::default().with_shape_step(shape_step(&welded.mesh));
+                let step =
+                    StreamOptions::default().with_precision(Precision::Bits(12)).grid_step(&welded.mesh);
+                let options =
+                    BatchOptions::default().with_shape_step(step.ok().map(|step| SHAPE_STEPS * step));
                 let built = build_welded_batches(welded, &options)?;
                 Ok(Built::Collapses(Box::new(built.built.refinable)))
             }
