@@ -5,8 +5,9 @@ use glam::Vec3;
 use crate::mesh::Welded;
 
 use super::aftermath::Departure;
+use super::choice::{Choice, Tier};
 use super::finish::Record;
-use super::judge::{Choice, Judge, Memory, Tier};
+use super::judge::{Judge, Memory};
 use super::links::LinkKind;
 use super::witness::Witnesses;
 

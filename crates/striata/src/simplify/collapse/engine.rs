@@ -16,10 +16,11 @@ use std::ops::ControlFlow;
 use crate::mesh::Welded;
 use crate::{Cancelled, Progress, ProgressFn};
 
+use super::choice::{Choice, Tier};
 use super::course::Course;
 use super::finish::Record;
 use super::heap::IndexedHeap;
-use super::judge::{Choice, Judge, Memory, Tier};
+use super::judge::{Judge, Memory};
 use super::links::LinkKind;
 use super::relaxation::Relaxation;
 use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};

@@ -5,15 +5,16 @@ use glam::DVec3;
 use crate::mesh::Welded;
 
 use super::attributes::AttributeSpace;
+use super::choice::{Choice, Tier};
 use super::fan::point;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
 use super::pairs::Pairs;
 use super::quadric::Quadric;
-use super::relaxed::Relaxed;
 use super::star::Star;
 use super::tracked::{MEMORYLESS_SHARE, Tracker};
 use super::wedges::Wedges;
+use super::whole::Relaxed;
 use crate::simplify::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
 
 /// Share of the squared way between two parts that merging them costs, over the area that moves.
@@ -52,47 +53,6 @@ struct Candidate {
     quadratic: f32,
     distance_squared: f32,
     protrusion_squared: f32,
-}
-
-/// What a collapse does to the surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::simplify) enum Tier {
-    /// It keeps what the surface is.
-    #[default]
-    Strict,
-    /// It breaks the link condition or leaves a border.
-    Link,
-    /// It flips triangles.
-    Fold,
-    /// It takes all triangles of the position, but not of the target.
-    Fin,
-    /// It takes all triangles of both; others of the part stay.
-    Remnant,
-    /// It takes the last triangles of a part.
-    Vanish,
-}
-
-/// A collapse that was judged in full.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::simplify) struct Choice {
-    pub(in crate::simplify) tier: Tier,
-    pub(in crate::simplify) cost: f32,
-    pub(in crate::simplify) target: u32,
-    /// Squared distance of the vertex from its new fan.
-    pub(in crate::simplify) distance_squared: f32,
-    /// Squared distance of the fan's new edges from the old star.
-    pub(in crate::simplify) protrusion_squared: f32,
-    /// Distance of the fan from the original mesh, if it has been measured.
-    pub(in crate::simplify) outward: Option<f32>,
-}
-
-impl Choice {
-    /// How far, squared, what it leaves sticks out of what it replaces, at most.
-    pub(in crate::simplify) fn sticks_out_squared(&self) -> f32 {
-        // A fold moves its triangles by the whole edge.
-        let moved = if self.tier == Tier::Fold { self.distance_squared } else { 0.0 };
-        self.protrusion_squared.max(moved)
-    }
 }
 
 /// The mesh as it is, and all that judges it.

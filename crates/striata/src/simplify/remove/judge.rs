@@ -6,8 +6,9 @@
 //! largest distance alone: the Hausdorff distance that orders \[KLS96\], which decides where it stands out.
 
 use crate::mesh::Welded;
+use crate::simplify::collapse::choice::Choice;
 use crate::simplify::collapse::engine::scaled_positions;
-use crate::simplify::collapse::judge::{Choice, Judge as CollapseJudge};
+use crate::simplify::collapse::judge::Judge as CollapseJudge;
 use crate::simplify::collapse::links::{LinkKind, Links};
 use crate::simplify::collapse::star::Star;
 use crate::simplify::collapse::wedges::Wedges;

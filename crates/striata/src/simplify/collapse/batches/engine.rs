@@ -11,10 +11,11 @@
 use std::ops::ControlFlow;
 
 use crate::mesh::Welded;
+use crate::simplify::collapse::choice::{Choice, Tier};
 use crate::simplify::collapse::course::Course;
 use crate::simplify::collapse::engine::scaled_positions;
 use crate::simplify::collapse::finish::Record;
-use crate::simplify::collapse::judge::{Choice, Judge, Memory, Tier};
+use crate::simplify::collapse::judge::{Judge, Memory};
 use crate::simplify::collapse::relaxation::Relaxation;
 use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
 use crate::{Cancelled, Progress, ProgressFn};
