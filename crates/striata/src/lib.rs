@@ -7,6 +7,7 @@ pub mod file;
 pub mod mesh;
 pub mod model;
 mod progress;
+mod setters;
 pub mod simplify;
 pub mod strip;
 pub mod view;

@@ -195,7 +195,7 @@ proptest! {
 
     #[test]
     fn batches_keep_their_promises_on_soups(
-        (seed, triangle_count, has_patches, share) in (any::<u64>(), 1u32..120, any::<bool>(), 0.05f64..1.0)
+        seed: u64, triangle_count in 1u32..120, has_patches: bool, share in 0.05f64..1.0
     ) {
         let mut mesh = shapes::random_soup(triangle_count, seed);
         if has_patches {
@@ -207,7 +207,7 @@ proptest! {
 
     #[test]
     fn batches_keep_their_promises_on_surfaces_with_holes(
-        (seed, holes, has_patches) in (any::<u64>(), proptest::collection::vec(0usize..400, 0..40), any::<bool>())
+        seed: u64, holes in proptest::collection::vec(0usize..400, 0..40), has_patches: bool
     ) {
         let mut mesh = rough(shapes::torus(20, 10, 2.0, 0.8), 0.1, seed);
         for hole in holes {

@@ -13,7 +13,6 @@
 
 use glam::Vec3;
 
-
 use super::choice::{Choice, Tier};
 use super::fan::{nearest, point};
 use super::judge::{Judge, Memory};

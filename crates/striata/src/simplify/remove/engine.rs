@@ -13,7 +13,7 @@ use crate::{Cancelled, Progress, ProgressFn};
 
 use super::judge::{Depth, Filling, Judge, Reach};
 use super::options::{RemovalOptions, Retriangulation};
-use super::record::{Faces, RemovalRecord};
+use super::record::{Faces, Outcome, RemovalRecord};
 
 /// Removals between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
@@ -65,10 +65,7 @@ impl<'a> Engine<'a> {
     }
 
     /// Removes vertices until none can be, the base is reached or the error limit forbids all that are left.
-    pub(super) fn run(
-        mut self,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<(RemovalRecord, Faces, StopReason), SimplifyError> {
+    pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
         let total = self.judge.collapses.positions.len() as u64;
         if self.relaxation.is_possible() {
             self.relaxation.consider(&mut self.judge.collapses, (&[], &[]));
@@ -154,10 +151,10 @@ impl<'a> Engine<'a> {
         self.heap.first().is_some_and(|(_, first)| first != v)
     }
 
-    fn end(mut self, reason: StopReason) -> (RemovalRecord, Faces, StopReason) {
+    fn end(mut self, stop_reason: StopReason) -> Outcome {
         let corners = self.judge.collapses.wedges.map(Wedges::into_corners).unwrap_or_default();
         self.record.has_vanished = self.has_vanished;
-        (self.record, Faces { corners, groups: self.judge.groups }, reason)
+        Outcome { record: self.record, faces: Faces { corners, groups: self.judge.groups }, stop_reason }
     }
 
     fn key(&mut self, v: u32) -> f32 {

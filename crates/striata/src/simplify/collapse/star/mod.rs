@@ -20,13 +20,14 @@
 mod borders;
 mod candidate;
 mod lanes;
+mod special;
 
 use glam::Vec3;
 use wide::{f32x4, f32x8};
 
 use super::links::{LinkEdge, LinkKind, Links};
-use borders::Special;
 use lanes::{Coordinates, LANES, Vec3x8, fold, grow, slices, vectors};
+use special::Special;
 
 /// Area, in squared distances, that a spike counts for beyond the area of its star: thin spikes have next to none,
 /// but they are seen.
