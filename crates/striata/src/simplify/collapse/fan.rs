@@ -15,13 +15,15 @@ pub(in crate::simplify) fn distance_squared(a: Vec3, b: Vec3, c: Vec3) -> f32 {
 }
 
 /// Barycentric coordinates of the point of the triangle `(a, b, c)` nearest to the origin.
-#[inline]
 /// A position as a vector, without its padding.
+#[inline]
 pub(in crate::simplify) fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
     let [x, y, z, _] = positions[p as usize];
     Vec3::new(x, y, z)
 }
 
+/// The weights of the three corners at the point of a triangle that is nearest to the origin.
+#[inline]
 pub(in crate::simplify) fn nearest(a: Vec3, b: Vec3, c: Vec3) -> [f32; 3] {
     let (ab, ac) = (b - a, c - a);
     let (d1, d2) = (-ab.dot(a), -ac.dot(a));

@@ -140,6 +140,7 @@ impl Links {
     }
 
     /// Triangles around `v`.
+    #[inline]
     pub(in crate::simplify) fn triangle_count(&self, v: u32) -> usize {
         let slab = self.slabs[v as usize];
         match slab.kind {

@@ -30,6 +30,12 @@ pub(super) fn lanes(array: &[f32], index: usize) -> f32x8 {
     f32x8::new(array[index..].first_chunk().copied().unwrap_or([0.0; LANES]))
 }
 
+/// The same with four.
+#[inline]
+pub(super) fn four(array: &[f32], index: usize) -> f32x4 {
+    f32x4::new(array[index..].first_chunk().copied().unwrap_or([0.0; 4]))
+}
+
 /// Sum in a fixed order.
 #[inline]
 pub(super) fn fold(sums: f32x4) -> f32 {

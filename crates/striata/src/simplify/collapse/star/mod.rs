@@ -26,7 +26,7 @@ use glam::Vec3;
 use wide::{f32x4, f32x8};
 
 use super::links::{LinkEdge, LinkKind, Links};
-use lanes::{Coordinates, LANES, Vec3x8, fold, grow, slices, vectors};
+use lanes::{Coordinates, LANES, Vec3x8, fold, four, grow, slices, vectors};
 use special::Special;
 
 /// Area, in squared distances, that a spike counts for beyond the area of its star: thin spikes have next to none,
@@ -232,8 +232,8 @@ impl Star {
         // xx yy zz xy xz yz | nx ny nz | area
         let mut sums = [f32x4::ZERO; 10];
         for t in (0..self.triangle_count).step_by(4) {
-            let [x, y, z] = slices(&self.normals, t)
-                .map(|array| f32x4::new(array.first_chunk().copied().unwrap_or([0.0; 4])));
+            let [x, y, z] = &self.normals;
+            let (x, y, z) = (four(x, t), four(y, t), four(z, t));
             let length = (x * x + y * y + z * z).sqrt();
             let weight = f32x4::splat(0.5) / length.fast_max(f32x4::splat(f32::MIN_POSITIVE));
             let (wx, wy, wz) = (weight * x, weight * y, weight * z);
@@ -242,7 +242,9 @@ impl Star {
                 *sum += term;
             }
         }
-        let [xx, yy, zz, xy, xz, yz, nx, ny, nz, area] = sums.map(fold);
+        let mut folded = [0.0; 10];
+        folded.iter_mut().zip(sums).for_each(|(out, sum)| *out = fold(sum));
+        let [xx, yy, zz, xy, xz, yz, nx, ny, nz, area] = folded;
         self.area_doubled = area;
         self.mean_normal = Vec3::new(nx, ny, nz);
         // N and A are both doubled: half of the doubled quotient is left.
