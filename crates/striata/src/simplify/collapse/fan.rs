@@ -14,7 +14,6 @@ pub(in crate::simplify) fn distance_squared(a: Vec3, b: Vec3, c: Vec3) -> f32 {
     (a + (b - a) * v + (c - a) * w).length_squared()
 }
 
-/// Barycentric coordinates of the point of the triangle `(a, b, c)` nearest to the origin.
 /// A position as a vector, without its padding.
 #[inline]
 pub(in crate::simplify) fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
@@ -22,7 +21,7 @@ pub(in crate::simplify) fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// The weights of the three corners at the point of a triangle that is nearest to the origin.
+/// Barycentric coordinates of the point of the triangle `(a, b, c)` nearest to the origin.
 #[inline]
 pub(in crate::simplify) fn nearest(a: Vec3, b: Vec3, c: Vec3) -> [f32; 3] {
     let (ab, ac) = (b - a, c - a);

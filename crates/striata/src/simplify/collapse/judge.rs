@@ -59,6 +59,8 @@ struct Candidate {
 pub(in crate::simplify) struct Judge<'a> {
     /// Positions about the bounds' centre, diagonal 1, padded to a vector register.
     pub(in crate::simplify) positions: Vec<[f32; 4]>,
+    /// Mesh units of one unit of these.
+    pub(in crate::simplify) scale: f64,
     pub(in crate::simplify) links: Links,
     pub(in crate::simplify) wedges: Option<Wedges<'a>>,
     pub(in crate::simplify) memory: Memory,
@@ -76,12 +78,9 @@ pub(in crate::simplify) struct Judge<'a> {
 }
 
 impl<'a> Judge<'a> {
-    /// `positions` and `scale` as [`scaled_positions`](super::engine::scaled_positions) gives them.
-    pub(in crate::simplify) fn new(
-        welded: &'a Welded,
-        options: &SequenceOptions,
-        (positions, scale): (Vec<[f32; 4]>, f64),
-    ) -> Self {
+    /// The full mesh, with nothing gathered.
+    pub(in crate::simplify) fn new(welded: &'a Welded, options: &SequenceOptions) -> Self {
+        let (positions, scale) = scaled_positions(welded);
         let position_count = positions.len();
         let has_wedges = !welded.positions.is_identity();
         let follows = has_wedges || options.cost == CollapseCost::Tracked;
@@ -94,6 +93,7 @@ impl<'a> Judge<'a> {
         };
         let mut judge = Self {
             positions,
+            scale,
             links,
             wedges: has_wedges.then(|| Wedges::new(&welded.positions, welded.mesh.triangles.clone())),
             memory: Memory::Memoryless,
@@ -463,4 +463,18 @@ fn lock_group_borders(welded: &Welded, is_locked: &mut [bool]) {
             }
         }
     }
+}
+
+/// One entry a position, about the centre of the bounds and with their diagonal as unit, and that unit.
+fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
+    let Some(bounds) = welded.mesh.bounds() else { return (Vec::new(), 1.0) };
+    let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };
+    let centre: [f64; 3] =
+        std::array::from_fn(|a| 0.5 * (f64::from(bounds.min[a]) + f64::from(bounds.max[a])));
+    let place = |p: u32| {
+        let [x, y, z] = welded.mesh.positions[welded.positions.first_vertex(p) as usize];
+        let on = |x: f32, a: usize| ((f64::from(x) - centre[a]) / scale) as f32;
+        [on(x, 0), on(y, 1), on(z, 2), 0.0]
+    };
+    ((0..welded.positions.position_count() as u32).map(place).collect(), scale)
 }

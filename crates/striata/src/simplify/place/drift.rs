@@ -84,7 +84,8 @@ mod tests {
         let positions: Vec<DVec3> =
             welded.mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
         let scaled = positions.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32, 0.0]).collect();
-        let mut judge = Judge::new(&welded, &SequenceOptions::default(), (scaled, 1.0));
+        let mut judge = Judge::new(&welded, &SequenceOptions::default());
+        judge.positions = scaled;
         let mut drift = Drift::new(positions.clone());
         judge.links.collapse(tip, rim);
         let worst = drift.settle_all((&mut judge, &positions), (&[tip, rim], &[]), rim, 0.0);

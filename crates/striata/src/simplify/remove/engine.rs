@@ -1,7 +1,5 @@
 //! The loop: remove the vertex that costs least, fill its hole, look again at what surrounds it.
 
-use std::ops::ControlFlow;
-
 use crate::mesh::Welded;
 use crate::simplify::certify::Cover;
 use crate::simplify::collapse::heap::IndexedHeap;
@@ -9,7 +7,7 @@ use crate::simplify::collapse::judge::Judge as CollapseJudge;
 use crate::simplify::collapse::relaxation::Relaxation;
 use crate::simplify::collapse::wedges::Wedges;
 use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
-use crate::{Cancelled, Progress, ProgressFn};
+use crate::{Progress, ProgressFn};
 
 use super::judge::{Depth, Filling, Judge, Reach};
 use super::options::{RemovalOptions, Retriangulation};
@@ -112,9 +110,8 @@ impl<'a> Engine<'a> {
             self.remove(v, verdict.filling, error);
             self.has_vanished |= vanishes;
             let done = self.record.removed.len() as u64;
-            let is_report = done.is_multiple_of(REPORT_INTERVAL);
-            if is_report && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(()) {
-                return Err(Cancelled.into());
+            if done.is_multiple_of(REPORT_INTERVAL) {
+                Progress { phase: "simplify", done, total }.report(progress)?;
             }
         }
         let is_met = self.triangle_count <= self.options.base_triangle_count;

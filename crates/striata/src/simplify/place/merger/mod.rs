@@ -4,18 +4,15 @@ mod choice;
 mod choose;
 mod rest;
 
-use std::ops::ControlFlow;
-
 use glam::DVec3;
 
 use crate::mesh::{AttributeLayer, Welded};
 use crate::simplify::collapse::choice::Tier;
-use crate::simplify::collapse::engine::scaled_positions;
 use crate::simplify::collapse::heap::IndexedHeap;
 use crate::simplify::collapse::judge::Judge;
 use crate::simplify::collapse::relaxation::Relaxation;
 use crate::simplify::options::{CollapseCost, SeamRule, SequenceOptions, SimplifyError, StopReason};
-use crate::{Cancelled, Progress, ProgressFn};
+use crate::{Progress, ProgressFn};
 
 use super::blend;
 use super::drift::Drift;
@@ -78,7 +75,7 @@ impl<'a> Merger<'a> {
         let positions: Vec<DVec3> = (0..position_count as u32).map(place).collect();
         let options =
             SequenceOptions { cost: CollapseCost::Memoryless, pair_distance: None, ..options.clone() };
-        let mut judge = Judge::new(welded, &options, scaled_positions(welded));
+        let mut judge = Judge::new(welded, &options);
         judge.lock_boundary();
         Self {
             welded,
@@ -148,10 +145,8 @@ impl<'a> Merger<'a> {
                 return Ok(goal.at_limit);
             }
             let done = self.removed_count as u64;
-            if done.is_multiple_of(4096)
-                && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(())
-            {
-                return Err(Cancelled.into());
+            if done.is_multiple_of(4096) {
+                Progress { phase: "simplify", done, total }.report(progress)?;
             }
         }
         Ok(goal.reached(self.triangle_count, self.vertex_count, self.removed_count).unwrap_or(goal.at_base))
