@@ -56,6 +56,7 @@ pub mod lod;
 pub mod mesh;
 pub mod model;
 mod progress;
+mod setters;
 pub mod simplify;
 pub mod strip;
 pub mod view;

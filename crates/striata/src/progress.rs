@@ -13,6 +13,16 @@ pub struct Progress {
     pub total: u64,
 }
 
+impl Progress {
+    /// Hands itself to the caller's callback.
+    pub(crate) fn report(self, progress: &mut ProgressFn<'_>) -> Result<(), Cancelled> {
+        match progress(self) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(Cancelled),
+        }
+    }
+}
+
 /// The callback of long operations: answer [`ControlFlow::Break`] to cancel.
 pub type ProgressFn<'a> = dyn FnMut(Progress) -> ControlFlow<()> + 'a;
 

@@ -3,20 +3,58 @@
 
 mod meshes;
 
+mod simplifier;
+
 mod support;
 
 use std::collections::BTreeSet;
-use std::ops::ControlFlow;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use meshes::{COSTS, Named, all, asset, closed, open, rough, with_patches};
+use meshes::{COSTS, Named, all, asset, check_each_way, closed, open, rough, with_patches};
 use proptest::prelude::*;
+use simplifier::{Outcome, Rules, Simplifier};
+use striata::ProgressFn;
 use striata::mesh::{IndexedMesh, RefinableMesh, Statistics, canonical_triangles, replay, shapes, weld};
 use striata::simplify::{
-    BatchOptions, BoundaryRule, BuiltBatches, SequenceOptions, SimplifyError, StopReason, TopologyRule,
-    build_batches, build_batches_with_progress, build_welded_batches,
+    BatchOptions, BoundaryRule, BuiltBatches, BuiltSequence, SequenceOptions, SimplifyError, StopReason,
+    TopologyRule, build_batches, build_batches_with_progress, build_welded_batches,
 };
 use support::{ClosedSurface, nasty};
+
+impl Simplifier for BatchOptions {
+    fn ways() -> Vec<(String, Self)> {
+        vec![("default".to_owned(), Self::default())]
+    }
+
+    fn rules(&mut self) -> Rules<'_> {
+        Rules {
+            base_triangle_count: &mut self.sequence.base_triangle_count,
+            boundary: &mut self.sequence.boundary,
+            group_borders: &mut self.sequence.group_borders,
+            seams: &mut self.sequence.seams,
+            topology: &mut self.sequence.topology,
+            locked_vertices: &mut self.sequence.locked_vertices,
+        }
+    }
+
+    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
+        let BuiltSequence { refinable, stop_reason, .. } =
+            build_batches_with_progress(mesh, self, progress)?.built;
+        Ok(Outcome {
+            full: refinable.mesh.clone(),
+            levels: refinable.sequence.levels().clone(),
+            replay: Box::new(move |split_count| replay(&refinable, split_count)),
+            stop_reason,
+        })
+    }
+}
+
+test_promises! {
+    BatchOptions:
+    locked_vertices_are_in_the_base,
+    locked_boundaries_keep_every_vertex,
+    unsound_meshes_are_refused_with_their_place,
+    the_callback_sees_progress_and_can_cancel,
+}
 
 fn build(mesh: &IndexedMesh, options: &BatchOptions) -> BuiltBatches {
     build_batches(mesh, options).expect("sound meshes are simplified")
@@ -157,19 +195,8 @@ fn check_surface(surface: &ClosedSurface, refinable: &RefinableMesh, split_count
     }
 }
 
-/// Runs a check on each mesh with each of several options and fails with the list of all that failed it.
-fn check_each(meshes: Vec<Named>, ways: &[(&str, BatchOptions)]) {
-    let mut failed = Vec::new();
-    for (name, mesh) in meshes {
-        for (way, options) in ways {
-            let name = format!("{name}, {way}");
-            let check = || check_batches(&name, options, &build(&mesh, options));
-            if catch_unwind(AssertUnwindSafe(check)).is_err() {
-                failed.push(name);
-            }
-        }
-    }
-    assert!(failed.is_empty(), "failed: {failed:#?}");
+fn check_all(meshes: Vec<Named>, ways: &[(&str, BatchOptions)]) {
+    check_each_way(meshes, ways, |name, mesh, options| check_batches(name, options, &build(mesh, options)));
 }
 
 #[test]
@@ -181,13 +208,13 @@ fn batches_keep_their_promises_on_all_meshes() {
         ("shape", to_the_end().with_shape_step(Some(0.05)).with_max_valence(6)),
     ];
     let nasty = nasty().into_iter().map(|(name, mesh)| (name.to_owned(), mesh));
-    check_each(all().into_iter().chain(nasty).collect(), &ways);
+    check_all(all().into_iter().chain(nasty).collect(), &ways);
 }
 
 #[test]
 fn batches_keep_their_promises_with_every_cost() {
     let ways = COSTS.map(|cost| ("", to_the_end().with_sequence(SequenceOptions::default().with_cost(cost))));
-    check_each([closed(), open()].concat(), &ways);
+    check_all([closed(), open()].concat(), &ways);
 }
 
 proptest! {
@@ -195,7 +222,7 @@ proptest! {
 
     #[test]
     fn batches_keep_their_promises_on_soups(
-        (seed, triangle_count, has_patches, share) in (any::<u64>(), 1u32..120, any::<bool>(), 0.05f64..1.0)
+        seed: u64, triangle_count in 1u32..120, has_patches: bool, share in 0.05f64..1.0
     ) {
         let mut mesh = shapes::random_soup(triangle_count, seed);
         if has_patches {
@@ -207,7 +234,7 @@ proptest! {
 
     #[test]
     fn batches_keep_their_promises_on_surfaces_with_holes(
-        (seed, holes, has_patches) in (any::<u64>(), proptest::collection::vec(0usize..400, 0..40), any::<bool>())
+        seed: u64, holes in proptest::collection::vec(0usize..400, 0..40), has_patches: bool
     ) {
         let mut mesh = rough(shapes::torus(20, 10, 2.0, 0.8), 0.1, seed);
         for hole in holes {
@@ -321,24 +348,7 @@ fn options_out_of_range_are_refused() {
                 .with_sequence(SequenceOptions::default().with_locked_vertices(vec![9999])),
         ),
     ];
-    for (name, options) in cases {
-        match build_batches(&mesh, &options) {
-            Err(SimplifyError::Option { option, .. }) => assert_eq!(option, name),
-            other => panic!("{name}: {other:?}"),
-        }
-    }
-}
-
-#[test]
-fn callback_cancels() {
-    let mesh = shapes::icosphere(3, 1.0);
-    let mut calls = 0;
-    let result = build_batches_with_progress(&mesh, &BatchOptions::default(), &mut |_| {
-        calls += 1;
-        if calls < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-    });
-    assert!(matches!(result, Err(SimplifyError::Cancelled(_))));
-    assert_eq!(calls, 3);
+    simplifier::refuses(&mesh, &cases);
 }
 
 #[test]

@@ -16,15 +16,21 @@ use support::{
     with_seams_and_groups, with_sound_checksums,
 };
 
-fn patterns_of(refinable: &RefinableMesh) -> (FragmentedMesh, Patterns, PatternBounds) {
+struct WithPatterns {
+    fragmented: FragmentedMesh,
+    patterns: Patterns,
+    bounds: PatternBounds,
+}
+
+fn patterns_of(refinable: &RefinableMesh) -> WithPatterns {
     let fragmented = FragmentedMesh::from_collapses(refinable);
     let (patterns, bounds) = (Patterns::build(&fragmented).unwrap(), PatternBounds::build(&fragmented));
-    (fragmented, patterns, bounds)
+    WithPatterns { fragmented, patterns, bounds }
 }
 
 /// Beside collapses, and in a file without any.
 fn both_files(refinable: &RefinableMesh) -> [Vec<u8>; 2] {
-    let (fragmented, patterns, bounds) = patterns_of(refinable);
+    let WithPatterns { fragmented, patterns, bounds } = patterns_of(refinable);
     let models = [FileModel::Patterns(&patterns, &bounds)];
     let with_collapses = to_striata(refinable, &models, &WriteOptions::default()).unwrap();
     let mut alone = Vec::new();
@@ -36,7 +42,7 @@ fn both_files(refinable: &RefinableMesh) -> [Vec<u8>; 2] {
 fn patterns_of_every_kind_of_mesh_come_back() {
     for case in nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases().take(1)) {
         let refinable = &case.refinable;
-        let (_, patterns, bounds) = patterns_of(refinable);
+        let WithPatterns { patterns, bounds, .. } = patterns_of(refinable);
         for (bytes, has_collapses) in both_files(refinable).iter().zip([true, false]) {
             let file = StriataFile::parse(bytes).unwrap();
             assert_eq!(file.has_collapses(), has_collapses);

@@ -2,24 +2,66 @@
 
 mod meshes;
 
+mod simplifier;
+
 mod support;
 
-use std::collections::BTreeSet;
-use std::ops::ControlFlow;
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
-use meshes::{Named, all, closed, odd, open, with_patches};
+use meshes::{all, closed, odd, open, with_patches};
 use proptest::prelude::*;
+use simplifier::{Outcome, Rules, Simplifier, boundary_of, check_each, key, places_of};
+use striata::ProgressFn;
 use striata::mesh::{
-    Adjacency, DistanceOptions, FragmentedMesh, IndexedMesh, canonical_triangles, replay, replay_fragments,
-    shapes, surface_distance, weld,
+    DistanceOptions, FragmentedMesh, IndexedMesh, canonical_triangles, replay, replay_fragments, shapes,
+    surface_distance, weld,
 };
 use striata::simplify::{
-    BoundaryRule, BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, SeamRule, SequenceOptions,
+    BoundaryRule, BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation, SequenceOptions,
     SimplifyError, StopReason, TopologyRule, build_fragments, build_fragments_with_progress, build_sequence,
     certify_collapses,
 };
 use support::Topology;
+
+impl Simplifier for RemovalOptions {
+    fn ways() -> Vec<(String, Self)> {
+        ways().map(|(way, options)| (way.to_owned(), options)).to_vec()
+    }
+
+    fn rules(&mut self) -> Rules<'_> {
+        Rules {
+            base_triangle_count: &mut self.base_triangle_count,
+            boundary: &mut self.boundary,
+            group_borders: &mut self.group_borders,
+            seams: &mut self.seams,
+            topology: &mut self.topology,
+            locked_vertices: &mut self.locked_vertices,
+        }
+    }
+
+    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
+        let BuiltFragments { fragmented, stop_reason, .. } =
+            build_fragments_with_progress(mesh, self, progress)?;
+        Ok(Outcome {
+            full: fragmented.mesh.clone(),
+            levels: fragmented.fragments.levels().clone(),
+            replay: Box::new(move |split_count| replay_fragments(&fragmented, split_count)),
+            stop_reason,
+        })
+    }
+}
+
+test_promises! {
+    RemovalOptions:
+    every_mesh_ends_at_a_handful,
+    manifolds_keep_their_topology_at_every_level,
+    seams_cut_every_level_into_the_same_pieces,
+    locked_vertices_are_in_the_base,
+    locked_boundaries_keep_every_vertex,
+    locked_group_borders_keep_every_vertex,
+    the_base_triangle_count_is_undercut_by_less_than_a_step,
+    unsound_meshes_are_refused_with_their_place,
+    the_callback_sees_progress_and_can_cancel,
+    no_triangle_of_a_sphere_turns_inward,
+}
 
 fn build(mesh: &IndexedMesh, options: &RemovalOptions) -> BuiltFragments {
     build_fragments(mesh, options).expect("sound meshes are simplified")
@@ -34,25 +76,6 @@ fn ways() -> [(&'static str, RemovalOptions); 4] {
         ("shape", free().with_criterion(HoleCriterion::Shape)),
         ("collapse", free().with_retriangulation(Retriangulation::Collapse)),
     ]
-}
-
-/// Neither seams nor the topology may change.
-fn keeping(options: &RemovalOptions) -> RemovalOptions {
-    options.clone().with_seams(SeamRule::Keep).with_topology(TopologyRule::Keep)
-}
-
-/// Runs a check on each mesh in each way and fails with the list of all that failed it.
-fn check_each(meshes: Vec<Named>, check: impl Fn(&str, &IndexedMesh, &RemovalOptions)) {
-    let mut failed = Vec::new();
-    for (name, mesh) in meshes {
-        for (way, options) in ways() {
-            let name = format!("{name}, {way}");
-            if catch_unwind(AssertUnwindSafe(|| check(&name, &mesh, &options))).is_err() {
-                failed.push(name);
-            }
-        }
-    }
-    assert!(failed.is_empty(), "failed: {failed:#?}");
 }
 
 /// Triangles of a mesh with corners named by their vertices of the input.
@@ -118,42 +141,10 @@ fn check_fragments(name: &str, input: &IndexedMesh, options: &RemovalOptions, bu
 
 #[test]
 fn every_mesh_keeps_the_promises() {
-    check_each(all(), |name, mesh, options| {
+    check_each(all(), |name, mesh, options: &RemovalOptions| {
         check_fragments(name, mesh, options, &build(mesh, options));
-        let keeping = keeping(options);
+        let keeping = options.keeping();
         check_fragments(name, mesh, &keeping, &build(mesh, &keeping));
-    });
-}
-
-#[test]
-fn every_mesh_ends_at_a_handful() {
-    check_each(all(), |_, mesh, options| {
-        let built = build(mesh, options);
-        let levels = built.fragmented.fragments.levels();
-        let left = levels.triangle_count_at(0);
-        // Three positions have triangles that only go all together.
-        assert!(left <= 8 || levels.base_position_count() <= 3, "{left} triangles left");
-        assert_eq!(left == 0, built.fragmented.mesh.triangle_count() == 0, "the last triangles stay");
-        let base = replay_fragments(&built.fragmented, 0).without_unused_vertices();
-        let used: BTreeSet<_> = base.positions.iter().map(|&p| key(p)).collect();
-        assert_eq!(used.len(), levels.base_position_count(), "every position of the base is used");
-    });
-}
-
-#[test]
-fn manifolds_keep_their_topology_at_every_level() {
-    check_each([closed(), open()].concat(), |_, mesh, options| {
-        let expected = Topology::of(mesh);
-        assert!(expected.genus.is_some() && expected.duplicate_triangle_count == 0);
-        let options = options.clone().with_topology(TopologyRule::Keep);
-        let fragmented = build(mesh, &options).fragmented;
-        for split_count in (0..=fragmented.fragments.step_count()).rev() {
-            assert_eq!(
-                Topology::of(&replay_fragments(&fragmented, split_count)),
-                expected,
-                "at {split_count}"
-            );
-        }
     });
 }
 
@@ -168,100 +159,12 @@ fn surfaces_without_seams_run_down_to_a_handful() {
         ("flat grid", 4),
         ("terrain", 12),
     ];
-    let meshes = [closed(), open()].concat();
-    let plain = meshes.into_iter().filter(|(name, _)| limits.iter().any(|(n, _)| n == name)).collect();
-    check_each(plain, |name, mesh, options| {
-        let built = build(mesh, options);
-        let (_, limit) = limits.iter().find(|(n, _)| name.starts_with(&format!("{n},"))).expect("filtered");
-        let count = built.fragmented.fragments.levels().triangle_count_at(0);
-        assert!(count <= *limit, "{count} triangles left");
-        assert_eq!(built.stop_reason, StopReason::BaseReached);
-    });
-}
-
-#[test]
-fn seams_cut_every_level_into_the_same_pieces() {
-    let pieces = |mesh: &IndexedMesh| {
-        let adjacency = Adjacency::of_vertices(&mesh.without_unused_vertices());
-        (adjacency.component_count(), adjacency.boundary_loop_count(), adjacency.bow_ties().len())
-    };
-    let seamed = [
-        ("cylinder", shapes::uv_cylinder(20, 9)),
-        ("two materials", shapes::two_material_sphere(9, 12)),
-        ("hard cube", shapes::hard_cube()),
-    ];
-    check_each(seamed.map(|(name, mesh)| (name.to_owned(), mesh)).to_vec(), |name, mesh, options| {
-        let welded = weld(mesh).expect("shapes are sound").mesh;
-        let fragmented = build(mesh, &keeping(options)).fragmented;
-        let step_count = fragmented.fragments.step_count();
-        assert!(
-            name.starts_with("hard cube") || step_count > welded.vertex_count() / 2,
-            "{step_count} steps"
-        );
-        for split_count in (0..=step_count).rev() {
-            let level = replay_fragments(&fragmented, split_count);
-            assert_eq!(pieces(&level), pieces(&welded), "at {split_count}");
-        }
-    });
-}
-
-/// A position as its bits, 0 and -0 being one.
-fn key(p: [f32; 3]) -> [u32; 3] {
-    p.map(|x| (x + 0.0).to_bits())
-}
-
-fn base_places(built: &BuiltFragments) -> BTreeSet<[u32; 3]> {
-    let FragmentedMesh { mesh, fragments } = &built.fragmented;
-    mesh.positions[..fragments.levels().base_vertex_count()].iter().map(|&p| key(p)).collect()
-}
-
-#[test]
-fn locked_vertices_are_in_the_base() {
-    check_each(all(), |_, mesh, options| {
-        let locked: Vec<u32> = mesh.triangles.iter().flatten().copied().step_by(7).take(12).collect();
-        let built = build(mesh, &options.clone().with_locked_vertices(locked.clone()));
-        let base = base_places(&built);
-        let welded = weld(mesh).expect("sound");
-        for &v in &locked {
-            let is_shown = welded.position_of_source[v as usize] != u32::MAX;
-            assert!(base.contains(&key(mesh.positions[v as usize])) || !is_shown, "vertex {v} was locked");
-        }
-    });
-}
-
-/// Places on the boundary.
-fn boundary_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
-    let welded = weld(mesh).expect("test meshes are sound");
-    let adjacency = Adjacency::of_positions(&welded.mesh, &welded.positions);
-    let place = |p: u32| key(welded.mesh.positions[welded.positions.first_vertex(p) as usize]);
-    adjacency.edges().filter(|e| e.is_boundary()).flat_map(|e| e.ends).map(place).collect()
-}
-
-#[test]
-fn locked_boundaries_keep_every_vertex() {
-    check_each([open(), closed()].concat(), |_, mesh, options| {
-        let boundary = boundary_of(mesh);
-        let built = build(mesh, &options.clone().with_boundary(BoundaryRule::Locked));
-        assert!(boundary.is_subset(&base_places(&built)), "a boundary vertex went");
-    });
-}
-
-#[test]
-fn locked_group_borders_keep_every_vertex() {
-    let sphere = shapes::two_material_sphere(13, 24);
-    let on_border = |p: &[f32; 3]| p[2].abs() < 1e-6;
-    let border: BTreeSet<[u32; 3]> = sphere.positions.iter().copied().filter(on_border).map(key).collect();
-    assert_eq!(border.len(), 24, "the equator");
-    let base = |rule| base_places(&build(&sphere, &RemovalOptions::default().with_group_borders(rule)));
-    assert!(!border.is_subset(&base(BoundaryRule::Kept)), "borders that are not locked are simplified");
-    let base = base(BoundaryRule::Locked);
-    assert!(border.is_subset(&base), "a vertex of the border went");
-    assert!(base.len() < 2 * border.len(), "{} positions: the rest is simplified", base.len());
+    simplifier::runs_down_to(&limits, RemovalOptions::clone);
 }
 
 #[test]
 fn inner_vertices_stay_off_the_boundary() {
-    check_each(open(), |_, mesh, options| {
+    check_each(open(), |_, mesh, options: &RemovalOptions| {
         let boundary = boundary_of(mesh);
         let fragmented = build(mesh, options).fragmented;
         for split_count in 0..=fragmented.fragments.step_count() {
@@ -277,7 +180,7 @@ fn degree_limits_hold() {
         ("fan".to_owned(), shapes::closed_fan(30)),
         ("sphere".to_owned(), shapes::uv_sphere(9, 14, 3.0)),
     ];
-    check_each(meshes, |name, mesh, options| {
+    check_each(meshes, |name, mesh, options: &RemovalOptions| {
         for limit in [3, 5, 8, 16] {
             let options = options.clone().with_degree_limit(limit).with_topology(TopologyRule::Keep);
             check_fragments(name, mesh, &options, &build(mesh, &options));
@@ -287,7 +190,7 @@ fn degree_limits_hold() {
 
 #[test]
 fn no_error_exceeds_the_limit_and_others_go_on() {
-    check_each([closed(), open()].concat(), |_, mesh, options| {
+    check_each([closed(), open()].concat(), |_, mesh, options: &RemovalOptions| {
         let free = build(mesh, options);
         let levels = free.fragmented.fragments.levels();
         let Some(&middle) = levels.errors().get(levels.step_count() / 2) else { return };
@@ -401,26 +304,6 @@ fn flat_places_go_without_error() {
 }
 
 #[test]
-fn the_base_triangle_count_is_undercut_by_less_than_a_step() {
-    check_each(all(), |_, mesh, options| {
-        let free = build(mesh, options).fragmented.fragments;
-        let levels = free.levels();
-        let goal =
-            usize::midpoint(levels.triangle_count_at(0), levels.triangle_count_at(levels.step_count()));
-        let built = build(mesh, &options.clone().with_base_triangle_count(goal));
-        let found = built.fragmented.fragments.levels();
-        assert!(found.triangle_count_at(0) <= goal);
-        // The first steps may bring back positions that have no triangle yet.
-        let mut counts = (0..=found.step_count()).map(|s| found.triangle_count_at(s));
-        let more = counts.find(|&n| n > found.triangle_count_at(0));
-        assert!(more.is_none_or(|n| n > goal), "went too far");
-        if goal > levels.triangle_count_at(0) {
-            assert_eq!(built.stop_reason, StopReason::TargetReached);
-        }
-    });
-}
-
-#[test]
 fn options_out_of_range_are_refused() {
     let mesh = shapes::cube();
     let options = RemovalOptions::default;
@@ -432,72 +315,16 @@ fn options_out_of_range_are_refused() {
         ("degree_limit", options().with_degree_limit(17)),
         ("locked_vertices", options().with_locked_vertices(vec![3, 8])),
     ];
-    for (name, options) in cases {
-        match build_fragments(&mesh, &options) {
-            Err(SimplifyError::Option { option, .. }) => assert_eq!(option, name),
-            other => panic!("{name} in {options:?}: {:?}", other.map(|built| built.stop_reason)),
-        }
-    }
-}
-
-#[test]
-fn unsound_meshes_are_refused_with_their_place() {
-    let mut count = 0;
-    for (name, mesh) in shapes::nasty() {
-        let Err(expected) = mesh.check() else { continue };
-        let error = build_fragments(&mesh, &RemovalOptions::default()).unwrap_err();
-        // Compared as text, since NaN is not equal to itself.
-        assert_eq!(error.to_string(), expected.to_string(), "{name}");
-        count += 1;
-    }
-    assert!(count > 5);
-}
-
-#[test]
-fn the_callback_sees_progress_and_can_cancel() {
-    let mesh = shapes::torus(110, 80, 2.0, 1.0);
-    let mut seen = Vec::new();
-    let mut watch = |progress: striata::Progress| {
-        seen.push((progress.phase, progress.done, progress.total));
-        ControlFlow::Continue(())
-    };
-    build_fragments_with_progress(&mesh, &RemovalOptions::default(), &mut watch).expect("nobody cancels");
-    assert!(!seen.is_empty());
-    assert!(seen.iter().all(|(_, done, total)| done <= total), "{seen:?}");
-    let mut calls = 0;
-    let mut cancel = |_| {
-        calls += 1;
-        ControlFlow::Break(())
-    };
-    let error = build_fragments_with_progress(&mesh, &RemovalOptions::default(), &mut cancel).unwrap_err();
-    assert_eq!(error, SimplifyError::Cancelled(striata::Cancelled));
-    assert_eq!(calls, 1, "nothing is asked again after a cancellation");
+    simplifier::refuses(&mesh, &cases);
 }
 
 #[test]
 fn the_same_input_gives_the_same_fragments() {
-    check_each(all(), |_, mesh, options| {
+    check_each(all(), |_, mesh, options: &RemovalOptions| {
         let (one, other) = (build(mesh, options), build(mesh, options));
         assert_eq!(one.fragmented.fragments, other.fragmented.fragments);
         assert_eq!(one.source_vertex, other.source_vertex);
     });
-}
-
-#[test]
-fn no_triangle_of_a_sphere_turns_inward() {
-    let mesh = shapes::icosphere(3, 1.0);
-    for (way, options) in ways() {
-        let fragmented = build(&mesh, &options).fragmented;
-        let levels = fragmented.fragments.levels();
-        let from = levels.split_count_for_triangles(60);
-        for split_count in (from..=levels.step_count()).step_by(7) {
-            let level = replay_fragments(&fragmented, split_count);
-            for t in &level.triangles {
-                let [a, b, c] = t.map(|v| glam::Vec3::from(level.positions[v as usize]));
-                assert!((b - a).cross(c - a).dot(a + b + c) > 0.0, "{way} at {split_count}: triangle {t:?}");
-            }
-        }
-    }
 }
 
 proptest! {
@@ -539,7 +366,8 @@ proptest! {
         }
         let built = build(&mesh, &options);
         check_fragments("asset", &mesh, &options, &built);
-        let base = base_places(&built);
+        let fragments = &built.fragmented.fragments;
+        let base = places_of(&built.fragmented.mesh, fragments.levels().base_vertex_count());
         let welded = weld(&mesh).expect("assets are sound");
         let locked = options.locked_vertices.iter().filter(|&&v| welded.position_of_source[v as usize] != u32::MAX);
         for &v in locked {

@@ -2,13 +2,16 @@
 
 mod meshes;
 
+mod simplifier;
+
 mod support;
 
 use std::collections::BTreeSet;
-use std::ops::ControlFlow;
 
 use meshes::{COSTS, all, check_each, closed, open, with_patches};
 use proptest::prelude::*;
+use simplifier::{Outcome, Rules, Simplifier, boundary_of, group_border_of, key, places_of};
+use striata::ProgressFn;
 use striata::file::{WriteOptions, to_striata};
 use striata::mesh::{
     Adjacency, CollapseSequence, IndexedMesh, RefinableMesh, SequenceParts, canonical_triangles, replay,
@@ -20,22 +23,50 @@ use striata::simplify::{
 };
 use support::Topology;
 
+impl Simplifier for SequenceOptions {
+    fn ways() -> Vec<(String, Self)> {
+        meshes::by_cost()
+    }
+
+    fn rules(&mut self) -> Rules<'_> {
+        Rules {
+            base_triangle_count: &mut self.base_triangle_count,
+            boundary: &mut self.boundary,
+            group_borders: &mut self.group_borders,
+            seams: &mut self.seams,
+            topology: &mut self.topology,
+            locked_vertices: &mut self.locked_vertices,
+        }
+    }
+
+    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
+        let BuiltSequence { refinable, stop_reason, .. } =
+            build_sequence_with_progress(mesh, self, progress)?;
+        Ok(Outcome {
+            full: refinable.mesh.clone(),
+            levels: refinable.sequence.levels().clone(),
+            replay: Box::new(move |split_count| replay(&refinable, split_count)),
+            stop_reason,
+        })
+    }
+}
+
+test_promises! {
+    SequenceOptions:
+    every_mesh_ends_at_a_handful,
+    manifolds_keep_their_topology_at_every_level,
+    seams_cut_every_level_into_the_same_pieces,
+    locked_vertices_are_in_the_base,
+    locked_boundaries_keep_every_vertex,
+    locked_group_borders_keep_every_vertex,
+    the_base_triangle_count_is_undercut_by_less_than_a_step,
+    unsound_meshes_are_refused_with_their_place,
+    the_callback_sees_progress_and_can_cancel,
+    no_triangle_of_a_sphere_turns_inward,
+}
+
 fn build(mesh: &IndexedMesh, options: &SequenceOptions) -> BuiltSequence {
     build_sequence(mesh, options).expect("sound meshes are simplified")
-}
-
-fn options_by_cost() -> impl Iterator<Item = SequenceOptions> {
-    COSTS.into_iter().map(|cost| SequenceOptions::default().with_cost(cost))
-}
-
-/// Neither seams nor the topology may change.
-fn keeping(options: &SequenceOptions) -> SequenceOptions {
-    options.clone().with_seams(SeamRule::Keep).with_topology(TopologyRule::Keep)
-}
-
-/// A position as its bits, 0 and -0 being one.
-fn key(p: [f32; 3]) -> [u32; 3] {
-    p.map(|x| (x + 0.0).to_bits())
 }
 
 /// Triangles as positions, smallest first, sorted; those with two corners at one position left out.
@@ -52,10 +83,6 @@ fn triangles_in_space(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
     }
     out.sort_unstable();
     out
-}
-
-fn positions_of(mesh: &IndexedMesh, count: usize) -> BTreeSet<[u32; 3]> {
-    mesh.positions[..count].iter().map(|&p| key(p)).collect()
 }
 
 /// What holds for every sequence of any sound mesh.
@@ -94,7 +121,7 @@ fn check_parts(name: &str, refinable: &RefinableMesh) {
             sequence.positions().wedges(position).map(|v| key(mesh.positions[v as usize])).collect();
         assert_eq!(keys.len(), 1, "{name}: wedges of position {position} lie apart");
     }
-    let position_count = positions_of(mesh, mesh.vertex_count()).len();
+    let position_count = places_of(mesh, mesh.vertex_count()).len();
     assert_eq!(sequence.positions().position_count(), position_count, "{name}: positions are numbered once");
 }
 
@@ -122,7 +149,7 @@ fn check_attributes(name: &str, input: &IndexedMesh, built: &BuiltSequence) {
 fn check_locks(input: &IndexedMesh, options: &SequenceOptions, built: &BuiltSequence) {
     let base = replay(&built.refinable, 0);
     let used = base.clone().without_unused_vertices();
-    let used = positions_of(&used, used.vertex_count());
+    let used = places_of(&used, used.vertex_count());
     assert_eq!(
         used.len(),
         built.refinable.sequence.base_position_count(),
@@ -132,7 +159,7 @@ fn check_locks(input: &IndexedMesh, options: &SequenceOptions, built: &BuiltSequ
     let mut locked: BTreeSet<[u32; 3]> =
         options.locked_vertices.iter().map(|&v| key(input.positions[v as usize])).collect();
     if options.boundary == BoundaryRule::Locked {
-        locked.extend(boundary_of(input).1);
+        locked.extend(boundary_of(input));
     }
     if options.group_borders == BoundaryRule::Locked {
         locked.extend(group_border_of(&weld(input).expect("assets are sound").mesh));
@@ -161,7 +188,7 @@ fn every_sequence_keeps_its_promises() {
     check_each(all(), |name, mesh, options| {
         check_sequence(name, mesh, &build(mesh, options));
         check_sequence(name, mesh, &build(mesh, &options.clone().with_topology(TopologyRule::KeepParts)));
-        let built = build(mesh, &keeping(options));
+        let built = build(mesh, &options.keeping());
         check_sequence(name, mesh, &built);
         for split_count in 0..=built.refinable.sequence.step_count() {
             let at = format!("{name} at {split_count}");
@@ -181,7 +208,7 @@ fn closed_surfaces_change_only_below_what_keeps_their_topology() {
     let large = [("bumpy ball", bumpy), ("large torus", shapes::torus(60, 40, 2.0, 1.0))];
     let large = large.map(|(name, mesh)| (name.to_owned(), mesh));
     check_each(plain.chain(large).collect(), |_, mesh, options| {
-        let (free, kept) = (build(mesh, options).refinable, build(mesh, &keeping(options)).refinable);
+        let (free, kept) = (build(mesh, options).refinable, build(mesh, &options.keeping()).refinable);
         let (free_count, kept_count) = (free.sequence.step_count(), kept.sequence.step_count());
         let more = free_count - kept_count;
         for split_count in 0..=kept_count {
@@ -189,31 +216,6 @@ fn closed_surfaces_change_only_below_what_keeps_their_topology() {
             assert_eq!(triangles_in_space(&found), triangles_in_space(&expected), "at {split_count}");
             let errors = [free.sequence.error_at(more + split_count), kept.sequence.error_at(split_count)];
             assert_eq!(errors[0], errors[1], "at {split_count}");
-        }
-    });
-}
-
-#[test]
-fn every_sequence_ends_at_a_handful() {
-    check_each(all(), |_, mesh, options| {
-        let built = build(mesh, options);
-        let RefinableMesh { mesh: full, sequence } = &built.refinable;
-        let left = sequence.triangle_count_at(0);
-        // Three positions have triangles that only go all together.
-        let is_done = left <= 8 || sequence.base_position_count() <= 3;
-        assert!(is_done, "{left} of {} triangles left", full.triangle_count());
-        assert_eq!(left == 0, full.triangle_count() == 0, "the last triangles stay");
-        let base = replay(&built.refinable, 0);
-        let used =
-            positions_of(&base.without_unused_vertices(), base.without_unused_vertices().vertex_count());
-        assert_eq!(used.len(), sequence.base_position_count(), "every position of the base is used");
-        // Each target between is undercut by less than a step.
-        for split_count in 1..=sequence.step_count() {
-            let [coarse, fine] = [split_count - 1, split_count].map(|s| sequence.triangle_count_at(s));
-            for target in coarse..fine {
-                let found = sequence.split_count_for_triangles(target);
-                assert_eq!(sequence.triangle_count_at(found), coarse, "at most {target}");
-            }
         }
     });
 }
@@ -230,18 +232,6 @@ fn parts_are_kept_if_asked_for() {
 }
 
 #[test]
-fn manifolds_keep_their_topology_at_every_level() {
-    check_each([closed(), open()].concat(), |_, mesh, options| {
-        let expected = Topology::of(mesh);
-        assert!(expected.genus.is_some() && expected.duplicate_triangle_count == 0);
-        let refinable = build(mesh, &options.clone().with_topology(TopologyRule::Keep)).refinable;
-        for split_count in (0..=refinable.sequence.step_count()).rev() {
-            assert_eq!(Topology::of(&replay(&refinable, split_count)), expected, "at {split_count}");
-        }
-    });
-}
-
-#[test]
 fn surfaces_without_seams_run_down_to_a_handful() {
     let limits = [
         ("icosphere", 4),
@@ -252,36 +242,7 @@ fn surfaces_without_seams_run_down_to_a_handful() {
         ("flat grid", 2),
         ("terrain", 6),
     ];
-    let meshes = [closed(), open()].concat();
-    let plain = meshes.into_iter().filter(|(name, _)| limits.iter().any(|(n, _)| n == name)).collect();
-    check_each(plain, |name, mesh, options| {
-        let built = build(mesh, &keeping(options));
-        let (_, limit) = limits.iter().find(|(n, _)| name.starts_with(&format!("{n},"))).expect("filtered");
-        let count = built.refinable.sequence.triangle_count_at(0);
-        assert!(count <= *limit, "{count} triangles left");
-        assert_eq!(built.stop_reason, StopReason::BaseReached);
-    });
-}
-
-#[test]
-fn seams_cut_every_level_into_the_same_pieces() {
-    // Cut open along its seams a mesh falls into pieces, each with its boundaries; collapses along seams keep them.
-    let pieces = |mesh: &IndexedMesh| {
-        let adjacency = Adjacency::of_vertices(&mesh.without_unused_vertices());
-        (adjacency.component_count(), adjacency.boundary_loop_count(), adjacency.bow_ties().len())
-    };
-    let seamed = [
-        ("cylinder", shapes::uv_cylinder(20, 9)),
-        ("two materials", shapes::two_material_sphere(9, 12)),
-        ("hard cube", shapes::hard_cube()),
-    ];
-    check_each(seamed.map(|(name, mesh)| (name.to_owned(), mesh)).to_vec(), |_, mesh, options| {
-        let welded = weld(mesh).expect("shapes are sound").mesh;
-        let refinable = build(mesh, &keeping(options)).refinable;
-        for split_count in (0..=refinable.sequence.step_count()).rev() {
-            assert_eq!(pieces(&replay(&refinable, split_count)), pieces(&welded), "at {split_count}");
-        }
-    });
+    simplifier::runs_down_to(&limits, SequenceOptions::keeping);
 }
 
 #[test]
@@ -305,74 +266,6 @@ fn boundary_vertices_only_move_along_the_boundary() {
 }
 
 #[test]
-fn locked_vertices_are_in_the_base() {
-    check_each(all(), |_, mesh, options| {
-        let locked: Vec<u32> = mesh.triangles.iter().flatten().copied().step_by(7).take(12).collect();
-        let built = build(mesh, &options.clone().with_locked_vertices(locked.clone()));
-        let RefinableMesh { mesh: full, sequence } = &built.refinable;
-        let base = positions_of(full, sequence.base_vertex_count());
-        // A triangle whose corners meet is dropped, and may be all that names a vertex.
-        let shown: BTreeSet<[u32; 3]> = triangles_in_space(mesh).into_iter().flatten().collect();
-        for &v in &locked {
-            let place = key(mesh.positions[v as usize]);
-            assert!(base.contains(&place) || !shown.contains(&place), "vertex {v} was locked");
-        }
-    });
-}
-
-#[test]
-fn locked_boundaries_keep_every_vertex() {
-    check_each([open(), closed()].concat(), |_, mesh, options| {
-        let (welded, boundary) = boundary_of(mesh);
-        let built = build(mesh, &options.clone().with_boundary(BoundaryRule::Locked));
-        let RefinableMesh { mesh: full, sequence } = &built.refinable;
-        let base = positions_of(full, sequence.base_vertex_count());
-        assert!(boundary.is_subset(&base), "a boundary vertex went");
-        let interior = positions_of(&welded, welded.vertex_count()).len() - boundary.len();
-        if interior > 60 {
-            assert!(sequence.step_count() > interior / 3, "the interior is simplified");
-        }
-    });
-}
-
-/// Places used by triangles of more than one group.
-fn group_border_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
-    let places = mesh.groups.iter().map(|group| -> BTreeSet<[u32; 3]> {
-        let corners = mesh.triangles[group.range()].as_flattened().iter();
-        corners.map(|&v| key(mesh.positions[v as usize])).collect()
-    });
-    let places: Vec<_> = places.collect();
-    places.iter().enumerate().flat_map(|(i, a)| places[..i].iter().flat_map(move |b| a & b)).collect()
-}
-
-#[test]
-fn locked_group_borders_keep_every_vertex() {
-    let sphere = shapes::two_material_sphere(21, 40);
-    let border = group_border_of(&sphere);
-    assert_eq!(border.len(), 40, "the equator");
-    let base_of = |options: &SequenceOptions| {
-        let RefinableMesh { mesh, sequence } = build(&sphere, options).refinable;
-        positions_of(&mesh, sequence.base_vertex_count())
-    };
-    for options in options_by_cost() {
-        assert!(!border.is_subset(&base_of(&options)), "borders that are not locked are simplified");
-        let base = base_of(&options.with_group_borders(BoundaryRule::Locked));
-        assert!(border.is_subset(&base), "a vertex of the border went");
-        assert!(base.len() < border.len() + 40, "{} positions: the rest is simplified", base.len());
-    }
-}
-
-/// The welded mesh and the places on its boundary.
-fn boundary_of(mesh: &IndexedMesh) -> (IndexedMesh, BTreeSet<[u32; 3]>) {
-    let welded = weld(mesh).expect("test meshes are sound");
-    let adjacency = Adjacency::of_positions(&welded.mesh, &welded.positions);
-    let place = |p: u32| key(welded.mesh.positions[welded.positions.first_vertex(p) as usize]);
-    let ends = adjacency.edges().filter(|e| e.is_boundary()).flat_map(|e| e.ends);
-    let boundary = ends.map(place).collect();
-    (welded.mesh, boundary)
-}
-
-#[test]
 fn the_error_limit_is_the_last_step_that_fits() {
     check_each(all(), |_, mesh, options| {
         let free = build(mesh, options).refinable.sequence;
@@ -393,24 +286,6 @@ fn the_error_limit_is_the_last_step_that_fits() {
 }
 
 #[test]
-fn the_base_triangle_count_is_undercut_by_less_than_a_step() {
-    check_each(all(), |_, mesh, options| {
-        let free = build(mesh, options).refinable.sequence;
-        let goal = (free.triangle_count_at(0) + free.triangle_count_at(free.step_count())) / 2;
-        let built = build(mesh, &options.clone().with_base_triangle_count(goal));
-        let sequence = &built.refinable.sequence;
-        assert!(sequence.triangle_count_at(0) <= goal);
-        // The first steps may bring back positions that have no triangle yet.
-        let mut counts = (0..=sequence.step_count()).map(|s| sequence.triangle_count_at(s));
-        let more = counts.find(|&n| n > sequence.triangle_count_at(0));
-        assert!(more.is_none_or(|n| n > goal), "went too far");
-        if goal > free.triangle_count_at(0) {
-            assert_eq!(built.stop_reason, StopReason::TargetReached);
-        }
-    });
-}
-
-#[test]
 fn options_out_of_range_are_refused() {
     let mesh = shapes::cube();
     let options = SequenceOptions::default;
@@ -421,48 +296,7 @@ fn options_out_of_range_are_refused() {
         ("pair_distance", options().with_pair_distance(-0.5)),
         ("locked_vertices", options().with_locked_vertices(vec![3, 8])),
     ];
-    for (name, options) in cases {
-        match build_sequence(&mesh, &options) {
-            Err(SimplifyError::Option { option, .. }) => assert_eq!(option, name),
-            other => panic!("{name} in {options:?}: {:?}", other.map(|built| built.stop_reason)),
-        }
-    }
-}
-
-#[test]
-fn unsound_meshes_are_refused_with_their_place() {
-    let mut count = 0;
-    for (name, mesh) in shapes::nasty() {
-        let Err(expected) = mesh.check() else { continue };
-        let error = build_sequence(&mesh, &SequenceOptions::default()).unwrap_err();
-        // Compared as text, since NaN is not equal to itself.
-        assert_eq!(error.to_string(), expected.to_string(), "{name}");
-        count += 1;
-    }
-    assert!(count > 5);
-}
-
-#[test]
-fn the_callback_sees_progress_and_can_cancel() {
-    let mesh = shapes::torus(110, 80, 2.0, 1.0);
-    for options in options_by_cost() {
-        let mut seen = Vec::new();
-        let mut watch = |progress: striata::Progress| {
-            seen.push((progress.done, progress.total));
-            ControlFlow::Continue(())
-        };
-        build_sequence_with_progress(&mesh, &options, &mut watch).expect("nobody cancels");
-        assert!(!seen.is_empty());
-        assert!(seen.is_sorted() && seen.iter().all(|(done, total)| done <= total), "{seen:?}");
-        let mut calls = 0;
-        let mut cancel = |_| {
-            calls += 1;
-            ControlFlow::Break(())
-        };
-        let error = build_sequence_with_progress(&mesh, &options, &mut cancel).unwrap_err();
-        assert_eq!(error, SimplifyError::Cancelled(striata::Cancelled));
-        assert_eq!(calls, 1, "nothing is asked again after a cancellation");
-    }
+    simplifier::refuses(&mesh, &cases);
 }
 
 #[test]
@@ -474,23 +308,6 @@ fn the_same_input_gives_the_same_bytes() {
         };
         assert!(bytes() == bytes());
     });
-}
-
-#[test]
-fn no_triangle_of_a_sphere_turns_inward() {
-    let mesh = shapes::icosphere(3, 1.0);
-    for options in options_by_cost() {
-        let refinable = build(&mesh, &options).refinable;
-        let from = refinable.sequence.split_count_for_triangles(60);
-        for split_count in (from..=refinable.sequence.step_count()).step_by(7) {
-            let level = replay(&refinable, split_count);
-            for t in &level.triangles {
-                let [a, b, c] = t.map(|v| glam::Vec3::from(level.positions[v as usize]));
-                let outward = (b - a).cross(c - a).dot(a + b + c);
-                assert!(outward > 0.0, "{:?} at {split_count}: triangle {t:?}", options.cost);
-            }
-        }
-    }
 }
 
 proptest! {
@@ -515,7 +332,7 @@ proptest! {
         let sequence = &built.refinable.sequence;
         let limit = if locks { 16 + 3 * mesh.vertex_count().div_ceil(29) } else { 16 };
         prop_assert!(sequence.triangle_count_at(0) <= limit, "{} left", sequence.triangle_count_at(0));
-        let base = positions_of(&built.refinable.mesh, sequence.base_vertex_count());
+        let base = places_of(&built.refinable.mesh, sequence.base_vertex_count());
         let shown: BTreeSet<[u32; 3]> = triangles_in_space(&mesh).into_iter().flatten().collect();
         for &v in &options.locked_vertices {
             let place = key(mesh.positions[v as usize]);

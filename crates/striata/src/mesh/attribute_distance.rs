@@ -78,7 +78,7 @@ pub fn attribute_distance(
     check(level, "second")?;
     let tree = TriangleTree::new(level).map_err(|source| DistanceError::Mesh { which: "second", source })?;
     let comparison = Comparison {
-        samples: Samples::new(original, options),
+        samples: Samples::new(original, options.sample_count, options.seed),
         original: Attributes::of(original),
         level: Attributes::of(level),
         tree,
@@ -153,6 +153,14 @@ struct Comparison<'a> {
     diagonal: f64,
 }
 
+/// A point of the original.
+struct Sample {
+    point: DVec3,
+    triangle: usize,
+    /// Where it lies in the triangle.
+    weights: [f64; 3],
+}
+
 impl Comparison<'_> {
     fn measure(&self) -> AttributeDistance {
         let chunks = in_chunks(self.samples.areas.count(), |range| {
@@ -164,7 +172,8 @@ impl Comparison<'_> {
                 found.same_side_count +=
                     usize::from(self.find_nearest((point, triangle), &mut hint, &mut triangles));
                 found.sample_count += 1;
-                self.compare((point, triangle, weights_on_triangle(uv)), &triangles, &mut found);
+                let sample = Sample { point, triangle, weights: weights_on_triangle(uv) };
+                self.compare(&sample, &triangles, &mut found);
             });
             found
         });
@@ -210,12 +219,8 @@ impl Comparison<'_> {
         has_same_side
     }
 
-    fn compare(
-        &self,
-        (point, own, weights): (DVec3, usize, [f64; 3]),
-        triangles: &[usize],
-        found: &mut Differences,
-    ) {
+    fn compare(&self, sample: &Sample, triangles: &[usize], found: &mut Differences) {
+        let Sample { point, triangle: own, weights } = *sample;
         let (mut angle, mut distance) = (None::<f64>, None::<f64>);
         let lower =
             |least: &mut Option<f64>, value: f64| *least = Some(least.map_or(value, |x| x.min(value)));

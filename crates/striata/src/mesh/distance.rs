@@ -11,6 +11,7 @@
 //! Cost: O(n log n) for the trees of n triangles, then O(log n) a sample; no sample is stored. Results depend
 //! neither on threads nor on the machine.
 
+use crate::setters::setters;
 use glam::DVec3;
 
 use super::surface_samples::{Samples, Strata, in_chunks, spread};
@@ -35,13 +36,9 @@ impl Default for DistanceOptions {
 }
 
 impl DistanceOptions {
-    /// Sets [`Self::sample_count`].
-    pub fn with_sample_count(self, sample_count: usize) -> Self {
-        Self { sample_count, ..self }
-    }
-    /// Sets [`Self::seed`].
-    pub fn with_seed(self, seed: u64) -> Self {
-        Self { seed, ..self }
+    setters! {
+        with_sample_count, sample_count: usize;
+        with_seed, seed: u64;
     }
 }
 
@@ -120,8 +117,8 @@ pub fn surface_distance(
     }
     let tree_a = surface_tree(a, "first")?;
     let tree_b = surface_tree(b, "second")?;
-    let from_a = Samples::new(a, options);
-    let from_b = Samples::new(b, options);
+    let from_a = Samples::new(a, options.sample_count, options.seed);
+    let from_b = Samples::new(b, options.sample_count, options.seed);
     let a_to_b = from_a.measure(&tree_b);
     let b_to_a = from_b.measure(&tree_a);
     Ok(SurfaceDistance {

@@ -146,7 +146,8 @@ pub struct IndexedMesh {
     pub appearance: Appearance,
 }
 
-/// Most vertices or triangles that a mesh may have: the last index is left for primitive restart.
+/// Most vertices or triangles that a mesh may have: three corners and a link for each triangle can then be counted in 32 bits, and the
+/// largest index, which means primitive restart, is that of no vertex.
 pub(crate) const MAX_COUNT: usize = u32::MAX as usize / 4;
 
 impl IndexedMesh {

@@ -1,5 +1,6 @@
 //! The levels of a sequence of steps: how large each is, how far off, and which one a wish means.
 
+use super::sequence_error::check_length;
 use super::{PositionIndex, SequenceError};
 
 /// What is known of each level, whatever the steps between them do.
@@ -130,8 +131,4 @@ impl Levels {
         let exact = detail.clamp(0.0, 1.0) * self.step_count() as f64;
         ((exact + 1e-9 * exact.max(1.0)) as usize).min(self.step_count())
     }
-}
-
-pub(super) fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), SequenceError> {
-    if found == expected { Ok(()) } else { Err(SequenceError::Length { what, found, expected }) }
 }

@@ -8,7 +8,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::triangle_tree::exact;
-use super::{DistanceOptions, IndexedMesh, Random};
+use super::{IndexedMesh, Random};
 
 /// Area samples for each sample on a side.
 const AREA_PER_SIDE: usize = 4;
@@ -26,12 +26,13 @@ pub(super) struct Samples<'a> {
 }
 
 impl<'a> Samples<'a> {
-    pub(super) fn new(mesh: &'a IndexedMesh, options: &DistanceOptions) -> Self {
+    /// `sample_count` of them on the area, and fewer on the sides; see `DistanceOptions`.
+    pub(super) fn new(mesh: &'a IndexedMesh, sample_count: usize, seed: u64) -> Self {
         let mut used = vec![false; mesh.positions.len()];
         for &v in mesh.triangles.iter().flatten() {
             used[v as usize] = true;
         }
-        let mut random = Random::new(options.seed);
+        let mut random = Random::new(seed);
         let areas = mesh.triangles.iter().map(|t| {
             let [a, b, c] = t.map(|v| exact(mesh.positions[v as usize]));
             (b - a).cross(c - a).length()
@@ -43,8 +44,8 @@ impl<'a> Samples<'a> {
         Self {
             mesh,
             used_vertices: (0..used.len() as u32).filter(|&v| used[v as usize]).collect(),
-            areas: Strata::new(areas, options.sample_count, random.unit()),
-            sides: Strata::new(lengths, options.sample_count.div_ceil(AREA_PER_SIDE), random.unit()),
+            areas: Strata::new(areas, sample_count, random.unit()),
+            sides: Strata::new(lengths, sample_count.div_ceil(AREA_PER_SIDE), random.unit()),
             seed: random.next_u64(),
         }
     }

@@ -59,7 +59,7 @@ type WordMap<K, V> = HashMap<K, V, BuildHasherDefault<WordHasher>>;
 /// [`MeshError`] where the mesh's parts do not fit together or a coordinate is not finite.
 pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
     mesh.check()?;
-    let material_of = material_of_vertices(mesh);
+    let material_of = materials_of_triangles(mesh);
     let position_of = number_positions(&mesh.positions);
     let mut triangles = Vec::with_capacity(mesh.triangles.len());
     let groups = drop_degenerate(mesh, &position_of, &mut triangles);
@@ -99,7 +99,7 @@ struct Source<'a> {
 }
 
 /// The material of each triangle plus one, or nothing where there is only one.
-fn material_of_vertices(mesh: &IndexedMesh) -> Vec<u32> {
+fn materials_of_triangles(mesh: &IndexedMesh) -> Vec<u32> {
     let mut materials = mesh.groups.iter().map(|g| g.material);
     let first = materials.next();
     if first.is_none() || materials.all(|m| Some(m) == first) {

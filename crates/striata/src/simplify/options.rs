@@ -1,6 +1,7 @@
 //! What a caller may ask of the simplifier, and what it answers besides the mesh.
 
 use crate::mesh::{FragmentError, IndexedMesh, MeshError, RefinableMesh, SequenceError};
+use crate::setters::setters;
 
 /// Which level is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -181,49 +182,18 @@ impl SequenceOptions {
         check_locked(&self.locked_vertices, vertex_count)
     }
 
-    /// Sets [`Self::cost`].
-    pub fn with_cost(self, cost: CollapseCost) -> Self {
-        Self { cost, ..self }
-    }
-    /// Sets [`Self::base_triangle_count`].
-    pub fn with_base_triangle_count(self, base_triangle_count: usize) -> Self {
-        Self { base_triangle_count, ..self }
-    }
-    /// Sets [`Self::max_error`].
-    pub fn with_max_error(self, max_error: f64) -> Self {
-        Self { max_error: Some(max_error), ..self }
-    }
-    /// Sets [`Self::attribute_weights`].
-    pub fn with_attribute_weights(self, attribute_weights: AttributeWeights) -> Self {
-        Self { attribute_weights, ..self }
-    }
-    /// Sets [`Self::texcoord_factors`].
-    pub fn with_texcoord_factors(self, texcoord_factors: Vec<f32>) -> Self {
-        Self { texcoord_factors, ..self }
-    }
-    /// Sets [`Self::boundary`].
-    pub fn with_boundary(self, boundary: BoundaryRule) -> Self {
-        Self { boundary, ..self }
-    }
-    /// Sets [`Self::group_borders`].
-    pub fn with_group_borders(self, group_borders: BoundaryRule) -> Self {
-        Self { group_borders, ..self }
-    }
-    /// Sets [`Self::seams`].
-    pub fn with_seams(self, seams: SeamRule) -> Self {
-        Self { seams, ..self }
-    }
-    /// Sets [`Self::topology`].
-    pub fn with_topology(self, topology: TopologyRule) -> Self {
-        Self { topology, ..self }
-    }
-    /// Sets [`Self::locked_vertices`].
-    pub fn with_locked_vertices(self, locked_vertices: Vec<u32>) -> Self {
-        Self { locked_vertices, ..self }
-    }
-    /// Sets [`Self::pair_distance`].
-    pub fn with_pair_distance(self, pair_distance: f64) -> Self {
-        Self { pair_distance: Some(pair_distance), ..self }
+    setters! {
+        with_cost, cost: CollapseCost;
+        with_base_triangle_count, base_triangle_count: usize;
+        with_max_error, max_error: some f64;
+        with_attribute_weights, attribute_weights: AttributeWeights;
+        with_texcoord_factors, texcoord_factors: Vec<f32>;
+        with_boundary, boundary: BoundaryRule;
+        with_group_borders, group_borders: BoundaryRule;
+        with_seams, seams: SeamRule;
+        with_topology, topology: TopologyRule;
+        with_locked_vertices, locked_vertices: Vec<u32>;
+        with_pair_distance, pair_distance: some f64;
     }
 }
 
@@ -299,21 +269,12 @@ impl SimplifyOptions {
         }
         Ok(())
     }
-    /// Sets [`Self::target`].
-    pub fn with_target(self, target: Target) -> Self {
-        Self { target, ..self }
-    }
-    /// Sets [`Self::tolerance`].
-    pub fn with_tolerance(self, tolerance: f64) -> Self {
-        Self { tolerance: Some(tolerance), ..self }
-    }
-    /// Sets [`Self::placement`].
-    pub fn with_placement(self, placement: Placement) -> Self {
-        Self { placement, ..self }
-    }
-    /// Sets [`Self::sequence`].
-    pub fn with_sequence(self, sequence: SequenceOptions) -> Self {
-        Self { sequence, ..self }
+
+    setters! {
+        with_target, target: Target;
+        with_tolerance, tolerance: some f64;
+        with_placement, placement: Placement;
+        with_sequence, sequence: SequenceOptions;
     }
 }
 

@@ -9,8 +9,14 @@
 
 use glam::{DMat3, Vec3};
 
-use super::screen_lanes::{EYE_SHARE, LANES};
 use super::{Camera, Criterion, Part, Sphere, Verdict};
+
+/// Parts that are weighed together.
+pub(super) const LANES: usize = 8;
+
+/// Motion of the eye in the model counts so many times less than motion of the model in the view: the eye is mostly
+/// farther from the model than that is large.
+pub(super) const EYE_SHARE: f32 = 0.55;
 
 /// Where the eye looks at, and how fast it stops to care aside of that.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,14 +3,8 @@
 use glam::Vec3;
 use wide::f32x8;
 
+use super::screen_error::{EYE_SHARE, LANES};
 use super::{Part, ScreenError, Verdict};
-
-/// Parts that are weighed together.
-pub(super) const LANES: usize = 8;
-
-/// Motion of the eye in the model counts so many times less than motion of the model in the view: the eye is mostly
-/// farther from the model than that is large.
-pub(super) const EYE_SHARE: f32 = 0.55;
 
 /// The most that a place in the view, once it has moved by one, changes the distance that errors are divided by: that
 /// distance is `d cos^2 a`, `a` off the sight, and its slope `cos a sqrt(4 - 3 cos^2 a)`.
@@ -40,6 +34,16 @@ struct Places {
     distance: f32x8,
     /// A little more than that of the parts.
     radius: f32x8,
+}
+
+/// What is allowed aside of where the eye looks.
+struct Aside {
+    /// How many times more.
+    times: f32x8,
+    /// The most by which motion changes what errors are divided by through that.
+    slope: f32x8,
+    /// How long that is true.
+    lasts: f32x8,
 }
 
 impl Lanes {
@@ -87,7 +91,7 @@ impl ScreenError {
         let seen = self.seen(&places);
         let [away, faces] = facing(&lanes, &places);
         let (allowed, allowed_lasts) = self.allowed(&lanes, faces);
-        let (times, times_slope, times_last) = self.aside(&places);
+        let Aside { times, slope: times_slope, lasts: times_last } = self.aside(&places);
 
         // All that decides changes no faster than the view moves, and is no larger for what lies within.
         let cos = (places.view[2] / places.distance).fast_max(splat(self.corner));
@@ -159,11 +163,12 @@ impl ScreenError {
         (allowed, lasts)
     }
 
-    /// How many times more is allowed aside of where the eye looks, the most by which motion changes what errors are
-    /// divided by through that, and how long that is true.
+    /// What is allowed aside of where the eye looks.
     #[inline]
-    fn aside(&self, places: &Places) -> (f32x8, f32x8, f32x8) {
-        let Some((fovea, gaze)) = &self.fovea else { return (splat(1.0), splat(0.0), splat(f32::MAX)) };
+    fn aside(&self, places: &Places) -> Aside {
+        let Some((fovea, gaze)) = &self.fovea else {
+            return Aside { times: splat(1.0), slope: splat(0.0), lasts: splat(f32::MAX) };
+        };
         let towards = places.view.map(|x| x / places.distance);
         let chord = minus(towards, *gaze);
         // No point of the sphere is seen farther aside than this, and an angle is no less than its chord.
@@ -172,7 +177,7 @@ impl ScreenError {
         let times = splat(1.0) + splat(fovea.falloff) * aside.fast_max(splat(0.0));
         // Chord and spread change by 3 / d at most; while no more than half the distance is moved, by twice that, where the
         // distance itself is 1.5 times what it was at most, and `times` by no more than 3 times the falloff.
-        (times, splat(16.0 * fovea.falloff), splat(0.5) * places.distance)
+        Aside { times, slope: splat(16.0 * fovea.falloff), lasts: splat(0.5) * places.distance }
     }
 }
 

@@ -65,12 +65,25 @@ pub fn odd() -> Vec<Named> {
 
 /// Runs a check on each mesh with each cost and fails with the list of all that failed it.
 pub fn check_each(meshes: Vec<Named>, check: impl Fn(&str, &IndexedMesh, &SequenceOptions)) {
+    check_each_way(meshes, &by_cost(), check);
+}
+
+/// Options with each cost.
+pub fn by_cost() -> Vec<(String, SequenceOptions)> {
+    COSTS.into_iter().map(|cost| (format!("{cost:?}"), SequenceOptions::default().with_cost(cost))).collect()
+}
+
+/// Runs a check on each mesh with each of several named options and fails with the list of all that failed it.
+pub fn check_each_way<O>(
+    meshes: Vec<Named>,
+    ways: &[(impl std::fmt::Display, O)],
+    check: impl Fn(&str, &IndexedMesh, &O),
+) {
     let mut failed = Vec::new();
     for (name, mesh) in meshes {
-        for cost in COSTS {
-            let name = format!("{name}, {cost:?}");
-            let options = SequenceOptions::default().with_cost(cost);
-            if catch_unwind(AssertUnwindSafe(|| check(&name, &mesh, &options))).is_err() {
+        for (way, options) in ways {
+            let name = format!("{name}, {way}");
+            if catch_unwind(AssertUnwindSafe(|| check(&name, &mesh, options))).is_err() {
                 failed.push(name);
             }
         }

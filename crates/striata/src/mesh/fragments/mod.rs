@@ -15,7 +15,7 @@ mod replay;
 
 pub use replay::{fragment_faces, replay_fragments};
 
-use super::levels::check_length;
+use super::sequence_error::check_length;
 use super::{IndexedMesh, Levels, PositionIndex, SequenceError, canonical_triangle};
 
 /// A triangle that some levels show.

@@ -14,14 +14,12 @@
 
 use glam::Vec3;
 
-use super::judge::{Choice, Judge, Tier};
+use super::choice::{Choice, Tier};
+use super::judge::Judge;
 use super::links::LinkEdge;
 use super::parts::Estate;
+use super::whole::MAX_LEAF;
 
-/// Parts of more triangles than this are not foliage.
-pub(in crate::simplify) const MAX_LEAF: usize = 16;
-/// Share of the triangles that must belong to such parts.
-pub(in crate::simplify) const LEAF_SHARE: f32 = 0.5;
 /// Cosine of the angle by which a grown triangle may turn.
 const LEAST_COSINE: f32 = 0.3;
 /// Weight of the square of the longest edge against the area that is missing or too much.

@@ -3,11 +3,13 @@
 
 use glam::Vec3;
 
+use super::choice::Choice;
 use super::fan::point;
-use super::judge::{Choice, Judge};
+use super::judge::Judge;
 use super::links::LinkKind;
 use super::parts::Surroundings;
-use super::relaxed::{Standing, find};
+use super::walk::Standing;
+use super::whole::find;
 
 /// Positions that have come together at one are measured again one by one, up to this many of them.
 const MAX_FOLLOWERS: usize = 24;

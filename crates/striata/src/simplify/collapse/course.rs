@@ -5,8 +5,9 @@ use glam::Vec3;
 use crate::mesh::Welded;
 
 use super::aftermath::Departure;
+use super::choice::{Choice, Tier};
 use super::finish::Record;
-use super::judge::{Choice, Judge, Memory, Tier};
+use super::judge::{Judge, Memory};
 use super::links::LinkKind;
 use super::witness::Witnesses;
 
@@ -36,11 +37,11 @@ pub(in crate::simplify) struct Course {
 }
 
 impl Course {
-    /// `is_closed_scan` as [`Judge::is_closed_scan`] says before the first collapse.
-    pub(in crate::simplify) fn new(welded: &Welded, scale: f64, is_closed_scan: bool) -> Self {
+    /// Nothing has been collapsed yet in what the judge sees.
+    pub(in crate::simplify) fn new(welded: &Welded, judge: &Judge<'_>) -> Self {
         Self {
-            scale,
-            witnesses: Witnesses::new(welded.positions.position_count(), !is_closed_scan),
+            scale: judge.scale,
+            witnesses: Witnesses::new(welded.positions.position_count(), !judge.is_closed_scan()),
             ring: Vec::new(),
             last: 0,
             gone: Vec::new(),

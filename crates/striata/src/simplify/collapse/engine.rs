@@ -11,15 +11,14 @@
 //!
 //! Time O(n log n); 87 to 91 bytes a triangle on top of a large loaded mesh (docs/results.md).
 
-use std::ops::ControlFlow;
-
 use crate::mesh::Welded;
-use crate::{Cancelled, Progress, ProgressFn};
+use crate::{Progress, ProgressFn};
 
+use super::choice::{Choice, Tier};
 use super::course::Course;
 use super::finish::Record;
 use super::heap::IndexedHeap;
-use super::judge::{Choice, Judge, Memory, Tier};
+use super::judge::{Judge, Memory};
 use super::links::LinkKind;
 use super::relaxation::Relaxation;
 use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};
@@ -48,10 +47,9 @@ pub(in crate::simplify) struct Engine<'a> {
 
 impl<'a> Engine<'a> {
     pub(in crate::simplify) fn new(welded: &'a Welded, options: &'a SequenceOptions) -> Self {
-        let scaled = scaled_positions(welded);
-        let (position_count, scale) = (scaled.0.len(), scaled.1);
-        let judge = Judge::new(welded, options, scaled);
-        let course = Course::new(welded, scale, judge.is_closed_scan());
+        let judge = Judge::new(welded, options);
+        let position_count = judge.positions.len();
+        let course = Course::new(welded, &judge);
         Self {
             options,
             judge,
@@ -120,9 +118,8 @@ impl<'a> Engine<'a> {
             let done = self.course.record.removed.len();
             self.course.record.errors.resize(done, error);
             collapse_count += 1;
-            let report = Progress { phase: "simplify", done: done as u64, total };
-            if collapse_count.is_multiple_of(REPORT_INTERVAL) && progress(report) == ControlFlow::Break(()) {
-                return Err(Cancelled.into());
+            if collapse_count.is_multiple_of(REPORT_INTERVAL) {
+                Progress { phase: "simplify", done: done as u64, total }.report(progress)?;
             }
         }
         let is_met = self.course.triangle_count <= self.options.base_triangle_count;
@@ -262,18 +259,4 @@ impl<'a> Engine<'a> {
             self.heap.set(u, bound);
         }
     }
-}
-
-/// One entry a position, about the centre of the bounds and with their diagonal as unit, and that unit.
-pub(in crate::simplify) fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
-    let Some(bounds) = welded.mesh.bounds() else { return (Vec::new(), 1.0) };
-    let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };
-    let centre: [f64; 3] =
-        std::array::from_fn(|a| 0.5 * (f64::from(bounds.min[a]) + f64::from(bounds.max[a])));
-    let place = |p: u32| {
-        let [x, y, z] = welded.mesh.positions[welded.positions.first_vertex(p) as usize];
-        let on = |x: f32, a: usize| ((f64::from(x) - centre[a]) / scale) as f32;
-        [on(x, 0), on(y, 1), on(z, 2), 0.0]
-    };
-    ((0..welded.positions.position_count() as u32).map(place).collect(), scale)
 }

@@ -14,14 +14,15 @@ pub(in crate::simplify) fn distance_squared(a: Vec3, b: Vec3, c: Vec3) -> f32 {
     (a + (b - a) * v + (c - a) * w).length_squared()
 }
 
-/// Barycentric coordinates of the point of the triangle `(a, b, c)` nearest to the origin.
-#[inline]
 /// A position as a vector, without its padding.
+#[inline]
 pub(in crate::simplify) fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
     let [x, y, z, _] = positions[p as usize];
     Vec3::new(x, y, z)
 }
 
+/// Barycentric coordinates of the point of the triangle `(a, b, c)` nearest to the origin.
+#[inline]
 pub(in crate::simplify) fn nearest(a: Vec3, b: Vec3, c: Vec3) -> [f32; 3] {
     let (ab, ac) = (b - a, c - a);
     let (d1, d2) = (-ab.dot(a), -ac.dot(a));

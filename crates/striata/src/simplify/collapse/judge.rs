@@ -5,15 +5,16 @@ use glam::DVec3;
 use crate::mesh::Welded;
 
 use super::attributes::AttributeSpace;
+use super::choice::{Choice, Tier};
 use super::fan::point;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
 use super::pairs::Pairs;
 use super::quadric::Quadric;
-use super::relaxed::Relaxed;
 use super::star::Star;
 use super::tracked::{MEMORYLESS_SHARE, Tracker};
 use super::wedges::Wedges;
+use super::whole::Relaxed;
 use crate::simplify::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
 
 /// Share of the squared way between two parts that merging them costs, over the area that moves.
@@ -54,51 +55,12 @@ struct Candidate {
     protrusion_squared: f32,
 }
 
-/// What a collapse does to the surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::simplify) enum Tier {
-    /// It keeps what the surface is.
-    #[default]
-    Strict,
-    /// It breaks the link condition or leaves a border.
-    Link,
-    /// It flips triangles.
-    Fold,
-    /// It takes all triangles of the position, but not of the target.
-    Fin,
-    /// It takes all triangles of both; others of the part stay.
-    Remnant,
-    /// It takes the last triangles of a part.
-    Vanish,
-}
-
-/// A collapse that was judged in full.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::simplify) struct Choice {
-    pub(in crate::simplify) tier: Tier,
-    pub(in crate::simplify) cost: f32,
-    pub(in crate::simplify) target: u32,
-    /// Squared distance of the vertex from its new fan.
-    pub(in crate::simplify) distance_squared: f32,
-    /// Squared distance of the fan's new edges from the old star.
-    pub(in crate::simplify) protrusion_squared: f32,
-    /// Distance of the fan from the original mesh, if it has been measured.
-    pub(in crate::simplify) outward: Option<f32>,
-}
-
-impl Choice {
-    /// How far, squared, what it leaves sticks out of what it replaces, at most.
-    pub(in crate::simplify) fn sticks_out_squared(&self) -> f32 {
-        // A fold moves its triangles by the whole edge.
-        let moved = if self.tier == Tier::Fold { self.distance_squared } else { 0.0 };
-        self.protrusion_squared.max(moved)
-    }
-}
-
 /// The mesh as it is, and all that judges it.
 pub(in crate::simplify) struct Judge<'a> {
     /// Positions about the bounds' centre, diagonal 1, padded to a vector register.
     pub(in crate::simplify) positions: Vec<[f32; 4]>,
+    /// Mesh units of one unit of these.
+    pub(in crate::simplify) scale: f64,
     pub(in crate::simplify) links: Links,
     pub(in crate::simplify) wedges: Option<Wedges<'a>>,
     pub(in crate::simplify) memory: Memory,
@@ -116,12 +78,9 @@ pub(in crate::simplify) struct Judge<'a> {
 }
 
 impl<'a> Judge<'a> {
-    /// `positions` and `scale` as [`scaled_positions`](super::engine::scaled_positions) gives them.
-    pub(in crate::simplify) fn new(
-        welded: &'a Welded,
-        options: &SequenceOptions,
-        (positions, scale): (Vec<[f32; 4]>, f64),
-    ) -> Self {
+    /// The full mesh, with nothing gathered.
+    pub(in crate::simplify) fn new(welded: &'a Welded, options: &SequenceOptions) -> Self {
+        let (positions, scale) = scaled_positions(welded);
         let position_count = positions.len();
         let has_wedges = !welded.positions.is_identity();
         let follows = has_wedges || options.cost == CollapseCost::Tracked;
@@ -134,6 +93,7 @@ impl<'a> Judge<'a> {
         };
         let mut judge = Self {
             positions,
+            scale,
             links,
             wedges: has_wedges.then(|| Wedges::new(&welded.positions, welded.mesh.triangles.clone())),
             memory: Memory::Memoryless,
@@ -503,4 +463,18 @@ fn lock_group_borders(welded: &Welded, is_locked: &mut [bool]) {
             }
         }
     }
+}
+
+/// One entry a position, about the centre of the bounds and with their diagonal as unit, and that unit.
+fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
+    let Some(bounds) = welded.mesh.bounds() else { return (Vec::new(), 1.0) };
+    let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };
+    let centre: [f64; 3] =
+        std::array::from_fn(|a| 0.5 * (f64::from(bounds.min[a]) + f64::from(bounds.max[a])));
+    let place = |p: u32| {
+        let [x, y, z] = welded.mesh.positions[welded.positions.first_vertex(p) as usize];
+        let on = |x: f32, a: usize| ((f64::from(x) - centre[a]) / scale) as f32;
+        [on(x, 0), on(y, 1), on(z, 2), 0.0]
+    };
+    ((0..welded.positions.position_count() as u32).map(place).collect(), scale)
 }

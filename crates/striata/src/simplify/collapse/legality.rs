@@ -28,7 +28,7 @@ impl Legality {
     pub(in crate::simplify) fn allows(&mut self, links: &Links, v: u32, u: u32) -> bool {
         let is_ring = |p| matches!(links.kind(p), LinkKind::Closed | LinkKind::Open);
         if is_ring(v) && is_ring(u) {
-            return rings_allow(links, v, u, (self.may_merge, self.may_vanish));
+            return self.rings_allow(links, v, u);
         }
         self.edges_allow(links, v, u)
     }
@@ -74,37 +74,38 @@ impl Legality {
         }
         self.apexes.chunk_by(|a, b| a == b).all(|run| links.triangle_count(run[0]) > run.len())
     }
-}
 
-/// The same where both links are rings: the usual case, without scratch.
-fn rings_allow(links: &Links, v: u32, u: u32, (may_merge, may_vanish): (bool, bool)) -> bool {
-    let (ring, other) = (links.entries(v), links.entries(u));
-    let n = ring.len();
-    let Some(k) = ring.iter().position(|&w| w == u) else { return false };
-    let is_closed = links.kind(v) == LinkKind::Closed;
-    let has_next = is_closed || k + 1 < n;
-    let has_last = is_closed || k > 0;
-    let next = if k + 1 == n { 0 } else { k + 1 };
-    let last = if k == 0 { n - 1 } else { k - 1 };
-    let removed = usize::from(has_next) + usize::from(has_last);
-    let kept = links.triangle_count(v) + links.triangle_count(u) - 2 * removed;
-    if (kept == 0 && !may_vanish) || kept > MAX_VALENCE.max(other.len()) {
-        return false;
-    }
-    for (i, w) in ring.iter().enumerate() {
-        let is_apex = (has_next && i == next) || (has_last && i == last);
-        if i != k && !is_apex && other.contains(w) {
+    /// The same where both links are rings: the usual case, without scratch.
+    fn rings_allow(&self, links: &Links, v: u32, u: u32) -> bool {
+        let (ring, other) = (links.entries(v), links.entries(u));
+        let n = ring.len();
+        let Some(k) = ring.iter().position(|&w| w == u) else { return false };
+        let is_closed = links.kind(v) == LinkKind::Closed;
+        let has_next = is_closed || k + 1 < n;
+        let has_last = is_closed || k > 0;
+        let next = if k + 1 == n { 0 } else { k + 1 };
+        let last = if k == 0 { n - 1 } else { k - 1 };
+        let removed = usize::from(has_next) + usize::from(has_last);
+        let kept = links.triangle_count(v) + links.triangle_count(u) - 2 * removed;
+        if (kept == 0 && !self.may_vanish) || kept > MAX_VALENCE.max(other.len()) {
             return false;
         }
+        for (i, w) in ring.iter().enumerate() {
+            let is_apex = (has_next && i == next) || (has_last && i == last);
+            if i != k && !is_apex && other.contains(w) {
+                return false;
+            }
+        }
+        if self.may_merge {
+            return true;
+        }
+        // A boundary path of two has one apex only; a cycle of three joins its two apexes.
+        if is_closed && n == 3 && are_joined(links, u, ring[next], ring[last]) {
+            return false;
+        }
+        (!has_next || links.triangle_count(ring[next]) > 1)
+            && (!has_last || links.triangle_count(ring[last]) > 1)
     }
-    if may_merge {
-        return true;
-    }
-    // A boundary path of two has one apex only; a cycle of three joins its two apexes.
-    if is_closed && n == 3 && are_joined(links, u, ring[next], ring[last]) {
-        return false;
-    }
-    (!has_next || links.triangle_count(ring[next]) > 1) && (!has_last || links.triangle_count(ring[last]) > 1)
 }
 
 /// True where `a` and `b` follow each other in the ring of `u`.

@@ -7,7 +7,7 @@ use crate::mesh::Welded;
 
 use super::judge::Judge;
 use super::links::LinkKind;
-use super::relaxed::Relaxed;
+use super::whole::{Relaxed, Removed};
 use crate::simplify::options::TopologyRule;
 
 /// A closed surface of several parts waits with relaxed collapses if its parts have this many triangles on average: strict ones
@@ -32,9 +32,6 @@ pub(in crate::simplify) struct Relaxation<'a> {
     /// What relaxed collapses will need later.
     waiting: Option<Relaxed<'a>>,
 }
-
-/// Positions removed so far, and the target of each vertex of them.
-pub(in crate::simplify) type Removed<'r> = (&'r [u32], &'r [u32]);
 
 impl<'a> Relaxation<'a> {
     pub(in crate::simplify) fn new(welded: &'a Welded, rule: TopologyRule) -> Self {
@@ -75,7 +72,7 @@ impl<'a> Relaxation<'a> {
     pub(in crate::simplify) fn begin(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
         let mut relaxed = self.waiting.take().unwrap_or_else(|| Relaxed::new(self.welded, self.keeps_parts));
         relaxed.is_tail = self.is_waiting();
-        relaxed.begin(judge, removed);
+        relaxed.begin(&judge.links, &judge.is_locked, removed);
         judge.relaxed = Some(relaxed);
         if self.state != State::Never {
             self.state = State::Now;

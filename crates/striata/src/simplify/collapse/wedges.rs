@@ -231,14 +231,14 @@ mod tests {
     /// | / \ |
     /// 3 --- 4
     /// ```
-    fn loaded(corners: &[[u32; 3]]) -> (PositionIndex, Star, Vec<[u32; 3]>) {
+    fn loaded(corners: &[[u32; 3]]) -> (PositionIndex, Star) {
         let positions = PositionIndex::from_first(vec![0, 2, 4, 5, 6, 7]);
         let places =
             [[0., 0., 0., 0.], [1., 1., 0., 0.], [-1., 1., 0., 0.], [-1., -1., 0., 0.], [1., -1., 0., 0.]];
         let triangles: Vec<[u32; 3]> = corners.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
         let mut star = Star::default();
         star.gather(&Links::new(5, &triangles, true), &places, 0);
-        (positions, star, corners.to_vec())
+        (positions, star)
     }
 
     fn index_of(star: &Star, position: u32) -> usize {
@@ -247,8 +247,9 @@ mod tests {
 
     #[test]
     fn wedges_without_a_partner_cross_to_the_most_similar_one() {
-        let (positions, mut star, corners) = loaded(&[[0, 2, 4], [0, 4, 5], [1, 5, 6], [1, 6, 3]]);
-        let mut wedges = Wedges::new(&positions, corners);
+        let corners = [[0, 2, 4], [0, 4, 5], [1, 5, 6], [1, 6, 3]];
+        let (positions, mut star) = loaded(&corners);
+        let mut wedges = Wedges::new(&positions, corners.to_vec());
         wedges.load(&mut star, 0);
         // Along the seam to position 1, both have partners.
         let along = index_of(&star, 1);
@@ -266,8 +267,9 @@ mod tests {
 
     #[test]
     fn one_wedge_that_faces_two_is_a_conflict() {
-        let (positions, mut star, corners) = loaded(&[[0, 2, 4], [0, 4, 5], [0, 5, 6], [0, 6, 3]]);
-        let mut wedges = Wedges::new(&positions, corners);
+        let corners = [[0, 2, 4], [0, 4, 5], [0, 5, 6], [0, 6, 3]];
+        let (positions, mut star) = loaded(&corners);
+        let mut wedges = Wedges::new(&positions, corners.to_vec());
         wedges.load(&mut star, 0);
         let k = index_of(&star, 1);
         assert!(!wedges.pair(&star, 0, k) && !wedges.pair_across(&star, 0, k, |_, _| 0.0));

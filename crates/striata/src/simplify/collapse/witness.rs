@@ -8,14 +8,12 @@
 
 use glam::Vec3;
 
-use super::fan::nearest;
 use super::fan::point;
 use super::judge::Judge;
-use super::links::{LinkEdge, Links};
+use super::links::LinkEdge;
+use super::walk::{Standing, walk};
 
 const NONE: u32 = u32::MAX;
-/// Stars that a witness may cross in one search; it goes on next time.
-const MAX_WALK: usize = 8;
 /// Most that the surface moves anywhere, in distances of the removed vertex from its fan.
 const MOVE_FACTOR: f32 = 1.5;
 
@@ -133,8 +131,9 @@ impl Witnesses {
 
     /// Settles a point from `place`, verifies what would raise the worst distance, if relaxed collapses may change what is near
     /// what, and raises it. What the walk finds beyond a `limit`, squared, has lost its way.
-    fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3, limit: f32) -> (f32, u32) {
-        let settled = self.settle(&judge.links, &judge.positions, place, from);
+    fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3, limit: f32) -> Standing {
+        let positions = &judge.positions;
+        let settled = walk(&judge.links, &mut self.edges, place, |p| point(positions, p) - from);
         let is_lost = settled.0 > limit;
         let known = if is_lost { (limit, place) } else { settled };
         let found = judge.standing(from, known, self.worst);
@@ -162,43 +161,5 @@ impl Witnesses {
         if candidate.distance > there.distance || there.vertex == NONE {
             *there = candidate;
         }
-    }
-
-    /// Walks from the star of `place` towards the surface nearest to the point `from`.
-    fn settle(&mut self, links: &Links, positions: &[[f32; 4]], mut place: u32, from: Vec3) -> (f32, u32) {
-        let mut least = f32::INFINITY;
-        for _ in 0..MAX_WALK {
-            let centre = point(positions, place) - from;
-            links.edges_into(place, &mut self.edges);
-            // Where the nearest point lies on the rim, the star beyond may be nearer still.
-            let mut beyond = NONE;
-            let before = least;
-            for e in &self.edges {
-                let (a, b) = (point(positions, e.a) - from, point(positions, e.b) - from);
-                let [x, y, z] = nearest(centre, a, b);
-                let distance_squared = (centre * x + a * y + b * z).length_squared();
-                if distance_squared < least {
-                    least = distance_squared;
-                    beyond = match x > 0.0 {
-                        true => NONE,
-                        false => {
-                            if y >= z {
-                                e.a
-                            } else {
-                                e.b
-                            }
-                        }
-                    };
-                }
-            }
-            if self.edges.is_empty() {
-                least = least.min(centre.length_squared());
-            }
-            if beyond == NONE || least >= before {
-                break;
-            }
-            place = beyond;
-        }
-        (least, place)
     }
 }

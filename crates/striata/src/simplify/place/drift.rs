@@ -6,14 +6,11 @@
 
 use glam::DVec3;
 
-use crate::simplify::collapse::fan::nearest;
 use crate::simplify::collapse::judge::Judge;
-use crate::simplify::collapse::links::{LinkEdge, Links};
+use crate::simplify::collapse::links::LinkEdge;
+use crate::simplify::collapse::walk::walk;
 
 const NONE: u32 = u32::MAX;
-/// Stars that one search may cross; it goes on next time.
-const MAX_WALK: usize = 8;
-
 #[derive(Clone, Copy, Debug)]
 struct Witness {
     /// Position in the original numbering.
@@ -55,10 +52,12 @@ impl Drift {
             if original == NONE {
                 continue;
             }
-            let (mut distance_squared, mut at) = self.settle(&judge.links, positions, place, original);
+            let from = self.originals[original as usize];
+            let offset = |p: u32| (positions[p as usize] - from).as_vec3();
+            let (mut distance_squared, mut at) = walk(&judge.links, &mut self.edges, place, offset);
             if distance_squared > worst.max(found) && judge.has_relaxed() {
-                let from = self.originals[original as usize].as_vec3();
-                (distance_squared, at) = judge.standing(from, (distance_squared, at), worst.max(found));
+                (distance_squared, at) =
+                    judge.standing(from.as_vec3(), (distance_squared, at), worst.max(found));
             }
             found = found.max(distance_squared);
             let there = &mut self.of[at as usize];
@@ -67,38 +66,6 @@ impl Drift {
             }
         }
         found
-    }
-
-    /// Walks from the star of `place` towards the surface nearest to `original`.
-    fn settle(&mut self, links: &Links, positions: &[DVec3], mut place: u32, original: u32) -> (f32, u32) {
-        let from = self.originals[original as usize];
-        let offset = |p: u32| (positions[p as usize] - from).as_vec3();
-        let mut least = f32::INFINITY;
-        for _ in 0..MAX_WALK {
-            let centre = offset(place);
-            links.edges_into(place, &mut self.edges);
-            // Where the nearest point lies on the rim, the star beyond may be nearer still.
-            let mut beyond = NONE;
-            let before = least;
-            for e in &self.edges {
-                let (a, b) = (offset(e.a), offset(e.b));
-                let [x, y, z] = nearest(centre, a, b);
-                let distance_squared = (centre * x + a * y + b * z).length_squared();
-                if distance_squared < least {
-                    least = distance_squared;
-                    let rim = if y >= z { e.a } else { e.b };
-                    beyond = if x > 0.0 { NONE } else { rim };
-                }
-            }
-            if beyond == NONE || least >= before {
-                break;
-            }
-            place = beyond;
-        }
-        if self.edges.is_empty() {
-            least = least.min(offset(place).length_squared());
-        }
-        (least, place)
     }
 }
 
@@ -117,7 +84,8 @@ mod tests {
         let positions: Vec<DVec3> =
             welded.mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
         let scaled = positions.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32, 0.0]).collect();
-        let mut judge = Judge::new(&welded, &SequenceOptions::default(), (scaled, 1.0));
+        let mut judge = Judge::new(&welded, &SequenceOptions::default());
+        judge.positions = scaled;
         let mut drift = Drift::new(positions.clone());
         judge.links.collapse(tip, rim);
         let worst = drift.settle_all((&mut judge, &positions), (&[tip, rim], &[]), rim, 0.0);

@@ -135,15 +135,15 @@ impl Hood {
         self.borders.contains(&(i as u32))
     }
 
-    /// The triangles that stay when the centre moves and `other` is merged with it, as corners and old normal.
-    fn staying(&self, other: u32) -> impl Iterator<Item = (DVec3, DVec3, DVec3)> {
+    /// The triangles that stay when the centre moves and `other` is merged with it.
+    fn staying(&self, other: u32) -> impl Iterator<Item = Staying> {
         let gone = self.ids.iter().position(|&id| id == other).map_or(u32::MAX, |i| i as u32);
         let stays = move |t: &&LinkEdge| t.a != gone && t.b != gone;
-        self.triangles
-            .iter()
-            .zip(&self.normals)
-            .filter(move |(t, _)| stays(t))
-            .map(|(t, &normal)| (self.offsets[t.a as usize], self.offsets[t.b as usize], normal))
+        self.triangles.iter().zip(&self.normals).filter(move |(t, _)| stays(t)).map(|(t, &normal)| Staying {
+            a: self.offsets[t.a as usize],
+            b: self.offsets[t.b as usize],
+            normal,
+        })
     }
 
     /// True where no triangle that stays flips over or becomes a sliver with the centre at `place`.
@@ -152,7 +152,7 @@ impl Hood {
     /// agree with the mean, or stay as small; a triangle that was folded over may unfold.
     pub(super) fn may_move(&self, place: DVec3, other: u32, mean: DVec3) -> bool {
         let x = place - self.centre;
-        self.staying(other).all(|(a, b, old)| {
+        self.staying(other).all(|Staying { a, b, normal: old }| {
             let new = (a - x).cross(b - x);
             let (old_squared, new_squared) = (old.length_squared(), new.length_squared());
             let side = (b - a).length_squared();
@@ -173,11 +173,18 @@ impl Hood {
     /// Squared distance of the centre from the triangles that stay, once it has moved to `place`.
     pub(super) fn distance_squared(&self, place: DVec3, other: u32) -> f64 {
         let x = (place - self.centre).as_vec3();
-        let distances = self
-            .staying(other)
-            .map(|(a, b, _)| crate::simplify::collapse::fan::distance_squared(x, a.as_vec3(), b.as_vec3()));
+        let distances = self.staying(other).map(|Staying { a, b, .. }| {
+            crate::simplify::collapse::fan::distance_squared(x, a.as_vec3(), b.as_vec3())
+        });
         f64::from(distances.fold(x.length_squared(), f32::min))
     }
+}
+
+/// A triangle that stays: its corners besides the centre, and its normal before.
+struct Staying {
+    a: DVec3,
+    b: DVec3,
+    normal: DVec3,
 }
 
 /// True where two normals of any length point the same way, clearly.

@@ -1,7 +1,5 @@
 //! The loop: remove the vertex that costs least, fill its hole, look again at what surrounds it.
 
-use std::ops::ControlFlow;
-
 use crate::mesh::Welded;
 use crate::simplify::certify::Cover;
 use crate::simplify::collapse::heap::IndexedHeap;
@@ -9,11 +7,11 @@ use crate::simplify::collapse::judge::Judge as CollapseJudge;
 use crate::simplify::collapse::relaxation::Relaxation;
 use crate::simplify::collapse::wedges::Wedges;
 use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
-use crate::{Cancelled, Progress, ProgressFn};
+use crate::{Progress, ProgressFn};
 
 use super::judge::{Depth, Filling, Judge, Reach};
 use super::options::{RemovalOptions, Retriangulation};
-use super::record::{Faces, RemovalRecord};
+use super::record::{Faces, Outcome, RemovalRecord};
 
 /// Removals between two reports of progress.
 const REPORT_INTERVAL: u64 = 4096;
@@ -65,10 +63,7 @@ impl<'a> Engine<'a> {
     }
 
     /// Removes vertices until none can be, the base is reached or the error limit forbids all that are left.
-    pub(super) fn run(
-        mut self,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<(RemovalRecord, Faces, StopReason), SimplifyError> {
+    pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
         let total = self.judge.collapses.positions.len() as u64;
         if self.relaxation.is_possible() {
             self.relaxation.consider(&mut self.judge.collapses, (&[], &[]));
@@ -115,9 +110,8 @@ impl<'a> Engine<'a> {
             self.remove(v, verdict.filling, error);
             self.has_vanished |= vanishes;
             let done = self.record.removed.len() as u64;
-            let is_report = done.is_multiple_of(REPORT_INTERVAL);
-            if is_report && progress(Progress { phase: "simplify", done, total }) == ControlFlow::Break(()) {
-                return Err(Cancelled.into());
+            if done.is_multiple_of(REPORT_INTERVAL) {
+                Progress { phase: "simplify", done, total }.report(progress)?;
             }
         }
         let is_met = self.triangle_count <= self.options.base_triangle_count;
@@ -154,10 +148,10 @@ impl<'a> Engine<'a> {
         self.heap.first().is_some_and(|(_, first)| first != v)
     }
 
-    fn end(mut self, reason: StopReason) -> (RemovalRecord, Faces, StopReason) {
+    fn end(mut self, stop_reason: StopReason) -> Outcome {
         let corners = self.judge.collapses.wedges.map(Wedges::into_corners).unwrap_or_default();
         self.record.has_vanished = self.has_vanished;
-        (self.record, Faces { corners, groups: self.judge.groups }, reason)
+        Outcome { record: self.record, faces: Faces { corners, groups: self.judge.groups }, stop_reason }
     }
 
     fn key(&mut self, v: u32) -> f32 {

@@ -6,8 +6,8 @@
 //! largest distance alone: the Hausdorff distance that orders \[KLS96\], which decides where it stands out.
 
 use crate::mesh::Welded;
-use crate::simplify::collapse::engine::scaled_positions;
-use crate::simplify::collapse::judge::{Choice, Judge as CollapseJudge};
+use crate::simplify::collapse::choice::Choice;
+use crate::simplify::collapse::judge::Judge as CollapseJudge;
 use crate::simplify::collapse::links::{LinkKind, Links};
 use crate::simplify::collapse::star::Star;
 use crate::simplify::collapse::wedges::Wedges;
@@ -84,8 +84,6 @@ pub(super) struct Judge<'a> {
     pub(super) collapses: CollapseJudge<'a>,
     /// Which collapses are tried where no other removal is allowed.
     pub(super) reach: Reach,
-    /// Mesh units of one scaled unit.
-    pub(super) scale: f64,
     /// Group of each face.
     pub(super) groups: Vec<u32>,
     pub(super) points: Points,
@@ -106,9 +104,7 @@ pub(super) struct Judge<'a> {
 
 impl<'a> Judge<'a> {
     pub(super) fn new(welded: &'a Welded, options: &'a RemovalOptions) -> Self {
-        let (positions, scale) = scaled_positions(welded);
         let has_wedges = !welded.positions.is_identity();
-        let position_count = positions.len();
         let rules = SequenceOptions {
             boundary: options.boundary,
             group_borders: options.group_borders,
@@ -117,7 +113,8 @@ impl<'a> Judge<'a> {
             locked_vertices: options.locked_vertices.clone(),
             ..SequenceOptions::default()
         };
-        let mut collapses = CollapseJudge::new(welded, &rules, (positions, scale));
+        let mut collapses = CollapseJudge::new(welded, &rules);
+        let position_count = collapses.positions.len();
         if !has_wedges {
             // Triangles are followed here in any case.
             collapses.links = Links::new(position_count, &welded.mesh.triangles, true);
@@ -138,7 +135,6 @@ impl<'a> Judge<'a> {
             options,
             collapses,
             reach: Reach::Strict,
-            scale,
             groups,
             points,
             hole: Hole::default(),
@@ -192,7 +188,7 @@ impl<'a> Judge<'a> {
 
     /// The square of a distance in mesh units, in scaled units.
     pub(super) fn scaled_squared(&self, distance: f32) -> f32 {
-        let scaled = (f64::from(distance) / self.scale) as f32;
+        let scaled = (f64::from(distance) / self.collapses.scale) as f32;
         scaled * scaled
     }
 

@@ -107,6 +107,5 @@ pub fn build_welded_fragments_with_progress(
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltFragments, SimplifyError> {
     options.check()?;
-    let (record, faces, stop_reason) = engine::Engine::new(&welded, options).run(progress)?;
-    record.finish(welded, &faces, stop_reason, progress)
+    engine::Engine::new(&welded, options).run(progress)?.finish(welded, progress)
 }

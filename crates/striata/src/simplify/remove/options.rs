@@ -1,6 +1,7 @@
 //! What a caller may ask of the removal of vertices, and what it gives.
 
 use crate::mesh::{FragmentedMesh, RefinableMesh};
+use crate::setters::setters;
 use crate::simplify::options::{BoundaryRule, SeamRule, SimplifyError, StopReason, TopologyRule};
 
 /// Which triangulations of a hole are tried.
@@ -100,49 +101,18 @@ impl RemovalOptions {
         Ok(())
     }
 
-    /// Sets [`Self::retriangulation`].
-    pub fn with_retriangulation(self, retriangulation: Retriangulation) -> Self {
-        Self { retriangulation, ..self }
-    }
-    /// Sets [`Self::criterion`].
-    pub fn with_criterion(self, criterion: HoleCriterion) -> Self {
-        Self { criterion, ..self }
-    }
-    /// Sets [`Self::degree_limit`].
-    pub fn with_degree_limit(self, degree_limit: usize) -> Self {
-        Self { degree_limit, ..self }
-    }
-    /// Sets [`Self::base_triangle_count`].
-    pub fn with_base_triangle_count(self, base_triangle_count: usize) -> Self {
-        Self { base_triangle_count, ..self }
-    }
-    /// Sets [`Self::max_error`].
-    pub fn with_max_error(self, max_error: f64) -> Self {
-        Self { max_error: Some(max_error), ..self }
-    }
-    /// Sets [`Self::boundary`].
-    pub fn with_boundary(self, boundary: BoundaryRule) -> Self {
-        Self { boundary, ..self }
-    }
-    /// Sets [`Self::feature_angle`].
-    pub fn with_feature_angle(self, feature_angle: f64) -> Self {
-        Self { feature_angle: Some(feature_angle), ..self }
-    }
-    /// Sets [`Self::group_borders`].
-    pub fn with_group_borders(self, group_borders: BoundaryRule) -> Self {
-        Self { group_borders, ..self }
-    }
-    /// Sets [`Self::seams`].
-    pub fn with_seams(self, seams: SeamRule) -> Self {
-        Self { seams, ..self }
-    }
-    /// Sets [`Self::topology`].
-    pub fn with_topology(self, topology: TopologyRule) -> Self {
-        Self { topology, ..self }
-    }
-    /// Sets [`Self::locked_vertices`].
-    pub fn with_locked_vertices(self, locked_vertices: Vec<u32>) -> Self {
-        Self { locked_vertices, ..self }
+    setters! {
+        with_retriangulation, retriangulation: Retriangulation;
+        with_criterion, criterion: HoleCriterion;
+        with_degree_limit, degree_limit: usize;
+        with_base_triangle_count, base_triangle_count: usize;
+        with_max_error, max_error: some f64;
+        with_boundary, boundary: BoundaryRule;
+        with_feature_angle, feature_angle: some f64;
+        with_group_borders, group_borders: BoundaryRule;
+        with_seams, seams: SeamRule;
+        with_topology, topology: TopologyRule;
+        with_locked_vertices, locked_vertices: Vec<u32>;
     }
 }
 

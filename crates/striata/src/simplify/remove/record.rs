@@ -27,10 +27,28 @@ pub(super) struct RemovalRecord {
     pub(super) has_vanished: bool,
 }
 
+/// What the loop ends with.
+pub(super) struct Outcome {
+    pub(super) record: RemovalRecord,
+    pub(super) faces: Faces,
+    pub(super) stop_reason: StopReason,
+}
+
 /// All faces that ever were, by number, in the numbering of the welded mesh.
 pub(super) struct Faces {
     pub(super) corners: Vec<[u32; 3]>,
     pub(super) groups: Vec<u32>,
+}
+
+impl Outcome {
+    /// The mesh and its fragments in refinement order.
+    pub(super) fn finish(
+        self,
+        welded: Welded,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<BuiltFragments, SimplifyError> {
+        self.record.finish(welded, &self.faces, self.stop_reason, progress)
+    }
 }
 
 impl RemovalRecord {
@@ -42,7 +60,7 @@ impl RemovalRecord {
         self.face_ends.push(face_end);
     }
 
-    pub(super) fn finish(
+    fn finish(
         self,
         welded: Welded,
         faces: &Faces,

@@ -8,16 +8,14 @@
 //! A position that no batch of a surface can take, because it is not manifold or each of its collapses would change the topology,
 //! waits for a general batch (`general.rs`).
 
-use std::ops::ControlFlow;
-
 use crate::mesh::Welded;
+use crate::simplify::collapse::choice::{Choice, Tier};
 use crate::simplify::collapse::course::Course;
-use crate::simplify::collapse::engine::scaled_positions;
 use crate::simplify::collapse::finish::Record;
-use crate::simplify::collapse::judge::{Choice, Judge, Memory, Tier};
+use crate::simplify::collapse::judge::{Judge, Memory};
 use crate::simplify::collapse::relaxation::Relaxation;
 use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
-use crate::{Cancelled, Progress, ProgressFn};
+use crate::{Progress, ProgressFn};
 
 use super::options::BatchOptions;
 use super::select::{Selection, keep_cheapest};
@@ -65,14 +63,13 @@ pub(super) struct Engine<'a> {
 
 impl<'a> Engine<'a> {
     pub(super) fn new(welded: &'a Welded, options: &'a BatchOptions) -> Self {
-        let scaled = scaled_positions(welded);
-        let (position_count, scale) = (scaled.0.len(), scaled.1);
-        let judge = Judge::new(welded, &options.sequence, scaled);
+        let judge = Judge::new(welded, &options.sequence);
+        let position_count = judge.positions.len();
         let rule = if options.general { options.sequence.topology } else { TopologyRule::Keep };
         let mut engine = Self {
             options,
-            course: Course::new(welded, scale, judge.is_closed_scan()),
-            taste: Taste::new(options, scale),
+            course: Course::new(welded, &judge),
+            taste: Taste::new(options, judge.scale),
             relaxation: Relaxation::new(welded, rule),
             choices: vec![None; position_count],
             is_general: vec![false; position_count],
@@ -126,10 +123,7 @@ impl<'a> Engine<'a> {
             {
                 break StopReason::BaseReached;
             }
-            let report = Progress { phase: "simplify", done: done as u64, total };
-            if progress(report) == ControlFlow::Break(()) {
-                return Err(Cancelled.into());
-            }
+            Progress { phase: "simplify", done: done as u64, total }.report(progress)?;
         };
         Ok(Outcome { record: self.course.record, ends: self.ends, stop_reason })
     }

@@ -7,7 +7,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::simplify::collapse::judge::{Choice, Tier};
+use crate::simplify::collapse::choice::{Choice, Tier};
 use crate::simplify::options::StopReason;
 
 use super::engine::Engine;

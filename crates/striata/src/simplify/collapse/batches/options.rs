@@ -1,5 +1,6 @@
 //! What a caller may ask of batches.
 
+use crate::setters::setters;
 use crate::simplify::options::{SequenceOptions, SimplifyError};
 
 /// Options of [`build_batches`](super::build_batches).
@@ -77,40 +78,15 @@ impl BatchOptions {
         Ok(())
     }
 
-    /// Sets [`Self::sequence`].
-    pub fn with_sequence(self, sequence: SequenceOptions) -> Self {
-        Self { sequence, ..self }
-    }
-    /// Sets [`Self::general`].
-    pub fn with_general(self, general: bool) -> Self {
-        Self { general, ..self }
-    }
-    /// Sets [`Self::general_floor`].
-    pub fn with_general_floor(self, general_floor: usize) -> Self {
-        Self { general_floor, ..self }
-    }
-    /// Sets [`Self::share`].
-    pub fn with_share(self, share: f64) -> Self {
-        Self { share, ..self }
-    }
-    /// Sets [`Self::shape_step`].
-    pub fn with_shape_step(self, shape_step: Option<f64>) -> Self {
-        Self { shape_step, ..self }
-    }
-    /// Sets [`Self::max_valence`].
-    pub fn with_max_valence(self, max_valence: usize) -> Self {
-        Self { max_valence, ..self }
-    }
-    /// Sets [`Self::fair_valence`].
-    pub fn with_fair_valence(self, fair_valence: usize) -> Self {
-        Self { fair_valence, ..self }
-    }
-    /// Sets [`Self::valence_weight`].
-    pub fn with_valence_weight(self, valence_weight: f64) -> Self {
-        Self { valence_weight, ..self }
-    }
-    /// Sets [`Self::least_batch`].
-    pub fn with_least_batch(self, least_batch: usize) -> Self {
-        Self { least_batch, ..self }
+    setters! {
+        with_sequence, sequence: SequenceOptions;
+        with_general, general: bool;
+        with_general_floor, general_floor: usize;
+        with_share, share: f64;
+        with_shape_step, shape_step: Option<f64>;
+        with_max_valence, max_valence: usize;
+        with_fair_valence, fair_valence: usize;
+        with_valence_weight, valence_weight: f64;
+        with_least_batch, least_batch: usize;
     }
 }

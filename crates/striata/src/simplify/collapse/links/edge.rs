@@ -1,0 +1,23 @@
+//! What links consist of.
+
+/// How the link of a position is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(in crate::simplify) enum LinkKind {
+    /// No triangle.
+    Empty,
+    /// A cycle: entry `i` and its successor, cyclically, span a triangle.
+    Closed,
+    /// A path: the same, but the last entry has no successor.
+    Open,
+    /// Pairs of entries, one a triangle.
+    Edges,
+}
+
+/// One edge of a link: the triangle `(v, a, b)`, with its number where triangles are followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::simplify) struct LinkEdge {
+    pub(in crate::simplify) a: u32,
+    pub(in crate::simplify) b: u32,
+    pub(in crate::simplify) triangle: u32,
+}

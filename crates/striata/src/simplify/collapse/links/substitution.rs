@@ -1,0 +1,218 @@
+//! What becomes of links when a position goes: substitution where it collapses, new edges where its hole is filled.
+
+use std::ops::Range;
+
+use super::Links;
+use super::edge::{LinkEdge, LinkKind};
+
+impl Links {
+    /// Replaces `v` by `u` in every link and drops the triangles that lose a corner; the link of `v` ends empty.
+    ///
+    /// Legal for any two positions, neighbours or not: what is sensible is the caller's business.
+    pub(in crate::simplify) fn collapse(&mut self, v: u32, u: u32) {
+        if !self.splice(v, u) {
+            self.merge(v, u);
+        }
+        // `ring` now holds the neighbours of v, each at least once.
+        let ring = std::mem::take(&mut self.ring);
+        for (i, &w) in ring.iter().enumerate() {
+            // Rings name each neighbour once; only edge lists repeat them.
+            if w != u && (self.slabs[v as usize].kind != LinkKind::Edges || !ring[..i].contains(&w)) {
+                self.substitute(w, v, u);
+            }
+        }
+        self.ring = ring;
+        let slab = &mut self.slabs[v as usize];
+        slab.kind = LinkKind::Empty;
+        slab.len = 0;
+    }
+
+    /// Takes out `v` with the triangles around it and puts in `floor` instead: numbers and corners of triangles that
+    /// have neighbours of `v` at their corners.
+    pub(in crate::simplify) fn fill(&mut self, v: u32, floor: &[(u32, [u32; 3])]) {
+        let mut edges = std::mem::take(&mut self.edges);
+        let mut ring = std::mem::take(&mut self.ring);
+        ring.clear();
+        ring.extend_from_slice(self.entries(v));
+        ring.sort_unstable();
+        ring.dedup();
+        for &w in &ring {
+            self.edges_into(w, &mut edges);
+            edges.retain(|e| e.a != v && e.b != v);
+            for &(triangle, [a, b, c]) in floor {
+                for [corner, a, b] in [[a, b, c], [b, c, a], [c, a, b]] {
+                    if corner == w {
+                        edges.push(LinkEdge { a, b, triangle });
+                    }
+                }
+            }
+            self.set(w, &edges);
+        }
+        let slab = &mut self.slabs[v as usize];
+        slab.kind = LinkKind::Empty;
+        slab.len = 0;
+        (self.edges, self.ring) = (edges, ring);
+    }
+
+    /// The link of `u` after the collapse, where both links are rings; false where they are not, or
+    /// where the result is no ring. Leaves the neighbours of `v` in `self.ring`.
+    fn splice(&mut self, v: u32, u: u32) -> bool {
+        let (sv, su) = (self.slabs[v as usize], self.slabs[u as usize]);
+        let is_ring = |kind| matches!(kind, LinkKind::Closed | LinkKind::Open);
+        self.ring.clear();
+        self.ring.extend_from_slice(&self.entries[sv.start as usize..][..sv.len as usize]);
+        if !is_ring(sv.kind) || !is_ring(su.kind) {
+            return false;
+        }
+        let n = self.ring.len();
+        let old = &self.entries[su.start as usize..][..su.len as usize];
+        let m = old.len();
+        let (Some(k), Some(j)) = (self.ring.iter().position(|&w| w == u), old.iter().position(|&w| w == v))
+        else {
+            return false;
+        };
+        // The part of v's ring that u takes over, and where it enters u's ring.
+        let arc: Range<usize>;
+        if sv.kind == LinkKind::Closed {
+            // u must see v between the same two neighbours.
+            let interior = su.kind == LinkKind::Closed || (j > 0 && j + 1 < m);
+            if !interior || n < 3 || m < 3 {
+                return false;
+            }
+            let (before, after) = (old[(j + m - 1) % m], old[(j + 1) % m]);
+            if before != self.ring[(k + 1) % n] || after != self.ring[(k + n - 1) % n] || before == after {
+                return false;
+            }
+            arc = k + 2..k + n - 1;
+        } else {
+            if su.kind != LinkKind::Open {
+                return false;
+            }
+            if k == 0 && j == m - 1 && m >= 2 && old[m - 2] == self.ring[1] {
+                arc = 2..n;
+            } else if k == n - 1 && j == 0 && m >= 2 && old[1] == self.ring[n - 2] {
+                arc = 0..n - 2;
+            } else {
+                return false;
+            }
+        }
+        // What is left may be too small for a ring.
+        let least = if su.kind == LinkKind::Closed { 3 } else { 2 };
+        if m - 1 + arc.len() < least {
+            return false;
+        }
+        // A neighbour that both rings name outside the shared triangles would stand twice.
+        if arc.clone().any(|i| old.contains(&self.ring[i % n])) {
+            return false;
+        }
+        self.write_splice(v, u, j, arc);
+        true
+    }
+
+    /// Writes u's ring with entry `j` (that is, v) replaced by the arc of v's ring.
+    fn write_splice(&mut self, v: u32, u: u32, j: usize, arc: Range<usize>) {
+        let (sv, su) = (self.slabs[v as usize], self.slabs[u as usize]);
+        let (n, m) = (sv.len as usize, su.len as usize);
+        let len = m - 1 + arc.len();
+        if self.follows_triangles {
+            // Entry i of the new ring begins the triangle with entry i + 1: the triangles of v follow the
+            // arc, shifted by one since the entry before the arc begins the arc's first triangle.
+            let own = &self.triangles[su.start as usize..][..m];
+            let other = &self.triangles[sv.start as usize..][..n];
+            self.ring_triangles.clear();
+            self.ring_triangles.extend_from_slice(&own[..j.saturating_sub(1)]);
+            if sv.kind == LinkKind::Closed {
+                let mut taken: Vec<u32> = (arc.start - 1..arc.end).map(|i| other[i % n]).collect();
+                if j == 0 {
+                    // The entry before v is the last one of a cycle.
+                    let last = taken.remove(0);
+                    self.ring_triangles.extend_from_slice(&taken);
+                    self.ring_triangles.extend_from_slice(&own[1..m - 1]);
+                    self.ring_triangles.push(last);
+                } else {
+                    self.ring_triangles.extend_from_slice(&taken);
+                    self.ring_triangles.extend_from_slice(&own[j + 1..]);
+                }
+            } else if arc.start == 2 {
+                // .. r1 v  ->  .. r1 r2 .. rm: r1 begins the triangle (r1, r2), which was v's entry 1.
+                self.ring_triangles.extend((1..n).map(|i| other[i]));
+            } else {
+                // v r(n-2) ..  ->  r0 r1 .. r(n-2) ..
+                self.ring_triangles.extend((0..n - 2).map(|i| other[i]));
+                self.ring_triangles.extend_from_slice(&own[1..]);
+            }
+            debug_assert_eq!(self.ring_triangles.len(), len, "one triangle entry for each ring entry");
+        }
+        let at = self.room(u, v, len);
+        let (start, end) = (at as usize, at as usize + len);
+        if at == su.start {
+            // In place: move the tail, then fill the gap.
+            self.entries.copy_within(start + j + 1..start + m, start + j + arc.len());
+        } else {
+            self.entries.copy_within(su.start as usize..su.start as usize + j, start);
+            self.entries.copy_within(su.start as usize + j + 1..su.start as usize + m, start + j + arc.len());
+        }
+        for (slot, i) in self.entries[start + j..end].iter_mut().zip(arc) {
+            *slot = self.ring[if i >= n { i - n } else { i }];
+        }
+        if self.follows_triangles {
+            self.triangles[start..end].copy_from_slice(&self.ring_triangles);
+        }
+    }
+
+    /// The link of `u` after the collapse, for links of any kind.
+    fn merge(&mut self, v: u32, u: u32) {
+        let mut edges = std::mem::take(&mut self.edges);
+        let mut all = Vec::new();
+        self.edges_into(u, &mut edges);
+        all.extend(edges.iter().filter(|e| e.a != v && e.b != v));
+        self.edges_into(v, &mut edges);
+        all.extend(edges.iter().filter(|e| e.a != u && e.b != u));
+        self.set(u, &all);
+        self.edges = edges;
+    }
+
+    /// Reads `u` for `v` in the link of `w`, a neighbour of v.
+    fn substitute(&mut self, w: u32, v: u32, u: u32) {
+        let slab = self.slabs[w as usize];
+        let (start, n) = (slab.start as usize, slab.len as usize);
+        let ring = &mut self.entries[start..start + n];
+        if slab.kind != LinkKind::Edges {
+            let Some(i) = ring.iter().position(|&x| x == v) else { return };
+            let Some(other) = ring.iter().position(|&x| x == u) else {
+                ring[i] = u;
+                return;
+            };
+            let (next, last) = (if i + 1 == n { 0 } else { i + 1 }, if i == 0 { n - 1 } else { i - 1 });
+            let is_closed = slab.kind == LinkKind::Closed;
+            let follows = other == next && (is_closed || next == i + 1);
+            let precedes = other == last && (is_closed || last + 1 == i);
+            let stays_ring = if is_closed { n > 3 } else { n > 2 };
+            if stays_ring && follows != precedes {
+                ring.copy_within(i + 1.., i);
+                self.slabs[w as usize].len -= 1;
+                if self.follows_triangles {
+                    // The triangle between v and u vanishes; where u comes first, it takes over v's other one.
+                    let triangles = &mut self.triangles[start..start + n];
+                    if precedes {
+                        triangles[last] = triangles[i];
+                    }
+                    triangles.copy_within(i + 1.., i);
+                }
+                return;
+            }
+        }
+        let mut edges = std::mem::take(&mut self.edges);
+        self.edges_into(w, &mut edges);
+        for e in &mut edges {
+            for x in [&mut e.a, &mut e.b] {
+                if *x == v {
+                    *x = u;
+                }
+            }
+        }
+        edges.retain(|e| e.a != e.b);
+        self.set(w, &edges);
+        self.edges = edges;
+    }
+}

@@ -1,0 +1,185 @@
+//! What one candidate would leave of a star: whether its fan is sound, and how far old and new surface are from each other.
+
+use glam::Vec3;
+use wide::f32x8;
+
+use super::Star;
+use super::lanes::{LANES, NO_TRIANGLE, Vec3x8, grow, lanes, least_of, slices, vectors};
+use crate::simplify::collapse::fan;
+
+impl Star {
+    /// Squared distance of v from the fan that neighbour `k` as the target would leave; `None` where a triangle would
+    /// flip or become a sliver.
+    pub(in crate::simplify) fn fan_distance_squared(&mut self, k: usize) -> Option<f32> {
+        self.mark_vanishing(Some(k));
+        let distance_squared = self.distance_squared_from(self.offset(k))?;
+        if distance_squared < f32::INFINITY {
+            return Some(distance_squared);
+        }
+        // No triangle is left (the last one of a border): the edges of the old ones are what remains.
+        let edge = |t: usize| {
+            let [a, b] = self.triangle(t).map(|i| self.offset(i));
+            fan::distance_squared(self.offset(k), a, b)
+        };
+        Some((0..self.triangle_count).map(edge).fold(f32::INFINITY, f32::min))
+    }
+
+    /// The same for a target that is no neighbour: all triangles stay.
+    pub(in crate::simplify) fn moved_distance_squared(&mut self, to: Vec3) -> Option<f32> {
+        self.mark_vanishing(None);
+        self.distance_squared_from(to)
+    }
+
+    fn distance_squared_from(&self, u: Vec3) -> Option<f32> {
+        let u = Vec3x8::splat(u);
+        let uu = u.dot(u);
+        let star = fan::StarNormal::new(self.mean_normal);
+        let [a, b] = self.corners();
+        let normals = slices(&self.normals, 0);
+        let mut least = f32x8::splat(f32::INFINITY);
+        for t in vectors(self.triangle_count) {
+            let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
+            let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
+            let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
+            let (ua, ub) = (u.dot(a), u.dot(b));
+            let old = Vec3x8::load(normals, t);
+            let new = a.minus(u).cross(b.minus(u));
+            let new_squared = new.dot(new);
+            let change = fan::Change {
+                old_length: old.dot(old).sqrt(),
+                new_length: new_squared.sqrt(),
+                new_on_old: new.dot(old),
+                new_on_mean: new.dot(Vec3x8::splat(self.mean_normal)),
+                old_on_mean: old.dot(Vec3x8::splat(self.mean_normal)),
+                old_edges: aa + bb + (aa + bb - ab - ab),
+                new_edges: (aa + uu - ua - ua) + (bb + uu - ub - ub) + (aa + bb - ab - ab),
+            };
+            if !(change.is_allowed(star) | vanishes).all() {
+                return None;
+            }
+            // The origin against the triangle (u, a, b); its height over all of them comes from the old normal.
+            let triangle = fan::Products {
+                d: [uu - ua, uu - ub, ua - aa, ua - ab, ub - ab, ub - bb],
+                corners: [uu, aa, bb],
+                height: u.dot(old),
+                normal_squared: new_squared,
+            };
+            let distance_squared =
+                vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
+            least = least.fast_min(distance_squared);
+        }
+        Some(least_of(least))
+    }
+
+    /// Squared distance of the point `p` from the fan that was judged last, neighbour `k` being the target; infinite
+    /// where no triangle is left.
+    pub(in crate::simplify) fn fan_distance_squared_of(&self, k: usize, p: Vec3) -> f32 {
+        let [a, b] = self.corners();
+        let (u, p) = (Vec3x8::splat(self.offset(k)), Vec3x8::splat(p));
+        let mut least = f32x8::splat(f32::INFINITY);
+        for t in vectors(self.triangle_count) {
+            let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
+            let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
+            let (ua, ub, up, ap, bp) = (a.minus(u), b.minus(u), p.minus(u), p.minus(a), p.minus(b));
+            let normal = ua.cross(ub);
+            let triangle = fan::Products {
+                d: [ua.dot(up), ub.dot(up), ua.dot(ap), ub.dot(ap), ua.dot(bp), ub.dot(bp)],
+                corners: [up.dot(up), ap.dot(ap), bp.dot(bp)],
+                height: normal.dot(up),
+                normal_squared: normal.dot(normal),
+            };
+            let squared = vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
+            least = least.fast_min(squared);
+        }
+        least_of(least)
+    }
+
+    /// Notes which triangles a collapse to neighbour `k` removes.
+    pub(in crate::simplify) fn mark_vanishing(&mut self, k: Option<usize>) {
+        let padded = self.triangle_count.next_multiple_of(LANES);
+        grow(&mut self.vanishes, padded);
+        let mut vanishes = std::mem::take(&mut self.vanishes);
+        let (real, rest) = vanishes[..padded].split_at_mut(self.triangle_count);
+        real.fill(0.0);
+        rest.fill(NO_TRIANGLE);
+        match k {
+            None => {}
+            Some(k) if self.pairs.is_empty() => {
+                // Triangle k begins at the neighbour, the one before ends there.
+                let before = if k == 0 { self.ids.len() - 1 } else { k - 1 };
+                for t in [k, before] {
+                    if let Some(lane) = real.get_mut(t) {
+                        *lane = 1.0;
+                    }
+                }
+            }
+            Some(k) => {
+                for (lane, pair) in real.iter_mut().zip(&self.pairs) {
+                    if pair.contains(&(k as u32)) {
+                        *lane = 1.0;
+                    }
+                }
+            }
+        }
+        self.vanishes = vanishes;
+    }
+
+    /// How far the fan's new edges stick out: the largest squared distance of their midpoints from the old star.
+    ///
+    /// The distance of v alone does not see a fan that bridges a valley.
+    pub(in crate::simplify) fn protrusion_squared(&mut self, k: usize) -> f32 {
+        // A ring of three has no new edge; where sheets meet there can be one among fewer.
+        if self.pairs.is_empty() && self.triangle_count < 4 {
+            return 0.0;
+        }
+        let mut middles = std::mem::take(&mut self.middles);
+        let u = self.offset(k);
+        middles.clear();
+        for i in 0..self.ids.len() {
+            if i != k && !self.is_edge(i, k) {
+                middles.push((0.5 * (self.offset(i) + u), f32x8::splat(f32::INFINITY)));
+            }
+        }
+        let [a, b] = self.corners();
+        let normals = slices(&self.normals, 0);
+        for t in vectors(self.triangle_count) {
+            let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
+            let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
+            let normal = Vec3x8::load(normals, t);
+            let normal_squared = normal.dot(normal);
+            let is_none = lanes(&self.vanishes, t).simd_gt(f32x8::ONE);
+            for (middle, least) in &mut middles {
+                // The midpoint against the triangle (v, a, b), v being the origin.
+                let mm = f32x8::splat(middle.length_squared());
+                let middle = Vec3x8::splat(*middle);
+                let (ma, mb) = (middle.dot(a), middle.dot(b));
+                let triangle = fan::Products {
+                    d: [ma, mb, ma - aa, mb - ab, ma - ab, mb - bb],
+                    corners: [mm, mm - ma - ma + aa, mm - mb - mb + bb],
+                    height: middle.dot(normal),
+                    normal_squared,
+                };
+                *least = least
+                    .fast_min(is_none.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared()));
+            }
+        }
+        let worst = middles.iter().map(|(_, least)| least_of(*least));
+        let worst = worst.fold(0.0, f32::max);
+        self.middles = middles;
+        worst
+    }
+
+    /// True where neighbours `i` and `k` span a triangle with v.
+    fn is_edge(&self, i: usize, k: usize) -> bool {
+        if self.pairs.is_empty() {
+            let (low, high) = (i.min(k), i.max(k));
+            let wraps = self.triangle_count == self.ids.len();
+            high - low == 1 || (wraps && low == 0 && high + 1 == self.ids.len())
+        } else {
+            (0..self.triangle_count).any(|t| {
+                let pair = self.triangle(t);
+                pair.contains(&i) && pair.contains(&k)
+            })
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Eight triangles at a time.
+
+use glam::Vec3;
+use wide::{f32x4, f32x8};
+
+/// Triangles in one vector.
+pub(super) const LANES: usize = 8;
+
+/// Marks lanes past the last triangle.
+pub(super) const NO_TRIANGLE: f32 = 2.0;
+
+/// Three coordinates of many points.
+pub(super) type Coordinates = [Vec<f32>; 3];
+
+/// Where the vectors begin that hold `count` entries.
+#[inline]
+pub(super) fn vectors(count: usize) -> impl Iterator<Item = usize> {
+    (0..count).step_by(LANES)
+}
+
+/// The least of all lanes.
+#[inline]
+pub(super) fn least_of(lanes: f32x8) -> f32 {
+    lanes.to_array().into_iter().fold(f32::INFINITY, f32::min)
+}
+
+/// Eight floats from `index` on; every array is padded so that they are there.
+#[inline]
+pub(super) fn lanes(array: &[f32], index: usize) -> f32x8 {
+    f32x8::new(array[index..].first_chunk().copied().unwrap_or([0.0; LANES]))
+}
+
+/// The same with four.
+#[inline]
+pub(super) fn four(array: &[f32], index: usize) -> f32x4 {
+    f32x4::new(array[index..].first_chunk().copied().unwrap_or([0.0; 4]))
+}
+
+/// Sum in a fixed order.
+#[inline]
+pub(super) fn fold(sums: f32x4) -> f32 {
+    let [a, b, c, d] = sums.to_array();
+    (a + c) + (b + d)
+}
+
+/// Three vectors at once.
+#[derive(Clone, Copy)]
+pub(super) struct Vec3x8 {
+    pub(super) x: f32x8,
+    pub(super) y: f32x8,
+    pub(super) z: f32x8,
+}
+
+impl Vec3x8 {
+    #[inline]
+    pub(super) fn load([x, y, z]: [&[f32]; 3], index: usize) -> Self {
+        Self { x: lanes(x, index), y: lanes(y, index), z: lanes(z, index) }
+    }
+
+    #[inline]
+    pub(super) fn splat(v: Vec3) -> Self {
+        Self { x: f32x8::splat(v.x), y: f32x8::splat(v.y), z: f32x8::splat(v.z) }
+    }
+
+    #[inline]
+    pub(super) fn dot(self, o: Self) -> f32x8 {
+        self.x * o.x + self.y * o.y + self.z * o.z
+    }
+
+    #[inline]
+    pub(super) fn cross(self, o: Self) -> Self {
+        Self {
+            x: self.y * o.z - self.z * o.y,
+            y: self.z * o.x - self.x * o.z,
+            z: self.x * o.y - self.y * o.x,
+        }
+    }
+
+    #[inline]
+    pub(super) fn minus(self, o: Self) -> Self {
+        Self { x: self.x - o.x, y: self.y - o.y, z: self.z - o.z }
+    }
+}
+
+/// Slices of three arrays from `first` on.
+#[inline]
+pub(super) fn slices(arrays: &Coordinates, first: usize) -> [&[f32]; 3] {
+    [&arrays[0][first..], &arrays[1][first..], &arrays[2][first..]]
+}
+
+/// Makes room for `len` entries; what is there stays, what is new is zero.
+pub(super) fn grow(array: &mut Vec<f32>, len: usize) {
+    if array.len() < len {
+        array.resize(2 * len, 0.0);
+    }
+}

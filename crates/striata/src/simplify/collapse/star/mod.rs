@@ -1,0 +1,279 @@
+//! The star of one position, gathered once and judged against all its possible targets.
+//!
+//! The cost of moving the origin `v` to a neighbour `u` is a quadratic form of `u`: the squared distances from the
+//! planes of the triangles around v, weighted by area, plus the squared change of volume over the area, all of the
+//! *current* mesh (memoryless [LT98], [Hop99]). A plane through v gives no linear part, so six numbers hold
+//! the whole form:
+//!
+//! ```text
+//! c_i = (a_i - v) x (b_i - v)       twice the area of triangle i times its normal
+//! Q   = sum c_i c_i^T / (2 |c_i|) + N N^T / A,    N = sum c_i / 2,    A = sum |c_i| / 2
+//! cost(u) = (u - v)^T Q (u - v)     [length^4]
+//! ```
+//!
+//! Borders of any kind (boundaries, edges with three triangles, seams) are **special** edges: a vertex on some may only
+//! move along one of the strongest kind, and pays the squared area between the old and the new course of all.
+//!
+//! A candidate that survives pays for the distances of the fan that it leaves (see [`Star::distance_cost`]). Triangles
+//! are worked on eight at a time; sums are folded in a fixed order, so results are the same on every machine.
+
+mod borders;
+mod candidate;
+mod lanes;
+mod special;
+
+use glam::Vec3;
+use wide::{f32x4, f32x8};
+
+use super::links::{LinkEdge, LinkKind, Links};
+use lanes::{Coordinates, LANES, Vec3x8, fold, four, grow, slices, vectors};
+use special::Special;
+
+/// Area, in squared distances, that a spike counts for beyond the area of its star: thin spikes have next to none,
+/// but they are seen.
+const SPIKE_WEIGHT: f32 = 32.0;
+
+/// For two triangles of a star, the squared difference of attributes if they show the center as different wedges.
+pub(in crate::simplify) type SeamBetween<'a> = &'a dyn Fn(&Star, usize, usize) -> Option<f32>;
+
+/// Scratch that holds one star at a time.
+#[derive(Debug, Default)]
+pub(in crate::simplify) struct Star {
+    /// Neighbours, each once; candidates for the target.
+    pub(in crate::simplify) ids: Vec<u32>,
+    /// Neighbours relative to v; one more for the ring's wrap, then zeros up to whole lanes.
+    offsets: Coordinates,
+    /// Corners of each triangle as indices into `ids`; empty for rings, whose triangle i is (i, i + 1).
+    pairs: Vec<[u32; 2]>,
+    /// Both corners of each triangle where `pairs` is in use.
+    corners: [Coordinates; 2],
+    /// Unscaled normals of the triangles, zeros up to whole lanes.
+    normals: Coordinates,
+    /// Cost of each neighbour as the target; infinite where it may not be.
+    pub(in crate::simplify) costs: Vec<f32>,
+    /// Triangle numbers, where followed.
+    pub(in crate::simplify) triangles: Vec<u32>,
+    triangle_count: usize,
+    /// The quadratic form: xx, yy, zz, xy, xz, yz.
+    form: [f32; 6],
+    /// Area of all triangles, doubled.
+    area_doubled: f32,
+    /// Sum of the normals: the normal of any surface with this border.
+    mean_normal: Vec3,
+    /// 1 in the lanes of triangles that a candidate makes vanish, `NO_TRIANGLE` past the last one.
+    vanishes: Vec<f32>,
+    /// Midpoints of new edges, and their squared distances from the old triangles.
+    middles: Vec<(Vec3, f32x8)>,
+    edges: Vec<LinkEdge>,
+    special: Vec<Special>,
+    /// The vertex of the center that each triangle shows, if [`Wedges::load`](super::wedges::Wedges::load) was called.
+    pub(in crate::simplify) shown: Vec<u32>,
+}
+
+impl Star {
+    /// Triangles.
+    pub(in crate::simplify) fn triangle_count(&self) -> usize {
+        self.triangle_count
+    }
+
+    /// Area of the star, in scaled units.
+    pub(in crate::simplify) fn area(&self) -> f32 {
+        0.5 * self.area_doubled
+    }
+
+    /// Squared length of the longest edge of all triangles.
+    pub(in crate::simplify) fn longest_edge_squared(&self) -> f32 {
+        let spokes = (0..self.ids.len()).map(|i| self.offset(i).length_squared());
+        let rim = (0..self.triangle_count).map(|t| {
+            let [a, b] = self.triangle(t).map(|i| self.offset(i));
+            (a - b).length_squared()
+        });
+        spokes.chain(rim).fold(0.0, f32::max)
+    }
+
+    /// Neighbour `i` relative to the centre.
+    #[inline]
+    pub(in crate::simplify) fn offset(&self, i: usize) -> Vec3 {
+        let [x, y, z] = &self.offsets;
+        Vec3::new(x[i], y[i], z[i])
+    }
+
+    /// The two neighbours that span triangle `t`.
+    #[inline]
+    pub(in crate::simplify) fn triangle(&self, t: usize) -> [usize; 2] {
+        if self.pairs.is_empty() {
+            [t, if t + 1 == self.ids.len() { 0 } else { t + 1 }]
+        } else {
+            self.pairs[t].map(|i| i as usize)
+        }
+    }
+
+    /// First and second corners of all triangles.
+    #[inline]
+    fn corners(&self) -> [[&[f32]; 3]; 2] {
+        if self.pairs.is_empty() {
+            [slices(&self.offsets, 0), slices(&self.offsets, 1)]
+        } else {
+            [slices(&self.corners[0], 0), slices(&self.corners[1], 0)]
+        }
+    }
+
+    /// Gathers the star of `v`, triangle numbers included where links follow them.
+    pub(in crate::simplify) fn gather(&mut self, links: &Links, positions: &[[f32; 4]], v: u32) {
+        self.pairs.clear();
+        match links.kind(v) {
+            LinkKind::Closed | LinkKind::Open => {
+                self.ids.clear();
+                self.ids.extend_from_slice(links.entries(v));
+                self.triangle_count = links.triangle_count(v);
+                if links.follows_triangles() {
+                    self.triangles.clear();
+                    self.triangles.extend_from_slice(&links.entry_triangles(v)[..self.triangle_count]);
+                }
+            }
+            LinkKind::Empty | LinkKind::Edges => self.gather_edges(links, v),
+        }
+        self.load_offsets(positions, v);
+        self.compute_normals();
+    }
+
+    fn gather_edges(&mut self, links: &Links, v: u32) {
+        links.edges_into(v, &mut self.edges);
+        self.triangle_count = self.edges.len();
+        self.ids.clear();
+        self.ids.extend(self.edges.iter().flat_map(|e| [e.a, e.b]));
+        self.ids.sort_unstable();
+        self.ids.dedup();
+        let place = |id: u32| self.ids.binary_search(&id).unwrap_or(0) as u32;
+        self.pairs.extend(self.edges.iter().map(|e| [place(e.a), place(e.b)]));
+        self.triangles.clear();
+        self.triangles.extend(self.edges.iter().map(|e| e.triangle));
+    }
+
+    fn load_offsets(&mut self, positions: &[[f32; 4]], v: u32) {
+        let n = self.ids.len();
+        // Room for a whole vector past the wrap.
+        let padded = n + 1 + 2 * LANES;
+        self.offsets.iter_mut().for_each(|array| grow(array, padded));
+        let [vx, vy, vz, _] = positions[v as usize];
+        let [x, y, z] = &mut self.offsets;
+        let (x, y, z) = (&mut x[..padded], &mut y[..padded], &mut z[..padded]);
+        for (i, &id) in self.ids.iter().enumerate() {
+            let [px, py, pz, _] = positions[id as usize];
+            x[i] = px - vx;
+            y[i] = py - vy;
+            z[i] = pz - vz;
+        }
+        for array in [x, y, z] {
+            array[n] = array[0];
+            array[n + 1..n + 1 + LANES].copy_from_slice(&[0.0; LANES]);
+        }
+        if !self.pairs.is_empty() {
+            self.load_corners();
+        }
+    }
+
+    fn load_corners(&mut self) {
+        let padded = self.triangle_count.next_multiple_of(LANES) + LANES;
+        for (side, corners) in self.corners.iter_mut().enumerate() {
+            for (offsets, corners) in self.offsets.iter().zip(corners) {
+                grow(corners, padded);
+                for (corner, pair) in corners.iter_mut().zip(&self.pairs) {
+                    *corner = offsets[pair[side] as usize];
+                }
+            }
+        }
+    }
+
+    fn compute_normals(&mut self) {
+        let m = self.triangle_count;
+        let mut normals = std::mem::take(&mut self.normals);
+        normals.iter_mut().for_each(|array| grow(array, m + 2 * LANES));
+        let [a, b] = self.corners();
+        for t in vectors(m) {
+            let normal = Vec3x8::load(a, t).cross(Vec3x8::load(b, t));
+            for (array, lanes) in normals.iter_mut().zip([normal.x, normal.y, normal.z]) {
+                array[t..t + LANES].copy_from_slice(&lanes.to_array());
+            }
+        }
+        for array in &mut normals {
+            array[m..m + LANES].copy_from_slice(&[0.0; LANES]);
+        }
+        self.normals = normals;
+    }
+
+    /// Fills `costs` with the quadratic form at every neighbour.
+    pub(in crate::simplify) fn compute_costs(&mut self) {
+        self.form = self.quadric();
+        let [xx, yy, zz, xy, xz, yz] = self.form.map(f32x8::splat);
+        let n = self.ids.len();
+        self.costs.clear();
+        let offsets = slices(&self.offsets, 0);
+        for i in vectors(n) {
+            let Vec3x8 { x, y, z } = Vec3x8::load(offsets, i);
+            let mixed = xy * x * y + xz * x * z + yz * y * z;
+            let form = xx * x * x + yy * y * y + zz * z * z + (mixed + mixed);
+            // Rounding may leave a tiny negative number where the form is zero.
+            self.costs.extend(form.fast_max(f32x8::ZERO).to_array());
+        }
+        self.costs.truncate(n);
+    }
+
+    /// The quadratic form at a place that need not be a neighbour.
+    pub(in crate::simplify) fn cost_at(&self, at: Vec3) -> f32 {
+        let [xx, yy, zz, xy, xz, yz] = self.form;
+        let Vec3 { x, y, z } = at;
+        let mixed = xy * x * y + xz * x * z + yz * y * z;
+        (xx * x * x + yy * y * y + zz * z * z + (mixed + mixed)).max(0.0)
+    }
+
+    /// The form of this module's header: xx, yy, zz, xy, xz, yz.
+    fn quadric(&mut self) -> [f32; 6] {
+        // xx yy zz xy xz yz | nx ny nz | area
+        let mut sums = [f32x4::ZERO; 10];
+        for t in (0..self.triangle_count).step_by(4) {
+            let [x, y, z] = &self.normals;
+            let (x, y, z) = (four(x, t), four(y, t), four(z, t));
+            let length = (x * x + y * y + z * z).sqrt();
+            let weight = f32x4::splat(0.5) / length.fast_max(f32x4::splat(f32::MIN_POSITIVE));
+            let (wx, wy, wz) = (weight * x, weight * y, weight * z);
+            let terms = [wx * x, wy * y, wz * z, wx * y, wx * z, wy * z, x, y, z, length];
+            for (sum, term) in sums.iter_mut().zip(terms) {
+                *sum += term;
+            }
+        }
+        let mut folded = [0.0; 10];
+        folded.iter_mut().zip(sums).for_each(|(out, sum)| *out = fold(sum));
+        let [xx, yy, zz, xy, xz, yz, nx, ny, nz, area] = folded;
+        self.area_doubled = area;
+        self.mean_normal = Vec3::new(nx, ny, nz);
+        // N and A are both doubled: half of the doubled quotient is left.
+        let weight = 0.5 / area.max(f32::MIN_POSITIVE);
+        [
+            xx + weight * nx * nx,
+            yy + weight * ny * ny,
+            zz + weight * nz * nz,
+            xy + weight * nx * ny,
+            xz + weight * nx * nz,
+            yz + weight * ny * nz,
+        ]
+    }
+
+    /// The cost of a squared distance from v over the area of the star.
+    pub(in crate::simplify) fn distance_cost(&self, squared: f32) -> f32 {
+        (self.area() + SPIKE_WEIGHT * squared) * squared
+    }
+
+    /// The candidate that looks cheapest at present; the first of equal ones.
+    pub(in crate::simplify) fn cheapest(&self) -> Option<(usize, f32)> {
+        let mut best = None;
+        let mut least = f32::INFINITY;
+        for (k, &cost) in self.costs.iter().enumerate() {
+            if cost < least {
+                least = cost;
+                best = Some(k);
+            }
+        }
+        best.map(|k| (k, least))
+    }
+}

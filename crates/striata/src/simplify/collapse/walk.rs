@@ -1,0 +1,49 @@
+//! The way from a star to the nearest part of the surface.
+
+use glam::Vec3;
+
+use super::fan::nearest;
+use super::links::{LinkEdge, Links};
+
+const NONE: u32 = u32::MAX;
+/// Stars that one search may cross; whoever is looked for goes on next time.
+const MAX_WALK: usize = 8;
+
+/// A squared distance from the current surface, and a position near the point that it was measured to.
+pub(in crate::simplify) type Standing = (f32, u32);
+
+/// Walks from the star of `place` from star to star while that leads nearer to a point, given where positions lie relative to it.
+#[inline]
+pub(in crate::simplify) fn walk(
+    links: &Links,
+    edges: &mut Vec<LinkEdge>,
+    mut place: u32,
+    offset: impl Fn(u32) -> Vec3,
+) -> Standing {
+    let mut least = f32::INFINITY;
+    for _ in 0..MAX_WALK {
+        let centre = offset(place);
+        links.edges_into(place, edges);
+        // Where the nearest point lies on the rim, the star beyond may be nearer still.
+        let mut beyond = NONE;
+        let before = least;
+        for e in edges.iter() {
+            let (a, b) = (offset(e.a), offset(e.b));
+            let [x, y, z] = nearest(centre, a, b);
+            let distance_squared = (centre * x + a * y + b * z).length_squared();
+            if distance_squared < least {
+                least = distance_squared;
+                let rim = if y >= z { e.a } else { e.b };
+                beyond = if x > 0.0 { NONE } else { rim };
+            }
+        }
+        if edges.is_empty() {
+            least = least.min(centre.length_squared());
+        }
+        if beyond == NONE || least >= before {
+            break;
+        }
+        place = beyond;
+    }
+    (least, place)
+}

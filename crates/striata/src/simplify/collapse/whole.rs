@@ -1,0 +1,200 @@
+//! What relaxed collapses need to know of the whole mesh: its parts, where every position has gone, and what is left.
+
+use glam::Vec3;
+
+use crate::mesh::Welded;
+
+use super::fan::{nearest, point};
+use super::links::{LinkEdge, Links};
+use super::outward::Outward;
+use super::parts::Parts;
+use super::rest::Rest;
+use super::walk::Standing;
+use super::wedges::Wedges;
+
+/// Parts of more triangles than this are not foliage (see `absorb.rs`).
+pub(in crate::simplify) const MAX_LEAF: usize = 16;
+/// Share of the triangles that must belong to such parts.
+const LEAF_SHARE: f32 = 0.5;
+
+/// Positions removed so far, and the target of each vertex of them.
+pub(in crate::simplify) type Removed<'r> = (&'r [u32], &'r [u32]);
+
+/// What relaxed collapses need to know of the whole mesh.
+pub(in crate::simplify) struct Relaxed<'a> {
+    pub(in crate::simplify) welded: &'a Welded,
+    pub(in crate::simplify) parts: Parts,
+    /// Where each position has gone, with shortcuts.
+    pub(in crate::simplify) current: Vec<u32>,
+    /// Cycles of positions that have come together, and how many there are in the cycle of each that is still there.
+    pub(in crate::simplify) next: Vec<u32>,
+    pub(in crate::simplify) follower_count: Vec<u32>,
+    pub(in crate::simplify) triangle_count: usize,
+    pub(in crate::simplify) rest: Rest,
+    /// Counts the builds of `rest`.
+    pub(in crate::simplify) generation: u32,
+    pub(in crate::simplify) outward: Outward,
+    /// The last search that looked at the star of each position.
+    pub(in crate::simplify) stamps: Vec<u32>,
+    pub(in crate::simplify) search: u32,
+    pub(in crate::simplify) keeps_parts: bool,
+    /// Whether relaxed collapses only come after all strict ones.
+    pub(in crate::simplify) is_tail: bool,
+    /// Whether small parts make up most of the mesh.
+    pub(in crate::simplify) is_foliage: bool,
+    pub(in crate::simplify) has_locks: bool,
+    /// True once a relaxed collapse has been carried out.
+    pub(in crate::simplify) has_relaxed: bool,
+    pub(in crate::simplify) edges: Vec<LinkEdge>,
+    pub(in crate::simplify) order: Vec<u32>,
+    pub(in crate::simplify) lost: Vec<u32>,
+}
+
+impl<'a> Relaxed<'a> {
+    /// Finds the parts of a mesh; [`Self::begin`] must follow.
+    pub(in crate::simplify) fn new(welded: &'a Welded, keeps_parts: bool) -> Self {
+        Self {
+            welded,
+            parts: Parts::new(welded),
+            current: Vec::new(),
+            next: Vec::new(),
+            follower_count: Vec::new(),
+            triangle_count: 0,
+            rest: Rest::default(),
+            generation: 0,
+            outward: Outward::default(),
+            stamps: Vec::new(),
+            search: 0,
+            keeps_parts,
+            is_tail: false,
+            is_foliage: false,
+            has_locks: false,
+            has_relaxed: false,
+            edges: Vec::new(),
+            order: Vec::new(),
+            lost: Vec::new(),
+        }
+    }
+
+    /// Looks at the mesh after the collapses so far: `removed` and `targets` are those of their record.
+    pub(in crate::simplify) fn begin(
+        &mut self,
+        links: &Links,
+        is_locked: &[bool],
+        (removed, targets): Removed<'_>,
+    ) {
+        let positions = &self.welded.positions;
+        self.current = (0..is_locked.len() as u32).collect();
+        self.next.clone_from(&self.current);
+        self.follower_count = vec![1; is_locked.len()];
+        for &v in removed {
+            let target = targets[positions.first_vertex(v) as usize];
+            self.follow(v, positions.position_of(target));
+        }
+        self.parts.clear_counts();
+        self.triangle_count = 0;
+        for p in 0..is_locked.len() as u32 {
+            links.edges_into(p, &mut self.edges);
+            for _ in self.edges.iter().filter(|e| p < e.a && p < e.b) {
+                self.parts.count(p);
+                self.triangle_count += 1;
+            }
+        }
+        self.is_foliage = !self.keeps_parts && self.has_many_leaves(links);
+        self.has_locks = is_locked.contains(&true);
+    }
+
+    /// True if small open parts make up most of the mesh.
+    fn has_many_leaves(&mut self, links: &Links) -> bool {
+        let mut count = 0;
+        for p in (0..self.current.len() as u32).filter(|&p| links.is_boundary(p)) {
+            if self.parts.triangle_count(self.parts.part_of(p)) <= MAX_LEAF {
+                links.edges_into(p, &mut self.edges);
+                count += self.edges.iter().filter(|e| p < e.a && p < e.b).count();
+            }
+        }
+        count as f32 > LEAF_SHARE * self.triangle_count as f32
+    }
+
+    /// How many parts the mesh had.
+    pub(in crate::simplify) fn part_count(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Where a position is now.
+    pub(in crate::simplify) fn current_of(&self, mut p: u32) -> u32 {
+        while self.current[p as usize] != p {
+            p = self.current[p as usize];
+        }
+        p
+    }
+
+    /// Notes that what stood at `v` stands at `u` now.
+    pub(in crate::simplify) fn follow(&mut self, v: u32, u: u32) {
+        self.current[v as usize] = u;
+        // Swapping two links of two cycles makes one of them.
+        self.next.swap(v as usize, u as usize);
+        self.follower_count[u as usize] += self.follower_count[v as usize];
+    }
+
+    /// Builds the tree of the rest anew if half of its triangles are gone.
+    pub(in crate::simplify) fn refresh(
+        &mut self,
+        links: &Links,
+        wedges: Option<&Wedges<'_>>,
+        positions: &[[f32; 4]],
+    ) {
+        if self.generation == 0 || 2 * self.triangle_count < self.rest.triangle_count() {
+            self.rest = Rest::new(links, wedges, positions);
+            self.generation += 1;
+        }
+    }
+}
+
+impl Relaxed<'_> {
+    /// Looks for what stands nearest to a point: in the tree of the rest for triangles of the past, and from their corners
+    /// for the stars that they have become, as far as these are counted. Never farther than `known`; stops at a squared distance
+    /// of `enough`.
+    pub(in crate::simplify) fn standing(
+        &mut self,
+        (links, positions): (&Links, &[[f32; 4]]),
+        from: Vec3,
+        (known, enough): (Standing, f32),
+        is_counted: impl Fn(u32) -> bool,
+    ) -> Standing {
+        let Self { rest, current, stamps, search, edges, .. } = self;
+        stamps.resize(positions.len(), 0);
+        *search += 1;
+        let (mut least, mut place) = known;
+        let limit_of = |least: f32| if least <= enough { 0.0 } else { least };
+        rest.visit_near(from, limit_of(least), |triangle| {
+            for corner in triangle.positions {
+                let at = find(current, corner);
+                if std::mem::replace(&mut stamps[at as usize], *search) == *search || !is_counted(at) {
+                    continue;
+                }
+                links.edges_into(at, edges);
+                for e in edges.iter() {
+                    let [a, b, c] = [at, e.a, e.b].map(|p| point(positions, p) - from);
+                    let [x, y, z] = nearest(a, b, c);
+                    let distance_squared = (a * x + b * y + c * z).length_squared();
+                    if distance_squared < least {
+                        (least, place) = (distance_squared, at);
+                    }
+                }
+            }
+            limit_of(least)
+        });
+        (least, place)
+    }
+}
+
+/// Where a position is now.
+pub(in crate::simplify) fn find(current: &mut [u32], mut p: u32) -> u32 {
+    while current[p as usize] != p {
+        let above = current[p as usize];
+        current[p as usize] = current[above as usize];
+        p = above;
+    }
+    p
+}

@@ -1,0 +1,30 @@
+//! What is decided for an edge.
+
+use glam::DVec3;
+
+use crate::simplify::collapse::choice::Tier;
+
+/// No edge chosen yet: the key is a lower bound.
+pub(super) const UNDECIDED: u32 = u32::MAX;
+
+/// A collapse that was judged in full.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Choice {
+    pub(super) other: u32,
+    pub(super) other_version: u32,
+    /// True where the other end is removed and this one kept.
+    pub(super) is_kept: bool,
+    pub(super) place: DVec3,
+    pub(super) tier: Tier,
+    /// Squared distance that a relaxed collapse leaves.
+    pub(super) distance_squared: f32,
+}
+
+pub(super) const NO_CHOICE: Choice = Choice {
+    other: UNDECIDED,
+    other_version: 0,
+    is_kept: false,
+    place: DVec3::ZERO,
+    tier: Tier::Strict,
+    distance_squared: 0.0,
+};

@@ -1,0 +1,299 @@
+//! What every simplifier promises of its levels, asked of each in the same words.
+#![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
+
+use std::collections::BTreeSet;
+use std::fmt::Debug;
+use std::ops::ControlFlow;
+
+use striata::mesh::{Adjacency, IndexedMesh, Levels, shapes, weld};
+use striata::simplify::{BoundaryRule, SeamRule, SimplifyError, StopReason, TopologyRule};
+use striata::{Cancelled, ProgressFn, ignore_progress};
+
+use crate::meshes::{Named, all, check_each_way, closed, open};
+use crate::support::Topology;
+
+/// What a simplifier gives.
+pub struct Outcome {
+    /// The full mesh, in refinement order.
+    pub full: IndexedMesh,
+    pub levels: Levels,
+    /// Replays the level of a split count.
+    pub replay: Box<dyn Fn(usize) -> IndexedMesh>,
+    pub stop_reason: StopReason,
+}
+
+impl Outcome {
+    /// Positions of the base.
+    pub fn base_places(&self) -> BTreeSet<[u32; 3]> {
+        places_of(&self.full, self.levels.base_vertex_count())
+    }
+}
+
+/// The options that all simplifiers have.
+pub struct Rules<'a> {
+    pub base_triangle_count: &'a mut usize,
+    pub boundary: &'a mut BoundaryRule,
+    pub group_borders: &'a mut BoundaryRule,
+    pub seams: &'a mut SeamRule,
+    pub topology: &'a mut TopologyRule,
+    pub locked_vertices: &'a mut Vec<u32>,
+}
+
+/// Options, and with them the simplifier that takes them.
+pub trait Simplifier: Clone + Debug {
+    /// Options of every kind that promises must not depend on.
+    fn ways() -> Vec<(String, Self)>;
+    fn rules(&mut self) -> Rules<'_>;
+    /// Simplifies as far as it goes.
+    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError>;
+
+    fn outcome(&self, mesh: &IndexedMesh) -> Outcome {
+        self.run(mesh, &mut ignore_progress).expect("sound meshes are simplified")
+    }
+
+    /// The same with other rules.
+    fn ruled(&self, change: impl FnOnce(Rules<'_>)) -> Self {
+        let mut options = self.clone();
+        change(options.rules());
+        options
+    }
+
+    /// Neither seams nor the topology may change.
+    fn keeping(&self) -> Self {
+        self.ruled(|rules| (*rules.seams, *rules.topology) = (SeamRule::Keep, TopologyRule::Keep))
+    }
+}
+
+/// Makes each of these checks a test of a simplifier.
+#[macro_export]
+macro_rules! test_promises {
+    ($options:ty: $($check:ident),+ $(,)?) => {
+        $(
+            #[test]
+            fn $check() {
+                simplifier::$check::<$options>();
+            }
+        )+
+    };
+}
+
+/// A position as its bits, 0 and -0 being one.
+pub fn key(p: [f32; 3]) -> [u32; 3] {
+    p.map(|x| (x + 0.0).to_bits())
+}
+
+/// Places of the first vertices of a mesh.
+pub fn places_of(mesh: &IndexedMesh, vertex_count: usize) -> BTreeSet<[u32; 3]> {
+    mesh.positions[..vertex_count].iter().map(|&p| key(p)).collect()
+}
+
+/// Places on the boundary.
+pub fn boundary_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
+    let welded = weld(mesh).expect("test meshes are sound");
+    let adjacency = Adjacency::of_positions(&welded.mesh, &welded.positions);
+    let place = |p: u32| key(welded.mesh.positions[welded.positions.first_vertex(p) as usize]);
+    adjacency.edges().filter(|e| e.is_boundary()).flat_map(|e| e.ends).map(place).collect()
+}
+
+/// Places used by triangles of more than one group.
+pub fn group_border_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
+    let places = mesh.groups.iter().map(|group| -> BTreeSet<[u32; 3]> {
+        let corners = mesh.triangles[group.range()].as_flattened().iter();
+        corners.map(|&v| key(mesh.positions[v as usize])).collect()
+    });
+    let places: Vec<_> = places.collect();
+    places.iter().enumerate().flat_map(|(i, a)| places[..i].iter().flat_map(move |b| a & b)).collect()
+}
+
+/// Runs a check on each mesh in each way and fails with the list of all that failed it.
+pub fn check_each<S: Simplifier>(meshes: Vec<Named>, check: impl Fn(&str, &IndexedMesh, &S)) {
+    check_each_way(meshes, &S::ways(), check);
+}
+
+pub fn every_mesh_ends_at_a_handful<S: Simplifier>() {
+    check_each(all(), |_, mesh, options: &S| {
+        let built = options.outcome(mesh);
+        let levels = &built.levels;
+        let left = levels.triangle_count_at(0);
+        // Three positions have triangles that only go all together.
+        assert!(left <= 8 || levels.base_position_count() <= 3, "{left} triangles left");
+        assert_eq!(left == 0, built.full.triangle_count() == 0, "the last triangles stay");
+        let base = (built.replay)(0).without_unused_vertices();
+        let used = places_of(&base, base.vertex_count());
+        assert_eq!(used.len(), levels.base_position_count(), "every position of the base is used");
+        // Each target between is undercut by less than a step.
+        for split_count in 1..=levels.step_count() {
+            let [coarse, fine] = [split_count - 1, split_count].map(|s| levels.triangle_count_at(s));
+            for target in coarse..fine {
+                let found = levels.split_count_for_triangles(target);
+                assert_eq!(levels.triangle_count_at(found), coarse, "at most {target}");
+            }
+        }
+    });
+}
+
+pub fn manifolds_keep_their_topology_at_every_level<S: Simplifier>() {
+    check_each([closed(), open()].concat(), |_, mesh, options: &S| {
+        let expected = Topology::of(mesh);
+        assert!(expected.genus.is_some() && expected.duplicate_triangle_count == 0);
+        let built = options.ruled(|rules| *rules.topology = TopologyRule::Keep).outcome(mesh);
+        for split_count in (0..=built.levels.step_count()).rev() {
+            assert_eq!(Topology::of(&(built.replay)(split_count)), expected, "at {split_count}");
+        }
+    });
+}
+
+/// Surfaces without seams run down to no more triangles than these, once their options have been changed.
+pub fn runs_down_to<S: Simplifier>(limits: &[(&str, usize)], change: impl Fn(&S) -> S) {
+    let meshes = [closed(), open()].concat();
+    let plain = meshes.into_iter().filter(|(name, _)| limits.iter().any(|(n, _)| n == name)).collect();
+    check_each(plain, |name, mesh, options: &S| {
+        let built = change(options).outcome(mesh);
+        let (_, limit) = limits.iter().find(|(n, _)| name.starts_with(&format!("{n},"))).expect("filtered");
+        let count = built.levels.triangle_count_at(0);
+        assert!(count <= *limit, "{count} triangles left");
+        assert_eq!(built.stop_reason, StopReason::BaseReached);
+    });
+}
+
+pub fn seams_cut_every_level_into_the_same_pieces<S: Simplifier>() {
+    // Cut open along its seams a mesh falls into pieces, each with its boundaries; what is removed along seams keeps them.
+    let pieces = |mesh: &IndexedMesh| {
+        let adjacency = Adjacency::of_vertices(&mesh.without_unused_vertices());
+        (adjacency.component_count(), adjacency.boundary_loop_count(), adjacency.bow_ties().len())
+    };
+    let seamed = [
+        ("cylinder", shapes::uv_cylinder(20, 9)),
+        ("two materials", shapes::two_material_sphere(9, 12)),
+        ("hard cube", shapes::hard_cube()),
+    ];
+    check_each(seamed.map(|(name, mesh)| (name.to_owned(), mesh)).to_vec(), |name, mesh, options: &S| {
+        let welded = weld(mesh).expect("shapes are sound").mesh;
+        let built = options.keeping().outcome(mesh);
+        let step_count = built.levels.step_count();
+        let is_simplified = name.starts_with("hard cube") || step_count > welded.vertex_count() / 2;
+        assert!(is_simplified, "{step_count} steps");
+        for split_count in (0..=step_count).rev() {
+            assert_eq!(pieces(&(built.replay)(split_count)), pieces(&welded), "at {split_count}");
+        }
+    });
+}
+
+pub fn locked_vertices_are_in_the_base<S: Simplifier>() {
+    check_each(all(), |_, mesh, options: &S| {
+        let locked: Vec<u32> = mesh.triangles.iter().flatten().copied().step_by(7).take(12).collect();
+        let base =
+            options.ruled(|rules| rules.locked_vertices.clone_from(&locked)).outcome(mesh).base_places();
+        // A triangle whose corners meet is dropped, and may be all that names a vertex.
+        let position_of_source = weld(mesh).expect("sound").position_of_source;
+        for &v in locked.iter().filter(|&&v| position_of_source[v as usize] != u32::MAX) {
+            assert!(base.contains(&key(mesh.positions[v as usize])), "vertex {v} was locked");
+        }
+    });
+}
+
+pub fn locked_boundaries_keep_every_vertex<S: Simplifier>() {
+    check_each([open(), closed()].concat(), |_, mesh, options: &S| {
+        let boundary = boundary_of(mesh);
+        let built = options.ruled(|rules| *rules.boundary = BoundaryRule::Locked).outcome(mesh);
+        assert!(boundary.is_subset(&built.base_places()), "a boundary vertex went");
+        let interior = built.levels.positions().position_count() - boundary.len();
+        let is_simplified = interior <= 60 || built.levels.step_count() > interior / 3;
+        assert!(is_simplified, "the interior is simplified");
+    });
+}
+
+pub fn locked_group_borders_keep_every_vertex<S: Simplifier>() {
+    let sphere = shapes::two_material_sphere(21, 40);
+    let border = group_border_of(&sphere);
+    assert_eq!(border.len(), 40, "the equator");
+    for (way, options) in S::ways() {
+        let base_of =
+            |rule| options.ruled(|rules| *rules.group_borders = rule).outcome(&sphere).base_places();
+        let is_subset = border.is_subset(&base_of(BoundaryRule::Kept));
+        assert!(!is_subset, "{way}: borders that are not locked are simplified");
+        let base = base_of(BoundaryRule::Locked);
+        assert!(border.is_subset(&base), "{way}: a vertex of the border went");
+        assert!(base.len() < 2 * border.len(), "{way}: {} positions: the rest is simplified", base.len());
+    }
+}
+
+pub fn the_base_triangle_count_is_undercut_by_less_than_a_step<S: Simplifier>() {
+    check_each(all(), |_, mesh, options: &S| {
+        let free = options.outcome(mesh).levels;
+        let least = free.triangle_count_at(0);
+        let goal = usize::midpoint(least, free.triangle_count_at(free.step_count()));
+        let built = options.ruled(|rules| *rules.base_triangle_count = goal).outcome(mesh);
+        let found = &built.levels;
+        assert!(found.triangle_count_at(0) <= goal);
+        // The first steps may bring back positions that have no triangle yet.
+        let mut counts = (0..=found.step_count()).map(|s| found.triangle_count_at(s));
+        let more = counts.find(|&n| n > found.triangle_count_at(0));
+        assert!(more.is_none_or(|n| n > goal), "went too far");
+        if goal > least {
+            assert_eq!(built.stop_reason, StopReason::TargetReached);
+        }
+    });
+}
+
+/// Each of these options is refused by its name.
+pub fn refuses<S: Simplifier>(mesh: &IndexedMesh, cases: &[(&str, S)]) {
+    for (name, options) in cases {
+        match options.run(mesh, &mut ignore_progress) {
+            Err(SimplifyError::Option { option, .. }) => assert_eq!(option, *name),
+            other => panic!("{name} in {options:?}: {:?}", other.map(|built| built.stop_reason)),
+        }
+    }
+}
+
+pub fn unsound_meshes_are_refused_with_their_place<S: Simplifier>() {
+    let mut count = 0;
+    for (name, mesh) in shapes::nasty() {
+        let Err(expected) = mesh.check() else { continue };
+        let (_, options) = S::ways().swap_remove(0);
+        let error = options.run(&mesh, &mut ignore_progress).map(|_| ()).unwrap_err();
+        // Compared as text, since NaN is not equal to itself.
+        assert_eq!(error.to_string(), expected.to_string(), "{name}");
+        count += 1;
+    }
+    assert!(count > 5);
+}
+
+pub fn the_callback_sees_progress_and_can_cancel<S: Simplifier>() {
+    let mesh = shapes::torus(110, 80, 2.0, 1.0);
+    for (way, options) in S::ways() {
+        let mut seen = Vec::new();
+        let mut watch = |progress: striata::Progress| {
+            seen.push((progress.phase, progress.done, progress.total));
+            ControlFlow::Continue(())
+        };
+        options.run(&mesh, &mut watch).expect("nobody cancels");
+        assert!(!seen.is_empty());
+        assert!(seen.iter().all(|(_, done, total)| done <= total), "{way}: {seen:?}");
+        let mut phases = seen.chunk_by(|a, b| a.0 == b.0);
+        assert!(phases.all(|phase| phase.is_sorted_by_key(|(_, done, _)| *done)), "{way}: {seen:?}");
+        let mut calls = 0;
+        let mut cancel = |_| {
+            calls += 1;
+            ControlFlow::Break(())
+        };
+        let error = options.run(&mesh, &mut cancel).map(|_| ()).unwrap_err();
+        assert_eq!(error, SimplifyError::Cancelled(Cancelled));
+        assert_eq!(calls, 1, "{way}: nothing is asked again after a cancellation");
+    }
+}
+
+pub fn no_triangle_of_a_sphere_turns_inward<S: Simplifier>() {
+    let mesh = shapes::icosphere(3, 1.0);
+    for (way, options) in S::ways() {
+        let built = options.outcome(&mesh);
+        let from = built.levels.split_count_for_triangles(60);
+        for split_count in (from..=built.levels.step_count()).step_by(7) {
+            let level = (built.replay)(split_count);
+            for t in &level.triangles {
+                let [a, b, c] = t.map(|v| glam::Vec3::from(level.positions[v as usize]));
+                assert!((b - a).cross(c - a).dot(a + b + c) > 0.0, "{way} at {split_count}: triangle {t:?}");
+            }
+        }
+    }
+}
