@@ -5,9 +5,9 @@
 //! a part for its length. A run is told by two symbols, its length and then its beginning, both with the shares that the
 //! exponentials of scores come to. All weights then move along the gradient.
 
-use super::super::quick_cuts::MOST;
 use super::ring::{cross, dot, dot_wide, log2_wide, mean};
 use super::softmax::{SCORE_ONE, exponential};
+use crate::connectivity::quick_cuts::MOST;
 use crate::entropy::{Coder, QuickShares, log2_q8};
 
 /// Features of an edge, as places in one table that has weights for ends and for inner edges.
@@ -34,17 +34,17 @@ const LEAST_HEIGHT: i32 = -512;
 
 /// An edge from the vertex that splits, and the triangle behind it, counter-clockwise.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in super::super) struct Spoke {
+pub(crate) struct Spoke {
     /// To its end; zeros if that is virtual.
-    pub(in super::super) step: [i32; 3],
+    pub(crate) step: [i32; 3],
     /// Triangles around its end, once all splits that are known are done.
-    pub(in super::super) valence: u8,
+    pub(crate) valence: u8,
     /// Four times the age of its end in batches, up to 3, and what became of it: not asked, stays, splits, new.
-    pub(in super::super) past: u8,
+    pub(crate) past: u8,
     /// Whether its end stands for a boundary loop.
-    pub(in super::super) is_virtual: bool,
+    pub(crate) is_virtual: bool,
     /// Whether the triangle may go to the new vertex.
-    pub(in super::super) is_free: bool,
+    pub(crate) is_free: bool,
 }
 
 /// What one edge and the triangle behind it are looked up by, and what they bring.
@@ -59,7 +59,7 @@ struct Side {
 
 /// The model, with scratch memory.
 #[derive(Clone, Debug)]
-pub(in super::super) struct LearnedCuts {
+pub(crate) struct LearnedCuts {
     /// As an end, and within a run.
     edges: [[i32; 2]; EDGE_WEIGHTS],
     triangles: [i32; TRIANGLE_WEIGHTS],
@@ -82,7 +82,7 @@ pub(in super::super) struct LearnedCuts {
 
 impl LearnedCuts {
     /// Nothing learned.
-    pub(in super::super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             edges: [[0; 2]; EDGE_WEIGHTS],
             triangles: [0; TRIANGLE_WEIGHTS],
@@ -100,7 +100,7 @@ impl LearnedCuts {
 
     /// Codes where the run of a cut begins and its length, among at most [`MOST`] edges and two at least, around a vertex that
     /// will have `planned` triangles before it splits; none where a damaged stream tells of a run that is not free.
-    pub(in super::super) fn code<C: Coder>(
+    pub(crate) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
         spokes: &mut [Spoke],

@@ -9,6 +9,8 @@
 //! | file | what it does |
 //! | --- | --- |
 //! | `memory.rs` | [`Memory`]: what is kept with a vertex from batch to batch |
+//! | `quick.rs` | [`quick::QuickModel`]: flags and cuts where time matters most |
+//! | `quick_cuts.rs` | cuts as two symbols |
 //! | `ring.rs` | [`Ring`]: what is seen around a vertex |
 //! | `patch.rs` | what is seen of a run of triangles as a whole |
 //! | `cuts.rs` | [`CutModel`]: scores of runs, and how they are learned |
@@ -23,6 +25,8 @@ mod flags;
 mod learned;
 mod memory;
 mod patch;
+pub(crate) mod quick;
+mod quick_cuts;
 mod ring;
 mod softmax;
 
@@ -32,10 +36,10 @@ mod tests;
 use cuts::{CutModel, LONGEST};
 use flags::{FlagModel, Question};
 
-use super::form::Effort;
-use super::surface::{Cut, Surface, next, triangle_of};
-use super::walk::Walk;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
+use crate::format::form::Effort;
+use crate::refine::walk::Walk;
+use crate::topology::surface::{Cut, Surface, next, triangle_of};
 pub(super) use learned::{LearnedCuts, Spoke};
 use memory::{Memory, Trace};
 use ring::Ring;
@@ -117,7 +121,7 @@ impl ConnectivityModel {
     }
 
     /// The surface has been built anew between two batches: here is the old number of each vertex, or
-    /// [`NONE`](super::surface::NONE).
+    /// [`NONE`](crate::topology::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         self.memory.renumber(old_of_new);
     }

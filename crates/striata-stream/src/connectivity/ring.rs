@@ -3,11 +3,11 @@
 //! Measures are logarithms to base 2 in 1/256, of squares, since roots and quotients are then free. Steps to neighbours are
 //! shifted down to 13 bits where they are longer, so that products stay small.
 
-use super::super::surface::{next, triangle_of};
-use super::super::walk::Fate;
 use super::Scene;
 use super::memory::Memory;
 use crate::entropy::log2_q8;
+use crate::refine::walk::Fate;
+use crate::topology::surface::{next, triangle_of};
 
 /// An edge from the vertex, and the triangle behind it, counter-clockwise.
 #[derive(Clone, Copy, Debug, Default)]
@@ -244,9 +244,9 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::walk::{Walk, WalkOrder};
     use super::super::tests::surface_of;
     use super::*;
+    use crate::refine::walk::{Walk, WalkOrder};
 
     #[test]
     fn a_flat_hexagon_is_seen_as_one() {

@@ -2,10 +2,10 @@
 
 use striata::mesh::{IndexedMesh, Random, shapes};
 
-use super::super::surface::{Surface, previous};
-use super::super::walk::WalkOrder;
 use super::*;
 use crate::entropy::{RangeReader, RangeWriter};
+use crate::refine::walk::WalkOrder;
+use crate::topology::surface::{Surface, previous};
 
 const MAX_PATCH: u32 = 15;
 
@@ -122,7 +122,7 @@ fn double_cone(side_count: u32) -> IndexedMesh {
 }
 
 fn closed(mesh: &IndexedMesh) -> (Surface, Vec<[i32; 3]>) {
-    let closed = super::super::cutting::close(&mesh.triangles, mesh.positions.len());
+    let closed = crate::topology::cutting::close(&mesh.triangles, mesh.positions.len());
     let virtual_places = (0..closed.surface.virtual_count()).map(|_| [0; 3]);
     let places =
         closed.vertex_of_copy.iter().map(|&v| mesh.positions[v as usize].map(|x| (x * 900.0) as i32));
@@ -257,7 +257,7 @@ fn traces_follow_their_vertices_to_new_numbers() {
     let old_of_new: Vec<u32> = (0..count)
         .map(|v| match v {
             3 => 5,
-            4 => super::super::surface::NONE,
+            4 => crate::topology::surface::NONE,
             5 => 3,
             _ => v,
         })

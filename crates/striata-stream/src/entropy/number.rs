@@ -4,8 +4,8 @@
 //! two bits below the first are learned for each bucket; the rest is as good as noise. A small context chooses among
 //! independent sets of probabilities.
 
+use super::adaptive::{AdaptiveBit, Rate};
 use super::coder::Coder;
-use super::{AdaptiveBit, Rate};
 
 /// What is learned about numbers in one context.
 #[derive(Clone, Copy, Debug)]

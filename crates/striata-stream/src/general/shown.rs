@@ -1,16 +1,16 @@
 //! Which vertices the corners around a general step's new position show, and which groups its triangles are in.
 //!
-//! As at a split of the surface (`wedges.rs`), all is asked as "is it the one that one would expect?".
+//! As at a split of the surface (`wedges/model.rs`), all is asked as "is it the one that one would expect?".
 
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::super::growth::Growth;
-use super::super::surface::NONE;
-use super::super::wedges::WedgeModel;
 use super::complex::Complex;
 use super::step::{CodedStep, KnownBorn, KnownStep};
 use crate::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
+use crate::refine::growth::Growth;
+use crate::topology::surface::NONE;
+use crate::wedges::model::WedgeModel;
 
 /// Guesses for one corner.
 const GUESSES: usize = 3;

@@ -1,17 +1,17 @@
 //! A general batch within the loop that both sides run.
 
-use super::super::attributes::{GeneralVertex, RingVertex};
-use super::super::cutting::{Closed, close_used};
-use super::super::error::StreamDefect;
-use super::super::refiner::{Ended, Refiner, actual_layers};
-use super::super::source::Source;
-use super::super::surface::NONE;
 use super::{CodedStep, Complex, KnownStep};
 use crate::entropy::{Coder, Part};
+use crate::format::error::StreamDefect;
+use crate::layers::attributes::{GeneralVertex, RingVertex};
+use crate::refine::refiner::{Ended, Refiner, actual_layers};
+use crate::refine::source::Source;
+use crate::topology::cutting::{Closed, close_used};
+use crate::topology::surface::NONE;
 
 impl Refiner {
     /// Codes whether the next batch is a general one, and gets ready for it.
-    pub(in super::super) fn begin_general<C: Coder>(
+    pub(crate) fn begin_general<C: Coder>(
         &mut self,
         coder: &mut C,
         source: &impl Source,
@@ -36,7 +36,7 @@ impl Refiner {
     }
 
     /// Codes up to so many steps of the general batch that is under way.
-    pub(in super::super) fn general_stretch<C: Coder>(
+    pub(crate) fn general_stretch<C: Coder>(
         &mut self,
         coder: &mut C,
         source: &mut impl Source,

@@ -34,9 +34,9 @@ mod plain;
 mod quick;
 mod sight;
 
-use super::form::{Effort, StreamVersion};
-use super::hood::Hood;
 use crate::entropy::Coder;
+use crate::format::form::{Effort, StreamVersion};
+use crate::topology::hood::Hood;
 pub(super) use ahead::Surroundings;
 use axis::AxisModel;
 use cells::CellModel;
@@ -87,7 +87,7 @@ impl PositionModel {
     }
 
     /// The surface has been built anew between two batches: here is the old number of each vertex, or
-    /// [`NONE`](super::surface::NONE).
+    /// [`NONE`](crate::topology::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         match &mut self.0 {
             Model::One(_) | Model::Ahead(_) => {}

@@ -3,12 +3,12 @@
 //! The prediction blends the middle of the ring, what the triangles around it point to, and the vertex that split, by learned
 //! weights. What is left is one symbol an axis, and the bits below.
 
-use super::super::hood::Hood;
-use super::super::surface::next;
 use super::blend::Blend;
 use super::local::LANES;
 use super::sight::INVERSES;
 use crate::entropy::{AdaptiveNumber, AdaptiveSymbol, Coder, Rate, code_symbol, log2_q8};
+use crate::topology::hood::Hood;
+use crate::topology::surface::next;
 
 /// Kinds of sizes, and kinds of disagreement.
 const SIZES: usize = 64;

@@ -21,7 +21,7 @@ const LAST_SHIFT: u32 = 7;
 
 /// A model of positions that looks ahead.
 #[derive(Clone, Debug)]
-pub(in super::super) struct QuickPositions {
+pub(crate) struct QuickPositions {
     /// The first vertex of the stretch, and what is foretold of it and the next ones.
     first: u32,
     outlooks: Vec<Outlook>,
@@ -102,7 +102,7 @@ impl QuickPositions {
     }
 
     /// Looks ahead at the next vertex of the stretch.
-    pub(in super::super) fn look_ahead(&mut self, around: &Surroundings) {
+    pub(crate) fn look_ahead(&mut self, around: &Surroundings) {
         self.outlooks.push(Outlook::new(around));
     }
 
