@@ -73,11 +73,10 @@ pub use reader::decode::{StreamDecoder, StreamUpdate};
 pub use reader::prefix::PrefixMesh;
 pub use striata::file::STREAM_MAGIC;
 pub use topology::surface::SurfaceDefect;
-pub use writer::chunks::BatchDefect;
+pub use writer::defect::{BatchDefect, StepDefect};
 pub use writer::encode::{
     EncodedStream, Precision, SHAPE_STEPS, StreamError, StreamOptions, StreamSizes, encode_stream,
 };
-pub use writer::surface_stage::StepDefect;
 
 /// The examples of both readmes, compiled with the documentation's tests.
 #[cfg(doctest)]

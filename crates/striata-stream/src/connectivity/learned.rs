@@ -5,9 +5,9 @@
 //! a part for its length. A run is told by two symbols, its length and then its beginning, both with the shares that the
 //! exponentials of scores come to. All weights then move along the gradient.
 
+use super::quick_cuts::MOST;
 use super::ring::{cross, dot, dot_wide, log2_wide, mean};
 use super::softmax::{SCORE_ONE, exponential};
-use crate::connectivity::quick_cuts::MOST;
 use crate::entropy::{Coder, QuickShares, log2_q8};
 
 /// Features of an edge, as places in one table that has weights for ends and for inner edges.

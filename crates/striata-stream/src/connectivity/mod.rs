@@ -11,7 +11,9 @@
 //! | `memory.rs` | [`Memory`]: what is kept with a vertex from batch to batch |
 //! | `quick.rs` | [`quick::QuickModel`]: flags and cuts where time matters most |
 //! | `quick_cuts.rs` | cuts as two symbols |
-//! | `ring.rs` | [`Ring`]: what is seen around a vertex |
+//! | `scene.rs` | [`Scene`]: what both sides know when a vertex is asked |
+//! | `ring.rs` | [`Ring`]: what is measured around a vertex |
+//! | `gather.rs` | who is around it |
 //! | `patch.rs` | what is seen of a run of triangles as a whole |
 //! | `cuts.rs` | [`CutModel`]: scores of runs, and how they are learned |
 //! | `learned.rs` | [`LearnedCuts`]: the same in less time, for effort default of the second version |
@@ -22,12 +24,14 @@
 
 mod cuts;
 mod flags;
+mod gather;
 mod learned;
 mod memory;
 mod patch;
 pub(crate) mod quick;
 mod quick_cuts;
 mod ring;
+mod scene;
 mod softmax;
 
 #[cfg(test)]
@@ -38,32 +42,10 @@ use flags::{FlagModel, Question};
 
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 use crate::format::form::Effort;
-use crate::refine::walk::Walk;
 use crate::topology::surface::{Cut, Surface, next, triangle_of};
-pub(super) use learned::{LearnedCuts, Spoke};
 use memory::{Memory, Trace};
 use ring::Ring;
-
-/// What both sides know when a vertex is asked whether it splits.
-pub(super) struct Scene<'a> {
-    /// The surface, with the splits of earlier stretches done. Triangles that no other split of the batch may have are
-    /// marked with the batch.
-    pub(super) surface: &'a Surface,
-    /// Grid coordinates of all vertices but virtual ones.
-    pub(super) places: &'a [[i32; 3]],
-    /// What has become of other vertices in this batch.
-    pub(super) walk: &'a Walk,
-    /// Most triangles that a new vertex takes over.
-    pub(super) max_patch: u32,
-}
-
-impl Scene<'_> {
-    /// True where a triangle cannot go to a new vertex any more in this batch.
-    #[inline]
-    pub(super) fn is_taken(&self, triangle: u32) -> bool {
-        self.surface.mark(triangle) == self.walk.batch()
-    }
-}
+pub(crate) use scene::Scene;
 
 /// Contexts of flags that are read off what is remembered, and off the ring; one more input is no context.
 const REMEMBERED: usize = 7;

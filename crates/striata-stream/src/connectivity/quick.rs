@@ -6,8 +6,9 @@
 //! vertex is missing. Cuts around vertices of few triangles are two symbols (`quick_cuts.rs`); around others, and in streams of
 //! the first version, they are chains of decisions. Effort default takes cuts of few triangles from `learned.rs`.
 
-use crate::connectivity::quick_cuts::{self, Edge, QuickCuts};
-use crate::connectivity::{LearnedCuts, Scene, Spoke as LearnedSpoke};
+use super::learned::{LearnedCuts, Spoke as LearnedSpoke};
+use super::quick_cuts::{self, Edge, QuickCuts};
+use super::scene::Scene;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 use crate::format::form::{Effort, StreamVersion};
 use crate::positions::Surroundings;

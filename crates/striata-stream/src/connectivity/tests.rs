@@ -4,7 +4,7 @@ use striata::mesh::{IndexedMesh, Random, shapes};
 
 use super::*;
 use crate::entropy::{RangeReader, RangeWriter};
-use crate::refine::walk::WalkOrder;
+use crate::refine::walk::{Walk, WalkOrder};
 use crate::topology::surface::{Surface, previous};
 
 const MAX_PATCH: u32 = 15;

@@ -1,6 +1,8 @@
 //! A general batch within the loop that both sides run.
 
-use super::{CodedStep, Complex, KnownStep};
+use super::General;
+use super::complex::Complex;
+use super::step::{CodedStep, KnownStep};
 use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
 use crate::layers::attributes::{GeneralVertex, RingVertex};
@@ -68,9 +70,9 @@ impl Refiner {
         &mut self,
         coder: &mut C,
         (source, known): (&mut impl Source, Option<&KnownStep>),
-        (general, step): (&mut super::General, &mut CodedStep),
+        (general, step): (&mut General, &mut CodedStep),
     ) -> Result<Ended, StreamDefect> {
-        let super::General { model, shown, complex, places, .. } = general;
+        let General { model, shown, complex, places, .. } = general;
         coder.part(Part::Connectivity);
         step.split = model.split(coder, complex.position_count() as u32, known);
         model.moved(coder, complex, (known, &mut *step));

@@ -9,7 +9,7 @@ use crate::layers::model::LayerModel;
 use crate::layers::ring_fit::RingFit;
 use crate::refine::growth::Growth;
 use crate::topology::surface::{NONE, Surface, next, previous};
-use crate::wedges::model::SplitWedges;
+use crate::wedges::split::SplitWedges;
 
 /// The layers of a stream, as far as it has come.
 #[derive(Clone, Debug)]

@@ -12,7 +12,8 @@
 //! | `bumps.rs` | densities made of guesses |
 //! | `blend.rs` | the one place that is expected |
 //! | `sight.rs` | what of this goes into each axis, given the axes before |
-//! | `axis.rs` | a coordinate as a chain of mixed decisions |
+//! | `axis.rs` | what a coordinate is coded with |
+//! | `halving.rs` | a coordinate as a chain of mixed decisions |
 //! | `cells.rs` | a coordinate as one of sixteen cells |
 //! | `mixed.rs` | the thorough models: these together |
 //! | `plain.rs` | the quick model of the first version: one prediction, counters alone |
@@ -28,6 +29,7 @@ mod blend;
 mod bumps;
 mod cells;
 mod guesses;
+mod halving;
 mod local;
 mod mixed;
 mod plain;
@@ -38,8 +40,8 @@ use crate::entropy::Coder;
 use crate::format::form::{Effort, StreamVersion};
 use crate::topology::hood::Hood;
 pub(super) use ahead::Surroundings;
-use axis::AxisModel;
 use cells::CellModel;
+use halving::AxisModel;
 use mixed::MixedModel;
 use plain::PlainModel;
 use quick::QuickPositions;

@@ -6,9 +6,9 @@
 use std::ops::Range;
 
 use crate::base::mesh::Base;
-use crate::general::CodedStep;
+use crate::general::step::CodedStep;
 use crate::topology::surface::{NONE, Surface, next, previous, triangle_of};
-use crate::wedges::model::SplitWedges;
+use crate::wedges::split::SplitWedges;
 
 /// Triangles and steps, growing with each split. Vertices are numbered as in the mesh: base first, then step by step.
 #[derive(Clone, Debug, Default)]

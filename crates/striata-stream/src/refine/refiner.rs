@@ -22,7 +22,8 @@ use crate::refine::walk::{Walk, WalkOrder};
 use crate::topology::hood::Hood;
 use crate::topology::rings::Rings;
 use crate::topology::surface::{Cut, NONE, Surface, next, triangle_of};
-use crate::wedges::model::{Split, SplitWedges, WedgeModel};
+use crate::wedges::model::{Split, WedgeModel};
+use crate::wedges::split::SplitWedges;
 
 /// Splits whose connectivity is coded before their values: what a reader has to wait for.
 const STRETCH: usize = 1024;

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::base::coder::BaseOrder;
 use crate::base::mesh::Base;
-use crate::general::{CodedStep, KnownStep};
+use crate::general::step::{CodedStep, KnownStep};
 use crate::layers::hood::LayerValues;
 use crate::topology::surface::{Cut, Surface};
 

@@ -8,9 +8,10 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
+use super::split::SplitWedges;
 use crate::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
 use crate::format::form::StreamVersion;
-use crate::general::CodedStep;
+use crate::general::step::CodedStep;
 use crate::refine::growth::Growth;
 use crate::refine::source::Source;
 use crate::topology::surface::{NONE, Surface, next, previous, triangle_of};
@@ -75,23 +76,6 @@ impl Asked {
 
 /// How many kinds of [`Asked`] there are.
 const ASKED: usize = Asked::BaseGroup as usize + 1;
-
-/// What the corners around a new position show.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct SplitWedges {
-    /// The vertex that each wedge of the new position collapses to.
-    pub(crate) targets: Vec<u32>,
-    /// The wedge of each corner at the new position, in the order of the corners; none in virtual triangles.
-    pub(crate) wedges: Vec<u32>,
-    /// What A's and B's corners at the kept position show.
-    pub(crate) kept: [u32; 2],
-    /// What their corners at the ends of the ring show.
-    pub(crate) ends: [u32; 2],
-    /// Groups of A and B.
-    pub(crate) groups: [u32; 2],
-    /// What a writer calls the wedges.
-    pub(crate) named: Vec<u32>,
-}
 
 /// What is known at a split.
 pub(crate) struct Split<'a, S> {

@@ -8,8 +8,8 @@ use crate::entropy::{PART_COUNT, RangeWriter};
 use crate::format::head::{least_bytes, least_bytes_in_all};
 use crate::refine::growth::Growth;
 use crate::refine::refiner::{Refiner, Terms};
+use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
-use crate::writer::surface_stage::StepDefect;
 use crate::writer::truth::{Points, Truth, base_of};
 
 /// Splits of a chunk: what is checked, and can be asked for, at once.
@@ -43,44 +43,6 @@ pub(crate) struct Chunks {
     pub(crate) source_vertex: Vec<u32>,
     /// Bits by part, in the order of [`Part`](crate::entropy::Part).
     pub(crate) spent: [f64; PART_COUNT],
-}
-
-/// Why a sequence is not one of batches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum BatchDefect {
-    /// A step is no vertex split of a surface.
-    #[error("step {step} cannot be coded: {defect}")]
-    Step {
-        /// The step, coarse to fine.
-        step: usize,
-        /// What is wrong.
-        defect: StepDefect,
-    },
-    /// A triangle would have two vertices of one position below a step.
-    #[error("step {step} leaves a triangle with two corners at one position")]
-    Wedges {
-        /// The step, coarse to fine.
-        step: usize,
-    },
-    /// A position of the base is in no triangle.
-    #[error("position {position} of the base is in no triangle")]
-    Lonely {
-        /// The position.
-        position: usize,
-    },
-    /// The splits of a batch are not independent of each other.
-    #[error("the steps of batch {batch} depend on each other")]
-    Dependent {
-        /// The batch, coarse to fine from 0.
-        batch: usize,
-    },
-    /// Batches do not cover the steps in order.
-    #[error("the batches do not rise from 0 to the {step_count} steps")]
-    Cover {
-        /// Steps of the sequence.
-        step_count: usize,
-    },
 }
 
 /// Codes a sequence whose way down is known.

@@ -8,9 +8,9 @@ use std::ops::Range;
 use striata::mesh::RefinableMesh;
 
 use crate::format::form::StreamVersion;
-use crate::topology::cutting;
-use crate::writer::chunks::BatchDefect;
-use crate::writer::general_stage::{GeneralStage, LevelTriangles};
+use crate::writer::defect::BatchDefect;
+use crate::writer::general_stage::GeneralStage;
+use crate::writer::level::{LevelTriangles, check_base};
 use crate::writer::surface_stage::SurfaceStage;
 
 /// A stretch of the way.
@@ -112,25 +112,4 @@ impl Descent {
     pub(crate) fn has_general(&self) -> bool {
         self.stages.len() > 1
     }
-}
-
-/// # Errors
-/// Where a position of the base is in no triangle: a base is told by its triangles.
-fn check_base(level: &LevelTriangles, refinable: &RefinableMesh) -> Result<(), BatchDefect> {
-    let mut is_used = vec![false; refinable.sequence.base_position_count()];
-    for &triangle in &level.alive {
-        level.positions(refinable, triangle).iter().for_each(|&p| is_used[p as usize] = true);
-    }
-    match is_used.iter().position(|is_used| !is_used) {
-        None => Ok(()),
-        Some(position) => Err(BatchDefect::Lonely { position }),
-    }
-}
-
-/// What is there of a mesh at a level, cut into a closed surface.
-pub(crate) fn close_level(level: &LevelTriangles, refinable: &RefinableMesh) -> cutting::Closed {
-    let positions = refinable.sequence.positions();
-    let of = |&t: &u32| level.shown[t as usize].map(|v| positions.position_of(v));
-    let triangles: Vec<[u32; 3]> = level.alive.iter().map(of).collect();
-    cutting::close_used(&triangles, positions.position_count())
 }

@@ -10,7 +10,8 @@ use crate::format::head::{GroupName, Head, MOST_NUMBERS, Row};
 use crate::layers::form::{LayerBitsError, LayerForm, LayerOptions};
 use crate::layers::hood::LayerValues;
 use crate::refine::refiner::Terms;
-use crate::writer::chunks::{BatchDefect, Chunks, check_batches, encode_chunks};
+use crate::writer::chunks::{Chunks, check_batches, encode_chunks};
+use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
 use crate::writer::truth::Points;
 

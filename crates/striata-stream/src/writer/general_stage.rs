@@ -5,38 +5,8 @@ use std::ops::Range;
 use striata::mesh::RefinableMesh;
 
 use crate::topology::surface::NONE;
-use crate::writer::chunks::BatchDefect;
-
-/// The triangles of the mesh that a level has, and what they show.
-#[derive(Debug)]
-pub(crate) struct LevelTriangles {
-    /// Those that are there, ascending.
-    pub(crate) alive: Vec<u32>,
-    /// Vertices of the corners of each triangle of the mesh; what they were last for those that have gone.
-    pub(crate) shown: Vec<[u32; 3]>,
-}
-
-impl LevelTriangles {
-    /// The full mesh.
-    pub(crate) fn new(refinable: &RefinableMesh) -> Self {
-        let shown = refinable.mesh.triangles.clone();
-        Self { alive: (0..shown.len() as u32).collect(), shown }
-    }
-
-    /// Whether a triangle loses a corner where a position collapses to another one of its positions.
-    pub(crate) fn vanishes(&self, refinable: &RefinableMesh, triangle: u32, [from, to]: [u32; 2]) -> bool {
-        let positions = self.positions(refinable, triangle);
-        let corner = |wanted: u32| positions.iter().position(|&p| p == wanted);
-        let (Some(from), Some(to)) = (corner(from), corner(to)) else { return false };
-        let shown = self.shown[triangle as usize];
-        refinable.sequence.target(shown[from]) == shown[to]
-    }
-
-    /// The positions of a triangle.
-    pub(crate) fn positions(&self, refinable: &RefinableMesh, triangle: u32) -> [u32; 3] {
-        self.shown[triangle as usize].map(|v| refinable.sequence.positions().position_of(v))
-    }
-}
+use crate::writer::defect::BatchDefect;
+use crate::writer::level::LevelTriangles;
 
 /// How to undo a step: ranges of the lists of its stage.
 #[derive(Clone, Debug)]

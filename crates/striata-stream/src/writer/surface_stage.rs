@@ -6,26 +6,8 @@ use striata::mesh::RefinableMesh;
 
 use crate::topology::cutting::Closed;
 use crate::topology::surface::{NONE, Surface, Undo, next, previous, triangle_of};
-use crate::writer::chunks::BatchDefect;
-use crate::writer::descent::close_level;
-use crate::writer::general_stage::LevelTriangles;
-
-/// What keeps a step from being coded as a vertex split.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum StepDefect {
-    /// The position is not manifold.
-    #[error("its position is not manifold")]
-    Locked,
-    /// The position is not joined to its target by exactly one edge.
-    #[error("it is not joined to its target by exactly one edge")]
-    Edge,
-    /// The triangles around the position do not form a simple ring, or too small a one.
-    #[error("the triangles around it do not form a simple ring")]
-    Ring,
-    /// A boundary position leaves the boundary.
-    #[error("it leaves the boundary")]
-    Boundary,
-}
+use crate::writer::defect::{BatchDefect, StepDefect};
+use crate::writer::level::{LevelTriangles, close_level};
 
 /// A surface that was collapsed in batches.
 #[derive(Debug)]

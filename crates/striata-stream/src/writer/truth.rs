@@ -6,7 +6,7 @@ use striata::mesh::RefinableMesh;
 
 use crate::base::coder::BaseOrder;
 use crate::base::mesh::Base;
-use crate::general::{Born, CodedStep, KnownBorn, KnownStep};
+use crate::general::step::{Born, CodedStep, KnownBorn, KnownStep};
 use crate::layers::hood::LayerValues;
 use crate::refine::source::Source;
 use crate::topology::surface::{Cut, NONE, Surface, Undo, triangle_of};
