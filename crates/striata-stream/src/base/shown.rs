@@ -2,7 +2,7 @@
 
 use super::mesh::Base;
 use crate::entropy::{AdaptiveNumber, Coder, Rate};
-use crate::refine::source::Source;
+use crate::refine::source::Plan;
 use crate::topology::surface::NONE;
 use crate::wedges::model::WedgeModel;
 
@@ -12,14 +12,14 @@ impl Base {
         &mut self,
         coder: &mut C,
         model: &mut WedgeModel,
-        source: &impl Source,
+        plan: Option<&dyn Plan>,
         ((vertex_count, group_count), vertex_of_position): ((u32, u32), &[u32]),
     ) {
         let mut counts = AdaptiveNumber::new(1, Rate::Steady);
         self.first_vertex = vec![0];
         let mut end = 0;
         for &vertex in vertex_of_position {
-            let more = source.wedges(vertex).len().max(1) as u32 - 1;
+            let more = plan.map_or(0, |plan| plan.wedges(vertex).len()).max(1) as u32 - 1;
             let left = vertex_count.saturating_sub(end + 1);
             end += 1 + counts.unsigned(coder, 0, more).min(left);
             self.first_vertex.push(end);
@@ -35,14 +35,15 @@ impl Base {
                 self.groups.push(0);
                 continue;
             }
-            let group = model.base_group(coder, (group_count, last_group), source.group(t as u32));
+            let meant = plan.map_or(0, |plan| plan.group(t as u32));
+            let group = model.base_group(coder, (group_count, last_group), meant);
             last_group = Some(group);
             self.groups.push(group);
             let mut shown = [0; 3];
             for (i, &position) in positions.iter().enumerate() {
                 let p = position as usize;
                 let wedges = self.first_vertex[p]..self.first_vertex[p + 1];
-                let meant = source.vertex_at(4 * t as u32 + i as u32);
+                let meant = plan.map_or(0, |plan| plan.vertex_at(4 * t as u32 + i as u32));
                 shown[i] = model.base_corner(coder, (wedges, last_shown[p]), meant);
                 last_shown[p] = Some(shown[i]);
             }

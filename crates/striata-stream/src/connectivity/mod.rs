@@ -91,9 +91,8 @@ impl ConnectivityModel {
         }
     }
 
-    /// Told when a batch begins; `end` is the number of vertices, all with places.
-    pub(super) fn begin_batch(&mut self, surface: &Surface, end: u32) {
-        debug_assert_eq!(surface.vertex_count(), end as usize);
+    /// A batch begins; all vertices have places.
+    pub(super) fn begin_batch(&mut self, surface: &Surface) {
         self.memory.begin_batch(surface);
     }
 

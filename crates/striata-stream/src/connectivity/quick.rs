@@ -184,7 +184,7 @@ impl QuickModel {
                 self.kept[vertex as usize].split = self.batch;
             }
         }
-        walk.pass(asked, &self.splits);
+        walk.pass(asked);
         self.history = history;
         walk.rest().is_empty()
     }

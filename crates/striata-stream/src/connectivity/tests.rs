@@ -33,7 +33,7 @@ impl World {
         mut choose: impl FnMut(&Scene<'_>, u32) -> Option<Cut>,
     ) -> Vec<Cut> {
         self.walk.begin(&self.surface);
-        self.model.begin_batch(&self.surface, self.walk.end());
+        self.model.begin_batch(&self.surface);
         let (mut all, mut pending) = (Vec::new(), Vec::new());
         loop {
             let vertex = self.walk.next_vertex();

@@ -8,6 +8,7 @@ use crate::layers::hood::{LayerHood, LayerValues};
 use crate::layers::model::LayerModel;
 use crate::layers::ring_fit::RingFit;
 use crate::refine::growth::Growth;
+use crate::refine::source::Plan;
 use crate::topology::surface::{NONE, Surface, next, previous};
 use crate::wedges::split::SplitWedges;
 
@@ -69,6 +70,11 @@ pub(crate) struct GeneralVertex {
 
 /// What a writer knows: all layers, and the vertex there.
 pub(crate) type Actual<'a> = Option<(&'a [LayerValues], u32)>;
+
+/// A writer's layers and the vertex there, of those that the mesh that is given has.
+pub(crate) fn actual_layers(plan: Option<&dyn Plan>, vertex: impl FnOnce(&dyn Plan) -> u32) -> Actual<'_> {
+    plan.map(|plan| (plan.layers(), vertex(plan)))
+}
 
 impl Attributes {
     /// No vertices yet; nothing at all where there are no layers.

@@ -14,8 +14,9 @@ use crate::format::head::{FIXED_BYTES, GroupName, Head, Row, head_length, most_w
 use crate::layers::form::LayerForm;
 use crate::reader::prefix::PrefixMesh;
 use crate::refine::growth::Growth;
-use crate::refine::refiner::{Ended, Refiner, Terms};
+use crate::refine::refiner::{Ended, Refiner};
 use crate::refine::source::Unknown;
+use crate::refine::terms::Terms;
 
 /// What some bytes have brought: append [`vertices`](Self::vertices) to a vertex buffer, write
 /// [`changed_triangles`](Self::changed_triangles) of an index buffer anew, append [`triangles`](Self::triangles).
@@ -257,7 +258,7 @@ impl StreamDecoder {
     }
 
     fn growth(&self) -> Option<&Growth> {
-        self.refiner.as_ref().map(|refiner| &refiner.growth)
+        self.refiner.as_ref().map(|refiner| &refiner.level.growth)
     }
 
     fn sizes(&self) -> (usize, usize) {
@@ -267,7 +268,7 @@ impl StreamDecoder {
     fn update_since(&mut self, (vertices, triangles): (usize, usize)) -> StreamUpdate {
         let (vertices_now, triangles_now) = self.sizes();
         let mut changed_triangles = match &mut self.refiner {
-            Some(refiner) => std::mem::take(&mut refiner.growth.changed),
+            Some(refiner) => std::mem::take(&mut refiner.level.growth.changed),
             None => Vec::new(),
         };
         changed_triangles.retain(|&t| (t as usize) < triangles);

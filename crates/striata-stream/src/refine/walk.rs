@@ -46,8 +46,6 @@ pub(crate) enum WalkOrder {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Walk {
     order: WalkOrder,
-    /// Whether it is told what became of vertices that were asked in one go.
-    remembers: bool,
     /// For each vertex: four times the batch in which it was seen last, and what became of it.
     seen: Vec<u32>,
     batch: u32,
@@ -71,20 +69,12 @@ const SPLITS: u32 = 2;
 impl Walk {
     /// No batch yet.
     pub(crate) fn new(order: WalkOrder) -> Self {
-        Self { order, remembers: true, ..Self::default() }
-    }
-
-    /// The same, where nobody asks what has become of vertices.
-    pub(crate) fn forgetful(order: WalkOrder) -> Self {
-        Self { remembers: false, ..Self::new(order) }
+        Self { order, ..Self::default() }
     }
 
     /// Makes room for so many vertices in all.
     pub(crate) fn reserve(&mut self, vertex_count: usize) {
         self.queue.reserve_exact(vertex_count);
-        if self.remembers {
-            self.seen.reserve_exact(vertex_count);
-        }
     }
 
     /// Begins a batch.
@@ -169,11 +159,6 @@ impl Walk {
         self.batch
     }
 
-    /// Vertices that were there when the batch began.
-    pub(crate) fn end(&self) -> u32 {
-        self.end
-    }
-
     /// What has become of a vertex that is not virtual.
     #[inline]
     pub(crate) fn fate(&self, vertex: u32) -> Fate {
@@ -194,18 +179,9 @@ impl Walk {
         &self.queue[self.head..]
     }
 
-    /// The next so many vertices have been asked, and these of them split.
-    pub(crate) fn pass(&mut self, count: usize, splits: &[u32]) {
-        let asked = self.head..self.head + count;
-        self.head = asked.end;
-        if !self.remembers {
-            return;
-        }
-        self.seen.resize(self.end as usize, 0);
-        let marks = [(&self.queue[asked], STAYS), (splits, SPLITS)];
-        for (vertices, mark) in marks {
-            vertices.iter().for_each(|&vertex| self.seen[vertex as usize] = 4 * self.batch + mark);
-        }
+    /// The next so many vertices have been asked. What became of them is not noted.
+    pub(crate) fn pass(&mut self, count: usize) {
+        self.head += count;
     }
 
     /// The next vertex to ask; none when all were.
@@ -298,7 +274,7 @@ mod tests {
         }
         walk.begin(&surface);
         assert_eq!(walk.rest()[..5], [1, count + 2, 2, count, count + 3]);
-        walk.pass(2, &[]);
+        walk.pass(2);
         assert_eq!(walk.next_vertex(), Some(2));
         assert_eq!(walk.rest().len(), surface.vertex_count() - 4);
     }

@@ -88,6 +88,23 @@ pub(crate) struct Split<'a, S> {
     pub(crate) most_beyond: u64,
 }
 
+impl<S: Source> Split<'_, S> {
+    /// What a writer's corner shows, of the mesh that is given; nothing that counts for a reader.
+    fn wedge(&self, corner: u32) -> u32 {
+        self.source.plan().map_or(0, |plan| plan.wedge(corner))
+    }
+
+    /// The same, of the stream.
+    fn vertex_at(&self, corner: u32) -> u32 {
+        self.source.plan().map_or(0, |plan| plan.vertex_at(corner))
+    }
+
+    /// The group of a writer's triangle at a corner.
+    fn group(&self, corner: u32) -> u32 {
+        self.source.plan().map_or(0, |plan| plan.group(triangle_of(corner)))
+    }
+}
+
 impl WedgeModel {
     /// Nothing learned; `vertex_count` is that of the full mesh.
     pub(crate) fn new(vertex_count: u32, version: StreamVersion) -> Self {
@@ -222,7 +239,7 @@ impl WedgeModel {
     fn unshown<C: Coder, S: Source>(&mut self, coder: &mut C, split: &Split<'_, S>, out: &mut SplitWedges) {
         let Split { surface, growth, corners, source, .. } = *split;
         let kept = growth.wedges(surface.vertex(next(corners[0])));
-        let left = source.wedges(surface.vertex(corners[0]));
+        let left = source.plan().map_or(0..0, |plan| plan.wedges(surface.vertex(corners[0])));
         let mut meant =
             left.filter(|wedge| !self.wedge_of.contains_key(wedge)).collect::<Vec<_>>().into_iter();
         let shown = out.targets.len();
@@ -244,7 +261,7 @@ impl WedgeModel {
             if count > 0 && (is_full || !self.has_more[context].code(coder, more.is_some())) {
                 break;
             }
-            let target = more.map_or(NONE, |wedge| source.target(wedge));
+            let target = more.and_then(|wedge| Some(source.plan()?.target(wedge))).unwrap_or(NONE);
             let guesses = [out.targets.last().copied(), None];
             let target = self.choose(coder, (Asked::Target, 0), (guesses, kept.clone()), target);
             out.targets.push(target);
@@ -273,7 +290,7 @@ impl WedgeModel {
 
     /// The corners of the patch.
     fn patch<C: Coder, S: Source>(&mut self, coder: &mut C, split: &Split<'_, S>, out: &mut SplitWedges) {
-        let Split { surface, growth, corners, source, .. } = *split;
+        let Split { surface, growth, corners, .. } = *split;
         let mut before: Option<(u32, u32, u32)> = None;
         // What came of it at the corner before: not asked, another one, the same.
         let mut outcome = 0;
@@ -282,7 +299,7 @@ impl WedgeModel {
                 before = None;
                 continue;
             };
-            let meant = source.wedge(corner);
+            let meant = split.wedge(corner);
             let ring = growth.shown(surface, next(corner)).unwrap_or(NONE);
             let wedge = match before {
                 Some((wedge, old_before, ring_before)) if old_before == old => {
@@ -375,7 +392,7 @@ impl WedgeModel {
         side: usize,
         out: &mut SplitWedges,
     ) {
-        let Split { surface, growth, corners, source, .. } = *split;
+        let Split { surface, growth, corners, .. } = *split;
         let (at, beside) = if side == 0 { (0, 1) } else { (corners.len() - 1, corners.len() - 2) };
         let corner = corners[at];
         let (kept, end) =
@@ -393,19 +410,18 @@ impl WedgeModel {
         // The corner of the patch still shows the kept position.
         let guesses = [growth.shown(surface, kept_across), growth.shown(surface, inside)];
         let offer = (guesses, growth.wedges(positions[1]));
-        out.kept[side] = self.choose(coder, (Asked::KeptCorner, 0), offer, source.vertex_at(kept));
+        out.kept[side] = self.choose(coder, (Asked::KeptCorner, 0), offer, split.vertex_at(kept));
         let of_kept = outcome([guesses[1], guesses[0]], out.kept[side]);
         let guesses = [growth.shown(surface, end_inside), growth.shown(surface, end_across)];
         let offer = (guesses, growth.wedges(positions[2]));
-        out.ends[side] = self.choose(coder, (Asked::RingCorner, of_kept), offer, source.vertex_at(end));
+        out.ends[side] = self.choose(coder, (Asked::RingCorner, of_kept), offer, split.vertex_at(end));
         let of_end = outcome(guesses, out.ends[side]);
         let new =
-            New { of_end, meant: source.wedge(corner), beside: out.wedges[beside], kept: out.kept[side] };
+            New { of_end, meant: split.wedge(corner), beside: out.wedges[beside], kept: out.kept[side] };
         out.wedges[at] = self.new_corner(coder, new, out);
         let guesses = [across, inside].map(|c| growth.group(surface, triangle_of(c)));
         let offer = (guesses, 0..growth.group_count.max(1));
-        out.groups[side] =
-            self.choose(coder, (Asked::Group, of_end), offer, source.group(triangle_of(corner)));
+        out.groups[side] = self.choose(coder, (Asked::Group, of_end), offer, split.group(corner));
     }
 
     /// The wedge at the corner of A or B: that of the patch beside it, another one, or a new one. It collapses to what the

@@ -7,7 +7,8 @@ use crate::base::mesh::Base;
 use crate::entropy::{PART_COUNT, RangeWriter};
 use crate::format::head::{least_bytes, least_bytes_in_all};
 use crate::refine::growth::Growth;
-use crate::refine::refiner::{Refiner, Terms};
+use crate::refine::refiner::Refiner;
+use crate::refine::terms::Terms;
 use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
 use crate::writer::truth::{Points, Truth, base_of};
@@ -83,11 +84,11 @@ fn write(
     // A surface that was collapsed to is closed.
     let mut refiner = Refiner::begin(&mut writer, &base, &terms, &mut truth)
         .unwrap_or_else(|defect| panic!("collapses keep a surface closed: {defect}"));
-    push(&mut chunks, writer, (&refiner.growth, base.triangles.len()), &mut spent);
+    push(&mut chunks, writer, (&refiner.level.growth, base.triangles.len()), &mut spent);
     while truth.order.len() < step_count {
         let mut writer = RangeWriter::new();
         code_chunk(&mut refiner, &mut writer, &mut truth, step_count)?;
-        push(&mut chunks, writer, (&refiner.growth, 0), &mut spent);
+        push(&mut chunks, writer, (&refiner.level.growth, 0), &mut spent);
     }
     let Truth { order, source_vertex, base_positions, .. } = truth;
     let Terms { max_patch, has_general, .. } = terms;

@@ -9,7 +9,7 @@ use crate::format::grid::{GridError, PositionGrid};
 use crate::format::head::{GroupName, Head, MOST_NUMBERS, Row};
 use crate::layers::form::{LayerBitsError, LayerForm, LayerOptions};
 use crate::layers::hood::LayerValues;
-use crate::refine::refiner::Terms;
+use crate::refine::terms::Terms;
 use crate::writer::chunks::{Chunks, check_batches, encode_chunks};
 use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;

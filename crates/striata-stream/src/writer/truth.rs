@@ -8,7 +8,7 @@ use crate::base::coder::BaseOrder;
 use crate::base::mesh::Base;
 use crate::general::step::{Born, CodedStep, KnownBorn, KnownStep};
 use crate::layers::hood::LayerValues;
-use crate::refine::source::Source;
+use crate::refine::source::{Follower, Plan, Source};
 use crate::topology::surface::{Cut, NONE, Surface, Undo, triangle_of};
 use crate::writer::descent::{Descent, Stage};
 use crate::writer::general_order::GeneralOrder;
@@ -284,6 +284,70 @@ impl<'a> Truth<'a> {
 }
 
 impl Source for Truth<'_> {
+    #[inline]
+    fn plan(&self) -> Option<&dyn Plan> {
+        Some(self)
+    }
+
+    #[inline]
+    fn follower(&mut self) -> Option<&mut dyn Follower> {
+        Some(self)
+    }
+}
+
+impl Plan for Truth<'_> {
+    fn cut(&self, vertex: u32) -> Option<Cut> {
+        let step = self.step_at[vertex as usize];
+        let stage = self.surface_stage()?;
+        let cut = stage.undo.get(step.checked_sub(stage.first_step)? as usize)?.cut;
+        let first = turned(self.corners[cut.first as usize / 4], cut.first & 3);
+        Some(Cut { first, length: cut.length })
+    }
+
+    fn place(&self, vertex: u32) -> [i32; 3] {
+        self.points.places[self.positions[vertex as usize] as usize]
+    }
+
+    fn exact(&self, vertex: u32) -> [f32; 3] {
+        self.points.exact[self.positions[vertex as usize] as usize]
+    }
+
+    fn wedges(&self, vertex: u32) -> Range<u32> {
+        self.refinable.sequence.positions().wedges(self.positions[vertex as usize])
+    }
+
+    fn wedge(&self, corner: u32) -> u32 {
+        let turned = self.surface_triangles[triangle_of(corner) as usize];
+        let shown = self.shown.get(turned.triangle as usize);
+        shown.map_or(NONE, |shown| shown[turned.slot(corner & 3)])
+    }
+
+    fn vertex_at(&self, corner: u32) -> u32 {
+        self.vertex_of.get(self.wedge(corner) as usize).copied().unwrap_or(NONE)
+    }
+
+    fn target(&self, wedge: u32) -> u32 {
+        self.vertex_of[self.refinable.sequence.target(wedge) as usize]
+    }
+
+    fn group(&self, triangle: u32) -> u32 {
+        let turned = self.surface_triangles[triangle as usize];
+        self.group_of.get(turned.triangle as usize).copied().unwrap_or(NONE)
+    }
+
+    fn layers(&self) -> &[LayerValues] {
+        &self.points.layers
+    }
+
+    fn general_count(&self) -> u32 {
+        match self.descent.stages.get(self.stage) {
+            Some(Stage::General(stage)) => stage.steps.len() as u32,
+            _ => 0,
+        }
+    }
+}
+
+impl Follower for Truth<'_> {
     fn order_base(&mut self, base: &Base, order: &BaseOrder) {
         for (new, &old) in order.vertices.iter().enumerate() {
             let fine = self.base_vertices[old as usize];
@@ -299,6 +363,18 @@ impl Source for Truth<'_> {
             self.push_triangle(fine, (3 - old % 3) % 3);
         }
         self.base_positions.clone_from(&order.positions);
+    }
+
+    fn name_base(&mut self, vertex: u32) {
+        let wedges: Vec<u32> = self.wedges(vertex).collect();
+        self.name(&wedges);
+    }
+
+    fn name(&mut self, wedges: &[u32]) {
+        for &wedge in wedges {
+            self.vertex_of[wedge as usize] = self.source_vertex.len() as u32;
+            self.source_vertex.push(wedge);
+        }
     }
 
     fn begin_batch(&mut self) {
@@ -318,14 +394,6 @@ impl Source for Truth<'_> {
         }
     }
 
-    fn cut(&self, vertex: u32) -> Option<Cut> {
-        let step = self.step_at[vertex as usize];
-        let stage = self.surface_stage()?;
-        let cut = stage.undo.get(step.checked_sub(stage.first_step)? as usize)?.cut;
-        let first = turned(self.corners[cut.first as usize / 4], cut.first & 3);
-        Some(Cut { first, length: cut.length })
-    }
-
     fn born(&mut self, vertex: u32, kept: u32) {
         let step = std::mem::replace(&mut self.step_at[kept as usize], NONE);
         let Some(stage) = self.surface_stage() else { return };
@@ -343,10 +411,6 @@ impl Source for Truth<'_> {
         self.order.push(step);
     }
 
-    fn layers(&self) -> &[LayerValues] {
-        &self.points.layers
-    }
-
     fn refine(&mut self, vertex: u32, corners: &[u32]) {
         let step = self.positions[vertex as usize] - self.refinable.sequence.base_position_count() as u32;
         let (Some(stage), [_, patch @ .., _]) = (self.surface_stage(), corners) else { return };
@@ -355,51 +419,6 @@ impl Source for Truth<'_> {
             if turned.triangle != NONE {
                 self.shown[turned.triangle as usize][turned.slot(corner & 3)] = shown;
             }
-        }
-    }
-
-    fn vertex_at(&self, corner: u32) -> u32 {
-        self.vertex_of.get(self.wedge(corner) as usize).copied().unwrap_or(NONE)
-    }
-
-    fn wedges(&self, vertex: u32) -> Range<u32> {
-        self.refinable.sequence.positions().wedges(self.positions[vertex as usize])
-    }
-
-    fn target(&self, wedge: u32) -> u32 {
-        self.vertex_of[self.refinable.sequence.target(wedge) as usize]
-    }
-
-    fn name(&mut self, wedges: impl IntoIterator<Item = u32>) {
-        for wedge in wedges {
-            self.vertex_of[wedge as usize] = self.source_vertex.len() as u32;
-            self.source_vertex.push(wedge);
-        }
-    }
-
-    fn wedge(&self, corner: u32) -> u32 {
-        let turned = self.surface_triangles[triangle_of(corner) as usize];
-        let shown = self.shown.get(turned.triangle as usize);
-        shown.map_or(NONE, |shown| shown[turned.slot(corner & 3)])
-    }
-
-    fn group(&self, triangle: u32) -> u32 {
-        let turned = self.surface_triangles[triangle as usize];
-        self.group_of.get(turned.triangle as usize).copied().unwrap_or(NONE)
-    }
-
-    fn place(&self, vertex: u32) -> [i32; 3] {
-        self.points.places[self.positions[vertex as usize] as usize]
-    }
-
-    fn exact(&self, vertex: u32) -> [f32; 3] {
-        self.points.exact[self.positions[vertex as usize] as usize]
-    }
-
-    fn general_count(&self) -> u32 {
-        match self.descent.stages.get(self.stage) {
-            Some(Stage::General(stage)) => stage.steps.len() as u32,
-            _ => 0,
         }
     }
 
