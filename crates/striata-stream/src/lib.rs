@@ -68,7 +68,7 @@ pub use format::files::{file_model, open, open_cut, open_stream, open_with};
 pub use format::form::{Effort, StreamVersion};
 pub use format::grid::GridError;
 pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
-pub use layers::form::{LayerBitsError, LayerOptions};
+pub use layers::options::{LayerBitsError, LayerOptions};
 pub use reader::decode::{StreamDecoder, StreamUpdate};
 pub use reader::prefix::PrefixMesh;
 pub use striata::file::STREAM_MAGIC;

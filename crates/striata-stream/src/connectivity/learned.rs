@@ -80,6 +80,19 @@ pub(crate) struct LearnedCuts {
     by_length: [u32; MOST],
 }
 
+/// A cut that was chosen.
+#[derive(Clone, Copy)]
+struct Choice {
+    /// Triangles around the vertex.
+    n: usize,
+    /// Those that it will have with all splits that are known.
+    planned: usize,
+    /// The most that a cut may take.
+    most: usize,
+    start: usize,
+    length: usize,
+}
+
 impl LearnedCuts {
     /// Nothing learned.
     pub(crate) fn new() -> Self {
@@ -128,7 +141,7 @@ impl LearnedCuts {
         if starts >> start & 1 == 0 {
             return None;
         }
-        self.learn((n, planned, most), inverse, (start, length));
+        self.learn(Choice { n, planned, most, start, length }, inverse);
         self.height += (height - self.height) >> 5;
         Some((start, length))
     }
@@ -246,7 +259,8 @@ impl LearnedCuts {
     }
 
     /// Moves all weights along the gradient; `inverse` is that of the sum of all exponentials.
-    fn learn(&mut self, (n, planned, most): (usize, usize, usize), inverse: u64, chosen: (usize, usize)) {
+    fn learn(&mut self, chosen: Choice, inverse: u64) {
+        let Choice { n, planned, most, .. } = chosen;
         let rate = if self.splits < 32 * 42 {
             self.splits += 1;
             (8 * FIRST_RATE / (8 + self.splits / 32)).max(LAST_RATE)
@@ -265,15 +279,15 @@ impl LearnedCuts {
                 ends[at + length] -= part;
                 pushes -= part;
             }
-            if length == chosen.1 {
+            if length == chosen.length {
                 pushes += 1 << 16;
             }
             let step = (pushes * rate) >> 14;
             turn(&mut self.counts[n][length], step);
             turn(&mut self.remains[remain(planned, length)], step);
         }
-        begins[chosen.0] += 1 << 16;
-        ends[chosen.0 + chosen.1] += 1 << 16;
+        begins[chosen.start] += 1 << 16;
+        ends[chosen.start + chosen.length] += 1 << 16;
         // Runs that go past the last edge cover the first triangles from the beginning.
         let mut cover = ends[n..2 * n].iter().sum::<i32>();
         for (at, side) in self.sides[..n].iter().enumerate() {

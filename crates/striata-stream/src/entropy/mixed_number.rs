@@ -8,11 +8,7 @@ use super::adaptive::{AdaptiveBit, Rate};
 use super::coder::Coder;
 use super::logistic::log_odds;
 use super::mixer::Mixer;
-
-/// Decisions there are: zero, sign, 31 buckets, 3 for the top bits of each.
-const NODES: usize = 2 + 31 + 32 * 3;
-const ABOVE: usize = 2;
-const TOP: usize = 33;
+use super::number::{Decisions, NODES, code_signed};
 
 /// A context of each kind, and the set of weights that they are mixed with.
 pub(crate) type Contexts<const N: usize> = ([usize; N], usize);
@@ -32,54 +28,31 @@ impl<const N: usize> MixedNumber<N> {
         Self { bits, mixer: Mixer::new(set_count * NODES, [(1 << 16) * 5 / (4 * N as i32); N]) }
     }
 
-    fn bit<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        (contexts, set): &Contexts<N>,
-        node: usize,
-        bit: bool,
-    ) -> bool {
-        let inputs = std::array::from_fn(|i| log_odds(self.bits[i][contexts[i] * NODES + node].p_one()));
-        self.mixer.mix(&inputs, set * NODES + node);
-        let bit = coder.bit(bit, self.mixer.p_one());
-        self.mixer.update(bit);
-        for (bits, context) in self.bits.iter_mut().zip(contexts) {
+    /// Codes a number of either sign.
+    pub(crate) fn signed<C: Coder>(&mut self, coder: &mut C, contexts: Contexts<N>, value: i32) -> i32 {
+        code_signed(coder, &mut InContexts { number: self, contexts }, value)
+    }
+}
+
+/// A number that is coded under certain contexts.
+struct InContexts<'a, const N: usize> {
+    number: &'a mut MixedNumber<N>,
+    contexts: Contexts<N>,
+}
+
+impl<const N: usize> Decisions for InContexts<'_, N> {
+    #[inline]
+    fn decide<C: Coder>(&mut self, coder: &mut C, node: usize, bit: bool) -> bool {
+        let MixedNumber { bits, mixer } = &mut *self.number;
+        let (contexts, set) = &self.contexts;
+        let inputs = std::array::from_fn(|i| log_odds(bits[i][contexts[i] * NODES + node].p_one()));
+        mixer.mix(&inputs, set * NODES + node);
+        let bit = coder.bit(bit, mixer.p_one());
+        mixer.update(bit);
+        for (bits, context) in bits.iter_mut().zip(contexts) {
             bits[context * NODES + node].update(bit);
         }
         bit
-    }
-
-    /// Codes a number of either sign.
-    pub(crate) fn signed<C: Coder>(&mut self, coder: &mut C, contexts: Contexts<N>, value: i32) -> i32 {
-        if self.bit(coder, &contexts, 0, value == 0) {
-            return 0;
-        }
-        let is_negative = self.bit(coder, &contexts, 1, value < 0);
-        let magnitude = self.magnitude(coder, &contexts, value.unsigned_abs()) as i32;
-        if is_negative { magnitude.wrapping_neg() } else { magnitude }
-    }
-
-    /// Codes a number above zero.
-    fn magnitude<C: Coder>(&mut self, coder: &mut C, contexts: &Contexts<N>, value: u32) -> u32 {
-        let meant = value.max(1).ilog2();
-        let mut bucket = 0;
-        while bucket < 31 && self.bit(coder, contexts, ABOVE + bucket as usize, meant > bucket) {
-            bucket += 1;
-        }
-        let mut decoded = 1;
-        let top_count = bucket.min(2);
-        for taken in 1..=top_count {
-            let node = TOP + 3 * bucket as usize + decoded as usize - 1;
-            let bit = self.bit(coder, contexts, node, value >> (bucket - taken) & 1 != 0);
-            decoded = decoded << 1 | u32::from(bit);
-        }
-        let mut left = bucket - top_count;
-        while left > 0 {
-            let bits = left.min(24);
-            left -= bits;
-            decoded = decoded << bits | coder.raw(value >> left, bits);
-        }
-        decoded
     }
 }
 

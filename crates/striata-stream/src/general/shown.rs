@@ -17,6 +17,16 @@ const GUESSES: usize = 3;
 /// Wedges of one target that are asked for one by one.
 const ASKED_ALONE: usize = 3;
 
+/// What is there before a step.
+pub(super) struct Before<'a> {
+    /// The triangles.
+    pub(super) complex: &'a Complex,
+    /// The mesh.
+    pub(super) growth: &'a Growth,
+    /// How many vertices more than one the new position may have.
+    pub(super) most_beyond: u64,
+}
+
 /// Models of wedges and groups at general steps.
 #[derive(Clone, Debug)]
 pub(super) struct ShownModel {
@@ -74,11 +84,11 @@ impl ShownModel {
         all.start + code_uniform(coder, all.len() as u32, meant.wrapping_sub(all.start))
     }
 
-    /// Codes all that corners show, where it is not one vertex for each position; at most `most_beyond` vertices more than one.
+    /// Codes all that corners show, where it is not one vertex for each position.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        (complex, growth, most_beyond): (&Complex, &Growth, u64),
+        Before { complex, growth, most_beyond }: Before<'_>,
         (meant, out): (Option<&KnownStep>, &mut CodedStep),
         wedges: &mut WedgeModel,
     ) {

@@ -2,6 +2,7 @@
 
 use super::General;
 use super::complex::Complex;
+use super::shown::Before;
 use super::step::{CodedStep, KnownStep};
 use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
@@ -93,8 +94,9 @@ impl Refiner {
         coder.part(Part::Wedges);
         let beyond = (self.level.growth.beyond() + step.born.len().saturating_sub(2)) as u64;
         if let Some(wedges) = &mut self.models.wedges {
-            let most = self.limits.most_wedges.saturating_sub(beyond);
-            shown.code(coder, (complex, &self.level.growth, most), (known, &mut *step), wedges);
+            let most_beyond = self.limits.most_wedges.saturating_sub(beyond);
+            let before = Before { complex, growth: &self.level.growth, most_beyond };
+            shown.code(coder, before, (known, &mut *step), wedges);
             if let Some(follower) = source.follower() {
                 follower.name(&step.named);
             }

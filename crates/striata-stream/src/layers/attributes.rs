@@ -68,6 +68,17 @@ pub(crate) struct GeneralVertex {
     pub(crate) target: u32,
 }
 
+/// A vertex of a new position.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NewVertex {
+    /// Where the position is on the grid.
+    pub(crate) place: [i32; 3],
+    /// Which of its vertices it is.
+    pub(crate) wedge: u32,
+    /// The vertex that it collapses to.
+    pub(crate) target: u32,
+}
+
 /// What a writer knows: all layers, and the vertex there.
 pub(crate) type Actual<'a> = Option<(&'a [LayerValues], u32)>;
 
@@ -138,12 +149,12 @@ impl Attributes {
         }
     }
 
-    /// Codes wedge `wedge` of a new position, which collapses to vertex `target`.
+    /// Codes a vertex of a new position.
     pub(crate) fn vertex<C: Coder>(
         &mut self,
         coder: &mut C,
         around: Around<'_>,
-        (place, wedge, target): ([i32; 3], u32, u32),
+        NewVertex { place, wedge, target }: NewVertex,
         actual: Actual<'_>,
     ) {
         let last = around.corners.len() - 1;

@@ -5,124 +5,10 @@
 //! them where the caller wants every bit) are stored as the integers that order them. Numbers made of a layer's integers
 //! give the same integers again, so a stream can be written again without further loss.
 
-use striata::file::{semantic_code, semantic_of};
 use striata::mesh::{AttributeLayer, LayerData, Semantic, octahedral};
 
-use crate::format::byte_reader::{ByteReader, put_u32};
-use crate::format::error::DecodeError;
-use crate::format::grid::{Axis, MAX_BITS, from_ordered, ordered};
-
-/// How many bits attributes get.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct LayerOptions {
-    /// For each of the two numbers that a unit normal or tangent becomes, 2 to 16; 10 by default.
-    pub normal_bits: u32,
-    /// For texture coordinates, 1 to 24, over their range; 12 by default.
-    pub texcoord_bits: u32,
-    /// For colours given as floats, 1 to 24; 8 by default.
-    pub color_bits: u32,
-    /// For weights of joints given as floats, 1 to 24; 10 by default.
-    pub weight_bits: u32,
-    /// For morph targets and everything else that is floats, 1 to 24; 12 by default.
-    pub generic_bits: u32,
-    /// Keep every bit of all layers; false by default.
-    pub lossless: bool,
-}
-
-impl Default for LayerOptions {
-    fn default() -> Self {
-        Self {
-            normal_bits: 10,
-            texcoord_bits: 12,
-            color_bits: 8,
-            weight_bits: 10,
-            generic_bits: 12,
-            lossless: false,
-        }
-    }
-}
-
-impl LayerOptions {
-    /// Other bits for normals and tangents.
-    pub fn with_normal_bits(mut self, bits: u32) -> Self {
-        self.normal_bits = bits;
-        self
-    }
-
-    /// Other bits for texture coordinates.
-    pub fn with_texcoord_bits(mut self, bits: u32) -> Self {
-        self.texcoord_bits = bits;
-        self
-    }
-
-    /// Other bits for colours.
-    pub fn with_color_bits(mut self, bits: u32) -> Self {
-        self.color_bits = bits;
-        self
-    }
-
-    /// Other bits for weights.
-    pub fn with_weight_bits(mut self, bits: u32) -> Self {
-        self.weight_bits = bits;
-        self
-    }
-
-    /// Other bits for everything else.
-    pub fn with_generic_bits(mut self, bits: u32) -> Self {
-        self.generic_bits = bits;
-        self
-    }
-
-    /// Whether every bit is kept.
-    pub fn with_lossless(mut self, lossless: bool) -> Self {
-        self.lossless = lossless;
-        self
-    }
-
-    /// Checks that all bits are within their limits.
-    ///
-    /// # Errors
-    /// [`LayerBitsError`] naming the first that is not.
-    pub fn check(&self) -> Result<(), LayerBitsError> {
-        let check = |what, bits, least, most| {
-            if (least..=most).contains(&bits) {
-                Ok(())
-            } else {
-                Err(LayerBitsError { what, bits, least, most })
-            }
-        };
-        check("normals", self.normal_bits, 2, 16)?;
-        check("texture coordinates", self.texcoord_bits, 1, MAX_BITS)?;
-        check("colours", self.color_bits, 1, MAX_BITS)?;
-        check("weights", self.weight_bits, 1, MAX_BITS)?;
-        check("other layers", self.generic_bits, 1, MAX_BITS)
-    }
-
-    fn bits_of(&self, semantic: &Semantic) -> u32 {
-        match semantic {
-            Semantic::Normal | Semantic::Tangent => self.normal_bits,
-            Semantic::TexCoord(_) => self.texcoord_bits,
-            Semantic::Color(_) => self.color_bits,
-            Semantic::Weights(_) => self.weight_bits,
-            _ => self.generic_bits,
-        }
-    }
-}
-
-/// A number of bits that a kind of layer cannot have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{bits} bits asked for {what}, but it must be {least} to {most}")]
-pub struct LayerBitsError {
-    /// The kind of layer.
-    pub what: &'static str,
-    /// Bits asked for.
-    pub bits: u32,
-    /// Fewest that it can have.
-    pub least: u32,
-    /// Most that it can have.
-    pub most: u32,
-}
+use super::options::LayerOptions;
+use crate::format::grid::{Axis, from_ordered, ordered};
 
 /// The type of a layer's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,7 +20,8 @@ pub(crate) enum NumberType {
 }
 
 impl NumberType {
-    const ALL: [Self; 4] = [Self::F32, Self::U8, Self::U16, Self::U32];
+    /// All of them, in the order of their codes.
+    pub(super) const ALL: [Self; 4] = [Self::F32, Self::U8, Self::U16, Self::U32];
 
     fn of(data: &LayerData) -> Self {
         match data {
@@ -322,84 +209,12 @@ fn has_one_unit(semantic: &Semantic) -> bool {
     !matches!(semantic, Semantic::Tangent | Semantic::Generic(_))
 }
 
-/// The header of a layer: five bytes, two numbers, a name, and the axes of a grid.
-impl LayerForm {
-    /// Appends the form's bytes.
-    pub(crate) fn write(&self, out: &mut Vec<u8>) {
-        let (code, set, name) = semantic_code(&self.semantic);
-        let number_type = NumberType::ALL.iter().position(|&t| t == self.number_type).unwrap_or(0) as u8;
-        let (transform, bits) = match self.transform {
-            Transform::Exact => (0, 0),
-            Transform::Octahedral { bits } => (1, bits),
-            Transform::Uniform { bits, .. } => (2, bits),
-        };
-        out.extend([
-            code,
-            number_type,
-            self.component_count,
-            u8::from(self.normalized),
-            transform,
-            bits as u8,
-        ]);
-        put_u32(set, out);
-        put_u32(name.len() as u32, out);
-        out.extend(name.as_bytes());
-        if let Transform::Uniform { axes, .. } = &self.transform {
-            for axis in axes {
-                out.extend(axis.origin.to_le_bytes());
-                out.extend(axis.step.to_le_bytes());
-            }
-        }
-    }
-
-    /// Takes a form off the bytes.
-    ///
-    /// # Errors
-    /// [`DecodeError`] where they end too early or mean nothing.
-    pub(crate) fn read(reader: &mut ByteReader<'_>) -> Result<Self, DecodeError> {
-        let [code, number_type, component_count, normalized] =
-            [reader.u8()?, reader.u8()?, reader.u8()?, reader.u8()?];
-        let [transform, bits] = [reader.u8()?, reader.u8()?];
-        let set = reader.u32()?;
-        let name = reader.text()?;
-        let Some(semantic) = semantic_of(code, set, &name) else {
-            return Err(reader.malformed("unknown meaning of a layer"));
-        };
-        if component_count == 0 || normalized > 1 {
-            return Err(reader.malformed("a layer has 1 to 255 components, normalized or not"));
-        }
-        let Some(&number_type) = NumberType::ALL.get(number_type as usize) else {
-            return Err(reader.malformed("unknown type of numbers"));
-        };
-        let is_float = number_type == NumberType::F32;
-        let bits = u32::from(bits);
-        let transform = match transform {
-            0 => Transform::Exact,
-            1 if is_float && matches!(component_count, 3 | 4) && (2..=16).contains(&bits) => {
-                Transform::Octahedral { bits }
-            }
-            2 if is_float && (1..=MAX_BITS).contains(&bits) => {
-                let axes = (0..component_count).map(|_| read_axis(reader)).collect::<Result<_, _>>()?;
-                Transform::Uniform { axes, bits }
-            }
-            _ => return Err(reader.malformed("unknown way to store a layer")),
-        };
-        Ok(Self { semantic, component_count, normalized: normalized == 1, number_type, transform })
-    }
-}
-
-fn read_axis(reader: &mut ByteReader<'_>) -> Result<Axis, DecodeError> {
-    let origin = reader.f32()?;
-    let step = [u64::from(reader.u32()?), u64::from(reader.u32()?)];
-    let axis = Axis { origin, step: f64::from_bits(step[0] | step[1] << 32) };
-    axis.check().map_err(|_| reader.malformed("a grid of a layer has no sound origin or step"))
-}
-
 #[cfg(test)]
 mod tests {
     use striata::mesh::Random;
 
     use super::*;
+    use crate::format::byte_reader::ByteReader;
 
     fn unit(random: &mut Random) -> [f32; 3] {
         let v = [(); 3].map(|()| random.between(-1.0, 1.0));

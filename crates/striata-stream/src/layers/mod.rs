@@ -3,6 +3,8 @@
 //! | file | what it does |
 //! | --- | --- |
 //! | `form.rs` | how the numbers of a layer become integers, and back |
+//! | `options.rs` | how many bits they get |
+//! | `header.rs` | what a stream says of a layer before its numbers |
 //! | `attributes.rs` | all layers of a stream |
 //! | `model.rs` | one layer: which predictions there are, and which fit |
 //! | `history.rs` | how well predictions have fit so far |
@@ -15,11 +17,13 @@ pub(crate) mod attributes;
 pub(crate) mod direction_model;
 pub(crate) mod directions;
 pub(crate) mod form;
+mod header;
 pub(crate) mod history;
 pub(crate) mod hood;
 pub(crate) mod least_squares;
 pub(crate) mod model;
 pub(crate) mod number_model;
+pub(crate) mod options;
 pub(crate) mod residuals;
 pub(crate) mod ring_fit;
 pub(crate) mod tangents;

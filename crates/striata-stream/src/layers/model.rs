@@ -193,7 +193,7 @@ mod tests {
 
     use super::*;
     use crate::entropy::{RangeReader, RangeWriter};
-    use crate::layers::form::LayerOptions;
+    use crate::layers::options::LayerOptions;
     use crate::layers::ring_fit::RingFit;
 
     /// A vertex of a made-up refinement: what is around it, and where it is.

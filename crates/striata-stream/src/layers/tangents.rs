@@ -76,7 +76,8 @@ mod tests {
     use striata::mesh::AttributeLayer;
 
     use super::*;
-    use crate::layers::form::{LayerOptions, NumberType};
+    use crate::layers::form::NumberType;
+    use crate::layers::options::LayerOptions;
     use crate::layers::ring_fit::RingFit;
 
     #[test]

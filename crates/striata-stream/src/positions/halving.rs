@@ -18,6 +18,25 @@ const NODES: usize = 64;
 const NEAR_LOG: u32 = 2;
 /// Kinds of chances to lie outside.
 const CHANCES: usize = 24;
+/// An interval around what is expected.
+struct Interval<const KINDS: usize, const WIDTHS: usize> {
+    /// Half its width.
+    half: i32,
+    /// How much of each density lies below its ends.
+    masses: [Masses<KINDS, WIDTHS>; 2],
+    /// Whether it is the narrow one.
+    is_near: bool,
+}
+
+/// Which half of an interval is asked for.
+struct Question {
+    /// Where in the tree.
+    node: usize,
+    depth: usize,
+    /// What a writer means.
+    bit: bool,
+}
+
 /// What is learned about one axis. There is one opinion for each kind and width and [`COUNTERS`] more, and one that never
 /// changes, in vectors of 8.
 #[derive(Clone, Debug)]
@@ -65,9 +84,10 @@ impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KI
         let near = half >> NEAR_LOG;
         let masses = [axis.below(-near), axis.below(near)];
         let off = if near > 0 && !self.is_outside(coder, axis, (near, &masses), actual) {
-            self.halve(coder, axis, (near, masses, true), actual)
+            self.halve(coder, axis, Interval { half: near, masses, is_near: true }, actual)
         } else if !self.is_beyond[axis.spread].code(coder, !(-half..half).contains(&actual)) {
-            self.halve(coder, axis, (half, [axis.below(-half), axis.below(half)], false), actual)
+            let masses = [axis.below(-half), axis.below(half)];
+            self.halve(coder, axis, Interval { half, masses, is_near: false }, actual)
         } else {
             self.far.signed(coder, axis.size, actual)
         };
@@ -101,9 +121,10 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         &mut self,
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
-        (half, [mut below_low, mut below_high], is_near): (i32, [Masses<KINDS, WIDTHS>; 2], bool),
+        interval: Interval<KINDS, WIDTHS>,
         actual: i32,
     ) -> i32 {
+        let Interval { half, masses: [mut below_low, mut below_high], is_near } = interval;
         let (mut low, mut high) = (-half, half);
         let mut node = 1;
         let mut depth = 0;
@@ -115,7 +136,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
                 if axis.is_mirrored { (&below_high, &below_low) } else { (&below_low, &below_high) };
             weigh(from, &below, to, &mut inputs.as_flattened_mut()[COUNTERS..]);
             let bit = (actual >= middle) ^ axis.is_mirrored;
-            let bit = self.decide(coder, axis, (node, depth, bit), &mut inputs);
+            let bit = self.decide(coder, axis, Question { node, depth, bit }, &mut inputs);
             let is_up = bit ^ axis.is_mirrored;
             if is_up {
                 (low, below_low) = (middle, below);
@@ -138,7 +159,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         &mut self,
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
-        (node, depth, bit): (usize, usize, bool),
+        Question { node, depth, bit }: Question,
         inputs: &mut [[i16; 8]; VECTORS],
     ) -> bool {
         let node = if node < NODES { node } else { 0 };

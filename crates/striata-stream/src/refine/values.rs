@@ -5,7 +5,7 @@ use super::refiner::{Ended, Refiner};
 use super::source::Source;
 use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
-use crate::layers::attributes::{Around, actual_layers};
+use crate::layers::attributes::{Around, NewVertex, actual_layers};
 use crate::topology::hood::Hood;
 use crate::topology::surface::next;
 use crate::wedges::model::Split;
@@ -109,13 +109,14 @@ impl Refiner {
         if told.is_none() {
             let kept = surface.vertex(next(corners[0]));
             let actual = actual_layers(source.plan(), |plan| plan.wedges(vertex).start);
-            attributes.vertex(coder, around, (place, 0, growth.wedges(kept).start), actual);
+            let target = growth.wedges(kept).start;
+            attributes.vertex(coder, around, NewVertex { place, wedge: 0, target }, actual);
             return;
         }
         attributes.begin_position(around, place);
-        for (wedge, &target) in stretch.shown.targets.iter().enumerate() {
-            let actual = actual_layers(source.plan(), |_| stretch.shown.named[wedge]);
-            attributes.vertex(coder, around, (place, wedge as u32, target), actual);
+        for (wedge, &target) in (0..).zip(&stretch.shown.targets) {
+            let actual = actual_layers(source.plan(), |_| stretch.shown.named[wedge as usize]);
+            attributes.vertex(coder, around, NewVertex { place, wedge, target }, actual);
         }
     }
 }

@@ -291,7 +291,7 @@ impl WedgeModel {
     /// The corners of the patch.
     fn patch<C: Coder, S: Source>(&mut self, coder: &mut C, split: &Split<'_, S>, out: &mut SplitWedges) {
         let Split { surface, growth, corners, .. } = *split;
-        let mut before: Option<(u32, u32, u32)> = None;
+        let mut before: Option<PatchCorner> = None;
         // What came of it at the corner before: not asked, another one, the same.
         let mut outcome = 0;
         for (at, &corner) in corners.iter().enumerate().take(corners.len() - 1).skip(1) {
@@ -302,7 +302,7 @@ impl WedgeModel {
             let meant = split.wedge(corner);
             let ring = growth.shown(surface, next(corner)).unwrap_or(NONE);
             let wedge = match before {
-                Some((wedge, old_before, ring_before)) if old_before == old => {
+                Some(PatchCorner { wedge, old: old_before, ring: ring_before }) if old_before == old => {
                     let earlier = if self.is_first_version() { 0 } else { outcome };
                     let context = usize::from(ring != ring_before) + 2 * earlier;
                     let goes_on = self.goes_on[context].code(coder, out.named[wedge as usize] == meant);
@@ -312,7 +312,8 @@ impl WedgeModel {
                 _ => self.other_wedge(coder, (meant, old), None, out),
             };
             out.wedges[at] = wedge;
-            before = Some((wedge, old, growth.shown(surface, previous(corner)).unwrap_or(NONE)));
+            let ring = growth.shown(surface, previous(corner)).unwrap_or(NONE);
+            before = Some(PatchCorner { wedge, old, ring });
         }
     }
 
@@ -461,6 +462,16 @@ impl WedgeModel {
     ) -> u32 {
         self.choose(coder, (Asked::BaseGroup, 0), ([last, None], 0..group_count.max(1)), meant)
     }
+}
+
+/// A corner of the patch.
+struct PatchCorner {
+    /// The wedge that it shows now.
+    wedge: u32,
+    /// What it showed before.
+    old: u32,
+    /// What the end of its triangle at the ring shows.
+    ring: u32,
 }
 
 /// The corner of A or B at the new position.
