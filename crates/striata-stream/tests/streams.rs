@@ -358,7 +358,6 @@ fn kept_surface() -> IndexedMesh {
 
 const KEPT: [&str; 4] = ["fast", "default", "small", "exact"];
 
-/// The streams that are kept of the present version; the last one has general batches.
 /// What a stream that is kept was made from.
 struct KeptStream {
     name: &'static str,
@@ -366,6 +365,7 @@ struct KeptStream {
     options: StreamOptions,
 }
 
+/// The streams that are kept of the present version; the last one has general batches.
 fn kept_streams() -> Vec<KeptStream> {
     let options = StreamOptions::default().with_precision(Precision::Bits(12));
     let all = [

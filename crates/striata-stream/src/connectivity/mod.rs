@@ -10,6 +10,7 @@
 //! | --- | --- |
 //! | `memory.rs` | [`Memory`]: what is kept with a vertex from batch to batch |
 //! | `quick.rs` | [`quick::QuickModel`]: flags and cuts where time matters most |
+//! | `chain_cuts.rs` | cuts as chains of decisions |
 //! | `quick_cuts.rs` | cuts as two symbols |
 //! | `scene.rs` | [`Scene`]: what both sides know when a vertex is asked |
 //! | `ring.rs` | [`Ring`]: what is measured around a vertex |
@@ -22,6 +23,7 @@
 //!
 //! All models hold integers, and look only at what has been decoded.
 
+mod chain_cuts;
 mod cuts;
 mod flags;
 mod gather;

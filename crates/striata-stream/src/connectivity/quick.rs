@@ -4,8 +4,9 @@
 //! those that split the surface is walked, many at a time, so that no walk waits for memory alone. Then the length of each
 //! cut is told, and which of the free runs of that length, the ones with the longest edges first, since that is where a
 //! vertex is missing. Cuts around vertices of few triangles are two symbols (`quick_cuts.rs`); around others, and in streams of
-//! the first version, they are chains of decisions. Effort default takes cuts of few triangles from `learned.rs`.
+//! the first version, they are chains of decisions (`chain_cuts.rs`). Effort default takes cuts of few triangles from `learned.rs`.
 
+use super::chain_cuts::{ChainCuts, Edges};
 use super::learned::{LearnedCuts, Spoke as LearnedSpoke};
 use super::quick_cuts::{self, Edge, QuickCuts};
 use super::scene::Scene;
@@ -14,7 +15,7 @@ use crate::format::form::{Effort, StreamVersion};
 use crate::positions::Surroundings;
 use crate::refine::walk::Walk;
 use crate::topology::rings::{Neighbour, Rings};
-use crate::topology::surface::{Cut, NONE, Surface, triangle_of};
+use crate::topology::surface::{Cut, Surface, triangle_of};
 
 /// What is kept with a vertex.
 #[derive(Clone, Copy, Debug, Default)]
@@ -26,13 +27,8 @@ struct Kept {
     split: u8,
 }
 
-/// Lengths and ranks that are told apart.
-const MOST: usize = 16;
 /// Flags that make up the history.
 const HISTORY: usize = 0xff;
-
-/// Runs are looked at triangle by triangle as long as that takes no more steps.
-const MOST_STEPS: usize = 4096;
 
 /// Flags and cuts by small contexts.
 #[derive(Clone, Debug)]
@@ -44,18 +40,15 @@ pub(crate) struct QuickModel {
     /// The last few flags.
     history: usize,
     flags: Vec<AdaptiveBit>,
-    lengths: Vec<AdaptiveBit>,
-    ranks: Vec<AdaptiveBit>,
     /// Vertices that split, and the corners around them.
     splits: Vec<u32>,
     rings: Rings,
     cuts: Cuts,
+    chains: ChainCuts,
     /// The batch in which each vertex was asked last, modulo 256, if that matters to cuts.
     asked: Vec<u8>,
     /// Where the runs of the stretch begin: which of the vertices that split, and which of the corners around it.
     begins: Vec<(u32, u32)>,
-    spokes: Vec<Spoke>,
-    starts: Vec<(i64, u32)>,
 }
 
 /// What codes cuts around vertices of few triangles.
@@ -67,16 +60,6 @@ enum Cuts {
     Ranked(QuickCuts),
     /// Two symbols, by what is seen of edges and triangles.
     Learned(Box<LearnedCuts>),
-}
-
-/// An edge from a vertex that splits, and the triangle behind it.
-#[derive(Clone, Copy, Debug)]
-struct Spoke {
-    /// Its squared length.
-    square: i64,
-    is_virtual: bool,
-    /// Whether the triangle counter-clockwise of it is free.
-    is_free: bool,
 }
 
 impl QuickModel {
@@ -91,8 +74,6 @@ impl QuickModel {
             is_renumbered: false,
             history: 0,
             flags: vec![bit; 16 * 4 * 4 * 8],
-            lengths: vec![bit; MOST * MOST],
-            ranks: vec![bit; MOST * MOST * MOST],
             splits: Vec::new(),
             rings: Rings::default(),
             cuts: match (version, effort) {
@@ -100,10 +81,9 @@ impl QuickModel {
                 (_, Effort::Fast) => Cuts::Ranked(QuickCuts::new()),
                 _ => Cuts::Learned(Box::new(LearnedCuts::new())),
             },
+            chains: ChainCuts::new(),
             asked: Vec::new(),
             begins: Vec::new(),
-            spokes: Vec::new(),
-            starts: Vec::new(),
         }
     }
 
@@ -209,7 +189,12 @@ impl QuickModel {
         let run = match self.cuts {
             Cuts::Ranked(_) if is_short => self.ranked_run(coder, scene, (split, actual)),
             Cuts::Learned(_) if is_short => self.learned_run(coder, scene, (split, actual)),
-            _ => self.run(coder, scene, (split, actual)),
+            _ => {
+                let kept = scene.places[self.splits[split] as usize];
+                let edges =
+                    Edges { corners: self.rings.of(split), neighbours: self.rings.neighbours(split), kept };
+                self.chains.code(coder, scene, edges, actual)
+            }
         };
         let Some((start, length)) = run else { return false };
         let ring = self.rings.of(split);
@@ -291,40 +276,6 @@ impl QuickModel {
         4 * age + fate
     }
 
-    /// The same around any vertex, as a chain of decisions.
-    fn run<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        scene: &Scene<'_>,
-        (split, actual): (usize, Option<Cut>),
-    ) -> Option<(usize, usize)> {
-        let n = self.rings.of(split).len();
-        let most = (scene.max_patch as usize).min(n - 1);
-        let meant = actual.map_or(0, |cut| cut.length as usize);
-        let mut length = 1;
-        while length < most {
-            let bit = &mut self.lengths[n.min(MOST - 1) * MOST + length.min(MOST - 1)];
-            if !bit.code(coder, meant > length) {
-                break;
-            }
-            length += 1;
-        }
-        self.find_starts(scene, split, length);
-        let meant = actual.map_or(NONE, |cut| cut.first);
-        let key = (n.min(MOST - 1) * MOST + length.min(MOST - 1)) * MOST;
-        let mut rank = 0;
-        let start = loop {
-            let start = self.next_start(n * length > MOST_STEPS)?;
-            let is_meant = self.rings.of(split)[start as usize] == meant;
-            let is_last = self.starts.is_empty();
-            if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, is_meant) {
-                break start as usize;
-            }
-            rank += 1;
-        };
-        Some((start, length))
-    }
-
     /// Tells what is around the vertices that the cuts make, in order, before any is made; `patches` has the corners of their
     /// patches, up to `ends`.
     pub(crate) fn look_around(
@@ -344,76 +295,6 @@ impl QuickModel {
             look_around(surface, places, (neighbours, begin as usize), (patch, kept), &mut around);
             tell(&around);
         }
-    }
-
-    /// Where in a ring a run of free triangles can begin, and how long its edges are.
-    fn find_starts(&mut self, scene: &Scene<'_>, split: usize, length: usize) {
-        let corners = self.rings.of(split);
-        let n = corners.len();
-        let kept = scene.places[self.splits[split] as usize];
-        self.spokes.clear();
-        self.spokes.extend(corners.iter().zip(self.rings.neighbours(split)).map(|(&corner, neighbour)| {
-            let is_virtual = scene.surface.is_virtual(neighbour.vertex);
-            let place = neighbour.place;
-            let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum::<i64>();
-            Spoke {
-                square: if is_virtual { 0 } else { square },
-                is_virtual,
-                is_free: !scene.is_taken(triangle_of(corner)),
-            }
-        }));
-        self.starts.clear();
-        if n * length > MOST_STEPS {
-            self.find_far_starts(n, length);
-            return;
-        }
-        'starts: for start in 0..n {
-            let mut at = start;
-            let mut sum = self.spokes[start].square;
-            for left in (0..length).rev() {
-                let is_free = self.spokes[at].is_free;
-                at = if at + 1 == n { 0 } else { at + 1 };
-                let spoke = self.spokes[at];
-                // What is inside the run leaves the vertex: it counts twice, and is no boundary.
-                if !is_free || (left > 0 && spoke.is_virtual) {
-                    continue 'starts;
-                }
-                sum += spoke.square << u32::from(left > 0);
-            }
-            self.starts.push((sum, start as u32));
-        }
-    }
-
-    /// The start with the longest edges of those that are left, which are perhaps in order.
-    fn next_start(&mut self, in_order: bool) -> Option<u32> {
-        if in_order {
-            return self.starts.pop().map(|(_, start)| start);
-        }
-        let best = (0..self.starts.len()).max_by_key(|&at| self.starts[at])?;
-        Some(self.starts.swap_remove(best).1)
-    }
-
-    /// The same where runs are so long, or so many, that each had better be the difference of two sums.
-    fn find_far_starts(&mut self, n: usize, length: usize) {
-        let mut sums = Vec::with_capacity(2 * n + 1);
-        let mut sum = (0i64, 0u32, 0u32);
-        sums.push(sum);
-        for spoke in self.spokes.iter().chain(&self.spokes) {
-            sum.0 = sum.0.wrapping_add(spoke.square);
-            sum.1 += u32::from(!spoke.is_free);
-            sum.2 += u32::from(spoke.is_virtual);
-            sums.push(sum);
-        }
-        for start in 0..n {
-            let (first, end) = (start + 1, start + length);
-            let is_free = sums[end].1 == sums[start].1;
-            if is_free && sums[end].2 == sums[first].2 {
-                let inside = sums[end].0.wrapping_sub(sums[first].0);
-                let ends = self.spokes[start].square.wrapping_add(self.spokes[end % n].square);
-                self.starts.push((ends.wrapping_add(inside).wrapping_add(inside), start as u32));
-            }
-        }
-        self.starts.sort_unstable();
     }
 
     /// A split has been done: the new vertex has A and B, the last two triangles, and so many others.
@@ -489,6 +370,7 @@ mod tests {
 
     use super::*;
     use crate::topology::cutting::close;
+    use crate::topology::surface::NONE;
 
     #[test]
     fn what_is_kept_follows_vertices_to_new_numbers() {
