@@ -8,6 +8,26 @@
 //! [`encode_stream`] writes a stream and [`StreamDecoder`] reads it in pieces of any size. [`GrowingHierarchy`] shows views of what
 //! has come. [`open`] reads `.striata` files whose mesh is a stream, and [`file_model`] stores a stream in such a file.
 //!
+//! # Reading order
+//!
+//! The folders follow what happens to a mesh.
+//!
+//! | folder | what it does |
+//! | --- | --- |
+//! | `format` | what a stream is made of: versions, head, grid, errors, files |
+//! | `entropy` | bits: the range coder and the models that learn |
+//! | `topology` | closed surfaces, and any triangles cut into one |
+//! | `writer` | the way down from the full mesh, and the stream that is written on the way up |
+//! | `reader` | a stream that comes in pieces, and the mesh that each prefix is |
+//! | `refine` | the loop that both of them run, over a base and batches of splits |
+//! | `base` | the mesh that the splits begin with |
+//! | `connectivity` | which vertices split, and which triangles go to the new ones |
+//! | `positions` | where new vertices are |
+//! | `wedges` | which vertices the corners of new triangles show |
+//! | `layers` | the attributes of new vertices |
+//! | `general` | batches of steps that are no splits of a surface |
+//! | `growing` | views of what has come so far |
+//!
 //! # Example
 //! ```
 //! use striata::mesh::shapes;
@@ -28,73 +48,35 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod attributes;
 mod base;
-mod base_coder;
-mod base_hood;
-mod byte_reader;
-mod chunks;
 mod connectivity;
-mod cutting;
-mod decode;
-mod descent;
-mod direction_model;
-mod directions;
-mod encode;
 mod entropy;
-mod error;
-mod facts;
-mod files;
-mod form;
+mod format;
 mod general;
-mod general_order;
-mod general_stage;
-mod grid;
 pub mod growing;
-mod growth;
-mod head;
-mod hidden_wedges;
-mod hood;
-mod layer_history;
-mod layer_hood;
-mod layer_model;
 mod layers;
-mod least_squares;
-mod mixed_number;
-mod number_model;
-mod order;
 mod positions;
-mod prefix;
-mod quick;
-mod quick_cuts;
-mod refiner;
-mod residuals;
-mod ring_fit;
-mod rings;
-mod source;
-mod surface;
-mod surface_stage;
-mod tangents;
-mod truth;
-mod walk;
+mod reader;
+mod refine;
+mod topology;
 mod wedges;
+mod writer;
 
-pub use chunks::BatchDefect;
-pub use decode::{StreamDecoder, StreamUpdate};
-pub use encode::{
+pub use format::error::{DecodeError, StreamDefect};
+pub use format::facts::StreamFacts;
+pub use format::files::{file_model, open, open_cut, open_stream, open_with};
+pub use format::form::{Effort, StreamVersion};
+pub use format::grid::GridError;
+pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
+pub use layers::options::{LayerBitsError, LayerOptions};
+pub use reader::decode::{StreamDecoder, StreamUpdate};
+pub use reader::prefix::PrefixMesh;
+pub use striata::file::STREAM_MAGIC;
+pub use topology::surface::SurfaceDefect;
+pub use writer::defect::{BatchDefect, StepDefect};
+pub use writer::encode::{
     EncodedStream, Precision, SHAPE_STEPS, StreamError, StreamOptions, StreamSizes, encode_stream,
 };
-pub use error::{DecodeError, StreamDefect};
-pub use facts::StreamFacts;
-pub use files::{file_model, open, open_cut, open_stream, open_with};
-pub use form::{Effort, StreamVersion};
-pub use grid::GridError;
-pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
-pub use layers::{LayerBitsError, LayerOptions};
-pub use prefix::PrefixMesh;
-pub use striata::file::STREAM_MAGIC;
-pub use surface::SurfaceDefect;
-pub use surface_stage::StepDefect;
 
 /// The examples of both readmes, compiled with the documentation's tests.
 #[cfg(doctest)]

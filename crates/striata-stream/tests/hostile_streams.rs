@@ -82,8 +82,17 @@ fn put_varint(mut number: u32, out: &mut Vec<u8>) {
 /// Positions, vertices, triangles, steps and most triangles of a patch.
 type Counts = [u32; 5];
 
-/// A head without names, layers and groups; a chunk is what it claims, bytes and splits, and its bytes.
-fn head(effort: u8, counts: Counts, chunks: &[(u32, u32, &[u8])]) -> Vec<u8> {
+/// A chunk as a head lists it.
+struct Listed<'a> {
+    /// How many bytes it claims to have.
+    claimed: u32,
+    /// How many splits it claims to have.
+    splits: u32,
+    bytes: &'a [u8],
+}
+
+/// A head without names, layers and groups.
+fn head(effort: u8, counts: Counts, chunks: &[Listed<'_>]) -> Vec<u8> {
     let mut out = b"\x89STR".to_vec();
     // Efforts from 3 on: version 2, with general batches.
     let (version, flags) = if effort < 3 { (1, 0) } else { (2, 2) };
@@ -95,7 +104,7 @@ fn head(effort: u8, counts: Counts, chunks: &[(u32, u32, &[u8])]) -> Vec<u8> {
     out.extend(1f64.to_le_bytes());
     out.extend([0, 0, 0, 0, 0, 0, 0]);
     put_varint(chunks.len() as u32, &mut out);
-    for &(claimed, splits, bytes) in chunks {
+    for &Listed { claimed, splits, bytes } in chunks {
         put_varint(claimed, &mut out);
         put_varint(splits, &mut out);
         out.extend([0; 2]);
@@ -123,7 +132,10 @@ fn base_of_a_triangle() -> Vec<u8> {
 fn a_head_that_claims_billions_gets_no_memory_for_them() {
     let base = base_of_a_triangle();
     let steps = 3_000_000_000;
-    let chunks = [(base.len() as u32, 0, &base[..]), (steps / 256, steps, &[])];
+    let chunks = [
+        Listed { claimed: base.len() as u32, splits: 0, bytes: &base },
+        Listed { claimed: steps / 256, splits: steps, bytes: &[] },
+    ];
     for effort in 0..6 {
         let mut bytes = head(effort, [3 + steps, 3 + steps, 1, steps, 7], &chunks);
         bytes.extend(&base);
@@ -137,7 +149,10 @@ fn a_head_that_claims_billions_gets_no_memory_for_them() {
 
 /// Vertices that a first chunk gives where the head promises billions; 0 where it is refused.
 fn vertices_of(chunk: &[u8]) -> usize {
-    let chunks = [(chunk.len() as u32, 0, chunk), (16 << 20, 0, &[])];
+    let chunks = [
+        Listed { claimed: chunk.len() as u32, splits: 0, bytes: chunk },
+        Listed { claimed: 16 << 20, splits: 0, bytes: &[] },
+    ];
     let mut bytes = head(1, [3, u32::MAX, 1, 0, 7], &chunks);
     bytes.extend(chunk);
     let mut decoder = StreamDecoder::new();
@@ -182,7 +197,10 @@ fn any_chunks_give_an_error_or_a_mesh() {
             let byte = |_| if random.below(8) < bits { 0 } else { random.below(256) as u8 };
             (0..count).map(byte).collect::<Vec<u8>>()
         });
-        let chunks = [(base.len() as u32, 0, &base[..]), (splits.len() as u32, steps, &splits[..])];
+        let chunks = [
+            Listed { claimed: base.len() as u32, splits: 0, bytes: &base },
+            Listed { claimed: splits.len() as u32, splits: steps, bytes: &splits },
+        ];
         let mut bytes = head((round % 6) as u8, counts, &chunks);
         bytes.extend(&base);
         bytes.extend(&splits);
@@ -297,7 +315,8 @@ fn odd_but_honest_meshes_come_back() {
 #[test]
 fn unknown_flags_and_too_many_layers_are_refused() {
     let base = base_of_a_triangle();
-    let mut bytes = head(1, [3, 3, 1, 0, 0], &[(base.len() as u32, 0, &base[..])]);
+    let mut bytes =
+        head(1, [3, 3, 1, 0, 0], &[Listed { claimed: base.len() as u32, splits: 0, bytes: &base }]);
     bytes.extend(&base);
     StreamDecoder::new().push(&bytes).unwrap();
     bytes[6] = 2;

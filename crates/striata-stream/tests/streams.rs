@@ -358,8 +358,15 @@ fn kept_surface() -> IndexedMesh {
 
 const KEPT: [&str; 4] = ["fast", "default", "small", "exact"];
 
+/// What a stream that is kept was made from.
+struct KeptStream {
+    name: &'static str,
+    mesh: IndexedMesh,
+    options: StreamOptions,
+}
+
 /// The streams that are kept of the present version; the last one has general batches.
-fn kept_streams() -> Vec<(&'static str, IndexedMesh, StreamOptions)> {
+fn kept_streams() -> Vec<KeptStream> {
     let options = StreamOptions::default().with_precision(Precision::Bits(12));
     let all = [
         options.clone().with_effort(Effort::Fast),
@@ -367,8 +374,9 @@ fn kept_streams() -> Vec<(&'static str, IndexedMesh, StreamOptions)> {
         options.clone().with_effort(Effort::Small),
         options.clone().with_precision(Precision::Lossless),
     ];
-    let surfaces = KEPT.into_iter().zip(all).map(|(name, options)| (name, kept_surface(), options));
-    surfaces.chain([("parts", meshes::asset(12, 5), options)]).collect()
+    let surfaces =
+        KEPT.into_iter().zip(all).map(|(name, options)| KeptStream { name, mesh: kept_surface(), options });
+    surfaces.chain([KeptStream { name: "parts", mesh: meshes::asset(12, 5), options }]).collect()
 }
 
 fn path_of_kept(version: StreamVersion, name: &str) -> std::path::PathBuf {
@@ -379,7 +387,7 @@ fn path_of_kept(version: StreamVersion, name: &str) -> std::path::PathBuf {
 /// The files were written by another build, of other optimisation and on another machine than most that run this.
 #[test]
 fn streams_have_the_same_bits_on_every_machine() {
-    for (name, mesh, options) in kept_streams() {
+    for KeptStream { name, mesh, options } in kept_streams() {
         let bytes = std::fs::read(path_of_kept(StreamVersion::Two, name)).expect("a stream that is kept");
         let written = write(&mesh, &options);
         assert!(written.stream.bytes == bytes, "{name}: this build writes another stream");
@@ -419,7 +427,7 @@ fn streams_of_the_first_version_are_still_read() {
 #[test]
 #[ignore = "writes the streams that are kept"]
 fn streams_are_written_anew() {
-    for (name, mesh, options) in kept_streams() {
+    for KeptStream { name, mesh, options } in kept_streams() {
         let path = path_of_kept(StreamVersion::Two, name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(path, write(&mesh, &options).stream.bytes).unwrap();

@@ -7,7 +7,7 @@
 
 use super::patch::{self, Patch};
 use super::ring::{Ring, Spoke};
-use super::softmax::{Choice, SCORE_ONE, exponential, log_sum};
+use super::softmax::{Choice, Offer, SCORE_ONE, exponential, log_sum};
 use crate::entropy::Coder;
 
 /// Most triangles of a run that the model knows; longer ones are told in another way.
@@ -192,8 +192,8 @@ impl CutModel {
             .and_then(|run| self.runs.iter().position(|r| (r.first as usize, r.length as usize) == run));
         debug_assert!(C::READS || actual.is_some(), "the run that splits off is not one of those that can");
         let guesses = if looks_closely { 3 } else { 1 };
-        let weights = (self.powers.as_mut_slice(), self.total, guesses);
-        let chosen = self.choice.code(coder, weights, actual.unwrap_or(0));
+        let offer = Offer { weights: &mut self.powers, total: self.total, guesses };
+        let chosen = self.choice.code(coder, offer, actual.unwrap_or(0));
         self.learn(chosen);
         self.height += (ring.height - self.height) >> 5;
         let run = self.runs[chosen];

@@ -5,7 +5,7 @@
 //! a part for its length. A run is told by two symbols, its length and then its beginning, both with the shares that the
 //! exponentials of scores come to. All weights then move along the gradient.
 
-use super::super::quick_cuts::MOST;
+use super::quick_cuts::MOST;
 use super::ring::{cross, dot, dot_wide, log2_wide, mean};
 use super::softmax::{SCORE_ONE, exponential};
 use crate::entropy::{Coder, QuickShares, log2_q8};
@@ -34,17 +34,17 @@ const LEAST_HEIGHT: i32 = -512;
 
 /// An edge from the vertex that splits, and the triangle behind it, counter-clockwise.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in super::super) struct Spoke {
+pub(crate) struct Spoke {
     /// To its end; zeros if that is virtual.
-    pub(in super::super) step: [i32; 3],
+    pub(crate) step: [i32; 3],
     /// Triangles around its end, once all splits that are known are done.
-    pub(in super::super) valence: u8,
+    pub(crate) valence: u8,
     /// Four times the age of its end in batches, up to 3, and what became of it: not asked, stays, splits, new.
-    pub(in super::super) past: u8,
+    pub(crate) past: u8,
     /// Whether its end stands for a boundary loop.
-    pub(in super::super) is_virtual: bool,
+    pub(crate) is_virtual: bool,
     /// Whether the triangle may go to the new vertex.
-    pub(in super::super) is_free: bool,
+    pub(crate) is_free: bool,
 }
 
 /// What one edge and the triangle behind it are looked up by, and what they bring.
@@ -59,7 +59,7 @@ struct Side {
 
 /// The model, with scratch memory.
 #[derive(Clone, Debug)]
-pub(in super::super) struct LearnedCuts {
+pub(crate) struct LearnedCuts {
     /// As an end, and within a run.
     edges: [[i32; 2]; EDGE_WEIGHTS],
     triangles: [i32; TRIANGLE_WEIGHTS],
@@ -80,9 +80,22 @@ pub(in super::super) struct LearnedCuts {
     by_length: [u32; MOST],
 }
 
+/// A cut that was chosen.
+#[derive(Clone, Copy)]
+struct Choice {
+    /// Triangles around the vertex.
+    n: usize,
+    /// Those that it will have with all splits that are known.
+    planned: usize,
+    /// The most that a cut may take.
+    most: usize,
+    start: usize,
+    length: usize,
+}
+
 impl LearnedCuts {
     /// Nothing learned.
-    pub(in super::super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             edges: [[0; 2]; EDGE_WEIGHTS],
             triangles: [0; TRIANGLE_WEIGHTS],
@@ -100,7 +113,7 @@ impl LearnedCuts {
 
     /// Codes where the run of a cut begins and its length, among at most [`MOST`] edges and two at least, around a vertex that
     /// will have `planned` triangles before it splits; none where a damaged stream tells of a run that is not free.
-    pub(in super::super) fn code<C: Coder>(
+    pub(crate) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
         spokes: &mut [Spoke],
@@ -128,7 +141,7 @@ impl LearnedCuts {
         if starts >> start & 1 == 0 {
             return None;
         }
-        self.learn((n, planned, most), inverse, (start, length));
+        self.learn(Choice { n, planned, most, start, length }, inverse);
         self.height += (height - self.height) >> 5;
         Some((start, length))
     }
@@ -246,7 +259,8 @@ impl LearnedCuts {
     }
 
     /// Moves all weights along the gradient; `inverse` is that of the sum of all exponentials.
-    fn learn(&mut self, (n, planned, most): (usize, usize, usize), inverse: u64, chosen: (usize, usize)) {
+    fn learn(&mut self, chosen: Choice, inverse: u64) {
+        let Choice { n, planned, most, .. } = chosen;
         let rate = if self.splits < 32 * 42 {
             self.splits += 1;
             (8 * FIRST_RATE / (8 + self.splits / 32)).max(LAST_RATE)
@@ -265,15 +279,15 @@ impl LearnedCuts {
                 ends[at + length] -= part;
                 pushes -= part;
             }
-            if length == chosen.1 {
+            if length == chosen.length {
                 pushes += 1 << 16;
             }
             let step = (pushes * rate) >> 14;
             turn(&mut self.counts[n][length], step);
             turn(&mut self.remains[remain(planned, length)], step);
         }
-        begins[chosen.0] += 1 << 16;
-        ends[chosen.0 + chosen.1] += 1 << 16;
+        begins[chosen.start] += 1 << 16;
+        ends[chosen.start + chosen.length] += 1 << 16;
         // Runs that go past the last edge cover the first triangles from the beginning.
         let mut cover = ends[n..2 * n].iter().sum::<i32>();
         for (at, side) in self.sides[..n].iter().enumerate() {

@@ -3,8 +3,8 @@
 //! Splits are some seven times rarer than vertices that are asked. So each split tells all around it, and a vertex that is
 //! asked has a few bytes to look at.
 
-use super::super::surface::Surface;
 use super::ring::Ring;
+use crate::topology::surface::Surface;
 
 /// One vertex.
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +89,7 @@ impl Memory {
     }
 
     /// The surface has been built anew between two batches: here is the old number of each vertex, or
-    /// [`NONE`](super::super::surface::NONE). How old vertices are is forgotten: that is told by their numbers.
+    /// [`NONE`](crate::topology::surface::NONE). How old vertices are is forgotten: that is told by their numbers.
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         self.traces = old_of_new.iter().map(|&old| self.trace(old)).collect();
         self.begins = [old_of_new.len() as u32; 3];

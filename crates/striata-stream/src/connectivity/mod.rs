@@ -9,7 +9,12 @@
 //! | file | what it does |
 //! | --- | --- |
 //! | `memory.rs` | [`Memory`]: what is kept with a vertex from batch to batch |
-//! | `ring.rs` | [`Ring`]: what is seen around a vertex |
+//! | `quick.rs` | [`quick::QuickModel`]: flags and cuts where time matters most |
+//! | `chain_cuts.rs` | cuts as chains of decisions |
+//! | `quick_cuts.rs` | cuts as two symbols |
+//! | `scene.rs` | [`Scene`]: what both sides know when a vertex is asked |
+//! | `ring.rs` | [`Ring`]: what is measured around a vertex |
+//! | `gather.rs` | who is around it |
 //! | `patch.rs` | what is seen of a run of triangles as a whole |
 //! | `cuts.rs` | [`CutModel`]: scores of runs, and how they are learned |
 //! | `learned.rs` | [`LearnedCuts`]: the same in less time, for effort default of the second version |
@@ -18,12 +23,17 @@
 //!
 //! All models hold integers, and look only at what has been decoded.
 
+mod chain_cuts;
 mod cuts;
 mod flags;
+mod gather;
 mod learned;
 mod memory;
 mod patch;
+pub(crate) mod quick;
+mod quick_cuts;
 mod ring;
+mod scene;
 mod softmax;
 
 #[cfg(test)]
@@ -32,34 +42,12 @@ mod tests;
 use cuts::{CutModel, LONGEST};
 use flags::{FlagModel, Question};
 
-use super::form::Effort;
-use super::surface::{Cut, Surface, next, triangle_of};
-use super::walk::Walk;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-pub(super) use learned::{LearnedCuts, Spoke};
+use crate::format::form::Effort;
+use crate::topology::surface::{Cut, Surface, next, triangle_of};
 use memory::{Memory, Trace};
 use ring::Ring;
-
-/// What both sides know when a vertex is asked whether it splits.
-pub(super) struct Scene<'a> {
-    /// The surface, with the splits of earlier stretches done. Triangles that no other split of the batch may have are
-    /// marked with the batch.
-    pub(super) surface: &'a Surface,
-    /// Grid coordinates of all vertices but virtual ones.
-    pub(super) places: &'a [[i32; 3]],
-    /// What has become of other vertices in this batch.
-    pub(super) walk: &'a Walk,
-    /// Most triangles that a new vertex takes over.
-    pub(super) max_patch: u32,
-}
-
-impl Scene<'_> {
-    /// True where a triangle cannot go to a new vertex any more in this batch.
-    #[inline]
-    pub(super) fn is_taken(&self, triangle: u32) -> bool {
-        self.surface.mark(triangle) == self.walk.batch()
-    }
-}
+pub(crate) use scene::Scene;
 
 /// Contexts of flags that are read off what is remembered, and off the ring; one more input is no context.
 const REMEMBERED: usize = 7;
@@ -105,9 +93,8 @@ impl ConnectivityModel {
         }
     }
 
-    /// Told when a batch begins; `end` is the number of vertices, all with places.
-    pub(super) fn begin_batch(&mut self, surface: &Surface, end: u32) {
-        debug_assert_eq!(surface.vertex_count(), end as usize);
+    /// A batch begins; all vertices have places.
+    pub(super) fn begin_batch(&mut self, surface: &Surface) {
         self.memory.begin_batch(surface);
     }
 
@@ -117,7 +104,7 @@ impl ConnectivityModel {
     }
 
     /// The surface has been built anew between two batches: here is the old number of each vertex, or
-    /// [`NONE`](super::surface::NONE).
+    /// [`NONE`](crate::topology::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         self.memory.renumber(old_of_new);
     }

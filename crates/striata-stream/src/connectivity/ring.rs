@@ -3,10 +3,6 @@
 //! Measures are logarithms to base 2 in 1/256, of squares, since roots and quotients are then free. Steps to neighbours are
 //! shifted down to 13 bits where they are longer, so that products stay small.
 
-use super::super::surface::{next, triangle_of};
-use super::super::walk::Fate;
-use super::Scene;
-use super::memory::Memory;
 use crate::entropy::log2_q8;
 
 /// An edge from the vertex, and the triangle behind it, counter-clockwise.
@@ -62,7 +58,7 @@ pub(super) struct Ring {
     /// Mean of the heights.
     pub(super) height: i32,
     /// All bits of the steps, as long as they are not shifted.
-    reach: u32,
+    pub(super) reach: u32,
     /// Bits by which steps were shifted down.
     shift: i32,
 }
@@ -115,68 +111,6 @@ pub(super) fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
 }
 
 impl Ring {
-    /// Looks who is around a vertex, and where: all that has to be waited for, in one go.
-    pub(super) fn gather(&mut self, scene: &Scene<'_>, memory: &Memory, (vertex, corners): (u32, &[u32])) {
-        let here = scene.places[vertex as usize];
-        self.reach = 0;
-        self.spokes.clear();
-        self.fates = [0; 4];
-        self.young = 0;
-        self.free = 0;
-        let mut density = 0;
-        for &corner in corners {
-            let vertex = scene.surface.vertex(next(corner));
-            let is_taken = scene.is_taken(triangle_of(corner));
-            self.free += usize::from(!is_taken);
-            let mut spoke = Spoke { vertex, is_taken, ..Spoke::default() };
-            if scene.surface.is_virtual(vertex) {
-                (spoke.is_virtual, spoke.fate, spoke.age, spoke.valence) = (true, 1, 3, 9);
-            } else {
-                let fate = scene.walk.fate(vertex);
-                let trace = memory.trace(vertex);
-                spoke.fate = match fate {
-                    Fate::Open => 0,
-                    Fate::Stays => 1,
-                    Fate::Splits => 2,
-                    Fate::New => 3,
-                };
-                spoke.age = memory.age(vertex);
-                spoke.valence = trace.valence;
-                // Vertices made in this stretch have no place yet, and are not met.
-                let place = scene.places.get(vertex as usize).copied().unwrap_or(here);
-                spoke.step = std::array::from_fn(|a| place[a].wrapping_sub(here[a]));
-                self.reach |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());
-                self.fates[usize::from(spoke.fate & 3)] += 1;
-                self.young += usize::from(spoke.age == 1);
-                if matches!(fate, Fate::Stays | Fate::Splits) {
-                    density += i64::from(trace.density);
-                }
-            }
-            self.spokes.push(spoke);
-        }
-        let asked = self.fates[1] + self.fates[2];
-        self.density = if asked == 0 { memory.share() } else { mean(density, asked) };
-        self.free_run = self.longest_free_run();
-    }
-
-    fn longest_free_run(&self) -> usize {
-        if self.free == self.spokes.len() {
-            return self.free;
-        }
-        let (mut longest, mut run, mut first) = (0, 0, None);
-        for spoke in &self.spokes {
-            if spoke.is_taken {
-                longest = longest.max(run);
-                first = first.or(Some(run));
-                run = 0;
-            } else {
-                run += 1;
-            }
-        }
-        // The last run goes on in the first.
-        longest.max(run + first.unwrap_or(0))
-    }
-
     /// Measures what [`gather`](Self::gather) found.
     pub(super) fn measure(&mut self) {
         self.shift = (32 - STEP_BITS - self.reach.leading_zeros() as i32).max(0);
@@ -244,9 +178,12 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::walk::{Walk, WalkOrder};
+    use super::super::memory::Memory;
+    use super::super::scene::Scene;
     use super::super::tests::surface_of;
     use super::*;
+    use crate::refine::walk::{Walk, WalkOrder};
+    use crate::topology::surface::triangle_of;
 
     #[test]
     fn a_flat_hexagon_is_seen_as_one() {

@@ -50,18 +50,27 @@ pub(super) struct Choice {
     refiner: Refiner,
 }
 
+/// What there is to choose from.
+pub(super) struct Offer<'a> {
+    /// How likely each index is.
+    pub(super) weights: &'a mut [u32],
+    /// The sum of these.
+    pub(super) total: u64,
+    /// How many of the likeliest are asked for first.
+    pub(super) guesses: usize,
+}
+
 impl Choice {
     /// Nothing learned.
     pub(super) fn new() -> Self {
         Self { refiner: Refiner::new(GUESSES * 3) }
     }
 
-    /// Codes an index into weights, given with their sum and how many of the likeliest are asked for first. The weights are
-    /// the same in the end.
+    /// Codes an index into weights, which are the same in the end.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        (weights, total, guesses): (&mut [u32], u64, usize),
+        Offer { weights, total, guesses }: Offer<'_>,
         actual: usize,
     ) -> usize {
         let mut left = total;
@@ -177,7 +186,10 @@ mod tests {
                 let chosen = chosen.unwrap();
                 information -= (f64::from(weights[chosen]) / total as f64).log2();
                 let mut changing = weights.clone();
-                assert_eq!(choice.code(&mut writer, (&mut changing, total, guesses), chosen), chosen);
+                assert_eq!(
+                    choice.code(&mut writer, Offer { weights: &mut changing, total, guesses }, chosen),
+                    chosen
+                );
                 assert_eq!(changing, weights);
                 message.push((weights, total, chosen));
             }
@@ -185,7 +197,10 @@ mod tests {
             assert!((bytes.len() as f64 * 8.0) < information * 1.01, "{} for {information}", bytes.len() * 8);
             let (mut reader, mut choice) = (RangeReader::new(&bytes, true), Choice::new());
             for (mut weights, total, chosen) in message {
-                assert_eq!(choice.code(&mut reader, (&mut weights, total, guesses), 0), chosen);
+                assert_eq!(
+                    choice.code(&mut reader, Offer { weights: &mut weights, total, guesses }, 0),
+                    chosen
+                );
             }
         }
     }

@@ -2,10 +2,10 @@
 
 use striata::mesh::{IndexedMesh, Random, shapes};
 
-use super::super::surface::{Surface, previous};
-use super::super::walk::WalkOrder;
 use super::*;
 use crate::entropy::{RangeReader, RangeWriter};
+use crate::refine::walk::{Walk, WalkOrder};
+use crate::topology::surface::{Surface, previous};
 
 const MAX_PATCH: u32 = 15;
 
@@ -33,7 +33,7 @@ impl World {
         mut choose: impl FnMut(&Scene<'_>, u32) -> Option<Cut>,
     ) -> Vec<Cut> {
         self.walk.begin(&self.surface);
-        self.model.begin_batch(&self.surface, self.walk.end());
+        self.model.begin_batch(&self.surface);
         let (mut all, mut pending) = (Vec::new(), Vec::new());
         loop {
             let vertex = self.walk.next_vertex();
@@ -122,7 +122,7 @@ fn double_cone(side_count: u32) -> IndexedMesh {
 }
 
 fn closed(mesh: &IndexedMesh) -> (Surface, Vec<[i32; 3]>) {
-    let closed = super::super::cutting::close(&mesh.triangles, mesh.positions.len());
+    let closed = crate::topology::cutting::close(&mesh.triangles, mesh.positions.len());
     let virtual_places = (0..closed.surface.virtual_count()).map(|_| [0; 3]);
     let places =
         closed.vertex_of_copy.iter().map(|&v| mesh.positions[v as usize].map(|x| (x * 900.0) as i32));
@@ -130,19 +130,21 @@ fn closed(mesh: &IndexedMesh) -> (Surface, Vec<[i32; 3]>) {
     (closed.surface, places)
 }
 
-fn write(
-    surface: &Surface,
-    places: &[[i32; 3]],
-    effort: Effort,
-    seed: u64,
-) -> (Vec<u8>, Vec<Vec<Cut>>, World) {
+/// What a writer made of random splits.
+struct Written {
+    bytes: Vec<u8>,
+    batches: Vec<Vec<Cut>>,
+    world: World,
+}
+
+fn write(surface: &Surface, places: &[[i32; 3]], effort: Effort, seed: u64) -> Written {
     let mut random = Random::new(seed);
     let mut world = World::new(surface.clone(), places.to_vec(), effort);
     let mut writer = RangeWriter::new();
     let batches = (0..7)
         .map(|_| world.batch(&mut writer, |scene, vertex| random_cut(scene, vertex, &mut random)))
         .collect();
-    (writer.finish().0, batches, world)
+    Written { bytes: writer.finish().0, batches, world }
 }
 
 #[test]
@@ -152,7 +154,7 @@ fn random_splits_come_back() {
     for (seed, mesh) in meshes.iter().enumerate() {
         let (surface, places) = closed(mesh);
         for effort in [Effort::Default, Effort::Small] {
-            let (bytes, batches, world) = write(&surface, &places, effort, seed as u64);
+            let Written { bytes, batches, world } = write(&surface, &places, effort, seed as u64);
             assert!(batches.iter().all(|batch| batch.len() > 2), "next to nothing splits");
             assert!(batches.iter().flatten().any(|cut| cut.length as usize > LONGEST) || seed > 0);
             let mut reader = RangeReader::new(&bytes, true);
@@ -169,7 +171,7 @@ fn random_splits_come_back() {
 fn memory_knows_what_is_around() {
     let (surface, places) = closed(&shapes::grid(6, 5));
     for effort in [Effort::Default, Effort::Small] {
-        let (_, _, world) = write(&surface, &places, effort, 8);
+        let Written { world, .. } = write(&surface, &places, effort, 8);
         for vertex in world.surface.virtual_count()..world.surface.vertex_count() as u32 {
             let valence = world.surface.ring(vertex).count();
             let free = world.surface.ring(vertex);
@@ -188,7 +190,7 @@ fn memory_knows_what_is_around() {
 fn streams_are_the_same_everywhere() {
     let (surface, places) = closed(&shapes::grid(9, 7));
     let found = [Effort::Default, Effort::Small].map(|effort| {
-        let (bytes, ..) = write(&surface, &places, effort, 3);
+        let Written { bytes, .. } = write(&surface, &places, effort, 3);
         (bytes.len(), crc32fast::hash(&bytes))
     });
     assert_eq!(found, [(217, 131_253_625), (204, 4_022_687_919)]);
@@ -248,7 +250,7 @@ fn regular_splits_become_cheap() {
 #[test]
 fn traces_follow_their_vertices_to_new_numbers() {
     let (surface, places) = closed(&shapes::grid(6, 5));
-    let (_, _, mut world) = write(&surface, &places, Effort::Default, 8);
+    let Written { mut world, .. } = write(&surface, &places, Effort::Default, 8);
     let count = world.surface.vertex_count() as u32;
     let memory = &mut world.model.memory;
     memory.begin_batch(&world.surface);
@@ -257,7 +259,7 @@ fn traces_follow_their_vertices_to_new_numbers() {
     let old_of_new: Vec<u32> = (0..count)
         .map(|v| match v {
             3 => 5,
-            4 => super::super::surface::NONE,
+            4 => crate::topology::surface::NONE,
             5 => 3,
             _ => v,
         })

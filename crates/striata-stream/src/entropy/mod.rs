@@ -17,10 +17,12 @@
 //! | `symbol.rs` | [`AdaptiveSymbol`]: one of sixteen at once |
 //! | `quick_symbol.rs` | [`QuickSymbol`]: the same in 16-bit lanes |
 //! | `number.rs` | [`AdaptiveNumber`]: integers of any size |
+//! | `mixed_number.rs` | [`MixedNumber`]: the same under several contexts at once |
 
 mod adaptive;
 mod coder;
 mod logistic;
+mod mixed_number;
 mod mixer;
 mod number;
 mod quick_symbol;
@@ -31,6 +33,7 @@ mod wide_mixer;
 pub(crate) use adaptive::{AdaptiveBit, Rate};
 pub(crate) use coder::{Coder, PART_COUNT, Part, QuickShares};
 pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
+pub(crate) use mixed_number::MixedNumber;
 pub(crate) use mixer::{Mixer, Refiner};
 pub(crate) use number::{AdaptiveNumber, code_uniform};
 pub(crate) use quick_symbol::{QuickSymbol, code_by_two, code_shares};

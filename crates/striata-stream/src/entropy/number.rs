@@ -4,18 +4,55 @@
 //! two bits below the first are learned for each bucket; the rest is as good as noise. A small context chooses among
 //! independent sets of probabilities.
 
+use super::adaptive::{AdaptiveBit, Rate};
 use super::coder::Coder;
-use super::{AdaptiveBit, Rate};
 
-/// What is learned about numbers in one context.
-#[derive(Clone, Copy, Debug)]
-struct Learned {
-    is_zero: AdaptiveBit,
-    is_negative: AdaptiveBit,
-    /// Whether the number lies above each bucket.
-    is_above: [AdaptiveBit; 31],
-    /// The two bits below the first, for each bucket.
-    top_bits: [[AdaptiveBit; 3]; 32],
+/// Decisions there are: zero, sign, 31 buckets, 3 for the top bits of each.
+pub(super) const NODES: usize = 2 + 31 + 32 * 3;
+const ZERO: usize = 0;
+const SIGN: usize = 1;
+const ABOVE: usize = 2;
+const TOP: usize = 33;
+
+/// What makes the decisions that a number is a chain of.
+pub(super) trait Decisions {
+    /// Codes the decision of a node.
+    fn decide<C: Coder>(&mut self, coder: &mut C, node: usize, bit: bool) -> bool;
+}
+
+/// Codes a number of either sign.
+#[inline]
+pub(super) fn code_signed<C: Coder>(coder: &mut C, decisions: &mut impl Decisions, value: i32) -> i32 {
+    if decisions.decide(coder, ZERO, value == 0) {
+        return 0;
+    }
+    let is_negative = decisions.decide(coder, SIGN, value < 0);
+    let magnitude = code_magnitude(coder, decisions, value.unsigned_abs()) as i32;
+    if is_negative { magnitude.wrapping_neg() } else { magnitude }
+}
+
+/// Codes a number above zero.
+#[inline]
+fn code_magnitude<C: Coder>(coder: &mut C, decisions: &mut impl Decisions, value: u32) -> u32 {
+    let meant = value.max(1).ilog2();
+    let mut bucket = 0;
+    while bucket < 31 && decisions.decide(coder, ABOVE + bucket as usize, meant > bucket) {
+        bucket += 1;
+    }
+    let mut decoded = 1;
+    let top_count = bucket.min(2);
+    for taken in 1..=top_count {
+        let node = TOP + 3 * bucket as usize + decoded as usize - 1;
+        let bit = decisions.decide(coder, node, value >> (bucket - taken) & 1 != 0);
+        decoded = decoded << 1 | u32::from(bit);
+    }
+    let mut left = bucket - top_count;
+    while left > 0 {
+        let bits = left.min(24);
+        left -= bits;
+        decoded = decoded << bits | coder.raw(value >> left, bits);
+    }
+    decoded
 }
 
 /// Codes integers of up to 32 bits; small ones are cheap, and what is frequent gets cheaper.
@@ -24,55 +61,32 @@ pub(crate) struct AdaptiveNumber {
     contexts: Vec<Learned>,
 }
 
+/// What is learned about numbers in one context.
+#[derive(Clone, Copy, Debug)]
+struct Learned([AdaptiveBit; NODES]);
+
+impl Decisions for Learned {
+    #[inline]
+    fn decide<C: Coder>(&mut self, coder: &mut C, node: usize, bit: bool) -> bool {
+        self.0[node].code(coder, bit)
+    }
+}
+
 impl AdaptiveNumber {
     /// Nothing learned in any of the contexts.
     pub(crate) fn new(context_count: usize, rate: Rate) -> Self {
-        let bit = AdaptiveBit::new(rate);
-        let learned =
-            Learned { is_zero: bit, is_negative: bit, is_above: [bit; 31], top_bits: [[bit; 3]; 32] };
-        Self { contexts: vec![learned; context_count.max(1)] }
+        Self { contexts: vec![Learned([AdaptiveBit::new(rate); NODES]); context_count.max(1)] }
     }
 
     /// Codes a number of either sign.
     pub(crate) fn signed<C: Coder>(&mut self, coder: &mut C, context: usize, value: i32) -> i32 {
-        let learned = &mut self.contexts[context];
-        if learned.is_zero.code(coder, value == 0) {
-            return 0;
-        }
-        let is_negative = learned.is_negative.code(coder, value < 0);
-        let magnitude = learned.magnitude(coder, value.unsigned_abs()) as i32;
-        if is_negative { magnitude.wrapping_neg() } else { magnitude }
+        code_signed(coder, &mut self.contexts[context], value)
     }
 
     /// Codes a number without sign.
     pub(crate) fn unsigned<C: Coder>(&mut self, coder: &mut C, context: usize, value: u32) -> u32 {
         let learned = &mut self.contexts[context];
-        if learned.is_zero.code(coder, value == 0) { 0 } else { learned.magnitude(coder, value) }
-    }
-}
-
-impl Learned {
-    /// Codes a number above zero.
-    fn magnitude<C: Coder>(&mut self, coder: &mut C, value: u32) -> u32 {
-        let meant = value.max(1).ilog2();
-        let mut bucket = 0;
-        while bucket < 31 && self.is_above[bucket as usize].code(coder, meant > bucket) {
-            bucket += 1;
-        }
-        let mut decoded = 1;
-        let top_count = bucket.min(2);
-        for taken in 1..=top_count {
-            let top_bits = &mut self.top_bits[bucket as usize];
-            let bit = top_bits[decoded as usize - 1].code(coder, value >> (bucket - taken) & 1 != 0);
-            decoded = decoded << 1 | u32::from(bit);
-        }
-        let mut left = bucket - top_count;
-        while left > 0 {
-            let bits = left.min(24);
-            left -= bits;
-            decoded = decoded << bits | coder.raw(value >> left, bits);
-        }
-        decoded
+        if learned.decide(coder, ZERO, value == 0) { 0 } else { code_magnitude(coder, learned, value) }
     }
 }
 

@@ -97,6 +97,16 @@ impl RangeWriter {
             self.range <<= 32;
         }
     }
+
+    /// Goes on with a share of the interval: from where to where it reaches, in units; no end means that of the interval.
+    #[inline]
+    fn narrow(&mut self, unit: u64, (begin, end): (u64, Option<u64>)) {
+        let low = unit * begin;
+        let high = end.map_or(self.range, |end| unit * end);
+        self.raise(low);
+        self.range = high - low;
+        self.move_on();
+    }
 }
 
 impl Coder for RangeWriter {
@@ -128,23 +138,15 @@ impl Coder for RangeWriter {
 
     #[inline]
     fn symbol(&mut self, meant: usize, begins: &Shares) -> usize {
-        let unit = self.range >> 16;
-        let low = unit * begins[meant] as u64;
-        let high = begins.get(meant + 1).map_or(self.range, |&end| unit * end as u64);
-        self.raise(low);
-        self.range = high - low;
-        self.move_on();
+        let end = begins.get(meant + 1).map(|&end| end as u64);
+        self.narrow(self.range >> 16, (begins[meant] as u64, end));
         meant
     }
 
     #[inline]
     fn quick_symbol(&mut self, meant: usize, begins: &QuickShares) -> usize {
-        let unit = self.range >> 15;
-        let low = unit * begins[meant] as u64;
-        let high = begins.get(meant + 1).map_or(self.range, |&end| unit * end as u64);
-        self.raise(low);
-        self.range = high - low;
-        self.move_on();
+        let end = begins.get(meant + 1).map(|&end| end as u64);
+        self.narrow(self.range >> 15, (begins[meant] as u64, end));
         meant
     }
 
@@ -223,6 +225,19 @@ impl<'a> RangeReader<'a> {
             self.take_word();
         }
     }
+
+    /// Goes on with a share of the interval: from where to where it reaches, in units; no end means that of the interval.
+    #[inline]
+    fn narrow(&mut self, unit: u64, (begin, end): (u64, Option<u64>)) {
+        let low = unit * begin;
+        let high = end.map_or(self.range, |end| unit * end);
+        if self.doubt != 0 {
+            self.look_out(high);
+        }
+        self.value = self.value.saturating_sub(low);
+        self.range = high - low;
+        self.move_on();
+    }
 }
 
 impl Coder for RangeReader<'_> {
@@ -267,14 +282,8 @@ impl Coder for RangeReader<'_> {
         let place = (self.value / unit).min(65_535) as i32;
         let above = begins.iter().map(|&begin| i32::from(begin <= place)).sum::<i32>() as usize;
         let symbol = above.saturating_sub(1);
-        let low = unit * begins[symbol] as u64;
-        let high = begins.get(symbol + 1).map_or(self.range, |&end| unit * end as u64);
-        if self.doubt != 0 {
-            self.look_out(high);
-        }
-        self.value = self.value.saturating_sub(low);
-        self.range = high - low;
-        self.move_on();
+        let end = begins.get(symbol + 1).map(|&end| end as u64);
+        self.narrow(unit, (begins[symbol] as u64, end));
         symbol
     }
 
@@ -283,14 +292,8 @@ impl Coder for RangeReader<'_> {
         let unit = self.range >> 15;
         // What rounding leaves above belongs to the last symbol.
         let symbol = symbol_at(begins, (self.value / unit).min(32_767) as i16);
-        let low = unit * begins[symbol & 15] as u64;
-        let high = begins.get(symbol + 1).map_or(self.range, |&end| unit * end as u64);
-        if self.doubt != 0 {
-            self.look_out(high);
-        }
-        self.value = self.value.saturating_sub(low);
-        self.range = high - low;
-        self.move_on();
+        let end = begins.get(symbol + 1).map(|&end| end as u64);
+        self.narrow(unit, (begins[symbol & 15] as u64, end));
         symbol
     }
 

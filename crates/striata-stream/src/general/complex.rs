@@ -3,11 +3,11 @@
 //! A general step may happen anywhere: at edges of many triangles, at a position that two parts share, at one that has no triangle at all. So
 //! nothing is asked of the triangles here but that each names its three positions.
 
-use super::super::surface::NONE;
+use crate::topology::surface::NONE;
 
 /// Corners by position. Corner `i` of triangle `t` is `3 t + i`.
 #[derive(Clone, Debug, Default)]
-pub(in super::super) struct Complex {
+pub(crate) struct Complex {
     /// The first corner at each position.
     first: Vec<u32>,
     /// The next corner at the same position.
@@ -18,7 +18,7 @@ pub(in super::super) struct Complex {
 
 impl Complex {
     /// Triangles over so many positions.
-    pub(in super::super) fn new(triangles: &[[u32; 3]], position_count: usize) -> Self {
+    pub(crate) fn new(triangles: &[[u32; 3]], position_count: usize) -> Self {
         let mut complex = Self { first: vec![NONE; position_count], ..Self::default() };
         complex.next.reserve(3 * triangles.len());
         complex.positions.reserve(3 * triangles.len());
@@ -27,28 +27,28 @@ impl Complex {
     }
 
     /// Positions.
-    pub(in super::super) fn position_count(&self) -> usize {
+    pub(crate) fn position_count(&self) -> usize {
         self.first.len()
     }
 
     /// The positions of a triangle.
-    pub(in super::super) fn triangle(&self, triangle: u32) -> [u32; 3] {
+    pub(crate) fn triangle(&self, triangle: u32) -> [u32; 3] {
         let at = 3 * triangle as usize;
         [self.positions[at], self.positions[at + 1], self.positions[at + 2]]
     }
 
     /// The positions of all triangles.
-    pub(in super::super) fn triangles(&self) -> Vec<[u32; 3]> {
+    pub(crate) fn triangles(&self) -> Vec<[u32; 3]> {
         self.positions.as_chunks::<3>().0.to_vec()
     }
 
     /// Adds a position without triangles.
-    pub(in super::super) fn push_position(&mut self) {
+    pub(crate) fn push_position(&mut self) {
         self.first.push(NONE);
     }
 
     /// Adds a triangle.
-    pub(in super::super) fn push_triangle(&mut self, positions: [u32; 3]) {
+    pub(crate) fn push_triangle(&mut self, positions: [u32; 3]) {
         for position in positions {
             let corner = self.positions.len() as u32;
             self.positions.push(position);
@@ -57,7 +57,7 @@ impl Complex {
     }
 
     /// The corners at a position.
-    pub(in super::super) fn corners(&self, position: u32) -> impl Iterator<Item = u32> + '_ {
+    pub(crate) fn corners(&self, position: u32) -> impl Iterator<Item = u32> + '_ {
         let begin = Some(self.first[position as usize]).filter(|&corner| corner != NONE);
         std::iter::successors(begin, |&corner| {
             Some(self.next[corner as usize]).filter(|&corner| corner != NONE)
@@ -65,13 +65,13 @@ impl Complex {
     }
 
     /// The two other positions of a corner's triangle, in its order.
-    pub(in super::super) fn edge(&self, corner: u32) -> [u32; 2] {
+    pub(crate) fn edge(&self, corner: u32) -> [u32; 2] {
         let (t, i) = (corner / 3 * 3, corner % 3);
         [(i + 1) % 3, (i + 2) % 3].map(|j| self.positions[(t + j) as usize])
     }
 
     /// Moves some of the corners at a position, given in the order of [`Self::corners`], to the last position.
-    pub(in super::super) fn move_to_last(&mut self, from: u32, moved: &[u32]) {
+    pub(crate) fn move_to_last(&mut self, from: u32, moved: &[u32]) {
         let to = self.first.len() as u32 - 1;
         let mut rest = moved.iter().copied().peekable();
         let mut here = self.first[from as usize];

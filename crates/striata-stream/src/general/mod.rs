@@ -16,15 +16,15 @@ mod complex;
 mod model;
 mod shown;
 mod stage;
-mod step;
+pub(crate) mod step;
 
 use model::GeneralModel;
 use shown::ShownModel;
 
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate};
 
-pub(super) use complex::Complex;
-pub(super) use step::{Born, CodedStep, KnownBorn, KnownStep};
+use complex::Complex;
+use step::CodedStep;
 
 /// What a refinement with general batches keeps beside its surface.
 #[derive(Clone, Debug)]

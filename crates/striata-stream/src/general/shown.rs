@@ -1,21 +1,31 @@
 //! Which vertices the corners around a general step's new position show, and which groups its triangles are in.
 //!
-//! As at a split of the surface (`wedges.rs`), all is asked as "is it the one that one would expect?".
+//! As at a split of the surface (`wedges/model.rs`), all is asked as "is it the one that one would expect?".
 
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::super::growth::Growth;
-use super::super::surface::NONE;
-use super::super::wedges::WedgeModel;
 use super::complex::Complex;
 use super::step::{CodedStep, KnownBorn, KnownStep};
 use crate::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
+use crate::refine::growth::Growth;
+use crate::topology::surface::NONE;
+use crate::wedges::model::WedgeModel;
 
 /// Guesses for one corner.
 const GUESSES: usize = 3;
 /// Wedges of one target that are asked for one by one.
 const ASKED_ALONE: usize = 3;
+
+/// What is there before a step.
+pub(super) struct Before<'a> {
+    /// The triangles.
+    pub(super) complex: &'a Complex,
+    /// The mesh.
+    pub(super) growth: &'a Growth,
+    /// How many vertices more than one the new position may have.
+    pub(super) most_beyond: u64,
+}
 
 /// Models of wedges and groups at general steps.
 #[derive(Clone, Debug)]
@@ -74,11 +84,11 @@ impl ShownModel {
         all.start + code_uniform(coder, all.len() as u32, meant.wrapping_sub(all.start))
     }
 
-    /// Codes all that corners show, where it is not one vertex for each position; at most `most_beyond` vertices more than one.
+    /// Codes all that corners show, where it is not one vertex for each position.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        (complex, growth, most_beyond): (&Complex, &Growth, u64),
+        Before { complex, growth, most_beyond }: Before<'_>,
         (meant, out): (Option<&KnownStep>, &mut CodedStep),
         wedges: &mut WedgeModel,
     ) {

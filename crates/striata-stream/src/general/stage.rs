@@ -1,33 +1,36 @@
 //! A general batch within the loop that both sides run.
 
-use super::super::attributes::{GeneralVertex, RingVertex};
-use super::super::cutting::{Closed, close_used};
-use super::super::error::StreamDefect;
-use super::super::refiner::{Ended, Refiner, actual_layers};
-use super::super::source::Source;
-use super::super::surface::NONE;
-use super::{CodedStep, Complex, KnownStep};
+use super::General;
+use super::complex::Complex;
+use super::shown::Before;
+use super::step::{CodedStep, KnownStep};
 use crate::entropy::{Coder, Part};
+use crate::format::error::StreamDefect;
+use crate::layers::attributes::{GeneralVertex, RingVertex, actual_layers};
+use crate::refine::refiner::{Ended, Refiner};
+use crate::refine::source::{Plan, Source};
+use crate::topology::cutting::{Closed, close_used};
+use crate::topology::surface::NONE;
 
 impl Refiner {
     /// Codes whether the next batch is a general one, and gets ready for it.
-    pub(in super::super) fn begin_general<C: Coder>(
+    pub(crate) fn begin_general<C: Coder>(
         &mut self,
         coder: &mut C,
         source: &impl Source,
     ) -> Result<bool, StreamDefect> {
-        let Some(general) = &mut self.general else { return Ok(false) };
+        let Some(general) = &mut self.models.general else { return Ok(false) };
         coder.part(Part::Connectivity);
-        let count = general.begin(coder, source.general_count());
+        let count = general.begin(coder, source.plan().map_or(0, |plan| plan.general_count()));
         if count == 0 || coder.overran() {
             return Ok(false);
         }
         general.left = count;
-        let triangle_count = self.growth.triangle_count();
+        let triangle_count = self.level.growth.triangle_count();
         self.spend_visits(triangle_count as u64)?;
-        self.growth.catch_up(&mut self.surface);
-        let Some(general) = &mut self.general else { return Ok(false) };
-        let growth = &self.growth;
+        self.level.growth.catch_up(&mut self.level.surface);
+        let Some(general) = &mut self.models.general else { return Ok(false) };
+        let growth = &self.level.growth;
         let position_of = growth.positions_of_vertices();
         let triangles: Vec<[u32; 3]> =
             growth.triangles.iter().map(|t| t.map(|v| position_of[v as usize])).collect();
@@ -36,27 +39,27 @@ impl Refiner {
     }
 
     /// Codes up to so many steps of the general batch that is under way.
-    pub(in super::super) fn general_stretch<C: Coder>(
+    pub(crate) fn general_stretch<C: Coder>(
         &mut self,
         coder: &mut C,
         source: &mut impl Source,
         most: usize,
     ) -> Result<Ended, StreamDefect> {
         for _ in 0..most {
-            let Some(mut general) = self.general.take() else { break };
-            let known = (!C::READS).then(|| source.general_step());
+            let Some(mut general) = self.models.general.take() else { break };
+            let known = source.follower().map(|follower| follower.general_step());
             let mut step = std::mem::take(&mut general.step);
             let ended = self.general_step(coder, (source, known.as_ref()), (&mut general, &mut step));
             general.step = step;
             general.left -= 1;
             let is_last = general.left == 0;
-            self.general = Some(general);
+            self.models.general = Some(general);
             if ended? == Ended::Short {
                 return Ok(Ended::Short);
             }
             if is_last {
                 self.rebuild(source);
-                self.is_in_batch = false;
+                self.batch.is_under_way = false;
                 break;
             }
         }
@@ -68,9 +71,9 @@ impl Refiner {
         &mut self,
         coder: &mut C,
         (source, known): (&mut impl Source, Option<&KnownStep>),
-        (general, step): (&mut super::General, &mut CodedStep),
+        (general, step): (&mut General, &mut CodedStep),
     ) -> Result<Ended, StreamDefect> {
-        let super::General { model, shown, complex, places, .. } = general;
+        let General { model, shown, complex, places, .. } = general;
         coder.part(Part::Connectivity);
         step.split = model.split(coder, complex.position_count() as u32, known);
         model.moved(coder, complex, (known, &mut *step));
@@ -79,47 +82,52 @@ impl Refiner {
         self.spend_visits((1 + ring) * (1 + step.born.len() as u64))?;
         coder.part(Part::Positions);
         model.place(coder, (complex, places), (known, &mut *step));
-        if !self.grid.holds(step.place) {
-            let position = self.growth.first_vertex.len() - 1;
+        if !self.level.grid.holds(step.place) {
+            let position = self.level.growth.first_vertex.len() - 1;
             return if coder.overran() { Ok(Ended::Short) } else { Err(StreamDefect::Place { position }) };
         }
         let exact = known.map_or([0.0; 3], |step| step.exact);
-        let position = match &mut self.corrections {
-            Some(model) => model.code(coder, &self.grid, step.place, exact),
-            None => self.grid.place(step.place),
+        let position = match &mut self.models.corrections {
+            Some(model) => model.code(coder, &self.level.grid, step.place, exact),
+            None => self.level.grid.place(step.place),
         };
         coder.part(Part::Wedges);
-        let beyond = (self.growth.beyond() + step.born.len().saturating_sub(2)) as u64;
-        if let Some(wedges) = &mut self.wedges {
-            let most = self.most_wedges.saturating_sub(beyond);
-            shown.code(coder, (complex, &self.growth, most), (known, &mut *step), wedges);
-            source.name(step.named.iter().copied());
+        let beyond = (self.level.growth.beyond() + step.born.len().saturating_sub(2)) as u64;
+        if let Some(wedges) = &mut self.models.wedges {
+            let most_beyond = self.limits.most_wedges.saturating_sub(beyond);
+            let before = Before { complex, growth: &self.level.growth, most_beyond };
+            shown.code(coder, before, (known, &mut *step), wedges);
+            if let Some(follower) = source.follower() {
+                follower.name(&step.named);
+            }
         } else {
             step.show_positions();
         }
         places.push(step.place);
-        self.general_layers(coder, &*source, (known, &*step), (complex, places));
-        let is_full = beyond + step.targets.len() as u64 > self.most_wedges + 1;
+        self.general_layers(coder, source.plan(), (known, &*step), (complex, places));
+        let is_full = beyond + step.targets.len() as u64 > self.limits.most_wedges + 1;
         let is_unsound = step.born.iter().any(|born| born.third == step.split);
         if coder.overran() || is_full || is_unsound {
-            if let Some(attributes) = &mut self.attributes {
-                attributes.truncate(self.growth.positions.len());
+            if let Some(attributes) = &mut self.models.attributes {
+                attributes.truncate(self.level.growth.positions.len());
             }
             return if is_unsound && !coder.overran() {
-                Err(StreamDefect::Step { step: self.growth.added.len() })
+                Err(StreamDefect::Step { step: self.level.growth.added.len() })
             } else {
                 Ok(Ended::Short)
             };
         }
-        if let Some(wedges) = &mut self.wedges {
-            wedges.follow_general(&self.growth, step);
+        if let Some(wedges) = &mut self.models.wedges {
+            wedges.follow_general(&self.level.growth, step);
         }
         let new = complex.position_count() as u32;
         complex.push_position();
         complex.move_to_last(step.split, &step.moved);
         step.born.iter().for_each(|born| complex.push_triangle(born.ordered([new, step.split, born.third])));
-        self.growth.add_general(position, step);
-        source.born_general(step);
+        self.level.growth.add_general(position, step);
+        if let Some(follower) = source.follower() {
+            follower.born_general(step);
+        }
         Ok(Ended::Whole)
     }
 
@@ -127,11 +135,11 @@ impl Refiner {
     fn general_layers<C: Coder>(
         &mut self,
         coder: &mut C,
-        source: &impl Source,
+        plan: Option<&dyn Plan>,
         (known, step): (Option<&KnownStep>, &CodedStep),
         (complex, places): (&Complex, &[[i32; 3]]),
     ) {
-        let Some(attributes) = &mut self.attributes else { return };
+        let Some(attributes) = &mut self.models.attributes else { return };
         let mut vertices: Vec<GeneralVertex> =
             step.targets.iter().map(|&target| GeneralVertex { target, ..GeneralVertex::default() }).collect();
         let mut add = |wedge: u32, vertex: u32, position: u32| {
@@ -141,42 +149,46 @@ impl Refiner {
         let (fan, born) = step.wedges.split_at(step.fan.len());
         for (&corner, &wedge) in step.fan.iter().zip(fan) {
             let (t, i) = (corner / 3, corner as usize % 3);
-            let (shown, positions) = (self.growth.triangles[t as usize], complex.triangle(t));
+            let (shown, positions) = (self.level.growth.triangles[t as usize], complex.triangle(t));
             [(i + 1) % 3, (i + 2) % 3].iter().for_each(|&j| add(wedge, shown[j], positions[j]));
         }
         for (at, &wedge) in born.iter().enumerate() {
             add(wedge, step.others[at][0], step.split);
             add(wedge, step.others[at][1], step.born[at].third);
         }
-        let has_names = self.wedges.is_some();
+        let has_names = self.models.wedges.is_some();
         let first = known.map_or(NONE, |step| step.wedges.start);
         attributes.general_position(coder, step.place, &vertices, |wedge| {
-            actual_layers::<C>(source, if has_names { step.named[wedge] } else { first })
+            actual_layers(plan, |_| if has_names { step.named[wedge] } else { first })
         });
     }
 
     /// Builds the surface anew from the triangles that are there; what models keep of vertices moves along.
     fn rebuild(&mut self, source: &mut impl Source) {
-        let Some(general) = &mut self.general else { return };
+        let Some(general) = &mut self.models.general else { return };
         let complex = std::mem::take(&mut general.complex);
         let Closed { mut surface, vertex_of_copy: positions, .. } =
             close_used(&complex.triangles(), complex.position_count());
         let mut old_of_position = vec![NONE; complex.position_count()];
-        for old in (self.surface.virtual_count()..self.surface.vertex_count() as u32).rev() {
-            old_of_position[self.growth.position_of(old) as usize] = old;
+        for old in (self.level.surface.virtual_count()..self.level.surface.vertex_count() as u32).rev() {
+            old_of_position[self.level.growth.position_of(old) as usize] = old;
         }
         let virtual_count = surface.virtual_count() as usize;
         let old_of_new: Vec<u32> = std::iter::repeat_n(NONE, virtual_count)
             .chain(positions.iter().map(|&p| old_of_position[p as usize]))
             .collect();
-        let triangle_count = self.growth.triangles.len() as u32;
+        let triangle_count = self.level.growth.triangles.len() as u32;
         (0..surface.triangle_count() as u32)
             .for_each(|t| surface.set_label(t, if t < triangle_count { t } else { NONE }));
         let virtual_places = std::iter::repeat_n([0; 3], virtual_count);
-        self.places = virtual_places.chain(positions.iter().map(|&p| general.places[p as usize])).collect();
-        self.growth.renumber(virtual_count, &positions, surface.triangle_count());
-        self.renumber(&old_of_new);
-        source.rebuilt(&surface);
-        self.surface = surface;
+        self.level.places =
+            virtual_places.chain(positions.iter().map(|&p| general.places[p as usize])).collect();
+        self.level.growth.renumber(virtual_count, &positions, surface.triangle_count());
+        self.batch.walk.renumber(&old_of_new);
+        self.models.renumber(&old_of_new);
+        if let Some(follower) = source.follower() {
+            follower.rebuilt(&surface);
+        }
+        self.level.surface = surface;
     }
 }

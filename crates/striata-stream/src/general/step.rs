@@ -4,65 +4,65 @@ use std::ops::Range;
 
 /// A triangle that a step brings: of the new position, the one that splits, and a third.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in super::super) struct Born {
+pub(crate) struct Born {
     /// The third position.
-    pub(in super::super) third: u32,
+    pub(crate) third: u32,
     /// Whether it is (new, split, third) rather than (new, third, split).
-    pub(in super::super) is_forward: bool,
+    pub(crate) is_forward: bool,
 }
 
 impl Born {
     /// In the order of the triangle's corners, given what is meant by the new one, the split one and the third.
-    pub(in super::super) fn ordered(self, [new, split, third]: [u32; 3]) -> [u32; 3] {
+    pub(crate) fn ordered(self, [new, split, third]: [u32; 3]) -> [u32; 3] {
         if self.is_forward { [new, split, third] } else { [new, third, split] }
     }
 }
 
 /// What a writer knows of a triangle that a step brings.
 #[derive(Clone, Copy, Debug)]
-pub(in super::super) struct KnownBorn {
+pub(crate) struct KnownBorn {
     /// Its form.
-    pub(in super::super) born: Born,
+    pub(crate) born: Born,
     /// The vertex of the mesh that is given that its corner at the new position shows.
-    pub(in super::super) own: u32,
+    pub(crate) own: u32,
     /// The vertices of the stream that its other corners show: at the split position, and at the third.
-    pub(in super::super) others: [u32; 2],
+    pub(crate) others: [u32; 2],
     /// Its group.
-    pub(in super::super) group: u32,
+    pub(crate) group: u32,
 }
 
 /// What a writer knows of a step.
 #[derive(Clone, Debug, Default)]
-pub(in super::super) struct KnownStep {
+pub(crate) struct KnownStep {
     /// The position that splits.
-    pub(in super::super) split: u32,
+    pub(crate) split: u32,
     /// Corners at it that go to the new position, and the vertices of the mesh that is given that they show then; ascending.
-    pub(in super::super) moved: Vec<(u32, u32)>,
+    pub(crate) moved: Vec<(u32, u32)>,
     /// Triangles that come.
-    pub(in super::super) born: Vec<KnownBorn>,
+    pub(crate) born: Vec<KnownBorn>,
     /// Vertices of the new position, of the mesh that is given.
-    pub(in super::super) wedges: Range<u32>,
+    pub(crate) wedges: Range<u32>,
     /// The vertex of the stream that each of them collapses to.
-    pub(in super::super) targets: Vec<u32>,
+    pub(crate) targets: Vec<u32>,
     /// Where it is on the grid.
-    pub(in super::super) place: [i32; 3],
+    pub(crate) place: [i32; 3],
     /// Where it is exactly, mesh units.
-    pub(in super::super) exact: [f32; 3],
+    pub(crate) exact: [f32; 3],
 }
 
 impl KnownStep {
     /// Whether a corner goes to the new position.
-    pub(in super::super) fn moves(&self, corner: u32) -> bool {
+    pub(crate) fn moves(&self, corner: u32) -> bool {
         self.moved.binary_search_by_key(&corner, |moved| moved.0).is_ok()
     }
 
     /// The vertex of the stream that a vertex of the new position collapses to.
-    pub(in super::super) fn target_of(&self, wedge: u32) -> Option<u32> {
+    pub(crate) fn target_of(&self, wedge: u32) -> Option<u32> {
         self.targets.get(wedge.checked_sub(self.wedges.start)? as usize).copied()
     }
 
     /// The vertex of the mesh that is given that a corner shows afterwards.
-    pub(in super::super) fn shown(&self, corner: u32) -> Option<u32> {
+    pub(crate) fn shown(&self, corner: u32) -> Option<u32> {
         let at = self.moved.binary_search_by_key(&corner, |moved| moved.0).ok()?;
         Some(self.moved[at].1)
     }
@@ -70,34 +70,34 @@ impl KnownStep {
 
 /// A step as it was coded.
 #[derive(Clone, Debug, Default)]
-pub(in super::super) struct CodedStep {
+pub(crate) struct CodedStep {
     /// The position that splits.
-    pub(in super::super) split: u32,
+    pub(crate) split: u32,
     /// Corners that go to the new position, in the order of the complex.
-    pub(in super::super) moved: Vec<u32>,
+    pub(crate) moved: Vec<u32>,
     /// The same corners, neighbors after each other where there are any.
-    pub(in super::super) fan: Vec<u32>,
+    pub(crate) fan: Vec<u32>,
     /// Triangles that come.
-    pub(in super::super) born: Vec<Born>,
+    pub(crate) born: Vec<Born>,
     /// For each of them, which of a writer's triangles it is.
-    pub(in super::super) known: Vec<usize>,
+    pub(crate) known: Vec<usize>,
     /// Where the new position is on the grid.
-    pub(in super::super) place: [i32; 3],
+    pub(crate) place: [i32; 3],
     /// The vertex of the stream that each wedge of the new position collapses to.
-    pub(in super::super) targets: Vec<u32>,
+    pub(crate) targets: Vec<u32>,
     /// What a writer calls the wedges.
-    pub(in super::super) named: Vec<u32>,
+    pub(crate) named: Vec<u32>,
     /// The wedge at each corner of the fan, then at the new corner of each triangle that comes.
-    pub(in super::super) wedges: Vec<u32>,
+    pub(crate) wedges: Vec<u32>,
     /// The vertices that the other corners of each triangle that comes show: at the split position, and at the third.
-    pub(in super::super) others: Vec<[u32; 2]>,
+    pub(crate) others: Vec<[u32; 2]>,
     /// The groups of the triangles that come.
-    pub(in super::super) groups: Vec<u32>,
+    pub(crate) groups: Vec<u32>,
 }
 
 impl CodedStep {
     /// What corners show where each position is one vertex, of the same number, and there are no groups.
-    pub(in super::super) fn show_positions(&mut self) {
+    pub(crate) fn show_positions(&mut self) {
         self.targets = vec![self.split];
         self.wedges = vec![0; self.fan.len() + self.born.len()];
         self.others = self.born.iter().map(|born| [self.split, born.third]).collect();

@@ -5,8 +5,8 @@ use std::collections::BinaryHeap;
 use striata::model::StepBits;
 use striata::view::{Criterion, Part, Verdict};
 
-use super::{ALL_THROUGH, GrowingHierarchy, NONE};
-use crate::prefix::PrefixMesh;
+use super::hierarchy::{ALL_THROUGH, GrowingHierarchy, NONE};
+use crate::reader::prefix::PrefixMesh;
 
 /// Steps that are asked about together: few enough to stay in a cache.
 const ASKED_TOGETHER: usize = 64;

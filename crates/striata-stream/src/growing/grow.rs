@@ -9,8 +9,8 @@ use std::ops::Range;
 use glam::DVec3;
 use striata::view::{NormalCone, Part, Sphere};
 
-use super::{ALL_THROUGH, GrowingHierarchy, NONE};
-use crate::prefix::{PrefixMesh, is_proper};
+use super::hierarchy::{ALL_THROUGH, GrowingHierarchy, NONE};
+use crate::reader::prefix::{PrefixMesh, is_proper};
 
 /// Entries that the lists of needs may have for each new step on average, and beyond that in all. Meshes take about 6 a step. A list
 /// that would exceed the sum stands for its largest entry and all older steps, so that damaged streams do not exhaust memory.

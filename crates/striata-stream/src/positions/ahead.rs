@@ -11,16 +11,16 @@ use super::local::LANES;
 use super::sight::INVERSES;
 
 /// Three grid coordinates, and whether they are known: all zeros if not, which is so of virtual vertices.
-pub(in super::super) type Spot = [i32; 4];
+pub(crate) type Spot = [i32; 4];
 
 /// What is around a new vertex: its ring from the vertex that split on, and what lies across each edge from there
 /// to the next ring vertex.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in super::super) struct Surroundings {
+pub(crate) struct Surroundings {
     /// Length of both lists.
-    pub(in super::super) count: usize,
-    pub(in super::super) ring: [Spot; LANES],
-    pub(in super::super) across: [Spot; LANES],
+    pub(crate) count: usize,
+    pub(crate) ring: [Spot; LANES],
+    pub(crate) across: [Spot; LANES],
 }
 
 /// Three predictions of a place: the mean of parallelograms across ring edges, the vertex that split, and the middle of its

@@ -7,9 +7,8 @@
 
 use wide::{i16x8, i32x4};
 
-use super::axis::{Axis, DISTANCES, PLACES, SIZES, SPREADS};
+use super::axis::{Axis, AxisCoder, DISTANCES, PLACES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width, below};
-use super::mixed::AxisCoder;
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, QuickShares, Rate, code_shares, log2_q16};
 
 /// Cells of an axis.

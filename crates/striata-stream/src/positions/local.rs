@@ -3,8 +3,8 @@
 //! All coordinates are taken from the middle of the ring and shifted until the ring's radius has eleven bits. They then
 //! fit 16 bits, and widths of densities are constants.
 
-use super::super::hood::Hood;
-use super::super::surface::{next, previous};
+use crate::topology::hood::Hood;
+use crate::topology::surface::{next, previous};
 
 /// Ring vertices that are looked at: a lane for each.
 pub(super) const LANES: usize = 8;

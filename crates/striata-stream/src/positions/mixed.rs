@@ -3,24 +3,15 @@
 //! The two axes along which the surface runs most are coded first. After each, guesses that were near count more
 //! for the next one; for the last, all guesses are moved along the surface to where the vertex now must be.
 
-use super::super::hood::Hood;
-use super::axis::Axis;
+use super::axis::AxisCoder;
 use super::blend::Blend;
 use super::guesses::KINDS;
 use super::sight::{FEATURES, Sight, normal_order};
 use crate::entropy::Coder;
+use crate::topology::hood::Hood;
 
 /// Logarithms of half the widths of bumps, along the surface and across it, in local units.
 type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
-
-/// What codes a coordinate from what is known of it.
-pub(super) trait AxisCoder<const DENSITIES: usize, const WIDTHS: usize> {
-    /// Nothing learned.
-    fn new(is_thorough: bool) -> Self;
-
-    /// Codes a grid coordinate.
-    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, DENSITIES, WIDTHS>, actual: i32) -> i32;
-}
 
 /// Where it is not known how large the error was.
 const NO_ERRORS: [u8; 2] = [7; 2];
@@ -104,7 +95,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
     }
 
     /// The surface has been built anew: here is the old number of each vertex, or
-    /// [`NONE`](super::super::surface::NONE).
+    /// [`NONE`](crate::topology::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         let errors = |&old: &u32| self.errors.get(old as usize).copied().unwrap_or(NO_ERRORS);
         self.errors = old_of_new.iter().map(errors).collect();

@@ -12,12 +12,14 @@
 //! | `bumps.rs` | densities made of guesses |
 //! | `blend.rs` | the one place that is expected |
 //! | `sight.rs` | what of this goes into each axis, given the axes before |
-//! | `axis.rs` | a coordinate as a chain of mixed decisions |
+//! | `axis.rs` | what a coordinate is coded with |
+//! | `halving.rs` | a coordinate as a chain of mixed decisions |
 //! | `cells.rs` | a coordinate as one of sixteen cells |
 //! | `mixed.rs` | the thorough models: these together |
 //! | `plain.rs` | the quick model of the first version: one prediction, counters alone |
 //! | `ahead.rs` | predictions for many vertices at once |
 //! | `quick.rs` | the quick model: such a prediction, a symbol an axis |
+//! | `residual.rs` | how far off these two are, as one symbol and the bits below |
 //!
 //! All of it is integers. Time a vertex on one core: 0.15 microseconds with one prediction, 0.9 with one density and a cell an
 //! axis, 1.1 with one density and halvings, 2.7 with eighteen densities.
@@ -28,18 +30,20 @@ mod blend;
 mod bumps;
 mod cells;
 mod guesses;
+mod halving;
 mod local;
 mod mixed;
 mod plain;
 mod quick;
+mod residual;
 mod sight;
 
-use super::form::{Effort, StreamVersion};
-use super::hood::Hood;
 use crate::entropy::Coder;
+use crate::format::form::{Effort, StreamVersion};
+use crate::topology::hood::Hood;
 pub(super) use ahead::Surroundings;
-use axis::AxisModel;
 use cells::CellModel;
+use halving::AxisModel;
 use mixed::MixedModel;
 use plain::PlainModel;
 use quick::QuickPositions;
@@ -87,7 +91,7 @@ impl PositionModel {
     }
 
     /// The surface has been built anew between two batches: here is the old number of each vertex, or
-    /// [`NONE`](super::surface::NONE).
+    /// [`NONE`](crate::topology::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         match &mut self.0 {
             Model::One(_) | Model::Ahead(_) => {}

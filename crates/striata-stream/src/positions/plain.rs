@@ -3,12 +3,13 @@
 //! The prediction blends the middle of the ring, what the triangles around it point to, and the vertex that split, by learned
 //! weights. What is left is one symbol an axis, and the bits below.
 
-use super::super::hood::Hood;
-use super::super::surface::next;
 use super::blend::Blend;
 use super::local::LANES;
+use super::residual::{Circumstances, code_residual};
 use super::sight::INVERSES;
 use crate::entropy::{AdaptiveNumber, AdaptiveSymbol, Coder, Rate, code_symbol, log2_q8};
+use crate::topology::hood::Hood;
+use crate::topology::surface::next;
 
 /// Kinds of sizes, and kinds of disagreement.
 const SIZES: usize = 64;
@@ -30,11 +31,6 @@ struct PlainAxis {
     far: AdaptiveNumber,
 }
 
-/// The symbol of what lies in no bucket.
-const FAR: usize = 15;
-/// The buckets that have symbols, and the number that lies beyond them.
-const NEAR: u32 = 1 << 7;
-
 impl PlainAxis {
     fn new() -> Self {
         Self {
@@ -44,35 +40,12 @@ impl PlainAxis {
         }
     }
 
-    /// Codes how far off the prediction is; the lowest `noise` bits tell nothing.
+    /// Codes how far off the prediction is.
     #[inline]
-    fn code<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        (size, spread, noise): (usize, usize, u32),
-        actual: i32,
-    ) -> i32 {
-        let high = actual >> noise;
-        let distance = high.unsigned_abs();
-        let bucket = distance.max(1).ilog2();
-        let meant = match distance {
-            0 => 0,
-            NEAR.. => FAR,
-            _ => 1 + 2 * bucket as usize + usize::from(high < 0),
-        };
-        let symbol = code_symbol(coder, &mut self.by_size[size], &mut self.by_spread[spread], meant);
-        let bucket = if symbol == FAR { 0 } else { (symbol.max(1) as u32 - 1) / 2 };
-        let bits = bucket + noise;
-        let below = distance << noise | actual as u32 & ((1 << noise) - 1);
-        let below = if bits == 0 { 0 } else { coder.raw(below, bits) };
-        let top = match symbol {
-            0 => 0,
-            FAR => self.far.signed(coder, size, high),
-            _ => 1 << bucket | (below >> noise) as i32,
-        };
-        let high = if symbol % 2 == 0 { -top } else { top };
-        let high = if symbol == FAR { top } else { high };
-        high.wrapping_shl(noise) | (below & ((1 << noise) - 1)) as i32
+    fn code<C: Coder>(&mut self, coder: &mut C, at: Circumstances, actual: i32) -> i32 {
+        let Self { by_size, by_spread, far } = self;
+        let (one, other) = (&mut by_size[at.size], &mut by_spread[at.spread]);
+        code_residual(coder, far, at, actual, |coder, meant| code_symbol(coder, one, other, meant))
     }
 }
 
@@ -227,9 +200,9 @@ impl PlainModel {
                 ((log2_q8(features[0].unsigned_abs() + 16) - 1024) >> 7).clamp(0, SPREADS as i32 - 1);
             // Where rings are wide the lowest bits tell nothing.
             let noise = (1 - around.scale - slot as i32 / 2).clamp(0, 17) as u32;
+            let circumstances = Circumstances { size, spread: spread as usize, noise };
             let residual = actual[a].wrapping_sub(centre);
-            place[a] =
-                centre.wrapping_add(self.axes[slot].code(coder, (size, spread as usize, noise), residual));
+            place[a] = centre.wrapping_add(self.axes[slot].code(coder, circumstances, residual));
             let found = around.off_middle(place[a], a);
             let error = (found - lifted).clamp(-around.radius, around.radius);
             blend.learn(features, error);

@@ -4,6 +4,7 @@
 //! weights. What is left is one symbol an axis, and the bits below.
 
 use super::ahead::{Outlook, POINTS, Surroundings};
+use super::residual::{Circumstances, code_residual};
 use crate::entropy::{AdaptiveNumber, Coder, QuickSymbol, Rate, code_by_two, log2_q8};
 
 /// Kinds of sizes, and kinds of disagreement.
@@ -12,16 +13,12 @@ const SPREADS: usize = 16;
 /// Kinds of rings and axes that have weights of their own.
 const VALENCES: usize = 4;
 
-/// The symbol of what lies in no bucket.
-const FAR: usize = 15;
-/// The buckets that have symbols, and the number that lies beyond them.
-const NEAR: u32 = 1 << 7;
 /// How slowly symbols are learned in the end.
 const LAST_SHIFT: u32 = 7;
 
 /// A model of positions that looks ahead.
 #[derive(Clone, Debug)]
-pub(in super::super) struct QuickPositions {
+pub(crate) struct QuickPositions {
     /// The first vertex of the stretch, and what is foretold of it and the next ones.
     first: u32,
     outlooks: Vec<Outlook>,
@@ -47,40 +44,12 @@ impl QuickAxis {
         }
     }
 
-    /// Codes how far off the prediction is; the lowest `noise` bits tell nothing.
+    /// Codes how far off the prediction is.
     #[inline]
-    fn code<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        (size, spread, noise): (usize, usize, u32),
-        actual: i32,
-    ) -> i32 {
-        let high = actual >> noise;
-        let distance = high.unsigned_abs();
-        let bucket = distance.max(1).ilog2();
-        let meant = match distance {
-            0 => 0,
-            NEAR.. => FAR,
-            _ => 1 + 2 * bucket as usize + usize::from(high < 0),
-        };
-        let models = [&mut self.by_size[size], &mut self.by_spread[spread]];
-        let symbol = code_by_two(coder, models, meant, LAST_SHIFT);
-        if symbol == FAR {
-            return self.code_far(coder, (size, noise), actual);
-        }
-        let bucket = (symbol.max(1) as u32 - 1) / 2;
-        let bits = bucket + noise;
-        let below = distance << noise | actual as u32 & ((1 << noise) - 1);
-        let below = if bits == 0 { 0 } else { coder.raw(below, bits) };
-        let top = i32::from(symbol > 0) << bucket | (below >> noise) as i32;
-        let high = if symbol % 2 == 0 { -top } else { top };
-        high.wrapping_shl(noise) | (below & ((1 << noise) - 1)) as i32
-    }
-
-    #[cold]
-    fn code_far<C: Coder>(&mut self, coder: &mut C, (size, noise): (usize, u32), actual: i32) -> i32 {
-        let below = if noise == 0 { 0 } else { coder.raw(actual as u32, noise) };
-        self.far.signed(coder, size, actual >> noise).wrapping_shl(noise) | below as i32
+    fn code<C: Coder>(&mut self, coder: &mut C, at: Circumstances, actual: i32) -> i32 {
+        let Self { by_size, by_spread, far } = self;
+        let models = [&mut by_size[at.size], &mut by_spread[at.spread]];
+        code_residual(coder, far, at, actual, |coder, meant| code_by_two(coder, models, meant, LAST_SHIFT))
     }
 }
 
@@ -102,7 +71,7 @@ impl QuickPositions {
     }
 
     /// Looks ahead at the next vertex of the stretch.
-    pub(in super::super) fn look_ahead(&mut self, around: &Surroundings) {
+    pub(crate) fn look_ahead(&mut self, around: &Surroundings) {
         self.outlooks.push(Outlook::new(around));
     }
 
@@ -121,7 +90,8 @@ impl QuickPositions {
             let center = outlook.to_grid(lifted, a);
             let spread =
                 ((log2_q8(features[0].unsigned_abs() + 16) - 1024) >> 7).clamp(0, SPREADS as i32 - 1);
-            let circumstances = (outlook.size, spread as usize * VALENCES + valence, outlook.noise(slot));
+            let spread = spread as usize * VALENCES + valence;
+            let circumstances = Circumstances { size: outlook.size, spread, noise: outlook.noise(slot) };
             let residual = actual[a].wrapping_sub(center);
             place[a] = center.wrapping_add(self.axes[slot].code(coder, circumstances, residual));
             let found = outlook.off_middle(place[a], a);

@@ -2,12 +2,12 @@
 
 use wide::{i16x8, i32x4};
 
-use super::super::hood::Hood;
 use super::axis::{Axis, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width};
 use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
 use super::local::{LANES, Local, Point};
 use crate::entropy::log2_q8;
+use crate::topology::hood::Hood;
 
 /// Within which distance, in 1/256 of the radius, a guess of the first and of the second axis counts for more: widely, narrowly.
 const NEAR: [[i32; 2]; 2] = [[45, 10], [130, 20]];

@@ -2,12 +2,12 @@
 
 use striata::mesh::{IndexedMesh, Random, shapes};
 
-use super::super::cutting::close;
-use super::super::form::{Effort, StreamVersion};
-use super::super::hood::Hood;
-use super::super::surface::{NONE, Surface, next};
 use super::{CellModel, MixedModel, PositionModel, Surroundings};
 use crate::entropy::{Coder, RangeReader, RangeWriter};
+use crate::format::form::{Effort, StreamVersion};
+use crate::topology::cutting::close;
+use crate::topology::hood::Hood;
+use crate::topology::surface::{NONE, Surface, next};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
 /// All models that there are.

@@ -1,0 +1,326 @@
+//! What stands before the chunks of a stream: counts, the grid, names, and where each chunk is.
+//!
+//! ```text
+//! 0   4 bytes  89 53 54 52
+//! 4   u8       version, 1 or 2
+//! 5   u8       effort
+//! 6   u16      flags; bit 0: positions are exact; bit 1, from version 2 on: there are general batches
+//! 8   u32      length of the head, these 16 bytes included
+//! 12  u32      CRC-32 of the head, this field left out
+//! 16           counts, grid, layers, groups, appearance, metadata, chunks
+//! ```
+
+use striata::file::{EncodeError, STREAM_MAGIC, appearance_from_bytes, appearance_to_bytes};
+use striata::mesh::Appearance;
+
+use crate::format::byte_reader::{ByteReader, put_block, write_varint};
+use crate::format::error::{DecodeError, StreamDefect};
+use crate::format::form::{Effort, StreamVersion};
+use crate::format::grid::PositionGrid;
+use crate::layers::form::LayerForm;
+
+/// The newest version of streams that is read.
+const NEWEST: u8 = 2;
+/// Bytes of the head that are always there.
+pub(crate) const FIXED_BYTES: usize = 16;
+const EXACT: u16 = 1;
+const GENERAL: u16 = 2;
+/// A chunk may hold so many splits a byte and for one byte more; a writer that needs less appends zeros.
+const MAX_SPLITS_A_BYTE: u64 = 256;
+/// The same of the triangles of the base.
+const MAX_BASE_TRIANGLES_A_BYTE: u32 = 256;
+
+/// The same of vertices beyond one a position, in a chunk and all before it.
+const MAX_WEDGES_A_BYTE: u64 = 256;
+
+/// Numbers that a vertex may have in all layers: models are made for each of them.
+pub(crate) const MOST_NUMBERS: usize = 4096;
+
+/// The bytes that a chunk and all before it must have at least.
+pub(crate) fn least_bytes_in_all(wedges_beyond: usize) -> usize {
+    wedges_beyond / MAX_WEDGES_A_BYTE as usize
+}
+
+/// Vertices beyond one a position that so many bytes can tell.
+pub(crate) fn most_wedges_beyond(bytes: u64) -> u64 {
+    (bytes + 1) * MAX_WEDGES_A_BYTE
+}
+
+/// The bytes that a chunk must have at least.
+pub(crate) fn least_bytes(splits: usize, base_triangles: usize) -> usize {
+    (splits / MAX_SPLITS_A_BYTE as usize).max(base_triangles / MAX_BASE_TRIANGLES_A_BYTE as usize)
+}
+
+/// A group without its triangles.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct GroupName {
+    pub(crate) name: String,
+    pub(crate) material: Option<u32>,
+}
+
+/// Where a chunk is, and what it gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Row {
+    /// Bytes of the chunk.
+    pub(crate) bytes: u32,
+    /// Splits of this and all chunks before it.
+    pub(crate) split_count: u32,
+    /// Error of the level before the chunk, mesh units, rounded up.
+    pub(crate) error: f32,
+    /// CRC-32 of the chunk's bytes.
+    pub(crate) checksum: u32,
+}
+
+/// All that a reader knows before the first chunk.
+#[derive(Clone, Debug)]
+pub(crate) struct Head {
+    /// Bytes of the head.
+    pub(crate) length: u64,
+    pub(crate) version: StreamVersion,
+    pub(crate) effort: Effort,
+    /// Whether positions are the very floats of the mesh, beside the grid.
+    pub(crate) is_exact: bool,
+    pub(crate) position_count: u32,
+    pub(crate) vertex_count: u32,
+    pub(crate) triangle_count: u32,
+    pub(crate) step_count: u32,
+    pub(crate) max_patch: u32,
+    /// Whether there are general batches.
+    pub(crate) has_general: bool,
+    pub(crate) grid: PositionGrid,
+    pub(crate) layers: Vec<LayerForm>,
+    pub(crate) groups: Vec<GroupName>,
+    pub(crate) appearance: Appearance,
+    pub(crate) metadata: Vec<(String, String)>,
+    pub(crate) rows: Vec<Row>,
+}
+
+/// An error as its upper 16 bits, rounded up.
+pub(crate) fn error_code(error: f32) -> u16 {
+    let bits = error.max(0.0).to_bits();
+    ((bits >> 16) + u32::from(bits & 0xffff != 0)).min(0x7f7f) as u16
+}
+
+fn error_of_code(code: u16) -> f32 {
+    f32::from_bits(u32::from(code) << 16)
+}
+
+/// The length that the first bytes of a head name; none where there are too few of them.
+///
+/// # Errors
+/// Where they begin no stream that this version reads.
+pub(crate) fn head_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> {
+    let shown = bytes.len().min(4);
+    if bytes[..shown] != STREAM_MAGIC[..shown] {
+        return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
+    }
+    let Some(fixed) = bytes.get(..FIXED_BYTES) else { return Ok(None) };
+    if version_of(fixed[4]).is_none() {
+        let (found, supported) = (u32::from(fixed[4]), u32::from(NEWEST));
+        return Err(DecodeError::Version { found, supported });
+    }
+    let length = u32::from_le_bytes([fixed[8], fixed[9], fixed[10], fixed[11]]) as usize;
+    if length < FIXED_BYTES {
+        let reason = "the head is shorter than its own beginning";
+        return Err(DecodeError::Malformed { offset: 8, reason });
+    }
+    Ok(Some(length))
+}
+
+fn version_of(byte: u8) -> Option<StreamVersion> {
+    match byte {
+        1 => Some(StreamVersion::One),
+        2 => Some(StreamVersion::Two),
+        _ => None,
+    }
+}
+
+fn checksum(head: &[u8]) -> u32 {
+    let mut hasher = crc32fast::Hasher::new();
+    hasher.update(&head[..12]);
+    hasher.update(&head[FIXED_BYTES..]);
+    hasher.finalize()
+}
+
+impl Head {
+    /// The bytes of the head.
+    ///
+    /// # Errors
+    /// Where a text is too long.
+    pub(crate) fn to_bytes(&self) -> Result<Vec<u8>, EncodeError> {
+        let mut out = STREAM_MAGIC.to_vec();
+        let effort = match self.effort {
+            Effort::Fast => 0,
+            Effort::Default => 1,
+            Effort::Small => 2,
+        };
+        out.extend([self.version.number(), effort]);
+        let flags = if self.is_exact { EXACT } else { 0 } | if self.has_general { GENERAL } else { 0 };
+        out.extend(flags.to_le_bytes());
+        out.extend([0; 8]);
+        let counts = [self.position_count, self.vertex_count, self.triangle_count, self.step_count];
+        counts.into_iter().chain([self.max_patch]).for_each(|n| write_varint(n, &mut out));
+        out.push(self.grid.bits as u8);
+        self.grid.origin.iter().for_each(|x| out.extend(x.to_le_bytes()));
+        out.extend(self.grid.step.to_le_bytes());
+        write_varint(self.layers.len() as u32, &mut out);
+        self.layers.iter().for_each(|layer| layer.write(&mut out));
+        self.names_to_bytes(&mut out)?;
+        write_varint(self.rows.len() as u32, &mut out);
+        let mut before = 0;
+        for row in &self.rows {
+            write_varint(row.bytes, &mut out);
+            write_varint(row.split_count - before, &mut out);
+            out.extend(error_code(row.error).to_le_bytes());
+            out.extend(row.checksum.to_le_bytes());
+            before = row.split_count;
+        }
+        let length = u32::try_from(out.len())
+            .map_err(|_| EncodeError::TooLong { what: "the head", length: out.len() })?;
+        out[8..12].copy_from_slice(&length.to_le_bytes());
+        let checksum = checksum(&out);
+        out[12..16].copy_from_slice(&checksum.to_le_bytes());
+        Ok(out)
+    }
+
+    fn names_to_bytes(&self, out: &mut Vec<u8>) -> Result<(), EncodeError> {
+        write_varint(self.groups.len() as u32, out);
+        for group in &self.groups {
+            write_varint(group.material.map_or(0, |m| m + 1), out);
+            put_block("a group's name", group.name.as_bytes(), out)?;
+        }
+        let appearance =
+            if self.appearance.is_empty() { Vec::new() } else { appearance_to_bytes(&self.appearance)? };
+        put_block("the appearance", &appearance, out)?;
+        write_varint(self.metadata.len() as u32, out);
+        for text in self.metadata.iter().flat_map(|(key, value)| [key, value]) {
+            put_block("metadata", text.as_bytes(), out)?;
+        }
+        Ok(())
+    }
+
+    /// The most triangles that a base of the first chunk's bytes may have.
+    pub(crate) fn most_base_triangles(&self) -> u32 {
+        let bytes = self.rows.first().map_or(0, |row| row.bytes);
+        bytes.saturating_add(1).saturating_mul(MAX_BASE_TRIANGLES_A_BYTE)
+    }
+
+    /// Reads a head of the length that [`head_length`] gave.
+    ///
+    /// # Errors
+    /// Where anything in it is unsound.
+    pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Self, DecodeError> {
+        let expected = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]);
+        let found = checksum(bytes);
+        if found != expected {
+            return Err(DecodeError::HeaderChecksum { found, expected });
+        }
+        let mut reader = ByteReader::new(bytes);
+        let version = version_of(reader.bytes(5)?[4]).unwrap_or_default();
+        let effort = match reader.u8()? {
+            0 => Effort::Fast,
+            1 => Effort::Default,
+            2 => Effort::Small,
+            _ => return Err(reader.malformed("unknown effort")),
+        };
+        let flags = reader.bytes(2)?;
+        let flags = u16::from_le_bytes([flags[0], flags[1]]);
+        let known = if version == StreamVersion::One { EXACT } else { EXACT | GENERAL };
+        if flags & !known != 0 {
+            return Err(reader.malformed("unknown flags"));
+        }
+        reader.bytes(8)?;
+        let [position_count, vertex_count, triangle_count, step_count, max_patch] =
+            [reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?, reader.varint()?];
+        let grid = read_grid(&mut reader)?;
+        let layer_count = reader.short_count(5)?;
+        let layers: Vec<LayerForm> =
+            (0..layer_count).map(|_| LayerForm::read(&mut reader)).collect::<Result<_, _>>()?;
+        if layers.iter().map(LayerForm::integer_count).sum::<usize>() > MOST_NUMBERS {
+            return Err(reader.malformed("the layers have more numbers a vertex than streams can have"));
+        }
+        let groups = read_groups(&mut reader)?;
+        let appearance = match reader.block()? {
+            [] => Appearance::default(),
+            bytes => appearance_from_bytes(bytes).map_err(DecodeError::Appearance)?,
+        };
+        let mut metadata = Vec::new();
+        for _ in 0..reader.short_count(8)? {
+            metadata.push((reader.text()?, reader.text()?));
+        }
+        let rows = read_rows(&mut reader)?;
+        if rows.last().map(|row| row.split_count) != Some(step_count) {
+            return Err(reader.malformed("the chunks do not hold all steps"));
+        }
+        if step_count > position_count || vertex_count < position_count {
+            return Err(
+                reader.malformed("there are fewer positions than steps, or fewer vertices than positions")
+            );
+        }
+        let told: u64 = rows.iter().map(|row| u64::from(row.bytes)).sum();
+        if u64::from(vertex_count - position_count) > most_wedges_beyond(told) {
+            return Err(reader.malformed("there are more vertices than the chunks can tell"));
+        }
+        if groups.iter().filter_map(|g| g.material).any(|m| m as usize >= appearance.materials.len()) {
+            return Err(reader.malformed("a group has a material that is not there"));
+        }
+        reader.end()?;
+        Ok(Self {
+            length: bytes.len() as u64,
+            version,
+            effort,
+            is_exact: flags & EXACT != 0,
+            has_general: flags & GENERAL != 0,
+            position_count,
+            vertex_count,
+            triangle_count,
+            step_count,
+            max_patch,
+            grid,
+            layers,
+            groups,
+            appearance,
+            metadata,
+            rows,
+        })
+    }
+}
+
+fn read_grid(reader: &mut ByteReader<'_>) -> Result<PositionGrid, DecodeError> {
+    let bits = u32::from(reader.u8()?);
+    let origin = [reader.f32()?, reader.f32()?, reader.f32()?];
+    let step = reader.f64()?;
+    let grid = PositionGrid { origin, step, bits };
+    grid.check().map_err(|error| DecodeError::Stream(StreamDefect::Grid(error)))
+}
+
+fn read_groups(reader: &mut ByteReader<'_>) -> Result<Vec<GroupName>, DecodeError> {
+    let mut groups = Vec::new();
+    for _ in 0..reader.short_count(5)? {
+        let material = reader.varint()?.checked_sub(1);
+        groups.push(GroupName { name: reader.text()?, material });
+    }
+    Ok(groups)
+}
+
+fn read_rows(reader: &mut ByteReader<'_>) -> Result<Vec<Row>, DecodeError> {
+    let count = reader.short_count(8)?;
+    let mut rows = Vec::with_capacity(count);
+    let (mut split_count, mut last_error) = (0u32, f32::INFINITY);
+    for _ in 0..count {
+        let (bytes, splits) = (reader.varint()?, reader.varint()?);
+        let code = reader.bytes(2)?;
+        let error = error_of_code(u16::from_le_bytes([code[0], code[1]]));
+        let checksum = reader.u32()?;
+        split_count = split_count.checked_add(splits).ok_or_else(|| reader.malformed("too many steps"))?;
+        if !(error >= 0.0 && error <= last_error && error.is_finite()) {
+            return Err(reader.malformed("an error grows with detail"));
+        }
+        if u64::from(splits) > MAX_SPLITS_A_BYTE * (u64::from(bytes) + 1) {
+            return Err(reader.malformed("a chunk holds more splits than its bytes can tell"));
+        }
+        last_error = error;
+        rows.push(Row { bytes, split_count, error, checksum });
+    }
+    Ok(rows)
+}

@@ -1,0 +1,406 @@
+//! What a stream stores of each attribute layer: whole numbers, and how they become the layer's numbers again.
+//!
+//! Unit normals become a point of the unfolded octahedron, tangents the same and a sign, other floats points of a
+//! uniform grid, integers stay what they are. Floats that no grid can hold without harm (infinite ones, or all of
+//! them where the caller wants every bit) are stored as the integers that order them. Numbers made of a layer's integers
+//! give the same integers again, so a stream can be written again without further loss.
+
+use striata::mesh::{AttributeLayer, LayerData, Semantic, octahedral};
+
+use super::options::LayerOptions;
+use crate::format::grid::{Axis, from_ordered, ordered};
+
+/// The type of a layer's numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NumberType {
+    F32,
+    U8,
+    U16,
+    U32,
+}
+
+impl NumberType {
+    /// All of them, in the order of their codes.
+    pub(super) const ALL: [Self; 4] = [Self::F32, Self::U8, Self::U16, Self::U32];
+
+    fn of(data: &LayerData) -> Self {
+        match data {
+            LayerData::F32(_) => Self::F32,
+            LayerData::U8(_) => Self::U8,
+            LayerData::U16(_) => Self::U16,
+            LayerData::U32(_) => Self::U32,
+        }
+    }
+
+    fn empty(self) -> LayerData {
+        match self {
+            Self::F32 => LayerData::F32(Vec::new()),
+            Self::U8 => LayerData::U8(Vec::new()),
+            Self::U16 => LayerData::U16(Vec::new()),
+            Self::U32 => LayerData::U32(Vec::new()),
+        }
+    }
+}
+
+/// How the numbers of a vertex become integers.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Transform {
+    /// A unit vector of 3 floats as 2 integers; of 4, the last of them 1 or -1, as 3.
+    Octahedral {
+        /// Of each of the first two integers.
+        bits: u32,
+    },
+    /// Each float on a grid of its own.
+    Uniform {
+        /// One for each component.
+        axes: Vec<Axis>,
+        /// Of each integer.
+        bits: u32,
+    },
+    /// Integers as they are, floats by their order.
+    Exact,
+}
+
+/// The form of a layer without its numbers: the header of what a stream says of it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct LayerForm {
+    pub(crate) semantic: Semantic,
+    pub(crate) component_count: u8,
+    pub(crate) normalized: bool,
+    pub(crate) number_type: NumberType,
+    pub(crate) transform: Transform,
+}
+
+impl LayerForm {
+    /// How a layer is stored.
+    pub(crate) fn of(layer: &AttributeLayer, options: &LayerOptions) -> Self {
+        let transform = match &layer.data {
+            LayerData::F32(numbers) if !options.lossless => {
+                transform_of(&layer.semantic, layer.component_count as usize, numbers, options)
+            }
+            _ => Transform::Exact,
+        };
+        Self {
+            semantic: layer.semantic.clone(),
+            component_count: layer.component_count,
+            normalized: layer.normalized,
+            number_type: NumberType::of(&layer.data),
+            transform,
+        }
+    }
+
+    /// Integers that a vertex has.
+    pub(crate) fn integer_count(&self) -> usize {
+        match self.transform {
+            Transform::Octahedral { .. } => self.component_count as usize - 1,
+            _ => self.component_count as usize,
+        }
+    }
+
+    /// The integers of all vertices of a layer that has this form.
+    pub(crate) fn integers(&self, layer: &AttributeLayer) -> Vec<i32> {
+        let n = self.component_count as usize;
+        match (&self.transform, &layer.data) {
+            (Transform::Octahedral { bits }, LayerData::F32(numbers)) => {
+                numbers.chunks_exact(n).flat_map(|v| octahedral_integers(v, *bits)).collect()
+            }
+            (Transform::Uniform { axes, bits }, LayerData::F32(numbers)) => {
+                let limit = ((1u32 << bits) - 1) as i32;
+                numbers
+                    .chunks_exact(n)
+                    .flat_map(|v| v.iter().zip(axes).map(|(&x, a)| a.quantise(x, limit)))
+                    .collect()
+            }
+            (_, LayerData::F32(numbers)) => numbers.iter().map(|&x| ordered(x)).collect(),
+            (_, LayerData::U8(numbers)) => numbers.iter().map(|&x| i32::from(x)).collect(),
+            (_, LayerData::U16(numbers)) => numbers.iter().map(|&x| i32::from(x)).collect(),
+            (_, LayerData::U32(numbers)) => numbers.iter().map(|&x| x as i32).collect(),
+        }
+    }
+
+    /// A layer of this form without vertices.
+    pub(crate) fn empty_layer(&self) -> AttributeLayer {
+        AttributeLayer {
+            semantic: self.semantic.clone(),
+            component_count: self.component_count,
+            normalized: self.normalized,
+            data: self.number_type.empty(),
+        }
+    }
+
+    /// Appends the numbers of further vertices to a layer of this form; integers that no layer gives become the nearest number.
+    pub(crate) fn append(&self, integers: &[i32], out: &mut LayerData) {
+        match (&self.transform, out) {
+            (Transform::Octahedral { bits }, LayerData::F32(out)) => {
+                for vertex in integers.chunks_exact(self.integer_count()) {
+                    out.extend(octahedral::decode([vertex[0], vertex[1]].map(clamped_i16), *bits));
+                    out.extend(vertex.get(2).map(|&sign| if sign < 0 { -1.0 } else { 1.0 }));
+                }
+            }
+            (Transform::Uniform { axes, .. }, LayerData::F32(out)) => {
+                let vertices = integers.chunks_exact(axes.len());
+                out.extend(vertices.flat_map(|v| v.iter().zip(axes).map(|(&q, axis)| axis.place(q))));
+            }
+            (_, LayerData::F32(out)) => out.extend(integers.iter().map(|&x| from_ordered(x))),
+            (_, LayerData::U8(out)) => out.extend(integers.iter().map(|&x| x.clamp(0, 0xFF) as u8)),
+            (_, LayerData::U16(out)) => out.extend(integers.iter().map(|&x| x.clamp(0, 0xFFFF) as u16)),
+            (_, LayerData::U32(out)) => out.extend(integers.iter().map(|&x| x as u32)),
+        }
+    }
+}
+
+fn clamped_i16(x: i32) -> i16 {
+    x.clamp(i32::from(i16::MIN), i32::from(i16::MAX)) as i16
+}
+
+/// The point of the octahedron for a unit vector, of the two that mean the same on the square's sides the first, and the
+/// sign of a fourth component.
+fn octahedral_integers(vector: &[f32], bits: u32) -> impl Iterator<Item = i32> + use<> {
+    let [x, y] = octahedral::encode([vector[0], vector[1], vector[2]], bits).map(i32::from);
+    let side = (1i32 << (bits - 1)) - 1;
+    let point = [if y.abs() == side { x.abs() } else { x }, if x.abs() == side { y.abs() } else { y }];
+    point.into_iter().chain(vector.get(3).map(|&w| if w < 0.0 { -1 } else { 1 }))
+}
+
+fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerOptions) -> Transform {
+    if numbers.iter().any(|x| !x.is_finite()) {
+        return Transform::Exact;
+    }
+    let is_direction = match semantic {
+        Semantic::Normal => n == 3,
+        Semantic::Tangent => n == 4 && numbers.chunks_exact(4).all(|v| v[3].abs() == 1.0),
+        _ => false,
+    };
+    let bits = options.bits_of(semantic);
+    if is_direction && numbers.chunks_exact(n).all(|v| is_unit([v[0], v[1], v[2]]) || is_none(v)) {
+        return Transform::Octahedral { bits };
+    }
+    let mut ranges = vec![(f32::INFINITY, f32::NEG_INFINITY); n];
+    for vertex in numbers.chunks_exact(n) {
+        for (range, &x) in ranges.iter_mut().zip(vertex) {
+            *range = (range.0.min(x), range.1.max(x));
+        }
+    }
+    if numbers.is_empty() {
+        ranges.fill((0.0, 0.0));
+    }
+    // Components that are measured in one unit get one step; of others nothing is known.
+    if !has_one_unit(semantic) {
+        let one_by_one = ranges.iter().map(|&range| Axis::over(&[range], 0.0, bits));
+        let (axes, bits): (Vec<_>, Vec<_>) = one_by_one.map(|(axes, bits)| (axes[0], bits)).unzip();
+        return Transform::Uniform { axes, bits: bits.into_iter().max().unwrap_or(1) };
+    }
+    let (axes, bits) = Axis::over(&ranges, 0.0, bits);
+    Transform::Uniform { axes, bits }
+}
+
+/// True where a vector is of length 1 as nearly as anyone writes it.
+fn is_unit(v: [f32; 3]) -> bool {
+    let squared: f64 = v.iter().map(|&x| f64::from(x) * f64::from(x)).sum();
+    (squared - 1.0).abs() < 0.01
+}
+
+/// True where a vector is too short to have a direction: normals of triangles without area.
+fn is_none(v: &[f32]) -> bool {
+    v[..3].iter().all(|x| x.abs() < 1e-6)
+}
+
+fn has_one_unit(semantic: &Semantic) -> bool {
+    !matches!(semantic, Semantic::Tangent | Semantic::Generic(_))
+}
+
+#[cfg(test)]
+mod tests {
+    use striata::mesh::Random;
+
+    use super::*;
+    use crate::format::byte_reader::ByteReader;
+
+    fn unit(random: &mut Random) -> [f32; 3] {
+        let v = [(); 3].map(|()| random.between(-1.0, 1.0));
+        let length = v.iter().map(|x| x * x).sum::<f32>().sqrt();
+        v.map(|x| x / length)
+    }
+
+    fn layers() -> Vec<AttributeLayer> {
+        let mut random = Random::new(9);
+        let n = 400;
+        let mut normals: Vec<f32> = (0..n).flat_map(|_| unit(&mut random)).collect();
+        for (slot, axis) in normals.chunks_exact_mut(3).zip([
+            [0.0, 0.0, -1.0],
+            [0.0, 0.0, 1.0],
+            [1.0, 0.0, 0.0],
+            [0.0, -1.0, 0.0],
+            [0.6, -0.8, 0.0],
+            [-0.6, 0.8, -1e-9],
+        ]) {
+            slot.copy_from_slice(&axis);
+        }
+        let tangents: Vec<f32> = (0..n)
+            .flat_map(|i| unit(&mut random).into_iter().chain([if i % 3 == 0 { -1.0 } else { 1.0 }]))
+            .collect();
+        let mut floats = |count: usize, low: f32, high: f32| -> Vec<f32> {
+            (0..count).map(|_| random.between(low, high)).collect()
+        };
+        let uv = floats(2 * n, -0.2, 3.0);
+        let odd_normals = floats(3 * n, -2.0, 2.0);
+        let mut wild = floats(3 * n, -1.0, 1.0);
+        wild[5] = f32::NAN;
+        wild[6] = f32::NEG_INFINITY;
+        wild[7] = -0.0;
+        let mixed: Vec<f32> =
+            (0..n).flat_map(|i| [i as f32 * 1e-20, 7.0, (i as f32) * 1e20, 1e6 + i as f32 / 16.0]).collect();
+        let bytes: Vec<u8> = (0..4 * n).map(|i| (i * 37) as u8).collect();
+        vec![
+            AttributeLayer::from_f32(Semantic::Normal, 3, normals),
+            AttributeLayer::from_f32(Semantic::Normal, 3, odd_normals),
+            AttributeLayer::from_f32(Semantic::Tangent, 4, tangents),
+            AttributeLayer::from_f32(Semantic::Tangent, 4, floats(4 * n, -1.0, 1.0)),
+            AttributeLayer::from_f32(Semantic::TexCoord(3), 2, uv),
+            AttributeLayer::from_f32(Semantic::Weights(1), 4, floats(4 * n, 0.0, 1.0)),
+            AttributeLayer::from_f32(Semantic::MorphPosition(400), 3, floats(3 * n, -1e-6, 1e-6)),
+            AttributeLayer::from_f32(Semantic::Generic("wild".into()), 3, wild),
+            AttributeLayer::from_f32(Semantic::Generic("mixed".into()), 4, mixed),
+            AttributeLayer::from_f32(Semantic::Generic("none".into()), 3, Vec::new()),
+            AttributeLayer {
+                semantic: Semantic::Color(0),
+                component_count: 4,
+                normalized: true,
+                data: LayerData::U8(bytes.clone()),
+            },
+            AttributeLayer {
+                semantic: Semantic::Joints(0),
+                component_count: 4,
+                normalized: false,
+                data: LayerData::U16(bytes.iter().map(|&x| u16::from(x) * 257).collect()),
+            },
+            AttributeLayer {
+                semantic: Semantic::Generic("id".into()),
+                component_count: 1,
+                normalized: false,
+                data: LayerData::U32((0..n as u32).map(|x| x.wrapping_mul(0x9E37_79B9)).collect()),
+            },
+        ]
+    }
+
+    fn decoded(form: &LayerForm, integers: &[i32]) -> AttributeLayer {
+        let mut layer = form.empty_layer();
+        form.append(integers, &mut layer.data);
+        layer
+    }
+
+    #[test]
+    fn integers_come_back_from_their_numbers() {
+        for layer in layers() {
+            for options in [
+                LayerOptions::default(),
+                LayerOptions::default().with_normal_bits(16).with_generic_bits(24).with_texcoord_bits(24),
+                LayerOptions::default().with_normal_bits(2).with_generic_bits(1).with_weight_bits(1),
+                LayerOptions::default().with_lossless(true),
+            ] {
+                let form = LayerForm::of(&layer, &options);
+                let integers = form.integers(&layer);
+                let again = decoded(&form, &integers);
+                assert_eq!(again.data.len(), layer.data.len(), "{form:?}");
+                assert_eq!(form.integers(&again), integers, "{form:?}");
+                if form.transform == Transform::Exact {
+                    assert_eq!(again.data.as_bytes(), layer.data.as_bytes(), "{form:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn layers_get_the_form_that_fits_them() {
+        use Transform::*;
+        let options = LayerOptions::default();
+        let forms: Vec<_> = layers().iter().map(|layer| LayerForm::of(layer, &options)).collect();
+        let kinds: Vec<_> = forms.iter().map(|f| (&f.transform, f.integer_count())).collect();
+        assert_eq!(kinds[0], (&Octahedral { bits: 10 }, 2));
+        assert!(matches!(kinds[1], (Uniform { bits: 10, .. }, 3)), "not of length 1");
+        assert_eq!(kinds[2], (&Octahedral { bits: 10 }, 3));
+        assert!(matches!(kinds[3], (Uniform { .. }, 4)), "no sign");
+        assert!(matches!(kinds[4], (Uniform { bits: 12, .. }, 2)));
+        assert_eq!((kinds[7], kinds[10].0), ((&Exact, 3), &Exact), "not finite; integers");
+        let exact = LayerForm::of(&layers()[0], &options.with_lossless(true));
+        assert_eq!((exact.transform, exact.component_count), (Exact, 3));
+    }
+
+    #[test]
+    fn numbers_are_off_by_half_a_step_at_most() {
+        for layer in layers() {
+            let form = LayerForm::of(&layer, &LayerOptions::default());
+            let again = decoded(&form, &form.integers(&layer));
+            let (LayerData::F32(old), LayerData::F32(new)) = (&layer.data, &again.data) else { continue };
+            let n = layer.component_count as usize;
+            for (index, (&x, &y)) in old.iter().zip(new).enumerate() {
+                let allowed = match &form.transform {
+                    Transform::Uniform { axes, .. } => 0.5000001 * axes[index % n].step,
+                    Transform::Octahedral { .. } if index % n == 3 => 0.0,
+                    Transform::Octahedral { .. } => 1.42 / 511.0,
+                    Transform::Exact => continue,
+                };
+                let off = (f64::from(x) - f64::from(y)).abs();
+                assert!(off <= allowed, "{form:?}: {x} became {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn forms_are_read_as_written_and_truncations_refused() {
+        for layer in layers() {
+            let form = LayerForm::of(&layer, &LayerOptions::default());
+            let mut bytes = Vec::new();
+            form.write(&mut bytes);
+            let mut reader = ByteReader::new(&bytes);
+            assert_eq!(LayerForm::read(&mut reader).unwrap(), form);
+            reader.end().unwrap();
+            for length in 0..bytes.len() {
+                assert!(LayerForm::read(&mut ByteReader::new(&bytes[..length])).is_err());
+            }
+        }
+    }
+
+    #[test]
+    fn damaged_forms_are_refused_or_harmless() {
+        let mut random = Random::new(2);
+        for layer in layers() {
+            let form = LayerForm::of(&layer, &LayerOptions::default());
+            let mut bytes = Vec::new();
+            form.write(&mut bytes);
+            for at in 0..bytes.len() {
+                for value in [0, 1, 2, 5, 17, 25, 128, 255] {
+                    let mut bad = bytes.clone();
+                    bad[at] = value;
+                    let Ok(form) = LayerForm::read(&mut ByteReader::new(&bad)) else {
+                        continue;
+                    };
+                    let integers: Vec<i32> =
+                        (0..3 * form.integer_count()).map(|_| random.next_u64() as i32).collect();
+                    let layer = decoded(&form, &integers);
+                    assert_eq!(layer.data.len(), 3 * layer.component_count as usize);
+                    let LayerData::F32(numbers) = &layer.data else { continue };
+                    assert!(
+                        form.transform == Transform::Exact || numbers.iter().all(|x| x.is_finite()),
+                        "{form:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn bits_beyond_the_limits_are_refused() {
+        assert_eq!(LayerOptions::default().check(), Ok(()));
+        for bad in [
+            LayerOptions::default().with_normal_bits(1),
+            LayerOptions::default().with_normal_bits(17),
+            LayerOptions::default().with_texcoord_bits(0),
+            LayerOptions::default().with_color_bits(25),
+            LayerOptions::default().with_weight_bits(0),
+            LayerOptions::default().with_generic_bits(25),
+        ] {
+            assert!(bad.check().is_err(), "{bad:?}");
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! The header of a layer: five bytes, two numbers, a name, and the axes of a grid.
+
+use striata::file::{semantic_code, semantic_of};
+
+use super::form::{LayerForm, NumberType, Transform};
+use crate::format::byte_reader::{ByteReader, put_u32};
+use crate::format::error::DecodeError;
+use crate::format::grid::{Axis, MAX_BITS};
+
+impl LayerForm {
+    /// Appends the form's bytes.
+    pub(crate) fn write(&self, out: &mut Vec<u8>) {
+        let (code, set, name) = semantic_code(&self.semantic);
+        let number_type = NumberType::ALL.iter().position(|&t| t == self.number_type).unwrap_or(0) as u8;
+        let (transform, bits) = match self.transform {
+            Transform::Exact => (0, 0),
+            Transform::Octahedral { bits } => (1, bits),
+            Transform::Uniform { bits, .. } => (2, bits),
+        };
+        out.extend([
+            code,
+            number_type,
+            self.component_count,
+            u8::from(self.normalized),
+            transform,
+            bits as u8,
+        ]);
+        put_u32(set, out);
+        put_u32(name.len() as u32, out);
+        out.extend(name.as_bytes());
+        if let Transform::Uniform { axes, .. } = &self.transform {
+            for axis in axes {
+                out.extend(axis.origin.to_le_bytes());
+                out.extend(axis.step.to_le_bytes());
+            }
+        }
+    }
+
+    /// Takes a form off the bytes.
+    ///
+    /// # Errors
+    /// [`DecodeError`] where they end too early or mean nothing.
+    pub(crate) fn read(reader: &mut ByteReader<'_>) -> Result<Self, DecodeError> {
+        let [code, number_type, component_count, normalized] =
+            [reader.u8()?, reader.u8()?, reader.u8()?, reader.u8()?];
+        let [transform, bits] = [reader.u8()?, reader.u8()?];
+        let set = reader.u32()?;
+        let name = reader.text()?;
+        let Some(semantic) = semantic_of(code, set, &name) else {
+            return Err(reader.malformed("unknown meaning of a layer"));
+        };
+        if component_count == 0 || normalized > 1 {
+            return Err(reader.malformed("a layer has 1 to 255 components, normalized or not"));
+        }
+        let Some(&number_type) = NumberType::ALL.get(number_type as usize) else {
+            return Err(reader.malformed("unknown type of numbers"));
+        };
+        let is_float = number_type == NumberType::F32;
+        let bits = u32::from(bits);
+        let transform = match transform {
+            0 => Transform::Exact,
+            1 if is_float && matches!(component_count, 3 | 4) && (2..=16).contains(&bits) => {
+                Transform::Octahedral { bits }
+            }
+            2 if is_float && (1..=MAX_BITS).contains(&bits) => {
+                let axes = (0..component_count).map(|_| read_axis(reader)).collect::<Result<_, _>>()?;
+                Transform::Uniform { axes, bits }
+            }
+            _ => return Err(reader.malformed("unknown way to store a layer")),
+        };
+        Ok(Self { semantic, component_count, normalized: normalized == 1, number_type, transform })
+    }
+}
+
+fn read_axis(reader: &mut ByteReader<'_>) -> Result<Axis, DecodeError> {
+    let origin = reader.f32()?;
+    let step = [u64::from(reader.u32()?), u64::from(reader.u32()?)];
+    let axis = Axis { origin, step: f64::from_bits(step[0] | step[1] << 32) };
+    axis.check().map_err(|_| reader.malformed("a grid of a layer has no sound origin or step"))
+}

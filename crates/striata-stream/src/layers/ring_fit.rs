@@ -1,0 +1,182 @@
+//! What the places around a new vertex tell of its attributes: weights of an affine fit, and the normal of its triangles.
+//!
+//! Attributes such as texture coordinates change evenly over a surface, so that the value at a place is a weighted sum of the
+//! values around it: the plane of least squares through the ring, evaluated at the new vertex. Its weights depend on
+//! places alone and serve all layers. Integers throughout; the fit leans to the mean where the ring does not
+//! determine it.
+
+/// Bits below the point of a weight.
+pub(crate) const WEIGHT_BITS: u32 = 16;
+
+/// Bits that differences within a ring are brought down to, so that products of six of them fit.
+const DIFFERENCE_BITS: u32 = 7;
+
+/// Bits that the distances from the centre are brought down to, so that products of theirs fit.
+const ARM_BITS: u32 = 12;
+
+/// Ring vertices that take part in a fit.
+const MOST: usize = 24;
+
+/// What the places of a ring say about its centre.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct RingFit {
+    /// For each ring vertex, in 1/65536; all of them sum to about one.
+    pub(crate) weights: Vec<i32>,
+    /// The sum of the normals of the triangles between the centre and the ring, by area; zeros where there are none.
+    pub(crate) normal: [i64; 3],
+    /// From the centre to each ring vertex; all are halved until they fit 12 bits.
+    pub(crate) arms: Vec<[i64; 3]>,
+    /// True where the last and the first vertex of the ring share a triangle.
+    pub(crate) is_closed: bool,
+    differences: Vec<[i64; 3]>,
+}
+
+impl RingFit {
+    /// Fits a ring of places around a centre; `is_closed` where its last and first vertex share a triangle.
+    pub(crate) fn measure(&mut self, centre: [i32; 3], ring: &[[i32; 3]], is_closed: bool) {
+        let arm =
+            |p: &[i32; 3]| -> [i64; 3] { std::array::from_fn(|a| i64::from(p[a]) - i64::from(centre[a])) };
+        self.arms.clear();
+        self.arms.extend(ring.iter().map(arm));
+        let largest = self.arms.iter().flatten().fold(0, |m, x| x.abs().max(m)) as u64;
+        let down = (largest.max(1).ilog2() + 1).saturating_sub(ARM_BITS);
+        self.arms.iter_mut().flatten().for_each(|x| *x >>= down);
+        self.is_closed = is_closed;
+        self.normal = normal(&self.arms, is_closed);
+        self.weights.clear();
+        if ring.is_empty() {
+            return;
+        }
+        let even = (1i64 << WEIGHT_BITS) / ring.len() as i64;
+        let slope = (2..=MOST).contains(&ring.len()).then(|| self.slope(centre, ring)).flatten();
+        let Some((slope, shift)) = slope else {
+            self.weights.resize(ring.len(), even as i32);
+            return;
+        };
+        self.weights.extend(self.differences.iter().map(|d| {
+            let share = (0..3).map(|a| d[a] * slope[a].clamp(-1 << 50, 1 << 50)).sum::<i64>();
+            // Nothing sound is farther out than this.
+            (even + (share >> shift)).clamp(-4 << WEIGHT_BITS, 4 << WEIGHT_BITS) as i32
+        }));
+    }
+
+    /// What a difference from the ring's mean has to be multiplied with to give its share of the weight, and the bits
+    /// to shift the sum by.
+    fn slope(&mut self, centre: [i32; 3], ring: &[[i32; 3]]) -> Option<([i64; 3], u32)> {
+        let n = ring.len() as i64;
+        let sum: [i64; 3] = std::array::from_fn(|a| ring.iter().map(|p| i64::from(p[a])).sum());
+        let from_mean = |p: [i32; 3]| -> [i64; 3] { std::array::from_fn(|a| n * i64::from(p[a]) - sum[a]) };
+        self.differences.clear();
+        self.differences.extend(ring.iter().map(|&p| from_mean(p)));
+        let largest = self.differences.iter().flatten().fold(0, |m, d| d.abs().max(m)) as u64;
+        let down = (largest.max(1).ilog2() + 1).saturating_sub(DIFFERENCE_BITS);
+        let rounded = |d: [i64; 3]| d.map(|x| (x + (1 << down >> 1)) >> down);
+        self.differences.iter_mut().for_each(|d| *d = rounded(*d));
+        let limit = 2 << DIFFERENCE_BITS;
+        let to_centre = rounded(from_mean(centre)).map(|x| x.clamp(-limit, limit));
+        let (solved, determinant) = solve(&self.differences, to_centre)?;
+        // The quotient with 16 bits more than a weight has, from a divisor of at most 30 bits.
+        let spare = (determinant.ilog2() + 1).saturating_sub(30);
+        let divisor = (determinant >> spare).max(1);
+        let limit = 1 << 36;
+        Some((solved.map(|x| ((x >> spare).clamp(-limit, limit) << 26) / divisor), 26 - WEIGHT_BITS))
+    }
+}
+
+/// The product of the adjugate of the ring's scatter and a vector, and the scatter's determinant.
+fn solve(differences: &[[i64; 3]], v: [i64; 3]) -> Option<([i64; 3], i64)> {
+    let mut s = [[0i64; 3]; 3];
+    for d in differences {
+        for (row, x) in s.iter_mut().zip(d) {
+            row.iter_mut().zip(d).for_each(|(entry, y)| *entry += x * y);
+        }
+    }
+    // A flat ring says nothing of the direction across it.
+    let ridge = (s[0][0] + s[1][1] + s[2][2]) / 128 + 1;
+    (0..3).for_each(|a| s[a][a] += ridge);
+    let minor = |a: usize, b: usize| {
+        let ([i, j], [k, l]) = ([(a + 1) % 3, (a + 2) % 3], [(b + 1) % 3, (b + 2) % 3]);
+        s[i][k] * s[j][l] - s[i][l] * s[j][k]
+    };
+    let row = |a: usize| [minor(a, 0), minor(a, 1), minor(a, 2)];
+    let [x, y, z] = [row(0), row(1), row(2)];
+    let determinant = s[0][0] * x[0] + s[0][1] * x[1] + s[0][2] * x[2];
+    let dot = |r: [i64; 3]| r[0] * v[0] + r[1] * v[1] + r[2] * v[2];
+    (determinant > 0).then(|| ([dot(x), dot(y), dot(z)], determinant))
+}
+
+fn normal(arms: &[[i64; 3]], is_closed: bool) -> [i64; 3] {
+    let mut sum = [0i64; 3];
+    let mut add = |p: [i64; 3], q: [i64; 3]| {
+        for (a, sum) in sum.iter_mut().enumerate() {
+            let (b, c) = ((a + 1) % 3, (a + 2) % 3);
+            *sum += p[b] * q[c] - p[c] * q[b];
+        }
+    };
+    arms.windows(2).for_each(|w| add(w[0], w[1]));
+    if let (true, [first, .., last]) = (is_closed, arms) {
+        add(*last, *first);
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use striata::mesh::Random;
+
+    use super::*;
+
+    fn fitted(centre: [i32; 3], ring: &[[i32; 3]]) -> RingFit {
+        let mut fit = RingFit::default();
+        fit.measure(centre, ring, true);
+        fit
+    }
+
+    #[test]
+    fn affine_values_are_found_within_the_ring() {
+        let mut random = Random::new(8);
+        for scale in [20, 1000, 1 << 20] {
+            for count in 4..9 {
+                let mut place = || [(); 3].map(|()| random.below(scale) as i32);
+                let ring: Vec<_> = (0..count).map(|_| place()).collect();
+                let centre: [i32; 3] =
+                    std::array::from_fn(|a| ring.iter().take(3).map(|p| p[a]).sum::<i32>() / 3);
+                let fit = fitted(centre, &ring);
+                let value = |p: [i32; 3]| f64::from(p[0]) * 3.0 - f64::from(p[1]) * 2.0 + f64::from(p[2]);
+                let found: f64 =
+                    ring.iter().zip(&fit.weights).map(|(&p, &w)| value(p) * f64::from(w) / 65536.0).sum();
+                let mean: f64 = ring.iter().map(|&p| value(p)).sum::<f64>() / f64::from(count);
+                let (off, before) = ((found - value(centre)).abs(), (mean - value(centre)).abs());
+                assert!(off < 0.5 * before + 0.1 * f64::from(scale), "{count}: {off} for {before}");
+                let sum: i32 = fit.weights.iter().sum();
+                assert!((sum - 65536).abs() < 6000, "{sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_flat_even_ring_gives_even_weights_and_its_normal() {
+        let ring = [[10, 0, 0], [0, 10, 0], [-10, 0, 0], [0, -10, 0]];
+        let fit = fitted([0, 0, 3], &ring);
+        assert!(fit.weights.iter().all(|w| (w - 16384).abs() < 20), "{:?}", fit.weights);
+        assert_eq!(fit.normal, [0, 0, 400]);
+        // Moving the centre moves the weights with it.
+        let fit = fitted([5, 0, 0], &ring);
+        assert!(fit.weights[0] > 28000 && fit.weights[2] < 5000, "{:?}", fit.weights);
+    }
+
+    #[test]
+    fn no_ring_is_too_odd() {
+        let mut random = Random::new(3);
+        for count in 0..40 {
+            for _ in 0..50 {
+                let bits = random.below(32);
+                let mut place = || [(); 3].map(|()| (random.next_u64() as u32 >> bits) as i32);
+                let ring: Vec<_> = (0..count).map(|_| place()).collect();
+                assert_eq!(fitted(place(), &ring).weights.len(), count);
+            }
+            assert_eq!(fitted([1; 3], &vec![[7; 3]; count]).weights.len(), count);
+            assert_eq!(fitted([i32::MAX; 3], &vec![[i32::MIN; 3]; count]).weights.len(), count);
+        }
+    }
+}

@@ -1,0 +1,238 @@
+//! One coordinate as a chain of halvings.
+//!
+//! Around the expected place lies an interval as wide as the ring; whether the coordinate is in its upper or its lower half
+//! is asked until one is left. Most coordinates lie in the middle of it: whether this one does is asked first, and spares
+//! two questions after that for the side. Each answer has a probability under every density, and one from counters for how
+//! often it went so at this point of the tree under like circumstances; two mixers weigh them, and their mean counts.
+
+use super::axis::{Axis, AxisCoder, DISTANCES, Masses, PLACES, SIZES, SPREADS};
+use crate::entropy::{
+    AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q8, log2_q16, probability,
+};
+
+const COUNTERS: usize = 4;
+const DEPTHS: usize = 6;
+/// Nodes of the tree that have counters; all others share one.
+const NODES: usize = 64;
+/// Near is what lies within this part of the interval, as a power of two.
+const NEAR_LOG: u32 = 2;
+/// Kinds of chances to lie outside.
+const CHANCES: usize = 24;
+/// An interval around what is expected.
+struct Interval<const KINDS: usize, const WIDTHS: usize> {
+    /// Half its width.
+    half: i32,
+    /// How much of each density lies below its ends.
+    masses: [Masses<KINDS, WIDTHS>; 2],
+    /// Whether it is the narrow one.
+    is_near: bool,
+}
+
+/// Which half of an interval is asked for.
+struct Question {
+    /// Where in the tree.
+    node: usize,
+    depth: usize,
+    /// What a writer means.
+    bit: bool,
+}
+
+/// What is learned about one axis. There is one opinion for each kind and width and [`COUNTERS`] more, and one that never
+/// changes, in vectors of 8.
+#[derive(Clone, Debug)]
+pub(super) struct AxisModel<const VECTORS: usize> {
+    /// Whether a coordinate does not lie near, by disagreement and by what the densities say.
+    is_outside: [Vec<AdaptiveBit>; 2],
+    is_beyond: Vec<AdaptiveBit>,
+    far: AdaptiveNumber,
+    by_size: Vec<AdaptiveBit>,
+    by_place: Vec<AdaptiveBit>,
+    by_spread: Vec<AdaptiveBit>,
+    by_distance: Vec<AdaptiveBit>,
+    mixer: WideMixer<VECTORS>,
+    /// A second one where there is time for it.
+    other: Option<WideMixer<VECTORS>>,
+    refiner: Option<Refiner>,
+}
+
+impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KINDS, WIDTHS>
+    for AxisModel<VECTORS>
+{
+    fn new(is_thorough: bool) -> Self {
+        let bits = |count: usize| vec![AdaptiveBit::new(Rate::Steady); count * NODES];
+        let mut first = [[(18_000 / VECTORS / 8) as i16; 8]; VECTORS];
+        first.as_flattened_mut()[..COUNTERS].fill(3250);
+        Self {
+            is_outside: [SPREADS, CHANCES].map(|count| vec![AdaptiveBit::new(Rate::Steady); count]),
+            is_beyond: vec![AdaptiveBit::new(Rate::Steady); SPREADS],
+            far: AdaptiveNumber::new(SIZES, Rate::Steady),
+            by_size: bits(SIZES),
+            by_place: bits(PLACES),
+            by_spread: bits(SPREADS),
+            by_distance: bits(DISTANCES),
+            mixer: WideMixer::new(DEPTHS * PLACES, first),
+            other: is_thorough.then(|| WideMixer::new(SIZES, first)),
+            refiner: is_thorough.then(|| Refiner::new(DEPTHS)),
+        }
+    }
+
+    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, KINDS, WIDTHS>, actual: i32) -> i32 {
+        const { assert!(8 * VECTORS > KINDS * WIDTHS + COUNTERS, "one opinion each") }
+        let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
+        let half = 1i32 << span_log;
+        let actual = actual.wrapping_sub(axis.centre);
+        let near = half >> NEAR_LOG;
+        let masses = [axis.below(-near), axis.below(near)];
+        let off = if near > 0 && !self.is_outside(coder, axis, (near, &masses), actual) {
+            self.halve(coder, axis, Interval { half: near, masses, is_near: true }, actual)
+        } else if !self.is_beyond[axis.spread].code(coder, !(-half..half).contains(&actual)) {
+            let masses = [axis.below(-half), axis.below(half)];
+            self.halve(coder, axis, Interval { half, masses, is_near: false }, actual)
+        } else {
+            self.far.signed(coder, axis.size, actual)
+        };
+        axis.centre.wrapping_add(off)
+    }
+}
+
+impl<const VECTORS: usize> AxisModel<VECTORS> {
+    #[inline]
+    fn is_outside<C: Coder, const KINDS: usize, const WIDTHS: usize>(
+        &mut self,
+        coder: &mut C,
+        axis: &Axis<'_, KINDS, WIDTHS>,
+        (near, masses): (i32, &[Masses<KINDS, WIDTHS>; 2]),
+        actual: i32,
+    ) -> bool {
+        let [all, low, high] = [&axis.all(), &masses[0], &masses[1]]
+            .map(|masses| masses.iter().map(|masses| masses[WIDTHS / 2] >> 4).sum::<i32>());
+        let outside = (all - (high - low)).max(1) as u32;
+        // In half bits.
+        let chance = (log2_q8(all.max(1) as u32) - log2_q8(outside)) >> 7;
+        let [one, other] = &mut self.is_outside;
+        let counters = [&mut one[axis.spread], &mut other[chance.clamp(0, CHANCES as i32 - 1) as usize]];
+        let p_one = (counters[0].p_one() + counters[1].p_one()) >> 1;
+        let bit = coder.bit(!(-near..near).contains(&actual), p_one);
+        counters.into_iter().for_each(|counter| counter.update(bit));
+        bit
+    }
+
+    fn halve<C: Coder, const KINDS: usize, const WIDTHS: usize>(
+        &mut self,
+        coder: &mut C,
+        axis: &Axis<'_, KINDS, WIDTHS>,
+        interval: Interval<KINDS, WIDTHS>,
+        actual: i32,
+    ) -> i32 {
+        let Interval { half, masses: [mut below_low, mut below_high], is_near } = interval;
+        let (mut low, mut high) = (-half, half);
+        let mut node = 1;
+        let mut depth = 0;
+        while high - low > 1 {
+            let middle = (low + high) >> 1;
+            let below = axis.below(middle);
+            let mut inputs = [[0; 8]; VECTORS];
+            let (from, to) =
+                if axis.is_mirrored { (&below_high, &below_low) } else { (&below_low, &below_high) };
+            weigh(from, &below, to, &mut inputs.as_flattened_mut()[COUNTERS..]);
+            let bit = (actual >= middle) ^ axis.is_mirrored;
+            let bit = self.decide(coder, axis, Question { node, depth, bit }, &mut inputs);
+            let is_up = bit ^ axis.is_mirrored;
+            if is_up {
+                (low, below_low) = (middle, below);
+            } else {
+                (high, below_high) = (middle, below);
+            }
+            node = node << 1 | usize::from(bit);
+            if depth == 0 && is_near {
+                // As if the inner half had been chosen each time.
+                node = (0..NEAR_LOG).fold(node, |node, _| node << 1 | usize::from(!bit));
+                depth = NEAR_LOG as usize;
+            }
+            depth = (depth + 1).min(DEPTHS - 1);
+        }
+        low
+    }
+
+    #[inline]
+    fn decide<C: Coder, const KINDS: usize, const WIDTHS: usize>(
+        &mut self,
+        coder: &mut C,
+        axis: &Axis<'_, KINDS, WIDTHS>,
+        Question { node, depth, bit }: Question,
+        inputs: &mut [[i16; 8]; VECTORS],
+    ) -> bool {
+        let node = if node < NODES { node } else { 0 };
+        let counters = [
+            &mut self.by_size[axis.size * NODES + node],
+            &mut self.by_place[axis.place * NODES + node],
+            &mut self.by_spread[axis.spread * NODES + node],
+            &mut self.by_distance[axis.distance * NODES + node],
+        ];
+        let all = inputs.as_flattened_mut();
+        for (input, counter) in all.iter_mut().zip(&counters) {
+            *input = log_odds(counter.p_one()) as i16;
+        }
+        all[KINDS * WIDTHS + COUNTERS] = 128;
+        let mut odds = self.mixer.mix(inputs, axis.place * DEPTHS + depth);
+        if let Some(other) = &mut self.other {
+            odds = (odds + other.mix(inputs, axis.size)) >> 1;
+        }
+        let p_one = match &mut self.refiner {
+            Some(refiner) => refiner.refine(odds, depth),
+            None => probability(odds).clamp(24, 65_512),
+        };
+        let bit = coder.bit(bit, p_one);
+        self.mixer.update(inputs, bit);
+        if let Some(other) = &mut self.other {
+            other.update(inputs, bit);
+        }
+        if let Some(refiner) = &mut self.refiner {
+            refiner.update(bit);
+        }
+        counters.into_iter().for_each(|counter| counter.update(bit));
+        bit
+    }
+}
+
+/// The log-odds of the upper half under each density; those with little here say little.
+#[inline]
+fn weigh<const KINDS: usize, const WIDTHS: usize>(
+    low: &Masses<KINDS, WIDTHS>,
+    middle: &Masses<KINDS, WIDTHS>,
+    high: &Masses<KINDS, WIDTHS>,
+    inputs: &mut [i16],
+) {
+    for kind in 0..KINDS {
+        for width in 0..WIDTHS {
+            let middle = middle[kind][width];
+            let [up, down] = [high[kind][width] - middle, middle - low[kind][width]];
+            inputs[kind * WIDTHS + width] = (logarithm(up.abs()) - logarithm(down.abs())) as i16;
+        }
+    }
+}
+
+/// Masses are told apart in steps of 2 to this.
+const STEP_LOG: u32 = 16;
+/// Mass that is in every interval, of 2^28, in steps.
+const DOUBT: usize = 32;
+
+/// Natural logarithms of masses, in 1/256.
+static LOGARITHMS: [i16; (1 << (28 - STEP_LOG)) + 1] = {
+    let mut table = [0; (1 << (28 - STEP_LOG)) + 1];
+    let mut at = 0;
+    while at < table.len() {
+        // ln 2 is 177.446 / 256.
+        let log2 = log2_q16((2 * (DOUBT + at) + 1) as u64) as i64;
+        table[at] = ((log2 * 177_446 / 1000) >> 16) as i16;
+        at += 1;
+    }
+    table
+};
+
+/// The logarithm of a mass and a little more, which outweighs small masses.
+#[inline]
+fn logarithm(mass: i32) -> i32 {
+    let at = (mass.max(0) >> STEP_LOG) as usize;
+    i32::from(LOGARITHMS[at.min(LOGARITHMS.len() - 1)])
+}

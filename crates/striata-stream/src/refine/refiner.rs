@@ -1,0 +1,255 @@
+//! The loop that both sides of a stream run: which vertices split, the splits, and what the new vertices are.
+//!
+//! One generic code over a [`Coder`]: a writer has a [`Source`] that knows what is to come, a reader has none. So the two
+//! cannot disagree, as long as models look only at what has been coded.
+
+use super::growth::Growth;
+use super::models::{Connectivity, Models};
+use super::parts::{Batch, Level, Limits, Stretch};
+use super::source::Source;
+use super::terms::Terms;
+use super::walk::Walk;
+use crate::base::coder::code_base;
+use crate::base::hoods::BaseHoods;
+use crate::base::mesh::Base;
+use crate::entropy::{Coder, Part};
+use crate::format::error::StreamDefect;
+use crate::format::grid::CorrectionModel;
+use crate::general::General;
+use crate::layers::attributes::{Attributes, actual_layers};
+use crate::positions::PositionModel;
+use crate::topology::surface::NONE;
+use crate::wedges::model::WedgeModel;
+
+/// Splits whose connectivity is coded before their values: what a reader has to wait for.
+const STRETCH: usize = 1024;
+
+/// How a stretch of the stream ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ended {
+    /// All that was there was coded.
+    Whole,
+    /// The bytes ended before: what is complete stands.
+    Short,
+}
+
+/// A surface under refinement, with all models.
+#[derive(Clone, Debug)]
+pub(crate) struct Refiner {
+    pub(crate) level: Level,
+    pub(crate) models: Models,
+    pub(crate) batch: Batch,
+    pub(crate) limits: Limits,
+    pub(super) stretch: Stretch,
+}
+
+impl Refiner {
+    /// Codes the base, counts and all, and begins with it.
+    ///
+    /// # Errors
+    /// If what was read is no base.
+    pub(crate) fn begin<C: Coder>(
+        coder: &mut C,
+        known: &Base,
+        terms: &Terms,
+        source: &mut impl Source,
+    ) -> Result<Self, StreamDefect> {
+        let (mut base, order) = code_base(coder, known, terms.base)?;
+        if let Some(follower) = source.follower() {
+            follower.order_base(&base, &order);
+        }
+        if coder.overran() {
+            return Err(StreamDefect::NoBase);
+        }
+        if let Some(position) = base.places.iter().position(|&place| !terms.grid.holds(place)) {
+            return Err(StreamDefect::Place { position });
+        }
+        let vertex_of_position = base.vertex_of_position()?;
+        let mut surface = base.surface()?;
+        let mut wedges = terms.has_wedges().then(|| WedgeModel::new(terms.vertex_count, terms.version));
+        match &mut wedges {
+            Some(model) => {
+                if let Some(follower) = source.follower() {
+                    vertex_of_position.iter().for_each(|&vertex| follower.name_base(vertex));
+                }
+                let most = terms.base.position_count.saturating_add(terms.base.wedges_beyond);
+                let counts = (terms.vertex_count.min(most), terms.group_count);
+                coder.part(Part::Wedges);
+                base.code_wedges(coder, model, source.plan(), (counts, &vertex_of_position));
+            }
+            None => base.show_positions(),
+        }
+        let mut models = Models {
+            connectivity: Connectivity::new(&surface, terms),
+            positions: PositionModel::new(terms.effort, terms.version),
+            corrections: terms.is_exact.then(CorrectionModel::new),
+            wedges,
+            attributes: Attributes::new(&terms.layers, (terms.effort, terms.version)),
+            general: terms.has_general.then(|| General::new(base.places.clone())),
+        };
+        let growth = Growth::of_base(&base, &mut surface, terms.group_count);
+        let mut level = Level { surface, places: base.surface_places(), grid: terms.grid, growth };
+        base_values(coder, source, (&base, &vertex_of_position), (&mut level, &mut models));
+        let limits = Limits {
+            max_patch: terms.max_patch,
+            visits_left: terms.most_visits(),
+            most_wedges: terms.base.wedges_beyond.into(),
+        };
+        let batch = Batch { walk: Walk::new(terms.walk_order()), is_under_way: false, split_count: 0 };
+        Ok(Self { level, models, batch, limits, stretch: Stretch::default() })
+    }
+
+    /// Codes up to so many splits: the rest of a batch, or a part of it.
+    pub(crate) fn stretch<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        source: &mut impl Source,
+        most: usize,
+    ) -> Result<Ended, StreamDefect> {
+        if !self.batch.is_under_way {
+            self.spend_visits(self.level.surface.vertex_count() as u64)?;
+            if let Some(follower) = source.follower() {
+                follower.begin_batch();
+            }
+            self.batch.is_under_way = true;
+            if self.begin_general(coder, source)? {
+                return self.general_stretch(coder, source, most);
+            }
+            self.batch.walk.begin(&self.level.surface);
+            self.models.connectivity.begin_batch(&self.level.surface);
+            self.batch.split_count = 0;
+        } else if self.models.general.as_ref().is_some_and(General::is_under_way) {
+            return self.general_stretch(coder, source, most);
+        }
+        coder.part(Part::Connectivity);
+        self.ask(coder, source, most.min(STRETCH));
+        if coder.overran() {
+            return Ok(Ended::Short);
+        }
+        self.batch.split_count += self.stretch.split_count();
+        if !self.batch.is_under_way && self.batch.split_count == 0 {
+            return Err(StreamDefect::EmptyBatch { batch: self.batch.walk.batch() });
+        }
+        let (first, mut start) = (self.level.surface.vertex_count() as u32, 0);
+        let is_ahead = self.look_ahead(first);
+        self.split_all(source);
+        if !is_ahead {
+            self.fetch(first);
+        }
+        for split in 0..self.stretch.split_count() {
+            let vertex = first + split as u32;
+            let Stretch { patches, ends, corners, .. } = &mut self.stretch;
+            let end = ends[split] as usize;
+            // The ring of the new vertex: A, its patch, B.
+            let a = self.level.surface.corner_of(vertex);
+            corners.clear();
+            corners.push(a);
+            corners.extend_from_slice(&patches[start..end]);
+            corners.push(a + 4);
+            start = end;
+            if self.values(coder, source, vertex)? == Ended::Short {
+                return Ok(Ended::Short);
+            }
+        }
+        Ok(Ended::Whole)
+    }
+
+    /// Notes that so many vertices or triangles are looked at.
+    ///
+    /// # Errors
+    /// If they are too many for so few splits.
+    pub(crate) fn spend_visits(&mut self, visits: u64) -> Result<(), StreamDefect> {
+        let batch_count = self.batch.walk.batch();
+        let left = self.limits.visits_left.checked_sub(visits);
+        self.limits.visits_left = left.ok_or(StreamDefect::Batches { batch_count })?;
+        Ok(())
+    }
+
+    /// Does the splits of the stretch on the surface.
+    fn split_all(&mut self, source: &mut impl Source) {
+        let Self { level: Level { surface, .. }, models, batch, stretch, .. } = self;
+        for patch in stretch.patches() {
+            let kept = surface.vertex(patch[0]);
+            let vertex = surface.split(patch);
+            let made = surface.triangle_count() as u32;
+            for triangle in [made - 2, made - 1] {
+                surface.set_mark(triangle, batch.walk.batch());
+                // No part of the mesh before the vertex's values are known.
+                surface.set_label(triangle, NONE);
+            }
+            if let Connectivity::Quick(model) = &mut models.connectivity {
+                model.split(surface, patch.len(), kept);
+            }
+            batch.walk.born(kept);
+            if let Some(follower) = source.follower() {
+                follower.born(vertex, kept);
+            }
+        }
+    }
+
+    /// The attribute layers, if there are any.
+    pub(crate) fn attributes(&self) -> Option<&Attributes> {
+        self.models.attributes.as_ref()
+    }
+
+    /// A reader has bytes for so many vertices beyond one a position.
+    pub(crate) fn limit_wedges(&mut self, most: u64) {
+        self.limits.most_wedges = most;
+    }
+
+    /// Makes room for what is to come.
+    pub(crate) fn reserve(&mut self, steps: usize) {
+        self.level.reserve(steps);
+        self.batch.walk.reserve(self.level.surface.vertex_count() + steps);
+        self.models.reserve(&self.level.surface, steps);
+    }
+
+    /// Brings the list of triangles up to date.
+    pub(crate) fn catch_up(&mut self) {
+        self.level.growth.catch_up(&mut self.level.surface);
+    }
+
+    /// Splits that have been coded in full.
+    pub(crate) fn split_count(&self) -> usize {
+        self.level.growth.added.len()
+    }
+
+    /// Batches begun so far.
+    pub(crate) fn batch(&self) -> u32 {
+        self.batch.walk.batch()
+    }
+
+    /// True if the last batch has not been asked to its end.
+    pub(crate) fn is_in_batch(&self) -> bool {
+        self.batch.is_under_way
+    }
+}
+
+/// Codes where the vertices of the base are, and their attributes.
+fn base_values<C: Coder>(
+    coder: &mut C,
+    source: &impl Source,
+    (base, vertex_of_position): (&Base, &[u32]),
+    (level, models): (&mut Level, &mut Models),
+) {
+    let hoods = BaseHoods::new(base);
+    for (position, &vertex) in vertex_of_position.iter().enumerate() {
+        let place = base.places[position];
+        coder.part(Part::Base);
+        let exact = match &mut models.corrections {
+            Some(model) => {
+                let exact = source.plan().map_or([0.0; 3], |plan| plan.exact(vertex));
+                model.code(coder, &level.grid, place, exact)
+            }
+            None => level.grid.place(place),
+        };
+        let wedges = base.first_vertex[position]..base.first_vertex[position + 1];
+        level.growth.positions.extend(wedges.clone().map(|_| exact));
+        if let Some(attributes) = &mut models.attributes {
+            for (wedge, new) in (0..).zip(wedges) {
+                let actual = actual_layers(source.plan(), |plan| plan.wedges(vertex).start + wedge);
+                attributes.base_vertex(coder, (&hoods, place), (new, wedge), actual);
+            }
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! A batch of general steps on the writer's way down.
+
+use std::ops::Range;
+
+use striata::mesh::RefinableMesh;
+
+use crate::topology::surface::NONE;
+use crate::writer::defect::BatchDefect;
+use crate::writer::level::LevelTriangles;
+
+/// How to undo a step: ranges of the lists of its stage.
+#[derive(Clone, Debug)]
+pub(crate) struct GeneralUndo {
+    /// The position that it went to.
+    pub(crate) target: u32,
+    moved: Range<u32>,
+    gone: Range<u32>,
+}
+
+/// General steps, coarse to fine.
+#[derive(Debug)]
+pub(crate) struct GeneralStage {
+    first_step: u32,
+    /// The step of the sequence that each one is.
+    pub(crate) steps: Vec<u32>,
+    undo: Vec<GeneralUndo>,
+    /// Corners that changed position, `3 triangle + corner`, and the vertices that they showed before.
+    moved: Vec<(u32, u32)>,
+    /// Triangles that vanished, and their third positions.
+    gone: Vec<u32>,
+    thirds: Vec<u32>,
+    first_position: u32,
+    /// What the ways around the positions of a reader come to.
+    pub(crate) visits: u64,
+}
+
+/// Corners of triangles by position, as lists that may hold triangles that have gone.
+struct Incidence {
+    first: Vec<u32>,
+    next: Vec<u32>,
+    is_gone: Vec<bool>,
+    /// Corners at each position, without triangles that have gone.
+    counts: Vec<u32>,
+}
+
+impl Incidence {
+    fn new(level: &LevelTriangles, refinable: &RefinableMesh) -> Self {
+        let position_count = refinable.sequence.positions().position_count();
+        let mut incidence = Self {
+            first: vec![NONE; position_count],
+            next: vec![NONE; 3 * level.shown.len()],
+            is_gone: vec![false; level.shown.len()],
+            counts: vec![0; position_count],
+        };
+        for &t in &level.alive {
+            let positions = level.positions(refinable, t);
+            positions
+                .into_iter()
+                .zip(3 * t..)
+                .for_each(|(position, corner)| incidence.push(position, corner));
+        }
+        incidence
+    }
+
+    fn push(&mut self, position: u32, corner: u32) {
+        let first = &mut self.first[position as usize];
+        self.next[corner as usize] = std::mem::replace(first, corner);
+        self.counts[position as usize] += 1;
+    }
+
+    /// Takes all corners at a position; triangles that have gone are left out.
+    fn take(&mut self, position: u32, out: &mut Vec<u32>) {
+        out.clear();
+        let mut corner = std::mem::replace(&mut self.first[position as usize], NONE);
+        while corner != NONE {
+            if !self.is_gone[corner as usize / 3] {
+                out.push(corner);
+            }
+            corner = self.next[corner as usize];
+        }
+        self.counts[position as usize] = 0;
+    }
+}
+
+impl GeneralStage {
+    /// Goes down some steps, the last of them first.
+    ///
+    /// # Errors
+    /// Where a triangle would stay that has two corners at one position.
+    pub(crate) fn new(
+        level: &mut LevelTriangles,
+        refinable: &RefinableMesh,
+        steps: Range<usize>,
+    ) -> Result<Self, BatchDefect> {
+        let sequence = &refinable.sequence;
+        let base = sequence.base_position_count() as u32;
+        let mut incidence = Incidence::new(level, refinable);
+        let mut stage = Self {
+            first_step: steps.start as u32,
+            steps: Vec::new(),
+            undo: Vec::new(),
+            moved: Vec::new(),
+            gone: Vec::new(),
+            thirds: Vec::new(),
+            first_position: base + steps.start as u32,
+            visits: 0,
+        };
+        let mut corners = Vec::new();
+        for step in steps.rev() {
+            let position = base + step as u32;
+            let target =
+                sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
+            let (moved, gone) = (stage.moved.len() as u32, stage.gone.len() as u32);
+            incidence.take(position, &mut corners);
+            for &corner in &corners {
+                let triangle = corner / 3;
+                let positions = level.positions(refinable, triangle);
+                if positions.contains(&target) {
+                    if !level.vanishes(refinable, triangle, [position, target]) {
+                        return Err(BatchDefect::Wedges { step });
+                    }
+                    incidence.is_gone[triangle as usize] = true;
+                    stage.gone.push(triangle);
+                    let third = positions.into_iter().find(|&p| p != position && p != target);
+                    stage.thirds.push(third.unwrap_or(NONE));
+                    for other in positions.into_iter().filter(|&p| p != position) {
+                        incidence.counts[other as usize] -= 1;
+                    }
+                    continue;
+                }
+                let shown = &mut level.shown[triangle as usize][corner as usize % 3];
+                stage.moved.push((corner, *shown));
+                *shown = sequence.target(*shown);
+                incidence.push(target, corner);
+            }
+            let (moved, gone) = (moved..stage.moved.len() as u32, gone..stage.gone.len() as u32);
+            let ring = u64::from(incidence.counts[target as usize]);
+            stage.visits += (1 + ring) * (1 + gone.len() as u64);
+            stage.steps.push(step as u32);
+            stage.undo.push(GeneralUndo { target, moved, gone });
+        }
+        level.alive.retain(|&t| !incidence.is_gone[t as usize]);
+        stage.steps.reverse();
+        stage.undo.reverse();
+        Ok(stage)
+    }
+
+    /// Whether its first step is so many steps above the base.
+    pub(crate) fn begins(&self, split_count: u32) -> bool {
+        self.first_step == split_count
+    }
+
+    /// The triangles that a step moves or brings.
+    pub(crate) fn triangles(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
+        let undo = &self.undo[step as usize];
+        let moved = self.moved(undo).iter().map(|moved| moved.0 / 3);
+        moved.chain(self.gone(undo).iter().copied())
+    }
+
+    /// The steps, none for what was there before, that bring the positions that a step needs.
+    pub(crate) fn needs(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
+        let undo = &self.undo[step as usize];
+        let step_of = |position: u32| position.checked_sub(self.first_position).unwrap_or(NONE);
+        let thirds = self.thirds[undo.gone.start as usize..undo.gone.end as usize].iter();
+        let needed = thirds.copied().chain([undo.target]).map(step_of);
+        needed.filter(|&other| (other as usize) < self.undo.len())
+    }
+
+    /// How to undo one of the steps.
+    pub(crate) fn undo(&self, at: usize) -> &GeneralUndo {
+        &self.undo[at]
+    }
+
+    /// Corners that a step moved, and what they showed before.
+    pub(crate) fn moved(&self, undo: &GeneralUndo) -> &[(u32, u32)] {
+        &self.moved[undo.moved.start as usize..undo.moved.end as usize]
+    }
+
+    /// Triangles that vanished in a step.
+    pub(crate) fn gone(&self, undo: &GeneralUndo) -> &[u32] {
+        &self.gone[undo.gone.start as usize..undo.gone.end as usize]
+    }
+}

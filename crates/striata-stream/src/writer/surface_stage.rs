@@ -1,0 +1,293 @@
+//! Batches of splits of a surface on the writer's way down.
+
+use std::ops::Range;
+
+use striata::mesh::RefinableMesh;
+
+use crate::topology::cutting::Closed;
+use crate::topology::surface::{NONE, Surface, Undo, next, previous, triangle_of};
+use crate::writer::defect::{BatchDefect, StepDefect};
+use crate::writer::level::{LevelTriangles, close_level};
+
+/// A surface that was collapsed in batches.
+#[derive(Debug)]
+pub(crate) struct SurfaceStage {
+    /// The surface at the coarse end, its triangles and vertices numbered as at the fine end.
+    pub(crate) surface: Surface,
+    /// The position of each vertex of it that is not virtual.
+    pub(crate) position_of_copy: Vec<u32>,
+    /// Copies that are the first of their position: they come before the others and rise.
+    first_copy_count: usize,
+    is_locked: Vec<bool>,
+    /// The batch, counted from 1, in which something went to each vertex last.
+    kept_in: Vec<u32>,
+    /// The mesh's triangle of each of its triangles that is not virtual.
+    pub(crate) triangles: Vec<u32>,
+    /// The collapses; coarse to fine once [`Self::finish`] was called, and so are the lists below.
+    pub(crate) undo: Vec<Undo>,
+    /// What the corners of each patch showed before its collapse: pieces of a list, if corners are followed.
+    patches: Vec<u32>,
+    patch_begins: Vec<u32>,
+    /// Batches that it holds.
+    batches: Range<usize>,
+    /// The first step of the sequence that it holds.
+    pub(crate) first_step: u32,
+    follows: bool,
+}
+
+impl SurfaceStage {
+    /// Cuts a level; the next batch down is that before `batch_end`.
+    pub(crate) fn new(level: &LevelTriangles, refinable: &RefinableMesh, batch_end: usize) -> Self {
+        let Closed { surface, vertex_of_copy, is_locked } = close_level(level, refinable);
+        let first_copy_count = vertex_of_copy.windows(2).position(|w| w[1] <= w[0]);
+        Self {
+            kept_in: vec![0; surface.vertex_count()],
+            surface,
+            first_copy_count: first_copy_count.map_or(vertex_of_copy.len(), |last| last + 1),
+            position_of_copy: vertex_of_copy,
+            is_locked,
+            triangles: level.alive.clone(),
+            undo: Vec::new(),
+            patches: Vec::new(),
+            patch_begins: Vec::new(),
+            batches: batch_end..batch_end,
+            first_step: 0,
+            follows: !refinable.sequence.positions().is_identity() || refinable.mesh.groups.len() > 1,
+        }
+    }
+
+    /// Vertices of the surface as it is, virtual ones too.
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.surface.vertex_count() - self.undo.len()
+    }
+
+    /// Batches that it holds.
+    pub(crate) fn batches(&self) -> Range<usize> {
+        self.batches.clone()
+    }
+
+    /// Carries a batch out, the last step first.
+    ///
+    /// # Errors
+    /// Where a step is no collapse of a surface, or depends on another one: then the surface is as it was.
+    pub(crate) fn collapse(
+        &mut self,
+        level: &mut LevelTriangles,
+        refinable: &RefinableMesh,
+        (batch, steps): (usize, Range<usize>),
+    ) -> Result<(), BatchDefect> {
+        let before = self.undo.len();
+        let sequence = &refinable.sequence;
+        let base = sequence.base_position_count() as u32;
+        for step in steps.clone().rev() {
+            let position = base + step as u32;
+            let target =
+                sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
+            let found = self.find(position, target).map_err(|defect| BatchDefect::Step { step, defect });
+            let found = found.and_then(|corner| {
+                let mark = batch as u32 + 1;
+                let kept = self.surface.vertex(next(corner)) as usize;
+                let is_free = std::mem::replace(&mut self.kept_in[kept], mark) != mark;
+                (is_free && self.mark_ring(corner, mark))
+                    .then_some(corner)
+                    .ok_or(BatchDefect::Dependent { batch })
+            });
+            match found {
+                Ok(corner) => {
+                    let undo = self.surface.collapse(corner);
+                    self.undo.push(undo);
+                }
+                Err(defect) => {
+                    while self.undo.len() > before {
+                        let undo = self.undo.pop();
+                        undo.iter().for_each(|undo| self.surface.take_back(undo));
+                    }
+                    return Err(defect);
+                }
+            }
+        }
+        for (at, step) in (before..self.undo.len()).zip(steps.clone().rev()) {
+            self.check_gone(at, step, (level, refinable))?;
+            self.follow(at, level, refinable);
+        }
+        self.batches.start = batch;
+        self.first_step = steps.start as u32;
+        Ok(())
+    }
+
+    /// The corner of a position from which its collapse can be done.
+    fn find(&self, position: u32, target: u32) -> Result<u32, StepDefect> {
+        if self.is_locked[position as usize] {
+            return Err(StepDefect::Locked);
+        }
+        let surface = &self.surface;
+        let virtual_count = surface.virtual_count();
+        // A position of one copy has the number that the order of positions gives it.
+        let copy = self.copy_of(position).ok_or(StepDefect::Locked)?;
+        let is_target = |v: u32| {
+            v.checked_sub(virtual_count).is_some_and(|copy| self.position_of_copy[copy as usize] == target)
+        };
+        let mut edges = surface.ring(virtual_count + copy).filter(|&c| is_target(surface.vertex(next(c))));
+        match (edges.next(), edges.next()) {
+            (Some(corner), None) => check_ring(surface, corner).map(|()| corner),
+            _ => Err(StepDefect::Edge),
+        }
+    }
+
+    /// The first copy of a position.
+    fn copy_of(&self, position: u32) -> Option<u32> {
+        let firsts = &self.position_of_copy[..self.first_copy_count];
+        if firsts.get(position as usize) == Some(&position) {
+            return Some(position);
+        }
+        firsts.binary_search(&position).ok().map(|copy| copy as u32)
+    }
+
+    /// Marks the triangles around a corner's vertex; false where one of them belongs to another step of the batch.
+    fn mark_ring(&mut self, corner: u32, mark: u32) -> bool {
+        let mut here = corner;
+        loop {
+            if self.surface.mark(triangle_of(here)) == mark {
+                return false;
+            }
+            here = self.surface.swing(here);
+            if here == corner {
+                break;
+            }
+        }
+        loop {
+            self.surface.set_mark(triangle_of(here), mark);
+            here = self.surface.swing(here);
+            if here == corner {
+                return true;
+            }
+        }
+    }
+
+    /// # Errors
+    /// Where a triangle that a step takes would still have three vertices.
+    fn check_gone(
+        &self,
+        at: usize,
+        step: usize,
+        (level, refinable): (&LevelTriangles, &RefinableMesh),
+    ) -> Result<(), BatchDefect> {
+        let undo = &self.undo[at];
+        let virtual_count = self.surface.virtual_count();
+        let position = |vertex: u32| self.position_of_copy[(vertex - virtual_count) as usize];
+        let ends = [self.surface.vertex(undo.gone[0]), undo.kept].map(position);
+        let mut gone = undo.gone.iter().filter_map(|&corner| self.mesh_corner(corner));
+        let is_sound = !self.follows || gone.all(|(triangle, _)| level.vanishes(refinable, triangle, ends));
+        is_sound.then_some(()).ok_or(BatchDefect::Wedges { step })
+    }
+
+    /// A step was done: the corners of its cut show targets now.
+    fn follow(&mut self, at: usize, level: &mut LevelTriangles, refinable: &RefinableMesh) {
+        self.patch_begins.push(self.patches.len() as u32);
+        if !self.follows {
+            return;
+        }
+        let cut = self.undo[at].cut;
+        let mut corner = cut.first;
+        for _ in 0..cut.length {
+            let shown = self.mesh_corner(corner).map(|(t, i)| &mut level.shown[t as usize][i]);
+            self.patches.push(shown.as_ref().map_or(NONE, |shown| **shown));
+            if let Some(shown) = shown {
+                *shown = refinable.sequence.target(*shown);
+            }
+            corner = self.surface.swing(corner);
+        }
+    }
+
+    /// The mesh's triangle at a corner, and its corner there; none in virtual triangles.
+    pub(crate) fn mesh_corner(&self, corner: u32) -> Option<(u32, usize)> {
+        let triangle = self.triangles.get(triangle_of(corner) as usize)?;
+        Some((*triangle, (corner & 3) as usize))
+    }
+
+    /// Ends the way here: what is there of the mesh is as the surface is.
+    pub(crate) fn finish(&mut self, level: &mut LevelTriangles) {
+        self.undo.reverse();
+        self.patch_begins.reverse();
+        let mut gone: Vec<u32> = self
+            .undo
+            .iter()
+            .flat_map(|undo| undo.gone)
+            .filter_map(|c| Some(self.mesh_corner(c)?.0))
+            .collect();
+        gone.sort_unstable();
+        level.alive.retain(|t| gone.binary_search(t).is_err());
+        if self.follows {
+            return;
+        }
+        // Vertices are positions: what triangles show can be read off the surface.
+        let virtual_count = self.surface.virtual_count();
+        let mut alive = level.alive.iter().peekable();
+        for (fine, triangle) in (0..).zip(&self.triangles) {
+            if alive.next_if(|t| *t == triangle).is_some() {
+                let corners = self.surface.triangle(fine);
+                let shown = corners.map(|v| self.position_of_copy[(v - virtual_count) as usize]);
+                level.shown[*triangle as usize] = shown;
+            }
+        }
+    }
+
+    /// What the corners of a step's patch showed before it; empty where corners are not followed.
+    pub(crate) fn patch(&self, at: usize) -> &[u32] {
+        let first = self.patch_begins[at] as usize;
+        let length = if self.follows { self.undo[at].cut.length as usize } else { 0 };
+        &self.patches[first..first + length]
+    }
+
+    /// Whether a surface that is cut anew from the level's triangles joins them as this one does.
+    pub(crate) fn is_built_anew(&self, level: &LevelTriangles, refinable: &RefinableMesh) -> bool {
+        let anew = close_level(level, refinable).surface;
+        let mut place = vec![NONE; self.triangles.len()];
+        let mut alive = level.alive.iter().zip(0..).peekable();
+        for (fine, triangle) in self.triangles.iter().enumerate() {
+            if let Some((_, new)) = alive.next_if(|(t, _)| *t == triangle) {
+                place[fine] = new;
+            }
+        }
+        let real = |corner: u32| place.get(triangle_of(corner) as usize).copied();
+        (0..self.triangles.len() as u32).filter(|&t| place[t as usize] != NONE).all(|t| {
+            (4 * t..4 * t + 3).all(|corner| {
+                let across = self.surface.opposite(corner);
+                let found = anew.opposite(4 * place[t as usize] + (corner & 3));
+                match real(across) {
+                    Some(triangle) => found == 4 * triangle + (across & 3),
+                    None => triangle_of(found) as usize >= level.alive.len(),
+                }
+            })
+        })
+    }
+}
+
+fn check_ring(surface: &Surface, corner: u32) -> Result<(), StepDefect> {
+    let mut ring = Vec::with_capacity(8);
+    let mut here = corner;
+    loop {
+        let vertex = surface.vertex(next(here));
+        if ring.contains(&vertex) {
+            return Err(StepDefect::Ring);
+        }
+        ring.push(vertex);
+        here = surface.swing(here);
+        if here == corner {
+            break;
+        }
+    }
+    // Ring: u, r0, .., rk. Only r0 or rk may stand for a boundary loop.
+    if ring.len() < 3 {
+        return Err(StepDefect::Ring);
+    }
+    if ring[2..ring.len() - 1].iter().any(|&v| surface.is_virtual(v)) {
+        return Err(StepDefect::Boundary);
+    }
+    // What stays around the target must be a triangle at least beside the run that it takes over.
+    let outside = surface.opposite(previous(surface.swing(corner)));
+    if surface.vertex(outside) == ring[0] && ring.len() == 3 && surface.ring(ring[0]).count() == 3 {
+        return Err(StepDefect::Ring);
+    }
+    Ok(())
+}
