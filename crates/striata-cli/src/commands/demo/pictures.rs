@@ -6,7 +6,7 @@ use striata::view::ScreenError;
 
 use super::levels::{percent, split_count_at};
 use crate::commands::build::Built;
-use crate::commands::extract::strips_of_level;
+use crate::strip_lists::strips_of_level;
 use striata_command::args::tan;
 use striata_command::failure::Failure;
 use striata_command::output::grouped;

@@ -6,7 +6,7 @@ use striata::mesh::IndexedMesh;
 use striata::simplify::Target;
 use striata::strip::{StripIndices, StripSet, stripify};
 
-use crate::commands::extract_view::ViewLevel;
+use crate::commands::extract::ViewLevel;
 use striata_command::args::Colouring;
 use striata_command::failure::Failure;
 use striata_command::fan_cover::fans_of;
