@@ -143,7 +143,7 @@ mod tests {
     use super::*;
     use crate::gpu_options::GpuOptions;
     use striata::mesh::shapes;
-    use striata::model::{FanForm, Fans, LodModel};
+    use striata::model::{FanForm, Fans};
     use striata::simplify::build_sequence;
 
     #[test]

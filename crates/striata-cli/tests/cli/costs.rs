@@ -60,10 +60,10 @@ fn files_with_levels_and_shapes_are_priced_too() {
 #[test]
 fn the_table_has_a_row_for_each_model() {
     let bench = Workbench::with_ball();
-    let text = text(&bench, "info sphere.obj --models");
+    let report = text(&bench, "info sphere.obj --models");
     for name in NAMES {
-        let row = text.lines().find(|line| line.starts_with(&format!("{name} would cost")));
-        let row = row.unwrap_or_else(|| panic!("{name} is missing:\n{text}"));
+        let row = report.lines().find(|line| line.starts_with(&format!("{name} would cost")));
+        let row = row.unwrap_or_else(|| panic!("{name} is missing:\n{report}"));
         assert!(row.contains("bytes a vertex") && row.contains("built in"), "{row}");
         assert_eq!(row.contains("an instance"), name != "progressive", "{row}");
     }

@@ -34,6 +34,14 @@ pub(crate) struct Budget {
     pub(crate) threshold: f32,
 }
 
+/// The instance that keeps to a budget.
+struct Found {
+    instance: PatternInstance,
+    /// What weighs no more need not be there.
+    threshold: f32,
+    stop_reason: StopReason,
+}
+
 impl PatternsOfFile {
     /// Those that the file has, or else those of its collapses.
     ///
@@ -91,13 +99,13 @@ impl PatternsOfFile {
         let started = Instant::now();
         let scene = PatternScene::new(&self.patterns, &self.bounds, &self.mesh.positions);
         let steps = || 0..self.step_count() as u32;
-        let (instance, threshold, stop_reason) = match budget.triangle_limit {
+        let Found { instance, threshold, stop_reason } = match budget.triangle_limit {
             // Not all fragments need to be asked.
             None => {
                 let is_too_coarse = |overlap: Overlap| weight(&scene, overlap.upper) > budget.threshold;
                 let mut instance = PatternInstance::base(&self.patterns);
                 instance.adapt(&self.patterns, &is_too_coarse);
-                (instance, budget.threshold, StopReason::TargetReached)
+                Found { instance, threshold: budget.threshold, stop_reason: StopReason::TargetReached }
             }
             Some(limit) => {
                 let weights: Vec<f32> = steps().map(|step| weight(&scene, step)).collect();
@@ -118,7 +126,7 @@ impl PatternsOfFile {
     }
 
     /// The level of the lowest threshold, but no lower than allowed, that has no more than so many triangles.
-    fn within(&self, weights: &[f32], limit: usize, least: f32) -> (PatternInstance, f32, StopReason) {
+    fn within(&self, weights: &[f32], limit: usize, least: f32) -> Found {
         let mut thresholds: Vec<f32> =
             weights.iter().copied().filter(|&w| w > least && w.is_finite()).collect();
         thresholds.push(least);
@@ -137,7 +145,8 @@ impl PatternsOfFile {
         }
         let found = go_to(thresholds[low]);
         let is_met = found.triangle_count() <= limit;
-        (found, thresholds[low], if is_met { StopReason::TargetReached } else { StopReason::BaseReached })
+        let stop_reason = if is_met { StopReason::TargetReached } else { StopReason::BaseReached };
+        Found { instance: found, threshold: thresholds[low], stop_reason }
     }
 
     fn shown(&self, instance: &PatternInstance) -> IndexedMesh {
