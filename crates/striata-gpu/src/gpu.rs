@@ -23,7 +23,7 @@ pub struct Gpu {
 
 impl Gpu {
     /// Opens an adapter, with those of the [`optional features`](Self::optional_features) that it has. What its device reports
-    /// beside results, no memory above all, is reported by the next [`wait`](Self::wait).
+    /// apart from results, no memory above all, is reported by the next [`wait`](Self::wait).
     ///
     /// # Errors
     /// [`GpuError::NoDevice`].

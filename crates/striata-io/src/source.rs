@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-/// Where bytes come from: for messages, for the extension, and for files beside them.
+/// Where bytes come from: for messages, for the extension, and for files in the same folder.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Source<'a> {
     /// The file's name, as messages shall show it; its extension decides where the content does not.

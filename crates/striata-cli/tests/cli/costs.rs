@@ -52,6 +52,7 @@ fn files_with_levels_and_shapes_are_priced_too() {
             assert!(cost["bytes"].as_u64().is_some_and(|bytes| bytes > 100), "{file}: {cost}");
         }
     }
+    costs(&bench, "shape:cube");
     let report = bench.json("info ball.striata");
     assert!(report.get("model_costs").is_none(), "only where they are asked for: {report}");
     assert_keys(&bench.json("info ball.striata --models"), &["models.lodstrips.parts", "model_costs"]);

@@ -20,7 +20,7 @@ use striata::mesh::{Appearance, IndexedMesh, Material, TriangleGroup};
 
 use crate::error::Fault;
 use crate::text::{Cursor, quoted};
-use corners::{NONE, Corner, Tables, assemble};
+use corners::{Corner, NONE, Tables, assemble};
 
 /// What the statements so far have built.
 #[derive(Default)]

@@ -4,7 +4,6 @@
 //! here (DNS rebinding), and would then be taken for a page of this server. So a server for this machine alone answers
 //! only to the names that this machine has for itself.
 
-use std::net::IpAddr;
 use axum::Router;
 use axum::extract::{Request, State};
 use axum::http::header::{
@@ -15,6 +14,7 @@ use axum::http::uri::Authority;
 use axum::http::{HeaderName, HeaderValue, Method, StatusCode};
 use axum::middleware::{Next, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
+use std::net::IpAddr;
 use tower_http::cors::{Any, CorsLayer};
 use tower_http::set_header::SetResponseHeaderLayer;
 

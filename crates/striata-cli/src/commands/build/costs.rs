@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, weld};
-use striata::model::{FanInstance, LodModel, PatternInstance};
+use striata::model::{FanInstance, LodModel, PartBytes, PatternInstance};
 
 use super::built::{BuildPlan, stream_of};
 use super::models::{MODELS, Models, PROGRESSIVE};
@@ -20,9 +20,9 @@ pub(crate) struct ModelCost {
     pub(crate) name: &'static str,
     /// Bytes of all its parts.
     pub(crate) bytes: usize,
-    /// The same for each vertex of the mesh.
+    /// The same for each vertex of the welded mesh.
     pub(crate) bytes_per_vertex: f64,
-    /// Bytes that one instance takes beside them; none of a stream, which is decoded once for all.
+    /// Bytes that one instance takes in addition; none of a stream, which is decoded once for all.
     pub(crate) instance_bytes: Option<usize>,
     /// Seconds that the model takes once its steps and its strips are there.
     pub(crate) build_secs: f64,
@@ -44,7 +44,7 @@ pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<Model
         let started = Instant::now();
         let made = (Some(&stripped.strips), None);
         let models = Models::build(&[name.to_owned()], &sequenced, made, bar)?;
-        costs.extend(costs_of(&models, mesh.vertex_count(), started.elapsed().as_secs_f64()));
+        costs.extend(costs_of(&models, &sequenced, started.elapsed().as_secs_f64()));
     }
     // A stream takes its collapses in batches, which are others.
     bar.phase("simplify");
@@ -56,7 +56,7 @@ pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<Model
     let stream = stream_of(&mut sequenced, &plan)?;
     let build_secs = started.elapsed().as_secs_f64();
     let models = Models::build(&plan.models, &sequenced, (None, stream), bar)?;
-    costs.extend(costs_of(&models, mesh.vertex_count(), build_secs));
+    costs.extend(costs_of(&models, &sequenced, build_secs));
     Ok(costs)
 }
 
@@ -64,13 +64,14 @@ fn steps(mesh: &IndexedMesh, plan: &SequencePlan, bar: &mut Bar) -> Result<Seque
     Ok(plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?)
 }
 
-fn costs_of(models: &Models, vertex_count: usize, build_secs: f64) -> Vec<ModelCost> {
-    let cost = |(name, parts): (&'static str, Vec<striata::model::PartBytes>)| {
+fn costs_of(models: &Models, sequenced: &Sequenced, build_secs: f64) -> Vec<ModelCost> {
+    let vertex_count = sequenced.steps.mesh().vertex_count().max(1);
+    let cost = |(name, parts): (&'static str, Vec<PartBytes>)| {
         let bytes = parts.iter().map(|part| part.bytes).sum::<usize>();
         ModelCost {
             name,
             bytes,
-            bytes_per_vertex: bytes as f64 / vertex_count.max(1) as f64,
+            bytes_per_vertex: bytes as f64 / vertex_count as f64,
             instance_bytes: instance_bytes(models, name),
             build_secs,
         }

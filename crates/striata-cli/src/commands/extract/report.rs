@@ -53,7 +53,7 @@ pub(super) struct Report {
     pub(super) secs: f64,
 }
 
-/// A mesh that is the level of so many splits.
+/// A mesh, and the level that it is.
 #[derive(Clone, Copy)]
 pub(super) struct Shown<'a> {
     pub(super) mesh: &'a IndexedMesh,

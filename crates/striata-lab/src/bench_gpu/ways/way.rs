@@ -25,7 +25,7 @@ pub(in crate::bench_gpu) trait Way {
     /// Bytes sent so far.
     fn uploaded_bytes(&self) -> u64;
 
-    /// Bytes that it keeps on the GPU, beside the vertices.
+    /// Bytes that it keeps on the GPU, without the vertices.
     fn gpu_bytes(&self) -> usize;
 }
 

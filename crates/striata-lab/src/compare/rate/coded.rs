@@ -22,7 +22,7 @@ pub(super) struct Coded {
     pub(super) decode_secs: f64,
 }
 
-/// A coder of single meshes: positions on a grid of so many bits.
+/// A coder of single meshes: positions on a grid of a number of bits.
 pub(super) type Coder<'c> = Box<dyn Fn(&IndexedMesh, u32) -> Result<Coded, Failure> + 'c>;
 
 /// What a stream is called.
@@ -30,7 +30,7 @@ pub(super) fn stream_name(effort: Effort) -> String {
     format!("striata {}", effort_name(effort))
 }
 
-/// The quickest of some runs, each of which tells its seconds.
+/// The quickest of some runs, each of which gives its seconds.
 ///
 /// # Errors
 /// Where one of them fails.

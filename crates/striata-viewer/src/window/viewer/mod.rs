@@ -33,7 +33,7 @@ pub(super) struct Place {
     pub(super) is_dark: bool,
 }
 
-/// Everything that a picture depends on beside the triangles.
+/// Everything that a picture depends on apart from the triangles.
 #[derive(Clone, Debug, PartialEq)]
 struct Drawn {
     viewpoint: Viewpoint,
