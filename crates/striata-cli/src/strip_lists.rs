@@ -4,7 +4,8 @@
 //! takes six indices, and groups of such strips (flat shading, soups, coarse levels) are shorter as single triangles.
 
 use striata::mesh::{IndexedMesh, MeshError};
-use striata::strip::{StripSet, stripify};
+use striata::model::StripModel;
+use striata::strip::{RESTART, StripSet, stripify};
 
 /// One list of indices for each group: a single strip, or nothing if single triangles take fewer indices.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,6 +51,19 @@ pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
     let of_group =
         |range: &std::ops::Range<u32>| joined.indices[range.start as usize..range.end as usize].to_vec();
     joined.group_ranges.iter().map(of_group).collect()
+}
+
+/// The strips that a level shows, group by group; dead ones are left out.
+pub(crate) fn strips_of_level<M: StripModel>(model: &M, state: &M::State) -> StripSet {
+    let mut strips = StripSet::new();
+    for group in 0..model.group_count() {
+        for strip in model.group_strips(group) {
+            let pieces = model.strip(state, strip).split(|&index| index == RESTART);
+            pieces.filter(|piece| piece.len() >= 3).for_each(|piece| strips.push(piece));
+        }
+        strips.end_group();
+    }
+    strips
 }
 
 /// A level without the vertices that none of its triangles use, and its strips over what is left; no strips if they use others.

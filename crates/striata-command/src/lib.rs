@@ -1,6 +1,10 @@
 //! What striata's commands share: the flags that several verbs take, reading and writing of files, progress bars and
 //! tables, and failures with their hints and exit codes.
 //!
+//! In reading order: [`args`] are the flags; [`failure`], [`output`] and [`clock`] say how it goes; [`input`], [`shapes`] and [`save`]
+//! read and write; [`sequence`], [`texture_contrast`], [`strip_chain`], [`strip_report`], [`fan_cover`], [`stream`] and [`level`] do what
+//! the flags ask; [`page`] lays reports out for a browser.
+//!
 //! Data goes to stdout; progress and messages go to stderr. Exit codes: 0 done, 1 the user can fix it, 2 our fault.
 
 pub mod args;

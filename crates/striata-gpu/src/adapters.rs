@@ -4,26 +4,11 @@
 //! [`Gpu::probe`] (or a trial of the caller's own) has worked on it. Vulkan, Metal and DirectX come first, then OpenGL; within
 //! them discrete GPUs, integrated ones, and at last those that draw on the processor.
 
-use std::fmt;
-
 use wgpu::{Adapter, Backends, DeviceType, Instance};
 
-use crate::gpu::{Gpu, GpuError, GpuOptions};
-
-/// An adapter that was found and cannot be used.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RejectedAdapter {
-    /// Its name and its backend.
-    pub name: String,
-    /// What it lacks, or what failed, in one line.
-    pub reason: String,
-}
-
-impl fmt::Display for RejectedAdapter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.name, self.reason)
-    }
-}
+use crate::gpu::Gpu;
+use crate::gpu_error::{GpuError, RejectedAdapter};
+use crate::gpu_options::GpuOptions;
 
 /// An adapter that passed its trial.
 #[derive(Clone, Debug)]
@@ -34,6 +19,16 @@ pub struct ChosenAdapter<T> {
     pub made: T,
     /// The adapters that were tried before it, in order.
     pub rejected: Vec<RejectedAdapter>,
+}
+
+impl Gpu {
+    /// Opens the best adapter that passes [`probe`](Self::probe); see [`choose_adapter`].
+    ///
+    /// # Errors
+    /// As [`choose_adapter`].
+    pub fn new(options: &GpuOptions) -> Result<Self, GpuError> {
+        Ok(choose_adapter(options, Self::probe)?.gpu)
+    }
 }
 
 /// Opens adapters in order of preference until a trial works on one of them.

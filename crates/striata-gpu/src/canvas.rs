@@ -4,7 +4,9 @@ use wgpu::{
     BufferUsages, CommandEncoder, Extent3d, RenderPass, Texture, TextureFormat, TextureUsages, TextureView,
 };
 
-use crate::gpu::{Gpu, GpuError};
+use crate::copy_back::read_buffer;
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 use crate::painter::DEPTH_FORMAT;
 
 /// A picture in memory, row by row from the top, 4 bytes a pixel: red, green, blue in sRGB, and opacity.
@@ -171,30 +173,4 @@ impl Picture {
         }
         Ok(Self { width: size.width, height: size.height, rgba })
     }
-}
-
-/// The bytes of a buffer that can be mapped for reading.
-pub(crate) fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
-    let failed = |e: &dyn std::fmt::Display| GpuError::Failed(e.to_string());
-    let (sender, receiver) = std::sync::mpsc::channel();
-    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-        // Nobody listens only where the wait below has failed, which is reported there.
-        let _ = sender.send(result);
-    });
-    gpu.wait()?;
-    receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
-    let bytes = buffer.get_mapped_range(..).map_err(|e| failed(&e))?.to_vec();
-    buffer.unmap();
-    Ok(bytes)
-}
-
-/// The words of a buffer on the GPU.
-pub(crate) fn copy_back(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u32>, GpuError> {
-    let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
-    let copy = gpu.empty_buffer("copy", buffer.size(), usage)?;
-    let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, buffer.size());
-    gpu.queue.submit([encoder.finish()]);
-    let bytes = read_buffer(gpu, &copy)?;
-    Ok(bytes.as_chunks().0.iter().map(|&word| u32::from_le_bytes(word)).collect())
 }

@@ -3,19 +3,20 @@
 use bytemuck::{Pod, Zeroable, bytes_of};
 use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder, ComputePipeline, Features};
 
-use crate::gpu::{Gpu, GpuError};
-use crate::gpu_fans::{GpuFanInstance, GpuFans};
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
+use crate::gpu_fans::GpuFans;
 
 /// The three passes of an extraction, in order, each with the bindings of `fans.wgsl` that it names.
 const PASSES: [(&str, &[u32]); 3] =
     [("count", &[0, 1, 2, 3, 5, 6, 7]), ("place", &[0, 4, 7, 9]), ("write", &[0, 1, 2, 3, 6, 8, 10])];
 
-/// Makes the triangles of [`GpuFanInstance`]s in compute shaders; one serves all tables of a device.
+/// Makes the triangles of [`GpuFanInstance`](crate::GpuFanInstance)s in compute shaders; one serves all tables of a device.
 #[derive(Debug)]
 pub struct FanExtractor {
     pipelines: [ComputePipeline; 3],
     /// Workgroups in a row of a dispatch, at most.
-    row: u32,
+    pub(crate) row: u32,
 }
 
 /// The buffers of an instance that the passes work on.
@@ -54,14 +55,13 @@ impl FanExtractor {
         Self { pipelines, row: gpu.device.limits().max_compute_workgroups_per_dimension }
     }
 
-    /// Makes the triangles of what was last [written](GpuFanInstance::write) to an instance, for draws that come later.
-    pub fn extract(&self, encoder: &mut CommandEncoder, instance: &GpuFanInstance) {
-        let (bindings, block_count) = instance.passes();
+    /// Runs all passes with an instance's bindings, for this number of blocks.
+    pub(crate) fn run(&self, encoder: &mut CommandEncoder, passes: &[BindGroup; 3], block_count: u32) {
         if block_count == 0 {
             return;
         }
         let mut pass = encoder.begin_compute_pass(&Default::default());
-        for (pass_number, (pipeline, bindings)) in self.pipelines.iter().zip(bindings).enumerate() {
+        for (pass_number, (pipeline, bindings)) in self.pipelines.iter().zip(passes).enumerate() {
             pass.set_pipeline(pipeline);
             pass.set_bind_group(0, bindings, &[]);
             // The second adds up all blocks in one workgroup.
@@ -122,43 +122,13 @@ fn rows(block_count: u32, row: u32) -> [u32; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::GpuOptions;
     use crate::gpu_fan_words::BLOCK;
-    use striata::mesh::shapes;
-    use striata::model::{FanForm, FanIndices, FanInstance, Fans};
-    use striata::simplify::build_sequence;
 
     #[test]
     fn rows_hold_all_blocks_of_the_largest_tables() {
         for block_count in [1, 2, 65_535, 65_536, 65_537, u32::MAX / BLOCK as u32] {
             let [x, y] = rows(block_count, 65_535);
             assert!(x <= 65_535 && y <= 65_535 && u64::from(x) * u64::from(y) >= u64::from(block_count));
-        }
-    }
-
-    /// As tables of more than 16 million fans are, on a device of 65,535 workgroups a row.
-    #[test]
-    fn blocks_in_many_rows_are_extracted_like_those_in_one() {
-        let on_processor = Gpu::new(&GpuOptions::default().with_fallback(true));
-        let gpu = on_processor.or_else(|_| Gpu::new(&GpuOptions::default())).expect("an adapter");
-        let mesh = shapes::icosphere(4, 1.0);
-        let built = build_sequence(&mesh, &Default::default()).unwrap();
-        let fans = Fans::build(&built.refinable);
-        let table = GpuFans::upload(&gpu, &fans).unwrap();
-        let mut extractor = FanExtractor::new(&gpu);
-        for row in [1, 3, 4, 65_535] {
-            extractor.row = row;
-            let mut instance = GpuFanInstance::new(&gpu, &extractor, &table).unwrap();
-            for split_count in [built.refinable.sequence.step_count(), 1000, 0] {
-                let level = FanInstance::uniform(&fans, split_count);
-                instance.write(&gpu, &level);
-                let mut encoder = gpu.device.create_command_encoder(&Default::default());
-                extractor.extract(&mut encoder, &instance);
-                gpu.queue.submit([encoder.finish()]);
-                let mut expected = FanIndices::default();
-                level.emit_into(&fans, FanForm::Triangles, &mut expected);
-                assert_eq!(instance.read(&gpu).unwrap(), expected, "{row} a row, level {split_count}");
-            }
         }
     }
 }

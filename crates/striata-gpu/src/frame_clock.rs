@@ -2,8 +2,9 @@
 
 use wgpu::{Buffer, BufferUsages, CommandEncoder, Features, QuerySet};
 
-use crate::canvas::copy_back;
-use crate::gpu::{Gpu, GpuError};
+use crate::copy_back::copy_back;
+use crate::gpu::{Gpu, TIME_STAMPS};
+use crate::gpu_error::GpuError;
 
 /// Two time stamps around the commands of an encoder.
 ///
@@ -18,7 +19,7 @@ pub struct FrameClock {
 
 impl FrameClock {
     /// What the device must have.
-    pub const FEATURES: Features = Features::TIMESTAMP_QUERY.union(Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
+    pub const FEATURES: Features = TIME_STAMPS;
 
     /// A clock; none where the device has no time stamps.
     ///

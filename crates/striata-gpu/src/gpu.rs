@@ -4,100 +4,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use wgpu::{Adapter, AdapterInfo, Device, Features, Queue};
 
-use crate::adapters::{RejectedAdapter, choose_adapter};
-use crate::frame_clock::FrameClock;
 use crate::gl_restart;
+use crate::gpu_error::GpuError;
 
-/// Nothing to draw with.
-#[derive(Clone, Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum GpuError {
-    /// No adapter that fits.
-    #[error("found no graphics adapter{}", if *.is_fallback { " that draws on the processor" } else { "" })]
-    NoAdapter {
-        /// Whether one that draws on the processor was asked for.
-        is_fallback: bool,
-    },
-    /// There are adapters, and none of them can draw.
-    #[error("no graphics adapter can draw: {}", joined(.rejected))]
-    NoUsableAdapter {
-        /// Each of them with its reason.
-        rejected: Vec<RejectedAdapter>,
-    },
-    /// No adapter whose name holds what was asked for.
-    #[error("found no graphics adapter that is called {name:?}{}", others(.known))]
-    NoSuchAdapter {
-        /// What was asked for.
-        name: String,
-        /// The names of those that there are.
-        known: Vec<String>,
-    },
-    /// The adapter gave no device.
-    #[error("the adapter {adapter} gave no device: {reason}")]
-    NoDevice {
-        /// Its name.
-        adapter: String,
-        /// What it reported.
-        reason: String,
-    },
-    /// More than the device can hold in one piece.
-    #[error("{what} takes {needed_bytes} bytes, and {adapter} has at most {limit_bytes} for one buffer")]
-    TooLarge {
-        /// What was to be uploaded.
-        what: &'static str,
-        /// Its size.
-        needed_bytes: u64,
-        /// The device's limit.
-        limit_bytes: u64,
-        /// The adapter's name.
-        adapter: String,
-    },
-    /// A picture of no pixels, or of more in a row than the device draws.
-    #[error("cannot draw {width} x {height} pixels: each side must be 1 to {limit}")]
-    PictureSize {
-        /// Asked width.
-        width: u32,
-        /// Asked height.
-        height: u32,
-        /// The longest side.
-        limit: u32,
-    },
-    /// The device was lost, or a result could not be read back.
-    #[error("the graphics device failed: {0}")]
-    Failed(String),
-}
-
-/// Which adapter to take.
-#[derive(Clone, Debug, Default)]
-#[non_exhaustive]
-pub struct GpuOptions {
-    /// Only one that draws on the processor (llvmpipe, WARP, SwiftShader). Default: false, the quickest there is.
-    pub is_fallback: bool,
-    /// Only one whose name holds this, in any letters. Default: what `WGPU_ADAPTER_NAME` says, or else any.
-    pub adapter_name: Option<String>,
-}
-
-impl GpuOptions {
-    /// Sets [`is_fallback`](Self::is_fallback).
-    #[must_use]
-    pub fn with_fallback(mut self, is_fallback: bool) -> Self {
-        self.is_fallback = is_fallback;
-        self
-    }
-
-    /// Sets [`adapter_name`](Self::adapter_name).
-    #[must_use]
-    pub fn with_adapter_name(mut self, adapter_name: Option<String>) -> Self {
-        self.adapter_name = adapter_name;
-        self
-    }
-
-    /// The name asked for, in small letters, unless the processor is to draw.
-    pub(crate) fn wanted_name(&self) -> Option<String> {
-        let named = self.adapter_name.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok())?;
-        (!named.is_empty() && !self.is_fallback).then(|| named.to_lowercase())
-    }
-}
+/// What a device must have for a [`FrameClock`](crate::FrameClock).
+pub(crate) const TIME_STAMPS: Features =
+    Features::TIMESTAMP_QUERY.union(Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
 
 /// A device and the queue that feeds it.
 #[derive(Clone, Debug)]
@@ -110,16 +22,8 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Opens the best adapter that passes [`probe`](Self::probe); see [`choose_adapter`].
-    ///
-    /// # Errors
-    /// As [`choose_adapter`].
-    pub fn new(options: &GpuOptions) -> Result<Self, GpuError> {
-        Ok(choose_adapter(options, Self::probe)?.gpu)
-    }
-
     /// Opens an adapter, with those of the [`optional features`](Self::optional_features) that it has. What its device reports
-    /// beside results, no memory above all, is told by the next [`wait`](Self::wait).
+    /// apart from results, no memory above all, is reported by the next [`wait`](Self::wait).
     ///
     /// # Errors
     /// [`GpuError::NoDevice`].
@@ -156,7 +60,7 @@ impl Gpu {
 
     /// Features that are used where they are there.
     pub fn optional_features() -> Features {
-        Features::INDIRECT_FIRST_INSTANCE | FrameClock::FEATURES
+        Features::INDIRECT_FIRST_INSTANCE | TIME_STAMPS
     }
 
     /// The device.
@@ -229,34 +133,6 @@ impl Gpu {
     }
 }
 
-impl GpuError {
-    /// Why an adapter cannot be used, without its name, in one line: the feature that it lacks if that is all.
-    pub(crate) fn reason(&self) -> String {
-        let text = match self {
-            Self::Failed(reason) | Self::NoDevice { reason, .. } => reason.clone(),
-            other => other.to_string(),
-        };
-        let flags = text.split_once("DownlevelFlags(").and_then(|(_, rest)| rest.split_once(')'));
-        match flags {
-            Some((flags, _)) => format!("it lacks {flags}"),
-            None => text,
-        }
-    }
-}
-
-fn joined(rejected: &[RejectedAdapter]) -> String {
-    rejected.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
-}
-
-/// What there is instead of what was asked for.
-fn others(known: &[String]) -> String {
-    if known.is_empty() {
-        "; there is none at all".to_owned()
-    } else {
-        format!("; there are: {}", known.join(", "))
-    }
-}
-
 /// An error and what it comes from, which wgpu tells in several lines.
 fn one_line(error: &wgpu::Error) -> String {
     let text = error.to_string();
@@ -266,6 +142,7 @@ fn one_line(error: &wgpu::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gpu_options::GpuOptions;
 
     fn on_processor() -> Gpu {
         let found = Gpu::new(&GpuOptions::default().with_fallback(true));

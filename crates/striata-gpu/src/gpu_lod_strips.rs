@@ -5,7 +5,8 @@ use std::ops::Range;
 use striata::model::{LodStrips, LodStripsState, StripBuffer};
 
 use crate::drawing::Drawing;
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 use crate::indices::GpuIndices;
 
 /// Changed ranges with fewer unchanged indices between them are sent as one: a write costs as much as so many indices, 4.2

@@ -10,10 +10,12 @@
 use bytemuck::cast_slice;
 use striata::mesh::CollapseSequence;
 use striata::model::{FanMorphs, Geomorph};
-use wgpu::{BindGroup, Buffer, BufferUsages, ComputePipeline};
+use wgpu::{BindGroup, Buffer, BufferUsages, ComputePipeline, RenderPass};
 
-use crate::gpu::{Gpu, GpuError};
-use crate::painter::{Painter, bind};
+use crate::drawing::Drawing;
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
+use crate::painter::{Painter, Scene, bind};
 use crate::vertices::GpuVertices;
 
 /// As far as the blend, and as far as the blend is from its end; see `morphing.wgsl`.
@@ -50,7 +52,7 @@ impl GpuMorph {
         let places = gpu.buffer_of("places", cast_slice(&at_rest), BufferUsages::STORAGE)?;
         let blend = gpu.buffer_of("blend", &[0; 16], BufferUsages::UNIFORM)?;
         let buffers = [&vertices.positions, &vertices.normals, &vertices.colours, &places, &blend];
-        let bindings = bind(gpu, painter.morphing_layout(), &buffers);
+        let bindings = bind(gpu, &painter.morphing_layout, &buffers);
         let module = gpu.device.create_shader_module(wgpu::include_wgsl!("shaders/scatter.wgsl"));
         let scatter = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some("scatter"),
@@ -111,10 +113,6 @@ impl GpuMorph {
         self.uploaded_bytes
     }
 
-    pub(crate) fn bindings(&self) -> &BindGroup {
-        &self.bindings
-    }
-
     /// Makes these, by rising vertices, the only ones that move.
     fn replace(&mut self, gpu: &Gpu, mut moves: Vec<Move>) -> Result<(), GpuError> {
         let moved: Vec<u32> = moves.iter().map(|&[vertex, ..]| vertex).collect();
@@ -159,6 +157,23 @@ impl GpuMorph {
         // At once: the list may be written again before anything is drawn.
         gpu.queue.submit([encoder.finish()]);
         Ok(())
+    }
+}
+
+impl Painter {
+    /// Draws vertices by indices, each where a morph has it.
+    pub fn draw_morphing(
+        &self,
+        pass: &mut RenderPass<'_>,
+        scene: &Scene,
+        morph: &GpuMorph,
+        drawing: Drawing<'_>,
+    ) {
+        pass.set_pipeline(&self.morphing[usize::from(drawing.is_strips())][usize::from(scene.hides_back)]);
+        pass.set_bind_group(0, &scene.bindings, &[]);
+        pass.set_bind_group(1, &morph.bindings, &[]);
+        pass.set_index_buffer(drawing.index_buffer().slice(..), wgpu::IndexFormat::Uint32);
+        drawing.issue(pass);
     }
 }
 

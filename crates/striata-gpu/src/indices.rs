@@ -5,8 +5,9 @@ use std::ops::Range;
 use bytemuck::cast_slice;
 use wgpu::{Buffer, BufferUsages};
 
-use crate::canvas::copy_back;
-use crate::gpu::{Gpu, GpuError};
+use crate::copy_back::copy_back;
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 
 /// An index buffer of 32-bit indices that is written again and again.
 ///

@@ -1,11 +1,12 @@
 //! Single triangles with colours of their own and visible edges.
 
 use bytemuck::cast_slice;
-use wgpu::{BindGroup, BufferUsages};
+use wgpu::{BindGroup, BufferUsages, RenderPass};
 
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 use crate::indices::GpuIndices;
-use crate::painter::{Painter, bind};
+use crate::painter::{Painter, Scene, bind};
 use crate::vertices::GpuVertices;
 
 /// A level as single triangles: what strip or fan each belongs to, and where its edges are.
@@ -35,7 +36,7 @@ impl Inspection {
         let indices = GpuIndices::upload(gpu, cast_slice(triangles))?;
         let colours = gpu.buffer_of("triangle colours", cast_slice(colours), BufferUsages::STORAGE)?;
         let buffers = [&vertices.positions, &vertices.normals, &vertices.colours, &indices.buffer, &colours];
-        let bindings = bind(gpu, painter.triangles_layout(), &buffers);
+        let bindings = bind(gpu, &painter.triangles_layout, &buffers);
         Ok(Self { bindings, triangle_count: triangles.len() as u32 })
     }
 
@@ -43,8 +44,17 @@ impl Inspection {
     pub fn triangle_count(&self) -> u32 {
         self.triangle_count
     }
+}
 
-    pub(crate) fn bindings(&self) -> &BindGroup {
-        &self.bindings
+impl Painter {
+    /// Draws single triangles, with their colours and edges.
+    pub fn inspect(&self, pass: &mut RenderPass<'_>, scene: &Scene, inspection: &Inspection) {
+        if inspection.triangle_count() == 0 {
+            return;
+        }
+        pass.set_pipeline(&self.inspection[usize::from(scene.hides_back)]);
+        pass.set_bind_group(0, &scene.bindings, &[]);
+        pass.set_bind_group(1, &inspection.bindings, &[]);
+        pass.draw(0..3 * inspection.triangle_count(), 0..1);
     }
 }

@@ -8,6 +8,11 @@
 //! Any backend of wgpu does, OpenGL and those that draw on the processor among them. [`Gpu::new`] tries each adapter with a small
 //! triangle before it takes it, and says what each of the others lacks.
 //!
+//! In reading order: `gpu_error`, `gpu_options`, `gpu` and `adapters` find the device; `copy_back`, `vertices`, `indices`, `drawing` and
+//! `gpu_lod_strips` hold what is drawn; `viewpoint`, `look`, `painter`, `inspection` and `gpu_morph` draw it; `canvas`, `screen_copy`
+//! and `frame_clock` are around a picture; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and `gpu_fan_instance` make triangles of fans;
+//! `probe` tries all of it on an adapter.
+//!
 //! ```no_run
 //! use striata::model::{FanInstance, Fans};
 //! use striata::simplify::build_sequence;
@@ -40,15 +45,19 @@
 
 mod adapters;
 mod canvas;
+mod copy_back;
 mod drawing;
 mod fan_extractor;
 mod frame_clock;
 mod gl_restart;
 mod gpu;
+mod gpu_error;
+mod gpu_fan_instance;
 mod gpu_fan_words;
 mod gpu_fans;
 mod gpu_lod_strips;
 mod gpu_morph;
+mod gpu_options;
 mod indices;
 mod inspection;
 mod look;
@@ -58,15 +67,18 @@ mod screen_copy;
 mod vertices;
 mod viewpoint;
 
-pub use adapters::{ChosenAdapter, RejectedAdapter, choose_adapter, choose_from};
+pub use adapters::{ChosenAdapter, choose_adapter, choose_from};
 pub use canvas::{Canvas, Picture};
 pub use drawing::Drawing;
 pub use fan_extractor::FanExtractor;
 pub use frame_clock::FrameClock;
-pub use gpu::{Gpu, GpuError, GpuOptions};
-pub use gpu_fans::{GpuFanInstance, GpuFans};
+pub use gpu::Gpu;
+pub use gpu_error::{GpuError, RejectedAdapter};
+pub use gpu_fan_instance::GpuFanInstance;
+pub use gpu_fans::GpuFans;
 pub use gpu_lod_strips::GpuLodStrips;
 pub use gpu_morph::GpuMorph;
+pub use gpu_options::GpuOptions;
 pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;
 pub use look::{Look, Shading, linear_to_srgb, palette_colour};

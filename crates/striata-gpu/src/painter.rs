@@ -7,9 +7,8 @@ use wgpu::{
 };
 
 use crate::drawing::Drawing;
-use crate::gpu::{Gpu, GpuError};
-use crate::gpu_morph::GpuMorph;
-use crate::inspection::Inspection;
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 use crate::look::{Look, Shading};
 use crate::vertices::GpuVertices;
 use crate::viewpoint::Viewpoint;
@@ -21,12 +20,12 @@ pub const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth32Float;
 #[derive(Debug)]
 pub struct Painter {
     pub(crate) scene_layout: BindGroupLayout,
-    triangles_layout: BindGroupLayout,
-    morphing_layout: BindGroupLayout,
+    pub(crate) triangles_layout: BindGroupLayout,
+    pub(crate) morphing_layout: BindGroupLayout,
     /// By whether strips are drawn, and whether back sides are hidden.
     surface: [[RenderPipeline; 2]; 2],
-    morphing: [[RenderPipeline; 2]; 2],
-    inspection: [RenderPipeline; 2],
+    pub(crate) morphing: [[RenderPipeline; 2]; 2],
+    pub(crate) inspection: [RenderPipeline; 2],
     format: TextureFormat,
     samples: u32,
 }
@@ -50,8 +49,8 @@ struct SceneData {
 #[derive(Debug)]
 pub struct Scene {
     buffer: Buffer,
-    bindings: BindGroup,
-    hides_back: bool,
+    pub(crate) bindings: BindGroup,
+    pub(crate) hides_back: bool,
 }
 
 impl Painter {
@@ -143,40 +142,6 @@ impl Painter {
         }
         pass.set_index_buffer(drawing.index_buffer().slice(..), wgpu::IndexFormat::Uint32);
         drawing.issue(pass);
-    }
-
-    /// Draws vertices by indices, each where a morph has it.
-    pub fn draw_morphing(
-        &self,
-        pass: &mut RenderPass<'_>,
-        scene: &Scene,
-        morph: &GpuMorph,
-        drawing: Drawing<'_>,
-    ) {
-        pass.set_pipeline(&self.morphing[usize::from(drawing.is_strips())][usize::from(scene.hides_back)]);
-        pass.set_bind_group(0, &scene.bindings, &[]);
-        pass.set_bind_group(1, morph.bindings(), &[]);
-        pass.set_index_buffer(drawing.index_buffer().slice(..), wgpu::IndexFormat::Uint32);
-        drawing.issue(pass);
-    }
-
-    /// Draws single triangles, with their colours and edges.
-    pub fn inspect(&self, pass: &mut RenderPass<'_>, scene: &Scene, inspection: &Inspection) {
-        if inspection.triangle_count() == 0 {
-            return;
-        }
-        pass.set_pipeline(&self.inspection[usize::from(scene.hides_back)]);
-        pass.set_bind_group(0, &scene.bindings, &[]);
-        pass.set_bind_group(1, inspection.bindings(), &[]);
-        pass.draw(0..3 * inspection.triangle_count(), 0..1);
-    }
-
-    pub(crate) fn morphing_layout(&self) -> &BindGroupLayout {
-        &self.morphing_layout
-    }
-
-    pub(crate) fn triangles_layout(&self) -> &BindGroupLayout {
-        &self.triangles_layout
     }
 }
 

@@ -5,7 +5,8 @@ use wgpu::RenderPass;
 
 use crate::canvas::{Canvas, Picture};
 use crate::drawing::Drawing;
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 use crate::indices::GpuIndices;
 use crate::inspection::Inspection;
 use crate::look::Look;
@@ -62,11 +63,23 @@ impl Gpu {
         let strips = Drawing::Strips { indices: &strips, groups: std::slice::from_ref(&both) };
         let inspection = Inspection::new(self, painter, &vertices, (&[TRIANGLE], &[[255; 4]]))?;
         let draws: [Trial<'_>; 3] = [
-            ("a triangle list", shows_the_triangle, &|pass| painter.draw(pass, &scene, &vertices, list)),
-            ("triangle strips", shows_the_strips, &|pass| painter.draw(pass, &scene, &vertices, strips)),
-            ("a triangle with edges", shows_the_triangle, &|pass| painter.inspect(pass, &scene, &inspection)),
+            Trial {
+                what: "a triangle list",
+                is_expected: shows_the_triangle,
+                draw: &|pass| painter.draw(pass, &scene, &vertices, list),
+            },
+            Trial {
+                what: "triangle strips",
+                is_expected: shows_the_strips,
+                draw: &|pass| painter.draw(pass, &scene, &vertices, strips),
+            },
+            Trial {
+                what: "a triangle with edges",
+                is_expected: shows_the_triangle,
+                draw: &|pass| painter.inspect(pass, &scene, &inspection),
+            },
         ];
-        for (what, is_expected, draw) in draws {
+        for Trial { what, is_expected, draw } in draws {
             let picture = canvas.paint(self, look.background, draw)?;
             self.wait()?;
             if !is_expected(&picture) {
@@ -77,8 +90,14 @@ impl Gpu {
     }
 }
 
-/// What is drawn, whether a picture of it is as it should be, and drawing it.
-type Trial<'a> = (&'static str, fn(&Picture) -> bool, &'a dyn Fn(&mut RenderPass<'_>));
+/// Something that an adapter has to draw.
+struct Trial<'a> {
+    /// What is drawn.
+    what: &'static str,
+    /// Whether a picture of it is as it should be.
+    is_expected: fn(&Picture) -> bool,
+    draw: &'a dyn Fn(&mut RenderPass<'_>),
+}
 
 /// Whether the middle is covered and lit, and the corners are empty.
 fn shows_the_triangle(picture: &Picture) -> bool {

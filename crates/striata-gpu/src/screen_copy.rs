@@ -99,7 +99,7 @@ impl ScreenCopy {
 mod tests {
     use super::*;
     use crate::canvas::Picture;
-    use crate::gpu::GpuOptions;
+    use crate::gpu_options::GpuOptions;
 
     #[test]
     fn a_copy_has_the_bytes_of_the_canvas() {

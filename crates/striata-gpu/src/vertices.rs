@@ -4,7 +4,8 @@ use bytemuck::cast_slice;
 use striata::mesh::{IndexedMesh, Semantic};
 use wgpu::{Buffer, BufferUsages};
 
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 
 /// Positions, normals and colours of a mesh on the GPU.
 ///

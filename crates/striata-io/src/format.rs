@@ -141,6 +141,19 @@ impl fmt::Display for Format {
     }
 }
 
+/// What a format and its feature are called.
+#[cfg(not(all(feature = "ply", feature = "obj", feature = "stl", feature = "off", feature = "gltf")))]
+pub(crate) fn feature_of(format: Format) -> (&'static str, &'static str) {
+    match format {
+        Format::Ply => ("PLY", "ply"),
+        Format::Obj => ("OBJ", "obj"),
+        Format::Stl => ("STL", "stl"),
+        Format::Off => ("OFF", "off"),
+        Format::Gltf | Format::Glb => ("glTF", "gltf"),
+        Format::Striata | Format::Stream => ("striata container", ""),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -11,6 +11,10 @@
 //! [`IndexedMesh::check`](striata::mesh::IndexedMesh::check) judges them. Texture coordinates are
 //! glTF's (`v` grows downwards) in meshes; OBJ is turned around on the way in and out.
 //!
+//! In reading order: `format`, `source` and `write_options` say what is asked, `error` what may go wrong; `read` and `write` choose
+//! among `ply`, `obj`, `stl`, `off` and `gltf`, with `text` and `normals` below them; `compressed` and `atomic` are around a file;
+//! `blocks` takes files that do not fit into memory.
+//!
 //! On wasm there are no files: what takes a path is left out, [`read_bytes`] and [`to_bytes`] are there.
 
 #![cfg_attr(
@@ -37,10 +41,12 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod read;
+mod source;
 #[cfg(feature = "stl")]
 mod stl;
 mod text;
 mod write;
+mod write_options;
 
 #[cfg(not(target_family = "wasm"))]
 pub use atomic::{FileBatch, write_atomically};
@@ -53,10 +59,12 @@ pub use format::Format;
 pub use lod::{open, save};
 #[cfg(not(target_family = "wasm"))]
 pub use read::read;
-pub use read::{Source, read_bytes};
-pub use write::{WriteOptions, to_bytes};
+pub use read::read_bytes;
+pub use source::Source;
+pub use write::to_bytes;
 #[cfg(not(target_family = "wasm"))]
 pub use write::{to_file_bytes, write};
+pub use write_options::WriteOptions;
 
 /// The readme's example, compiled with the documentation's tests.
 #[cfg(doctest)]

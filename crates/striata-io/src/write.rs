@@ -10,42 +10,8 @@ use crate::compressed::Compression;
 use crate::error::Refusal;
 #[cfg(not(target_family = "wasm"))]
 use crate::write_atomically;
+use crate::write_options::WriteOptions;
 use crate::{Format, WriteError};
-
-/// How a mesh is written.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct WriteOptions {
-    /// Writes PLY as text instead of binary little-endian. Default: false.
-    pub ascii: bool,
-    /// glTF only: for each triangle group, one list of indices that form a single triangle strip
-    /// (joined by degenerate triangles, without restart indices), written instead of the triangles. A group whose list is
-    /// empty is written as single triangles. Default: none, so that all groups are.
-    pub strips: Option<Vec<Vec<u32>>>,
-    /// glTF only: for each triangle group its fans, each a list of indices, written instead of the triangles. glTF
-    /// knows no restart index, so each fan becomes a primitive, which takes some 140 bytes of JSON. Default: none.
-    pub fans: Option<Vec<Vec<Vec<u32>>>>,
-}
-
-impl WriteOptions {
-    /// Sets [`ascii`](Self::ascii).
-    #[must_use]
-    pub fn with_ascii(self, ascii: bool) -> Self {
-        Self { ascii, ..self }
-    }
-
-    /// Sets [`strips`](Self::strips).
-    #[must_use]
-    pub fn with_strips(self, strips: Vec<Vec<u32>>) -> Self {
-        Self { strips: Some(strips), ..self }
-    }
-
-    /// Sets [`fans`](Self::fans), and no strips.
-    #[must_use]
-    pub fn with_fans(self, fans: Vec<Vec<Vec<u32>>>) -> Self {
-        Self { strips: None, fans: Some(fans), ..self }
-    }
-}
 
 /// Writes a mesh to a file; the extension decides the format, and `.gz` or `.zst` after it compress.
 ///
@@ -122,7 +88,7 @@ fn named_bytes(
             feature = "gltf"
         )))]
         off => {
-            let (what, feature) = feature_of(off);
+            let (what, feature) = crate::format::feature_of(off);
             return Err(WriteError::FeatureOff { file: file.to_owned(), what, feature });
         }
     };
@@ -141,18 +107,6 @@ fn check_parts(mesh: &IndexedMesh) -> Result<(), Refusal> {
         other => other,
     }
     .map_err(|error| Refusal::BadMesh(error.to_string()))
-}
-
-#[cfg(not(all(feature = "ply", feature = "obj", feature = "stl", feature = "off", feature = "gltf")))]
-pub(crate) fn feature_of(format: Format) -> (&'static str, &'static str) {
-    match format {
-        Format::Ply => ("PLY", "ply"),
-        Format::Obj => ("OBJ", "obj"),
-        Format::Stl => ("STL", "stl"),
-        Format::Off => ("OFF", "off"),
-        Format::Gltf | Format::Glb => ("glTF", "gltf"),
-        Format::Striata | Format::Stream => ("striata container", ""),
-    }
 }
 
 #[cfg(all(feature = "compressed", not(target_family = "wasm")))]

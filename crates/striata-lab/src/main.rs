@@ -1,4 +1,7 @@
 //! The `striata-lab` command: measures what the product is compared with.
+//!
+//! In reading order: `args` says what can be asked, `compare` measures sizes, levels and views of all models, and `bench_gpu` what
+//! frames cost on a GPU.
 
 mod args;
 #[cfg(feature = "gpu")]

@@ -1,5 +1,8 @@
 //! Shows models to people: [`picture`] draws PNGs with a GPU or without one, [`window`] follows a camera in a window of its
 //! own, and [`serve`] gives a folder of models and the web viewer to a browser.
+//!
+//! In reading order: [`picture`] knows shots, cameras and who draws them; [`viewer_page`] is the web viewer with a model inside;
+//! [`serve`] needs both; [`window`] stands for itself.
 
 #[cfg(all(feature = "serve", not(feature = "window")))]
 mod browser_args;

@@ -5,6 +5,10 @@
 //! camera, and handed over as indices over one vertex buffer that only grows. Nothing here knows a page, a worker or
 //! three.js: that is the package's business (`web/src`).
 //!
+//! In reading order: `model` is the class; it holds what is `streaming`, `stored` or `built`, which all answer with `shown`. `head`, `limits`
+//! and `failure` judge bytes, `camera` and `colouring` what is wished for, `vertices` and `normals` what is handed over, `progress` how far
+//! it is.
+//!
 //! Cost: a level of a stream takes a pass over the vertices that have arrived and one over its triangles; a view also asks about
 //! the steps that it shows. Levels and views of other files take what they show.
 //!

@@ -142,6 +142,9 @@ pub(crate) struct BuildArgs {
 pub(crate) struct InfoArgs {
     /// A mesh, a .striata file or a stream, or - for stdin
     pub(crate) input: PathBuf,
+    /// Also build every model and report what each would cost on this mesh
+    #[arg(long)]
+    pub(crate) models: bool,
 }
 
 /// Arguments of `extract`.

@@ -3,11 +3,10 @@
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::file::StriataFile;
 use striata::mesh::{IndexedMesh, RefinableMesh, replay};
 use striata::simplify::Target;
 
-use super::extract_stream::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve};
+use super::extract::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve, stream_of};
 use crate::args::DecodeArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -98,18 +97,6 @@ impl Decoded {
         let error = received.decoder.error_at(split_count).unwrap_or_default();
         Self { mesh, split_count, error, shortfall }
     }
-}
-
-/// The stream of a file, as far as it is there.
-///
-/// # Errors
-/// Where it has none, or it is damaged.
-pub(super) fn stream_of<'a>(file: &StriataFile<'a>, input: &Input) -> Result<&'a [u8], Failure> {
-    let stream = file.stream().ok_or_else(|| {
-        Failure::user(format!("{}: no model progressive is in this file", input.name))
-            .with_hint("build it again with --models progressive, or make a stream with `striata encode`")
-    })?;
-    stream.map_err(|error| input.damaged(&error))
 }
 
 impl Report {

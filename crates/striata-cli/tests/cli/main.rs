@@ -1,6 +1,7 @@
 //! The command as its users meet it: run in a folder of its own, judged by what it prints and leaves.
 
 mod ball;
+mod costs;
 mod help;
 mod levels;
 mod orders;

@@ -13,7 +13,7 @@ use crate::sequence::BatchTerms;
 const STREAM: &str = "Stream";
 
 /// How a stream is coded.
-#[derive(Clone, Copy, Debug, Args)]
+#[derive(Clone, Copy, Debug, Default, Args)]
 #[command(next_help_heading = STREAM)]
 pub struct StreamArgs {
     /// Bits of a coordinate along the longest side of the bounding box, 1 to 24 [default: 14]

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use striata::strip::{RESTART, stitch};
 
-use super::{Scratch, TriangleBlocks};
+use super::scratch::Scratch;
+use super::triangles::TriangleBlocks;
 #[cfg(feature = "gltf")]
 use crate::gltf::VertexPieces;
 use crate::ply::Stopped;

@@ -1,6 +1,6 @@
 //! Accessors: typed arrays in buffers, perhaps interleaved, perhaps sparse. Every bound is checked before a byte is read.
 
-use super::ComponentType;
+use super::component_type::ComponentType;
 use super::document::Document;
 use super::json::At;
 use crate::error::{Fault, Place};

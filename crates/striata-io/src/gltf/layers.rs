@@ -2,8 +2,8 @@
 
 use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
-use super::ComponentType;
 use super::accessor::Accessor;
+use super::component_type::ComponentType;
 use super::scene::Transform;
 use crate::error::Fault;
 

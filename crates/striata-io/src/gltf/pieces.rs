@@ -8,8 +8,8 @@ use std::io::{self, Write};
 use serde_json::{Map, Value, json};
 use striata::mesh::IndexedMesh;
 
-use super::ComponentType;
-use super::write::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
+use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
+use super::component_type::ComponentType;
 use super::write_layers::attributes;
 use crate::error::Refusal;
 

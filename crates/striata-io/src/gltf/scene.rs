@@ -102,7 +102,7 @@ pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>
     let mut is_seen = vec![false; nodes.len()];
     let mut stack = roots(document, &nodes)?;
     stack.reverse();
-    while let Some((index, parent, from)) = stack.pop() {
+    while let Some(Pending { index, parent, from }) = stack.pop() {
         let node = document.item("nodes", index, &from)?;
         if std::mem::replace(&mut is_seen[index as usize], true) {
             return Err(from.fault(format!("nodes[{index}] is reached twice: nodes must form a tree")));
@@ -116,13 +116,20 @@ pub(super) fn instances<'a>(document: &Document<'a>) -> Result<Vec<Instance<'a>>
             found.push(Instance { mesh, name, transform });
         }
         for child in node.entries("children")?.into_iter().rev() {
-            stack.push((child.as_unsigned()?, matrix, child));
+            stack.push(Pending { index: child.as_unsigned()?, parent: matrix, from: child });
         }
     }
     Ok(found)
 }
 
-type Pending<'a> = (u64, DMat4, At<'a>);
+/// A node that is yet to be visited.
+struct Pending<'a> {
+    index: u64,
+    /// Of what it stands in.
+    parent: DMat4,
+    /// Where it is named.
+    from: At<'a>,
+}
 
 /// The roots of the default scene, or of the first; without scenes, the nodes that are nobody's children.
 fn roots<'a>(document: &Document<'a>, nodes: &[At<'a>]) -> Result<Vec<Pending<'a>>, Fault> {
@@ -132,7 +139,7 @@ fn roots<'a>(document: &Document<'a>, nodes: &[At<'a>]) -> Result<Vec<Pending<'a
         None => root.entries("scenes")?.into_iter().next(),
     };
     if let Some(scene) = scene {
-        let entry = |at: At<'a>| Ok((at.as_unsigned()?, DMat4::IDENTITY, at));
+        let entry = |at: At<'a>| Ok(Pending { index: at.as_unsigned()?, parent: DMat4::IDENTITY, from: at });
         return scene.entries("nodes")?.into_iter().map(entry).collect();
     }
     let mut is_child = vec![false; nodes.len()];
@@ -144,7 +151,11 @@ fn roots<'a>(document: &Document<'a>, nodes: &[At<'a>]) -> Result<Vec<Pending<'a
         }
     }
     let is_root = |&(index, _): &(usize, &At<'a>)| !is_child[index];
-    let entry = |(index, node): (usize, &At<'a>)| (index as u64, DMat4::IDENTITY, node.clone());
+    let entry = |(index, node): (usize, &At<'a>)| Pending {
+        index: index as u64,
+        parent: DMat4::IDENTITY,
+        from: node.clone(),
+    };
     Ok(nodes.iter().enumerate().filter(is_root).map(entry).collect())
 }
 

@@ -7,8 +7,8 @@
 use serde_json::{Map, Value, json};
 use striata::mesh::{AttributeLayer, Bounds, IndexedMesh, LayerData, Semantic};
 
-use super::ComponentType;
-use super::write::Builder;
+use super::builder::Builder;
+use super::component_type::ComponentType;
 use crate::error::Refusal;
 use crate::normals::unit;
 

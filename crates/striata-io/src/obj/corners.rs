@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 
-use super::NONE;
 use crate::normals;
+
+/// No texture coordinate or normal.
+pub(super) const NONE: u32 = u32::MAX;
 
 /// Position, texture coordinate and normal of a corner; the last two may be [`NONE`].
 pub(super) type Corner = [u32; 3];

@@ -20,10 +20,7 @@ use striata::mesh::{Appearance, IndexedMesh, Material, TriangleGroup};
 
 use crate::error::Fault;
 use crate::text::{Cursor, quoted};
-use corners::{Corner, Tables, assemble};
-
-/// No texture coordinate or normal.
-const NONE: u32 = u32::MAX;
+use corners::{Corner, NONE, Tables, assemble};
 
 /// What the statements so far have built.
 #[derive(Default)]

@@ -7,6 +7,7 @@ use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
 use crate::error::{Fault, Place};
 
+use super::column::Column;
 use super::header::{Element, Header, Property, Scalar};
 use super::names::{ColumnSet, column_sets};
 use super::rows::Rows;
@@ -17,14 +18,6 @@ pub(crate) struct Vertices<'a> {
     count: usize,
     stride: usize,
     columns: Vec<Column>,
-}
-
-/// One number of a row.
-#[derive(Clone, Debug)]
-pub(crate) struct Column {
-    pub name: String,
-    pub scalar: Scalar,
-    pub offset: usize,
 }
 
 /// Triangles as they are found, with what a message about a bad index needs.

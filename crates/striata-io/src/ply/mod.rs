@@ -8,6 +8,7 @@
 //! Texture coordinates are kept as they are: the format does not say where their origin is.
 
 mod body;
+mod column;
 mod header;
 mod names;
 mod rows;

@@ -11,7 +11,7 @@
 
 use striata::mesh::{AttributeLayer, Semantic};
 
-use super::body::Column;
+use super::column::Column;
 
 const AXES: [&str; 4] = ["x", "y", "z", "w"];
 const COLORS: [&str; 4] = ["red", "green", "blue", "alpha"];

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::bench_gpu::bench_gpu_ways;
+use crate::bench_gpu::ways::way_names;
 use striata_command::args::{BUILD_STRIPS, DriverArgs, Viewport};
 use striata_command::strip_chain::{StripChain, StripPlan};
 
@@ -47,7 +47,7 @@ impl BenchGpuArgs {
     pub(crate) fn way_names(&self) -> Vec<&str> {
         match &self.names {
             Some(names) => names.iter().map(|name| name.trim()).collect(),
-            None => bench_gpu_ways().collect(),
+            None => way_names().collect(),
         }
     }
 
@@ -60,6 +60,6 @@ impl BenchGpuArgs {
 fn ways_help() -> String {
     format!(
         "Ways to draw a level, separated by commas [default: all]: {}",
-        bench_gpu_ways().collect::<Vec<_>>().join(", ")
+        way_names().collect::<Vec<_>>().join(", ")
     )
 }

@@ -6,7 +6,7 @@
 mod course;
 mod report;
 mod stage;
-mod ways;
+pub(crate) mod ways;
 
 use std::time::Instant;
 
@@ -15,7 +15,6 @@ use striata_gpu::{Gpu, GpuOptions};
 use self::course::Course;
 use self::report::{MeshReport, Report};
 use self::stage::Stage;
-pub(crate) use self::ways::way_names as bench_gpu_ways;
 use crate::args::BenchGpuArgs;
 use striata_command::args::Viewport;
 use striata_command::failure::Failure;

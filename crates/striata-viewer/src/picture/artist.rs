@@ -8,7 +8,7 @@ use std::time::Instant;
 #[cfg(feature = "gpu")]
 use striata_gpu::{GpuError, GpuOptions, RejectedAdapter};
 
-use super::{Camera, Canvas, Shot, raster};
+use super::{Camera, Drawn, Shot, raster};
 #[cfg(feature = "gpu")]
 use striata_command::failure::Failure;
 use striata_command::output::Output;
@@ -27,15 +27,6 @@ pub struct Artist {
     gpu: Option<Box<GpuArtist>>,
     #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "only a GPU that fails is reported"))]
     output: Output,
-}
-
-/// What was drawn. Where nothing was drawn the picture is transparent.
-#[derive(Clone, Debug)]
-pub struct Drawn {
-    /// The picture.
-    pub canvas: Canvas,
-    /// Seconds that one frame took, once everything was in place.
-    pub secs: f64,
 }
 
 impl Artist {
@@ -128,7 +119,7 @@ mod tests {
     use striata::mesh::{IndexedMesh, shapes};
 
     use super::*;
-    use crate::picture::{Angles, Line, Paint, triangle_colours, with_normals};
+    use crate::picture::{Angles, Line, Paint, Style, triangle_colours, with_normals};
 
     fn on_gpu() -> Artist {
         let output = Output::quiet();
@@ -184,7 +175,7 @@ mod tests {
         // Inside the tube, along the ring: triangles all around, many of them across the plane of the eye.
         let camera =
             Camera { eye: [1.0, 0.0, 0.05], look_at: [0.8, 0.05, 0.6], up: [0.0, 1.0, 0.0], fov: 1.2 };
-        for style in [(false, false), (true, true)] {
+        for style in [Style::SMOOTH, Style::FACETED] {
             both_draw_the_same(&Shot::of(&mesh, Paint::Surface, style), &camera, 14_000);
         }
     }
@@ -192,7 +183,7 @@ mod tests {
     #[test]
     fn a_picture_is_drawn_again_if_the_device_is_lost() {
         let (mesh, camera) = torus();
-        let shot = Shot::of(&mesh, Paint::Surface, (false, false));
+        let shot = Shot::of(&mesh, Paint::Surface, Style::SMOOTH);
         let mut artist = on_gpu();
         let expected = Artist::software(&Output::quiet()).draw(&shot, &camera, [60, 40]).canvas;
         artist.gpu.as_ref().expect("a GPU").destroy();

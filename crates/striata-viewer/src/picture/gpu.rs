@@ -11,7 +11,7 @@ use striata_gpu::{
     Painter, RejectedAdapter, Scene, Shading, Viewpoint, choose_adapter,
 };
 
-use super::artist::Drawn;
+use super::drawn::Drawn;
 use super::paint::Colour;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Camera, Canvas};

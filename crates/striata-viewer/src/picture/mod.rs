@@ -8,6 +8,7 @@ mod artist;
 mod camera;
 mod canvas;
 mod clip;
+mod drawn;
 mod frustum;
 #[cfg(feature = "gpu")]
 mod gpu;
@@ -21,9 +22,10 @@ mod sheet;
 mod shot;
 mod text;
 
-pub use artist::{Artist, Drawn};
+pub use artist::Artist;
 pub use camera::{Angles, Camera};
 pub use canvas::{Canvas, Rgba};
+pub use drawn::Drawn;
 pub use frustum::Frustum;
 #[cfg(feature = "gpu")]
 pub use gpu::GpuArtist;
@@ -33,4 +35,4 @@ pub use paint::{Painted, fan_colours, group_colours, strip_colours, triangle_col
 #[cfg(feature = "serve")]
 pub use portrait::{nobody, portrait};
 pub use sheet::{ColourBar, Panel, Sheet, Theme, significant};
-pub use shot::{Line, Paint, Shot};
+pub use shot::{Line, Paint, Shot, Style};

@@ -2,7 +2,7 @@
 
 use striata::mesh::IndexedMesh;
 
-use super::{Angles, Camera, Canvas, Paint, Rgba, Shot, raster, with_normals};
+use super::{Angles, Camera, Canvas, Paint, Rgba, Shot, Style, raster, with_normals};
 
 const BACKGROUND: Rgba = [0.012, 0.013, 0.017, 1.0];
 const FAINT: [u8; 4] = [13, 13, 15, 255];
@@ -43,7 +43,7 @@ fn painted(mesh: &IndexedMesh, paint: Paint, [width, height]: [usize; 2]) -> Can
     let mut canvas = Canvas::filled(width, height, BACKGROUND);
     if let Some(camera) = camera(mesh, width as f32 / height as f32) {
         let is_flat = matches!(paint, Paint::Triangles(_));
-        let shot = Shot::of(mesh, paint, (false, is_flat));
+        let shot = Shot::of(mesh, paint, Style { has_edges: false, is_flat });
         canvas.lay(&raster::draw(&shot, &camera, [width, height]), 0, 0);
     }
     canvas

@@ -310,6 +310,7 @@ mod tests {
     use std::borrow::Cow;
 
     use super::*;
+    use crate::picture::Style;
 
     const CAMERA: Camera = Camera { eye: [0.0, 0.0, 5.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 0.8 };
 
@@ -343,7 +344,7 @@ mod tests {
     #[test]
     fn bands_leave_no_seams() {
         let mesh = striata::mesh::shapes::torus(24, 12, 1.0, 0.4);
-        let shot = Shot::of(&mesh, Paint::Surface, (true, true));
+        let shot = Shot::of(&mesh, Paint::Surface, Style::FACETED);
         let whole = draw_in_bands(&shot, &CAMERA, [40, 30], 30);
         for band_rows in [1, 7, 29] {
             assert_eq!(draw_in_bands(&shot, &CAMERA, [40, 30], band_rows), whole, "{band_rows} rows a band");

@@ -49,12 +49,32 @@ pub struct Line {
     pub width: f32,
 }
 
+/// How the triangles of a shot are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Style {
+    /// With their edges.
+    pub has_edges: bool,
+    /// Each in one shade.
+    pub is_flat: bool,
+}
+
+impl Style {
+    /// Smooth, without edges.
+    pub const SMOOTH: Self = Self { has_edges: false, is_flat: false };
+
+    /// Flat, without edges.
+    pub const FLAT: Self = Self { has_edges: false, is_flat: true };
+
+    /// Flat, with edges.
+    pub const FACETED: Self = Self { has_edges: true, is_flat: true };
+}
+
 /// The colour of a mesh without colours, linear light.
 pub(super) const STONE: [f32; 3] = [0.72, 0.58, 0.44];
 
 impl<'a> Shot<'a> {
-    /// A mesh in some colours, with or without edges, flat or not.
-    pub fn of(mesh: &'a IndexedMesh, paint: Paint, (has_edges, is_flat): (bool, bool)) -> Self {
+    /// A mesh in some colours and a style.
+    pub fn of(mesh: &'a IndexedMesh, paint: Paint, Style { has_edges, is_flat }: Style) -> Self {
         let triangles = Cow::Borrowed(&mesh.triangles[..]);
         Self { vertices: mesh, triangles, strips: None, paint, has_edges, is_flat, lines: Vec::new() }
     }

@@ -21,7 +21,6 @@ use tokio::fs::File;
 use tokio::io::{AsyncReadExt, AsyncSeekExt, BufReader};
 use tokio_util::io::ReaderStream;
 
-use super::Site;
 use super::folder::{Folder, Found, Stamp};
 use super::kinds::{content_type, is_text};
 use super::validators::{Coding, Validators};
@@ -35,12 +34,12 @@ const LEVEL: Level = Level::Precise(5);
 
 /// Answers for `models/PATH`.
 pub(super) async fn answer(
-    State(site): State<Arc<Site>>,
+    State(folder): State<Arc<Folder>>,
     method: Method,
     uri: Uri,
     request: HeaderMap,
 ) -> Response {
-    let Some(found) = find(&site.folder, uri.path(), "/models/", "").await else { return not_found() };
+    let Some(found) = find(&folder, uri.path(), "/models/", "").await else { return not_found() };
     let mut file = File::from_std(found.file);
     file.set_max_buf_size(PIECE_BYTES);
     match send(file, &found.name, &found.stamp, &method, &request).await {

@@ -4,9 +4,6 @@
 //! here (DNS rebinding), and would then be taken for a page of this server. So a server for this machine alone answers
 //! only to the names that this machine has for itself.
 
-use std::net::IpAddr;
-use std::sync::Arc;
-
 use axum::Router;
 use axum::extract::{Request, State};
 use axum::http::header::{
@@ -17,10 +14,9 @@ use axum::http::uri::Authority;
 use axum::http::{HeaderName, HeaderValue, Method, StatusCode};
 use axum::middleware::{Next, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
+use std::net::IpAddr;
 use tower_http::cors::{Any, CorsLayer};
 use tower_http::set_header::SetResponseHeaderLayer;
-
-use super::Site;
 
 /// Scripts of our own, decoders, workers made of them; nothing from elsewhere.
 const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src 'self' blob:; \
@@ -29,14 +25,14 @@ const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' b
                       frame-ancestors 'self'";
 
 /// The routes behind all checks.
-pub(super) fn guarded(router: Router, site: Arc<Site>, allows_other_sites: bool) -> Router {
+pub(super) fn guarded(router: Router, is_local: bool, allows_other_sites: bool) -> Router {
     let header = |name: HeaderName, value: &'static str| {
         SetResponseHeaderLayer::overriding(name, HeaderValue::from_static(value))
     };
     let sharing = if allows_other_sites { "cross-origin" } else { "same-origin" };
     let router = if allows_other_sites { router.layer(cross_site()) } else { router };
     router
-        .layer(from_fn_with_state(site, check_host))
+        .layer(from_fn_with_state(is_local, check_host))
         .layer(header(X_CONTENT_TYPE_OPTIONS, "nosniff"))
         .layer(header(CONTENT_SECURITY_POLICY, POLICY))
         .layer(header(REFERRER_POLICY, "no-referrer"))
@@ -51,14 +47,14 @@ fn cross_site() -> CorsLayer {
         .expose_headers([ETAG, CONTENT_LENGTH, CONTENT_RANGE, ACCEPT_RANGES])
 }
 
-async fn check_host(State(site): State<Arc<Site>>, request: Request, next: Next) -> Response {
+async fn check_host(State(is_local): State<bool>, request: Request, next: Next) -> Response {
     let mut hosts = request.headers().get_all(HOST).iter();
     let (host, others) = (hosts.next(), hosts.count());
     let Some(host) = host.and_then(|host| host.to_str().ok()).filter(|_| others == 0) else {
         return (StatusCode::BAD_REQUEST, "one Host header is needed\n").into_response();
     };
     let target = request.uri().authority().map_or(host, Authority::as_str);
-    if site.is_local && !(is_this_machine(host) && is_this_machine(target)) {
+    if is_local && !(is_this_machine(host) && is_this_machine(target)) {
         let text = "this server answers to localhost only; start it with --host for others\n";
         return (StatusCode::MISDIRECTED_REQUEST, text).into_response();
     }

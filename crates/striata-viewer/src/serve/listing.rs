@@ -17,7 +17,6 @@ use serde::Serialize;
 use striata_io::Format;
 use tokio::sync::Mutex;
 
-use super::Site;
 use super::folder::{Folder, Stamp, encoded};
 use super::heads::Head;
 use super::validators::{Coding, Validators};
@@ -71,8 +70,8 @@ struct Model<'a> {
 }
 
 /// Answers for `models.json`.
-pub(super) async fn answer(State(site): State<Arc<Site>>, request: HeaderMap) -> Response {
-    let list = site.listing.current().await;
+pub(super) async fn answer(State(listing): State<Arc<Listing>>, request: HeaderMap) -> Response {
+    let list = listing.current().await;
     let validators = Validators::new(&list.tag, Coding::Plain, None);
     if let Some(response) = validators.not_modified(&request) {
         return response;

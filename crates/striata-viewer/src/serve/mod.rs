@@ -11,8 +11,10 @@ mod guard;
 mod heads;
 mod kinds;
 mod listing;
+mod options;
 mod pictures;
 mod server;
+mod site;
 mod thumbnail;
 mod validators;
 
@@ -31,69 +33,16 @@ pub use self::thumbnail::run as thumbnail;
 use assets::Assets;
 use folder::Folder;
 use listing::Listing;
+use options::Options;
 use pictures::Pictures;
+use site::Site;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, grouped};
-
-/// How models are served.
-#[derive(Clone, Debug)]
-pub(crate) struct Options {
-    /// Address or name to listen at.
-    pub(crate) host: String,
-    /// Port to listen at; 0 takes any that is free.
-    pub(crate) port: u16,
-    /// Connections at a time.
-    pub(crate) max_connections: usize,
-    /// How long a connection may do nothing.
-    pub(crate) time_out: Duration,
-    /// Whether pages of other sites may read the models.
-    pub(crate) allows_other_sites: bool,
-    /// Whether the default browser is opened.
-    pub(crate) opens_browser: bool,
-}
-
-impl Options {
-    /// For one person at this machine: any free port, and the browser opened.
-    pub(crate) fn for_browser() -> Self {
-        Self {
-            host: "127.0.0.1".to_owned(),
-            port: 0,
-            max_connections: 64,
-            time_out: Duration::from_secs(60),
-            allows_other_sites: false,
-            opens_browser: true,
-        }
-    }
-}
-
-impl From<&ServeArgs> for Options {
-    fn from(args: &ServeArgs) -> Self {
-        Self {
-            host: args.host.clone(),
-            port: args.port,
-            max_connections: args.max_connections as usize,
-            time_out: Duration::from_secs(args.time_out),
-            allows_other_sites: args.cors,
-            opens_browser: args.open,
-        }
-    }
-}
 
 #[derive(Serialize)]
 struct Report {
     url: String,
     models: usize,
-}
-
-/// All that requests are answered from.
-#[derive(Debug)]
-struct Site {
-    folder: Arc<Folder>,
-    listing: Listing,
-    pictures: Pictures,
-    assets: Assets,
-    /// Whether only this machine is served.
-    is_local: bool,
 }
 
 /// Serves until somebody ends it.
@@ -137,33 +86,33 @@ fn serve_one(path: &Path, options: &Options, output: &Output) -> Result<(), Fail
 async fn serve(folder: Arc<Folder>, options: &Options, output: &Output) -> Result<(), Failure> {
     let listener = listen(options).await?;
     let address = listener.local_addr().map_err(|error| Failure::user(format!("the port: {error}")))?;
-    let site = Arc::new(Site {
-        listing: Listing::new(folder.clone()),
-        pictures: Pictures::new()?,
-        assets: Assets::load(),
-        is_local: address.ip().is_loopback(),
+    let is_local = address.ip().is_loopback();
+    let site = Site {
+        listing: Arc::new(Listing::new(folder.clone())),
+        pictures: Arc::new(Pictures::new()?),
+        assets: Arc::new(Assets::load()),
         folder,
-    });
+    };
     let models = site.listing.current().await.model_count;
-    announce(&site, address, models, output)?;
+    announce(&site.folder, address, models, output)?;
     let url = url_to_open(&site.folder, address);
     if options.opens_browser && open::that_detached(&url).is_err() {
         output.say(&format!("no browser could be opened; open {url} in one"));
     }
-    server::run(listener, router(site, options), options).await;
+    server::run(listener, router(site, is_local, options), options).await;
     output.say("ended");
     Ok(())
 }
 
-fn router(site: Arc<Site>, options: &Options) -> Router {
+fn router(site: Site, is_local: bool, options: &Options) -> Router {
     let viewer = get(assets::answer).with_state(site.clone());
     let router = Router::new()
         .route("/models.json", get(listing::answer))
         .route("/models/{*path}", get(files::answer))
         .route("/pictures/{*path}", get(pictures::answer))
         .fallback_service(viewer)
-        .with_state(site.clone());
-    guard::guarded(router, site, options.allows_other_sites)
+        .with_state(site);
+    guard::guarded(router, is_local, options.allows_other_sites)
 }
 
 /// A server needs a connection and a file at a time; where it may not have so many, connections wait.
@@ -189,19 +138,19 @@ async fn listen(options: &Options) -> Result<TcpListener, Failure> {
     })
 }
 
-fn announce(site: &Site, address: SocketAddr, models: usize, output: &Output) -> Result<(), Failure> {
-    if !site.is_local {
+fn announce(folder: &Folder, address: SocketAddr, models: usize, output: &Output) -> Result<(), Failure> {
+    if !address.ip().is_loopback() {
         output.say(&format!(
             "warning: everybody who reaches {address} can read the models of {}",
-            site.folder.path().display()
+            folder.path().display()
         ));
     }
     let report = Report { url: base_url(address), models };
-    let what = match site.folder.only() {
+    let what = match folder.only() {
         Some(name) => name.to_owned(),
-        None => format!("{} models of {}", grouped(models), site.folder.path().display()),
+        None => format!("{} models of {}", grouped(models), folder.path().display()),
     };
-    output.data(&report, &format!("{}\n", url_to_open(&site.folder, address)))?;
+    output.data(&report, &format!("{}\n", url_to_open(folder, address)))?;
     output.say(&format!("serves {what}; Ctrl-C ends it"));
     Ok(())
 }

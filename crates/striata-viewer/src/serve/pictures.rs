@@ -19,9 +19,8 @@ use tokio::process::Command;
 use tokio::sync::Semaphore;
 use tokio::time::timeout;
 
-use super::Site;
 use super::files::{find, not_found};
-use super::folder::Stamp;
+use super::folder::{Folder, Stamp};
 use super::kinds::is_model;
 use super::thumbnail::{HEIGHT, WIDTH};
 use super::validators::{Coding, Validators};
@@ -98,15 +97,20 @@ impl Pictures {
 }
 
 /// Answers for `pictures/PATH.png`.
-pub(super) async fn answer(State(site): State<Arc<Site>>, uri: Uri, request: HeaderMap) -> Response {
-    let found = find(&site.folder, uri.path(), "/pictures/", ".png").await;
+pub(super) async fn answer(
+    State(folder): State<Arc<Folder>>,
+    State(pictures): State<Arc<Pictures>>,
+    uri: Uri,
+    request: HeaderMap,
+) -> Response {
+    let found = find(&folder, uri.path(), "/pictures/", ".png").await;
     let Some(found) = found.filter(|found| is_model(&found.name)) else { return not_found() };
-    let path = site.folder.path().join(&found.name);
-    let picture = site.pictures.of(&found.name, found.stamp, &path).await;
+    let path = folder.path().join(&found.name);
+    let picture = pictures.of(&found.name, found.stamp, &path).await;
     let is_final = picture.is_some();
     let (png, state) = match picture {
         Some(Picture(Some(png))) => (png, "picture"),
-        _ => (site.pictures.nobody.clone(), "nobody"),
+        _ => (pictures.nobody.clone(), "nobody"),
     };
     let tag = format!("{}-{state}", found.stamp.tag());
     let validators = Validators::new(&tag, Coding::Plain, None);

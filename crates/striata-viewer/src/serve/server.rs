@@ -14,7 +14,7 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::{sleep, timeout};
 use tokio_io_timeout::TimeoutStream;
 
-use super::Options;
+use super::options::Options;
 
 /// Bytes of a connection that wait in memory, a request's head among them.
 const BUFFER_BYTES: usize = 64 * 1024;

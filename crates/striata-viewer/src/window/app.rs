@@ -88,7 +88,10 @@ impl App {
             .with_min_inner_size(PhysicalSize::new(320, 240));
         let window = event_loop.create_window(attributes);
         let window = window.map_err(|error| {
-            Failure::user(format!("no window could be opened: {}", super::without_place(&error.to_string())))
+            Failure::user(format!(
+                "no window could be opened: {}",
+                super::system_error::without_place(&error.to_string())
+            ))
         })?;
         let screen = Screen::new(Arc::new(window), event_loop, &self.output)?;
         let input = egui_winit::State::new(

@@ -18,6 +18,7 @@ mod shown;
 mod stage;
 mod state;
 mod subject;
+mod system_error;
 mod viewer;
 
 #[cfg(feature = "serve")]
@@ -30,6 +31,7 @@ use self::app::{App, Wake, WindowPlan};
 pub use self::args::{FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
 use self::orbit::Up;
 use self::state::{Colours, GoalKind, ModelKind, ViewerState};
+use self::system_error::without_place;
 use self::viewer::Viewer;
 #[cfg(feature = "serve")]
 use crate::serve;
@@ -125,10 +127,4 @@ fn no_display(error: &winit::error::EventLoopError) -> Failure {
     Failure::user(format!("there is no display to open a window on: {reason}")).with_hint(
         "`striata render` draws a picture without one; `striata view --browser` needs only a browser",
     )
-}
-
-/// What an error of the window system says, without the line of its source code that it begins with.
-fn without_place(text: &str) -> String {
-    let said = text.split_once(".rs:").and_then(|(_, rest)| rest.split_once(": "));
-    said.map_or(text, |(_, said)| said).trim_end_matches('.').to_owned()
 }

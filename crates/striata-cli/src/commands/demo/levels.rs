@@ -7,10 +7,10 @@ use striata::file::StriataFile;
 use striata::model::LodModel;
 use striata_io::{Format, WriteOptions, to_bytes};
 
-use super::Folder;
+use super::folder::Folder;
 use crate::commands::build::Built;
-use crate::commands::extract::strips_of_level;
 use crate::strip_lists::stitched;
+use crate::strip_lists::strips_of_level;
 use striata_command::failure::Failure;
 use striata_command::output::{grouped, lasted, sized};
 

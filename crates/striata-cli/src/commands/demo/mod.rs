@@ -1,19 +1,20 @@
 //! `demo`: the main job on the mesh that the command carries, and a page to look at it.
 
+mod folder;
 mod levels;
 mod page;
 mod pictures;
 mod viewer;
 
-use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
 use serde::Serialize;
-use striata_io::{Source, read_bytes, write_atomically};
+use striata_io::{Source, read_bytes};
 
 use crate::args::DemoArgs;
 use crate::commands::build::{BuildPlan, Built, PHASES, build};
+use folder::Folder;
 use levels::Level;
 use pictures::Picture;
 use striata_command::clock::Phases;
@@ -68,28 +69,6 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     output.data(&report, &report.to_text(&phases))?;
     output.say(&what_next(args.dir()));
     Ok(())
-}
-
-/// The folder that is being filled, and what is in it so far.
-struct Folder<'a> {
-    path: &'a Path,
-    files: Vec<(String, String)>,
-}
-
-impl<'a> Folder<'a> {
-    fn create(path: &'a Path) -> Result<Self, Failure> {
-        fs::create_dir_all(path).map_err(|error| {
-            Failure::user(format!("{}: {error}", path.display()))
-                .with_hint("name a folder that you may write")
-        })?;
-        Ok(Self { path, files: Vec::new() })
-    }
-
-    fn write(&mut self, name: &str, what: &str, bytes: &[u8]) -> Result<(), Failure> {
-        write_atomically(&self.path.join(name), |out| out.write_all(bytes))?;
-        self.files.push((name.to_owned(), format!("{what}, {}", sized(bytes.len()))));
-        Ok(())
-    }
 }
 
 fn render_page(

@@ -6,12 +6,12 @@ use striata::view::ScreenError;
 
 use super::levels::{percent, split_count_at};
 use crate::commands::build::Built;
-use crate::commands::extract::strips_of_level;
+use crate::strip_lists::strips_of_level;
 use striata_command::args::tan;
 use striata_command::failure::Failure;
 use striata_command::output::grouped;
 use striata_viewer::picture::{
-    Angles, Artist, Camera, ColourBar, Frustum, Heat, Paint, Panel, Sheet, Shot, Theme, strip_colours,
+    Angles, Artist, Camera, ColourBar, Frustum, Heat, Paint, Panel, Sheet, Shot, Style, Theme, strip_colours,
     with_normals,
 };
 
@@ -85,7 +85,7 @@ impl Studio<'_> {
         let mut panels = Vec::new();
         for share in SHARES {
             let level = self.level(share);
-            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, (false, false)), &sheet));
+            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, Style::SMOOTH), &sheet));
         }
         for share in SHARES {
             let level = self.level(share);
@@ -93,7 +93,7 @@ impl Studio<'_> {
             self.built.lod_strips().move_to(&mut state, split_count_at(self.built, share));
             let strips = strips_of_level(self.built.lod_strips(), &state);
             let (triangles, colours) = strip_colours(&strips);
-            let painted = Shot::of(&level, Paint::Triangles(colours), (false, true));
+            let painted = Shot::of(&level, Paint::Triangles(colours), Style::FLAT);
             panels.push(self.panel(share, &Shot { triangles: triangles.into(), ..painted }, &sheet));
         }
         finish(&sheet, &panels)
@@ -104,7 +104,7 @@ impl Studio<'_> {
         let mut panels = Vec::new();
         for share in SHARES {
             let level = self.level(share);
-            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, (true, true)), &sheet));
+            panels.push(self.panel(share, &Shot::of(&level, Paint::Surface, Style::FACETED), &sheet));
         }
         finish(&sheet, &panels)
     }
@@ -119,7 +119,7 @@ impl Studio<'_> {
         let original = self.refinable.mesh.clone();
         let mut panels = Vec::new();
         for (&share, heat) in shares.iter().zip(&heats) {
-            let shot = Shot::of(&original, Paint::Vertices(heat.colours(top)), (false, false));
+            let shot = Shot::of(&original, Paint::Vertices(heat.colours(top)), Style::SMOOTH);
             panels.push(self.panel(share, &shot, &sheet));
         }
         finish(&sheet, &panels)
@@ -144,7 +144,7 @@ impl Studio<'_> {
         let level = instance.level(&fans, &self.refinable);
         let seen = Camera { eye, look_at, up, fov: FOV };
         let frustum = Frustum::new(&seen, 16.0 / 9.0, &self.refinable.mesh.positions);
-        let mut shot = Shot::of(&level, Paint::Surface, (true, true));
+        let mut shot = Shot::of(&level, Paint::Surface, Style::FACETED);
         frustum.draw_into(&mut shot);
         let points = [self.refinable.mesh.positions.clone(), frustum.points()].concat();
         let angles = Angles { turn: 1.35, rise: 0.22, ..PORTRAIT };

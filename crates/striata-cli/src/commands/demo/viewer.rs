@@ -3,7 +3,7 @@
 use striata::mesh::{IndexedMesh, weld};
 use striata_stream::{StreamOptions, encode_stream};
 
-use super::Folder;
+use super::folder::Folder;
 use striata_command::failure::Failure;
 use striata_command::output::{Bar, grouped};
 use striata_command::sequence::{BatchTerms, SequencePlan, Steps};

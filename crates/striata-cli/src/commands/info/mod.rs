@@ -11,10 +11,12 @@ use striata_stream::{StreamDefect, StreamFacts};
 
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
-use crate::commands::build::{PROGRESSIVE, errors_are_guaranteed, parts_of_fans, parts_of_patterns};
+use crate::commands::build::{
+    ModelCost, PROGRESSIVE, errors_are_guaranteed, model_costs, parts_of_fans, parts_of_patterns,
+};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Output, Table, counted, grouped, measured, sized};
+use striata_command::output::{Output, Table, counted, grouped, lasted, measured, sized};
 use striata_command::stream::{Received, facts_in_json};
 
 /// Defects that the text names one by one; JSON lists more of them.
@@ -52,6 +54,9 @@ struct Report {
     bounds: Option<Value>,
     diagonal: f64,
     models: Map<String, Value>,
+    /// Of all models, if they were to be built.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    model_costs: Option<Vec<ModelCost>>,
     step_count: Option<usize>,
     base: Option<Value>,
     error_max: Option<f32>,
@@ -75,15 +80,21 @@ struct Report {
 /// Where the file cannot be read.
 pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
-    let report = if input.has_levels() {
+    let (mut report, mesh) = if input.has_levels() {
         of_container(&input, output)?
     } else {
-        Report::new(&input, &input.mesh(output)?)
+        let mesh = input.mesh(output)?;
+        (Report::new(&input, &mesh), mesh)
     };
+    if args.models {
+        let costs = model_costs(&mesh, &mut output.bar());
+        report.model_costs = Some(costs.map_err(|failure| failure.in_file(&input.name))?);
+    }
     output.data(&report, &report.to_text(&input.name))
 }
 
-fn of_container(input: &Input, output: &Output) -> Result<Report, Failure> {
+/// The report of a file with levels, and its full mesh.
+fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh), Failure> {
     let file = input.striata()?;
     input.remark_on(&file, output)?;
     let mesh = file.mesh().map_err(|error| input.damaged(&error))?;
@@ -120,7 +131,7 @@ fn of_container(input: &Input, output: &Output) -> Result<Report, Failure> {
     }
     report.sections =
         file.sections().iter().map(|s| json!({ "kind": s.kind.to_string(), "bytes": s.bytes })).collect();
-    Ok(report)
+    Ok((report, mesh))
 }
 
 impl Report {
@@ -188,6 +199,7 @@ impl Report {
             bounds: mesh.bounds().map(|bounds| json!({ "min": bounds.min, "max": bounds.max })),
             diagonal: mesh.diagonal(),
             models: Map::new(),
+            model_costs: None,
             step_count: None,
             base: None,
             error_max: None,
@@ -272,6 +284,9 @@ impl Report {
             let [split_count, step_count] = [number("split_count"), number("step_count")];
             row("of the stream", format!("{read} of {whole} bytes, split {split_count} of {step_count}"));
         }
+        for cost in self.model_costs.iter().flatten() {
+            row(&format!("{} would cost", cost.name), text_of_cost(cost));
+        }
         for (kind, count) in &self.defect_counts {
             row("defects", format!("{count} {kind}"));
         }
@@ -284,6 +299,15 @@ impl Report {
         }
         text
     }
+}
+
+fn text_of_cost(cost: &ModelCost) -> String {
+    let instance = match cost.instance_bytes {
+        Some(bytes) => format!(", {} an instance", sized(bytes)),
+        None => String::new(),
+    };
+    let bytes = format!("{}, {:.1} bytes a vertex", sized(cost.bytes), cost.bytes_per_vertex);
+    format!("{bytes}{instance}, built in {}", lasted(cost.build_secs))
 }
 
 fn or_none(names: String) -> String {

@@ -6,13 +6,13 @@ use striata::mesh::IndexedMesh;
 use striata::simplify::Target;
 use striata::strip::{StripIndices, StripSet, stripify};
 
-use crate::commands::extract_view::ViewLevel;
+use crate::commands::extract::ViewLevel;
 use striata_command::args::Colouring;
 use striata_command::failure::Failure;
 use striata_command::fan_cover::fans_of;
 use striata_command::level::{Floor, Reached, shortfall};
 use striata_viewer::picture::{
-    Paint, Shot, fan_colours, group_colours, strip_colours, triangle_colours, with_normals,
+    Paint, Shot, Style, fan_colours, group_colours, strip_colours, triangle_colours, with_normals,
 };
 
 /// A level that is drawn.
@@ -105,7 +105,7 @@ pub(super) struct Painted {
 
 impl Painted {
     /// The shot of it.
-    pub(super) fn shot<'s>(&'s self, mesh: &'s IndexedMesh, style: (bool, bool)) -> Shot<'s> {
+    pub(super) fn shot<'s>(&'s self, mesh: &'s IndexedMesh, style: Style) -> Shot<'s> {
         let shot = Shot::of(mesh, self.paint.clone(), style);
         let triangles = self.triangles.as_ref().map_or(shot.triangles, |t| Cow::Borrowed(&t[..]));
         Shot { triangles, strips: self.strips.as_ref(), ..shot }

@@ -10,7 +10,7 @@ use striata_command::args::Colouring;
 use striata_command::failure::Failure;
 use striata_command::output::counted;
 use striata_viewer::picture::{
-    Artist, Camera, Canvas, ColourBar, Heat, Paint, Panel, Sheet, Shot, Theme, significant,
+    Artist, Camera, Canvas, ColourBar, Heat, Paint, Panel, Sheet, Shot, Style, Theme, significant,
 };
 
 /// The picture before it is drawn.
@@ -95,7 +95,7 @@ impl<'a> Layout<'a> {
             }
             artist.draw(&shot, camera, size)
         };
-        let style = (self.args.wireframe, self.args.flat);
+        let style = Style { has_edges: self.args.wireframe, is_flat: self.args.flat };
         match self.heats.get(number) {
             Some(heat) => {
                 let paint = Paint::Vertices(heat.colours(self.heat_top));

@@ -13,7 +13,7 @@ use crate::args::{Background, RenderArgs};
 use figure::Figure;
 use layout::Layout;
 use place::Place;
-use report::Report;
+use report::{Drawing, Report};
 use source::Source;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -46,7 +46,8 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let picture = layout.draw(&mut artist, &theme(args.background))?;
     write(&args.output, &picture.canvas, &mut bar)?;
     drop(bar);
-    let report = Report::new(args, (&source, &figures), &layout, (&artist, picture.frame_secs, started));
+    let drawing = Drawing { artist: &artist, frame_secs: picture.frame_secs, started };
+    let report = Report::new(args, (&source, &figures), &layout, drawing);
     output.summary(&report, &report.to_text())
 }
 

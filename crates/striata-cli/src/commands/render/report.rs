@@ -58,12 +58,19 @@ struct HeatReport {
     top_of_diagonal: f64,
 }
 
+/// Who drew the picture, and how long that took.
+pub(super) struct Drawing<'a> {
+    pub(super) artist: &'a Artist,
+    pub(super) frame_secs: f64,
+    pub(super) started: Instant,
+}
+
 impl Report {
     pub(super) fn new(
         args: &RenderArgs,
         (source, figures): (&Source<'_>, &[Figure]),
         layout: &Layout<'_>,
-        (artist, frame_secs, started): (&Artist, f64, Instant),
+        Drawing { artist, frame_secs, started }: Drawing<'_>,
     ) -> Self {
         let [width, height] = args.size.0;
         let levels: Vec<Level> = figures

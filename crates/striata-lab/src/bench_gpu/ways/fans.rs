@@ -5,7 +5,7 @@ use striata_gpu::wgpu::CommandEncoder;
 use striata_gpu::{Drawing, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuIndices};
 
 use super::super::stage::Stage;
-use super::Way;
+use super::way::Way;
 use striata_command::failure::Failure;
 
 /// Fans that the processor writes as a list or as strips, sent whole.

@@ -3,40 +3,16 @@
 mod fans;
 mod resident;
 mod strips;
+mod way;
 
 use striata::model::FanForm;
-use striata_gpu::wgpu::CommandEncoder;
-use striata_gpu::{Drawing, Gpu};
 
 use self::fans::{ComputedFans, SentFans};
 use self::resident::Resident;
 use self::strips::{ChangedStrips, SentList, SentStrips};
+pub(super) use self::way::Way;
 use super::stage::Stage;
 use striata_command::failure::Failure;
-
-/// A way to get a level onto the screen.
-pub(super) trait Way {
-    /// Does all that the processor does until the level can be drawn.
-    ///
-    /// # Errors
-    /// Where the GPU has no room.
-    fn move_to(&mut self, gpu: &Gpu, split_count: usize) -> Result<(), Failure>;
-
-    /// Records what the GPU does before it draws.
-    fn extract(&self, _: &mut CommandEncoder) {}
-
-    /// What is drawn.
-    fn drawing(&self) -> Drawing<'_>;
-
-    /// Indices that are drawn, restarts among them.
-    fn index_count(&self) -> usize;
-
-    /// Bytes sent so far.
-    fn uploaded_bytes(&self) -> u64;
-
-    /// Bytes that it keeps on the GPU, beside the vertices.
-    fn gpu_bytes(&self) -> usize;
-}
 
 /// Builds a way for the levels of a walk.
 type Build = for<'s> fn(&'s Stage<'_>, &[usize]) -> Result<Box<dyn Way + 's>, Failure>;
@@ -127,9 +103,4 @@ pub(super) fn entries(names: &[&str]) -> Result<Vec<&'static Entry>, Failure> {
         })
     };
     names.iter().map(find).collect()
-}
-
-/// All of an index buffer as one group.
-fn whole(index_count: usize) -> std::ops::Range<u32> {
-    0..index_count as u32
 }

@@ -8,7 +8,7 @@ use striata_lab::baseline::{DiscreteLevels, ProgressiveMeshes};
 use striata_strip::stripify;
 
 use super::super::stage::Stage;
-use super::Way;
+use super::way::Way;
 use striata_command::failure::Failure;
 
 /// Bytes of indices that are kept at most; of longer walks some levels are drawn by the next finer one.

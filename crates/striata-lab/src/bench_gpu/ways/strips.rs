@@ -7,7 +7,7 @@ use striata_gpu::{Drawing, Gpu, GpuIndices, GpuLodStrips, GpuMultiDraw};
 use striata_lab::baseline::{ProgressiveMeshes, ProgressiveMeshesState};
 
 use super::super::stage::Stage;
-use super::{Way, whole};
+use super::way::{Way, whole};
 use striata_command::failure::Failure;
 
 /// A progressive mesh, whose list is sent whole.

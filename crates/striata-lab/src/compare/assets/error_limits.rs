@@ -4,8 +4,8 @@
 //! out, both meshoptimizer and gltfpack remove whole parts up to the limit, and overshoot the target by far. So each level gets
 //! the smallest limit of a list with which the target is reached.
 
-use super::Level;
-use super::levels::Request;
+use super::contender::Level;
+use super::contender::Request;
 
 /// Limits, shares of the extent; 0.01 is what gltfpack has by default.
 const LIMITS: [f64; 7] = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0];

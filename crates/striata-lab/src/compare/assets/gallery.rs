@@ -6,7 +6,7 @@
 use striata::mesh::{IndexedMesh, Semantic};
 
 use striata_command::output::Output;
-use striata_viewer::picture::{Angles, Artist, Camera, Paint, Shot};
+use striata_viewer::picture::{Angles, Artist, Camera, Paint, Shot, Style};
 
 /// Height and width of a picture, pixels.
 const SIDE: usize = 256;
@@ -90,7 +90,7 @@ fn take_pictures(mesh: &IndexedMesh, cameras: &[Camera]) -> Vec<Vec<Pixel>> {
         ..IndexedMesh::default()
     };
     let mut artist = Artist::software(&Output::quiet());
-    let shot = Shot::of(&plain, Paint::Surface, (false, false));
+    let shot = Shot::of(&plain, Paint::Surface, Style::SMOOTH);
     let mut picture = |camera: &Camera| -> Vec<Pixel> {
         artist.draw(&shot, camera, [SIDE; 2]).canvas.pixels().iter().map(pixel).collect()
     };

@@ -12,10 +12,10 @@ use striata::mesh::IndexedMesh;
 use striata_io::WriteOptions;
 use tempfile::TempDir;
 
+use super::contender::Request;
+use super::contender::{Level, Simplify};
 use super::error_limits::with_least_limit;
-use super::levels::Request;
 use super::subject::{Subject, key};
-use super::{Level, Simplify};
 use striata_command::failure::Failure;
 
 /// The mesh as a file that gltfpack reads.

@@ -3,28 +3,12 @@
 use serde::Serialize;
 use striata::mesh::{AttributeSpread, DistanceOptions, attribute_distance, surface_distance};
 
-use super::Level;
+use super::contender::{Level, Request};
 use super::subject::Subject;
 use striata_command::failure::Failure;
 
 /// Samples of each surface for distances, and of the original for attributes.
 pub(super) const SAMPLES: usize = 100_000;
-
-/// How many triangles a level is to have.
-pub(super) struct Request {
-    /// Percent of the triangles.
-    pub(super) percent: f64,
-    /// The same as a count, rounded down.
-    pub(super) target_count: usize,
-}
-
-impl Request {
-    /// Target, as a percentage of the mesh's triangles.
-    pub(super) fn new(percent: f64, triangle_count: usize) -> Self {
-        let target_count = (percent / 100.0 * triangle_count as f64 + 1e-6) as usize;
-        Self { percent, target_count }
-    }
-}
 
 /// What was measured of one level.
 #[derive(Clone, Debug, Serialize)]

@@ -9,9 +9,9 @@ use std::time::Instant;
 use meshopt::{SimplifyOptions, VertexDataAdapter, simplify_with_attributes_and_locks, typed_to_bytes};
 use striata::mesh::{IndexedMesh, Semantic};
 
+use super::contender::Request;
+use super::contender::{Level, Simplify};
 use super::error_limits::with_least_limit;
-use super::levels::Request;
-use super::{Level, Simplify};
 
 /// The weight of each component of a normal.
 const NORMAL_WEIGHT: f32 = 0.5;

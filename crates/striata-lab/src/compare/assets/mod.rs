@@ -3,6 +3,7 @@
 //! All contenders get the same welded mesh with the attributes that all of them can weigh: normals, one set of texture
 //! coordinates, one set of colors. Every level is measured with the same samples and cameras.
 
+mod contender;
 #[cfg(feature = "peers")]
 mod error_limits;
 mod gallery;
@@ -11,49 +12,25 @@ mod gltfpack;
 mod levels;
 #[cfg(feature = "peers")]
 mod meshoptimizer;
+mod report;
 mod subject;
 mod summary;
 mod tables;
 
 use std::time::Instant;
 
-use serde::Serialize;
 use striata::mesh::{IndexedMesh, replay};
 use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 
-use self::levels::{LevelRow, Request, measure_level};
+use self::contender::{Level, Request, Simplify};
+use self::levels::measure_level;
+pub(super) use self::report::AssetsReport;
 use self::subject::Subject;
 pub(super) use self::summary::{Summary, summarize};
 pub(super) use self::tables::{section, summary_part, summary_text, to_text};
 use crate::args::{AssetArgs, AssetContender};
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
-
-/// What was measured of one asset.
-#[derive(Clone, Debug, Serialize)]
-pub(super) struct AssetsReport {
-    /// Triangles of the welded mesh, without degenerate ones: what shares are shares of.
-    triangle_count: usize,
-    vertex_count: usize,
-    has_normals: bool,
-    has_uvs: bool,
-    /// Why rows are missing.
-    notes: Vec<String>,
-    levels: Vec<LevelRow>,
-}
-
-/// A level that a contender made.
-struct Level {
-    mesh: IndexedMesh,
-    secs: f64,
-    /// The error that the contender reports, mesh units.
-    error: Option<f64>,
-    /// The error limit that the contender was given, a share of the extent.
-    error_limit: Option<f64>,
-}
-
-/// Makes a level with a share of the triangles, or says why it cannot.
-type Simplify<'a> = Box<dyn Fn(&Request) -> Result<Level, String> + 'a>;
 
 /// Simplifies the mesh with every contender to every share of its triangles, and measures the levels.
 ///

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::AssetsReport;
 use super::levels::LevelRow;
+use super::report::AssetsReport;
 
 /// A measured value of a level; lower is better.
 type Metric = (&'static str, fn(&LevelRow) -> Option<f64>);

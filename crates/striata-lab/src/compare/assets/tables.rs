@@ -3,8 +3,8 @@
 use super::super::page::{Block, MeshPart, Section};
 use super::super::plot::{Chart, Series};
 use super::super::scale::Scale;
-use super::AssetsReport;
 use super::levels::{LevelRow, SAMPLES};
+use super::report::AssetsReport;
 use super::summary::Summary;
 use striata_command::failure::Failure;
 use striata_command::output::{grouped, lasted};

@@ -6,8 +6,8 @@ use super::super::papers::KG98_BYTES_PER_VERTEX;
 use super::super::plot::{Chart, Series};
 use super::super::scale::Scale;
 use super::extraction::{ExtractionRow, NAMES};
+use super::report::{PatternsReport, extraction_table, table};
 use super::sizes::SourceRow;
-use super::{PatternsReport, extraction_table, table};
 use striata_command::failure::Failure;
 
 /// The same as charts and tables.

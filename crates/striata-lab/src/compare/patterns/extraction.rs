@@ -11,6 +11,7 @@ use striata::mesh::canonical_triangles;
 use striata::model::{Overlap, PatternInstance};
 use striata_lab::baseline::MtQuestion;
 
+use super::or_dash::or_dash;
 use super::sizes::Models;
 use striata_command::failure::Failure;
 use striata_command::output::grouped;
@@ -56,7 +57,7 @@ impl ExtractionRow {
         for name in NAMES {
             let time = self.models.iter().find(|time| time.name == name);
             cells.push(time.map_or_else(|| "-".to_owned(), |time| format!("{:.3}", time.secs * 1e3)));
-            cells.push(super::or_dash(time.and_then(|time| time.ns_per_triangle), 1));
+            cells.push(or_dash(time.and_then(|time| time.ns_per_triangle), 1));
         }
         cells
     }

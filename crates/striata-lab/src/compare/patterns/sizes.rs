@@ -8,7 +8,7 @@ use striata::model::{LodModel, PatternBounds, Patterns};
 use striata_lab::baseline::{LoopPatterns, MultiTriangulation, SequentialPatterns};
 use striata_lab::{Accounting, PaperBytes};
 
-use super::Source;
+use super::source::Source;
 use striata_command::failure::Failure;
 
 /// All forms of the same fragments.

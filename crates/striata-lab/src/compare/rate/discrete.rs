@@ -3,7 +3,8 @@
 use striata::mesh::{IndexedMesh, replay};
 use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 
-use super::{Coder, RateRow, Ruler};
+use super::coded::Coder;
+use super::ruler::{RateRow, Ruler};
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 

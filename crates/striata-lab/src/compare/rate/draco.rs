@@ -6,7 +6,7 @@ use std::process::Command;
 use striata::mesh::IndexedMesh;
 use tempfile::TempDir;
 
-use super::{Coded, quickest};
+use super::coded::{Coded, quickest};
 use striata_command::failure::Failure;
 
 /// What its files are called.

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use striata::mesh::{Bounds, IndexedMesh};
 
-use super::{Coded, quickest};
+use super::coded::{Coded, quickest};
 use striata_command::failure::Failure;
 
 /// What its files are called.

@@ -3,19 +3,21 @@
 //! Positions only, on the same grid for all: that of the longest side of the bounds in 2^bits - 1 steps. Distances are sampled, to the
 //! mesh and back, and are shares of its diagonal.
 
+mod coded;
 mod discrete;
 mod draco;
 #[cfg(feature = "peers")]
 mod meshoptimizer;
+mod ruler;
 mod streams;
 
-use std::time::Instant;
-
 use serde::Serialize;
-use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance};
+use striata::mesh::IndexedMesh;
 use striata_stream::Effort;
 
+use self::coded::{Coded, Coder, RUNS, stream_name};
 use self::draco::Draco;
+use self::ruler::{RateRow, Ruler};
 use self::streams::Streams;
 use super::page::{Block, Section};
 use super::plot::{Chart, Series};
@@ -25,29 +27,10 @@ use striata_command::failure::Failure;
 use striata_command::output::{Bar, grouped, lasted};
 use striata_command::stream::effort_name;
 
-/// Samples of each surface.
-const SAMPLES: usize = 100_000;
 /// Bits of a coordinate at which single files are compared.
 const FILE_BITS: [u32; 5] = [8, 10, 12, 14, 16];
 /// Those at which sizes are.
 const SIZE_BITS: [u32; 2] = [12, 14];
-/// How often decoding is repeated at most; the quickest counts.
-const RUNS: usize = 5;
-/// Seconds after which it is not repeated any more.
-const RUN_SECS: f64 = 2.0;
-
-/// A mesh as some coder keeps it.
-struct Coded {
-    bytes: usize,
-    /// Decoded again.
-    mesh: IndexedMesh,
-    encode_secs: f64,
-    decode_secs: f64,
-}
-
-/// A coder of single meshes: positions on a grid of so many bits.
-type Coder<'c> = Box<dyn Fn(&IndexedMesh, u32) -> Result<Coded, Failure> + 'c>;
-
 /// What was measured.
 #[derive(Serialize)]
 pub(super) struct RateReport {
@@ -55,18 +38,6 @@ pub(super) struct RateReport {
     rate_bits: u32,
     rate: Vec<RateRow>,
     sizes: Vec<SizeRow>,
-}
-
-/// What is shown after some bytes.
-#[derive(Clone, Debug, Serialize)]
-struct RateRow {
-    /// The way; its rows belong together.
-    name: String,
-    bytes: usize,
-    triangle_count: usize,
-    /// Percent of the diagonal.
-    max: f64,
-    rms: f64,
 }
 
 /// A whole file.
@@ -147,10 +118,6 @@ pub(super) fn measure(
     Ok(RateReport { rate_bits: args.bits, rate, sizes })
 }
 
-fn stream_name(effort: Effort) -> String {
-    format!("striata {}", effort_name(effort))
-}
-
 /// Divides sizes by those of Draco.
 fn relate(sizes: &mut [SizeRow]) {
     let theirs: Vec<(u32, usize)> =
@@ -158,27 +125,6 @@ fn relate(sizes: &mut [SizeRow]) {
     for row in sizes {
         let base = theirs.iter().find(|(bits, _)| *bits == row.bits);
         row.ratio_to_draco = base.map(|&(_, bytes)| row.bytes as f64 / bytes as f64);
-    }
-}
-
-/// Measures distances to one mesh.
-struct Ruler<'m> {
-    reference: &'m IndexedMesh,
-}
-
-impl Ruler<'_> {
-    /// None where what is shown has no surface.
-    fn row(&self, name: &str, bytes: usize, shown: &IndexedMesh) -> Option<RateRow> {
-        let options = DistanceOptions::default().with_sample_count(SAMPLES);
-        let distance = surface_distance(self.reference, shown, &options).ok()?;
-        let percent = 100.0 / distance.diagonal;
-        Some(RateRow {
-            name: name.to_owned(),
-            bytes,
-            triangle_count: shown.triangle_count(),
-            max: distance.max * percent,
-            rms: distance.rms * percent,
-        })
     }
 }
 
@@ -195,22 +141,6 @@ impl SizeRow {
             triangles_per_sec: coded.mesh.triangle_count() as f64 / coded.decode_secs.max(1e-6),
         }
     }
-}
-
-/// The quickest of some runs, each of which tells its seconds.
-///
-/// # Errors
-/// Where one of them fails.
-fn quickest(mut run: impl FnMut() -> Result<f64, Failure>) -> Result<f64, Failure> {
-    let started = Instant::now();
-    let mut least = run()?;
-    for _ in 1..RUNS {
-        if started.elapsed().as_secs_f64() > RUN_SECS {
-            break;
-        }
-        least = least.min(run()?);
-    }
-    Ok(least)
 }
 
 /// Both tables as text.

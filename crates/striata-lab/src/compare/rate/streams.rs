@@ -9,7 +9,8 @@ use striata_stream::{
     Effort, Precision, SHAPE_STEPS, StreamError, StreamFacts, StreamOptions, encode_stream,
 };
 
-use super::{Coded, RateRow, Ruler, quickest, stream_name};
+use super::coded::{Coded, quickest, stream_name};
+use super::ruler::{RateRow, Ruler};
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 use striata_command::stream::Received;

@@ -7,7 +7,8 @@ use super::super::scale::Scale;
 use super::course::Run;
 use super::figures::Figures;
 use super::followers::{NAMES, UNIFORM};
-use super::{PathReport, READING, ViewsReport, costs, memory};
+use super::report::{PathReport, READING, ViewsReport};
+use super::{costs, memory};
 use striata_command::failure::Failure;
 use striata_command::output::grouped;
 

@@ -11,27 +11,35 @@ use striata::model::{Overlap, PatternBounds, PatternInstance, PatternScene, Patt
 use striata::simplify::StopReason;
 use striata::view::{Camera, Criterion, DetailBox};
 
-use super::extract_view::{LEAST_PIXELS, ViewLevel};
+use super::view::{LEAST_PIXELS, ViewLevel};
 use striata_command::args::{Corners, ViewArgs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 
 /// Patterns of a file, and all that is needed to ask them.
-pub(super) struct PatternsOfFile {
+pub(crate) struct PatternsOfFile {
     patterns: Patterns,
     bounds: PatternBounds,
     mesh: IndexedMesh,
     /// Whether they were in the file, and not made from its collapses.
-    pub(super) are_stored: bool,
+    pub(crate) are_stored: bool,
 }
 
 /// How many triangles a condition may take.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Budget {
+pub(crate) struct Budget {
     /// At most so many; as many as it takes where there is none.
-    pub(super) triangle_limit: Option<usize>,
+    pub(crate) triangle_limit: Option<usize>,
     /// What weighs no more need not be there.
-    pub(super) threshold: f32,
+    pub(crate) threshold: f32,
+}
+
+/// The instance that keeps to a budget.
+struct Found {
+    instance: PatternInstance,
+    /// What weighs no more need not be there.
+    threshold: f32,
+    stop_reason: StopReason,
 }
 
 impl PatternsOfFile {
@@ -39,7 +47,7 @@ impl PatternsOfFile {
     ///
     /// # Errors
     /// Where a part of the file is unsound.
-    pub(super) fn read(file: &StriataFile<'_>, input: &Input) -> Result<Self, Failure> {
+    pub(crate) fn read(file: &StriataFile<'_>, input: &Input) -> Result<Self, Failure> {
         let damaged = |error| input.damaged(&error);
         if let Some(stored) = file.patterns() {
             let (patterns, bounds) = stored.map_err(damaged)?;
@@ -52,12 +60,12 @@ impl PatternsOfFile {
     }
 
     /// Fragments.
-    pub(super) fn step_count(&self) -> usize {
+    pub(crate) fn step_count(&self) -> usize {
         self.patterns.fragment_count()
     }
 
     /// The coarsest level that shows no error of more pixels than allowed, or the finest of no more than so many triangles.
-    pub(super) fn level_of_view(
+    pub(crate) fn level_of_view(
         &self,
         view: &ViewArgs,
         camera: Camera,
@@ -76,7 +84,7 @@ impl PatternsOfFile {
     }
 
     /// Full detail inside a box, and errors outside that are no larger than the budget's threshold.
-    pub(super) fn level_of_box(&self, corners: Corners, budget: Budget) -> ViewLevel {
+    pub(crate) fn level_of_box(&self, corners: Corners, budget: Budget) -> ViewLevel {
         let Corners { min, max } = corners;
         let inside = DetailBox { min, max, error_outside: f32::INFINITY };
         let weight = |scene: &PatternScene<'_>, step| {
@@ -91,13 +99,13 @@ impl PatternsOfFile {
         let started = Instant::now();
         let scene = PatternScene::new(&self.patterns, &self.bounds, &self.mesh.positions);
         let steps = || 0..self.step_count() as u32;
-        let (instance, threshold, stop_reason) = match budget.triangle_limit {
+        let Found { instance, threshold, stop_reason } = match budget.triangle_limit {
             // Not all fragments need to be asked.
             None => {
                 let is_too_coarse = |overlap: Overlap| weight(&scene, overlap.upper) > budget.threshold;
                 let mut instance = PatternInstance::base(&self.patterns);
                 instance.adapt(&self.patterns, &is_too_coarse);
-                (instance, budget.threshold, StopReason::TargetReached)
+                Found { instance, threshold: budget.threshold, stop_reason: StopReason::TargetReached }
             }
             Some(limit) => {
                 let weights: Vec<f32> = steps().map(|step| weight(&scene, step)).collect();
@@ -118,7 +126,7 @@ impl PatternsOfFile {
     }
 
     /// The level of the lowest threshold, but no lower than allowed, that has no more than so many triangles.
-    fn within(&self, weights: &[f32], limit: usize, least: f32) -> (PatternInstance, f32, StopReason) {
+    fn within(&self, weights: &[f32], limit: usize, least: f32) -> Found {
         let mut thresholds: Vec<f32> =
             weights.iter().copied().filter(|&w| w > least && w.is_finite()).collect();
         thresholds.push(least);
@@ -137,7 +145,8 @@ impl PatternsOfFile {
         }
         let found = go_to(thresholds[low]);
         let is_met = found.triangle_count() <= limit;
-        (found, thresholds[low], if is_met { StopReason::TargetReached } else { StopReason::BaseReached })
+        let stop_reason = if is_met { StopReason::TargetReached } else { StopReason::BaseReached };
+        Found { instance: found, threshold: thresholds[low], stop_reason }
     }
 
     fn shown(&self, instance: &PatternInstance) -> IndexedMesh {

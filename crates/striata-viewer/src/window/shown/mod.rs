@@ -1,70 +1,28 @@
 //! The triangles that are shown, kept up to what is wanted by the model that makes them; nothing here knows a GPU.
 
+mod fans;
+mod indices;
+mod patterns;
+mod wish;
+
+pub(super) use self::indices::{Changes, Form};
+pub(super) use self::wish::{Achieved, Wish};
+
 use std::ops::Range;
 use std::time::Instant;
 
 use striata::model::{
-    FanFront, FanInstance, FanMorphs, FanTriangles, LodModel, LodStripsState, MtsState, Overlap,
-    PatternChange, PatternInstance, StripBuffer, StripModel, fan_triangles_into,
+    FanInstance, FanMorphs, LodModel, LodStripsState, MtsState, PatternInstance, StripBuffer, StripModel,
+    fan_triangles_into,
 };
 use striata::strip::{RESTART, restart_triangles_into};
-use striata::view::{Camera, Criterion, ScreenError};
 
-use super::state::{Goal, ModelKind};
+use self::fans::FansShown;
+use self::indices::{list_into, note, patterns_into, strips_into};
+use self::patterns::follow_patterns;
+use self::wish::{split_count_for, uniform};
+use super::state::ModelKind;
 use super::subject::Subject;
-
-/// Errors of fewer pixels than this are no smaller to a budget, so that what weighs them stays a number.
-const LEAST_PIXELS: f32 = 1e-6;
-
-/// Frames that a motion takes.
-const MORPH_FRAMES: u16 = 24;
-
-/// What a level is to be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Wish {
-    pub(super) goal: Goal,
-    /// The view that it is for, where the level depends on it; none where there is no picture, either.
-    pub(super) camera: Option<Camera>,
-    /// Whether changes are motions.
-    pub(super) morphs: bool,
-}
-
-/// What a level is.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Achieved {
-    /// Steps that are undone.
-    pub(super) split_count: usize,
-    pub(super) triangle_count: usize,
-    /// Mesh units.
-    pub(super) error: f32,
-    /// The same on the screen, where the level was made for a view.
-    pub(super) error_px: Option<f32>,
-    /// Steps that move.
-    pub(super) moving_count: usize,
-    /// Time that it took.
-    pub(super) secs: f64,
-}
-
-/// Which indices are to be uploaded.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Changes {
-    /// As they are.
-    None,
-    /// These.
-    Ranges(Vec<Range<u32>>),
-    /// Any.
-    All,
-}
-
-/// Indices as they are drawn.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Form<'a> {
-    pub(super) indices: &'a [u32],
-    /// A range for each group.
-    pub(super) groups: &'a [Range<u32>],
-    /// Strips with restarts between them, or three indices a triangle.
-    pub(super) is_strips: bool,
-}
 
 /// An instance of a model.
 #[derive(Debug)]
@@ -92,18 +50,6 @@ enum Instance {
     Patterns(Box<PatternInstance>),
 }
 
-#[derive(Debug)]
-struct FansShown {
-    front: FanFront<ScreenError>,
-    /// Where a level is the same everywhere; its split count.
-    uniform: Option<(usize, FanInstance)>,
-    /// The instance that is drawn: what is wanted, and what is still on its way out.
-    drawn: FanInstance,
-    /// Its triangles, where they are not made on the GPU.
-    triangles: Option<FanTriangles>,
-    morphs: Option<FanMorphs>,
-}
-
 impl Shown {
     /// An instance of a model; none while the subject lacks the model.
     pub(super) fn new(subject: &Subject, kind: ModelKind) -> Option<Self> {
@@ -118,10 +64,7 @@ impl Shown {
             ModelKind::Mts => Instance::Mts(subject.mts()?.new_state()),
             ModelKind::Fans | ModelKind::FansGpu => {
                 let (scene, _) = subject.fan_scene()?;
-                let front = FanFront::new(&scene);
-                let drawn = front.instance().clone();
-                let triangles = (kind == ModelKind::Fans).then(|| FanTriangles::new(scene.fans(), &drawn));
-                Instance::Fans(Box::new(FansShown { front, uniform: None, drawn, triangles, morphs: None }))
+                Instance::Fans(Box::new(FansShown::new(&scene, kind == ModelKind::Fans)))
             }
             ModelKind::Patterns => {
                 Instance::Patterns(Box::new(PatternInstance::base(subject.pattern_scene()?.patterns())))
@@ -299,201 +242,14 @@ impl Shown {
     }
 }
 
-impl FansShown {
-    /// Whether anything changed, and what came of it.
-    fn follow(&mut self, subject: &Subject, wish: &Wish, split_count: usize) -> (bool, Achieved) {
-        let Some((scene, refinable)) = subject.fan_scene() else { return (false, Achieved::default()) };
-        let mut error_px = None;
-        match (wish.goal, wish.camera) {
-            (Goal::Pixels(pixels), Some(camera)) => {
-                self.uniform = None;
-                let criterion = ScreenError::new(camera, pixels).of_model(subject.sphere);
-                self.front.update(&scene, &criterion, usize::MAX);
-                error_px = Some(pixels);
-            }
-            (Goal::Budget(limit), Some(camera)) => {
-                self.uniform = None;
-                let criterion = ScreenError::new(camera, LEAST_PIXELS).of_model(subject.sphere);
-                let update = self.front.update_to_budget(&scene, &criterion, limit);
-                error_px = Some(criterion.pixels() * update.threshold).filter(|pixels| pixels.is_finite());
-            }
-            _ if self.uniform.as_ref().is_none_or(|(shown, _)| *shown != split_count) => {
-                self.uniform = Some((split_count, FanInstance::uniform(scene.fans(), split_count)));
-            }
-            _ => {}
-        }
-        let wanted = self.uniform.as_ref().map_or(self.front.instance(), |(_, instance)| instance);
-        let was_moving = self.morphs.as_ref().is_some_and(|morphs| morphs.moving_count() > 0);
-        if wish.morphs {
-            let morphs = self.morphs.get_or_insert_with(|| FanMorphs::new(&self.drawn, MORPH_FRAMES));
-            morphs.advance(scene.fans(), wanted);
-        } else {
-            self.morphs = None;
-        }
-        let drawn = self.morphs.as_ref().map_or(wanted, FanMorphs::drawn);
-        let is_changed = self.drawn != *drawn;
-        if is_changed {
-            self.drawn.clone_from(drawn);
-            if let Some(triangles) = &mut self.triangles {
-                triangles.follow(scene.fans(), &refinable.sequence, drawn);
-            }
-        }
-        let levels = refinable.sequence.levels();
-        let coarsest = (0..levels.step_count()).find(|&step| wanted.is_taken(step as u32));
-        let moving_count = self.morphs.as_ref().map_or(0, FanMorphs::moving_count);
-        let achieved = Achieved {
-            split_count: levels.step_count() - wanted.taken_count(),
-            triangle_count: match self.uniform {
-                Some((split_count, _)) => levels.triangle_count_at(split_count),
-                None => self.front.triangle_count(),
-            },
-            error: coarsest.map_or(0.0, |step| levels.error_at(step)),
-            error_px,
-            moving_count,
-            secs: 0.0,
-        };
-        (is_changed || was_moving || moving_count > 0, achieved)
-    }
-
-    /// The triangles, where they are not made on the GPU.
-    fn indices_into(&self, (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>), group_count: usize) {
-        let Some(triangles) = &self.triangles else { return };
-        indices.clear();
-        ranges_of_groups(group_count, groups, |group| {
-            indices.extend_from_slice(triangles.triangles(group).as_flattened());
-            indices.len()
-        });
-    }
-}
-
-/// The level that a wish comes to where all of a mesh has the same.
-fn split_count_for(subject: &Subject, wish: &Wish) -> usize {
-    let levels = subject.steps.levels();
-    match wish.goal {
-        Goal::Detail(detail) => levels.split_count_for_detail(detail),
-        Goal::Triangles(count) | Goal::Budget(count) => levels.split_count_for_triangles(count),
-        Goal::Pixels(pixels) => {
-            let unit_px = wish.camera.map_or(f32::INFINITY, |camera| camera.error_px(1.0, &subject.sphere));
-            levels.split_count_for_error(f64::from(pixels / unit_px))
-        }
-    }
-}
-
-/// What a level is that is the same everywhere.
-fn uniform(subject: &Subject, split_count: usize) -> Achieved {
-    let levels = subject.steps.levels();
-    Achieved {
-        split_count,
-        triangle_count: levels.triangle_count_at(split_count),
-        error: levels.error_at(split_count),
-        ..Achieved::default()
-    }
-}
-
-/// Whether anything changed, and what came of it.
-fn follow_patterns(
-    instance: &mut PatternInstance,
-    subject: &Subject,
-    wish: &Wish,
-    split_count: usize,
-) -> (bool, Achieved) {
-    let Some(scene) = subject.pattern_scene() else { return (false, Achieved::default()) };
-    let patterns = scene.patterns();
-    let (Goal::Pixels(pixels), Some(camera)) = (wish.goal, wish.camera) else {
-        let first_left_out = split_count as u32;
-        let change = instance.adapt(patterns, &|overlap: Overlap| overlap.upper < first_left_out);
-        return (change != PatternChange::default(), uniform(subject, split_count));
-    };
-    let criterion = ScreenError::new(camera, pixels);
-    let is_wanted = |overlap: Overlap| criterion.weigh(&scene.part(overlap.upper)).is_wanted();
-    let change = instance.adapt(patterns, &is_wanted);
-    let mut left_out = (0..patterns.fragment_count() as u32).filter(|&step| !instance.is_inserted(step));
-    let achieved = Achieved {
-        split_count: instance.inserted_count(),
-        triangle_count: instance.triangle_count(),
-        error: left_out.next().map_or(0.0, |step| scene.part(step).error),
-        error_px: Some(pixels),
-        ..Achieved::default()
-    };
-    (change != PatternChange::default(), achieved)
-}
-
-/// The triangles of patterns, group by group.
-fn patterns_into(
-    instance: &PatternInstance,
-    group_count: usize,
-    (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
-) {
-    let mut triangles = Vec::with_capacity(instance.triangle_count());
-    ranges_of_groups(group_count, groups, |group| {
-        instance.group_triangles_into(group as u32, &mut triangles);
-        3 * triangles.len()
-    });
-    indices.clear();
-    indices.extend_from_slice(triangles.as_flattened());
-}
-
-/// A level's triangles by plain substitution.
-fn list_into(
-    subject: &Subject,
-    split_count: usize,
-    (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
-) {
-    let level = subject.steps.level(split_count);
-    indices.clear();
-    indices.extend_from_slice(level.triangles.as_flattened());
-    groups.clear();
-    groups.extend(level.groups_or_whole().iter().map(|group| {
-        let range = group.range();
-        3 * range.start as u32..3 * range.end as u32
-    }));
-}
-
-/// All strips with restarts between them, group by group.
-fn strips_into<M: StripModel>(
-    model: &M,
-    state: &M::State,
-    (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
-) {
-    indices.clear();
-    ranges_of_groups(model.group_count(), groups, |group| {
-        for strip in model.group_strips(group) {
-            let strip = model.strip(state, strip);
-            if !strip.is_empty() {
-                indices.extend_from_slice(strip);
-                indices.push(RESTART);
-            }
-        }
-        indices.len()
-    });
-}
-
-/// A range for each group, one after the other; `end` fills a group and says where it ends.
-fn ranges_of_groups(group_count: usize, groups: &mut Vec<Range<u32>>, mut end: impl FnMut(usize) -> usize) {
-    groups.clear();
-    let mut first = 0;
-    for group in 0..group_count {
-        let end = end(group) as u32;
-        groups.push(first..end);
-        first = end;
-    }
-}
-
-/// Adds changed ranges to what is to be uploaded.
-fn note(changes: &mut Changes, mut ranges: Vec<Range<u32>>) {
-    match changes {
-        Changes::All => {}
-        _ if ranges.is_empty() => {}
-        Changes::None => *changes = Changes::Ranges(ranges),
-        Changes::Ranges(before) => before.append(&mut ranges),
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::state::Goal;
     use super::super::subject::tests::subject_of;
+    use super::fans::MORPH_FRAMES;
     use super::*;
     use striata::mesh::{canonical_triangles, shapes};
+    use striata::view::Camera;
 
     const FAR: [f32; 3] = [3.0, 4.0, 9.0];
 

@@ -1,0 +1,94 @@
+//! What each model of a mesh costs: all of them are built, each from the steps that a build of it alone would take.
+
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::mesh::{IndexedMesh, weld};
+use striata::model::{FanInstance, LodModel, PartBytes, PatternInstance};
+
+use super::built::{BuildPlan, stream_of};
+use super::models::{MODELS, Models, PROGRESSIVE};
+use striata_command::args::StreamArgs;
+use striata_command::failure::Failure;
+use striata_command::output::Bar;
+use striata_command::sequence::{SequencePlan, Sequenced};
+
+/// What one model costs.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ModelCost {
+    /// The model.
+    pub(crate) name: &'static str,
+    /// Bytes of all its parts.
+    pub(crate) bytes: usize,
+    /// The same for each vertex of the welded mesh.
+    pub(crate) bytes_per_vertex: f64,
+    /// Bytes that one instance takes in addition; none of a stream, which is decoded once for all.
+    pub(crate) instance_bytes: Option<usize>,
+    /// Seconds that the model takes once its steps and its strips are there.
+    pub(crate) build_secs: f64,
+}
+
+/// Builds every model of a mesh with the usual options.
+///
+/// # Errors
+/// If the mesh does not hang together.
+pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<ModelCost>, Failure> {
+    let plan = BuildPlan::usual();
+    bar.phase("simplify");
+    let sequenced = steps(mesh, &plan.sequence, bar)?;
+    bar.phase("strip");
+    let stripped = plan.strips.run(sequenced.steps.mesh(), &mut |share| bar.share("strip", share))?;
+    bar.phase("models");
+    let mut costs = Vec::new();
+    for name in MODELS.into_iter().filter(|&name| name != PROGRESSIVE) {
+        let started = Instant::now();
+        let made = (Some(&stripped.strips), None);
+        let models = Models::build(&[name.to_owned()], &sequenced, made, bar)?;
+        costs.extend(costs_of(&models, &sequenced, started.elapsed().as_secs_f64()));
+    }
+    // A stream takes its collapses in batches, which are others.
+    bar.phase("simplify");
+    let mut plan = BuildPlan { models: vec![PROGRESSIVE.to_owned()], ..plan };
+    plan.sequence.come_in_batches(StreamArgs::default().batches(mesh)?)?;
+    let mut sequenced = steps(mesh, &plan.sequence, bar)?;
+    bar.phase("encode");
+    let started = Instant::now();
+    let stream = stream_of(&mut sequenced, &plan)?;
+    let build_secs = started.elapsed().as_secs_f64();
+    let models = Models::build(&plan.models, &sequenced, (None, stream), bar)?;
+    costs.extend(costs_of(&models, &sequenced, build_secs));
+    Ok(costs)
+}
+
+fn steps(mesh: &IndexedMesh, plan: &SequencePlan, bar: &mut Bar) -> Result<Sequenced, Failure> {
+    Ok(plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?)
+}
+
+fn costs_of(models: &Models, sequenced: &Sequenced, build_secs: f64) -> Vec<ModelCost> {
+    let vertex_count = sequenced.steps.mesh().vertex_count().max(1);
+    let cost = |(name, parts): (&'static str, Vec<PartBytes>)| {
+        let bytes = parts.iter().map(|part| part.bytes).sum::<usize>();
+        ModelCost {
+            name,
+            bytes,
+            bytes_per_vertex: bytes as f64 / vertex_count as f64,
+            instance_bytes: instance_bytes(models, name),
+            build_secs,
+        }
+    };
+    models.parts().into_iter().map(cost).collect()
+}
+
+/// Bytes of an instance that shows the full mesh; of fans and patterns it is the one that may follow a view.
+fn instance_bytes(models: &Models, name: &str) -> Option<usize> {
+    fn of_state<M: LodModel>(model: &M) -> usize {
+        model.state_bytes(&model.new_state())
+    }
+    match name {
+        "lodstrips" => models.lod_strips.as_ref().map(of_state),
+        "mts" => models.mts.as_ref().map(of_state),
+        "fans" => models.fans.as_ref().map(|(fans, _)| FanInstance::full(fans).bytes()),
+        "patterns" => models.patterns.as_ref().map(|(patterns, _)| PatternInstance::full(patterns).bytes()),
+        _ => None,
+    }
+}

@@ -1,0 +1,160 @@
+//! `build`: a mesh becomes one .striata file that holds every level.
+
+mod built;
+mod costs;
+mod models;
+mod report;
+
+pub(crate) use self::built::{BuildPlan, Built, PHASES, build, errors_are_guaranteed};
+pub(crate) use self::costs::{ModelCost, model_costs};
+pub(crate) use self::models::{MODELS, PROGRESSIVE, parts_of_fans, parts_of_patterns};
+
+use std::path::Path;
+
+use striata::mesh::{IndexedMesh, MeshError};
+use striata::simplify::Retriangulation;
+
+use self::models::{FANS, PATTERNS, takes_strips};
+use self::report::Report;
+use crate::args::BuildArgs;
+use striata_command::clock::Phases;
+use striata_command::failure::{Failure, unknown_name};
+use striata_command::input::Input;
+use striata_command::level::{FullMesh, check_strict};
+use striata_command::output::Output;
+use striata_command::save::{beside, check_not_packed, is_stdout, name_of, put};
+use striata_command::sequence::{Limits, SequencePlan, limit_in_units};
+
+/// Reads, builds, writes, reports.
+///
+/// # Errors
+/// Where any of it fails; the output is then as it was.
+pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
+    let path = match &args.output {
+        Some(path) => path.clone(),
+        None => beside(&args.input, "striata")?,
+    };
+    output.check_stdout_is_free(is_stdout(&path))?;
+    let models = model_names(&args.model_names())?;
+    check_stream_terms(args, &models)?;
+    check_strip_terms(args, &models)?;
+    check_output_name(&path)?;
+    let mut phases = Phases::new(&PHASES);
+    let mut bar = output.bar();
+    phases.enter("read");
+    bar.phase("read");
+    let input = Input::open(&args.input)?;
+    let (mesh, source) = (input.mesh(output)?, input.file_name());
+    let diagonal = mesh.diagonal();
+    args.sequence.remark_on(&mesh, output);
+    let base = base_of(args, &mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
+    let limits = Limits {
+        base_triangle_count: base.unwrap_or(0),
+        max_error: limit_in_units(args.max_error, diagonal),
+    };
+    let mut sequence = args.sequence.plan_for(&mesh, limits, output)?;
+    if let Some(remark) = fill_as_models_need(&mut sequence, &models, args.sequence.is_free())? {
+        output.say(&remark);
+    }
+    if models.iter().any(|model| model == FANS) {
+        sequence.hold_in_any_state();
+    }
+    if models.iter().any(|model| model == PROGRESSIVE) {
+        sequence.come_in_batches(args.stream_terms.batches(&mesh)?)?;
+    }
+    let stream = args.stream_terms.options(diagonal);
+    let plan = BuildPlan { sequence, strips: args.strip_plan(), models, stream };
+    let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
+    let shortfall = base.and_then(|base| built.shortfall(base, &args.sequence));
+    check_strict(args.strict, None, shortfall.as_deref())?;
+    phases.enter("write");
+    bar.phase("write");
+    let bytes = built.to_bytes(&source)?;
+    put(&bytes, &path)?;
+    phases.leave();
+    drop(bar);
+    let mut report = Report::new(&mesh, &built, (name_of(&path), bytes.len()), phases);
+    report.shortfall = shortfall;
+    output.summary(&report, &report.to_text(args, &built, diagonal))
+}
+
+/// Triangles that the base is to have at most.
+///
+/// # Errors
+/// If the mesh's parts do not fit together.
+fn base_of(args: &BuildArgs, mesh: &IndexedMesh) -> Result<Option<usize>, MeshError> {
+    Ok(match args.base {
+        Some(share) if share.is_share() => Some(share.of_triangles(FullMesh::of(mesh)?.triangle_count)),
+        // No share: what the mesh has does not matter.
+        number => number.map(|count| count.of_triangles(0)),
+    })
+}
+
+/// Lets holes be filled as collapses do where a model asks for it; what is to be said of that.
+///
+/// # Errors
+/// Where they were to be filled freely.
+fn fill_as_models_need(
+    sequence: &mut SequencePlan,
+    models: &[String],
+    is_free: bool,
+) -> Result<Option<String>, Failure> {
+    let in_need = models.iter().find(|model| *model != PATTERNS);
+    let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, in_need) else { return Ok(None) };
+    if options.retriangulation == Retriangulation::Collapse {
+        return Ok(None);
+    }
+    if is_free {
+        return Err(Failure::user(format!("{model} knows collapses, and not holes that are filled freely"))
+            .with_hint("leave --retriangulation out, or the model"));
+    }
+    options.retriangulation = Retriangulation::Collapse;
+    Ok(Some(format!("holes are filled as half-edge collapses do, since {model} knows no other steps")))
+}
+
+/// The names as our list has them; there may be blanks behind commas.
+///
+/// # Errors
+/// Where a name is none of ours.
+fn model_names(names: &[String]) -> Result<Vec<String>, Failure> {
+    let names: Vec<String> = names.iter().map(|name| name.trim().to_owned()).collect();
+    match names.iter().find(|name| !MODELS.contains(&name.as_str())) {
+        Some(unknown) => Err(unknown_name("model", unknown, &MODELS)),
+        None => Ok(names),
+    }
+}
+
+/// # Errors
+/// Where a stream is described and none is made.
+fn check_stream_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure> {
+    match args.stream_terms.given() {
+        Some(flag) if !models.iter().any(|model| model == PROGRESSIVE) => {
+            Err(Failure::user(format!("{flag} is for streams, and none is made"))
+                .with_hint(format!("say --models progressive too, or leave {flag} out")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// # Errors
+/// If strips are described and no model has any.
+fn check_strip_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure> {
+    match args.strip_flag() {
+        Some(flag) if !models.iter().any(takes_strips) => {
+            Err(Failure::user(format!("{flag} is for strips, and no model with strips is built"))
+                .with_hint(format!("say --models lodstrips or mts too, or leave {flag} out")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// # Errors
+/// Where the name says that the output is something else.
+fn check_output_name(path: &Path) -> Result<(), Failure> {
+    check_not_packed(path, ".striata files")?;
+    match striata_io::Format::from_extension(path) {
+        None | Some(striata_io::Format::Striata) => Ok(()),
+        Some(_) => Err(Failure::user(format!("{}: `build` writes .striata files", path.display()))
+            .with_hint("`striata simplify` writes one level as a mesh")),
+    }
+}

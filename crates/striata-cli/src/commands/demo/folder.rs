@@ -1,0 +1,31 @@
+//! The folder that the demo fills.
+
+use std::fs;
+use std::path::Path;
+
+use striata_io::write_atomically;
+
+use striata_command::failure::Failure;
+use striata_command::output::sized;
+
+/// The folder that is being filled, and what is in it so far.
+pub(super) struct Folder<'a> {
+    path: &'a Path,
+    pub(super) files: Vec<(String, String)>,
+}
+
+impl<'a> Folder<'a> {
+    pub(super) fn create(path: &'a Path) -> Result<Self, Failure> {
+        fs::create_dir_all(path).map_err(|error| {
+            Failure::user(format!("{}: {error}", path.display()))
+                .with_hint("name a folder that you may write")
+        })?;
+        Ok(Self { path, files: Vec::new() })
+    }
+
+    pub(super) fn write(&mut self, name: &str, what: &str, bytes: &[u8]) -> Result<(), Failure> {
+        write_atomically(&self.path.join(name), |out| out.write_all(bytes))?;
+        self.files.push((name.to_owned(), format!("{what}, {}", sized(bytes.len()))));
+        Ok(())
+    }
+}

@@ -1,0 +1,122 @@
+//! `extract`: one level of a .striata file, or several, as meshes.
+
+mod asked;
+mod patterns;
+mod place;
+mod report;
+mod stream;
+mod stream_level;
+mod view;
+mod whole;
+
+pub(crate) use self::patterns::PatternsOfFile;
+pub(super) use self::stream_level::{End, INPUT_ENDS, full_mesh, in_splits, is_enough, resolve, stream_of};
+pub(crate) use self::view::{ViewLevel, level_of_view};
+
+use std::time::Instant;
+
+use self::asked::{diagonal_of, drawn, no_level};
+use self::place::{run_box, run_view};
+use self::report::{LevelsReport, Report, Shown};
+use self::whole::{Extracted, Model, each_level, each_level_of_strips, pick_model};
+use super::strip::check_form_fits;
+use crate::args::{ExtractArgs, TriangleForm};
+use crate::commands::build::{PROGRESSIVE, errors_are_guaranteed};
+use crate::strip_lists::without_unused_vertices;
+use striata_command::failure::Failure;
+use striata_command::input::Input;
+use striata_command::level::{FullMesh, Wanted, check_paths, check_strict, wanted_levels};
+use striata_command::output::Output;
+use striata_command::save::{LevelFiles, format_of, is_stdout};
+
+/// Opens the file, goes to the level, writes it.
+///
+/// # Errors
+/// Where any of it fails.
+pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
+    let started = Instant::now();
+    output.check_stdout_is_free(is_stdout(&args.output.output))?;
+    check_form(args)?;
+    let input = Input::open(&args.input)?;
+    let file = input.striata()?;
+    let is_named = args.model.as_deref() == Some(PROGRESSIVE);
+    let is_place = args.eye.eye.is_some() || args.detail_box.is_some();
+    if !is_place && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only()) {
+        return stream::run(args, (&file, &input), started, output);
+    }
+    input.remark_on(&file, output)?;
+    if args.view.is_given() && args.eye.eye.is_none() {
+        return Err(Failure::user("a view was described, but no level is asked for it")
+            .with_hint("say --eye instead of the other level, or leave the view out"));
+    }
+    if let Some(eye) = args.eye.eye {
+        return run_view(args, eye, &input, started, output);
+    }
+    if let Some(corners) = args.detail_box {
+        return run_box(args, corners, &input, started, output);
+    }
+    let levels = file.levels().map_err(|error| input.damaged(&error))?;
+    let full = FullMesh::of_levels(&levels, diagonal_of(&args.level, &file, &input)?);
+    let wanted = wanted_levels(&args.level, &args.levels, full, &args.output.output)?;
+    let error_is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
+    let resolve = |wanted: &Wanted| -> Result<_, Failure> {
+        Ok(wanted.target.ok_or_else(no_level)?.resolve_in(&levels))
+    };
+    let resolved = wanted.iter().map(resolve).collect::<Result<Vec<_>, _>>()?;
+    let split_counts: Vec<usize> = resolved.iter().map(|&(split_count, _)| split_count).collect();
+    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some());
+    let mut reports: Vec<Option<Report>> = wanted.iter().map(|_| None).collect();
+    let mut take = |number: usize, extracted: Extracted| -> Result<(), Failure> {
+        let Extracted { model, mesh, strips, seek_secs } = extracted;
+        let (mesh, strips) = without_unused_vertices(mesh, strips);
+        let (wanted, (split_count, stop_reason)) = (&wanted[number], resolved[number]);
+        let report = Report {
+            error: levels.error_at(split_count),
+            error_is_guaranteed,
+            ..Report::of_level(
+                model,
+                wanted,
+                Shown { mesh: &mesh, split_count, stop_reason },
+                [seek_secs, seconds(started)],
+            )
+        };
+        check_strict(args.strict, wanted.name.as_deref(), report.shortfall.as_deref())?;
+        files.save(&mesh, drawn(args.form, &mesh, strips)?, &wanted.path)?;
+        reports[number] = Some(report);
+        Ok(())
+    };
+    let (from, split_counts) = ((&file, &input), &split_counts[..]);
+    match pick_model(&file, args.model.as_deref(), &input)? {
+        Model::LodStrips(model) => each_level_of_strips("lodstrips", &model, split_counts, from, &mut take),
+        Model::Mts(model) => each_level_of_strips("mts", &model, split_counts, from, &mut take),
+        Model::Fans(model) => each_level("fans", &model, split_counts, (from, &|_| None), &mut take),
+        Model::Patterns(model) => each_level("patterns", &model, split_counts, (from, &|_| None), &mut take),
+    }?;
+    files.commit()?;
+    let mut reports: Vec<Report> = reports.into_iter().flatten().collect();
+    if args.levels.levels.is_some() {
+        let report =
+            LevelsReport { levels: reports, step_count: levels.step_count(), secs: seconds(started) };
+        return output.summary(&report, &report.to_text());
+    }
+    let report = reports.pop().ok_or_else(no_level)?;
+    output.summary(&report, &report.to_text(levels.step_count()))
+}
+
+fn seconds(started: Instant) -> f64 {
+    started.elapsed().as_secs_f64()
+}
+
+/// # Errors
+/// Where strips or fans are asked for in a format that has none.
+fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
+    for path in check_paths(&args.level, &args.levels, &args.output.output)? {
+        let format = format_of(&path, &args.output.format)?;
+        match args.form {
+            TriangleForm::List => {}
+            TriangleForm::Strips => check_form_fits("strips", &path, format, "say --as list")?,
+            TriangleForm::Fans => check_form_fits("fans", &path, format, "say --as list")?,
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,131 @@
+//! Levels that differ from place to place: fine where a view looks, or inside a box.
+
+use std::time::Instant;
+
+use striata::file::StriataFile;
+use striata::model::{FanBounds, FanScene, Fans};
+
+use super::asked::{bounds_of, diagonal_of, drawn, path_of_place, triangle_limit};
+use super::patterns::{Budget, PatternsOfFile};
+use super::report::Report;
+use super::view::{ViewLevel, level_of_view};
+use crate::args::ExtractArgs;
+use crate::commands::build::{MODELS, errors_are_guaranteed};
+use striata_command::args::{Corners, Point};
+use striata_command::failure::{Failure, unknown_name};
+use striata_command::input::Input;
+use striata_command::output::Output;
+use striata_command::save::save;
+
+/// Opens the file, goes to the level of a view, writes it.
+///
+/// # Errors
+/// Where the view makes no picture, or any of it fails.
+pub(super) fn run_view(
+    args: &ExtractArgs,
+    eye: Point,
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    let file = input.striata()?;
+    let center =
+        bounds_of(&file, input)?.map_or([0.0; 3], |b| [0, 1, 2].map(|i| (b.min[i] + b.max[i]) / 2.0));
+    let camera = args.view.camera(eye, center).map_err(|error| {
+        Failure::user(error.to_string()).with_hint("move --eye or --look-at, or turn --up")
+    })?;
+    if asks_patterns(args, &file, input)? {
+        let model = PatternsOfFile::read(&file, input)?;
+        let level = model.level_of_view(&args.view, camera, triangle_limit(args, &file));
+        return report_patterns(args, (&model, level), input, started, output);
+    }
+    let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
+    let stored = file.fans().transpose().map_err(|error| input.damaged(&error))?;
+    let fans = if stored.is_some() { "stored" } else { "built" };
+    let (table, bounds) = stored.unwrap_or_else(|| {
+        let table = Fans::build(&refinable);
+        let bounds = FanBounds::build(&table, &refinable);
+        (table, bounds)
+    });
+    let scene = FanScene::new(&table, &bounds, &refinable);
+    let limit = triangle_limit(args, &file);
+    let level = level_of_view(&scene, &refinable, &args.view, camera, limit);
+    let (pixels, drawn) = (level.pixels, drawn(args.form, &level.mesh, None)?);
+    let report = Report::of_place("fans", args, (&level, limit), started)?;
+    save(&level.mesh, drawn, &path_of_place(args)?, &args.output.format)?;
+    let report = Report { fans: Some(fans), pixels: Some(pixels), ..report };
+    output.summary(&report, &report.to_text(refinable.sequence.step_count()))
+}
+
+/// Whether a view is one of patterns: where they are named, or no fans are and these would have to be built.
+///
+/// # Errors
+/// Where a model is named that knows whole levels only, or fans where there are no collapses.
+fn asks_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
+    match args.model.as_deref() {
+        Some("patterns") => Ok(true),
+        Some("fans") if !file.has_collapses() => {
+            Err(Failure::user(format!("{}: fans take collapses, and this file has none", input.name))
+                .with_hint("leave --model out, or say --model patterns"))
+        }
+        Some("fans") => Ok(false),
+        Some(name) if !MODELS.contains(&name) => Err(unknown_name("model", name, &MODELS)),
+        Some(name) => Err(Failure::user(format!("{name} knows whole levels only"))
+            .with_hint("a view takes --model fans or patterns")),
+        None => Ok(file.fans().is_none() && file.patterns().is_some()),
+    }
+}
+
+/// The same for a box.
+///
+/// # Errors
+/// Where another model is asked for, or any of it fails.
+pub(super) fn run_box(
+    args: &ExtractArgs,
+    corners: Corners,
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    if let Some(name) = args.model.as_deref().filter(|&name| name != "patterns") {
+        return Err(Failure::user(format!("{name} are not asked for boxes"))
+            .with_hint("a box takes --model patterns"));
+    }
+    let file = input.striata()?;
+    let diagonal = diagonal_of(&args.level, &file, input)?;
+    let triangle_limit = triangle_limit(args, &file);
+    // What is nowhere in the box weighs its error: all of it may be left out, or none of what is over the limit.
+    let threshold = match (args.level.error, triangle_limit) {
+        (Some(error), _) => error.in_units(diagonal) as f32,
+        (None, Some(_)) => 0.0,
+        (None, None) => f32::MAX,
+    };
+    let model = PatternsOfFile::read(&file, input)?;
+    let level = model.level_of_box(corners, Budget { triangle_limit, threshold });
+    report_patterns(args, (&model, level), input, started, output)
+}
+
+/// Writes and reports what patterns show of a view or a box.
+///
+/// # Errors
+/// Where the file is unsound or the output cannot be written.
+fn report_patterns(
+    args: &ExtractArgs,
+    (model, level): (&PatternsOfFile, ViewLevel),
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    let file = input.striata()?;
+    let report = Report::of_place("patterns", args, (&level, triangle_limit(args, &file)), started)?;
+    save(&level.mesh, drawn(args.form, &level.mesh, None)?, &path_of_place(args)?, &args.output.format)?;
+    let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
+    let report = Report {
+        patterns: Some(if model.are_stored { "stored" } else { "built" }),
+        pixels: args.eye.eye.is_some().then_some(level.pixels),
+        // Built from collapses they know errors of levels only, and not what holds of each floor wherever it is shown.
+        error_is_guaranteed: is_guaranteed && model.are_stored,
+        ..report
+    };
+    output.summary(&report, &report.to_text(model.step_count()))
+}

@@ -1,0 +1,154 @@
+//! What `extract` says of the levels that it wrote.
+
+use std::time::Instant;
+
+use serde::Serialize;
+use striata::mesh::IndexedMesh;
+use striata::simplify::{StopReason, Target};
+
+use super::asked::path_of_place;
+use super::view::ViewLevel;
+use crate::args::ExtractArgs;
+use striata_command::failure::Failure;
+use striata_command::level::{
+    Floor, LevelRow, Reached, Wanted, check_strict, remark, shortfall, table_of_levels,
+};
+use striata_command::output::{grouped, lasted, measured};
+use striata_command::save::name_of;
+
+/// Of several levels.
+#[derive(Serialize)]
+pub(super) struct LevelsReport {
+    pub(super) levels: Vec<Report>,
+    pub(super) step_count: usize,
+    pub(super) secs: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct Report {
+    /// As the user wrote it, if it is one of several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) level: Option<String>,
+    pub(super) path: String,
+    pub(super) model: &'static str,
+    /// Of a view: whether its fans were `stored` in the file or `built` from the sequence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) fans: Option<&'static str>,
+    /// Of a view or a box: whether its patterns were `stored` in the file or `built` from the sequence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) patterns: Option<&'static str>,
+    /// Of a view: pixels that an error may take where nothing else is allowed, once the triangles are no more than wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) pixels: Option<f64>,
+    pub(super) split_count: usize,
+    pub(super) vertex_count: usize,
+    pub(super) triangle_count: usize,
+    pub(super) error: f32,
+    /// Whether no point of the original is farther than the error.
+    pub(super) error_is_guaranteed: bool,
+    pub(super) stop_reason: &'static str,
+    /// Why the level is not what was asked for; null if it is.
+    pub(super) shortfall: Option<String>,
+    pub(super) seek_secs: f64,
+    pub(super) secs: f64,
+}
+
+/// A mesh, and the level that it is.
+#[derive(Clone, Copy)]
+pub(super) struct Shown<'a> {
+    pub(super) mesh: &'a IndexedMesh,
+    pub(super) split_count: usize,
+    pub(super) stop_reason: StopReason,
+}
+
+impl Report {
+    /// Of a level that is the same everywhere; its error is known elsewhere.
+    pub(super) fn of_level(
+        model: &'static str,
+        wanted: &Wanted,
+        Shown { mesh, split_count, stop_reason }: Shown<'_>,
+        [seek_secs, secs]: [f64; 2],
+    ) -> Self {
+        let reached =
+            Reached { vertex_count: mesh.vertex_count(), triangle_count: mesh.triangle_count(), stop_reason };
+        Self {
+            level: wanted.name.clone(),
+            path: name_of(&wanted.path),
+            model,
+            fans: None,
+            patterns: None,
+            pixels: None,
+            split_count,
+            vertex_count: reached.vertex_count,
+            triangle_count: reached.triangle_count,
+            error: 0.0,
+            error_is_guaranteed: false,
+            stop_reason: stop_reason.as_str(),
+            shortfall: wanted.target.and_then(|target| shortfall(target, reached, &Floor::File)),
+            seek_secs,
+            secs,
+        }
+    }
+
+    /// Of a level that differs from place to place.
+    ///
+    /// # Errors
+    /// If it has more triangles than allowed and that is forbidden, or its file has no name.
+    pub(super) fn of_place(
+        model: &'static str,
+        args: &ExtractArgs,
+        (level, triangle_limit): (&ViewLevel, Option<usize>),
+        started: Instant,
+    ) -> Result<Self, Failure> {
+        let path = path_of_place(args)?;
+        let wanted = Wanted { name: None, target: triangle_limit.map(Target::Triangles), path };
+        let ViewLevel { mesh, split_count, stop_reason, .. } = level;
+        let shown = Shown { mesh, split_count: *split_count, stop_reason: *stop_reason };
+        let report = Self {
+            error: level.error,
+            ..Self::of_level(model, &wanted, shown, [level.seek_secs, started.elapsed().as_secs_f64()])
+        };
+        check_strict(args.strict, None, report.shortfall.as_deref())?;
+        Ok(report)
+    }
+
+    pub(super) fn to_text(&self, step_count: usize) -> String {
+        let kind = if self.error_is_guaranteed { "guaranteed error" } else { "error" };
+        let of_model = |model: &str, origin: Option<&str>| {
+            origin.map_or_else(String::new, |origin| format!(", {model} {origin}"))
+        };
+        let origin = of_model("fans", self.fans) + &of_model("patterns", self.patterns);
+        format!(
+            "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{origin}{}",
+            grouped(self.triangle_count),
+            grouped(self.vertex_count),
+            grouped(self.split_count),
+            grouped(step_count),
+            measured(self.error.into()),
+            self.stop_reason.replace('_', " "),
+            lasted(self.seek_secs),
+            self.shortfall.as_ref().map_or_else(String::new, |text| format!("\n{}", remark(None, text)))
+        )
+    }
+}
+
+impl LevelsReport {
+    pub(super) fn to_text(&self) -> String {
+        let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
+        let model = self.levels.first().map_or("", |level| level.model);
+        format!("{}from {model} in {}", table_of_levels(&rows), lasted(self.secs))
+    }
+}
+
+impl Report {
+    fn row(&self) -> LevelRow<'_> {
+        LevelRow {
+            name: self.level.as_deref().unwrap_or_default(),
+            triangle_count: self.triangle_count,
+            vertex_count: self.vertex_count,
+            error: self.error.into(),
+            path: &self.path,
+            shortfall: self.shortfall.as_deref(),
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! Levels that are the same everywhere, from whichever model of a file.
+
+use std::cmp::Reverse;
+use std::time::Instant;
+
+use striata::file::StriataFile;
+use striata::mesh::IndexedMesh;
+use striata::model::{Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel};
+use striata::strip::StripSet;
+
+use crate::commands::build::MODELS;
+use crate::strip_lists::strips_of_level;
+use striata_command::failure::{Failure, unknown_name};
+use striata_command::input::Input;
+
+/// A model of a file.
+pub(super) enum Model<'a> {
+    LodStrips(LodStrips<'a>),
+    Mts(Mts<'a>),
+    Fans(Fans),
+    Patterns(Patterns),
+}
+
+/// The model that is named, or else the first that the file has.
+///
+/// # Errors
+/// Where the model is none that this version has, or none that the file has.
+pub(super) fn pick_model<'a>(
+    file: &StriataFile<'a>,
+    name: Option<&str>,
+    input: &Input,
+) -> Result<Model<'a>, Failure> {
+    if let Some(name) = name.filter(|name| !MODELS.contains(name)) {
+        return Err(unknown_name("model", name, &MODELS));
+    }
+    let is_wanted = |which: &str| name.is_none_or(|name| name == which);
+    let lod_strips = is_wanted("lodstrips").then(|| file.lod_strips()).flatten();
+    let lod_strips = lod_strips.map(|model| model.map(Model::LodStrips));
+    let mts = || is_wanted("mts").then(|| file.mts()).flatten().map(|model| model.map(Model::Mts));
+    let fans =
+        || is_wanted("fans").then(|| file.fans()).flatten().map(|model| model.map(|m| Model::Fans(m.0)));
+    let patterns = || {
+        let model = is_wanted("patterns").then(|| file.patterns()).flatten();
+        model.map(|model| model.map(|m| Model::Patterns(m.0)))
+    };
+    match lod_strips.or_else(mts).or_else(fans).or_else(patterns) {
+        Some(model) => model.map_err(|error| input.damaged(&error)),
+        None => {
+            let what = name.map_or("no model".to_owned(), |name| format!("no model {name}"));
+            Err(Failure::user(format!("{}: {what} is in this file", input.name))
+                .with_hint(format!("build it again with --models {}", name.unwrap_or("lodstrips"))))
+        }
+    }
+}
+
+/// One level of a file.
+pub(super) struct Extracted {
+    pub(super) model: &'static str,
+    pub(super) mesh: IndexedMesh,
+    /// Where the model has them.
+    pub(super) strips: Option<StripSet>,
+    pub(super) seek_secs: f64,
+}
+
+/// Takes a level and its number among all that were asked for.
+pub(super) type TakeLevel<'a> = dyn FnMut(usize, Extracted) -> Result<(), Failure> + 'a;
+
+/// Where levels come from, for messages too.
+pub(super) type Origin<'a> = (&'a StriataFile<'a>, &'a Input);
+
+/// The strips that a state of a model shows, if it has any.
+type StripsOf<'a, M> = dyn Fn(&<M as LodModel>::State) -> Option<StripSet> + 'a;
+
+/// Goes through levels from fine to coarse, so that the model is stepped through once.
+///
+/// # Errors
+/// If a part of the file is unsound, or `take` fails.
+pub(super) fn each_level<M: StoredModel>(
+    name: &'static str,
+    model: &M,
+    split_counts: &[usize],
+    ((file, input), strips): (Origin<'_>, &StripsOf<'_, M>),
+    take: &mut TakeLevel<'_>,
+) -> Result<(), Failure> {
+    let mut order: Vec<usize> = (0..split_counts.len()).collect();
+    order.sort_by_key(|&number| Reverse(split_counts[number]));
+    let mut state = model.new_state();
+    for number in order {
+        let started = Instant::now();
+        model.move_to(&mut state, split_counts[number]);
+        let seek_secs = started.elapsed().as_secs_f64();
+        let mesh = file.level_of(model, &state).map_err(|error| input.damaged(&error))?;
+        take(number, Extracted { model: name, mesh, strips: strips(&state), seek_secs })?;
+    }
+    Ok(())
+}
+
+/// # Errors
+/// As [`each_level`].
+pub(super) fn each_level_of_strips<M: StripModel>(
+    name: &'static str,
+    model: &M,
+    split_counts: &[usize],
+    from: Origin<'_>,
+    take: &mut TakeLevel<'_>,
+) -> Result<(), Failure> {
+    each_level(name, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
+}

@@ -1,0 +1,185 @@
+//! What one instance of progressive fans owns on the GPU.
+
+use std::ops::Range;
+
+use bytemuck::cast_slice;
+use striata::model::{FanIndices, FanInstance};
+use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder};
+
+use crate::copy_back::copy_back;
+use crate::drawing::Drawing;
+use crate::fan_extractor::{Bindings, FanExtractor};
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
+use crate::gpu_fans::GpuFans;
+use crate::indices::COMMAND_BYTES;
+
+/// Changed words of bits with fewer unchanged ones between them are uploaded as one range: a write costs as much as so many.
+const JOIN_GAP: usize = 4096;
+
+/// What one instance owns on the GPU: its bits, its indices, its draws.
+#[derive(Debug)]
+pub struct GpuFanInstance {
+    bits: Buffer,
+    indices: Buffer,
+    commands: Buffer,
+    passes: [BindGroup; 3],
+    /// The bits that the GPU has.
+    known: Vec<u64>,
+    block_count: u32,
+    group_count: u32,
+    bytes: usize,
+    uploaded_bytes: u64,
+}
+
+impl GpuFanInstance {
+    /// An instance that shows the full mesh, once it is [`extracted`](FanExtractor::extract).
+    ///
+    /// # Errors
+    /// [`GpuError::TooLarge`].
+    pub fn new(gpu: &Gpu, extractor: &FanExtractor, table: &GpuFans) -> Result<Self, GpuError> {
+        let known = vec![0; table.step_count.div_ceil(64)];
+        let capacity = 3 * table.triangle_count;
+        let (storage, read) = (BufferUsages::STORAGE, BufferUsages::COPY_SRC);
+        let words = |what, count: usize, usage| gpu.empty_buffer(what, 4 * count as u64, storage | usage);
+        let bits = words("bits of steps", 2 * known.len(), BufferUsages::COPY_DST)?;
+        let arcs = words("arcs of fans", table.fan_count, BufferUsages::empty())?;
+        let sums = words("sums of blocks", table.block_count as usize + 1, BufferUsages::empty())?;
+        let indices = words("indices of fans", capacity, BufferUsages::INDEX | read)?;
+        let command_words = COMMAND_BYTES as usize / 4 * table.group_count.max(1) as usize;
+        let commands = words("draws of fans", command_words, BufferUsages::INDIRECT | read)?;
+        let own = Bindings { bits: &bits, arcs: &arcs, sums: &sums, indices: &indices, commands: &commands };
+        let passes = extractor.bind(gpu, table, &own, capacity as u32)?;
+        let buffers = [&bits, &arcs, &sums, &indices, &commands];
+        let bytes = buffers.map(Buffer::size).iter().sum::<u64>() as usize;
+        Ok(Self {
+            passes,
+            bits,
+            indices,
+            commands,
+            known,
+            block_count: table.block_count,
+            group_count: table.group_count,
+            bytes,
+            uploaded_bytes: 0,
+        })
+    }
+
+    /// Uploads which steps are taken, where that has changed.
+    ///
+    /// # Panics
+    /// If the instance is of another table.
+    pub fn write(&mut self, gpu: &Gpu, instance: &FanInstance) {
+        let words = instance.words();
+        assert_eq!(words.len(), self.known.len(), "the instance is of another table");
+        for Range { start, end } in changed_ranges(&self.known, words) {
+            let changed = &words[start..end];
+            gpu.queue.write_buffer(&self.bits, 8 * start as u64, cast_slice(changed));
+            self.known[start..end].copy_from_slice(changed);
+            self.uploaded_bytes += size_of_val(changed) as u64;
+        }
+    }
+
+    /// What to draw, once it is extracted. Its groups are told to the shader only where the device lets indirect draws do
+    /// that ([`Gpu::optional_features`]).
+    pub fn drawing(&self) -> Drawing<'_> {
+        Drawing::Extracted {
+            indices: &self.indices,
+            commands: &self.commands,
+            command_count: self.group_count,
+        }
+    }
+
+    /// Bytes of bits written so far.
+    pub fn uploaded_bytes(&self) -> u64 {
+        self.uploaded_bytes
+    }
+
+    /// Bytes that it owns on the GPU.
+    pub fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// What was extracted last, waited for and copied back: to look at it, not to draw it.
+    ///
+    /// # Errors
+    /// [`GpuError::Failed`], [`GpuError::TooLarge`].
+    pub fn read(&self, gpu: &Gpu) -> Result<FanIndices, GpuError> {
+        let mut out = FanIndices::default();
+        if self.block_count == 0 {
+            out.group_ranges.resize(self.group_count as usize, 0..0);
+            return Ok(out);
+        }
+        let commands: Vec<u32> = copy_back(gpu, &self.commands)?;
+        let (commands, _) = commands.as_chunks::<5>();
+        out.group_ranges = commands.iter().map(|&[count, _, first, ..]| first..first + count).collect();
+        out.indices = copy_back(gpu, &self.indices)?;
+        out.indices.truncate(out.group_ranges.last().map_or(0, |range| range.end as usize));
+        Ok(out)
+    }
+}
+
+impl FanExtractor {
+    /// Makes the triangles of what was last [written](GpuFanInstance::write) to an instance, for draws that come later.
+    pub fn extract(&self, encoder: &mut CommandEncoder, instance: &GpuFanInstance) {
+        self.run(encoder, &instance.passes, instance.block_count);
+    }
+}
+
+/// Where two lists of the same length differ, with small gaps filled.
+fn changed_ranges(known: &[u64], words: &[u64]) -> Vec<Range<usize>> {
+    let mut out: Vec<Range<usize>> = Vec::new();
+    for (at, _) in known.iter().zip(words).enumerate().filter(|(_, (a, b))| a != b) {
+        match out.last_mut() {
+            Some(last) if at <= last.end + JOIN_GAP => last.end = at + 1,
+            _ => out.push(at..at + 1),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu_options::GpuOptions;
+    use striata::mesh::shapes;
+    use striata::model::{FanForm, Fans};
+    use striata::simplify::build_sequence;
+
+    #[test]
+    fn near_changes_are_one_range_and_far_ones_are_not() {
+        let known = vec![0u64; 10_000];
+        let mut words = known.clone();
+        assert!(changed_ranges(&known, &words).is_empty());
+        for at in [0, 3, 3 + JOIN_GAP, 9999] {
+            words[at] = 1;
+        }
+        assert_eq!(changed_ranges(&known, &words), [0..4 + JOIN_GAP, 9999..10_000]);
+    }
+
+    /// As tables of more than 16 million fans are, on a device of 65,535 workgroups a row.
+    #[test]
+    fn blocks_in_many_rows_are_extracted_like_those_in_one() {
+        let on_processor = Gpu::new(&GpuOptions::default().with_fallback(true));
+        let gpu = on_processor.or_else(|_| Gpu::new(&GpuOptions::default())).expect("an adapter");
+        let mesh = shapes::icosphere(4, 1.0);
+        let built = build_sequence(&mesh, &Default::default()).unwrap();
+        let fans = Fans::build(&built.refinable);
+        let table = GpuFans::upload(&gpu, &fans).unwrap();
+        let mut extractor = FanExtractor::new(&gpu);
+        for row in [1, 3, 4, 65_535] {
+            extractor.row = row;
+            let mut instance = GpuFanInstance::new(&gpu, &extractor, &table).unwrap();
+            for split_count in [built.refinable.sequence.step_count(), 1000, 0] {
+                let level = FanInstance::uniform(&fans, split_count);
+                instance.write(&gpu, &level);
+                let mut encoder = gpu.device.create_command_encoder(&Default::default());
+                extractor.extract(&mut encoder, &instance);
+                gpu.queue.submit([encoder.finish()]);
+                let mut expected = FanIndices::default();
+                level.emit_into(&fans, FanForm::Triangles, &mut expected);
+                assert_eq!(instance.read(&gpu).unwrap(), expected, "{row} a row, level {split_count}");
+            }
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! The triangles of a file, block by block.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use striata::mesh::Bounds;
+use striata_strip::{Block, BlockCurve, BlockSource, BlockTriangle, block_length};
+
+use super::paged::PagedFile;
+use super::scratch::Scratch;
+use super::sorted::{Merged, Record, Sorter};
+use crate::ReadError;
+use crate::error::{Fault, Place};
+use crate::ply::PlyStream;
+
+/// A binary PLY file as blocks of triangles for [`stripify_blocks`](striata_strip::stripify_blocks).
+#[derive(Debug)]
+pub struct TriangleBlocks {
+    pub(super) stream: PlyStream,
+    scratch: Scratch,
+    /// Corners of all triangles, block by block.
+    triangles: File,
+    /// The first triangle of each block, closed by their count.
+    starts: Vec<u64>,
+    /// The last block that uses each vertex.
+    last_blocks: PagedFile,
+    bounds: Option<Bounds>,
+}
+
+const TRIANGLE_BYTES: usize = 12;
+
+impl TriangleBlocks {
+    /// Cuts the mesh of a file into blocks of at most so many triangles (at least one); `scratch` is the folder
+    /// for what does not fit into memory.
+    ///
+    /// # Errors
+    /// [`ReadError`], where the file is no binary PLY or is damaged, or the system refuses.
+    pub fn open(path: &Path, block_triangles: usize, scratch: &Path) -> Result<Self, ReadError> {
+        let stream = PlyStream::open(path)?;
+        let scratch = Scratch { folder: scratch.to_owned() };
+        let bounds = bounds_of(&stream)?;
+        let sorted = sorted_triangles(&stream, bounds, &scratch)?;
+        let cut = Cut::new(&stream, &scratch)?;
+        let Blocks { triangles, starts, last_blocks } =
+            cut.run(sorted, block_triangles.max(1)).map_err(|error| scratch.error(error))?;
+        Ok(Self { stream, scratch, triangles, starts, last_blocks, bounds })
+    }
+
+    /// Vertices of the mesh.
+    pub fn vertex_count(&self) -> u32 {
+        self.stream.vertex_count
+    }
+
+    /// Triangles of the mesh, degenerate ones counted.
+    pub fn triangle_count(&self) -> u64 {
+        self.starts.last().copied().unwrap_or(0)
+    }
+
+    /// Bounds of the mesh; none without vertices.
+    pub fn bounds(&self) -> Option<Bounds> {
+        self.bounds
+    }
+}
+
+impl BlockSource for TriangleBlocks {
+    type Error = ReadError;
+
+    fn block_count(&self) -> u32 {
+        (self.starts.len() - 1) as u32
+    }
+
+    fn read_block(&mut self, number: u32, block: &mut Block) -> Result<(), ReadError> {
+        self.fill(number as usize, block).map_err(|error| self.scratch.error(error))
+    }
+}
+
+impl TriangleBlocks {
+    fn fill(&mut self, number: usize, block: &mut Block) -> io::Result<()> {
+        let (start, end) = (self.starts[number], self.starts[number + 1]);
+        let mut bytes = vec![0; (end - start) as usize * TRIANGLE_BYTES];
+        self.triangles.seek(SeekFrom::Start(start * TRIANGLE_BYTES as u64))?;
+        self.triangles.read_exact(&mut bytes)?;
+        block.group = 0;
+        block.triangles.clear();
+        for corners in bytes.as_chunks::<TRIANGLE_BYTES>().0.iter().map(corners_of) {
+            let [a, b, c] = corners;
+            let mut last = |vertex| self.last_blocks.read_u32(vertex);
+            let last_blocks = [last(a)?, last(b)?, last(c)?];
+            block.triangles.push(BlockTriangle { corners, last_blocks });
+        }
+        Ok(())
+    }
+}
+
+fn corners_of(bytes: &[u8; TRIANGLE_BYTES]) -> [u32; 3] {
+    [0, 4, 8].map(|at| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]))
+}
+
+/// The bounds of all vertices, each of which must be a point.
+fn bounds_of(stream: &PlyStream) -> Result<Option<Bounds>, ReadError> {
+    let mut bounds: Option<Bounds> = None;
+    stream.for_rows(|first, rows| {
+        for (vertex, row) in (first..).zip(rows.chunks_exact(stream.stride)) {
+            let position = stream.position(row);
+            if let Some(axis) = position.iter().position(|x| !x.is_finite()) {
+                let place = Place::Byte(stream.vertices_at + u64::from(vertex) * stream.stride as u64);
+                let reason = format!("vertex {vertex} has the coordinate {} on axis {axis}", position[axis]);
+                return Err(Fault::Malformed(place, reason).in_file(stream.name()));
+            }
+            let all = bounds.get_or_insert(Bounds { min: position, max: position });
+            for (axis, x) in position.into_iter().enumerate() {
+                all.min[axis] = all.min[axis].min(x);
+                all.max[axis] = all.max[axis].max(x);
+            }
+        }
+        Ok(())
+    })?;
+    Ok(bounds)
+}
+
+/// All triangles, in the order in which a curve through space meets their centres.
+fn sorted_triangles(
+    stream: &PlyStream,
+    bounds: Option<Bounds>,
+    scratch: &Scratch,
+) -> Result<Merged, ReadError> {
+    let curve = BlockCurve::new(bounds);
+    let mut sorter = Sorter::new(scratch.file()?);
+    let vertices_bytes = u64::from(stream.vertex_count) * stream.stride as u64;
+    let mut vertices = PagedFile::new(stream.file()?, stream.vertices_at, vertices_bytes);
+    let mut row = vec![0; stream.stride];
+    let mut number = 0u32;
+    stream.for_triangles(|corners| {
+        let mut points = [[0.0; 3]; 3];
+        for (point, vertex) in points.iter_mut().zip(corners) {
+            let at = u64::from(vertex) * stream.stride as u64;
+            vertices.read(at, &mut row).map_err(|error| stream.io(error))?;
+            *point = stream.position(&row);
+        }
+        let record = Record { key: curve.key(points), number, corners };
+        number = number.checked_add(1).ok_or_else(|| {
+            let reason = format!("more than {} triangles cannot be numbered", u32::MAX);
+            Fault::Malformed(Place::File, reason).in_file(stream.name())
+        })?;
+        sorter.push(record).map_err(|error| scratch.error(error))
+    })?;
+    sorter.merged().map_err(|error| scratch.error(error))
+}
+
+/// All blocks, as [`TriangleBlocks`] has them.
+struct Blocks {
+    triangles: File,
+    starts: Vec<u64>,
+    last_blocks: PagedFile,
+}
+
+/// Cuts sorted triangles into blocks, and notes for each vertex the last block that uses it.
+struct Cut {
+    triangles: BufWriter<File>,
+    last_blocks: PagedFile,
+    starts: Vec<u64>,
+    /// The triangles that come next, rising by their keys.
+    ahead: Vec<Record>,
+}
+
+impl Cut {
+    fn new(stream: &PlyStream, scratch: &Scratch) -> Result<Self, ReadError> {
+        let last_blocks = scratch.file()?;
+        let bytes = u64::from(stream.vertex_count) * 4;
+        last_blocks.set_len(bytes).map_err(|error| scratch.error(error))?;
+        Ok(Self {
+            triangles: BufWriter::with_capacity(1 << 16, scratch.file()?),
+            last_blocks: PagedFile::new(last_blocks, 0, bytes),
+            starts: vec![0],
+            ahead: Vec::new(),
+        })
+    }
+
+    fn run(mut self, mut sorted: Merged, longest: usize) -> io::Result<Blocks> {
+        loop {
+            while self.ahead.len() <= longest {
+                let Some(record) = sorted.next()? else { break };
+                self.ahead.push(record);
+            }
+            let length = block_length(&self.ahead, |record| record.key, longest);
+            if length == 0 {
+                break;
+            }
+            self.end_block(length)?;
+        }
+        let triangles = self.triangles.into_inner().map_err(io::IntoInnerError::into_error)?;
+        Ok(Blocks { triangles, starts: self.starts, last_blocks: self.last_blocks })
+    }
+
+    fn end_block(&mut self, length: usize) -> io::Result<()> {
+        let block = (self.starts.len() - 1) as u32;
+        // Neighbours in a file are often neighbours in a row of triangles, which strips follow well.
+        self.ahead[..length].sort_unstable_by_key(|record| record.number);
+        for record in self.ahead.drain(..length) {
+            for vertex in record.corners {
+                self.last_blocks.write_u32(vertex, block)?;
+                self.triangles.write_all(&vertex.to_le_bytes())?;
+            }
+        }
+        self.starts.push(self.starts[block as usize] + length as u64);
+        Ok(())
+    }
+}

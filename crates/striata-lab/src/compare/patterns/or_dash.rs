@@ -1,0 +1,6 @@
+//! Numbers that may not be there.
+
+/// A number, or that there is none.
+pub(super) fn or_dash(value: Option<f64>, digits: usize) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+}

@@ -1,0 +1,155 @@
+//! What was measured of views.
+
+use serde::Serialize;
+
+use super::costs::CostRow;
+use super::course::{Course, Run};
+use super::figures::Figures;
+use super::followers::{FANS, Models, NAMES};
+use super::memory::{self, MemoryRow};
+use super::paths::Path;
+use striata_command::output::grouped;
+
+/// What was measured of one mesh.
+#[derive(Clone, Debug, Serialize)]
+pub(in crate::compare) struct ViewsReport {
+    /// Of the welded mesh.
+    pub(super) triangle_count: usize,
+    /// Of the screen, each way.
+    pub(super) screen_px: u32,
+    /// Course by course.
+    pub(super) paths: Vec<PathReport>,
+    pub(super) memory: Vec<MemoryRow>,
+    pub(super) refinement: Vec<CostRow>,
+}
+
+/// One course.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct PathReport {
+    pub(super) name: &'static str,
+    #[serde(skip)]
+    pub(super) path: Path,
+    /// Allowed on the screen.
+    pub(super) pixels: f32,
+    pub(super) frame_count: usize,
+    pub(super) rounds: usize,
+    pub(super) contenders: Vec<FollowerReport>,
+}
+
+/// A follower on one course.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct FollowerReport {
+    pub(super) name: &'static str,
+    /// Why there is nothing to tell; null where there is.
+    pub(super) cannot_be_built: Option<String>,
+    #[serde(flatten)]
+    pub(super) figures: Option<Figures>,
+    /// Every frame.
+    #[serde(skip)]
+    pub(super) run: Option<Run>,
+}
+
+pub(super) fn pixels_word(pixels: f32) -> &'static str {
+    if pixels == 1.0 { "pixel" } else { "pixels" }
+}
+
+impl PathReport {
+    pub(super) fn new(course: Course, models: &Models<'_>, runs: Vec<Option<Run>>, rounds: usize) -> Self {
+        let vertex_count = models.refinable.mesh.vertex_count().max(1);
+        let bytes = memory::static_bytes(models);
+        let fans = runs[FANS].clone().unwrap_or_default();
+        let contenders = NAMES.into_iter().zip(runs).zip(bytes).map(|((name, run), bytes)| FollowerReport {
+            name,
+            cannot_be_built: run.is_none().then(|| models.rival.as_ref().err().cloned()).flatten(),
+            figures: run.as_ref().map(|run| Figures::new(run, &fans, bytes, vertex_count)),
+            run,
+        });
+        Self {
+            name: course.path.as_str(),
+            path: course.path,
+            pixels: course.pixels,
+            frame_count: fans.triangles.len(),
+            rounds,
+            contenders: contenders.collect(),
+        }
+    }
+
+    pub(super) fn title(&self) -> String {
+        format!("{}, {} {}", self.name, self.pixels, pixels_word(self.pixels))
+    }
+
+    /// Head and rows.
+    pub(super) fn table(&self) -> Vec<Vec<String>> {
+        let head = [
+            "model",
+            "criterion",
+            "update",
+            "criterion + update",
+            "x fans",
+            "emission",
+            "frame, ms",
+            "x fans",
+            "worst",
+            "first",
+            "triangles",
+            "asked",
+            "changes",
+            "M a second",
+            "error, px",
+            "99 %",
+            "instance, kB",
+            "bytes a vertex",
+        ];
+        let mut table = vec![head.map(str::to_owned).to_vec()];
+        table.extend(self.contenders.iter().map(FollowerReport::row));
+        table
+    }
+}
+
+impl FollowerReport {
+    fn row(&self) -> Vec<String> {
+        let Some(figures) = &self.figures else {
+            return vec![self.name.to_owned(), "-".to_owned()];
+        };
+        let ms = |ms: f64| format!("{ms:.3}");
+        let pixels = |px: Option<f64>| px.map_or_else(|| "-".to_owned(), |px| format!("{px:.2}"));
+        vec![
+            self.name.to_owned(),
+            ms(figures.criterion_ms),
+            ms(figures.update_ms),
+            ms(figures.follow_ms),
+            format!("{:.2}", figures.ratio_to_fans),
+            ms(figures.emission_ms),
+            ms(figures.frame_ms),
+            format!("{:.2}", figures.frame_ratio_to_fans),
+            ms(figures.worst_ms),
+            ms(figures.first_ms),
+            grouped(figures.triangles.round() as usize),
+            grouped(figures.asked_per_frame.round() as usize),
+            grouped(figures.changes_per_frame.round() as usize),
+            figures.changes_per_sec.map_or_else(|| "-".to_owned(), |count| format!("{:.1}", count / 1e6)),
+            pixels(figures.max_error_px),
+            pixels(figures.p99_error_px),
+            format!("{:.1}", figures.bytes_per_instance as f64 / 1e3),
+            format!("{:.2}", figures.instance_bytes_per_vertex),
+        ]
+    }
+}
+
+impl ViewsReport {
+    /// Which followers cannot be built, and why; nothing where all can.
+    pub(super) fn missing(&self) -> String {
+        let missing =
+            self.paths.first().into_iter().flat_map(|path| &path.contenders).filter_map(|contender| {
+                let why = contender.cannot_be_built.as_ref()?;
+                Some(format!(" {} cannot be built: {why}.", contender.name))
+            });
+        missing.collect()
+    }
+}
+
+/// How to read the tables of courses.
+pub(super) const READING: &str = "Means of a frame in ms, the first left out, which begins at the base. The criterion is asked, the \
+    update is what else it takes to change the mesh, emission writes the indices. Steps are asked for; changes are splits and collapses of a frame, and millions of \
+    them in a second of criterion and update. Errors are distances on the screen between the full mesh and what is shown, \
+    the largest and what 99 of 100 points do not exceed. An instance is the most that one owned, in kB and in bytes a vertex of the full mesh.";

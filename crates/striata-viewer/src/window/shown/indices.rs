@@ -1,0 +1,104 @@
+//! The indices of what is shown, group by group, and which of them have changed.
+
+use std::ops::Range;
+
+use striata::model::{PatternInstance, StripModel};
+use striata::strip::RESTART;
+
+use crate::window::subject::Subject;
+
+/// Which indices are to be uploaded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::window) enum Changes {
+    /// As they are.
+    None,
+    /// These.
+    Ranges(Vec<Range<u32>>),
+    /// Any.
+    All,
+}
+
+/// Indices as they are drawn.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::window) struct Form<'a> {
+    pub(in crate::window) indices: &'a [u32],
+    /// A range for each group.
+    pub(in crate::window) groups: &'a [Range<u32>],
+    /// Strips with restarts between them, or three indices a triangle.
+    pub(in crate::window) is_strips: bool,
+}
+
+/// The triangles of patterns, group by group.
+pub(super) fn patterns_into(
+    instance: &PatternInstance,
+    group_count: usize,
+    (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
+) {
+    let mut triangles = Vec::with_capacity(instance.triangle_count());
+    ranges_of_groups(group_count, groups, |group| {
+        instance.group_triangles_into(group as u32, &mut triangles);
+        3 * triangles.len()
+    });
+    indices.clear();
+    indices.extend_from_slice(triangles.as_flattened());
+}
+
+/// A level's triangles by plain substitution.
+pub(super) fn list_into(
+    subject: &Subject,
+    split_count: usize,
+    (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
+) {
+    let level = subject.steps.level(split_count);
+    indices.clear();
+    indices.extend_from_slice(level.triangles.as_flattened());
+    groups.clear();
+    groups.extend(level.groups_or_whole().iter().map(|group| {
+        let range = group.range();
+        3 * range.start as u32..3 * range.end as u32
+    }));
+}
+
+/// All strips with restarts between them, group by group.
+pub(super) fn strips_into<M: StripModel>(
+    model: &M,
+    state: &M::State,
+    (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
+) {
+    indices.clear();
+    ranges_of_groups(model.group_count(), groups, |group| {
+        for strip in model.group_strips(group) {
+            let strip = model.strip(state, strip);
+            if !strip.is_empty() {
+                indices.extend_from_slice(strip);
+                indices.push(RESTART);
+            }
+        }
+        indices.len()
+    });
+}
+
+/// A range for each group, one after the other; `end` fills a group and says where it ends.
+pub(super) fn ranges_of_groups(
+    group_count: usize,
+    groups: &mut Vec<Range<u32>>,
+    mut end: impl FnMut(usize) -> usize,
+) {
+    groups.clear();
+    let mut first = 0;
+    for group in 0..group_count {
+        let end = end(group) as u32;
+        groups.push(first..end);
+        first = end;
+    }
+}
+
+/// Adds changed ranges to what is to be uploaded.
+pub(super) fn note(changes: &mut Changes, mut ranges: Vec<Range<u32>>) {
+    match changes {
+        Changes::All => {}
+        _ if ranges.is_empty() => {}
+        Changes::None => *changes = Changes::Ranges(ranges),
+        Changes::Ranges(before) => before.append(&mut ranges),
+    }
+}
