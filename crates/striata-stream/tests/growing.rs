@@ -10,7 +10,7 @@ use striata::mesh::{
     CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles, replay,
     shapes,
 };
-use striata::model::{FanBounds, FanFront, FanInstance, FanScene, Fans};
+use striata::model::{FanFront, FanInstance, FanScene, Fans};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::view::{Camera, Criterion, Part, ScreenError};
 use striata_stream::{
@@ -357,8 +357,7 @@ fn views_show_few_more_triangles_than_with_bounds_built_from_the_leaves() {
         let ordered = Ordered::new(built.unwrap().refinable);
         let sequence = &ordered.refinable.sequence;
         let fans = Fans::build(&ordered.refinable);
-        let bounds = FanBounds::build(&fans, &ordered.refinable);
-        let scene = FanScene::new(&fans, &bounds, &ordered.refinable);
+        let scene = FanScene::new(&fans, &ordered.refinable);
         let whole = ordered.prefix(sequence.step_count());
         let (mut hierarchy, mut before) = (GrowingHierarchy::new(), ordered.prefix(0));
         for split_count in (0..sequence.step_count()).step_by(200).chain([sequence.step_count()]) {

@@ -7,7 +7,7 @@ use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, Random,
     canonical_triangles, fragment_faces,
 };
-use striata::model::{Overlap, PatternBounds, PatternInstance, PatternScene, Patterns, Wanted};
+use striata::model::{Overlap, PatternInstance, PatternScene, Patterns, Wanted};
 use striata::view::{Camera, Criterion, DetailBox, ScreenError};
 use support::{
     Case, Wildness, closed_sets, follows_the_fragments, follows_the_oracle, fragment_cases, grid, hub_cases,
@@ -183,9 +183,8 @@ fn views_and_boxes_find_all_that_they_want() {
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
     let patterns = Patterns::build(&fragmented).unwrap();
-    let bounds = PatternBounds::build(&fragmented);
     let positions = &fragmented.mesh.positions;
-    let scene = PatternScene::new(&patterns, &bounds, positions);
+    let scene = PatternScene::new(&patterns, positions);
     let all = fragmented.mesh.bounds().unwrap();
     let full = fragmented.mesh.triangle_count();
     let base = fragmented.fragments.levels().triangle_count_at(0);
@@ -212,8 +211,7 @@ fn a_box_shows_full_detail() {
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
     let patterns = Patterns::build(&fragmented).unwrap();
-    let bounds = PatternBounds::build(&fragmented);
-    let scene = PatternScene::new(&patterns, &bounds, &fragmented.mesh.positions);
+    let scene = PatternScene::new(&patterns, &fragmented.mesh.positions);
     let all = fragmented.mesh.bounds().unwrap();
     let max = std::array::from_fn(|a| if a == 2 { all.max[a] } else { 0.6 * all.min[a] + 0.4 * all.max[a] });
     let detail = DetailBox { min: all.min, max, error_outside: f32::INFINITY };
@@ -310,8 +308,7 @@ fn errors_that_rise_and_fall_are_found() {
     let errors = (0..fragmented.fragments.step_count()).map(|_| random.below(1000) as f32 * 0.001);
     fragmented.fragments = fragmented.fragments.with_floor_errors(errors.collect()).unwrap();
     let patterns = Patterns::build(&fragmented).unwrap();
-    let bounds = PatternBounds::build(&fragmented);
-    let scene = PatternScene::new(&patterns, &bounds, &fragmented.mesh.positions);
+    let scene = PatternScene::new(&patterns, &fragmented.mesh.positions);
     for error_outside in [0.5, 0.9, 0.99, 0.998] {
         let detail = DetailBox { min: [9e9; 3], max: [9e9; 3], error_outside };
         holds_what_is_wanted(&patterns, scene, &detail);

@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::file::{DecodeError, FileModel, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, MeshError, RefinableMesh, weld};
-use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PartBytes, PatternBounds, Patterns};
+use striata::model::{Fans, LodModel, LodStrips, Mts, PartBytes, Patterns};
 use striata::simplify::{Retriangulation, StopReason, Target};
 use striata::strip::StripSet;
 use striata_stream::{EncodedStream, StreamFacts, StreamOptions, encode_stream, file_model};
@@ -158,8 +158,8 @@ pub(crate) struct Built {
 struct Models {
     lod_strips: Option<LodStrips<'static>>,
     mts: Option<Mts<'static>>,
-    fans: Option<(Fans, FanBounds)>,
-    patterns: Option<(Patterns, PatternBounds)>,
+    fans: Option<Fans>,
+    patterns: Option<Patterns>,
     /// The mesh is in its order.
     stream: Option<EncodedStream>,
 }
@@ -182,23 +182,19 @@ impl Models {
             models.lod_strips =
                 strips_for("lodstrips").map(|s| LodStrips::build(refinable, s)).transpose()?;
             models.mts = strips_for("mts").map(|s| Mts::build(refinable, s)).transpose()?;
-            models.fans = is_wanted("fans").then(|| {
-                let fans = Fans::build(refinable);
-                let bounds = FanBounds::build(&fans, refinable);
-                (fans, bounds)
-            });
+            models.fans = is_wanted("fans").then(|| Fans::build(refinable));
         }
         if is_wanted(PATTERNS) {
             let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
-            models.patterns = Some((Patterns::build(&fragmented)?, PatternBounds::build(&fragmented)));
+            models.patterns = Some(Patterns::build(&fragmented)?);
         }
         Ok(models)
     }
 
     fn in_file(&self) -> Result<Vec<FileModel<'_>>, Failure> {
         let lod_strips = self.lod_strips.iter().map(FileModel::LodStrips);
-        let fans = self.fans.iter().map(|(fans, bounds)| FileModel::Fans(fans, bounds));
-        let patterns = self.patterns.iter().map(|(patterns, bounds)| FileModel::Patterns(patterns, bounds));
+        let fans = self.fans.iter().map(FileModel::Fans);
+        let patterns = self.patterns.iter().map(FileModel::Patterns);
         let stream = self.stream.as_ref().map(|stream| file_model(&stream.bytes)).transpose()?;
         let of_strips = lod_strips.chain(self.mts.iter().map(FileModel::Mts));
         Ok(of_strips.chain(fans).chain(patterns).chain(stream).collect())
@@ -208,27 +204,12 @@ impl Models {
     fn parts(&self) -> Vec<(&'static str, Vec<PartBytes>)> {
         let lod_strips = self.lod_strips.iter().map(|model| ("lodstrips", model.bytes()));
         let mts = self.mts.iter().map(|model| ("mts", model.bytes()));
-        let fans = self.fans.iter().map(|(fans, bounds)| ("fans", parts_of_fans(fans, bounds)));
-        let patterns =
-            self.patterns.iter().map(|(patterns, bounds)| (PATTERNS, parts_of_patterns(patterns, bounds)));
+        let fans = self.fans.iter().map(|model| ("fans", model.bytes()));
+        let patterns = self.patterns.iter().map(|model| (PATTERNS, model.bytes()));
         let parts_of_stream = |s: &EncodedStream| vec![PartBytes { name: "stream", bytes: s.bytes.len() }];
         let streams = self.stream.iter().map(|stream| (PROGRESSIVE, parts_of_stream(stream)));
         lod_strips.chain(mts).chain(fans).chain(patterns).chain(streams).collect()
     }
-}
-
-/// The parts of fans, what a view needs of them among these.
-pub(crate) fn parts_of_fans(fans: &Fans, bounds: &FanBounds) -> Vec<PartBytes> {
-    let mut parts = fans.bytes();
-    parts.push(PartBytes { name: "bounds", bytes: bounds.bytes() });
-    parts
-}
-
-/// The same of patterns.
-pub(crate) fn parts_of_patterns(patterns: &Patterns, bounds: &PatternBounds) -> Vec<PartBytes> {
-    let mut parts = patterns.bytes();
-    parts.push(PartBytes { name: "bounds", bytes: bounds.bytes() });
-    parts
 }
 
 /// Builds the sequence, the strips and the models of a mesh.
@@ -324,9 +305,9 @@ impl Built {
             .with_metadata(ERRORS, if self.error_is_guaranteed { GUARANTEED } else { "estimated" });
         match (&self.steps, &self.models.patterns) {
             (Steps::Collapses(refinable), _) => Ok(to_striata(refinable, &self.models.in_file()?, &options)?),
-            (Steps::Fragments(fragmented), Some((patterns, bounds))) => {
+            (Steps::Fragments(fragmented), Some(patterns)) => {
                 let mut bytes = Vec::new();
-                write_fragments(fragmented, (patterns, bounds), &options, &mut bytes)?;
+                write_fragments(fragmented, patterns, &options, &mut bytes)?;
                 Ok(bytes)
             }
             (Steps::Fragments(_), None) => Err(Failure::internal("only patterns know what is no collapse")),

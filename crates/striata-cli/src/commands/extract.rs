@@ -7,9 +7,7 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::file::StriataFile;
 use striata::mesh::{Bounds, IndexedMesh};
-use striata::model::{
-    FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel,
-};
+use striata::model::{FanScene, Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel};
 use striata::simplify::{StopReason, Target};
 use striata::strip::{RESTART, StripSet};
 
@@ -172,11 +170,10 @@ fn pick_model<'a>(file: &StriataFile<'a>, name: Option<&str>, input: &Input) -> 
     let lod_strips = is_wanted("lodstrips").then(|| file.lod_strips()).flatten();
     let lod_strips = lod_strips.map(|model| model.map(Model::LodStrips));
     let mts = || is_wanted("mts").then(|| file.mts()).flatten().map(|model| model.map(Model::Mts));
-    let fans =
-        || is_wanted("fans").then(|| file.fans()).flatten().map(|model| model.map(|m| Model::Fans(m.0)));
+    let fans = || is_wanted("fans").then(|| file.fans()).flatten().map(|model| model.map(Model::Fans));
     let patterns = || {
         let model = is_wanted("patterns").then(|| file.patterns()).flatten();
-        model.map(|model| model.map(|m| Model::Patterns(m.0)))
+        model.map(|model| model.map(Model::Patterns))
     };
     match lod_strips.or_else(mts).or_else(fans).or_else(patterns) {
         Some(model) => model.map_err(|error| input.damaged(&error)),
@@ -319,12 +316,8 @@ fn run_view(
     let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
     let stored = file.fans().transpose().map_err(|error| input.damaged(&error))?;
     let fans = if stored.is_some() { "stored" } else { "built" };
-    let (table, bounds) = stored.unwrap_or_else(|| {
-        let table = Fans::build(&refinable);
-        let bounds = FanBounds::build(&table, &refinable);
-        (table, bounds)
-    });
-    let scene = FanScene::new(&table, &bounds, &refinable);
+    let table = stored.unwrap_or_else(|| Fans::build(&refinable));
+    let scene = FanScene::new(&table, &refinable);
     let limit = triangle_limit(args, &file);
     let level = level_of_view(&scene, &refinable, &args.view, camera, limit);
     let (pixels, drawn) = (level.pixels, drawn(args.form, &level.mesh, None)?);

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use striata::mesh::{Bounds, FragmentedMesh, RefinableMesh};
-use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, PatternBounds, PatternScene, Patterns};
+use striata::model::{FanScene, Fans, LodStrips, Mts, PatternScene, Patterns};
 use striata::strip::{StripSet, stripify};
 use striata::view::Sphere;
 
@@ -29,8 +29,8 @@ pub(super) struct Subject {
     strips: OnceLock<StripSet>,
     lod_strips: OnceLock<LodStrips<'static>>,
     mts: OnceLock<Mts<'static>>,
-    fans: OnceLock<(Fans, FanBounds)>,
-    patterns: OnceLock<(Patterns, PatternBounds)>,
+    fans: OnceLock<Fans>,
+    patterns: OnceLock<Patterns>,
 }
 
 /// Models that a file holds.
@@ -39,8 +39,8 @@ pub(super) struct StoredModels {
     pub(super) strips: Option<StripSet>,
     pub(super) lod_strips: Option<LodStrips<'static>>,
     pub(super) mts: Option<Mts<'static>>,
-    pub(super) fans: Option<(Fans, FanBounds)>,
-    pub(super) patterns: Option<(Patterns, PatternBounds)>,
+    pub(super) fans: Option<Fans>,
+    pub(super) patterns: Option<Patterns>,
 }
 
 /// Where something came from.
@@ -117,14 +117,13 @@ impl Subject {
 
     /// The fans and what asks them, once they are there.
     pub(super) fn fan_scene(&self) -> Option<(FanScene<'_>, &RefinableMesh)> {
-        let ((fans, bounds), refinable) = (self.fans.get()?, self.refinable()?);
-        Some((FanScene::new(fans, bounds, refinable), refinable))
+        let (fans, refinable) = (self.fans.get()?, self.refinable()?);
+        Some((FanScene::new(fans, refinable), refinable))
     }
 
     /// The patterns and what asks them, once they are there.
     pub(super) fn pattern_scene(&self) -> Option<PatternScene<'_>> {
-        let (patterns, bounds) = self.patterns.get()?;
-        Some(PatternScene::new(patterns, bounds, &self.steps.mesh().positions))
+        Some(PatternScene::new(self.patterns.get()?, &self.steps.mesh().positions))
     }
 
     /// Builds a model that is not there yet. Two who build the same get the same, and one of them is dropped.
@@ -146,9 +145,7 @@ impl Subject {
                 let _ = self.mts.set(model);
             }
             (ModelKind::Fans | ModelKind::FansGpu, Steps::Collapses(refinable)) => {
-                let fans = Fans::build(refinable);
-                let bounds = FanBounds::build(&fans, refinable);
-                let _ = self.fans.set((fans, bounds));
+                let _ = self.fans.set(Fans::build(refinable));
             }
             (ModelKind::Patterns, Steps::Collapses(refinable)) => {
                 self.set_patterns(&FragmentedMesh::from_collapses(refinable))?;
@@ -164,8 +161,7 @@ impl Subject {
     }
 
     fn set_patterns(&self, fragmented: &FragmentedMesh) -> Result<(), Failure> {
-        let patterns = Patterns::build(fragmented)?;
-        let _ = self.patterns.set((patterns, PatternBounds::build(fragmented)));
+        let _ = self.patterns.set(Patterns::build(fragmented)?);
         Ok(())
     }
 

@@ -16,6 +16,7 @@ mod error;
 mod part_record;
 mod record_arena;
 mod step_bits;
+mod step_bounds;
 mod step_vertices;
 mod strip_input;
 mod strip_run;
@@ -24,15 +25,14 @@ mod superfluous;
 pub use bits::Bits;
 pub use error::ModelError;
 pub use fans::{
-    FanBounds, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate,
-    Fans, FansLevel, MovingVertex, fan_triangles_into,
+    FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate, Fans,
+    FansLevel, MovingVertex, fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsState};
 pub use patterns::{
-    Condition, Overlap, PatternBounds, PatternChange, PatternInstance, PatternScene, Patterns, PatternsState,
-    Wanted,
+    Condition, Overlap, PatternChange, PatternInstance, PatternScene, Patterns, PatternsState, Wanted,
 };
 pub use step_bits::StepBits;
 pub use step_vertices::StepVertices;

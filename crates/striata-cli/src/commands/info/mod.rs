@@ -11,7 +11,7 @@ use striata_stream::{StreamDefect, StreamFacts};
 
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
-use crate::commands::build::{PROGRESSIVE, errors_are_guaranteed, parts_of_fans, parts_of_patterns};
+use crate::commands::build::{PROGRESSIVE, errors_are_guaranteed};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, Table, counted, grouped, measured, sized};
@@ -105,12 +105,12 @@ fn of_container(input: &Input, output: &Output) -> Result<Report, Failure> {
         report.add_model("mts", &model.bytes(), Some(model.strip_count()));
     }
     if let Some(model) = file.fans() {
-        let (fans, bounds) = model.map_err(|error| input.damaged(&error))?;
-        report.add_model("fans", &parts_of_fans(&fans, &bounds), None);
+        let fans = model.map_err(|error| input.damaged(&error))?;
+        report.add_model("fans", &fans.bytes(), None);
     }
     if let Some(model) = file.patterns() {
-        let (patterns, bounds) = model.map_err(|error| input.damaged(&error))?;
-        report.add_model("patterns", &parts_of_patterns(&patterns, &bounds), None);
+        let patterns = model.map_err(|error| input.damaged(&error))?;
+        report.add_model("patterns", &patterns.bytes(), None);
         let model = &mut report.models["patterns"];
         model["rule_count"] = json!(patterns.rule_count());
         model["overlap_count"] = json!(patterns.overlap_count());

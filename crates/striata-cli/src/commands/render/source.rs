@@ -2,7 +2,7 @@
 
 use striata::file::StriataFile;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
-use striata::model::{FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, StoredModel, StripModel};
+use striata::model::{FanScene, Fans, LodModel, LodStrips, Mts, StoredModel, StripModel};
 use striata::simplify::Target;
 use striata::strip::{StripSet, stripify};
 
@@ -154,15 +154,9 @@ impl<'a> Source<'a> {
             return Err(Failure::internal("fragments without patterns"));
         };
         let stored = levels.file.as_ref().and_then(StriataFile::fans).transpose();
-        let (fans, bounds) = match stored.map_err(|error| input.damaged(&error))? {
-            Some(stored) => stored,
-            None => {
-                let fans = Fans::build(refinable);
-                let bounds = FanBounds::build(&fans, refinable);
-                (fans, bounds)
-            }
-        };
-        let scene = FanScene::new(&fans, &bounds, refinable);
+        let stored = stored.map_err(|error| input.damaged(&error))?;
+        let fans = stored.unwrap_or_else(|| Fans::build(refinable));
+        let scene = FanScene::new(&fans, refinable);
         Ok(Figure::of_view("fans", level_of_view(&scene, refinable, &view, camera, limit), limit))
     }
 }
@@ -196,7 +190,7 @@ impl<'a> Levels<'a> {
         } else if let Some(model) = is_asked(DrawnModel::Mts).then(|| file.mts()).flatten() {
             Model::Mts(model.map_err(damaged)?)
         } else if let Some(model) = is_asked(DrawnModel::Fans).then(|| file.fans()).flatten() {
-            Model::Fans(model.map_err(damaged)?.0)
+            Model::Fans(model.map_err(damaged)?)
         } else {
             Model::built(args.model.unwrap_or(default_model(args)), &steps)?
         };
@@ -268,7 +262,7 @@ impl Model<'_> {
         Ok(match model {
             DrawnModel::LodStrips => Self::LodStrips(LodStrips::build(refinable, &strips_of(refinable)?)?),
             DrawnModel::Mts => Self::Mts(Mts::build(refinable, &strips_of(refinable)?)?),
-            DrawnModel::Fans => Self::Fans(Fans::build(refinable)),
+            DrawnModel::Fans => Self::Fans(Fans::build_without_bounds(refinable)),
             DrawnModel::List => Self::List,
         })
     }

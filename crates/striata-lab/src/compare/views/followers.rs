@@ -1,7 +1,7 @@
 //! Those who follow an eye: progressive fans with and without a memory, their rival, and a level that is the same everywhere.
 
 use striata::mesh::RefinableMesh;
-use striata::model::{FanBounds, FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
+use striata::model::{FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
 use striata::view::ScreenError;
 use striata_lab::baseline::{ViewDependentMeshes, ViewDependentState};
 
@@ -45,10 +45,8 @@ pub(super) trait Follower<'a> {
 pub(super) struct Models<'r> {
     /// The mesh with its sequence.
     pub(super) refinable: &'r RefinableMesh,
-    /// The table.
+    /// The table with the bounds of its steps.
     pub(super) fans: Fans,
-    /// What criteria are asked of its steps.
-    pub(super) bounds: FanBounds,
     /// The rival, or why there is none.
     pub(super) rival: Result<ViewDependentMeshes, String>,
 }
@@ -67,14 +65,13 @@ impl<'r> Models<'r> {
     /// Builds all that can be built.
     pub(super) fn build(refinable: &'r RefinableMesh) -> Self {
         let fans = Fans::build(refinable);
-        let bounds = FanBounds::build(&fans, refinable);
         let rival = ViewDependentMeshes::build(refinable).map_err(|error| error.to_string());
-        Self { refinable, fans, bounds, rival }
+        Self { refinable, fans, rival }
     }
 
     /// The table with what it takes to ask for its steps.
     pub(super) fn scene(&self) -> FanScene<'_> {
-        FanScene::new(&self.fans, &self.bounds, self.refinable)
+        FanScene::new(&self.fans, self.refinable)
     }
 
     /// A follower for each of [`NAMES`], or why there is none.

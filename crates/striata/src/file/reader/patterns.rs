@@ -4,16 +4,16 @@ use super::StriataFile;
 use crate::file::{DecodeError, SectionKind};
 use crate::mesh::{FragmentedMesh, Levels};
 use crate::model::patterns::PatternsParts;
-use crate::model::{LodModel, PatternBounds, Patterns};
+use crate::model::{LodModel, Patterns};
 
 impl StriataFile<'_> {
-    /// The patterns and the bounds of their fragments, if the file has them: in memory of their own and checked once, so that no
+    /// The patterns with the bounds of their fragments, if the file has them: in memory of their own and checked once, so that no
     /// move can fail.
-    pub fn patterns(&self) -> Option<Result<(Patterns, PatternBounds), DecodeError>> {
+    pub fn patterns(&self) -> Option<Result<Patterns, DecodeError>> {
         self.has(SectionKind::PATTERN_RECORDS).then(|| self.read_patterns())
     }
 
-    pub(super) fn read_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
+    pub(super) fn read_patterns(&self) -> Result<Patterns, DecodeError> {
         if let Some(checked) = self.patterns.get() {
             return Ok(checked.clone());
         }
@@ -21,7 +21,7 @@ impl StriataFile<'_> {
         Ok(self.patterns.get_or_init(|| checked).clone())
     }
 
-    fn check_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
+    fn check_patterns(&self) -> Result<Patterns, DecodeError> {
         let header = self.container.numbers::<u32>(SectionKind::PATTERN_WIDTHS)?;
         self.expect(SectionKind::PATTERN_WIDTHS, "numbers", header.len(), 4)?;
         let parts = PatternsParts {
@@ -41,8 +41,7 @@ impl StriataFile<'_> {
         let full = patterns.triangle_counts().last().map_or(0, |&count| count as usize);
         self.expect(kind, "triangles", full, self.summary.triangle_count)?;
         let records = self.container.get(SectionKind::PATTERN_BOUNDS)?;
-        let bounds = PatternBounds::from_bytes(records, patterns.step_count()).map_err(unsound)?;
-        Ok((patterns, bounds))
+        patterns.with_stored_bounds(records).map_err(unsound)
     }
 
     pub(super) fn levels_of(&self, patterns: &Patterns) -> Result<Levels, DecodeError> {
@@ -65,7 +64,7 @@ impl StriataFile<'_> {
             return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));
         };
         let unsound = |reason| DecodeError::Model { model: "patterns", reason };
-        let fragments = patterns?.0.unpack(self.errors()?.into_owned()).map_err(unsound)?;
+        let fragments = patterns?.unpack(self.errors()?.into_owned()).map_err(unsound)?;
         Ok(FragmentedMesh { mesh: self.mesh()?, fragments })
     }
 }

@@ -70,7 +70,7 @@ impl LodModel for Patterns {
     fn bytes(&self) -> Vec<PartBytes> {
         let [records, blocks] = self.records.bytes();
         let part = |name, bytes| PartBytes { name, bytes };
-        vec![
+        let mut parts = vec![
             part("records", records),
             part("blocks of records", blocks),
             part("table of rules", self.rules.bytes()),
@@ -78,7 +78,9 @@ impl LodModel for Patterns {
             part("base", size_of_val(&self.base[..]) + size_of_val(&self.unfounded[..])),
             part("named vertices", self.extras.bytes()),
             part("first vertices", size_of_val(&self.vertices.firsts[..])),
-        ]
+        ];
+        parts.extend(self.bounds.as_ref().map(|bounds| part("bounds", bounds.as_bytes().len())));
+        parts
     }
 
     fn state_bytes(&self, state: &PatternsState) -> usize {
