@@ -86,7 +86,7 @@ fn shows_any_set(fragments: &FragmentSequence, patterns: &Patterns) {
             instance.remove(patterns, round * 31 % step_count);
             instance.insert(patterns, round * 17 % step_count);
         }
-        let faces = fragment_faces(fragments, |step| instance.is_inserted(step));
+        let faces = fragment_faces(fragments, |step| instance.is_refined(step));
         let expected: Vec<_> = faces.iter().map(|&face| fragments.faces()[face as usize].corners).collect();
         let mut found = Vec::new();
         instance.triangles_into(&mut found);
@@ -141,7 +141,7 @@ fn check_corners(refinable: &RefinableMesh, fans: &Fans, front: &FanFront<Screen
     let base = refinable.sequence.base_position_count() as u32;
     for &vertex in &indices {
         let step = positions.position_of(vertex).checked_sub(base);
-        assert!(step.is_none_or(|step| !instance.is_taken(step)), "vertex {vertex} is not there");
+        assert!(step.is_none_or(|step| instance.is_refined(step)), "vertex {vertex} is not there");
     }
     assert_eq!(instance.level(fans, refinable).check(), Ok(()));
 }

@@ -45,7 +45,7 @@ impl<'a> Bench<'a> {
         let found = self.instance.read(self.gpu).unwrap();
         let mut expected = FanIndices::default();
         wanted.emit_into(&self.fans, FanForm::Triangles, &mut expected);
-        assert_eq!(found, expected, "{what}, {} steps taken", wanted.taken_count());
+        assert_eq!(found, expected, "{what}, {} steps taken", wanted.collapse_count());
     }
 
     fn check_levels(&mut self, count: usize, what: &str) {

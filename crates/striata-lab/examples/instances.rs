@@ -275,7 +275,7 @@ fn print_static(refinable: &RefinableMesh, fans: &Fans) {
 fn print_memory<F: Follower>(scene: &FanScene<'_>, followers: &[F]) {
     let bytes: usize = followers.iter().map(Follower::bytes).sum();
     let largest = followers.iter().map(Follower::bytes).max().unwrap_or(0);
-    let active = |follower: &F| scene.fans().vertex_count() - follower.instance().taken_count();
+    let active = |follower: &F| scene.fans().vertex_count() - follower.instance().collapse_count();
     let active_count: usize = followers.iter().map(active).sum();
     println!(
         "  memory            {} in all, {} each, largest {}",

@@ -123,8 +123,8 @@ impl Built {
             (Last::View, Some(front)) => {
                 let instance = front.instance();
                 let step_count = sequence.step_count();
-                let coarsest = (0..step_count).find(|&step| instance.is_taken(step as u32));
-                (step_count - instance.taken_count(), coarsest.unwrap_or(step_count))
+                let coarsest = (0..step_count).find(|&step| !instance.is_refined(step as u32));
+                (instance.split_count(), coarsest.unwrap_or(step_count))
             }
             (Last::Uniform(split_count), _) => (split_count, split_count),
             (Last::View, None) => (0, 0),

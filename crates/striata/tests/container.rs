@@ -9,7 +9,7 @@ use striata::file::{
 use striata::mesh::{
     AttributeLayer, Image, IndexedMesh, LayerData, RefinableMesh, Semantic, canonical_triangles, replay,
 };
-use striata::model::{FanFront, FanScene, Fans, LodModel, LodStrips, Mts, StripModel};
+use striata::model::{FanFront, FanScene, Fans, LodModel, LodStrips, ModelKind, Mts, StripModel};
 use striata::strip::{StripSet, stripify};
 use support::{
     Random, Whim, Wildness, grid, hub_cases, nasty, nasty_cases, random_refinable, seam_cases, surface_cases,
@@ -122,7 +122,10 @@ fn look_around(refinable: &RefinableMesh, fans: &Fans) {
         let base = refinable.sequence.base_position_count() as u32;
         for &vertex in &indices {
             let step = positions.position_of(vertex).checked_sub(base);
-            assert!(step.is_none_or(|step| !front.instance().is_taken(step)), "vertex {vertex} is not there");
+            assert!(
+                step.is_none_or(|step| front.instance().is_refined(step)),
+                "vertex {vertex} is not there"
+            );
         }
         let level = front.instance().level(fans, refinable);
         assert_eq!(level.check(), Ok(()));
@@ -344,14 +347,14 @@ fn models_of_other_meshes_are_not_written() {
     }
     let fans = Fans::build(&random_refinable(&grid(3, false), wildness, &mut Random::new(5)));
     let error = to_striata(&refinable, &[FileModel::Fans(&fans)], &WriteOptions::default());
-    assert!(matches!(error, Err(EncodeError::Model { model: "fans", what: "vertices", .. })));
+    assert!(matches!(error, Err(EncodeError::Model { model: ModelKind::Fans, what: "vertices", .. })));
     let fans = Fans::build_without_bounds(&refinable);
     let error = to_striata(&refinable, &[FileModel::Fans(&fans)], &WriteOptions::default());
-    assert!(matches!(error, Err(EncodeError::Model { model: "fans", what: "bounds", .. })));
+    assert!(matches!(error, Err(EncodeError::Model { model: ModelKind::Fans, what: "bounds", .. })));
     let mts = Mts::build(&refinable, &single).unwrap();
     let models = [FileModel::LodStrips(&model), FileModel::Mts(&mts)];
     let error = to_striata(&refinable, &models, &WriteOptions::default());
-    assert!(matches!(error, Err(EncodeError::OtherStrips { model: "mts" })));
+    assert!(matches!(error, Err(EncodeError::OtherStrips { model: ModelKind::Mts })));
 }
 
 #[test]

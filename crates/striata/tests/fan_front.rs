@@ -76,7 +76,7 @@ fn follow(refinable: &RefinableMesh, kind: usize, seed: u64) -> [usize; 2] {
         fresh.indices_into(&fans, &mut indices);
         assert_eq!(front.triangle_count(), indices.len() / 3);
         asked += update.asked_count;
-        listed += fans.step_count() - fresh.taken_count();
+        listed += fresh.split_count();
     }
     [asked, listed]
 }
@@ -103,7 +103,7 @@ fn most_of_what_is_there_is_not_asked_again() {
         let update =
             front.update(&scene, &ScreenError::new(camera, 1.0).of_model(scene.sphere()), usize::MAX);
         asked += if frame > 0 { update.asked_count } else { 0 };
-        active += fans.step_count() - front.instance().taken_count();
+        active += front.instance().split_count();
     }
     assert!(active > 40_000 && asked < active / 4, "{asked} asked where {active} were there");
 }
@@ -167,7 +167,7 @@ fn a_criterion_without_sense_leads_to_levels_without_cracks() {
             let mut indices = Vec::new();
             instance.indices_into(&fans, &mut indices);
             let full = &case.refinable.mesh.triangles;
-            let expected = selective_triangles(&case.refinable, full, |step| instance.is_taken(step));
+            let expected = selective_triangles(&case.refinable, full, |step| !instance.is_refined(step));
             assert_eq!(canonical_triangles(indices.as_chunks().0), canonical_triangles(&expected));
             assert_eq!(front.triangle_count(), indices.len() / 3);
         }
@@ -205,8 +205,14 @@ fn a_budget_is_used_for_what_weighs_most() {
             let [least, more] =
                 [1.0, 1.0 - 1e-6].map(|x| of_threshold(&scene, &criterion, update.threshold * x));
             for step in 0..fans.step_count() as u32 {
-                assert!(least.is_taken(step) || !front.instance().is_taken(step), "step {step} is missing");
-                assert!(front.instance().is_taken(step) || !more.is_taken(step), "step {step} is too much");
+                assert!(
+                    !least.is_refined(step) || front.instance().is_refined(step),
+                    "step {step} is missing"
+                );
+                assert!(
+                    !front.instance().is_refined(step) || more.is_refined(step),
+                    "step {step} is too much"
+                );
             }
             assert!(front.triangle_count() <= limit.max(fans.base_triangle_count()));
             if update.threshold > 1.0 {

@@ -16,7 +16,7 @@ use support::{
 
 /// Compares what an instance shows with the oracle, group by group.
 fn shows_its_set(fragments: &FragmentSequence, instance: &PatternInstance, group_count: u32) {
-    let there = fragment_faces(fragments, |step| instance.is_inserted(step));
+    let there = fragment_faces(fragments, |step| instance.is_refined(step));
     assert_eq!(instance.triangle_count(), there.len());
     for group in 0..group_count {
         let faces = there.iter().map(|&face| fragments.faces()[face as usize]);
@@ -48,15 +48,15 @@ fn follows_any_way_of_fragments(fragmented: &FragmentedMesh, patterns: &Patterns
     let mut instance = PatternInstance::base(patterns);
     for _ in 0..24 {
         let step = random.below(step_count as u32);
-        let count = instance.inserted_count();
+        let count = instance.split_count();
         if random.below(2) == 0 {
             let inserted = instance.insert(patterns, step);
-            assert!(instance.is_inserted(step));
-            assert_eq!(instance.inserted_count(), count + inserted);
+            assert!(instance.is_refined(step));
+            assert_eq!(instance.split_count(), count + inserted);
         } else {
             let removed = instance.remove(patterns, step);
-            assert!(!instance.is_inserted(step));
-            assert_eq!(instance.inserted_count() + removed, count);
+            assert!(!instance.is_refined(step));
+            assert_eq!(instance.split_count() + removed, count);
         }
         shows_its_set(&fragmented.fragments, &instance, group_count);
     }
@@ -135,7 +135,7 @@ fn what_a_condition_leads_to_is_the_smallest_set_that_satisfies_it() {
                 condition(Overlap { lower: face.and_then(|face| fragments.maker(face)), upper })
             });
             instance.adapt(&patterns, &condition);
-            let found = (0..fragments.step_count() as u32).filter(|&step| instance.is_inserted(step));
+            let found = (0..fragments.step_count() as u32).filter(|&step| instance.is_refined(step));
             assert_eq!(found.fold(0, |set, step| set | 1 << step), smallest);
             sets_seen += usize::from(smallest != 0);
         }
@@ -158,7 +158,7 @@ fn with_errors_as_condition_both_algorithms_agree() {
             let refined = one.refine(&patterns, &condition);
             let change = other.adapt(&patterns, &condition);
             assert_eq!(one, other, "{coarsened} removed and {refined} inserted, or {change:?}");
-            assert_eq!(one.inserted_count(), limit as usize);
+            assert_eq!(one.split_count(), limit as usize);
         }
     }
 }
@@ -173,7 +173,7 @@ fn holds_what_is_wanted(patterns: &Patterns, scene: PatternScene<'_>, criterion:
             expected.insert(patterns, step);
         }
     }
-    assert_eq!(instance, expected, "{} fragments, {}", instance.inserted_count(), expected.inserted_count());
+    assert_eq!(instance, expected, "{} fragments, {}", instance.split_count(), expected.split_count());
     instance.triangle_count()
 }
 

@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::file::{DecodeError, FileModel, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, MeshError, RefinableMesh, weld};
-use striata::model::{Fans, LodModel, LodStrips, Mts, PartBytes, Patterns};
+use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, PartBytes, Patterns};
 use striata::simplify::{Retriangulation, StopReason, Target};
 use striata::strip::StripSet;
 use striata_stream::{EncodedStream, StreamFacts, StreamOptions, encode_stream, file_model};
@@ -40,17 +40,13 @@ pub(crate) fn errors_are_guaranteed(file: &StriataFile<'_>) -> Result<bool, Deco
     Ok(file.metadata()?.iter().any(is_said))
 }
 
-/// Models that this version has.
-pub(crate) const MODELS: [&str; 5] = ["lodstrips", "mts", FANS, PATTERNS, PROGRESSIVE];
-
-/// The model that follows views by the errors of collapses.
-const FANS: &str = "fans";
-
-/// The only model that takes any steps.
-const PATTERNS: &str = "patterns";
-
-/// The stream.
-pub(crate) const PROGRESSIVE: &str = "progressive";
+/// The model of a name.
+///
+/// # Errors
+/// If the name is none of ours.
+pub(crate) fn model_of_name(name: &str) -> Result<ModelKind, Failure> {
+    name.parse().map_err(|_| unknown_name("model", name, &ModelKind::ALL.map(ModelKind::as_str)))
+}
 
 /// Reads, builds, writes, reports.
 ///
@@ -62,7 +58,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         None => beside(&args.input, "striata")?,
     };
     output.check_stdout_is_free(is_stdout(&path))?;
-    let models = model_names(&args.model_names())?;
+    let models = models_of_names(&args.model_names())?;
     check_stream_terms(args, &models)?;
     check_strip_terms(args, &models)?;
     check_output_name(&path)?;
@@ -83,10 +79,10 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     if let Some(remark) = fill_as_models_need(&mut sequence, &models, args.sequence.is_free())? {
         output.say(&remark);
     }
-    if models.iter().any(|model| model == FANS) {
+    if models.contains(&ModelKind::Fans) {
         sequence.hold_in_any_state();
     }
-    if models.iter().any(|model| model == PROGRESSIVE) {
+    if models.contains(&ModelKind::Progressive) {
         sequence.come_in_batches(args.stream_terms.batches(&mesh)?)?;
     }
     let stream = args.stream_terms.options(diagonal);
@@ -123,8 +119,8 @@ pub(crate) struct BuildPlan {
     pub(crate) sequence: SequencePlan,
     /// How its strips are made.
     pub(crate) strips: StripPlan,
-    /// The models, by name.
-    pub(crate) models: Vec<String>,
+    /// The models.
+    pub(crate) models: Vec<ModelKind>,
     /// How a stream is coded, where one is among them.
     pub(crate) stream: StreamOptions,
 }
@@ -135,7 +131,7 @@ impl BuildPlan {
         Self {
             sequence: SequencePlan::default(),
             strips: BuildArgs::usual_strip_plan(),
-            models: vec![MODELS[0].to_owned()],
+            models: vec![ModelKind::LodStrips],
             stream: StreamOptions::default(),
         }
     }
@@ -170,21 +166,21 @@ impl Models {
     /// # Errors
     /// Where the strips are not those of the mesh, or there are too many fragments.
     fn build(
-        names: &[String],
+        kinds: &[ModelKind],
         sequenced: &Sequenced,
         (strips, stream): (Option<&StripSet>, Option<EncodedStream>),
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
-        let is_wanted = |name: &str| names.iter().any(|n| n == name);
+        let is_wanted = |kind: ModelKind| kinds.contains(&kind);
         let mut models = Self { lod_strips: None, mts: None, fans: None, patterns: None, stream };
         if let Steps::Collapses(refinable) = &sequenced.steps {
-            let strips_for = |name: &str| strips.filter(|_| is_wanted(name));
+            let strips_for = |kind| strips.filter(|_| is_wanted(kind));
             models.lod_strips =
-                strips_for("lodstrips").map(|s| LodStrips::build(refinable, s)).transpose()?;
-            models.mts = strips_for("mts").map(|s| Mts::build(refinable, s)).transpose()?;
-            models.fans = is_wanted("fans").then(|| Fans::build(refinable));
+                strips_for(ModelKind::LodStrips).map(|s| LodStrips::build(refinable, s)).transpose()?;
+            models.mts = strips_for(ModelKind::Mts).map(|s| Mts::build(refinable, s)).transpose()?;
+            models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(refinable));
         }
-        if is_wanted(PATTERNS) {
+        if is_wanted(ModelKind::Patterns) {
             let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
             models.patterns = Some(Patterns::build(&fragmented)?);
         }
@@ -200,14 +196,14 @@ impl Models {
         Ok(of_strips.chain(fans).chain(patterns).chain(stream).collect())
     }
 
-    /// Each model's name and parts.
-    fn parts(&self) -> Vec<(&'static str, Vec<PartBytes>)> {
-        let lod_strips = self.lod_strips.iter().map(|model| ("lodstrips", model.bytes()));
-        let mts = self.mts.iter().map(|model| ("mts", model.bytes()));
-        let fans = self.fans.iter().map(|model| ("fans", model.bytes()));
-        let patterns = self.patterns.iter().map(|model| (PATTERNS, model.bytes()));
+    /// Each model with its parts.
+    fn parts(&self) -> Vec<(ModelKind, Vec<PartBytes>)> {
+        let lod_strips = self.lod_strips.iter().map(|model| (ModelKind::LodStrips, model.bytes()));
+        let mts = self.mts.iter().map(|model| (ModelKind::Mts, model.bytes()));
+        let fans = self.fans.iter().map(|model| (ModelKind::Fans, model.bytes()));
+        let patterns = self.patterns.iter().map(|model| (ModelKind::Patterns, model.bytes()));
         let parts_of_stream = |s: &EncodedStream| vec![PartBytes { name: "stream", bytes: s.bytes.len() }];
-        let streams = self.stream.iter().map(|stream| (PROGRESSIVE, parts_of_stream(stream)));
+        let streams = self.stream.iter().map(|stream| (ModelKind::Progressive, parts_of_stream(stream)));
         lod_strips.chain(mts).chain(fans).chain(patterns).chain(streams).collect()
     }
 }
@@ -342,10 +338,10 @@ impl Report {
         let sequence = built.steps.levels();
         let vertex_count = built.steps.mesh().vertex_count().max(1);
         let mut models = Map::new();
-        for (name, parts) in built.models.parts() {
+        for (kind, parts) in built.models.parts() {
             let bytes = parts.iter().map(|part| part.bytes).sum::<usize>();
             let per_vertex = bytes as f64 / vertex_count as f64;
-            models.insert(name.to_owned(), json!({ "bytes": bytes, "bytes_per_vertex": per_vertex }));
+            models.insert(kind.to_string(), json!({ "bytes": bytes, "bytes_per_vertex": per_vertex }));
         }
         let mut strips = json!(built.strip_report);
         if !strips.is_null() {
@@ -415,10 +411,10 @@ impl Report {
 /// Where they were to be filled freely.
 fn fill_as_models_need(
     sequence: &mut SequencePlan,
-    models: &[String],
+    models: &[ModelKind],
     is_free: bool,
 ) -> Result<Option<String>, Failure> {
-    let in_need = models.iter().find(|model| *model != PATTERNS);
+    let in_need = models.iter().find(|&&model| model != ModelKind::Patterns);
     let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, in_need) else { return Ok(None) };
     if options.retriangulation == Retriangulation::Collapse {
         return Ok(None);
@@ -431,23 +427,19 @@ fn fill_as_models_need(
     Ok(Some(format!("holes are filled as half-edge collapses do, since {model} knows no other steps")))
 }
 
-/// The names as our list has them; there may be blanks behind commas.
+/// The models of names; there may be blanks behind commas.
 ///
 /// # Errors
-/// Where a name is none of ours.
-fn model_names(names: &[String]) -> Result<Vec<String>, Failure> {
-    let names: Vec<String> = names.iter().map(|name| name.trim().to_owned()).collect();
-    match names.iter().find(|name| !MODELS.contains(&name.as_str())) {
-        Some(unknown) => Err(unknown_name("model", unknown, &MODELS)),
-        None => Ok(names),
-    }
+/// If a name is none of ours.
+fn models_of_names(names: &[String]) -> Result<Vec<ModelKind>, Failure> {
+    names.iter().map(|name| model_of_name(name.trim())).collect()
 }
 
 /// # Errors
 /// Where a stream is described and none is made.
-fn check_stream_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure> {
+fn check_stream_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
     match args.stream_terms.given() {
-        Some(flag) if !models.iter().any(|model| model == PROGRESSIVE) => {
+        Some(flag) if !models.contains(&ModelKind::Progressive) => {
             Err(Failure::user(format!("{flag} is for streams, and none is made"))
                 .with_hint(format!("say --models progressive too, or leave {flag} out")))
         }
@@ -456,13 +448,13 @@ fn check_stream_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure
 }
 
 /// Whether a model is made of strips.
-fn takes_strips(model: impl AsRef<str>) -> bool {
-    ["lodstrips", "mts"].contains(&model.as_ref())
+fn takes_strips(model: &ModelKind) -> bool {
+    matches!(model, ModelKind::LodStrips | ModelKind::Mts)
 }
 
 /// # Errors
 /// If strips are described and no model has any.
-fn check_strip_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure> {
+fn check_strip_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
     match args.strip_flag() {
         Some(flag) if !models.iter().any(takes_strips) => {
             Err(Failure::user(format!("{flag} is for strips, and no model with strips is built"))

@@ -7,7 +7,9 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::file::StriataFile;
 use striata::mesh::{Bounds, IndexedMesh};
-use striata::model::{FanScene, Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel};
+use striata::model::{
+    FanScene, Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StoredModel, StripModel,
+};
 use striata::simplify::{StopReason, Target};
 use striata::strip::{RESTART, StripSet};
 
@@ -16,11 +18,10 @@ use super::extract_stream;
 use super::extract_view::{ViewLevel, level_of_view};
 use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, TriangleForm};
-use crate::commands::build::{MODELS, PROGRESSIVE, errors_are_guaranteed};
+use crate::commands::build::{errors_are_guaranteed, model_of_name};
 use crate::strip_lists::{StripLists, without_unused_vertices};
 use striata_command::args::{Corners, Length, LevelArgs, Point};
 use striata_command::failure::Failure;
-use striata_command::failure::unknown_name;
 use striata_command::fan_cover::fans_of;
 use striata_command::input::Input;
 use striata_command::level::{
@@ -77,7 +78,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     check_form(args)?;
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
-    let is_named = args.model.as_deref() == Some(PROGRESSIVE);
+    let is_named = args.model.as_deref() == Some(ModelKind::Progressive.as_str());
     let is_place = args.eye.eye.is_some() || args.detail_box.is_some();
     if !is_place && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only()) {
         return extract_stream::run(args, (&file, &input), started, output);
@@ -125,10 +126,14 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     };
     let (from, split_counts) = ((&file, &input), &split_counts[..]);
     match pick_model(&file, args.model.as_deref(), &input)? {
-        Model::LodStrips(model) => each_level_of_strips("lodstrips", &model, split_counts, from, &mut take),
-        Model::Mts(model) => each_level_of_strips("mts", &model, split_counts, from, &mut take),
-        Model::Fans(model) => each_level("fans", &model, split_counts, (from, &|_| None), &mut take),
-        Model::Patterns(model) => each_level("patterns", &model, split_counts, (from, &|_| None), &mut take),
+        Model::LodStrips(model) => {
+            each_level_of_strips(ModelKind::LodStrips, &model, split_counts, from, &mut take)
+        }
+        Model::Mts(model) => each_level_of_strips(ModelKind::Mts, &model, split_counts, from, &mut take),
+        Model::Fans(model) => each_level(ModelKind::Fans, &model, split_counts, (from, &|_| None), &mut take),
+        Model::Patterns(model) => {
+            each_level(ModelKind::Patterns, &model, split_counts, (from, &|_| None), &mut take)
+        }
     }?;
     files.commit()?;
     let mut reports: Vec<Report> = reports.into_iter().flatten().collect();
@@ -163,31 +168,30 @@ enum Model<'a> {
 /// # Errors
 /// Where the model is none that this version has, or none that the file has.
 fn pick_model<'a>(file: &StriataFile<'a>, name: Option<&str>, input: &Input) -> Result<Model<'a>, Failure> {
-    if let Some(name) = name.filter(|name| !MODELS.contains(name)) {
-        return Err(unknown_name("model", name, &MODELS));
-    }
-    let is_wanted = |which: &str| name.is_none_or(|name| name == which);
-    let lod_strips = is_wanted("lodstrips").then(|| file.lod_strips()).flatten();
+    let named = name.map(model_of_name).transpose()?;
+    let is_wanted = |kind| named.is_none_or(|named| named == kind);
+    let lod_strips = is_wanted(ModelKind::LodStrips).then(|| file.lod_strips()).flatten();
     let lod_strips = lod_strips.map(|model| model.map(Model::LodStrips));
-    let mts = || is_wanted("mts").then(|| file.mts()).flatten().map(|model| model.map(Model::Mts));
-    let fans = || is_wanted("fans").then(|| file.fans()).flatten().map(|model| model.map(Model::Fans));
+    let mts = || is_wanted(ModelKind::Mts).then(|| file.mts()).flatten().map(|model| model.map(Model::Mts));
+    let fans =
+        || is_wanted(ModelKind::Fans).then(|| file.fans()).flatten().map(|model| model.map(Model::Fans));
     let patterns = || {
-        let model = is_wanted("patterns").then(|| file.patterns()).flatten();
+        let model = is_wanted(ModelKind::Patterns).then(|| file.patterns()).flatten();
         model.map(|model| model.map(Model::Patterns))
     };
     match lod_strips.or_else(mts).or_else(fans).or_else(patterns) {
         Some(model) => model.map_err(|error| input.damaged(&error)),
         None => {
-            let what = name.map_or("no model".to_owned(), |name| format!("no model {name}"));
+            let what = named.map_or("no model".to_owned(), |kind| format!("no model {kind}"));
             Err(Failure::user(format!("{}: {what} is in this file", input.name))
-                .with_hint(format!("build it again with --models {}", name.unwrap_or("lodstrips"))))
+                .with_hint(format!("build it again with --models {}", named.unwrap_or(ModelKind::LodStrips))))
         }
     }
 }
 
 /// One level of a file.
 struct Extracted {
-    model: &'static str,
+    model: ModelKind,
     mesh: IndexedMesh,
     /// Where the model has them.
     strips: Option<StripSet>,
@@ -208,7 +212,7 @@ type StripsOf<'a, M> = dyn Fn(&<M as LodModel>::State) -> Option<StripSet> + 'a;
 /// # Errors
 /// If a part of the file is unsound, or `take` fails.
 fn each_level<M: StoredModel>(
-    name: &'static str,
+    kind: ModelKind,
     model: &M,
     split_counts: &[usize],
     ((file, input), strips): (Origin<'_>, &StripsOf<'_, M>),
@@ -222,7 +226,7 @@ fn each_level<M: StoredModel>(
         model.move_to(&mut state, split_counts[number]);
         let seek_secs = started.elapsed().as_secs_f64();
         let mesh = file.level_of(model, &state).map_err(|error| input.damaged(&error))?;
-        take(number, Extracted { model: name, mesh, strips: strips(&state), seek_secs })?;
+        take(number, Extracted { model: kind, mesh, strips: strips(&state), seek_secs })?;
     }
     Ok(())
 }
@@ -230,13 +234,13 @@ fn each_level<M: StoredModel>(
 /// # Errors
 /// As [`each_level`].
 fn each_level_of_strips<M: StripModel>(
-    name: &'static str,
+    kind: ModelKind,
     model: &M,
     split_counts: &[usize],
     from: Origin<'_>,
     take: &mut TakeLevel<'_>,
 ) -> Result<(), Failure> {
-    each_level(name, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
+    each_level(kind, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
 }
 
 /// What is written of a level. Strips come from its model, or are made anew if it has none or if new ones are shorter.
@@ -321,7 +325,7 @@ fn run_view(
     let limit = triangle_limit(args, &file);
     let level = level_of_view(&scene, &refinable, &args.view, camera, limit);
     let (pixels, drawn) = (level.pixels, drawn(args.form, &level.mesh, None)?);
-    let report = Report::of_place("fans", args, (&level, limit), started)?;
+    let report = Report::of_place(ModelKind::Fans, args, (&level, limit), started)?;
     save(&level.mesh, drawn, &path_of_place(args)?, &args.output.format)?;
     let report = Report { fans: Some(fans), pixels: Some(pixels), ..report };
     output.summary(&report, &report.to_text(refinable.sequence.step_count()))
@@ -332,15 +336,14 @@ fn run_view(
 /// # Errors
 /// Where a model is named that knows whole levels only, or fans where there are no collapses.
 fn asks_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
-    match args.model.as_deref() {
-        Some("patterns") => Ok(true),
-        Some("fans") if !file.has_collapses() => {
+    match args.model.as_deref().map(model_of_name).transpose()? {
+        Some(ModelKind::Patterns) => Ok(true),
+        Some(ModelKind::Fans) if !file.has_collapses() => {
             Err(Failure::user(format!("{}: fans take collapses, and this file has none", input.name))
                 .with_hint("leave --model out, or say --model patterns"))
         }
-        Some("fans") => Ok(false),
-        Some(name) if !MODELS.contains(&name) => Err(unknown_name("model", name, &MODELS)),
-        Some(name) => Err(Failure::user(format!("{name} knows whole levels only"))
+        Some(ModelKind::Fans) => Ok(false),
+        Some(kind) => Err(Failure::user(format!("{kind} knows whole levels only"))
             .with_hint("a view takes --model fans or patterns")),
         None => Ok(file.fans().is_none() && file.patterns().is_some()),
     }
@@ -357,7 +360,7 @@ fn run_box(
     started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
-    if let Some(name) = args.model.as_deref().filter(|&name| name != "patterns") {
+    if let Some(name) = args.model.as_deref().filter(|&name| name != ModelKind::Patterns.as_str()) {
         return Err(Failure::user(format!("{name} are not asked for boxes"))
             .with_hint("a box takes --model patterns"));
     }
@@ -387,7 +390,7 @@ fn report_patterns(
     output: &Output,
 ) -> Result<(), Failure> {
     let file = input.striata()?;
-    let report = Report::of_place("patterns", args, (&level, triangle_limit(args, &file)), started)?;
+    let report = Report::of_place(ModelKind::Patterns, args, (&level, triangle_limit(args, &file)), started)?;
     save(&level.mesh, drawn(args.form, &level.mesh, None)?, &path_of_place(args)?, &args.output.format)?;
     let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let report = Report {
@@ -403,7 +406,7 @@ fn report_patterns(
 impl Report {
     /// Of a level that is the same everywhere; its error is known elsewhere.
     fn of_level(
-        model: &'static str,
+        model: ModelKind,
         wanted: &Wanted,
         (mesh, split_count, stop_reason): (&IndexedMesh, usize, StopReason),
         [seek_secs, secs]: [f64; 2],
@@ -413,7 +416,7 @@ impl Report {
         Self {
             level: wanted.name.clone(),
             path: name_of(&wanted.path),
-            model,
+            model: model.as_str(),
             fans: None,
             patterns: None,
             pixels: None,
@@ -434,7 +437,7 @@ impl Report {
     /// # Errors
     /// If it has more triangles than allowed and that is forbidden, or its file has no name.
     fn of_place(
-        model: &'static str,
+        model: ModelKind,
         args: &ExtractArgs,
         (level, triangle_limit): (&ViewLevel, Option<usize>),
         started: Instant,
@@ -452,10 +455,10 @@ impl Report {
 
     fn to_text(&self, step_count: usize) -> String {
         let kind = if self.error_is_guaranteed { "guaranteed error" } else { "error" };
-        let of_model = |model: &str, origin: Option<&str>| {
+        let of_model = |model: ModelKind, origin: Option<&str>| {
             origin.map_or_else(String::new, |origin| format!(", {model} {origin}"))
         };
-        let origin = of_model("fans", self.fans) + &of_model("patterns", self.patterns);
+        let origin = of_model(ModelKind::Fans, self.fans) + &of_model(ModelKind::Patterns, self.patterns);
         format!(
             "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{origin}{}",
             grouped(self.triangle_count),

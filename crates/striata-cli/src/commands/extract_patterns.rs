@@ -103,10 +103,10 @@ impl PatternsOfFile {
             }
         };
         let seek_secs = started.elapsed().as_secs_f64();
-        let left_out = steps().filter(|&step| !instance.is_inserted(step));
+        let left_out = steps().filter(|&step| !instance.is_refined(step));
         let level = ViewLevel {
             mesh: self.shown(&instance),
-            split_count: instance.inserted_count(),
+            split_count: instance.split_count(),
             error: left_out.map(|step| scene.part(step).error).fold(0.0, f32::max),
             pixels: 0.0,
             stop_reason,

@@ -5,6 +5,7 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::file::StriataFile;
 use striata::mesh::{Levels, replay};
+use striata::model::ModelKind;
 use striata::simplify::{StopReason, Target};
 use striata_stream::StreamDecoder;
 
@@ -104,7 +105,7 @@ pub(super) fn run(
         reports.push(Report {
             level: wanted.name.clone(),
             path: name_of(&wanted.path),
-            model: "progressive",
+            model: ModelKind::Progressive.as_str(),
             split_count,
             step_count,
             vertex_count: mesh.vertex_count(),

@@ -10,7 +10,8 @@ use striata::model::{
 use striata::strip::{RESTART, restart_triangles_into};
 use striata::view::{Camera, Criterion, ScreenError};
 
-use super::state::{Goal, ModelKind};
+use super::args::ShownModel;
+use super::state::Goal;
 use super::subject::Subject;
 
 /// Errors of fewer pixels than this are no smaller to a budget, so that what weighs them stays a number.
@@ -106,24 +107,24 @@ struct FansShown {
 
 impl Shown {
     /// An instance of a model; none while the subject lacks the model.
-    pub(super) fn new(subject: &Subject, kind: ModelKind) -> Option<Self> {
+    pub(super) fn new(subject: &Subject, kind: ShownModel) -> Option<Self> {
         let instance = match kind {
-            ModelKind::List => Instance::List(None),
-            ModelKind::LodStrips => {
+            ShownModel::List => Instance::List(None),
+            ShownModel::LodStrips => {
                 let model = subject.lod_strips()?;
                 let mut state = model.new_state();
                 let buffer = StripBuffer::new(model, &mut state);
                 Instance::LodStrips { state, buffer }
             }
-            ModelKind::Mts => Instance::Mts(subject.mts()?.new_state()),
-            ModelKind::Fans | ModelKind::FansGpu => {
+            ShownModel::Mts => Instance::Mts(subject.mts()?.new_state()),
+            ShownModel::Fans | ShownModel::FansGpu => {
                 let (scene, _) = subject.fan_scene()?;
                 let front = FanFront::new(&scene);
                 let drawn = front.instance().clone();
-                let triangles = (kind == ModelKind::Fans).then(|| FanTriangles::new(scene.fans(), &drawn));
+                let triangles = (kind == ShownModel::Fans).then(|| FanTriangles::new(scene.fans(), &drawn));
                 Instance::Fans(Box::new(FansShown { front, uniform: None, drawn, triangles, morphs: None }))
             }
-            ModelKind::Patterns => {
+            ShownModel::Patterns => {
                 Instance::Patterns(Box::new(PatternInstance::base(subject.pattern_scene()?.patterns())))
             }
         };
@@ -133,14 +134,14 @@ impl Shown {
     }
 
     /// The model that it is an instance of.
-    pub(super) fn kind(&self) -> ModelKind {
+    pub(super) fn kind(&self) -> ShownModel {
         match &self.instance {
-            Instance::List(_) => ModelKind::List,
-            Instance::LodStrips { .. } => ModelKind::LodStrips,
-            Instance::Mts(_) => ModelKind::Mts,
-            Instance::Fans(fans) if fans.triangles.is_none() => ModelKind::FansGpu,
-            Instance::Fans(_) => ModelKind::Fans,
-            Instance::Patterns(_) => ModelKind::Patterns,
+            Instance::List(_) => ShownModel::List,
+            Instance::LodStrips { .. } => ShownModel::LodStrips,
+            Instance::Mts(_) => ShownModel::Mts,
+            Instance::Fans(fans) if fans.triangles.is_none() => ShownModel::FansGpu,
+            Instance::Fans(_) => ShownModel::Fans,
+            Instance::Patterns(_) => ShownModel::Patterns,
         }
     }
 
@@ -202,7 +203,7 @@ impl Shown {
                 (is_changed, achieved)
             }
         };
-        if is_first || (is_changed && self.kind() != ModelKind::LodStrips) {
+        if is_first || (is_changed && self.kind() != ShownModel::LodStrips) {
             self.changes = Changes::All;
         }
         self.achieved = Achieved { secs: started.elapsed().as_secs_f64(), ..achieved };
@@ -339,10 +340,10 @@ impl FansShown {
             }
         }
         let levels = refinable.sequence.levels();
-        let coarsest = (0..levels.step_count()).find(|&step| wanted.is_taken(step as u32));
+        let coarsest = (0..levels.step_count()).find(|&step| !wanted.is_refined(step as u32));
         let moving_count = self.morphs.as_ref().map_or(0, FanMorphs::moving_count);
         let achieved = Achieved {
-            split_count: levels.step_count() - wanted.taken_count(),
+            split_count: wanted.split_count(),
             triangle_count: match self.uniform {
                 Some((split_count, _)) => levels.triangle_count_at(split_count),
                 None => self.front.triangle_count(),
@@ -407,9 +408,9 @@ fn follow_patterns(
     let criterion = ScreenError::new(camera, pixels);
     let is_wanted = |overlap: Overlap| criterion.weigh(&scene.part(overlap.upper)).is_wanted();
     let change = instance.adapt(patterns, &is_wanted);
-    let mut left_out = (0..patterns.fragment_count() as u32).filter(|&step| !instance.is_inserted(step));
+    let mut left_out = (0..patterns.fragment_count() as u32).filter(|&step| !instance.is_refined(step));
     let achieved = Achieved {
-        split_count: instance.inserted_count(),
+        split_count: instance.split_count(),
         triangle_count: instance.triangle_count(),
         error: left_out.next().map_or(0.0, |step| scene.part(step).error),
         error_px: Some(pixels),
@@ -507,14 +508,14 @@ mod tests {
 
     fn subject_with_all() -> Subject {
         let subject = subject_of(&shapes::two_material_sphere(24, 32));
-        ModelKind::ALL.iter().for_each(|&kind| subject.build(kind).expect("collapses do"));
+        ShownModel::ALL.iter().for_each(|&kind| subject.build(kind).expect("collapses do"));
         subject
     }
 
     #[test]
     fn all_models_show_the_same_triangles_of_a_level() {
         let subject = subject_with_all();
-        for kind in ModelKind::ALL {
+        for kind in ShownModel::ALL {
             let mut shown = Shown::new(&subject, kind).expect("it is built");
             assert_eq!(shown.kind(), kind);
             for detail in [1.0, 0.3, 0.0, 0.6] {
@@ -537,7 +538,7 @@ mod tests {
     #[test]
     fn of_strips_only_what_changed_is_to_be_uploaded() {
         let subject = subject_with_all();
-        let mut shown = Shown::new(&subject, ModelKind::LodStrips).expect("it is built");
+        let mut shown = Shown::new(&subject, ShownModel::LodStrips).expect("it is built");
         shown.follow(&subject, &wish(Goal::Detail(0.5)));
         assert_eq!(shown.take_changes(), Changes::All);
         let mut copy = shown.form().indices.to_vec();
@@ -560,7 +561,7 @@ mod tests {
     #[test]
     fn views_are_followed_and_budgets_kept() {
         let subject = subject_with_all();
-        for kind in [ModelKind::Fans, ModelKind::FansGpu, ModelKind::Patterns] {
+        for kind in [ShownModel::Fans, ShownModel::FansGpu, ShownModel::Patterns] {
             let mut shown = Shown::new(&subject, kind).expect("it is built");
             shown.follow(&subject, &wish(Goal::Pixels(0.5)));
             let fine = *shown.achieved();
@@ -570,7 +571,7 @@ mod tests {
             assert!(fine.error < coarse.error && fine.error_px == Some(0.5), "{kind:?}");
             assert_eq!(shown.grouped(&subject).0.len(), coarse.triangle_count);
         }
-        let mut shown = Shown::new(&subject, ModelKind::Fans).expect("it is built");
+        let mut shown = Shown::new(&subject, ShownModel::Fans).expect("it is built");
         shown.follow(&subject, &wish(Goal::Budget(300)));
         assert!((200..=300).contains(&shown.achieved().triangle_count), "{:?}", shown.achieved());
     }
@@ -578,7 +579,7 @@ mod tests {
     #[test]
     fn a_model_that_cannot_follow_a_view_keeps_its_pixels_everywhere() {
         let subject = subject_with_all();
-        let mut shown = Shown::new(&subject, ModelKind::LodStrips).expect("it is built");
+        let mut shown = Shown::new(&subject, ShownModel::LodStrips).expect("it is built");
         shown.follow(&subject, &wish(Goal::Pixels(2.0)));
         let achieved = *shown.achieved();
         let pixels = camera(FAR).error_px(achieved.error, &subject.sphere);
@@ -588,8 +589,8 @@ mod tests {
     #[test]
     fn a_motion_ends_where_a_jump_would_have_gone() {
         let subject = subject_with_all();
-        let mut jumping = Shown::new(&subject, ModelKind::Fans).expect("it is built");
-        let mut moving = Shown::new(&subject, ModelKind::Fans).expect("it is built");
+        let mut jumping = Shown::new(&subject, ShownModel::Fans).expect("it is built");
+        let mut moving = Shown::new(&subject, ShownModel::Fans).expect("it is built");
         for goal in [Goal::Pixels(2.0), Goal::Detail(0.1)] {
             jumping.follow(&subject, &wish(goal));
             let morphing = Wish { morphs: true, ..wish(goal) };

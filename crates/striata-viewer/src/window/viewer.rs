@@ -332,7 +332,8 @@ mod tests {
 
     use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput};
 
-    use super::super::state::{Colours, ModelKind};
+    use super::super::args::ShownModel;
+    use super::super::state::Colours;
     use super::super::{panel, shown::Changes};
     use super::*;
 
@@ -429,7 +430,7 @@ mod tests {
         assert!(bench.triangle_count() < full);
         bench.press(Key::CloseBracket);
         assert_eq!(bench.triangle_count(), full);
-        for kind in [ModelKind::Mts, ModelKind::Fans] {
+        for kind in [ShownModel::Mts, ShownModel::Fans] {
             bench.press(Key::M);
             bench.rest();
             assert_eq!(bench.viewer.shown().map(Shown::kind), Some(kind), "it was built meanwhile");

@@ -16,7 +16,9 @@ use crate::mesh::{
 use crate::model::fans::FansParts;
 use crate::model::lod_strips::LodStripsParts;
 use crate::model::mts::MtsParts;
-use crate::model::{Fans, LodModel, LodStrips, Mts, Patterns, StepVertices, StoredModel, StripModel};
+use crate::model::{
+    Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StepVertices, StoredModel, StripModel,
+};
 use crate::strip::{StripSet, strip_triangles};
 
 /// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
@@ -255,7 +257,7 @@ impl<'a> StriataFile<'a> {
             arena: self.container.get(SectionKind::RECORDS)?.into(),
         };
         let model = LodStrips::from_parts(self.step_vertices()?, parts);
-        let model = model.map_err(|reason| DecodeError::Model { model: "lodstrips", reason })?;
+        let model = model.map_err(|reason| DecodeError::Model { model: ModelKind::LodStrips, reason })?;
         self.expect_model(&model, SectionKind::RECORD_LENGTHS)?;
         Ok(model)
     }
@@ -277,7 +279,7 @@ impl<'a> StriataFile<'a> {
             arena: self.container.get(SectionKind::CHANGES)?.into(),
         };
         let model = Mts::from_parts(self.step_vertices()?, parts);
-        let model = model.map_err(|reason| DecodeError::Model { model: "mts", reason })?;
+        let model = model.map_err(|reason| DecodeError::Model { model: ModelKind::Mts, reason })?;
         self.expect_model(&model, SectionKind::CHANGE_LENGTHS)?;
         Ok(model)
     }
@@ -297,7 +299,7 @@ impl<'a> StriataFile<'a> {
             far: &self.container.numbers(SectionKind::FAN_FAR_TARGETS)?,
             orphans: &self.container.numbers(SectionKind::FAN_ORPHANS)?,
         };
-        let unsound = |reason| DecodeError::Model { model: "fans", reason };
+        let unsound = |reason| DecodeError::Model { model: ModelKind::Fans, reason };
         let removed = self.container.get(SectionKind::REMOVED)?;
         let group_count = self.summary.group_count.max(1);
         let fans = Fans::from_parts(self.step_vertices()?, removed, group_count, parts).map_err(unsound)?;

@@ -4,7 +4,7 @@ use super::StriataFile;
 use crate::file::{DecodeError, SectionKind};
 use crate::mesh::{FragmentedMesh, Levels};
 use crate::model::patterns::PatternsParts;
-use crate::model::{LodModel, Patterns};
+use crate::model::{LodModel, ModelKind, Patterns};
 
 impl StriataFile<'_> {
     /// The patterns with the bounds of their fragments, if the file has them: in memory of their own and checked once, so that no
@@ -33,7 +33,7 @@ impl StriataFile<'_> {
             base: self.container.numbers(SectionKind::PATTERN_BASE)?.into_owned(),
             extras: self.container.numbers(SectionKind::PATTERN_EXTRAS)?.into_owned(),
         };
-        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
+        let unsound = |reason| DecodeError::Model { model: ModelKind::Patterns, reason };
         let group_count = self.groups()?.len().max(1);
         let patterns = Patterns::from_parts(self.step_vertices()?, group_count, parts).map_err(unsound)?;
         let kind = SectionKind::PATTERN_RECORDS;
@@ -63,7 +63,7 @@ impl StriataFile<'_> {
         let Some(patterns) = self.patterns() else {
             return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));
         };
-        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
+        let unsound = |reason| DecodeError::Model { model: ModelKind::Patterns, reason };
         let fragments = patterns?.unpack(self.errors()?.into_owned()).map_err(unsound)?;
         Ok(FragmentedMesh { mesh: self.mesh()?, fragments })
     }
