@@ -8,7 +8,7 @@ use striata_stream::{Effort, Precision, StreamOptions, StreamVersion, encode_str
 use striata::file::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
 use striata_lab::baseline::SequentialPatterns;
-use striata::model::{FanBounds, Fans, LodStrips, Mts, PatternBounds, Patterns};
+use striata::model::{Fans, LodStrips, Mts, Patterns};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::strip::stripify;
 use striata_io::Format;
@@ -105,17 +105,16 @@ fn containers(mesh: &IndexedMesh) -> Result<[Container; 5], Box<dyn Error>> {
     let strips = stripify(&refinable.mesh)?;
     let (lod_strips, mts) = (LodStrips::build(&refinable, &strips)?, Mts::build(&refinable, &strips)?);
     let fans = Fans::build(&refinable);
-    let bounds = FanBounds::build(&fans, &refinable);
     let strips = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts)];
     let written = |models: &[FileModel<'_>]| to_striata(&refinable, models, &WriteOptions::default());
     let fragmented = FragmentedMesh::from_collapses(&refinable);
-    let patterns = (&Patterns::build(&fragmented)?, &PatternBounds::build(&fragmented));
+    let patterns = Patterns::build(&fragmented)?;
     let mut fragments = Vec::new();
-    write_fragments(&fragmented, patterns, &WriteOptions::default(), &mut fragments)?;
+    write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut fragments)?;
     Ok([
         ("strips", written(&strips)?),
-        ("fans", written(&[FileModel::Fans(&fans, &bounds)])?),
-        ("patterns", written(&[FileModel::Patterns(patterns.0, patterns.1)])?),
+        ("fans", written(&[FileModel::Fans(&fans)])?),
+        ("patterns", written(&[FileModel::Patterns(&patterns)])?),
         ("fragments", fragments),
         ("stream", stream_in_file(mesh)?),
     ])

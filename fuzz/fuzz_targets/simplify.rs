@@ -4,7 +4,7 @@
 use libfuzzer_sys::fuzz_target;
 use striata::file::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::mesh::{RefinableMesh, canonical_triangles, replay};
-use striata::model::{FanBounds, Fans, LodModel, LodStrips, Mts};
+use striata::model::{Fans, LodModel, LodStrips, Mts};
 use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, build_sequence};
 use striata::strip::stripify;
 use striata_lab::MtsGraph;
@@ -60,14 +60,13 @@ fn check_levels(refinable: &RefinableMesh) {
     check_model(refinable, &SkipStrips::build(refinable, &strips).expect(what));
     check_model(refinable, &ProgressiveMeshes::build(refinable));
     let fans = Fans::build(refinable);
-    let bounds = FanBounds::build(&fans, refinable);
     check_model(refinable, &fans);
-    let models = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts), FileModel::Fans(&fans, &bounds)];
+    let models = [FileModel::LodStrips(&lod_strips), FileModel::Mts(&mts), FileModel::Fans(&fans)];
     let bytes = to_striata(refinable, &models, &WriteOptions::default()).expect("sound meshes are written");
     let file = StriataFile::parse(&bytes).expect("written just now");
     assert_eq!(file.refinable_mesh().expect("written just now").sequence, refinable.sequence);
     assert_eq!(file.mts().map(|found| found.expect("written just now")), Some(mts));
-    assert_eq!(file.fans().map(|found| found.expect("written just now")), Some((fans, bounds)));
+    assert_eq!(file.fans().map(|found| found.expect("written just now")), Some(fans));
 }
 
 /// Down and up, then from either end to the middle.

@@ -5,7 +5,7 @@ use libfuzzer_sys::fuzz_target;
 use striata::file::{DecodeError, StriataFile, Verify};
 use striata::mesh::{FragmentSequence, RefinableMesh, canonical_triangles, fragment_faces, replay};
 use striata::model::{
-    FanBounds, FanFront, FanScene, Fans, Overlap, PatternBounds, PatternInstance, PatternScene, Patterns,
+    FanFront, FanScene, Fans, Overlap, PatternInstance, PatternScene, Patterns,
     StoredModel, StripModel, Wanted,
 };
 use striata::view::{Camera, DetailBox, ScreenError};
@@ -38,24 +38,23 @@ fn read_all(bytes: &[u8], verify: Verify) -> Result<(), DecodeError> {
         walk_through(&file, &model?);
     }
     if let Some(model) = file.fans() {
-        let (fans, bounds) = model?;
+        let fans = model?;
         look_at_levels(&file, &fans);
         if let Ok(refinable) = &refinable {
-            look_around(refinable, &fans, &bounds);
+            look_around(refinable, &fans);
         }
     }
     if let Some(model) = file.patterns() {
-        let (patterns, bounds) = model?;
+        let patterns = model?;
         look_at_levels(&file, &patterns);
         if let Ok(fragments) = patterns.unpack(vec![0.0; patterns.fragment_count()]) {
             shows_any_set(&fragments, &patterns);
         }
         if let Ok(positions) = file.positions() {
-            look_into_boxes(PatternScene::new(&patterns, &bounds, &positions));
+            look_into_boxes(PatternScene::new(&patterns, &positions));
         }
         if let Ok(fragmented) = file.fragmented_mesh() {
             assert_eq!(fragmented.mesh.check(), Ok(()));
-            PatternBounds::build(&fragmented);
         }
     }
     Ok(())
@@ -87,7 +86,7 @@ fn shows_any_set(fragments: &FragmentSequence, patterns: &Patterns) {
             instance.remove(patterns, round * 31 % step_count);
             instance.insert(patterns, round * 17 % step_count);
         }
-        let faces = fragment_faces(fragments, |step| instance.is_inserted(step));
+        let faces = fragment_faces(fragments, |step| instance.is_refined(step));
         let expected: Vec<_> = faces.iter().map(|&face| fragments.faces()[face as usize].corners).collect();
         let mut found = Vec::new();
         instance.triangles_into(&mut found);
@@ -112,8 +111,8 @@ fn look_into_boxes(scene: PatternScene<'_>) {
 }
 
 /// A front over a few views: no triangle has a corner that is not there, and all of them are counted.
-fn look_around(refinable: &RefinableMesh, fans: &Fans, bounds: &FanBounds) {
-    let scene = FanScene::new(fans, bounds, refinable);
+fn look_around(refinable: &RefinableMesh, fans: &Fans) {
+    let scene = FanScene::new(fans, refinable);
     let sphere = scene.sphere();
     let [x, y, z] = sphere.center;
     let far = sphere.radius.max(1e-3);
@@ -142,7 +141,7 @@ fn check_corners(refinable: &RefinableMesh, fans: &Fans, front: &FanFront<Screen
     let base = refinable.sequence.base_position_count() as u32;
     for &vertex in &indices {
         let step = positions.position_of(vertex).checked_sub(base);
-        assert!(step.is_none_or(|step| !instance.is_taken(step)), "vertex {vertex} is not there");
+        assert!(step.is_none_or(|step| instance.is_refined(step)), "vertex {vertex} is not there");
     }
     assert_eq!(instance.level(fans, refinable).check(), Ok(()));
 }

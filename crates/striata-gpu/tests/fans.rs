@@ -8,7 +8,7 @@ use striata::mesh::{
     CollapseSequence, IndexedMesh, PositionIndex, Random, RefinableMesh, SequenceParts, shapes,
 };
 use striata::model::fans::MAX_ARCS;
-use striata::model::{FanBounds, FanForm, FanIndices, FanInstance, FanScene, Fans, LodModel};
+use striata::model::{FanForm, FanIndices, FanInstance, FanScene, Fans, LodModel};
 use striata::simplify::build_sequence;
 use striata::view::{Camera, ScreenError};
 use striata_gpu::{
@@ -45,7 +45,7 @@ impl<'a> Bench<'a> {
         let found = self.instance.read(self.gpu).unwrap();
         let mut expected = FanIndices::default();
         wanted.emit_into(&self.fans, FanForm::Triangles, &mut expected);
-        assert_eq!(found, expected, "{what}, {} steps taken", wanted.taken_count());
+        assert_eq!(found, expected, "{what}, {} steps taken", wanted.collapse_count());
     }
 
     fn check_levels(&mut self, count: usize, what: &str) {
@@ -188,7 +188,6 @@ fn views_are_extracted_exactly_and_drawn_as_their_lists_are() {
     ] {
         let refinable = refinable(&mesh).unwrap();
         let mut bench = Bench::new(&gpu, &extractor, &refinable);
-        let bounds = FanBounds::build(&bench.fans, &refinable);
         let mut wanted = FanInstance::full(&bench.fans);
         let vertices = GpuVertices::upload(&gpu, &refinable.mesh).unwrap();
         let look = Look::default().with_groups(true);
@@ -196,7 +195,7 @@ fn views_are_extracted_exactly_and_drawn_as_their_lists_are() {
             let mut view = Viewpoint::portrait(&refinable.mesh.bounds().unwrap(), turn, 0.5, 0.8);
             view.eye = std::array::from_fn(|k| 0.5 * view.eye[k] + 0.5 * view.look_at[k]);
             let camera: Camera = view.camera(SIZE).unwrap();
-            let scene = FanScene::new(&bench.fans, &bounds, &refinable);
+            let scene = FanScene::new(&bench.fans, &refinable);
             let criterion = ScreenError::new(camera, pixels).of_model(scene.sphere());
             assert!(wanted.refine(&scene, &criterion) > 20, "{name}: the view asks for nothing");
             bench.check(&wanted, name);

@@ -7,8 +7,8 @@ use criterion::{BatchSize, BenchmarkGroup, Criterion, Throughput, criterion_grou
 use striata::file::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, shapes};
 use striata::model::{
-    FanBounds, FanForm, FanIndices, FanInstance, FanMorphs, Fans, LodModel, LodStrips, Mts, Overlap,
-    PatternInstance, Patterns, StripBuffer,
+    FanForm, FanIndices, FanInstance, FanMorphs, Fans, LodModel, LodStrips, Mts, Overlap, PatternInstance,
+    Patterns, StripBuffer,
 };
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::stripify;
@@ -121,7 +121,7 @@ fn fans(c: &mut Criterion) {
     group.sample_size(20);
     for (name, mesh) in [("sphere", sphere(132)), ("sphere_large", sphere(374))] {
         let refinable = refinable(&mesh);
-        group.bench_function(format!("build/{name}"), |b| b.iter(|| Fans::build(&refinable)));
+        group.bench_function(format!("build/{name}"), |b| b.iter(|| Fans::build_without_bounds(&refinable)));
         let table = Fans::build(&refinable);
         let steps = 0..table.step_count() as u32;
         let mut out = Vec::new();
@@ -162,11 +162,8 @@ fn fans(c: &mut Criterion) {
             })
         });
         group.throughput(Throughput::Elements(table.vertex_count() as u64));
-        group.bench_function(format!("build_bounds/{name}"), |b| {
-            b.iter(|| FanBounds::build(&table, &refinable))
-        });
-        let bounds = FanBounds::build(&table, &refinable);
-        let models = [FileModel::Fans(&table, &bounds)];
+        group.bench_function(format!("build_with_bounds/{name}"), |b| b.iter(|| Fans::build(&refinable)));
+        let models = [FileModel::Fans(&table)];
         let bytes = to_striata(&refinable, &models, &WriteOptions::default()).expect("memory does not fail");
         group.bench_function(format!("load/{name}"), |b| {
             b.iter_batched(
@@ -203,7 +200,7 @@ fn patterns(c: &mut Criterion) {
     group.sample_size(10);
     let mesh = shapes::uv_sphere(448, 896, 1.0);
     let fragmented = FragmentedMesh::from_collapses(&refinable(&mesh));
-    group.bench_function("build", |b| b.iter(|| Patterns::build(&fragmented)));
+    group.bench_function("build", |b| b.iter(|| Patterns::build_without_bounds(&fragmented)));
     let patterns = Patterns::build(&fragmented).expect("the mesh is not too large");
     let levels = fragmented.fragments.levels();
     let sizes = std::iter::successors(Some(1_000), |size| Some(4 * size));

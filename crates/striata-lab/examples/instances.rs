@@ -11,7 +11,7 @@ use std::error::Error;
 use std::time::{Duration, Instant};
 
 use striata::mesh::{IndexedMesh, RefinableMesh, shapes};
-use striata::model::{FanBounds, FanForm, FanFront, FanIndices, FanInstance, FanScene, Fans, LodModel};
+use striata::model::{FanForm, FanFront, FanIndices, FanInstance, FanScene, Fans, LodModel};
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::view::{Camera, ScreenError, Sphere};
 
@@ -36,8 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let refinable = build_sequence(&mesh, &SequenceOptions::default())?.refinable;
     let fans = Fans::build(&refinable);
-    let bounds = FanBounds::build(&fans, &refinable);
-    let scene = FanScene::new(&fans, &bounds, &refinable);
+    let scene = FanScene::new(&fans, &refinable);
     let places: Vec<Placement> = (0..COLUMNS * ROWS).map(|i| Placement::on_grid(i, scene.sphere())).collect();
     println!(
         "{} instances of {} vertices and {} triangles; {FRAME_COUNT} frames, {} by {}, errors up to {PIXELS} px",
@@ -47,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         SCREEN[0],
         SCREEN[1],
     );
-    print_static(&refinable, &fans, &bounds);
+    print_static(&refinable, &fans);
     println!("\nbits alone, refined from the base in every frame");
     run(&scene, &places, places.iter().map(|_| Bits::new(&fans)).collect())?;
     println!("\nfronts, which remember what they asked, while they can be seen");
@@ -255,14 +254,18 @@ impl Totals {
     }
 }
 
-fn print_static(refinable: &RefinableMesh, fans: &Fans, bounds: &FanBounds) {
+fn print_static(refinable: &RefinableMesh, fans: &Fans) {
     let vertex_count = refinable.mesh.vertex_count();
-    let table: usize = fans.bytes().iter().map(|part| part.bytes).sum();
-    let all = table + bounds.bytes() + 12 * vertex_count;
+    let parts = fans.bytes();
+    let sum = |are_bounds: bool| -> usize {
+        parts.iter().filter(|part| (part.name == "bounds") == are_bounds).map(|part| part.bytes).sum()
+    };
+    let (table, bounds) = (sum(false), sum(true));
+    let all = table + bounds + 12 * vertex_count;
     println!(
         "once for all: table {}, bounds {}, positions {}: {}, {:.1} bytes a vertex (view-dependent progressive mesh {VDPM_STATIC_BYTES})",
         kilobytes(table),
-        kilobytes(bounds.bytes()),
+        kilobytes(bounds),
         kilobytes(12 * vertex_count),
         kilobytes(all),
         all as f64 / vertex_count as f64,
@@ -272,7 +275,7 @@ fn print_static(refinable: &RefinableMesh, fans: &Fans, bounds: &FanBounds) {
 fn print_memory<F: Follower>(scene: &FanScene<'_>, followers: &[F]) {
     let bytes: usize = followers.iter().map(Follower::bytes).sum();
     let largest = followers.iter().map(Follower::bytes).max().unwrap_or(0);
-    let active = |follower: &F| scene.fans().vertex_count() - follower.instance().taken_count();
+    let active = |follower: &F| scene.fans().vertex_count() - follower.instance().collapse_count();
     let active_count: usize = followers.iter().map(active).sum();
     println!(
         "  memory            {} in all, {} each, largest {}",

@@ -52,11 +52,11 @@ fn scattered(percent: u64, seed: u64) -> impl Fn(Overlap) -> bool {
 }
 
 fn inserted(model: &LoopPatterns, state: &LoopPatternsState) -> Vec<u32> {
-    (0..model.step_count() as u32).filter(|&step| state.is_inserted(step)).collect()
+    (0..model.step_count() as u32).filter(|&step| state.is_refined(step)).collect()
 }
 
 fn shows_what_is_inserted(mesh: &FragmentedMesh, state: &LoopPatternsState) {
-    shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_inserted(step));
+    shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
     let shown: BTreeSet<u32> = state.triangles().iter().flatten().copied().collect();
     assert!((0..mesh.mesh.vertex_count() as u32).all(|v| state.is_active(v) == shown.contains(&v)));
 }
@@ -148,16 +148,16 @@ fn closed_sets_are_shown_whatever_is_there_before() {
         for percent in [2, 30, 8, 70, 0, 15, 100, 4, 1, 50] {
             let set = random_closed_set(&mesh.fragments, percent, &mut random);
             let condition = |overlap: Overlap| set[overlap.upper as usize];
-            let before = adapted.inserted_count();
+            let before = adapted.split_count();
             let change = model.adapt(&mut adapted, &condition);
-            assert_eq!(before + change.inserted - change.removed, adapted.inserted_count());
-            assert!((0..set.len()).all(|step| adapted.is_inserted(step as u32) == set[step]));
+            assert_eq!(before + change.inserted - change.removed, adapted.split_count());
+            assert!((0..set.len()).all(|step| adapted.is_refined(step as u32) == set[step]));
             shows_what_is_inserted(&mesh, &adapted);
             // Nothing finer is wanted than what is below it, so that the two steps of the paper do as well.
-            let before = walked.inserted_count();
+            let before = walked.split_count();
             let gone = model.coarsen(&mut walked, &condition);
             let came = model.refine(&mut walked, &condition);
-            assert_eq!(before + came - gone, walked.inserted_count());
+            assert_eq!(before + came - gone, walked.split_count());
             assert!(walked == adapted);
         }
         model.move_to(&mut walked, model.step_count() / 3);
@@ -180,13 +180,13 @@ fn scattered_wishes_leave_nothing_too_coarse() {
             assert_eq!(model.adapt(&mut smallest, &condition), PatternChange::default());
             for shown in [&state, &smallest] {
                 shows_what_is_inserted(&mesh, shown);
-                let is_fine = |lower, upper| shown.is_inserted(upper) || !condition(Overlap { lower, upper });
+                let is_fine = |lower, upper| shown.is_refined(upper) || !condition(Overlap { lower, upper });
                 assert!(model.base_covers().iter().all(|&upper| is_fine(None, upper)));
                 for step in inserted(&model, shown) {
                     assert!(model.covering(step).all(|upper| is_fine(Some(step), upper)));
                 }
             }
-            assert!(inserted(&model, &smallest).iter().all(|&step| state.is_inserted(step)));
+            assert!(inserted(&model, &smallest).iter().all(|&step| state.is_refined(step)));
         }
         assert_eq!(model.adapt(&mut state, &|_: Overlap| true).removed, 0);
         assert!(state == model.new_state());
@@ -234,7 +234,7 @@ fn the_tight_form_comes_to_the_same_sets() {
             model.adapt(&mut state, &condition);
             instance.adapt(&tight, &condition);
             let steps = 0..model.step_count() as u32;
-            assert!(steps.clone().all(|step| state.is_inserted(step) == instance.is_inserted(step)));
+            assert!(steps.clone().all(|step| state.is_refined(step) == instance.is_refined(step)));
         }
     }
 }
@@ -246,7 +246,7 @@ fn an_inserted_fragment_brings_what_it_stands_on() {
         for step in (0..model.step_count() as u32).step_by(11) {
             let mut state = model.base_state();
             let count = model.insert(&mut state, step);
-            assert_eq!((count, model.insert(&mut state, step)), (state.inserted_count(), 0));
+            assert_eq!((count, model.insert(&mut state, step)), (state.split_count(), 0));
             assert_eq!(inserted(&model, &state).last(), Some(&step), "nothing finer is needed");
             shows_what_is_inserted(&mesh, &state);
         }

@@ -90,7 +90,7 @@ fn monotone(is_wanted: &[bool]) -> impl Fn(MtQuestion) -> bool {
 }
 
 fn set_of(model: &MultiTriangulation, state: &MultiTriangulationState) -> u32 {
-    let inserted = (0..model.step_count() as u32).filter(|&step| state.is_inserted(step));
+    let inserted = (0..model.step_count() as u32).filter(|&step| state.is_refined(step));
     inserted.fold(0, |set, step| set | 1 << step)
 }
 
@@ -140,14 +140,14 @@ fn coarsening_and_refining_come_to_the_same_where_wishes_are_nested() {
         for percent in [2, 30, 8, 70, 0, 15, 100, 4] {
             let set = random_closed_set(fragments, percent, &mut random);
             let condition = monotone(&set);
-            let before = walked.inserted_count();
+            let before = walked.split_count();
             let gone = model.coarsen(&mut walked, &condition);
             let came = model.refine(&mut walked, &condition);
-            assert_eq!(before + came - gone, walked.inserted_count());
+            assert_eq!(before + came - gone, walked.split_count());
             model.adapt(&mut adapted, &condition);
             assert!(adapted == walked, "another set, seed {seed}, {percent} percent");
             shows_a_set(fragments, adapted.triangles(), |step| set[step as usize]);
-            assert!((0..set.len()).all(|step| adapted.is_inserted(step as u32) == set[step]));
+            assert!((0..set.len()).all(|step| adapted.is_refined(step as u32) == set[step]));
         }
     }
 }
@@ -162,7 +162,7 @@ fn refining_leaves_nothing_too_coarse_for_any_condition() {
             model.coarsen(&mut state, &condition);
             model.refine(&mut state, &condition);
             model.adapt(&mut smallest, &condition);
-            shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_inserted(step));
+            shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
             for shown in [&state, &smallest] {
                 for &number in shown.triangle_numbers() {
                     let upper = model.triangles()[number as usize].upper;
@@ -171,7 +171,7 @@ fn refining_leaves_nothing_too_coarse_for_any_condition() {
                 }
             }
             let steps = 0..model.step_count() as u32;
-            assert!(steps.clone().all(|step| !smallest.is_inserted(step) || state.is_inserted(step)));
+            assert!(steps.clone().all(|step| !smallest.is_refined(step) || state.is_refined(step)));
         }
         model.move_to(&mut state, model.step_count() / 2);
         assert_eq!(model.split_count(&state), model.step_count() / 2);
@@ -186,10 +186,10 @@ fn an_inserted_fragment_brings_what_it_stands_on() {
         for step in (0..model.step_count() as u32).step_by(5) {
             let mut state = model.base_state();
             let count = model.insert(&mut state, step);
-            assert_eq!((count, model.insert(&mut state, step)), (state.inserted_count(), 0));
-            let top = (0..model.step_count() as u32).rev().find(|&step| state.is_inserted(step));
+            assert_eq!((count, model.insert(&mut state, step)), (state.split_count(), 0));
+            let top = (0..model.step_count() as u32).rev().find(|&step| state.is_refined(step));
             assert_eq!(top, Some(step), "nothing finer is needed");
-            shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_inserted(step));
+            shows_a_set(&mesh.fragments, state.triangles(), |step| state.is_refined(step));
         }
     }
 }

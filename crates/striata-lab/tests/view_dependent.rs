@@ -186,11 +186,11 @@ fn all_or_nothing_wanted_is_the_full_mesh_or_the_base() {
         for round in 0..4 {
             model.adapt(&mut state, &scattered(40, seed + round));
             let adapted = model.adapt(&mut state, &|_: &Part| 2.0);
-            assert!(adapted.taken_count == 0 && state == model.new_state());
+            assert!(adapted.collapse_count == 0 && state == model.new_state());
             model.adapt(&mut state, &scattered(40, seed + 9 + round));
             let before = model.split_count(&state);
             let adapted = model.adapt(&mut state, &|_: &Part| 0.0);
-            assert_eq!([adapted.undone_count, adapted.taken_count], [0, before]);
+            assert_eq!([adapted.split_count, adapted.collapse_count], [0, before]);
             assert!(state == model.base_state());
         }
     }

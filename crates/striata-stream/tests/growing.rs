@@ -10,7 +10,7 @@ use striata::mesh::{
     CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles, replay,
     shapes,
 };
-use striata::model::{FanBounds, FanFront, FanInstance, FanScene, Fans};
+use striata::model::{FanFront, FanInstance, FanScene, Fans};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::view::{Camera, Criterion, Part, ScreenError};
 use striata_stream::{
@@ -206,12 +206,12 @@ fn a_view_refines_what_it_wants_and_what_fans_need_for_that() {
                 let is_wanted = |step| criterion.weigh(&hierarchy.part(step)).is_wanted();
                 let expected = FanInstance::refined(&fans, is_wanted);
                 let is_same =
-                    (0..prefix.added.len() as u32).all(|s| expected.is_taken(s) != cut.is_refined(s));
+                    (0..prefix.added.len() as u32).all(|s| !expected.is_refined(s) != cut.is_refined(s));
                 assert!(is_same, "{} steps, seed {seed}", prefix.added.len());
                 let shown = triangles_of(&cut, hierarchy, prefix);
                 assert_eq!(update.triangle_count, shown.len());
                 let plain =
-                    selective_triangles(&refinable, &prefix.triangles, |step| expected.is_taken(step));
+                    selective_triangles(&refinable, &prefix.triangles, |step| !expected.is_refined(step));
                 assert_eq!(shown, canonical_triangles(&plain));
                 refined_count += cut.split_count();
             }
@@ -230,7 +230,7 @@ fn any_set_of_steps_is_completed_as_fans_complete_it() {
             for round in 0..4 {
                 cut.refine(hierarchy, &Whim(round), usize::MAX);
                 let expected = FanInstance::refined(&fans, |step| cut.is_refined(step));
-                assert_eq!(prefix.added.len() - expected.taken_count(), cut.split_count());
+                assert_eq!(expected.split_count(), cut.split_count());
                 let plain = selective_triangles(&refinable, &prefix.triangles, |step| !cut.is_refined(step));
                 assert_eq!(triangles_of(&cut, hierarchy, prefix), canonical_triangles(&plain));
             }
@@ -305,7 +305,7 @@ fn a_stream_grows_to_the_cuts_of_fans_of_its_mesh() {
             for round in 0..6 {
                 cut.refine(&hierarchy, &Whim(round), usize::MAX);
                 let expected = FanInstance::refined(&fans, |step| cut.is_refined(step));
-                assert_eq!(refinable.sequence.step_count() - expected.taken_count(), cut.split_count());
+                assert_eq!(expected.split_count(), cut.split_count());
                 let mut shown = Vec::new();
                 cut.triangles_into(&hierarchy, &decoder.prefix(), &mut shown);
                 let shown: Vec<_> = shown.into_iter().map(|(_, corners)| corners).collect();
@@ -357,8 +357,7 @@ fn views_show_few_more_triangles_than_with_bounds_built_from_the_leaves() {
         let ordered = Ordered::new(built.unwrap().refinable);
         let sequence = &ordered.refinable.sequence;
         let fans = Fans::build(&ordered.refinable);
-        let bounds = FanBounds::build(&fans, &ordered.refinable);
-        let scene = FanScene::new(&fans, &bounds, &ordered.refinable);
+        let scene = FanScene::new(&fans, &ordered.refinable);
         let whole = ordered.prefix(sequence.step_count());
         let (mut hierarchy, mut before) = (GrowingHierarchy::new(), ordered.prefix(0));
         for split_count in (0..sequence.step_count()).step_by(200).chain([sequence.step_count()]) {

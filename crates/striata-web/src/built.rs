@@ -2,7 +2,7 @@
 
 use striata::ProgressFn;
 use striata::mesh::{Bounds, IndexedMesh, RefinableMesh};
-use striata::model::{FanBounds, FanForm, FanFront, FanIndices, FanScene, Fans, LodModel};
+use striata::model::{FanForm, FanFront, FanIndices, FanScene, Fans, LodModel};
 use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use striata::view::{ScreenError, Sphere};
 use striata_io::{Source, read_bytes};
@@ -24,7 +24,6 @@ enum Last {
 pub(crate) struct Built {
     refinable: RefinableMesh,
     fans: Fans,
-    bounds: FanBounds,
     sphere: Sphere,
     front: Option<FanFront<ScreenError>>,
     last: Last,
@@ -35,15 +34,14 @@ impl Built {
     /// Builds the table of a mesh's fans.
     pub(crate) fn new(refinable: RefinableMesh) -> Self {
         let fans = Fans::build(&refinable);
-        let bounds = FanBounds::build(&fans, &refinable);
-        Self::of_parts(refinable, fans, bounds)
+        Self::of_parts(refinable, fans)
     }
 
-    pub(crate) fn of_parts(refinable: RefinableMesh, fans: Fans, bounds: FanBounds) -> Self {
-        let sphere = FanScene::new(&fans, &bounds, &refinable).sphere();
+    pub(crate) fn of_parts(refinable: RefinableMesh, fans: Fans) -> Self {
+        let sphere = FanScene::new(&fans, &refinable).sphere();
         let last = Last::Uniform(refinable.sequence.step_count());
         let indices = FanIndices::default();
-        Self { refinable, fans, bounds, sphere, front: None, last, indices }
+        Self { refinable, fans, sphere, front: None, last, indices }
     }
 
     /// Reads a whole mesh file, not packed, and simplifies it.
@@ -107,7 +105,7 @@ impl Built {
     /// Where such a camera sees nothing.
     pub(crate) fn show_view(&mut self, view: &View) -> Result<(Shown, bool), Failure> {
         let criterion = view.criterion()?.of_model(self.sphere);
-        let scene = FanScene::new(&self.fans, &self.bounds, &self.refinable);
+        let scene = FanScene::new(&self.fans, &self.refinable);
         let front = self.front.get_or_insert_with(|| FanFront::new(&scene));
         let update = match view.triangle_limit {
             0 => front.update(&scene, &criterion, usize::MAX),
@@ -125,8 +123,8 @@ impl Built {
             (Last::View, Some(front)) => {
                 let instance = front.instance();
                 let step_count = sequence.step_count();
-                let coarsest = (0..step_count).find(|&step| instance.is_taken(step as u32));
-                (step_count - instance.taken_count(), coarsest.unwrap_or(step_count))
+                let coarsest = (0..step_count).find(|&step| !instance.is_refined(step as u32));
+                (instance.split_count(), coarsest.unwrap_or(step_count))
             }
             (Last::Uniform(split_count), _) => (split_count, split_count),
             (Last::View, None) => (0, 0),

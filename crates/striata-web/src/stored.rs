@@ -26,7 +26,7 @@ pub(crate) fn read(file: &StriataFile<'_>) -> Result<Built, Failure> {
         groups: file.groups()?,
         ..IndexedMesh::default()
     };
-    if let Some((fans, _)) = &fans {
+    if let Some(fans) = &fans {
         let full = fans.new_state();
         for group in 0..fans.group_count() {
             begin_group(&mut mesh, group);
@@ -51,7 +51,7 @@ pub(crate) fn read(file: &StriataFile<'_>) -> Result<Built, Failure> {
         return Err(Failure::corrupt(format!("the file holds {found} triangles, but says {expected}")));
     }
     Ok(match fans {
-        Some((fans, bounds)) => Built::of_parts(refinable, fans, bounds),
+        Some(fans) => Built::of_parts(refinable, fans),
         None => Built::new(refinable),
     })
 }

@@ -5,7 +5,7 @@ use striata::ignore_progress;
 use striata::mesh::{
     AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, canonical_triangles, replay, shapes,
 };
-use striata::model::{FanBounds, Fans};
+use striata::model::Fans;
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata_io::{Format, to_bytes};
 use striata_stream::{StreamDecoder, StreamOptions, encode_stream, file_model};
@@ -261,8 +261,7 @@ fn files_come_built() {
 
     let refinable = build_sequence(&torus(), &SequenceOptions::default()).unwrap().refinable;
     let fans = Fans::build(&refinable);
-    let bounds = FanBounds::build(&fans, &refinable);
-    for models in [vec![], vec![FileModel::Fans(&fans, &bounds)]] {
+    for models in [vec![], vec![FileModel::Fans(&fans)]] {
         let bytes = to_striata(&refinable, &models, &WriteOptions::default()).unwrap();
         assert_eq!(StreamPlace::find(&bytes).unwrap().length, 0.0);
         let mut model = Model::read(bytes.clone(), "torus.striata", &mut ignore_progress).unwrap();

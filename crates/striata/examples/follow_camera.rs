@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         eprintln!(
             "frame {frame}: {} triangles, {} steps changed, {:.2} ms",
             view.triangle_count(),
-            update.undone_count + update.taken_count,
+            update.split_count + update.collapse_count,
             1e3 * started.elapsed().as_secs_f64()
         );
         // Draw view.indices() over the vertices of lod.mesh().

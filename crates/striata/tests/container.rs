@@ -9,7 +9,7 @@ use striata::file::{
 use striata::mesh::{
     AttributeLayer, Image, IndexedMesh, LayerData, RefinableMesh, Semantic, canonical_triangles, replay,
 };
-use striata::model::{FanBounds, FanFront, FanScene, Fans, LodModel, LodStrips, Mts, StripModel};
+use striata::model::{FanFront, FanScene, Fans, LodModel, LodStrips, ModelKind, Mts, StripModel};
 use striata::strip::{StripSet, stripify};
 use support::{
     Random, Whim, Wildness, grid, hub_cases, nasty, nasty_cases, random_refinable, seam_cases, surface_cases,
@@ -64,15 +64,9 @@ fn mts_of(refinable: &RefinableMesh) -> Mts<'static> {
     Mts::build(refinable, &strips).unwrap()
 }
 
-fn fans_of(refinable: &RefinableMesh) -> (Fans, FanBounds) {
-    let fans = Fans::build(refinable);
-    let bounds = FanBounds::build(&fans, refinable);
-    (fans, bounds)
-}
-
 fn bytes_of(refinable: &RefinableMesh) -> Vec<u8> {
-    let (model, mts, (fans, bounds)) = (model_of(refinable), mts_of(refinable), fans_of(refinable));
-    let models = [FileModel::LodStrips(&model), FileModel::Mts(&mts), FileModel::Fans(&fans, &bounds)];
+    let (model, mts, fans) = (model_of(refinable), mts_of(refinable), Fans::build(refinable));
+    let models = [FileModel::LodStrips(&model), FileModel::Mts(&mts), FileModel::Fans(&fans)];
     let options = WriteOptions::default().with_metadata("creator", "test");
     to_striata(refinable, &models, &options).unwrap()
 }
@@ -104,20 +98,20 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
     }
     file.level(file.summary().step_count / 2)?.check()?;
     if let Some(model) = file.fans() {
-        let (fans, bounds) = model?;
+        let fans = model?;
         for split_count in (0..=fans.step_count()).step_by(5) {
             let mut level = fans.new_state();
             fans.move_to(&mut level, split_count);
             file.level_of(&fans, &level)?.check()?;
         }
-        look_around(&refinable, &fans, &bounds);
+        look_around(&refinable, &fans);
     }
     Ok(())
 }
 
 /// A front over some views: no triangle has a corner that is not there, and the front knows how many there are.
-fn look_around(refinable: &RefinableMesh, fans: &Fans, bounds: &FanBounds) {
-    let scene = FanScene::new(fans, bounds, refinable);
+fn look_around(refinable: &RefinableMesh, fans: &Fans) {
+    let scene = FanScene::new(fans, refinable);
     let mut front = FanFront::new(&scene);
     for round in 0..6 {
         front.update(&scene, &Whim(round * 7919), [usize::MAX, 4][round as usize % 2]);
@@ -128,7 +122,10 @@ fn look_around(refinable: &RefinableMesh, fans: &Fans, bounds: &FanBounds) {
         let base = refinable.sequence.base_position_count() as u32;
         for &vertex in &indices {
             let step = positions.position_of(vertex).checked_sub(base);
-            assert!(step.is_none_or(|step| !front.instance().is_taken(step)), "vertex {vertex} is not there");
+            assert!(
+                step.is_none_or(|step| front.instance().is_refined(step)),
+                "vertex {vertex} is not there"
+            );
         }
         let level = front.instance().level(fans, refinable);
         assert_eq!(level.check(), Ok(()));
@@ -159,7 +156,7 @@ fn all_parts_come_back() {
     assert_eq!(found.sequence, refinable.sequence);
     assert_eq!(file.lod_strips().unwrap().unwrap(), model_of(&refinable));
     assert_eq!(file.mts().unwrap().unwrap(), mts_of(&refinable));
-    assert_eq!(file.fans().unwrap().unwrap(), fans_of(&refinable));
+    assert_eq!(file.fans().unwrap().unwrap(), Fans::build(&refinable));
     assert_eq!(file.metadata().unwrap(), [("creator".to_owned(), "test".to_owned())]);
     let summary = file.summary();
     assert_eq!(summary.triangle_count, refinable.mesh.triangle_count());
@@ -187,21 +184,21 @@ fn every_level_of_a_file_is_the_oracle() {
 fn fans_of_every_kind_of_mesh_come_back() {
     for case in nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases()) {
         let refinable = &case.refinable;
-        let (fans, bounds) = fans_of(refinable);
-        let models = [FileModel::Fans(&fans, &bounds)];
+        let fans = Fans::build(refinable);
+        let models = [FileModel::Fans(&fans)];
         let bytes = to_striata(refinable, &models, &WriteOptions::default()).unwrap();
         let file = StriataFile::parse(&bytes).unwrap();
-        let (found, found_bounds) = file.fans().unwrap().unwrap();
-        assert_eq!((&found, &found_bounds), (&fans, &bounds));
-        look_around(refinable, &found, &found_bounds);
+        let found = file.fans().unwrap().unwrap();
+        assert_eq!(found, fans);
+        look_around(refinable, &found);
     }
 }
 
 #[test]
 fn fans_alone_hold_the_triangles() {
     let refinable = rich();
-    let (fans, bounds) = fans_of(&refinable);
-    let bytes = to_striata(&refinable, &[FileModel::Fans(&fans, &bounds)], &WriteOptions::default()).unwrap();
+    let fans = Fans::build(&refinable);
+    let bytes = to_striata(&refinable, &[FileModel::Fans(&fans)], &WriteOptions::default()).unwrap();
     let file = StriataFile::parse(&bytes).unwrap();
     assert!(file.sections().iter().all(|section| section.kind != SectionKind::TRIANGLES));
     assert!(file.strips().is_none() && file.lod_strips().is_none() && file.mts().is_none());
@@ -216,13 +213,13 @@ fn fans_alone_hold_the_triangles() {
 #[test]
 fn a_file_is_the_same_without_its_fans() {
     let refinable = rich();
-    let (model, (fans, bounds)) = (model_of(&refinable), fans_of(&refinable));
+    let (model, fans) = (model_of(&refinable), Fans::build(&refinable));
     let old = [FileModel::LodStrips(&model)];
     let old = to_striata(&refinable, &old, &WriteOptions::default()).unwrap();
     assert!(StriataFile::parse(&old).unwrap().fans().is_none());
     for models in [
-        [FileModel::LodStrips(&model), FileModel::Fans(&fans, &bounds)],
-        [FileModel::Fans(&fans, &bounds), FileModel::LodStrips(&model)],
+        [FileModel::LodStrips(&model), FileModel::Fans(&fans)],
+        [FileModel::Fans(&fans), FileModel::LodStrips(&model)],
     ] {
         let new = to_striata(&refinable, &models, &WriteOptions::default()).unwrap();
         let files = [&old, &new].map(|bytes| StriataFile::parse(bytes).unwrap());
@@ -348,16 +345,16 @@ fn models_of_other_meshes_are_not_written() {
         triangles[group.range()].iter().for_each(|t| single.push(t));
         single.end_group();
     }
-    let (fans, bounds) = fans_of(&random_refinable(&grid(3, false), wildness, &mut Random::new(5)));
-    let error = to_striata(&refinable, &[FileModel::Fans(&fans, &bounds)], &WriteOptions::default());
-    assert!(matches!(error, Err(EncodeError::Model { model: "fans", what: "vertices", .. })));
-    let (fans, _) = fans_of(&refinable);
-    let error = to_striata(&refinable, &[FileModel::Fans(&fans, &bounds)], &WriteOptions::default());
-    assert!(matches!(error, Err(EncodeError::Model { model: "fans", what: "bounds", .. })));
+    let fans = Fans::build(&random_refinable(&grid(3, false), wildness, &mut Random::new(5)));
+    let error = to_striata(&refinable, &[FileModel::Fans(&fans)], &WriteOptions::default());
+    assert!(matches!(error, Err(EncodeError::Model { model: ModelKind::Fans, what: "vertices", .. })));
+    let fans = Fans::build_without_bounds(&refinable);
+    let error = to_striata(&refinable, &[FileModel::Fans(&fans)], &WriteOptions::default());
+    assert!(matches!(error, Err(EncodeError::Model { model: ModelKind::Fans, what: "bounds", .. })));
     let mts = Mts::build(&refinable, &single).unwrap();
     let models = [FileModel::LodStrips(&model), FileModel::Mts(&mts)];
     let error = to_striata(&refinable, &models, &WriteOptions::default());
-    assert!(matches!(error, Err(EncodeError::OtherStrips { model: "mts" })));
+    assert!(matches!(error, Err(EncodeError::OtherStrips { model: ModelKind::Mts })));
 }
 
 #[test]
@@ -409,8 +406,8 @@ proptest! {
         let mesh = if seed % 2 == 0 { with_seams_and_groups(grid(3, true)) } else { grid(5, false) };
         let wildness = Wildness { far_percent: 10, base_position_count: 4 };
         let refinable = random_refinable(&mesh, wildness, &mut Random::new(seed));
-        let (fans, bounds) = fans_of(&refinable);
-        let models = [FileModel::Fans(&fans, &bounds)];
+        let fans = Fans::build(&refinable);
+        let models = [FileModel::Fans(&fans)];
         let mut bytes = to_striata(&refinable, &models, &WriteOptions::default()).unwrap();
         let is_of_fans = |kind: SectionKind| kind.0.starts_with(b"FN") || kind == SectionKind::REMOVED;
         let sections = StriataFile::parse(&bytes).unwrap().sections().to_vec();
@@ -420,8 +417,8 @@ proptest! {
             bytes[candidates[place.index(candidates.len())] as usize] ^= byte;
         }
         with_sound_checksums(&mut bytes);
-        if let Some(Ok((fans, bounds))) = StriataFile::parse(&bytes).unwrap().fans() {
-            look_around(&refinable, &fans, &bounds);
+        if let Some(Ok(fans)) = StriataFile::parse(&bytes).unwrap().fans() {
+            look_around(&refinable, &fans);
         }
     }
 

@@ -3,7 +3,7 @@
 mod support;
 
 use striata::mesh::{RefinableMesh, canonical_triangles};
-use striata::model::{FanBounds, FanFront, FanInstance, FanScene, Fans, LodModel};
+use striata::model::{FanFront, FanInstance, FanScene, Fans, LodModel};
 use striata::view::{Camera, Criterion, Fovea, Part, ScreenError, Sphere, Verdict};
 use support::{Random, Whim, nasty_cases, seam_cases, selective_triangles, surface_cases};
 
@@ -59,15 +59,9 @@ fn variant(criterion: ScreenError, kind: usize, sphere: Sphere) -> ScreenError {
     }
 }
 
-fn stage(refinable: &RefinableMesh) -> (Fans, FanBounds) {
-    let fans = Fans::build(refinable);
-    let bounds = FanBounds::build(&fans, refinable);
-    (fans, bounds)
-}
-
 fn follow(refinable: &RefinableMesh, kind: usize, seed: u64) -> [usize; 2] {
-    let (fans, bounds) = stage(refinable);
-    let scene = FanScene::new(&fans, &bounds, refinable);
+    let fans = Fans::build(refinable);
+    let scene = FanScene::new(&fans, refinable);
     let mut walk = Walk::new(scene.sphere(), seed);
     let mut front = FanFront::new(&scene);
     let mut fresh = FanInstance::full(&fans);
@@ -82,7 +76,7 @@ fn follow(refinable: &RefinableMesh, kind: usize, seed: u64) -> [usize; 2] {
         fresh.indices_into(&fans, &mut indices);
         assert_eq!(front.triangle_count(), indices.len() / 3);
         asked += update.asked_count;
-        listed += fans.step_count() - fresh.taken_count();
+        listed += fresh.split_count();
     }
     [asked, listed]
 }
@@ -99,8 +93,8 @@ fn most_of_what_is_there_is_not_asked_again() {
     let mesh = striata::mesh::shapes::uv_sphere(60, 60, 1.0);
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let refinable = built.unwrap().refinable;
-    let (fans, bounds) = stage(&refinable);
-    let scene = FanScene::new(&fans, &bounds, &refinable);
+    let fans = Fans::build(&refinable);
+    let scene = FanScene::new(&fans, &refinable);
     let mut front = FanFront::new(&scene);
     let (mut asked, mut active) = (0, 0);
     for frame in 0..200 {
@@ -109,7 +103,7 @@ fn most_of_what_is_there_is_not_asked_again() {
         let update =
             front.update(&scene, &ScreenError::new(camera, 1.0).of_model(scene.sphere()), usize::MAX);
         asked += if frame > 0 { update.asked_count } else { 0 };
-        active += fans.step_count() - front.instance().taken_count();
+        active += front.instance().split_count();
     }
     assert!(active > 40_000 && asked < active / 4, "{asked} asked where {active} were there");
 }
@@ -117,8 +111,8 @@ fn most_of_what_is_there_is_not_asked_again() {
 #[test]
 fn no_more_changes_than_allowed_and_the_view_is_reached_in_the_end() {
     for case in surface_cases().chain(seam_cases()) {
-        let (fans, bounds) = stage(&case.refinable);
-        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let fans = Fans::build(&case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable);
         let mut walk = Walk::new(scene.sphere(), case.seed);
         let mut front = FanFront::new(&scene);
         for limit in [1, 2, 3, 7, 50] {
@@ -144,8 +138,8 @@ fn no_more_changes_than_allowed_and_the_view_is_reached_in_the_end() {
 #[test]
 fn views_that_were_never_reached_leave_nothing_behind() {
     for case in surface_cases().chain(seam_cases()) {
-        let (fans, bounds) = stage(&case.refinable);
-        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let fans = Fans::build(&case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable);
         let mut walk = Walk::new(scene.sphere(), case.seed);
         let mut front = FanFront::new(&scene);
         let mut fresh = FanInstance::full(&fans);
@@ -164,8 +158,8 @@ fn views_that_were_never_reached_leave_nothing_behind() {
 #[test]
 fn a_criterion_without_sense_leads_to_levels_without_cracks() {
     for case in nasty_cases().chain(surface_cases()).chain(seam_cases()) {
-        let (fans, bounds) = stage(&case.refinable);
-        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let fans = Fans::build(&case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable);
         let mut front = FanFront::new(&scene);
         for round in 0..20 {
             front.update(&scene, &Whim(round * 7919), [usize::MAX, 5][round as usize % 2]);
@@ -173,7 +167,7 @@ fn a_criterion_without_sense_leads_to_levels_without_cracks() {
             let mut indices = Vec::new();
             instance.indices_into(&fans, &mut indices);
             let full = &case.refinable.mesh.triangles;
-            let expected = selective_triangles(&case.refinable, full, |step| instance.is_taken(step));
+            let expected = selective_triangles(&case.refinable, full, |step| !instance.is_refined(step));
             assert_eq!(canonical_triangles(indices.as_chunks().0), canonical_triangles(&expected));
             assert_eq!(front.triangle_count(), indices.len() / 3);
         }
@@ -197,8 +191,8 @@ fn triangle_count(fans: &Fans, instance: &FanInstance) -> usize {
 fn a_budget_is_used_for_what_weighs_most() {
     let mut bound = 0;
     for case in surface_cases().chain(seam_cases()) {
-        let (fans, bounds) = stage(&case.refinable);
-        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let fans = Fans::build(&case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable);
         let mut walk = Walk::new(scene.sphere(), case.seed);
         let mut front = FanFront::new(&scene);
         let full = triangle_count(&fans, &FanInstance::full(&fans));
@@ -211,8 +205,14 @@ fn a_budget_is_used_for_what_weighs_most() {
             let [least, more] =
                 [1.0, 1.0 - 1e-6].map(|x| of_threshold(&scene, &criterion, update.threshold * x));
             for step in 0..fans.step_count() as u32 {
-                assert!(least.is_taken(step) || !front.instance().is_taken(step), "step {step} is missing");
-                assert!(front.instance().is_taken(step) || !more.is_taken(step), "step {step} is too much");
+                assert!(
+                    !least.is_refined(step) || front.instance().is_refined(step),
+                    "step {step} is missing"
+                );
+                assert!(
+                    !front.instance().is_refined(step) || more.is_refined(step),
+                    "step {step} is too much"
+                );
             }
             assert!(front.triangle_count() <= limit.max(fans.base_triangle_count()));
             if update.threshold > 1.0 {
@@ -228,8 +228,8 @@ fn a_budget_is_used_for_what_weighs_most() {
 #[test]
 fn a_budget_and_a_tolerance_may_take_turns() {
     for case in surface_cases() {
-        let (fans, bounds) = stage(&case.refinable);
-        let scene = FanScene::new(&fans, &bounds, &case.refinable);
+        let fans = Fans::build(&case.refinable);
+        let scene = FanScene::new(&fans, &case.refinable);
         let mut walk = Walk::new(scene.sphere(), case.seed);
         let mut front = FanFront::new(&scene);
         for round in 0..12 {
@@ -253,8 +253,8 @@ fn sphere_stage() -> RefinableMesh {
 #[test]
 fn what_waits_for_its_turn_waits_once() {
     let refinable = sphere_stage();
-    let (fans, bounds) = stage(&refinable);
-    let scene = FanScene::new(&fans, &bounds, &refinable);
+    let fans = Fans::build(&refinable);
+    let scene = FanScene::new(&fans, &refinable);
     let mut front = FanFront::new(&scene);
     let all = |_: &Part| 2.0;
     front.update(&scene, &all, 3);
@@ -272,8 +272,8 @@ fn what_waits_for_its_turn_waits_once() {
 #[test]
 fn a_far_journey_makes_no_verdict_last_longer() {
     let refinable = sphere_stage();
-    let (fans, bounds) = stage(&refinable);
-    let scene = FanScene::new(&fans, &bounds, &refinable);
+    let fans = Fans::build(&refinable);
+    let scene = FanScene::new(&fans, &refinable);
     let mut front = FanFront::new(&scene);
     let mut fresh = FanInstance::full(&fans);
     let see = |eye: [f32; 3]| {
@@ -292,8 +292,8 @@ fn a_far_journey_makes_no_verdict_last_longer() {
 }
 
 fn changes_at_once(refinable: &RefinableMesh, pixels: f32, scale: f32) -> usize {
-    let (fans, bounds) = stage(refinable);
-    let scene = FanScene::new(&fans, &bounds, refinable);
+    let fans = Fans::build(refinable);
+    let scene = FanScene::new(&fans, refinable);
     let eye = [0.0, 0.0, 3.0 * scale];
     let camera = Camera::new(eye, [0.0; 3], [0.0, 1.0, 0.0], 0.5, [1000, 1000]).unwrap();
     let criterion = ScreenError::new(camera, pixels).of_model(scene.sphere());
@@ -344,8 +344,8 @@ impl Criterion for Numberless {
 #[test]
 fn a_verdict_that_lasts_for_no_number_is_asked_again() {
     let case = surface_cases().next().unwrap();
-    let (fans, bounds) = stage(&case.refinable);
-    let scene = FanScene::new(&fans, &bounds, &case.refinable);
+    let fans = Fans::build(&case.refinable);
+    let scene = FanScene::new(&fans, &case.refinable);
     let mut front = FanFront::new(&scene);
     front.update(&scene, &Numberless(0.0), usize::MAX);
     assert_eq!(front.instance(), &FanInstance::uniform(&fans, 0));

@@ -34,7 +34,7 @@ fn follow(case: &Case) {
         }
         let before = live.shown().clone();
         let changed =
-            (0..fans.step_count() as u32).filter(|&s| before.is_taken(s) != instance.is_taken(s)).count();
+            (0..fans.step_count() as u32).filter(|&s| before.is_refined(s) != instance.is_refined(s)).count();
         assert_eq!(live.follow(&fans, sequence, &instance), changed);
         check(&fans, &live, &instance);
     }

@@ -15,12 +15,12 @@ fn check_instance(refinable: &RefinableMesh, fans: &Fans, instance: &FanInstance
         let mut found = Vec::new();
         instance.group_indices_into(fans, g, &mut found);
         let triangles = &refinable.mesh.triangles[group.range()];
-        let expected = selective_triangles(refinable, triangles, |step| instance.is_taken(step));
+        let expected = selective_triangles(refinable, triangles, |step| !instance.is_refined(step));
         assert_eq!(
             canonical_triangles(found.as_chunks().0),
             canonical_triangles(&expected),
             "group {g} with {} of {} steps taken",
-            instance.taken_count(),
+            instance.collapse_count(),
             fans.step_count()
         );
     }
@@ -50,16 +50,16 @@ fn wander(refinable: &RefinableMesh, fans: &Fans, change_count: usize, random: &
     check_instance(refinable, fans, &instance);
     for change in 0..if step_count == 0 { 0 } else { change_count } {
         let step = random.below(step_count) as u32;
-        let before = instance.taken_count();
+        let before = instance.collapse_count();
         let drift = if change / 8 % 2 == 0 { 75 } else { 25 };
         if random.below(100) < drift {
             let count = instance.collapse(fans, step);
-            assert!(instance.is_taken(step));
-            assert_eq!(instance.taken_count(), before + count);
+            assert!(!instance.is_refined(step));
+            assert_eq!(instance.collapse_count(), before + count);
         } else {
             let count = instance.split(fans, step);
-            assert!(!instance.is_taken(step));
-            assert_eq!(instance.taken_count(), before - count);
+            assert!(instance.is_refined(step));
+            assert_eq!(instance.collapse_count(), before - count);
         }
         check_instance(refinable, fans, &instance);
     }
@@ -105,14 +105,14 @@ fn refining_undoes_what_is_wanted_and_no_more_than_that_needs() {
         check_instance(&case.refinable, &fans, &instance);
         check_level(&case.refinable, &fans, &instance);
         for step in 0..fans.step_count() as u32 {
-            assert!(!(wanted[step as usize] && instance.is_taken(step)), "step {step} was wanted");
-            if instance.is_taken(step) {
+            assert!(!(wanted[step as usize] && !instance.is_refined(step)), "step {step} was wanted");
+            if !instance.is_refined(step) {
                 continue;
             }
             // Taken again, an undone step takes along one that was wanted: none was undone for nothing.
             let mut less = instance.clone();
             less.collapse(&fans, step);
-            let lost = (0..fans.step_count()).any(|s| wanted[s] && less.is_taken(s as u32));
+            let lost = (0..fans.step_count()).any(|s| wanted[s] && !less.is_refined(s as u32));
             assert!(lost, "step {step} was undone for nothing");
         }
     }

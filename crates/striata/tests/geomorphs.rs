@@ -125,10 +125,10 @@ fn check_between(case: &Case) {
         let morph = Geomorph::between(&refinable.sequence, &from, &to);
         let all = drawn(&fans, morph.drawn());
         let proper = |t: &[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-        let mut union = oracle(refinable, |step| from.is_taken(step) && to.is_taken(step));
+        let mut union = oracle(refinable, |step| !from.is_refined(step) && !to.is_refined(step));
         union.retain(proper);
         assert_eq!(canonical_triangles(&all), canonical_triangles(&union));
-        let ends = [&from, &to].map(|instance| oracle(refinable, |step| instance.is_taken(step)));
+        let ends = [&from, &to].map(|instance| oracle(refinable, |step| !instance.is_refined(step)));
         check_blend(refinable, &morph, &all, [&ends[0], &ends[1]]);
         assert!(Geomorph::between(&refinable.sequence, &from, &from).bytes() == 0);
     }
@@ -183,7 +183,7 @@ fn attributes_stay_on_their_side_of_a_seam() {
                 morph.blend_into(blend, own, &mut places);
                 morph.blend_layer_into(blend, uv, &mut mixed);
                 let found = all.iter().map(|t| t.map(|v| corner(v, places[v as usize], &mixed)));
-                let expected = oracle(refinable, |step| end.is_taken(step));
+                let expected = oracle(refinable, |step| !end.is_refined(step));
                 let expected = expected.iter().map(|t| t.map(|v| corner(v, own[v as usize], &uvs)));
                 assert_eq!(seen(found), seen(expected));
             }
@@ -233,7 +233,7 @@ fn shown_places(refinable: &RefinableMesh, morphs: &FanMorphs, factors: &mut Vec
     factors.clear();
     factors.extend((0..own.len() as u32).map(|v| {
         let step = sequence.positions().position_of(v).checked_sub(base);
-        if step.is_some_and(|step| morphs.drawn().is_taken(step)) { 0.0 } else { 1.0 }
+        if step.is_some_and(|step| !morphs.drawn().is_refined(step)) { 0.0 } else { 1.0 }
     }));
     let mut reached = 0;
     for moving in morphs.moving(sequence) {
@@ -284,7 +284,7 @@ fn check_running(case: &Case, frame_count: u16) {
         check_motion(refinable, frame_count, [&old, &places], [&old_factors, &factors]);
         if still >= usize::from(frame_count) {
             assert_eq!((morphs.drawn(), morphs.moving_count()), (&wanted, 0), "at rest after its frames");
-            let level = oracle(refinable, |step| wanted.is_taken(step));
+            let level = oracle(refinable, |step| !wanted.is_refined(step));
             assert_eq!(found, seen(at_places(&level, own)));
         }
         (old, old_factors) = (places, factors.clone());

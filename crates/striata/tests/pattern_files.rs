@@ -10,7 +10,7 @@ use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, RefinableMesh,
     canonical_triangles, replay, replay_fragments,
 };
-use striata::model::{LodModel, Overlap, PatternBounds, PatternInstance, Patterns};
+use striata::model::{LodModel, Overlap, PatternInstance, Patterns};
 use support::{
     Random, Wildness, grid, hub_cases, nasty_cases, random_refinable, seam_cases, surface_cases,
     with_seams_and_groups, with_sound_checksums,
@@ -19,22 +19,21 @@ use support::{
 struct WithPatterns {
     fragmented: FragmentedMesh,
     patterns: Patterns,
-    bounds: PatternBounds,
 }
 
 fn patterns_of(refinable: &RefinableMesh) -> WithPatterns {
     let fragmented = FragmentedMesh::from_collapses(refinable);
-    let (patterns, bounds) = (Patterns::build(&fragmented).unwrap(), PatternBounds::build(&fragmented));
-    WithPatterns { fragmented, patterns, bounds }
+    let patterns = Patterns::build(&fragmented).unwrap();
+    WithPatterns { fragmented, patterns }
 }
 
 /// Beside collapses, and in a file without any.
 fn both_files(refinable: &RefinableMesh) -> [Vec<u8>; 2] {
-    let WithPatterns { fragmented, patterns, bounds } = patterns_of(refinable);
-    let models = [FileModel::Patterns(&patterns, &bounds)];
+    let WithPatterns { fragmented, patterns } = patterns_of(refinable);
+    let models = [FileModel::Patterns(&patterns)];
     let with_collapses = to_striata(refinable, &models, &WriteOptions::default()).unwrap();
     let mut alone = Vec::new();
-    write_fragments(&fragmented, (&patterns, &bounds), &WriteOptions::default(), &mut alone).unwrap();
+    write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut alone).unwrap();
     [with_collapses, alone]
 }
 
@@ -42,12 +41,12 @@ fn both_files(refinable: &RefinableMesh) -> [Vec<u8>; 2] {
 fn patterns_of_every_kind_of_mesh_come_back() {
     for case in nasty_cases().chain(surface_cases()).chain(seam_cases()).chain(hub_cases().take(1)) {
         let refinable = &case.refinable;
-        let WithPatterns { patterns, bounds, .. } = patterns_of(refinable);
+        let WithPatterns { patterns, .. } = patterns_of(refinable);
         for (bytes, has_collapses) in both_files(refinable).iter().zip([true, false]) {
             let file = StriataFile::parse(bytes).unwrap();
             assert_eq!(file.has_collapses(), has_collapses);
-            let (found, found_bounds) = file.patterns().unwrap().unwrap();
-            assert_eq!((&found, &found_bounds), (&patterns, &bounds));
+            let found = file.patterns().unwrap().unwrap();
+            assert_eq!(found, patterns);
             assert_eq!(&file.levels().unwrap(), refinable.sequence.levels());
             for split_count in (0..=refinable.sequence.step_count())
                 .step_by(case.stride.max(1 + refinable.sequence.step_count() / 12))
@@ -118,7 +117,7 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
     file.fragmented_mesh()?.mesh.check()?;
     file.level(file.summary().step_count / 2)?.check()?;
     if let Some(patterns) = patterns {
-        look_around(&patterns?.0);
+        look_around(&patterns?);
     }
     Ok(())
 }
@@ -152,7 +151,7 @@ fn no_damaged_number_leaves_patterns_that_contradict_themselves() {
                 damaged[place as usize] ^= change;
                 with_sound_checksums(&mut damaged);
                 let file = StriataFile::parse(&damaged).unwrap();
-                let Ok((patterns, _)) = file.patterns().unwrap() else { continue };
+                let Ok(patterns) = file.patterns().unwrap() else { continue };
                 let fragments = patterns.unpack(vec![0.0; patterns.fragment_count()]).unwrap();
                 let again = FragmentedMesh { mesh: mesh.clone(), fragments };
                 assert_eq!(Patterns::build(&again).unwrap(), patterns, "byte {place} changed by {change}");
@@ -175,9 +174,9 @@ fn more_triangles_than_a_file_may_stand_for_are_not_written() {
         let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let mesh = IndexedMesh::new(corners.to_vec(), vec![[0, 1, 3]; count]);
         let fragmented = FragmentedMesh { mesh, fragments: fragments.unwrap() };
-        let (patterns, bounds) = (Patterns::build(&fragmented).unwrap(), PatternBounds::build(&fragmented));
+        let patterns = Patterns::build(&fragmented).unwrap();
         let mut out = Vec::new();
-        let written = write_fragments(&fragmented, (&patterns, &bounds), &WriteOptions::default(), &mut out);
+        let written = write_fragments(&fragmented, &patterns, &WriteOptions::default(), &mut out);
         assert_eq!(written.is_ok(), is_stored, "{count}: {written:?}");
     }
 }

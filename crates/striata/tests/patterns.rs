@@ -7,7 +7,7 @@ use striata::mesh::{
     Face, Fragment, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex, Random,
     canonical_triangles, fragment_faces,
 };
-use striata::model::{Overlap, PatternBounds, PatternInstance, PatternScene, Patterns, Wanted};
+use striata::model::{Overlap, PatternInstance, PatternScene, Patterns, Wanted};
 use striata::view::{Camera, Criterion, DetailBox, ScreenError};
 use support::{
     Case, Wildness, closed_sets, follows_the_fragments, follows_the_oracle, fragment_cases, grid, hub_cases,
@@ -16,7 +16,7 @@ use support::{
 
 /// Compares what an instance shows with the oracle, group by group.
 fn shows_its_set(fragments: &FragmentSequence, instance: &PatternInstance, group_count: u32) {
-    let there = fragment_faces(fragments, |step| instance.is_inserted(step));
+    let there = fragment_faces(fragments, |step| instance.is_refined(step));
     assert_eq!(instance.triangle_count(), there.len());
     for group in 0..group_count {
         let faces = there.iter().map(|&face| fragments.faces()[face as usize]);
@@ -48,15 +48,15 @@ fn follows_any_way_of_fragments(fragmented: &FragmentedMesh, patterns: &Patterns
     let mut instance = PatternInstance::base(patterns);
     for _ in 0..24 {
         let step = random.below(step_count as u32);
-        let count = instance.inserted_count();
+        let count = instance.split_count();
         if random.below(2) == 0 {
             let inserted = instance.insert(patterns, step);
-            assert!(instance.is_inserted(step));
-            assert_eq!(instance.inserted_count(), count + inserted);
+            assert!(instance.is_refined(step));
+            assert_eq!(instance.split_count(), count + inserted);
         } else {
             let removed = instance.remove(patterns, step);
-            assert!(!instance.is_inserted(step));
-            assert_eq!(instance.inserted_count() + removed, count);
+            assert!(!instance.is_refined(step));
+            assert_eq!(instance.split_count() + removed, count);
         }
         shows_its_set(&fragmented.fragments, &instance, group_count);
     }
@@ -135,7 +135,7 @@ fn what_a_condition_leads_to_is_the_smallest_set_that_satisfies_it() {
                 condition(Overlap { lower: face.and_then(|face| fragments.maker(face)), upper })
             });
             instance.adapt(&patterns, &condition);
-            let found = (0..fragments.step_count() as u32).filter(|&step| instance.is_inserted(step));
+            let found = (0..fragments.step_count() as u32).filter(|&step| instance.is_refined(step));
             assert_eq!(found.fold(0, |set, step| set | 1 << step), smallest);
             sets_seen += usize::from(smallest != 0);
         }
@@ -158,7 +158,7 @@ fn with_errors_as_condition_both_algorithms_agree() {
             let refined = one.refine(&patterns, &condition);
             let change = other.adapt(&patterns, &condition);
             assert_eq!(one, other, "{coarsened} removed and {refined} inserted, or {change:?}");
-            assert_eq!(one.inserted_count(), limit as usize);
+            assert_eq!(one.split_count(), limit as usize);
         }
     }
 }
@@ -173,7 +173,7 @@ fn holds_what_is_wanted(patterns: &Patterns, scene: PatternScene<'_>, criterion:
             expected.insert(patterns, step);
         }
     }
-    assert_eq!(instance, expected, "{} fragments, {}", instance.inserted_count(), expected.inserted_count());
+    assert_eq!(instance, expected, "{} fragments, {}", instance.split_count(), expected.split_count());
     instance.triangle_count()
 }
 
@@ -183,9 +183,8 @@ fn views_and_boxes_find_all_that_they_want() {
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
     let patterns = Patterns::build(&fragmented).unwrap();
-    let bounds = PatternBounds::build(&fragmented);
     let positions = &fragmented.mesh.positions;
-    let scene = PatternScene::new(&patterns, &bounds, positions);
+    let scene = PatternScene::new(&patterns, positions);
     let all = fragmented.mesh.bounds().unwrap();
     let full = fragmented.mesh.triangle_count();
     let base = fragmented.fragments.levels().triangle_count_at(0);
@@ -212,8 +211,7 @@ fn a_box_shows_full_detail() {
     let built = striata::simplify::build_sequence(&mesh, &Default::default());
     let fragmented = FragmentedMesh::from_collapses(&built.unwrap().refinable);
     let patterns = Patterns::build(&fragmented).unwrap();
-    let bounds = PatternBounds::build(&fragmented);
-    let scene = PatternScene::new(&patterns, &bounds, &fragmented.mesh.positions);
+    let scene = PatternScene::new(&patterns, &fragmented.mesh.positions);
     let all = fragmented.mesh.bounds().unwrap();
     let max = std::array::from_fn(|a| if a == 2 { all.max[a] } else { 0.6 * all.min[a] + 0.4 * all.max[a] });
     let detail = DetailBox { min: all.min, max, error_outside: f32::INFINITY };
@@ -310,8 +308,7 @@ fn errors_that_rise_and_fall_are_found() {
     let errors = (0..fragmented.fragments.step_count()).map(|_| random.below(1000) as f32 * 0.001);
     fragmented.fragments = fragmented.fragments.with_floor_errors(errors.collect()).unwrap();
     let patterns = Patterns::build(&fragmented).unwrap();
-    let bounds = PatternBounds::build(&fragmented);
-    let scene = PatternScene::new(&patterns, &bounds, &fragmented.mesh.positions);
+    let scene = PatternScene::new(&patterns, &fragmented.mesh.positions);
     for error_outside in [0.5, 0.9, 0.99, 0.998] {
         let detail = DetailBox { min: [9e9; 3], max: [9e9; 3], error_outside };
         holds_what_is_wanted(&patterns, scene, &detail);

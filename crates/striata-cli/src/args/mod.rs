@@ -7,6 +7,7 @@ mod strips;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use striata::model::ModelKind;
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
 use striata_command::args::{
@@ -336,7 +337,7 @@ impl BuildArgs {
 
     /// The models asked for, as they were spelled.
     pub(crate) fn model_names(&self) -> Vec<String> {
-        if self.stream { vec!["progressive".to_owned()] } else { self.models.clone() }
+        if self.stream { vec![ModelKind::Progressive.to_string()] } else { self.models.clone() }
     }
 
     /// The strips that are made where nothing is asked for.

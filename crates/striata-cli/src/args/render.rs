@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
+use striata::model::ModelKind;
 
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
@@ -96,16 +98,11 @@ pub(crate) struct RenderArgs {
 }
 
 /// What hands over the triangles that are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DrawnModel {
-    /// Strips, edited in place
-    #[value(name = "lodstrips")]
-    LodStrips,
-    /// Strips, walked anew
-    Mts,
-    /// Fans, as a list of triangles
-    Fans,
-    /// The mesh itself
+    /// A model of the file, or one that is built.
+    Model(ModelKind),
+    /// The mesh itself.
     List,
 }
 
@@ -113,11 +110,33 @@ impl DrawnModel {
     /// As the flag spells it.
     pub(crate) const fn as_str(self) -> &'static str {
         match self {
-            Self::LodStrips => "lodstrips",
-            Self::Mts => "mts",
-            Self::Fans => "fans",
+            Self::Model(kind) => kind.as_str(),
             Self::List => "list",
         }
+    }
+}
+
+impl ValueEnum for DrawnModel {
+    fn value_variants<'a>() -> &'a [Self] {
+        const {
+            &[
+                Self::Model(ModelKind::LodStrips),
+                Self::Model(ModelKind::Mts),
+                Self::Model(ModelKind::Fans),
+                Self::List,
+            ]
+        }
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let help = match self {
+            Self::Model(ModelKind::LodStrips) => "Strips, edited in place",
+            Self::Model(ModelKind::Mts) => "Strips, walked anew",
+            Self::Model(ModelKind::Fans) => "Fans, as a list of triangles",
+            Self::Model(_) => return None,
+            Self::List => "The mesh itself",
+        };
+        Some(PossibleValue::new(self.as_str()).help(help))
     }
 }
 

@@ -61,8 +61,8 @@ impl<E: Into<Failure>> From<E> for Unbuilt {
 const ENTRIES: [Entry; 13] = [
     Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips))),
     Entry::new("mts", |given| built(|| Mts::build(given.refinable, given.strips))),
-    Entry::new("fans", |given| built(|| Ok::<_, Failure>(Fans::build(given.refinable)))),
-    Entry::new("patterns", |given| built(|| Patterns::build(given.fragmented))),
+    Entry::new("fans", |given| built(|| Ok::<_, Failure>(Fans::build_without_bounds(given.refinable)))),
+    Entry::new("patterns", |given| built(|| Patterns::build_without_bounds(given.fragmented))),
     Entry::new("lodstrips-original", |given| {
         built(|| OriginalLodStrips::build(given.refinable, given.strips))
     }),

@@ -63,7 +63,7 @@ pub fn file_model(stream: &[u8]) -> Result<FileModel<'_>, EncodeError> {
     });
     let (found, expected) = (stream.len(), usize::try_from(facts.stream_bytes).unwrap_or(usize::MAX));
     if found != expected {
-        return Err(EncodeError::Model { model: model.name(), what: "bytes", found, expected });
+        return Err(EncodeError::Model { model: model.kind(), what: "bytes", found, expected });
     }
     Ok(model)
 }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use striata::model::ModelKind;
 
 use striata_command::args::{Colouring, Count, DriverArgs, Viewport, parse_detail};
 use striata_command::failure::Failure;
@@ -43,7 +44,7 @@ pub struct WindowArgs {
 pub struct FirstArgs {
     /// Which model makes the triangles; one that the file lacks is built
     #[arg(long, value_name = "NAME")]
-    pub model: Option<ShownModelArg>,
+    pub model: Option<ShownModel>,
     /// Share of the vertex splits from the base mesh (0) to the full mesh (1)
     #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_detail, group = "first_level")]
     pub detail: Option<f64>,
@@ -87,18 +88,21 @@ pub enum ThemeArg {
 
 /// Models that the window shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ShownModelArg {
+pub enum ShownModel {
     /// Strips edited in place
-    #[value(name = "lodstrips")]
+    #[value(name = ModelKind::LodStrips.as_str())]
     LodStrips,
     /// Strips walked anew
+    #[value(name = ModelKind::Mts.as_str())]
     Mts,
     /// Fans, which follow the view
+    #[value(name = ModelKind::Fans.as_str())]
     Fans,
     /// Fans, extracted in a compute shader
     #[value(name = "fans-gpu")]
     FansGpu,
     /// Fragments, which follow the view
+    #[value(name = ModelKind::Patterns.as_str())]
     Patterns,
     /// A list of triangles
     List,

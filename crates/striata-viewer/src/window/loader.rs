@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use striata::mesh::weld;
 use striata::{Progress, ProgressFn};
 
-use super::state::ModelKind;
+use super::args::ShownModel;
 use super::subject::{Origin, StoredModels, Subject};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -24,9 +24,9 @@ pub(super) type Waker = Arc<dyn Fn() + Send + Sync>;
 #[derive(Clone, Debug)]
 pub(super) enum Task {
     /// A file, with the model that is to be shown first.
-    Open(PathBuf, ModelKind),
+    Open(PathBuf, ShownModel),
     /// A model of what is shown.
-    Build(Arc<Subject>, ModelKind),
+    Build(Arc<Subject>, ShownModel),
 }
 
 /// What a job came to: the subject with its model, or the failure that people are told of.
@@ -144,7 +144,12 @@ impl Reporter {
 }
 
 /// Reads a file of levels, or a mesh and makes its levels.
-fn open(path: &Path, model: ModelKind, output: &Output, reporter: &mut Reporter) -> Result<Subject, Failure> {
+fn open(
+    path: &Path,
+    model: ShownModel,
+    output: &Output,
+    reporter: &mut Reporter,
+) -> Result<Subject, Failure> {
     reporter.phase("read");
     let input = Input::open(path)?;
     let origin = Origin { name: input.file_name(), kind: input.kind(), file_bytes: input.file_bytes() };
@@ -160,7 +165,7 @@ fn open(path: &Path, model: ModelKind, output: &Output, reporter: &mut Reporter)
         Subject::new(origin, sequenced.steps, StoredModels::default())
     };
     reporter.phase("models");
-    subject.build(if subject.has_collapses() { model } else { ModelKind::Patterns })?;
+    subject.build(if subject.has_collapses() { model } else { ShownModel::Patterns })?;
     Ok(subject)
 }
 

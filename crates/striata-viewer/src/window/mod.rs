@@ -28,9 +28,9 @@ use std::sync::Arc;
 use winit::event_loop::EventLoop;
 
 use self::app::{App, Wake, WindowPlan};
-pub use self::args::{FirstArgs, ShownModelArg, ThemeArg, WindowArgs};
+pub use self::args::{FirstArgs, ShownModel, ThemeArg, WindowArgs};
 use self::orbit::Up;
-use self::state::{Colours, GoalKind, ModelKind, ViewerState};
+use self::state::{Colours, GoalKind, ViewerState};
 use self::system_error::without_place;
 use self::viewer::Viewer;
 #[cfg(feature = "serve")]
@@ -75,14 +75,7 @@ pub fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
 fn first_state(args: &FirstArgs) -> ViewerState {
     let mut state = ViewerState::default();
     if let Some(model) = args.model {
-        state.model = match model {
-            ShownModelArg::LodStrips => ModelKind::LodStrips,
-            ShownModelArg::Mts => ModelKind::Mts,
-            ShownModelArg::Fans => ModelKind::Fans,
-            ShownModelArg::FansGpu => ModelKind::FansGpu,
-            ShownModelArg::Patterns => ModelKind::Patterns,
-            ShownModelArg::List => ModelKind::List,
-        };
+        state.model = model;
     }
     let goal = if let Some(triangles) = args.triangles {
         state.ask_for(triangles);

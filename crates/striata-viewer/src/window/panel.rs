@@ -4,9 +4,10 @@ use std::ops::RangeInclusive;
 
 use egui::{Align, Color32, Grid, Layout, RichText, Slider, TextureId, ThemePreference, Ui};
 
+use super::args::ShownModel;
 use super::loader::Task;
 use super::orbit::Up;
-use super::state::{Background, Colours, GoalKind, ModelKind};
+use super::state::{Background, Colours, GoalKind};
 use super::subject::Subject;
 use super::viewer::{Place, Viewer};
 use super::{frustum, help, plots};
@@ -254,8 +255,8 @@ fn model(viewer: &mut Viewer, ui: &mut Ui) {
     let has_collapses = viewer.subject().is_none_or(|subject| subject.has_collapses());
     let stored = |subject: &std::sync::Arc<Subject>, kind| subject.stored.contains(&kind);
     ui.horizontal_wrapped(|ui| {
-        for kind in ModelKind::ALL {
-            let is_usable = has_collapses || matches!(kind, ModelKind::List | ModelKind::Patterns);
+        for kind in ShownModel::ALL {
+            let is_usable = has_collapses || matches!(kind, ShownModel::List | ShownModel::Patterns);
             let is_stored = viewer.subject().is_some_and(|subject| stored(subject, kind));
             let origin = if is_stored { " (in the file)" } else { "" };
             let label = egui::Button::selectable(viewer.state.model == kind, kind.title());

@@ -2,26 +2,10 @@
 
 use striata_gpu::{Look, Shading, Viewpoint};
 
+use super::args::ShownModel;
 use striata_command::args::Count;
 
-/// A model that makes the triangles of a level.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ModelKind {
-    /// A list, made anew for each level.
-    List,
-    /// Strips that change in a few places.
-    LodStrips,
-    /// Strips walked anew.
-    Mts,
-    /// Progressive fans, which follow a view.
-    Fans,
-    /// The same, their triangles made in a compute shader.
-    FansGpu,
-    /// Fragments, which follow a view too.
-    Patterns,
-}
-
-impl ModelKind {
+impl ShownModel {
     /// All of them, as the panel lists them.
     pub(super) const ALL: [Self; 6] =
         [Self::LodStrips, Self::Mts, Self::Fans, Self::FansGpu, Self::Patterns, Self::List];
@@ -132,7 +116,7 @@ pub(super) struct Frozen {
 /// Everything that can be chosen.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ViewerState {
-    pub(super) model: ModelKind,
+    pub(super) model: ShownModel,
     pub(super) goal: GoalKind,
     /// 0 to 1.
     pub(super) detail: f64,
@@ -160,7 +144,7 @@ pub(super) struct ViewerState {
 impl Default for ViewerState {
     fn default() -> Self {
         Self {
-            model: ModelKind::LodStrips,
+            model: ShownModel::LodStrips,
             goal: GoalKind::Detail,
             detail: 1.0,
             triangles: None,
@@ -244,7 +228,7 @@ impl ViewerState {
         self.goal = goal;
         let is_of_view = matches!(goal, GoalKind::Pixels | GoalKind::Budget);
         if is_of_view && !self.model.follows_views() {
-            self.model = if has_collapses { ModelKind::Fans } else { ModelKind::Patterns };
+            self.model = if has_collapses { ShownModel::Fans } else { ShownModel::Patterns };
         }
     }
 
@@ -272,8 +256,8 @@ impl ViewerState {
             *count = Some(count.unwrap_or(triangle_count / 10).clamp(1, triangle_count.max(1)));
         }
         self.frozen = None;
-        if !has_collapses && !matches!(self.model, ModelKind::List | ModelKind::Patterns) {
-            self.model = ModelKind::Patterns;
+        if !has_collapses && !matches!(self.model, ShownModel::List | ShownModel::Patterns) {
+            self.model = ShownModel::Patterns;
         }
     }
 
@@ -327,11 +311,11 @@ impl ViewerState {
         }
     }
 
-    fn model_after(&self, has_collapses: bool) -> ModelKind {
+    fn model_after(&self, has_collapses: bool) -> ShownModel {
         let usable =
-            |&kind: &ModelKind| has_collapses || matches!(kind, ModelKind::List | ModelKind::Patterns);
-        let after = ModelKind::ALL.iter().skip_while(|&&kind| kind != self.model).skip(1);
-        after.chain(&ModelKind::ALL).copied().find(usable).unwrap_or(self.model)
+            |&kind: &ShownModel| has_collapses || matches!(kind, ShownModel::List | ShownModel::Patterns);
+        let after = ShownModel::ALL.iter().skip_while(|&&kind| kind != self.model).skip(1);
+        after.chain(&ShownModel::ALL).copied().find(usable).unwrap_or(self.model)
     }
 }
 
@@ -385,17 +369,17 @@ mod tests {
     fn what_a_view_tells_takes_a_model_that_follows_it() {
         let mut state = ViewerState::default();
         state.set_goal(GoalKind::Triangles, true);
-        assert_eq!(state.model, ModelKind::LodStrips);
+        assert_eq!(state.model, ShownModel::LodStrips);
         state.set_goal(GoalKind::Pixels, true);
-        assert_eq!((state.model, state.wanted()), (ModelKind::Fans, Goal::Pixels(1.0)));
+        assert_eq!((state.model, state.wanted()), (ShownModel::Fans, Goal::Pixels(1.0)));
         let mut state = ViewerState::default();
         state.set_goal(GoalKind::Budget, false);
-        assert_eq!(state.model, ModelKind::Patterns);
+        assert_eq!(state.model, ShownModel::Patterns);
     }
 
     #[test]
     fn models_come_in_turn_and_only_those_that_can() {
-        for (has_collapses, count) in [(true, ModelKind::ALL.len()), (false, 2)] {
+        for (has_collapses, count) in [(true, ShownModel::ALL.len()), (false, 2)] {
             let mut state = ViewerState::default();
             state.meet(1000, has_collapses);
             let first = state.model;
@@ -429,7 +413,7 @@ mod tests {
         let mut state = ViewerState::default();
         state.apply(Action::Pieces, 10, true);
         assert!(state.inspects() && state.colours_shown() == Colours::Pieces);
-        state.model = ModelKind::List;
+        state.model = ShownModel::List;
         assert!(!state.inspects() && state.colours_shown() == Colours::Surface);
         state.apply(Action::Wireframe, 10, true);
         assert!(state.inspects());

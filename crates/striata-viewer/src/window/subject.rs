@@ -3,11 +3,11 @@
 use std::sync::OnceLock;
 
 use striata::mesh::{Bounds, FragmentedMesh, RefinableMesh};
-use striata::model::{FanBounds, FanScene, Fans, LodStrips, Mts, PatternBounds, PatternScene, Patterns};
+use striata::model::{FanScene, Fans, LodStrips, Mts, PatternScene, Patterns};
 use striata::strip::{StripSet, stripify};
 use striata::view::Sphere;
 
-use super::state::ModelKind;
+use super::args::ShownModel;
 use striata_command::failure::Failure;
 use striata_command::sequence::Steps;
 
@@ -22,15 +22,15 @@ pub(super) struct Subject {
     pub(super) file_bytes: Option<usize>,
     pub(super) steps: Steps,
     /// Models that were in the file.
-    pub(super) stored: Vec<ModelKind>,
+    pub(super) stored: Vec<ShownModel>,
     pub(super) bounds: Bounds,
     /// Around all positions.
     pub(super) sphere: Sphere,
     strips: OnceLock<StripSet>,
     lod_strips: OnceLock<LodStrips<'static>>,
     mts: OnceLock<Mts<'static>>,
-    fans: OnceLock<(Fans, FanBounds)>,
-    patterns: OnceLock<(Patterns, PatternBounds)>,
+    fans: OnceLock<Fans>,
+    patterns: OnceLock<Patterns>,
 }
 
 /// Models that a file holds.
@@ -39,8 +39,8 @@ pub(super) struct StoredModels {
     pub(super) strips: Option<StripSet>,
     pub(super) lod_strips: Option<LodStrips<'static>>,
     pub(super) mts: Option<Mts<'static>>,
-    pub(super) fans: Option<(Fans, FanBounds)>,
-    pub(super) patterns: Option<(Patterns, PatternBounds)>,
+    pub(super) fans: Option<Fans>,
+    pub(super) patterns: Option<Patterns>,
 }
 
 /// Where something came from.
@@ -57,10 +57,10 @@ impl Subject {
         let bounds = steps.mesh().bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
         let sphere = sphere_around(&steps.mesh().positions, &bounds);
         let is_stored = [
-            (ModelKind::LodStrips, models.lod_strips.is_some()),
-            (ModelKind::Mts, models.mts.is_some()),
-            (ModelKind::Fans, models.fans.is_some()),
-            (ModelKind::Patterns, models.patterns.is_some()),
+            (ShownModel::LodStrips, models.lod_strips.is_some()),
+            (ShownModel::Mts, models.mts.is_some()),
+            (ShownModel::Fans, models.fans.is_some()),
+            (ShownModel::Patterns, models.patterns.is_some()),
         ];
         let stored =
             is_stored.into_iter().filter(|&(_, is_stored)| is_stored).map(|(kind, _)| kind).collect();
@@ -95,13 +95,13 @@ impl Subject {
     }
 
     /// Whether a model is there.
-    pub(super) fn has(&self, kind: ModelKind) -> bool {
+    pub(super) fn has(&self, kind: ShownModel) -> bool {
         match kind {
-            ModelKind::List => true,
-            ModelKind::LodStrips => self.lod_strips.get().is_some(),
-            ModelKind::Mts => self.mts.get().is_some(),
-            ModelKind::Fans | ModelKind::FansGpu => self.fans.get().is_some(),
-            ModelKind::Patterns => self.patterns.get().is_some(),
+            ShownModel::List => true,
+            ShownModel::LodStrips => self.lod_strips.get().is_some(),
+            ShownModel::Mts => self.mts.get().is_some(),
+            ShownModel::Fans | ShownModel::FansGpu => self.fans.get().is_some(),
+            ShownModel::Patterns => self.patterns.get().is_some(),
         }
     }
 
@@ -117,43 +117,40 @@ impl Subject {
 
     /// The fans and what asks them, once they are there.
     pub(super) fn fan_scene(&self) -> Option<(FanScene<'_>, &RefinableMesh)> {
-        let ((fans, bounds), refinable) = (self.fans.get()?, self.refinable()?);
-        Some((FanScene::new(fans, bounds, refinable), refinable))
+        let (fans, refinable) = (self.fans.get()?, self.refinable()?);
+        Some((FanScene::new(fans, refinable), refinable))
     }
 
     /// The patterns and what asks them, once they are there.
     pub(super) fn pattern_scene(&self) -> Option<PatternScene<'_>> {
-        let (patterns, bounds) = self.patterns.get()?;
-        Some(PatternScene::new(patterns, bounds, &self.steps.mesh().positions))
+        Some(PatternScene::new(self.patterns.get()?, &self.steps.mesh().positions))
     }
 
     /// Builds a model that is not there yet. Two who build the same get the same, and one of them is dropped.
     ///
     /// # Errors
     /// Where the mesh has no collapses and the model needs some, or its parts do not fit together.
-    pub(super) fn build(&self, kind: ModelKind) -> Result<(), Failure> {
+    pub(super) fn build(&self, kind: ShownModel) -> Result<(), Failure> {
         if self.has(kind) {
             return Ok(());
         }
         match (kind, &self.steps) {
-            (ModelKind::List, _) => {}
-            (ModelKind::LodStrips, Steps::Collapses(refinable)) => {
+            (ShownModel::List, _) => {}
+            (ShownModel::LodStrips, Steps::Collapses(refinable)) => {
                 let model = LodStrips::build(refinable, self.strips(refinable)?)?;
                 let _ = self.lod_strips.set(model);
             }
-            (ModelKind::Mts, Steps::Collapses(refinable)) => {
+            (ShownModel::Mts, Steps::Collapses(refinable)) => {
                 let model = Mts::build(refinable, self.strips(refinable)?)?;
                 let _ = self.mts.set(model);
             }
-            (ModelKind::Fans | ModelKind::FansGpu, Steps::Collapses(refinable)) => {
-                let fans = Fans::build(refinable);
-                let bounds = FanBounds::build(&fans, refinable);
-                let _ = self.fans.set((fans, bounds));
+            (ShownModel::Fans | ShownModel::FansGpu, Steps::Collapses(refinable)) => {
+                let _ = self.fans.set(Fans::build(refinable));
             }
-            (ModelKind::Patterns, Steps::Collapses(refinable)) => {
+            (ShownModel::Patterns, Steps::Collapses(refinable)) => {
                 self.set_patterns(&FragmentedMesh::from_collapses(refinable))?;
             }
-            (ModelKind::Patterns, Steps::Fragments(fragmented)) => self.set_patterns(fragmented)?,
+            (ShownModel::Patterns, Steps::Fragments(fragmented)) => self.set_patterns(fragmented)?,
             (kind, Steps::Fragments(_)) => {
                 let message =
                     format!("{}: {} need collapses, and this file has none", self.name, kind.title());
@@ -164,8 +161,7 @@ impl Subject {
     }
 
     fn set_patterns(&self, fragmented: &FragmentedMesh) -> Result<(), Failure> {
-        let patterns = Patterns::build(fragmented)?;
-        let _ = self.patterns.set((patterns, PatternBounds::build(fragmented)));
+        let _ = self.patterns.set(Patterns::build(fragmented)?);
         Ok(())
     }
 
@@ -204,9 +200,10 @@ pub(super) mod tests {
     #[test]
     fn every_model_can_be_built_and_stays() {
         let subject = subject_of(&shapes::torus(24, 12, 1.0, 0.4));
-        let is_there: Vec<ModelKind> = ModelKind::ALL.into_iter().filter(|&kind| subject.has(kind)).collect();
-        assert_eq!(is_there, [ModelKind::List]);
-        for kind in ModelKind::ALL {
+        let is_there: Vec<ShownModel> =
+            ShownModel::ALL.into_iter().filter(|&kind| subject.has(kind)).collect();
+        assert_eq!(is_there, [ShownModel::List]);
+        for kind in ShownModel::ALL {
             subject.build(kind).expect("collapses do for all models");
             assert!(subject.has(kind));
         }
@@ -222,7 +219,7 @@ pub(super) mod tests {
         let origin = Origin { name: "a".to_owned(), kind: "striata", file_bytes: Some(7) };
         let subject = Subject::new(origin, steps, StoredModels::default());
         assert!(!subject.has_collapses());
-        assert!(subject.build(ModelKind::Fans).is_err() && subject.build(ModelKind::LodStrips).is_err());
-        subject.build(ModelKind::Patterns).expect("fragments do");
+        assert!(subject.build(ShownModel::Fans).is_err() && subject.build(ShownModel::LodStrips).is_err());
+        subject.build(ShownModel::Patterns).expect("fragments do");
     }
 }

@@ -2,7 +2,7 @@
 
 use super::SectionKind;
 use crate::mesh::{MeshError, SequenceError};
-use crate::model::ModelError;
+use crate::model::{ModelError, ModelKind};
 use crate::strip::StripSetError;
 
 /// Why bytes are not a `.striata` file, or not a sound one.
@@ -126,7 +126,7 @@ pub enum DecodeError {
     #[error("{model}: {reason}")]
     Model {
         /// The model.
-        model: &'static str,
+        model: ModelKind,
         /// What is wrong with it.
         reason: ModelError,
     },
@@ -149,7 +149,7 @@ pub enum EncodeError {
     #[error("the {model} model has {found} {what}, the mesh has {expected}")]
     Model {
         /// The model.
-        model: &'static str,
+        model: ModelKind,
         /// What is counted.
         what: &'static str,
         /// The model's number.
@@ -161,13 +161,13 @@ pub enum EncodeError {
     #[error("the {model} model starts from other strips than the model before it")]
     OtherStrips {
         /// The later model.
-        model: &'static str,
+        model: ModelKind,
     },
     /// A file cannot hold the model, since no reader could tell it from one that is meant to fill its memory.
     #[error("{model}: {reason}")]
     Unstorable {
         /// The model.
-        model: &'static str,
+        model: ModelKind,
         /// What is too much of it.
         reason: ModelError,
     },
@@ -175,7 +175,7 @@ pub enum EncodeError {
     #[error("the {model} model is given more than once")]
     RepeatedModel {
         /// The model.
-        model: &'static str,
+        model: ModelKind,
     },
     /// A text or image is too large for the format.
     #[error("{what} has {length} bytes, at most 4 GiB can be stored")]

@@ -17,7 +17,7 @@ use crate::model::fans::FansParts;
 use crate::model::lod_strips::LodStripsParts;
 use crate::model::mts::MtsParts;
 use crate::model::{
-    FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StepVertices, StoredModel, StripModel,
+    Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StepVertices, StoredModel, StripModel,
 };
 use crate::strip::{StripSet, strip_triangles};
 
@@ -27,7 +27,7 @@ pub struct StriataFile<'a> {
     container: Container<'a>,
     summary: Summary,
     /// The patterns, once they have been checked: that takes as long as building them.
-    patterns: OnceLock<(Patterns, PatternBounds)>,
+    patterns: OnceLock<Patterns>,
     /// The mesh of a stream, once it has been decoded, where the file has nothing else.
     decoded: OnceLock<RefinableMesh>,
     codec: Option<&'static dyn StreamCodec>,
@@ -156,7 +156,7 @@ impl<'a> StriataFile<'a> {
         if self.has_collapses() {
             return Ok(self.sequence()?.levels().clone());
         }
-        self.levels_of(&self.read_patterns()?.0)
+        self.levels_of(&self.read_patterns()?)
     }
 
     /// The sequence, checked and in memory of its own.
@@ -257,7 +257,7 @@ impl<'a> StriataFile<'a> {
             arena: self.container.get(SectionKind::RECORDS)?.into(),
         };
         let model = LodStrips::from_parts(self.step_vertices()?, parts);
-        let model = model.map_err(|reason| DecodeError::Model { model: "lodstrips", reason })?;
+        let model = model.map_err(|reason| DecodeError::Model { model: ModelKind::LodStrips, reason })?;
         self.expect_model(&model, SectionKind::RECORD_LENGTHS)?;
         Ok(model)
     }
@@ -279,18 +279,18 @@ impl<'a> StriataFile<'a> {
             arena: self.container.get(SectionKind::CHANGES)?.into(),
         };
         let model = Mts::from_parts(self.step_vertices()?, parts);
-        let model = model.map_err(|reason| DecodeError::Model { model: "mts", reason })?;
+        let model = model.map_err(|reason| DecodeError::Model { model: ModelKind::Mts, reason })?;
         self.expect_model(&model, SectionKind::CHANGE_LENGTHS)?;
         Ok(model)
     }
 
-    /// The fans and the bounds of their steps, if the file has them: in memory of their own and checked once, so that no move
+    /// The fans with the bounds of their steps, if the file has them: in memory of their own and checked once, so that no move
     /// can fail.
-    pub fn fans(&self) -> Option<Result<(Fans, FanBounds), DecodeError>> {
+    pub fn fans(&self) -> Option<Result<Fans, DecodeError>> {
         self.has(SectionKind::FAN_ENTRIES).then(|| self.read_fans())
     }
 
-    fn read_fans(&self) -> Result<(Fans, FanBounds), DecodeError> {
+    fn read_fans(&self) -> Result<Fans, DecodeError> {
         let parts = FansParts {
             entries: self.container.get(SectionKind::FAN_ENTRIES)?,
             blocks: &self.container.numbers(SectionKind::FAN_BLOCKS)?,
@@ -299,7 +299,7 @@ impl<'a> StriataFile<'a> {
             far: &self.container.numbers(SectionKind::FAN_FAR_TARGETS)?,
             orphans: &self.container.numbers(SectionKind::FAN_ORPHANS)?,
         };
-        let unsound = |reason| DecodeError::Model { model: "fans", reason };
+        let unsound = |reason| DecodeError::Model { model: ModelKind::Fans, reason };
         let removed = self.container.get(SectionKind::REMOVED)?;
         let group_count = self.summary.group_count.max(1);
         let fans = Fans::from_parts(self.step_vertices()?, removed, group_count, parts).map_err(unsound)?;
@@ -308,8 +308,7 @@ impl<'a> StriataFile<'a> {
         let kind = SectionKind::FAN_ENTRIES;
         self.expect(kind, "triangles of the base", fans.base_triangle_count(), base_triangle_count)?;
         let records = self.container.get(SectionKind::FAN_BOUNDS)?;
-        let bounds = FanBounds::from_bytes(records, &self.errors()?).map_err(unsound)?;
-        Ok((fans, bounds))
+        fans.with_stored_bounds(records, &self.errors()?).map_err(unsound)
     }
 
     fn step_vertices(&self) -> Result<StepVertices<'a>, DecodeError> {
@@ -369,11 +368,11 @@ impl<'a> StriataFile<'a> {
                 SectionKind::STRIP_INDICES
             }
             None if !self.has(SectionKind::TRIANGLES) && self.has(SectionKind::FAN_ENTRIES) => {
-                self.append_full(&self.read_fans()?.0, SectionKind::FAN_ENTRIES, &mut mesh)?;
+                self.append_full(&self.read_fans()?, SectionKind::FAN_ENTRIES, &mut mesh)?;
                 SectionKind::FAN_ENTRIES
             }
             None if !self.has(SectionKind::TRIANGLES) && self.has(SectionKind::PATTERN_RECORDS) => {
-                self.append_full(&self.read_patterns()?.0, SectionKind::PATTERN_RECORDS, &mut mesh)?;
+                self.append_full(&self.read_patterns()?, SectionKind::PATTERN_RECORDS, &mut mesh)?;
                 SectionKind::PATTERN_RECORDS
             }
             None => {
@@ -405,10 +404,10 @@ impl<'a> StriataFile<'a> {
             return self.moved(&model?, split_count);
         }
         if let Some(model) = self.fans() {
-            return self.moved(&model?.0, split_count);
+            return self.moved(&model?, split_count);
         }
         let missing = DecodeError::SectionCount { kind: SectionKind::STRIP_INDICES, found: 0 };
-        self.moved(&self.patterns().ok_or(missing)??.0, split_count)
+        self.moved(&self.patterns().ok_or(missing)??, split_count)
     }
 
     fn moved<M: StoredModel>(&self, model: &M, split_count: usize) -> Result<IndexedMesh, DecodeError> {

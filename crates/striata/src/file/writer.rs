@@ -7,7 +7,7 @@ use super::container::{ENTRY_BYTES, HEADER_BYTES, MAGIC, REQUIRED, VERSION, head
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
 use super::{EncodeError, SectionKind, StoredStream, Summary};
 use crate::mesh::{CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
-use crate::model::{FanBounds, Fans, LodModel, LodStrips, Mts, PatternBounds, Patterns, StoredModel};
+use crate::model::{Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StoredModel};
 
 /// A model to be stored beside the mesh.
 #[derive(Clone, Copy, Debug)]
@@ -17,10 +17,10 @@ pub enum FileModel<'m> {
     LodStrips(&'m LodStrips<'m>),
     /// Strips that are walked again where they change.
     Mts(&'m Mts<'m>),
-    /// Fans of each vertex, for levels that differ from place to place, and the bounds of their steps.
-    Fans(&'m Fans, &'m FanBounds),
-    /// Patterns, for levels that differ from place to place, and the bounds of their fragments.
-    Patterns(&'m Patterns, &'m PatternBounds),
+    /// Fans of each vertex, for levels that differ from place to place, with the bounds of their steps.
+    Fans(&'m Fans),
+    /// Patterns, for levels that differ from place to place, with the bounds of their fragments.
+    Patterns(&'m Patterns),
     /// The progressive stream of the mesh, which is in the stream's order
     /// (`EncodedStream::reorder` of the crate `striata-stream`). Alone it is all that the file has: mesh and levels are decoded
     /// from it.
@@ -28,14 +28,14 @@ pub enum FileModel<'m> {
 }
 
 impl<'m> FileModel<'m> {
-    /// What the model is called in files and on the command line.
-    pub fn name(&self) -> &'static str {
+    /// Which model it is.
+    pub fn kind(&self) -> ModelKind {
         match self {
-            Self::LodStrips(_) => "lodstrips",
-            Self::Mts(_) => "mts",
-            Self::Fans(..) => "fans",
-            Self::Patterns(..) => "patterns",
-            Self::Progressive(_) => "progressive",
+            Self::LodStrips(_) => ModelKind::LodStrips,
+            Self::Mts(_) => ModelKind::Mts,
+            Self::Fans(_) => ModelKind::Fans,
+            Self::Patterns(_) => ModelKind::Patterns,
+            Self::Progressive(_) => ModelKind::Progressive,
         }
     }
 
@@ -46,7 +46,7 @@ impl<'m> FileModel<'m> {
             Self::Mts(model) => {
                 Some([&model.parts.group_offsets, &model.parts.offsets, &model.parts.indices])
             }
-            Self::Fans(..) | Self::Patterns(..) | Self::Progressive(_) => None,
+            Self::Fans(_) | Self::Patterns(_) | Self::Progressive(_) => None,
         }
     }
 
@@ -67,7 +67,7 @@ impl<'m> FileModel<'m> {
                     (SectionKind::CHANGES, parts.arena[..].into()),
                 ]
             }
-            Self::Fans(fans, bounds) => {
+            Self::Fans(fans) => {
                 let parts = fans.parts();
                 vec![
                     (SectionKind::FAN_ENTRIES, parts.entries.into()),
@@ -76,10 +76,10 @@ impl<'m> FileModel<'m> {
                     (SectionKind::FAN_WAITS, bytes_of(parts.waits)),
                     (SectionKind::FAN_FAR_TARGETS, bytes_of(parts.far)),
                     (SectionKind::FAN_ORPHANS, bytes_of(parts.orphans)),
-                    (SectionKind::FAN_BOUNDS, bounds.as_bytes().into()),
+                    (SectionKind::FAN_BOUNDS, fans.stored_bounds().into()),
                 ]
             }
-            Self::Patterns(patterns, bounds) => {
+            Self::Patterns(patterns) => {
                 let parts = patterns.parts();
                 vec![
                     (SectionKind::PATTERN_WIDTHS, bytes_of(&parts.header).into_owned().into()),
@@ -89,7 +89,7 @@ impl<'m> FileModel<'m> {
                     (SectionKind::PATTERN_RECORDS, parts.records.into()),
                     (SectionKind::PATTERN_BASE, bytes_of(&parts.base).into_owned().into()),
                     (SectionKind::PATTERN_EXTRAS, bytes_of(&parts.extras).into_owned().into()),
-                    (SectionKind::PATTERN_BOUNDS, bounds.as_bytes().into()),
+                    (SectionKind::PATTERN_BOUNDS, patterns.stored_bounds().into()),
                 ]
             }
             // It goes last, where a file that is cut off still has its beginning.
@@ -153,13 +153,13 @@ pub fn write_striata(
 /// As [`write_striata`].
 pub fn write_fragments(
     fragmented: &FragmentedMesh,
-    (patterns, bounds): (&Patterns, &PatternBounds),
+    patterns: &Patterns,
     options: &WriteOptions,
     out: &mut dyn Write,
 ) -> Result<(), EncodeError> {
     let levels = fragmented.fragments.levels();
     let source = Source { mesh: &fragmented.mesh, levels, collapses: None };
-    write_sections(&lay_out(source, &[FileModel::Patterns(patterns, bounds)], options)?, out)
+    write_sections(&lay_out(source, &[FileModel::Patterns(patterns)], options)?, out)
 }
 
 /// What a file is made of beside models.
@@ -281,51 +281,51 @@ fn check_model(
     before: &[FileModel<'_>],
     source: Source<'_>,
 ) -> Result<(), EncodeError> {
-    let name = model.name();
+    let kind = model.kind();
     let (triangle_count, base_triangle_count) =
         (source.mesh.triangle_count(), source.levels.triangle_count_at(0));
     match model {
-        FileModel::LodStrips(model) => check_counts(name, *model, source)?,
-        FileModel::Mts(model) => check_counts(name, *model, source)?,
-        FileModel::Fans(fans, bounds) => {
-            check_counts(name, *fans, source)?;
+        FileModel::LodStrips(model) => check_counts(kind, *model, source)?,
+        FileModel::Mts(model) => check_counts(kind, *model, source)?,
+        FileModel::Fans(fans) => {
+            check_counts(kind, *fans, source)?;
             let shown = |split_count| fans.draw_counts(&fans.level_at(split_count)).index_count / 3;
             let step_count = fans.step_count();
-            expect(name, "bounds", bounds.step_count(), step_count)?;
-            expect(name, "triangles", shown(step_count), triangle_count)?;
-            expect(name, "triangles of the base", shown(0), base_triangle_count)?;
+            expect(kind, "bounds", fans.bounded_step_count(), step_count)?;
+            expect(kind, "triangles", shown(step_count), triangle_count)?;
+            expect(kind, "triangles of the base", shown(0), base_triangle_count)?;
         }
-        FileModel::Patterns(patterns, bounds) => {
-            check_counts(name, *patterns, source)?;
+        FileModel::Patterns(patterns) => {
+            check_counts(kind, *patterns, source)?;
             let counts = patterns.triangle_counts();
-            expect(name, "bounds", bounds.step_count(), patterns.step_count())?;
-            expect(name, "triangles", counts[counts.len() - 1] as usize, triangle_count)?;
-            expect(name, "triangles of the base", counts[0] as usize, base_triangle_count)?;
-            patterns.check_size().map_err(|reason| EncodeError::Unstorable { model: name, reason })?;
+            expect(kind, "bounds", patterns.bounded_step_count(), patterns.step_count())?;
+            expect(kind, "triangles", counts[counts.len() - 1] as usize, triangle_count)?;
+            expect(kind, "triangles of the base", counts[0] as usize, base_triangle_count)?;
+            patterns.check_size().map_err(|reason| EncodeError::Unstorable { model: kind, reason })?;
         }
         FileModel::Progressive(stream) => {
-            expect(name, "vertices", stream.vertex_count, source.mesh.vertex_count())?;
-            expect(name, "triangles", stream.triangle_count, triangle_count)?;
-            expect(name, "steps", stream.step_count, source.levels.step_count())?;
-            expect(name, "groups", stream.group_count, source.mesh.groups.len())?;
+            expect(kind, "vertices", stream.vertex_count, source.mesh.vertex_count())?;
+            expect(kind, "triangles", stream.triangle_count, triangle_count)?;
+            expect(kind, "steps", stream.step_count, source.levels.step_count())?;
+            expect(kind, "groups", stream.group_count, source.mesh.groups.len())?;
         }
     }
-    if before.iter().any(|other| other.name() == name) {
-        return Err(EncodeError::RepeatedModel { model: name });
+    if before.iter().any(|other| other.kind() == kind) {
+        return Err(EncodeError::RepeatedModel { model: kind });
     }
     let first = before.iter().find_map(FileModel::strips);
     if first.is_some() && model.strips().is_some_and(|strips| first != Some(strips)) {
-        return Err(EncodeError::OtherStrips { model: name });
+        return Err(EncodeError::OtherStrips { model: kind });
     }
     Ok(())
 }
 
-fn check_counts(name: &'static str, model: &impl StoredModel, source: Source<'_>) -> Result<(), EncodeError> {
-    expect(name, "vertices", model.vertex_count(), source.mesh.vertex_count())?;
-    expect(name, "steps", model.step_count(), source.levels.step_count())?;
-    expect(name, "groups", model.group_count(), source.mesh.groups.len().max(1))
+fn check_counts(kind: ModelKind, model: &impl StoredModel, source: Source<'_>) -> Result<(), EncodeError> {
+    expect(kind, "vertices", model.vertex_count(), source.mesh.vertex_count())?;
+    expect(kind, "steps", model.step_count(), source.levels.step_count())?;
+    expect(kind, "groups", model.group_count(), source.mesh.groups.len().max(1))
 }
 
-fn expect(model: &'static str, what: &'static str, found: usize, expected: usize) -> Result<(), EncodeError> {
+fn expect(model: ModelKind, what: &'static str, found: usize, expected: usize) -> Result<(), EncodeError> {
     if found == expected { Ok(()) } else { Err(EncodeError::Model { model, what, found, expected }) }
 }

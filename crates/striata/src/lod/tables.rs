@@ -2,7 +2,7 @@
 
 use crate::file::{DecodeError, EncodeError, FileModel, StriataFile, WriteOptions, to_striata};
 use crate::mesh::RefinableMesh;
-use crate::model::{FanBounds, FanScene, Fans};
+use crate::model::{FanScene, Fans};
 use crate::view::Sphere;
 
 /// The key under which a file says whether its errors hold, and what it then says.
@@ -13,7 +13,6 @@ const ERRORS: (&str, &str) = ("errors", "guaranteed");
 pub(super) struct Tables {
     refinable: RefinableMesh,
     fans: Fans,
-    bounds: FanBounds,
     /// Around all positions.
     sphere: Sphere,
     has_guaranteed_errors: bool,
@@ -22,8 +21,7 @@ pub(super) struct Tables {
 impl Tables {
     pub(super) fn new(refinable: RefinableMesh, has_guaranteed_errors: bool) -> Self {
         let fans = Fans::build(&refinable);
-        let bounds = FanBounds::build(&fans, &refinable);
-        Self::of_parts(refinable, (fans, bounds), has_guaranteed_errors)
+        Self::of_parts(refinable, fans, has_guaranteed_errors)
     }
 
     pub(super) fn from_file(file: &StriataFile<'_>) -> Result<Self, DecodeError> {
@@ -36,13 +34,9 @@ impl Tables {
         }
     }
 
-    fn of_parts(
-        refinable: RefinableMesh,
-        (fans, bounds): (Fans, FanBounds),
-        has_guaranteed_errors: bool,
-    ) -> Self {
-        let sphere = FanScene::new(&fans, &bounds, &refinable).sphere();
-        Self { refinable, fans, bounds, sphere, has_guaranteed_errors }
+    fn of_parts(refinable: RefinableMesh, fans: Fans, has_guaranteed_errors: bool) -> Self {
+        let sphere = FanScene::new(&fans, &refinable).sphere();
+        Self { refinable, fans, sphere, has_guaranteed_errors }
     }
 
     pub(super) fn to_striata(&self, options: &WriteOptions) -> Result<Vec<u8>, EncodeError> {
@@ -52,7 +46,7 @@ impl Tables {
             let value = if self.has_guaranteed_errors { value } else { "estimated" };
             options = options.with_metadata(key, value);
         }
-        to_striata(&self.refinable, &[FileModel::Fans(&self.fans, &self.bounds)], &options)
+        to_striata(&self.refinable, &[FileModel::Fans(&self.fans)], &options)
     }
 
     pub(super) fn refinable(&self) -> &RefinableMesh {
@@ -64,7 +58,7 @@ impl Tables {
     }
 
     pub(super) fn scene(&self) -> FanScene<'_> {
-        FanScene::new(&self.fans, &self.bounds, &self.refinable)
+        FanScene::new(&self.fans, &self.refinable)
     }
 
     pub(super) fn sphere(&self) -> Sphere {

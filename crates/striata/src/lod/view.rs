@@ -74,7 +74,7 @@ impl View {
     }
 
     fn emit_changes(&mut self, update: &FanUpdate) {
-        if update.undone_count + update.taken_count > 0 {
+        if update.split_count + update.collapse_count > 0 {
             self.emit();
         }
     }

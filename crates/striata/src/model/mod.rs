@@ -13,9 +13,11 @@ pub mod strip_history;
 
 mod bits;
 mod error;
+mod kind;
 mod part_record;
 mod record_arena;
 mod step_bits;
+mod step_bounds;
 mod step_vertices;
 mod strip_input;
 mod strip_run;
@@ -24,15 +26,15 @@ mod superfluous;
 pub use bits::Bits;
 pub use error::ModelError;
 pub use fans::{
-    FanBounds, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate,
-    Fans, FansLevel, MovingVertex, fan_triangles_into,
+    FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanScene, FanTriangles, FanUpdate, Fans,
+    FansLevel, MovingVertex, fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphPlace, MorphVertex};
+pub use kind::{ModelKind, UnknownModel};
 pub use lod_strips::{LodStrips, LodStripsState, StripBuffer};
 pub use mts::{Mts, MtsState};
 pub use patterns::{
-    Condition, Overlap, PatternBounds, PatternChange, PatternInstance, PatternScene, Patterns, PatternsState,
-    Wanted,
+    Condition, Overlap, PatternChange, PatternInstance, PatternScene, Patterns, PatternsState, Wanted,
 };
 pub use step_bits::StepBits;
 pub use step_vertices::StepVertices;
@@ -144,14 +146,21 @@ pub trait LodModel {
 
 /// A model that a file holds: it knows how many vertices a level has, and tells groups of triangles apart.
 pub trait StoredModel: LodModel {
+    /// The vertices of the base and of each step.
+    fn step_vertices(&self) -> &StepVertices<'_>;
+
     /// Vertices of the full mesh.
-    fn vertex_count(&self) -> usize;
+    fn vertex_count(&self) -> usize {
+        self.step_vertices().vertex_count()
+    }
 
     /// Vertices that a level shows: the first so many.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count.
-    fn vertex_count_at(&self, split_count: usize) -> usize;
+    fn vertex_count_at(&self, split_count: usize) -> usize {
+        self.step_vertices().count_at(split_count)
+    }
 
     /// Groups of triangles.
     fn group_count(&self) -> usize;

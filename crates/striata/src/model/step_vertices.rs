@@ -132,6 +132,16 @@ impl StepVertices<'_> {
 }
 
 impl StepVertices<'static> {
+    /// One vertex for each step, without targets.
+    pub fn one_a_step(base_vertex_count: u32, step_count: usize) -> Self {
+        Self {
+            vertex_count: base_vertex_count as usize + step_count,
+            base_vertex_count,
+            firsts: Cow::Borrowed(&[]),
+            targets: Cow::Borrowed(&[]),
+        }
+    }
+
     /// The vertices of the steps between levels, without targets.
     pub fn of_levels(levels: &Levels) -> Self {
         let positions = levels.positions();

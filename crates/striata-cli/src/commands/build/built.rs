@@ -2,11 +2,11 @@
 
 use striata::file::{DecodeError, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::model::LodStrips;
+use striata::model::{LodStrips, ModelKind};
 use striata::simplify::{StopReason, Target};
 use striata_stream::{EncodedStream, StreamOptions, encode_stream};
 
-use super::models::{MODELS, Models, takes_strips};
+use super::models::{Models, takes_strips};
 use crate::args::BuildArgs;
 use striata_command::args::{OrderArg, SequenceArgs};
 use striata_command::clock::Phases;
@@ -40,8 +40,8 @@ pub(crate) struct BuildPlan {
     pub(crate) sequence: SequencePlan,
     /// How its strips are made.
     pub(crate) strips: StripPlan,
-    /// The models, by name.
-    pub(crate) models: Vec<String>,
+    /// The models.
+    pub(crate) models: Vec<ModelKind>,
     /// How a stream is coded, where one is among them.
     pub(crate) stream: StreamOptions,
 }
@@ -52,7 +52,7 @@ impl BuildPlan {
         Self {
             sequence: SequencePlan::default(),
             strips: BuildArgs::usual_strip_plan(),
-            models: vec![MODELS[0].to_owned()],
+            models: vec![ModelKind::LodStrips],
             stream: StreamOptions::default(),
         }
     }
@@ -166,9 +166,9 @@ impl Built {
             .with_metadata(ERRORS, if self.error_is_guaranteed { GUARANTEED } else { "estimated" });
         match (&self.steps, &self.models.patterns) {
             (Steps::Collapses(refinable), _) => Ok(to_striata(refinable, &self.models.in_file()?, &options)?),
-            (Steps::Fragments(fragmented), Some((patterns, bounds))) => {
+            (Steps::Fragments(fragmented), Some(patterns)) => {
                 let mut bytes = Vec::new();
-                write_fragments(fragmented, (patterns, bounds), &options, &mut bytes)?;
+                write_fragments(fragmented, patterns, &options, &mut bytes)?;
                 Ok(bytes)
             }
             (Steps::Fragments(_), None) => Err(Failure::internal("only patterns know what is no collapse")),

@@ -4,10 +4,10 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::{IndexedMesh, weld};
-use striata::model::{FanInstance, LodModel, PartBytes, PatternInstance};
+use striata::model::{FanInstance, LodModel, ModelKind, PartBytes, PatternInstance};
 
 use super::built::{BuildPlan, stream_of};
-use super::models::{MODELS, Models, PROGRESSIVE};
+use super::models::Models;
 use striata_command::args::StreamArgs;
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
@@ -40,15 +40,15 @@ pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<Model
     let stripped = plan.strips.run(sequenced.steps.mesh(), &mut |share| bar.share("strip", share))?;
     bar.phase("models");
     let mut costs = Vec::new();
-    for name in MODELS.into_iter().filter(|&name| name != PROGRESSIVE) {
+    for kind in ModelKind::ALL.into_iter().filter(|&kind| kind != ModelKind::Progressive) {
         let started = Instant::now();
         let made = (Some(&stripped.strips), None);
-        let models = Models::build(&[name.to_owned()], &sequenced, made, bar)?;
+        let models = Models::build(&[kind], &sequenced, made, bar)?;
         costs.extend(costs_of(&models, &sequenced, started.elapsed().as_secs_f64()));
     }
     // A stream takes its collapses in batches, which are others.
     bar.phase("simplify");
-    let mut plan = BuildPlan { models: vec![PROGRESSIVE.to_owned()], ..plan };
+    let mut plan = BuildPlan { models: vec![ModelKind::Progressive], ..plan };
     plan.sequence.come_in_batches(StreamArgs::default().batches(mesh)?)?;
     let mut sequenced = steps(mesh, &plan.sequence, bar)?;
     bar.phase("encode");
@@ -66,13 +66,13 @@ fn steps(mesh: &IndexedMesh, plan: &SequencePlan, bar: &mut Bar) -> Result<Seque
 
 fn costs_of(models: &Models, sequenced: &Sequenced, build_secs: f64) -> Vec<ModelCost> {
     let vertex_count = sequenced.steps.mesh().vertex_count().max(1);
-    let cost = |(name, parts): (&'static str, Vec<PartBytes>)| {
+    let cost = |(kind, parts): (ModelKind, Vec<PartBytes>)| {
         let bytes = parts.iter().map(|part| part.bytes).sum::<usize>();
         ModelCost {
-            name,
+            name: kind.as_str(),
             bytes,
             bytes_per_vertex: bytes as f64 / vertex_count as f64,
-            instance_bytes: instance_bytes(models, name),
+            instance_bytes: instance_bytes(models, kind),
             build_secs,
         }
     };
@@ -80,15 +80,17 @@ fn costs_of(models: &Models, sequenced: &Sequenced, build_secs: f64) -> Vec<Mode
 }
 
 /// Bytes of an instance that shows the full mesh; of fans and patterns it is the one that may follow a view.
-fn instance_bytes(models: &Models, name: &str) -> Option<usize> {
+fn instance_bytes(models: &Models, kind: ModelKind) -> Option<usize> {
     fn of_state<M: LodModel>(model: &M) -> usize {
         model.state_bytes(&model.new_state())
     }
-    match name {
-        "lodstrips" => models.lod_strips.as_ref().map(of_state),
-        "mts" => models.mts.as_ref().map(of_state),
-        "fans" => models.fans.as_ref().map(|(fans, _)| FanInstance::full(fans).bytes()),
-        "patterns" => models.patterns.as_ref().map(|(patterns, _)| PatternInstance::full(patterns).bytes()),
+    match kind {
+        ModelKind::LodStrips => models.lod_strips.as_ref().map(of_state),
+        ModelKind::Mts => models.mts.as_ref().map(of_state),
+        ModelKind::Fans => models.fans.as_ref().map(|fans| FanInstance::full(fans).bytes()),
+        ModelKind::Patterns => {
+            models.patterns.as_ref().map(|patterns| PatternInstance::full(patterns).bytes())
+        }
         _ => None,
     }
 }

@@ -7,18 +7,19 @@ mod report;
 
 pub(crate) use self::built::{BuildPlan, Built, PHASES, build, errors_are_guaranteed};
 pub(crate) use self::costs::{ModelCost, model_costs};
-pub(crate) use self::models::{MODELS, PROGRESSIVE, parts_of_fans, parts_of_patterns};
+pub(crate) use self::models::model_of_name;
 
 use std::path::Path;
 
 use striata::mesh::{IndexedMesh, MeshError};
+use striata::model::ModelKind;
 use striata::simplify::Retriangulation;
 
-use self::models::{FANS, PATTERNS, takes_strips};
+use self::models::takes_strips;
 use self::report::Report;
 use crate::args::BuildArgs;
 use striata_command::clock::Phases;
-use striata_command::failure::{Failure, unknown_name};
+use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{FullMesh, check_strict};
 use striata_command::output::Output;
@@ -35,7 +36,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         None => beside(&args.input, "striata")?,
     };
     output.check_stdout_is_free(is_stdout(&path))?;
-    let models = model_names(&args.model_names())?;
+    let models = models_of_names(&args.model_names())?;
     check_stream_terms(args, &models)?;
     check_strip_terms(args, &models)?;
     check_output_name(&path)?;
@@ -56,10 +57,10 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     if let Some(remark) = fill_as_models_need(&mut sequence, &models, args.sequence.is_free())? {
         output.say(&remark);
     }
-    if models.iter().any(|model| model == FANS) {
+    if models.contains(&ModelKind::Fans) {
         sequence.hold_in_any_state();
     }
-    if models.iter().any(|model| model == PROGRESSIVE) {
+    if models.contains(&ModelKind::Progressive) {
         sequence.come_in_batches(args.stream_terms.batches(&mesh)?)?;
     }
     let stream = args.stream_terms.options(diagonal);
@@ -96,10 +97,10 @@ fn base_of(args: &BuildArgs, mesh: &IndexedMesh) -> Result<Option<usize>, MeshEr
 /// Where they were to be filled freely.
 fn fill_as_models_need(
     sequence: &mut SequencePlan,
-    models: &[String],
+    models: &[ModelKind],
     is_free: bool,
 ) -> Result<Option<String>, Failure> {
-    let in_need = models.iter().find(|model| *model != PATTERNS);
+    let in_need = models.iter().find(|&&model| model != ModelKind::Patterns);
     let (SequencePlan::Hausdorff(options), Some(model)) = (sequence, in_need) else { return Ok(None) };
     if options.retriangulation == Retriangulation::Collapse {
         return Ok(None);
@@ -112,23 +113,19 @@ fn fill_as_models_need(
     Ok(Some(format!("holes are filled as half-edge collapses do, since {model} knows no other steps")))
 }
 
-/// The names as our list has them; there may be blanks behind commas.
+/// The models of names; there may be blanks behind commas.
 ///
 /// # Errors
-/// Where a name is none of ours.
-fn model_names(names: &[String]) -> Result<Vec<String>, Failure> {
-    let names: Vec<String> = names.iter().map(|name| name.trim().to_owned()).collect();
-    match names.iter().find(|name| !MODELS.contains(&name.as_str())) {
-        Some(unknown) => Err(unknown_name("model", unknown, &MODELS)),
-        None => Ok(names),
-    }
+/// If a name is none of ours.
+fn models_of_names(names: &[String]) -> Result<Vec<ModelKind>, Failure> {
+    names.iter().map(|name| model_of_name(name.trim())).collect()
 }
 
 /// # Errors
 /// Where a stream is described and none is made.
-fn check_stream_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure> {
+fn check_stream_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
     match args.stream_terms.given() {
-        Some(flag) if !models.iter().any(|model| model == PROGRESSIVE) => {
+        Some(flag) if !models.contains(&ModelKind::Progressive) => {
             Err(Failure::user(format!("{flag} is for streams, and none is made"))
                 .with_hint(format!("say --models progressive too, or leave {flag} out")))
         }
@@ -138,7 +135,7 @@ fn check_stream_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure
 
 /// # Errors
 /// If strips are described and no model has any.
-fn check_strip_terms(args: &BuildArgs, models: &[String]) -> Result<(), Failure> {
+fn check_strip_terms(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
     match args.strip_flag() {
         Some(flag) if !models.iter().any(takes_strips) => {
             Err(Failure::user(format!("{flag} is for strips, and no model with strips is built"))

@@ -45,10 +45,10 @@ impl Report {
         let sequence = built.steps.levels();
         let vertex_count = built.steps.mesh().vertex_count().max(1);
         let mut models = Map::new();
-        for (name, parts) in built.models.parts() {
+        for (kind, parts) in built.models.parts() {
             let bytes = parts.iter().map(|part| part.bytes).sum::<usize>();
             let per_vertex = bytes as f64 / vertex_count as f64;
-            models.insert(name.to_owned(), json!({ "bytes": bytes, "bytes_per_vertex": per_vertex }));
+            models.insert(kind.to_string(), json!({ "bytes": bytes, "bytes_per_vertex": per_vertex }));
         }
         let mut strips = json!(built.strip_report);
         if !strips.is_null() {

@@ -1,7 +1,7 @@
 //! The demo's pictures: levels shaded, as strips and as wireframes, how far they are off, and a view seen from outside.
 
 use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::model::{FanBounds, FanInstance, FanScene, Fans, LodModel};
+use striata::model::{FanInstance, FanScene, Fans, LodModel};
 use striata::view::ScreenError;
 
 use super::levels::{percent, split_count_at};
@@ -138,9 +138,8 @@ impl Studio<'_> {
         let camera = striata::view::Camera::new(eye, look_at, up, tan(f64::from(FOV) / 2.0), [1920, 1080]);
         let camera = camera.map_err(|error| Failure::internal(error.to_string()))?;
         let fans = Fans::build(&self.refinable);
-        let fan_bounds = FanBounds::build(&fans, &self.refinable);
         let mut instance = FanInstance::full(&fans);
-        instance.refine(&FanScene::new(&fans, &fan_bounds, &self.refinable), &ScreenError::new(camera, 2.0));
+        instance.refine(&FanScene::new(&fans, &self.refinable), &ScreenError::new(camera, 2.0));
         let level = instance.level(&fans, &self.refinable);
         let seen = Camera { eye, look_at, up, fov: FOV };
         let frustum = Frustum::new(&seen, 16.0 / 9.0, &self.refinable.mesh.positions);

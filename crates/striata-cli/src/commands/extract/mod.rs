@@ -15,13 +15,15 @@ pub(crate) use self::view::{ViewLevel, level_of_view};
 
 use std::time::Instant;
 
+use striata::model::ModelKind;
+
 use self::asked::{diagonal_of, drawn, no_level};
 use self::place::{run_box, run_view};
 use self::report::{LevelsReport, Report, Shown};
 use self::whole::{Extracted, Model, each_level, each_level_of_strips, pick_model};
 use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, TriangleForm};
-use crate::commands::build::{PROGRESSIVE, errors_are_guaranteed};
+use crate::commands::build::errors_are_guaranteed;
 use crate::strip_lists::without_unused_vertices;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -39,7 +41,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     check_form(args)?;
     let input = Input::open(&args.input)?;
     let file = input.striata()?;
-    let is_named = args.model.as_deref() == Some(PROGRESSIVE);
+    let is_named = args.model.as_deref() == Some(ModelKind::Progressive.as_str());
     let is_place = args.eye.eye.is_some() || args.detail_box.is_some();
     if !is_place && !args.view.is_given() && (is_named || args.model.is_none() && file.is_stream_only()) {
         return stream::run(args, (&file, &input), started, output);
@@ -87,10 +89,14 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     };
     let (from, split_counts) = ((&file, &input), &split_counts[..]);
     match pick_model(&file, args.model.as_deref(), &input)? {
-        Model::LodStrips(model) => each_level_of_strips("lodstrips", &model, split_counts, from, &mut take),
-        Model::Mts(model) => each_level_of_strips("mts", &model, split_counts, from, &mut take),
-        Model::Fans(model) => each_level("fans", &model, split_counts, (from, &|_| None), &mut take),
-        Model::Patterns(model) => each_level("patterns", &model, split_counts, (from, &|_| None), &mut take),
+        Model::LodStrips(model) => {
+            each_level_of_strips(ModelKind::LodStrips, &model, split_counts, from, &mut take)
+        }
+        Model::Mts(model) => each_level_of_strips(ModelKind::Mts, &model, split_counts, from, &mut take),
+        Model::Fans(model) => each_level(ModelKind::Fans, &model, split_counts, (from, &|_| None), &mut take),
+        Model::Patterns(model) => {
+            each_level(ModelKind::Patterns, &model, split_counts, (from, &|_| None), &mut take)
+        }
     }?;
     files.commit()?;
     let mut reports: Vec<Report> = reports.into_iter().flatten().collect();

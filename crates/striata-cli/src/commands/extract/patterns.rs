@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use striata::file::StriataFile;
 use striata::mesh::IndexedMesh;
-use striata::model::{Overlap, PatternBounds, PatternInstance, PatternScene, Patterns};
+use striata::model::{Overlap, PatternInstance, PatternScene, Patterns};
 use striata::simplify::StopReason;
 use striata::view::{Camera, Criterion, DetailBox};
 
@@ -19,7 +19,6 @@ use striata_command::input::Input;
 /// Patterns of a file, and all that is needed to ask them.
 pub(crate) struct PatternsOfFile {
     patterns: Patterns,
-    bounds: PatternBounds,
     mesh: IndexedMesh,
     /// Whether they were in the file, and not made from its collapses.
     pub(crate) are_stored: bool,
@@ -50,13 +49,12 @@ impl PatternsOfFile {
     pub(crate) fn read(file: &StriataFile<'_>, input: &Input) -> Result<Self, Failure> {
         let damaged = |error| input.damaged(&error);
         if let Some(stored) = file.patterns() {
-            let (patterns, bounds) = stored.map_err(damaged)?;
-            return Ok(Self { patterns, bounds, mesh: file.mesh().map_err(damaged)?, are_stored: true });
+            let patterns = stored.map_err(damaged)?;
+            return Ok(Self { patterns, mesh: file.mesh().map_err(damaged)?, are_stored: true });
         }
         let fragmented = file.fragmented_mesh().map_err(damaged)?;
         let patterns = Patterns::build(&fragmented)?;
-        let bounds = PatternBounds::build(&fragmented);
-        Ok(Self { patterns, bounds, mesh: fragmented.mesh, are_stored: false })
+        Ok(Self { patterns, mesh: fragmented.mesh, are_stored: false })
     }
 
     /// Fragments.
@@ -97,7 +95,7 @@ impl PatternsOfFile {
     /// The coarsest level that has all fragments over a threshold, and the threshold.
     fn level(&self, weight: impl Fn(&PatternScene<'_>, u32) -> f32, budget: Budget) -> (ViewLevel, f32) {
         let started = Instant::now();
-        let scene = PatternScene::new(&self.patterns, &self.bounds, &self.mesh.positions);
+        let scene = PatternScene::new(&self.patterns, &self.mesh.positions);
         let steps = || 0..self.step_count() as u32;
         let Found { instance, threshold, stop_reason } = match budget.triangle_limit {
             // Not all fragments need to be asked.
@@ -113,10 +111,10 @@ impl PatternsOfFile {
             }
         };
         let seek_secs = started.elapsed().as_secs_f64();
-        let left_out = steps().filter(|&step| !instance.is_inserted(step));
+        let left_out = steps().filter(|&step| !instance.is_refined(step));
         let level = ViewLevel {
             mesh: self.shown(&instance),
-            split_count: instance.inserted_count(),
+            split_count: instance.split_count(),
             error: left_out.map(|step| scene.part(step).error).fold(0.0, f32::max),
             pixels: 0.0,
             stop_reason,

@@ -3,16 +3,16 @@
 use std::time::Instant;
 
 use striata::file::StriataFile;
-use striata::model::{FanBounds, FanScene, Fans};
+use striata::model::{FanScene, Fans, ModelKind};
 
 use super::asked::{bounds_of, diagonal_of, drawn, path_of_place, triangle_limit};
 use super::patterns::{Budget, PatternsOfFile};
 use super::report::Report;
 use super::view::{ViewLevel, level_of_view};
 use crate::args::ExtractArgs;
-use crate::commands::build::{MODELS, errors_are_guaranteed};
+use crate::commands::build::{errors_are_guaranteed, model_of_name};
 use striata_command::args::{Corners, Point};
-use striata_command::failure::{Failure, unknown_name};
+use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
 use striata_command::save::save;
@@ -42,16 +42,12 @@ pub(super) fn run_view(
     let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
     let stored = file.fans().transpose().map_err(|error| input.damaged(&error))?;
     let fans = if stored.is_some() { "stored" } else { "built" };
-    let (table, bounds) = stored.unwrap_or_else(|| {
-        let table = Fans::build(&refinable);
-        let bounds = FanBounds::build(&table, &refinable);
-        (table, bounds)
-    });
-    let scene = FanScene::new(&table, &bounds, &refinable);
+    let table = stored.unwrap_or_else(|| Fans::build(&refinable));
+    let scene = FanScene::new(&table, &refinable);
     let limit = triangle_limit(args, &file);
     let level = level_of_view(&scene, &refinable, &args.view, camera, limit);
     let (pixels, drawn) = (level.pixels, drawn(args.form, &level.mesh, None)?);
-    let report = Report::of_place("fans", args, (&level, limit), started)?;
+    let report = Report::of_place(ModelKind::Fans, args, (&level, limit), started)?;
     save(&level.mesh, drawn, &path_of_place(args)?, &args.output.format)?;
     let report = Report { fans: Some(fans), pixels: Some(pixels), ..report };
     output.summary(&report, &report.to_text(refinable.sequence.step_count()))
@@ -62,15 +58,14 @@ pub(super) fn run_view(
 /// # Errors
 /// Where a model is named that knows whole levels only, or fans where there are no collapses.
 fn asks_patterns(args: &ExtractArgs, file: &StriataFile<'_>, input: &Input) -> Result<bool, Failure> {
-    match args.model.as_deref() {
-        Some("patterns") => Ok(true),
-        Some("fans") if !file.has_collapses() => {
+    match args.model.as_deref().map(model_of_name).transpose()? {
+        Some(ModelKind::Patterns) => Ok(true),
+        Some(ModelKind::Fans) if !file.has_collapses() => {
             Err(Failure::user(format!("{}: fans take collapses, and this file has none", input.name))
                 .with_hint("leave --model out, or say --model patterns"))
         }
-        Some("fans") => Ok(false),
-        Some(name) if !MODELS.contains(&name) => Err(unknown_name("model", name, &MODELS)),
-        Some(name) => Err(Failure::user(format!("{name} knows whole levels only"))
+        Some(ModelKind::Fans) => Ok(false),
+        Some(kind) => Err(Failure::user(format!("{kind} knows whole levels only"))
             .with_hint("a view takes --model fans or patterns")),
         None => Ok(file.fans().is_none() && file.patterns().is_some()),
     }
@@ -87,7 +82,7 @@ pub(super) fn run_box(
     started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
-    if let Some(name) = args.model.as_deref().filter(|&name| name != "patterns") {
+    if let Some(name) = args.model.as_deref().filter(|&name| name != ModelKind::Patterns.as_str()) {
         return Err(Failure::user(format!("{name} are not asked for boxes"))
             .with_hint("a box takes --model patterns"));
     }
@@ -117,7 +112,7 @@ fn report_patterns(
     output: &Output,
 ) -> Result<(), Failure> {
     let file = input.striata()?;
-    let report = Report::of_place("patterns", args, (&level, triangle_limit(args, &file)), started)?;
+    let report = Report::of_place(ModelKind::Patterns, args, (&level, triangle_limit(args, &file)), started)?;
     save(&level.mesh, drawn(args.form, &level.mesh, None)?, &path_of_place(args)?, &args.output.format)?;
     let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let report = Report {

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::IndexedMesh;
+use striata::model::ModelKind;
 use striata::simplify::{StopReason, Target};
 
 use super::asked::path_of_place;
@@ -64,7 +65,7 @@ pub(super) struct Shown<'a> {
 impl Report {
     /// Of a level that is the same everywhere; its error is known elsewhere.
     pub(super) fn of_level(
-        model: &'static str,
+        model: ModelKind,
         wanted: &Wanted,
         Shown { mesh, split_count, stop_reason }: Shown<'_>,
         [seek_secs, secs]: [f64; 2],
@@ -74,7 +75,7 @@ impl Report {
         Self {
             level: wanted.name.clone(),
             path: name_of(&wanted.path),
-            model,
+            model: model.as_str(),
             fans: None,
             patterns: None,
             pixels: None,
@@ -95,7 +96,7 @@ impl Report {
     /// # Errors
     /// If it has more triangles than allowed and that is forbidden, or its file has no name.
     pub(super) fn of_place(
-        model: &'static str,
+        model: ModelKind,
         args: &ExtractArgs,
         (level, triangle_limit): (&ViewLevel, Option<usize>),
         started: Instant,
@@ -114,10 +115,10 @@ impl Report {
 
     pub(super) fn to_text(&self, step_count: usize) -> String {
         let kind = if self.error_is_guaranteed { "guaranteed error" } else { "error" };
-        let of_model = |model: &str, origin: Option<&str>| {
+        let of_model = |model: ModelKind, origin: Option<&str>| {
             origin.map_or_else(String::new, |origin| format!(", {model} {origin}"))
         };
-        let origin = of_model("fans", self.fans) + &of_model("patterns", self.patterns);
+        let origin = of_model(ModelKind::Fans, self.fans) + &of_model(ModelKind::Patterns, self.patterns);
         format!(
             "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; sought in {}{origin}{}",
             grouped(self.triangle_count),

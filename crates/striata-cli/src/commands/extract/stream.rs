@@ -5,6 +5,7 @@ use std::time::Instant;
 use serde::Serialize;
 use striata::file::StriataFile;
 use striata::mesh::replay;
+use striata::model::ModelKind;
 use striata_stream::StreamDecoder;
 
 use super::asked::{drawn, no_level};
@@ -95,7 +96,7 @@ pub(super) fn run(
         reports.push(Report {
             level: wanted.name.clone(),
             path: name_of(&wanted.path),
-            model: "progressive",
+            model: ModelKind::Progressive.as_str(),
             split_count,
             step_count,
             vertex_count: mesh.vertex_count(),

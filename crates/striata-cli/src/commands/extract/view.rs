@@ -60,10 +60,10 @@ pub(crate) fn level_of_view(
     };
     let seek_secs = started.elapsed().as_secs_f64();
     // Errors fall with the steps, so the first that is taken has the largest.
-    let coarsest = (0..fans.step_count()).find(|&step| instance.is_taken(step as u32));
+    let coarsest = (0..fans.step_count()).find(|&step| !instance.is_refined(step as u32));
     ViewLevel {
         mesh: instance.level(fans, refinable),
-        split_count: fans.step_count() - instance.taken_count(),
+        split_count: instance.split_count(),
         error: coarsest.map_or(0.0, |step| refinable.sequence.error_at(step)),
         pixels,
         stop_reason,

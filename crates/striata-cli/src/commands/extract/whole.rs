@@ -5,12 +5,12 @@ use std::time::Instant;
 
 use striata::file::StriataFile;
 use striata::mesh::IndexedMesh;
-use striata::model::{Fans, LodModel, LodStrips, Mts, Patterns, StoredModel, StripModel};
+use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StoredModel, StripModel};
 use striata::strip::StripSet;
 
-use crate::commands::build::MODELS;
+use crate::commands::build::model_of_name;
 use crate::strip_lists::strips_of_level;
-use striata_command::failure::{Failure, unknown_name};
+use striata_command::failure::Failure;
 use striata_command::input::Input;
 
 /// A model of a file.
@@ -30,32 +30,30 @@ pub(super) fn pick_model<'a>(
     name: Option<&str>,
     input: &Input,
 ) -> Result<Model<'a>, Failure> {
-    if let Some(name) = name.filter(|name| !MODELS.contains(name)) {
-        return Err(unknown_name("model", name, &MODELS));
-    }
-    let is_wanted = |which: &str| name.is_none_or(|name| name == which);
-    let lod_strips = is_wanted("lodstrips").then(|| file.lod_strips()).flatten();
+    let named = name.map(model_of_name).transpose()?;
+    let is_wanted = |kind| named.is_none_or(|named| named == kind);
+    let lod_strips = is_wanted(ModelKind::LodStrips).then(|| file.lod_strips()).flatten();
     let lod_strips = lod_strips.map(|model| model.map(Model::LodStrips));
-    let mts = || is_wanted("mts").then(|| file.mts()).flatten().map(|model| model.map(Model::Mts));
+    let mts = || is_wanted(ModelKind::Mts).then(|| file.mts()).flatten().map(|model| model.map(Model::Mts));
     let fans =
-        || is_wanted("fans").then(|| file.fans()).flatten().map(|model| model.map(|m| Model::Fans(m.0)));
+        || is_wanted(ModelKind::Fans).then(|| file.fans()).flatten().map(|model| model.map(Model::Fans));
     let patterns = || {
-        let model = is_wanted("patterns").then(|| file.patterns()).flatten();
-        model.map(|model| model.map(|m| Model::Patterns(m.0)))
+        let model = is_wanted(ModelKind::Patterns).then(|| file.patterns()).flatten();
+        model.map(|model| model.map(Model::Patterns))
     };
     match lod_strips.or_else(mts).or_else(fans).or_else(patterns) {
         Some(model) => model.map_err(|error| input.damaged(&error)),
         None => {
-            let what = name.map_or("no model".to_owned(), |name| format!("no model {name}"));
+            let what = named.map_or("no model".to_owned(), |kind| format!("no model {kind}"));
             Err(Failure::user(format!("{}: {what} is in this file", input.name))
-                .with_hint(format!("build it again with --models {}", name.unwrap_or("lodstrips"))))
+                .with_hint(format!("build it again with --models {}", named.unwrap_or(ModelKind::LodStrips))))
         }
     }
 }
 
 /// One level of a file.
 pub(super) struct Extracted {
-    pub(super) model: &'static str,
+    pub(super) model: ModelKind,
     pub(super) mesh: IndexedMesh,
     /// Where the model has them.
     pub(super) strips: Option<StripSet>,
@@ -76,7 +74,7 @@ type StripsOf<'a, M> = dyn Fn(&<M as LodModel>::State) -> Option<StripSet> + 'a;
 /// # Errors
 /// If a part of the file is unsound, or `take` fails.
 pub(super) fn each_level<M: StoredModel>(
-    name: &'static str,
+    kind: ModelKind,
     model: &M,
     split_counts: &[usize],
     ((file, input), strips): (Origin<'_>, &StripsOf<'_, M>),
@@ -90,7 +88,7 @@ pub(super) fn each_level<M: StoredModel>(
         model.move_to(&mut state, split_counts[number]);
         let seek_secs = started.elapsed().as_secs_f64();
         let mesh = file.level_of(model, &state).map_err(|error| input.damaged(&error))?;
-        take(number, Extracted { model: name, mesh, strips: strips(&state), seek_secs })?;
+        take(number, Extracted { model: kind, mesh, strips: strips(&state), seek_secs })?;
     }
     Ok(())
 }
@@ -98,11 +96,11 @@ pub(super) fn each_level<M: StoredModel>(
 /// # Errors
 /// As [`each_level`].
 pub(super) fn each_level_of_strips<M: StripModel>(
-    name: &'static str,
+    kind: ModelKind,
     model: &M,
     split_counts: &[usize],
     from: Origin<'_>,
     take: &mut TakeLevel<'_>,
 ) -> Result<(), Failure> {
-    each_level(name, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
+    each_level(kind, model, split_counts, (from, &|state| Some(strips_of_level(model, state))), take)
 }

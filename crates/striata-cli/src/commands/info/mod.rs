@@ -6,14 +6,12 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::file::{DecodeError, FORMAT_VERSION, StriataFile};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Levels, Statistics, validate, weld};
-use striata::model::{LodModel, PartBytes, StripModel};
+use striata::model::{LodModel, ModelKind, PartBytes, StripModel};
 use striata_stream::{StreamDefect, StreamFacts};
 
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
-use crate::commands::build::{
-    ModelCost, PROGRESSIVE, errors_are_guaranteed, model_costs, parts_of_fans, parts_of_patterns,
-};
+use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, Table, counted, grouped, lasted, measured, sized};
@@ -109,20 +107,20 @@ fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh),
     }
     if let Some(model) = file.lod_strips() {
         let model = model.map_err(|error| input.damaged(&error))?;
-        report.add_model("lodstrips", &model.bytes(), Some(model.strip_count()));
+        report.add_model(ModelKind::LodStrips, &model.bytes(), Some(model.strip_count()));
     }
     if let Some(model) = file.mts() {
         let model = model.map_err(|error| input.damaged(&error))?;
-        report.add_model("mts", &model.bytes(), Some(model.strip_count()));
+        report.add_model(ModelKind::Mts, &model.bytes(), Some(model.strip_count()));
     }
     if let Some(model) = file.fans() {
-        let (fans, bounds) = model.map_err(|error| input.damaged(&error))?;
-        report.add_model("fans", &parts_of_fans(&fans, &bounds), None);
+        let fans = model.map_err(|error| input.damaged(&error))?;
+        report.add_model(ModelKind::Fans, &fans.bytes(), None);
     }
     if let Some(model) = file.patterns() {
-        let (patterns, bounds) = model.map_err(|error| input.damaged(&error))?;
-        report.add_model("patterns", &parts_of_patterns(&patterns, &bounds), None);
-        let model = &mut report.models["patterns"];
+        let patterns = model.map_err(|error| input.damaged(&error))?;
+        report.add_model(ModelKind::Patterns, &patterns.bytes(), None);
+        let model = &mut report.models[ModelKind::Patterns.as_str()];
         model["rule_count"] = json!(patterns.rule_count());
         model["overlap_count"] = json!(patterns.overlap_count());
     }
@@ -140,7 +138,7 @@ impl Report {
         let damaged = |error: DecodeError| input.damaged(&error);
         let facts = StreamFacts::read(stream).map_err(|error| damaged(error.into()))?;
         let facts = facts.ok_or(StreamDefect::NoBase).map_err(|error| damaged(error.into()))?;
-        self.add_model(PROGRESSIVE, &[PartBytes { name: "stream", bytes: stream.len() }], None);
+        self.add_model(ModelKind::Progressive, &[PartBytes { name: "stream", bytes: stream.len() }], None);
         let split_count = match (file.is_stream_only(), file.is_cut()) {
             (true, _) => file.levels().map_err(damaged)?.step_count(),
             (false, false) => facts.step_count,
@@ -154,7 +152,7 @@ impl Report {
         Ok(())
     }
 
-    fn add_model(&mut self, name: &str, parts: &[PartBytes], strip_count: Option<usize>) {
+    fn add_model(&mut self, kind: ModelKind, parts: &[PartBytes], strip_count: Option<usize>) {
         let bytes: usize = parts.iter().map(|part| part.bytes).sum();
         let by_part: Map<String, Value> = parts.iter().map(|p| (p.name.to_owned(), p.bytes.into())).collect();
         let bytes_per_vertex = bytes as f64 / self.vertex_count.max(1) as f64;
@@ -162,7 +160,7 @@ impl Report {
         if let Some(strip_count) = strip_count {
             model["strip_count"] = json!(strip_count);
         }
-        self.models.insert(name.to_owned(), model);
+        self.models.insert(kind.to_string(), model);
     }
 
     fn new(input: &Input, mesh: &IndexedMesh) -> Self {

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use striata::mesh::IndexedMesh;
+use striata::model::ModelKind;
 use striata::simplify::Target;
 use striata::strip::{StripIndices, StripSet, stripify};
 
@@ -55,7 +56,7 @@ impl Figure {
     }
 
     /// The level of a view, which was to have no more than so many triangles if that was said.
-    pub(super) fn of_view(model: &'static str, level: ViewLevel, triangle_limit: Option<usize>) -> Self {
+    pub(super) fn of_view(model: ModelKind, level: ViewLevel, triangle_limit: Option<usize>) -> Self {
         let reached = Reached {
             vertex_count: level.mesh.vertex_count(),
             triangle_count: level.mesh.triangle_count(),
@@ -64,7 +65,7 @@ impl Figure {
         let target = triangle_limit.map(Target::Triangles);
         Self {
             shortfall: target.and_then(|target| shortfall(target, reached, &Floor::File)),
-            model,
+            model: model.as_str(),
             split_count: Some(level.split_count),
             error: level.error,
             error_is_guaranteed: false,

@@ -2,7 +2,7 @@
 
 use striata::file::StriataFile;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
-use striata::model::{FanBounds, FanScene, Fans, LodModel, LodStrips, Mts, StoredModel, StripModel};
+use striata::model::{FanScene, Fans, LodModel, LodStrips, ModelKind, Mts, StoredModel, StripModel};
 use striata::simplify::Target;
 use striata::strip::{StripSet, stripify};
 
@@ -147,22 +147,16 @@ impl<'a> Source<'a> {
             args.level.level.triangle_count().map(|count| count.of_triangles(self.full().triangle_count));
         if let (Some(file), true) = (&levels.file, levels.has_patterns_only()) {
             let level = PatternsOfFile::read(file, input)?.level_of_view(&view, camera, limit);
-            return Ok(Figure::of_view("patterns", level, limit));
+            return Ok(Figure::of_view(ModelKind::Patterns, level, limit));
         }
         let Steps::Collapses(refinable) = &levels.steps else {
             return Err(Failure::internal("fragments without patterns"));
         };
         let stored = levels.file.as_ref().and_then(StriataFile::fans).transpose();
-        let (fans, bounds) = match stored.map_err(|error| input.damaged(&error))? {
-            Some(stored) => stored,
-            None => {
-                let fans = Fans::build(refinable);
-                let bounds = FanBounds::build(&fans, refinable);
-                (fans, bounds)
-            }
-        };
-        let scene = FanScene::new(&fans, &bounds, refinable);
-        Ok(Figure::of_view("fans", level_of_view(&scene, refinable, &view, camera, limit), limit))
+        let stored = stored.map_err(|error| input.damaged(&error))?;
+        let fans = stored.unwrap_or_else(|| Fans::build(refinable));
+        let scene = FanScene::new(&fans, refinable);
+        Ok(Figure::of_view(ModelKind::Fans, level_of_view(&scene, refinable, &view, camera, limit), limit))
     }
 }
 
@@ -187,15 +181,15 @@ impl<'a> Levels<'a> {
         } else {
             Steps::Fragments(file.fragmented_mesh().map_err(damaged)?)
         });
-        let is_asked = |model| args.model.is_none_or(|wanted| wanted == model);
+        let is_asked = |kind| args.model.is_none_or(|wanted| wanted == DrawnModel::Model(kind));
         let model = if args.heat {
             Model::List
-        } else if let Some(model) = is_asked(DrawnModel::LodStrips).then(|| file.lod_strips()).flatten() {
+        } else if let Some(model) = is_asked(ModelKind::LodStrips).then(|| file.lod_strips()).flatten() {
             Model::LodStrips(model.map_err(damaged)?)
-        } else if let Some(model) = is_asked(DrawnModel::Mts).then(|| file.mts()).flatten() {
+        } else if let Some(model) = is_asked(ModelKind::Mts).then(|| file.mts()).flatten() {
             Model::Mts(model.map_err(damaged)?)
-        } else if let Some(model) = is_asked(DrawnModel::Fans).then(|| file.fans()).flatten() {
-            Model::Fans(model.map_err(damaged)?.0)
+        } else if let Some(model) = is_asked(ModelKind::Fans).then(|| file.fans()).flatten() {
+            Model::Fans(model.map_err(damaged)?)
         } else {
             Model::built(args.model.unwrap_or(default_model(args)), &steps)?
         };
@@ -265,18 +259,21 @@ impl Model<'_> {
             }
         };
         Ok(match model {
-            DrawnModel::LodStrips => Self::LodStrips(LodStrips::build(refinable, &strips_of(refinable)?)?),
-            DrawnModel::Mts => Self::Mts(Mts::build(refinable, &strips_of(refinable)?)?),
-            DrawnModel::Fans => Self::Fans(Fans::build(refinable)),
+            DrawnModel::Model(ModelKind::LodStrips) => {
+                Self::LodStrips(LodStrips::build(refinable, &strips_of(refinable)?)?)
+            }
+            DrawnModel::Model(ModelKind::Mts) => Self::Mts(Mts::build(refinable, &strips_of(refinable)?)?),
+            DrawnModel::Model(ModelKind::Fans) => Self::Fans(Fans::build_without_bounds(refinable)),
+            DrawnModel::Model(kind) => return Err(Failure::internal(format!("{kind} are not drawn"))),
             DrawnModel::List => Self::List,
         })
     }
 
     fn name(&self) -> &'static str {
         let model = match self {
-            Self::LodStrips(_) => DrawnModel::LodStrips,
-            Self::Mts(_) => DrawnModel::Mts,
-            Self::Fans(_) => DrawnModel::Fans,
+            Self::LodStrips(_) => DrawnModel::Model(ModelKind::LodStrips),
+            Self::Mts(_) => DrawnModel::Model(ModelKind::Mts),
+            Self::Fans(_) => DrawnModel::Model(ModelKind::Fans),
             Self::List => DrawnModel::List,
         };
         model.as_str()
@@ -303,7 +300,7 @@ fn needs_levels(args: &RenderArgs) -> bool {
 /// Strips that are looked at follow the levels.
 fn default_model(args: &RenderArgs) -> DrawnModel {
     let shows_strips = args.colours.contains(&Colouring::Strips) && args.level.eye.is_none();
-    if shows_strips { DrawnModel::LodStrips } else { DrawnModel::List }
+    if shows_strips { DrawnModel::Model(ModelKind::LodStrips) } else { DrawnModel::List }
 }
 
 /// Steps whose mesh has normals, so that every level has them.

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
 use striata::mesh::{FragmentSequence, FragmentedMesh};
-use striata::model::ModelError;
+use striata::model::{ModelError, StepVertices};
 
 use super::LoopPatterns;
 use super::records::{Head, Link, MAX_LOOPS, Records};
@@ -274,7 +274,7 @@ impl<'a> Builder<'a> {
             records.push(&head, &self.links[first as usize..(first + count) as usize]);
         }
         Ok(LoopPatterns {
-            base_vertex_count: self.base_vertex_count,
+            vertices: StepVertices::one_a_step(self.base_vertex_count, records.len()),
             base: base.to_vec(),
             base_covers: covers,
             rules,

@@ -40,14 +40,14 @@ use self::records::Records;
 pub(super) use self::rule::{Rule, RuleTable, Shape};
 pub use self::state::LoopPatternsState;
 pub(super) use self::surface::{Found, Side, Surface};
-use striata::model::{DrawCounts, LodModel, PartBytes, StoredModel, Topology};
+use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, StoredModel, Topology};
 
 use crate::paper_bytes::{Accounting, PaperBytes, pattern_bytes};
 
 /// The static half of the model; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoopPatterns {
-    base_vertex_count: u32,
+    vertices: StepVertices<'static>,
     base: Vec<[u32; 3]>,
     /// Fragments that replace triangles of the base, or hang on them, rising.
     base_covers: Vec<u32>,
@@ -95,7 +95,7 @@ impl LoopPatterns {
     /// The fragment that makes a triangle; none for one of the base.
     #[inline]
     fn maker(&self, &[a, b, c]: &[u32; 3]) -> Option<u32> {
-        a.max(b).max(c).checked_sub(self.base_vertex_count)
+        a.max(b).max(c).checked_sub(self.vertices.base_vertex_count())
     }
 }
 
@@ -114,7 +114,7 @@ impl LodModel for LoopPatterns {
 
     /// Fragments that are inserted, whichever they are.
     fn split_count(&self, state: &LoopPatternsState) -> usize {
-        state.inserted_count()
+        state.split_count()
     }
 
     fn move_to(&self, state: &mut LoopPatternsState, split_count: usize) {
@@ -161,13 +161,8 @@ impl PaperBytes for LoopPatterns {
 }
 
 impl StoredModel for LoopPatterns {
-    fn vertex_count(&self) -> usize {
-        self.base_vertex_count as usize + self.step_count()
-    }
-
-    fn vertex_count_at(&self, split_count: usize) -> usize {
-        assert!(split_count <= self.step_count(), "split count {split_count} of {}", self.step_count());
-        self.base_vertex_count as usize + split_count
+    fn step_vertices(&self) -> &StepVertices<'_> {
+        &self.vertices
     }
 
     fn group_count(&self) -> usize {

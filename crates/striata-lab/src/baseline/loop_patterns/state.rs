@@ -22,7 +22,7 @@ pub struct LoopPatternsState {
 impl LoopPatternsState {
     pub(super) fn base(model: &LoopPatterns) -> Self {
         let step_count = model.records.len();
-        let vertex_count = model.base_vertex_count as usize + step_count;
+        let vertex_count = model.vertices.vertex_count();
         let surface = Surface::new(&model.base, vertex_count);
         Self {
             inserted: StepSet::new(step_count),
@@ -49,12 +49,12 @@ impl LoopPatternsState {
     ///
     /// # Panics
     /// If there is no such fragment.
-    pub fn is_inserted(&self, step: u32) -> bool {
+    pub fn is_refined(&self, step: u32) -> bool {
         self.inserted.has(step)
     }
 
     /// Fragments that are inserted.
-    pub fn inserted_count(&self) -> usize {
+    pub fn split_count(&self) -> usize {
         self.inserted.len()
     }
 
@@ -89,14 +89,14 @@ impl LoopPatternsState {
             let is_there = surface.find_floor(rule, side, &mut self.found);
             assert!(is_there, "the floor of step {step} is another");
         }
-        self.surface.put_fan(model.base_vertex_count + step, rule, &mut self.found);
+        self.surface.put_fan(model.vertices.base_vertex_count() + step, rule, &mut self.found);
         self.inserted.insert(step);
     }
 
     /// Replaces the ceiling of a fragment, which is all there, by its floor.
     pub(super) fn remove_fragment(&mut self, model: &LoopPatterns, step: u32) {
         let Head { anchors, rule, .. } = model.records.head(step);
-        let (vertex, rule) = (model.base_vertex_count + step, model.rules.get(rule as usize));
+        let (vertex, rule) = (model.vertices.base_vertex_count() + step, model.rules.get(rule as usize));
         self.surface.find_fan(vertex, anchors[0], &mut self.found, &mut self.star);
         self.surface.put_floor(vertex, rule, &mut self.found);
         self.inserted.remove(step);

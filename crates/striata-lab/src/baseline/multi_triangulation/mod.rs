@@ -227,7 +227,7 @@ impl LodModel for MultiTriangulation {
 
     /// Fragments that are inserted, whichever they are.
     fn split_count(&self, state: &MultiTriangulationState) -> usize {
-        state.inserted_count()
+        state.split_count()
     }
 
     fn move_to(&self, state: &mut MultiTriangulationState, split_count: usize) {
@@ -276,12 +276,8 @@ impl PaperBytes for MultiTriangulation {
 }
 
 impl StoredModel for MultiTriangulation {
-    fn vertex_count(&self) -> usize {
-        self.vertices.vertex_count()
-    }
-
-    fn vertex_count_at(&self, split_count: usize) -> usize {
-        self.vertices.count_at(split_count)
+    fn step_vertices(&self) -> &StepVertices<'_> {
+        &self.vertices
     }
 
     fn group_count(&self) -> usize {

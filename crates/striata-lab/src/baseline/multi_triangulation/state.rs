@@ -54,12 +54,12 @@ impl MultiTriangulationState {
     ///
     /// # Panics
     /// If there is no such fragment.
-    pub fn is_inserted(&self, step: u32) -> bool {
+    pub fn is_refined(&self, step: u32) -> bool {
         self.inserted.has(step)
     }
 
     /// Fragments that are inserted.
-    pub fn inserted_count(&self) -> usize {
+    pub fn split_count(&self) -> usize {
         self.inserted.len()
     }
 

@@ -12,15 +12,15 @@ const BLOCK_LEN: usize = 64;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Adapted {
     /// Vertices that were split.
-    pub undone_count: usize,
+    pub split_count: usize,
     /// Splits that were undone.
-    pub taken_count: usize,
+    pub collapse_count: usize,
 }
 
 impl Adapted {
     /// Splits and collapses.
     pub fn change_count(self) -> usize {
-        self.undone_count + self.taken_count
+        self.split_count + self.collapse_count
     }
 }
 
@@ -224,7 +224,7 @@ impl<C: Criterion> Pass<'_, C> {
                 state.waiting.pop();
                 state.split(model, step);
                 state.arrived.extend([split.target, model.restored(step)]);
-                self.adapted.undone_count += 1;
+                self.adapted.split_count += 1;
             }
         }
     }
@@ -233,7 +233,7 @@ impl<C: Criterion> Pass<'_, C> {
     fn collapse(&mut self, step: u32) {
         let model = self.model;
         self.state.collapse(model, step);
-        self.adapted.taken_count += 1;
+        self.adapted.collapse_count += 1;
         let split = &model.splits[step as usize];
         // The vertex above has two children again, perhaps, and the triangles beside have the neighbours that they were made with.
         let beside = split.beside.into_iter().filter(|&number| number != NONE);

@@ -136,20 +136,20 @@ fn extract(models: &Models, which: usize, limit: Option<f32>, out: &mut Vec<[u32
             let mut instance = PatternInstance::base(&models.patterns);
             instance.adapt(&models.patterns, &by_overlap);
             instance.triangles_into(out);
-            Some(instance.inserted_count())
+            Some(instance.split_count())
         }
         1 => {
             let mut state = models.explicit.base_state();
             models.explicit.adapt(&mut state, |question: MtQuestion| errors[question.upper as usize] > limit);
             out.extend_from_slice(state.triangles());
-            Some(state.inserted_count())
+            Some(state.split_count())
         }
         _ => {
             let loops = models.loops.as_ref().ok()?;
             let mut state = loops.base_state();
             loops.adapt(&mut state, &by_overlap);
             out.extend_from_slice(state.triangles());
-            Some(state.inserted_count())
+            Some(state.split_count())
         }
     }
 }

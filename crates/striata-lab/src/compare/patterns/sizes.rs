@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::FragmentedMesh;
-use striata::model::{LodModel, PatternBounds, Patterns};
+use striata::model::{LodModel, Patterns};
 use striata_lab::baseline::{LoopPatterns, MultiTriangulation, SequentialPatterns};
 use striata_lab::{Accounting, PaperBytes};
 
@@ -40,15 +40,17 @@ impl Models {
     /// # Errors
     /// Where the fragments are too many to be numbered.
     pub(super) fn build(mesh: &FragmentedMesh) -> Result<Self, Failure> {
-        let (patterns, build_secs) = timed(|| Patterns::build(mesh));
+        let (patterns, build_secs) = timed(|| Patterns::build_without_bounds(mesh));
+        let patterns = patterns?;
+        let bounds_bytes = bytes_of(&Patterns::build(mesh)?) - bytes_of(&patterns);
         let (loops, loop_build_secs) = timed(|| LoopPatterns::build(mesh));
         let (explicit, explicit_build_secs) = timed(|| MultiTriangulation::build(mesh));
         let levels = mesh.fragments.levels();
         let step_count = levels.step_count();
         Ok(Self {
-            patterns: patterns?,
+            patterns,
             build_secs,
-            bounds_bytes: PatternBounds::build(mesh).bytes(),
+            bounds_bytes,
             loops: loops.map_err(|error| error.to_string()),
             loop_build_secs,
             sequential: SequentialPatterns::encode(mesh).ok(),

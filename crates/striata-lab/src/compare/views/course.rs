@@ -148,7 +148,7 @@ fn rehearse<'a>(
             log.clear();
             let changes = follower.follow(stage.view(frame), Some(log));
             run.asked.push(log.asked_count());
-            run.changes.push(changes.undone_count + changes.taken_count);
+            run.changes.push(changes.split_count + changes.collapse_count);
             run.criterion_secs.push(log.weighing_secs(&stage.screens[frame]));
             run.instance_bytes = run.instance_bytes.max(follower.instance_bytes());
             let mut indices = Vec::new();

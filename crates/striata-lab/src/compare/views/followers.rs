@@ -1,7 +1,7 @@
 //! Those who follow an eye: progressive fans with and without a memory, their rival, and a level that is the same everywhere.
 
 use striata::mesh::RefinableMesh;
-use striata::model::{FanBounds, FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
+use striata::model::{FanFront, FanInstance, FanScene, FanTriangles, Fans, FansLevel, LodModel};
 use striata::view::ScreenError;
 use striata_lab::baseline::{ViewDependentMeshes, ViewDependentState};
 
@@ -20,9 +20,9 @@ pub(super) struct View<'s> {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Changes {
     /// Splits.
-    pub(super) undone_count: usize,
+    pub(super) split_count: usize,
     /// Collapses.
-    pub(super) taken_count: usize,
+    pub(super) collapse_count: usize,
 }
 
 /// A model with one instance that follows an eye.
@@ -45,10 +45,8 @@ pub(super) trait Follower<'a> {
 pub(super) struct Models<'r> {
     /// The mesh with its sequence.
     pub(super) refinable: &'r RefinableMesh,
-    /// The table.
+    /// The table with the bounds of its steps.
     pub(super) fans: Fans,
-    /// What criteria are asked of its steps.
-    pub(super) bounds: FanBounds,
     /// The rival, or why there is none.
     pub(super) rival: Result<ViewDependentMeshes, String>,
 }
@@ -67,14 +65,13 @@ impl<'r> Models<'r> {
     /// Builds all that can be built.
     pub(super) fn build(refinable: &'r RefinableMesh) -> Self {
         let fans = Fans::build(refinable);
-        let bounds = FanBounds::build(&fans, refinable);
         let rival = ViewDependentMeshes::build(refinable).map_err(|error| error.to_string());
-        Self { refinable, fans, bounds, rival }
+        Self { refinable, fans, rival }
     }
 
     /// The table with what it takes to ask for its steps.
     pub(super) fn scene(&self) -> FanScene<'_> {
-        FanScene::new(&self.fans, &self.bounds, self.refinable)
+        FanScene::new(&self.fans, self.refinable)
     }
 
     /// A follower for each of [`NAMES`], or why there is none.
@@ -107,7 +104,7 @@ impl<'a> Follower<'a> for Incremental<'a> {
 
     fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
         let update = self.front.update(&self.scene, &Asker { screen: view.screen, log }, usize::MAX);
-        Changes { undone_count: update.undone_count, taken_count: update.taken_count }
+        Changes { split_count: update.split_count, collapse_count: update.collapse_count }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -168,8 +165,8 @@ impl<'a> Follower<'a> for Stateless<'a> {
     }
 
     fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
-        let undone_count = self.instance.refine(&self.scene, &Asker { screen: view.screen, log });
-        Changes { undone_count, taken_count: 0 }
+        let split_count = self.instance.refine(&self.scene, &Asker { screen: view.screen, log });
+        Changes { split_count, collapse_count: 0 }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -194,7 +191,7 @@ impl<'a> Follower<'a> for Rival<'a> {
 
     fn follow(&mut self, view: View<'a>, log: Option<&'a Log>) -> Changes {
         let adapted = self.model.adapt(&mut self.state, &Asker { screen: view.screen, log });
-        Changes { undone_count: adapted.undone_count, taken_count: adapted.taken_count }
+        Changes { split_count: adapted.split_count, collapse_count: adapted.collapse_count }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -221,8 +218,8 @@ impl<'a> Follower<'a> for Uniform<'a> {
         let before = self.fans.split_count(&self.level);
         self.fans.move_to(&mut self.level, view.split_count);
         Changes {
-            undone_count: view.split_count.saturating_sub(before),
-            taken_count: before.saturating_sub(view.split_count),
+            split_count: view.split_count.saturating_sub(before),
+            collapse_count: before.saturating_sub(view.split_count),
         }
     }
 

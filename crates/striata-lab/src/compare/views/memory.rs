@@ -33,8 +33,10 @@ pub(super) struct MemoryRow {
 
 /// Static bytes of the models that followers stand on, in the order of their names.
 pub(super) fn static_bytes(models: &Models<'_>) -> [usize; NAMES.len()] {
-    let table = bytes_of(&models.fans);
-    let fans = table + models.bounds.bytes();
+    let fans = bytes_of(&models.fans);
+    // Uniform levels ask for no bounds.
+    let bounds = models.fans.bytes().into_iter().find(|part| part.name == "bounds");
+    let table = fans - bounds.map_or(0, |part| part.bytes);
     [fans, fans, fans, models.rival.as_ref().map_or(0, bytes_of), table]
 }
 

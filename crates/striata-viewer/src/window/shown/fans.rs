@@ -76,10 +76,10 @@ impl FansShown {
             }
         }
         let levels = refinable.sequence.levels();
-        let coarsest = (0..levels.step_count()).find(|&step| wanted.is_taken(step as u32));
+        let coarsest = (0..levels.step_count()).find(|&step| !wanted.is_refined(step as u32));
         let moving_count = self.morphs.as_ref().map_or(0, FanMorphs::moving_count);
         let achieved = Achieved {
-            split_count: levels.step_count() - wanted.taken_count(),
+            split_count: wanted.split_count(),
             triangle_count: match self.uniform {
                 Some((split_count, _)) => levels.triangle_count_at(split_count),
                 None => self.front.triangle_count(),

@@ -21,7 +21,7 @@ use self::fans::FansShown;
 use self::indices::{list_into, note, patterns_into, strips_into};
 use self::patterns::follow_patterns;
 use self::wish::{split_count_for, uniform};
-use super::state::ModelKind;
+use super::args::ShownModel;
 use super::subject::Subject;
 
 /// An instance of a model.
@@ -52,21 +52,21 @@ enum Instance {
 
 impl Shown {
     /// An instance of a model; none while the subject lacks the model.
-    pub(super) fn new(subject: &Subject, kind: ModelKind) -> Option<Self> {
+    pub(super) fn new(subject: &Subject, kind: ShownModel) -> Option<Self> {
         let instance = match kind {
-            ModelKind::List => Instance::List(None),
-            ModelKind::LodStrips => {
+            ShownModel::List => Instance::List(None),
+            ShownModel::LodStrips => {
                 let model = subject.lod_strips()?;
                 let mut state = model.new_state();
                 let buffer = StripBuffer::new(model, &mut state);
                 Instance::LodStrips { state, buffer }
             }
-            ModelKind::Mts => Instance::Mts(subject.mts()?.new_state()),
-            ModelKind::Fans | ModelKind::FansGpu => {
+            ShownModel::Mts => Instance::Mts(subject.mts()?.new_state()),
+            ShownModel::Fans | ShownModel::FansGpu => {
                 let (scene, _) = subject.fan_scene()?;
-                Instance::Fans(Box::new(FansShown::new(&scene, kind == ModelKind::Fans)))
+                Instance::Fans(Box::new(FansShown::new(&scene, kind == ShownModel::Fans)))
             }
-            ModelKind::Patterns => {
+            ShownModel::Patterns => {
                 Instance::Patterns(Box::new(PatternInstance::base(subject.pattern_scene()?.patterns())))
             }
         };
@@ -76,14 +76,14 @@ impl Shown {
     }
 
     /// The model that it is an instance of.
-    pub(super) fn kind(&self) -> ModelKind {
+    pub(super) fn kind(&self) -> ShownModel {
         match &self.instance {
-            Instance::List(_) => ModelKind::List,
-            Instance::LodStrips { .. } => ModelKind::LodStrips,
-            Instance::Mts(_) => ModelKind::Mts,
-            Instance::Fans(fans) if fans.triangles.is_none() => ModelKind::FansGpu,
-            Instance::Fans(_) => ModelKind::Fans,
-            Instance::Patterns(_) => ModelKind::Patterns,
+            Instance::List(_) => ShownModel::List,
+            Instance::LodStrips { .. } => ShownModel::LodStrips,
+            Instance::Mts(_) => ShownModel::Mts,
+            Instance::Fans(fans) if fans.triangles.is_none() => ShownModel::FansGpu,
+            Instance::Fans(_) => ShownModel::Fans,
+            Instance::Patterns(_) => ShownModel::Patterns,
         }
     }
 
@@ -145,7 +145,7 @@ impl Shown {
                 (is_changed, achieved)
             }
         };
-        if is_first || (is_changed && self.kind() != ModelKind::LodStrips) {
+        if is_first || (is_changed && self.kind() != ShownModel::LodStrips) {
             self.changes = Changes::All;
         }
         self.achieved = Achieved { secs: started.elapsed().as_secs_f64(), ..achieved };
@@ -263,14 +263,14 @@ mod tests {
 
     fn subject_with_all() -> Subject {
         let subject = subject_of(&shapes::two_material_sphere(24, 32));
-        ModelKind::ALL.iter().for_each(|&kind| subject.build(kind).expect("collapses do"));
+        ShownModel::ALL.iter().for_each(|&kind| subject.build(kind).expect("collapses do"));
         subject
     }
 
     #[test]
     fn all_models_show_the_same_triangles_of_a_level() {
         let subject = subject_with_all();
-        for kind in ModelKind::ALL {
+        for kind in ShownModel::ALL {
             let mut shown = Shown::new(&subject, kind).expect("it is built");
             assert_eq!(shown.kind(), kind);
             for detail in [1.0, 0.3, 0.0, 0.6] {
@@ -293,7 +293,7 @@ mod tests {
     #[test]
     fn of_strips_only_what_changed_is_to_be_uploaded() {
         let subject = subject_with_all();
-        let mut shown = Shown::new(&subject, ModelKind::LodStrips).expect("it is built");
+        let mut shown = Shown::new(&subject, ShownModel::LodStrips).expect("it is built");
         shown.follow(&subject, &wish(Goal::Detail(0.5)));
         assert_eq!(shown.take_changes(), Changes::All);
         let mut copy = shown.form().indices.to_vec();
@@ -316,7 +316,7 @@ mod tests {
     #[test]
     fn views_are_followed_and_budgets_kept() {
         let subject = subject_with_all();
-        for kind in [ModelKind::Fans, ModelKind::FansGpu, ModelKind::Patterns] {
+        for kind in [ShownModel::Fans, ShownModel::FansGpu, ShownModel::Patterns] {
             let mut shown = Shown::new(&subject, kind).expect("it is built");
             shown.follow(&subject, &wish(Goal::Pixels(0.5)));
             let fine = *shown.achieved();
@@ -326,7 +326,7 @@ mod tests {
             assert!(fine.error < coarse.error && fine.error_px == Some(0.5), "{kind:?}");
             assert_eq!(shown.grouped(&subject).0.len(), coarse.triangle_count);
         }
-        let mut shown = Shown::new(&subject, ModelKind::Fans).expect("it is built");
+        let mut shown = Shown::new(&subject, ShownModel::Fans).expect("it is built");
         shown.follow(&subject, &wish(Goal::Budget(300)));
         assert!((200..=300).contains(&shown.achieved().triangle_count), "{:?}", shown.achieved());
     }
@@ -334,7 +334,7 @@ mod tests {
     #[test]
     fn a_model_that_cannot_follow_a_view_keeps_its_pixels_everywhere() {
         let subject = subject_with_all();
-        let mut shown = Shown::new(&subject, ModelKind::LodStrips).expect("it is built");
+        let mut shown = Shown::new(&subject, ShownModel::LodStrips).expect("it is built");
         shown.follow(&subject, &wish(Goal::Pixels(2.0)));
         let achieved = *shown.achieved();
         let pixels = camera(FAR).error_px(achieved.error, &subject.sphere);
@@ -344,8 +344,8 @@ mod tests {
     #[test]
     fn a_motion_ends_where_a_jump_would_have_gone() {
         let subject = subject_with_all();
-        let mut jumping = Shown::new(&subject, ModelKind::Fans).expect("it is built");
-        let mut moving = Shown::new(&subject, ModelKind::Fans).expect("it is built");
+        let mut jumping = Shown::new(&subject, ShownModel::Fans).expect("it is built");
+        let mut moving = Shown::new(&subject, ShownModel::Fans).expect("it is built");
         for goal in [Goal::Pixels(2.0), Goal::Detail(0.1)] {
             jumping.follow(&subject, &wish(goal));
             let morphing = Wish { morphs: true, ..wish(goal) };

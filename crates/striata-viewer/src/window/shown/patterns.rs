@@ -24,9 +24,9 @@ pub(super) fn follow_patterns(
     let criterion = ScreenError::new(camera, pixels);
     let is_wanted = |overlap: Overlap| criterion.weigh(&scene.part(overlap.upper)).is_wanted();
     let change = instance.adapt(patterns, &is_wanted);
-    let mut left_out = (0..patterns.fragment_count() as u32).filter(|&step| !instance.is_inserted(step));
+    let mut left_out = (0..patterns.fragment_count() as u32).filter(|&step| !instance.is_refined(step));
     let achieved = Achieved {
-        split_count: instance.inserted_count(),
+        split_count: instance.split_count(),
         triangle_count: instance.triangle_count(),
         error: left_out.next().map_or(0.0, |step| scene.part(step).error),
         error_px: Some(pixels),

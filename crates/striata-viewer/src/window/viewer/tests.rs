@@ -5,7 +5,8 @@ use std::time::Duration;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Vec2};
 
-use super::super::state::{Colours, ModelKind};
+use super::super::args::ShownModel;
+use super::super::state::Colours;
 use super::super::{panel, shown::Changes};
 use super::*;
 
@@ -101,7 +102,7 @@ fn keys_change_the_level_the_model_and_the_look() {
     assert!(bench.triangle_count() < full);
     bench.press(Key::CloseBracket);
     assert_eq!(bench.triangle_count(), full);
-    for kind in [ModelKind::Mts, ModelKind::Fans] {
+    for kind in [ShownModel::Mts, ShownModel::Fans] {
         bench.press(Key::M);
         bench.rest();
         assert_eq!(bench.viewer.shown().map(Shown::kind), Some(kind), "it was built meanwhile");

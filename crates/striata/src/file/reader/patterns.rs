@@ -4,16 +4,16 @@ use super::StriataFile;
 use crate::file::{DecodeError, SectionKind};
 use crate::mesh::{FragmentedMesh, Levels};
 use crate::model::patterns::PatternsParts;
-use crate::model::{LodModel, PatternBounds, Patterns};
+use crate::model::{LodModel, ModelKind, Patterns};
 
 impl StriataFile<'_> {
-    /// The patterns and the bounds of their fragments, if the file has them: in memory of their own and checked once, so that no
+    /// The patterns with the bounds of their fragments, if the file has them: in memory of their own and checked once, so that no
     /// move can fail.
-    pub fn patterns(&self) -> Option<Result<(Patterns, PatternBounds), DecodeError>> {
+    pub fn patterns(&self) -> Option<Result<Patterns, DecodeError>> {
         self.has(SectionKind::PATTERN_RECORDS).then(|| self.read_patterns())
     }
 
-    pub(super) fn read_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
+    pub(super) fn read_patterns(&self) -> Result<Patterns, DecodeError> {
         if let Some(checked) = self.patterns.get() {
             return Ok(checked.clone());
         }
@@ -21,7 +21,7 @@ impl StriataFile<'_> {
         Ok(self.patterns.get_or_init(|| checked).clone())
     }
 
-    fn check_patterns(&self) -> Result<(Patterns, PatternBounds), DecodeError> {
+    fn check_patterns(&self) -> Result<Patterns, DecodeError> {
         let header = self.container.numbers::<u32>(SectionKind::PATTERN_WIDTHS)?;
         self.expect(SectionKind::PATTERN_WIDTHS, "numbers", header.len(), 4)?;
         let parts = PatternsParts {
@@ -33,7 +33,7 @@ impl StriataFile<'_> {
             base: self.container.numbers(SectionKind::PATTERN_BASE)?.into_owned(),
             extras: self.container.numbers(SectionKind::PATTERN_EXTRAS)?.into_owned(),
         };
-        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
+        let unsound = |reason| DecodeError::Model { model: ModelKind::Patterns, reason };
         let group_count = self.groups()?.len().max(1);
         let patterns = Patterns::from_parts(self.step_vertices()?, group_count, parts).map_err(unsound)?;
         let kind = SectionKind::PATTERN_RECORDS;
@@ -41,8 +41,7 @@ impl StriataFile<'_> {
         let full = patterns.triangle_counts().last().map_or(0, |&count| count as usize);
         self.expect(kind, "triangles", full, self.summary.triangle_count)?;
         let records = self.container.get(SectionKind::PATTERN_BOUNDS)?;
-        let bounds = PatternBounds::from_bytes(records, patterns.step_count()).map_err(unsound)?;
-        Ok((patterns, bounds))
+        patterns.with_stored_bounds(records).map_err(unsound)
     }
 
     pub(super) fn levels_of(&self, patterns: &Patterns) -> Result<Levels, DecodeError> {
@@ -64,8 +63,8 @@ impl StriataFile<'_> {
         let Some(patterns) = self.patterns() else {
             return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));
         };
-        let unsound = |reason| DecodeError::Model { model: "patterns", reason };
-        let fragments = patterns?.0.unpack(self.errors()?.into_owned()).map_err(unsound)?;
+        let unsound = |reason| DecodeError::Model { model: ModelKind::Patterns, reason };
+        let fragments = patterns?.unpack(self.errors()?.into_owned()).map_err(unsound)?;
         Ok(FragmentedMesh { mesh: self.mesh()?, fragments })
     }
 }

@@ -6,70 +6,17 @@
 //! all that a step waits for would spare that, and be so wide that a view shows a third more triangles. Cones that also hold
 //! the normals of the full mesh under the star were tried: 2 % more triangles, and no error on the screen was smaller.
 //!
-//! Spheres have the positions of the steps as centres, which are there anyway. How a record is packed stands in `part_record.rs`.
+//! Spheres have the positions of the steps as centers, which are there anyway. How a record is packed stands in `part_record.rs`.
 
 use super::Fans;
 use crate::mesh::{CollapseSequence, RefinableMesh};
-use crate::model::ModelError;
-use crate::model::part_record::{Bounded, NO_STEP, PartRecord, bound};
-use crate::view::Part;
+use crate::model::part_record::{Bounded, NO_STEP};
+use crate::model::step_bounds::StepBounds;
 
-/// For each step a sphere and a cone of normals that hold whatever it and those below it in the tree change, and the error that is
-/// there while it is taken.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FanBounds {
-    pub(super) records: Vec<PartRecord>,
-}
-
-impl FanBounds {
+impl StepBounds {
     /// The bounds of a table's steps.
-    ///
-    /// # Panics
-    /// If the table is another mesh's, by its count of steps.
-    pub fn build(fans: &Fans, refinable: &RefinableMesh) -> Self {
-        let step_count = refinable.sequence.step_count();
-        assert_eq!(fans.step_count, step_count, "the table is another mesh's");
-        Self { records: bound(&mut FanSteps { fans, refinable, triangles: Vec::new() }) }
-    }
-
-    /// What a step is to a criterion, given the positions of the mesh's vertices.
-    ///
-    /// # Panics
-    /// If there is no such step or position.
-    #[inline]
-    pub fn part(&self, fans: &Fans, positions: &[[f32; 3]], step: u32) -> Part {
-        self.records[step as usize].part(positions[fans.center_vertex(step)])
-    }
-
-    /// Steps that there are bounds of.
-    pub(crate) fn step_count(&self) -> usize {
-        self.records.len()
-    }
-
-    /// The records as files hold them.
-    pub(crate) fn as_bytes(&self) -> &[u8] {
-        bytemuck::must_cast_slice(&self.records)
-    }
-
-    /// The bounds of steps that leave such errors, from the bytes of their records.
-    ///
-    /// # Errors
-    /// Where there are more or fewer records, or one holds what no bounds are.
-    pub(crate) fn from_bytes(bytes: &[u8], errors: &[f32]) -> Result<Self, ModelError> {
-        let records = PartRecord::read_all(bytes, errors.len())?;
-        for (step, (record, &error)) in records.iter().zip(errors).enumerate() {
-            let wrong = |reason| ModelError::Step { step, reason };
-            record.check_shape().map_err(wrong)?;
-            if !record.has_error(error) {
-                return Err(wrong("has another error in its bounds than in the sequence"));
-            }
-        }
-        Ok(Self { records })
-    }
-
-    /// Bytes of the records.
-    pub fn bytes(&self) -> usize {
-        size_of_val(&self.records[..])
+    pub(super) fn of_fans(fans: &Fans, refinable: &RefinableMesh) -> Self {
+        Self::build(&mut FanSteps { fans, refinable, triangles: Vec::new() })
     }
 }
 
@@ -105,7 +52,7 @@ impl Bounded for FanSteps<'_> {
 }
 
 impl Fans {
-    /// The vertex at whose position a step's sphere has its centre.
+    /// The vertex at whose position a step's sphere has its center.
     #[inline]
     pub(super) fn center_vertex(&self, step: u32) -> usize {
         self.vertices.of_step(step as usize).start as usize
@@ -130,6 +77,7 @@ impl Fans {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::FanScene;
     use crate::model::part_record::direction;
     use crate::view::NormalCone;
 
@@ -143,11 +91,11 @@ mod tests {
     fn bounds_hold_what_their_step_changes() {
         let refinable = terrain();
         let fans = Fans::build(&refinable);
-        let bounds = FanBounds::build(&fans, &refinable);
+        let scene = FanScene::new(&fans, &refinable);
         let positions = &refinable.mesh.positions;
         let mut changed = Vec::new();
         for step in 0..fans.step_count as u32 {
-            let part = bounds.part(&fans, positions, step);
+            let part = scene.part(step);
             assert!(part.error >= refinable.sequence.error_at(step as usize));
             changed.clear();
             fans.triangles_changed_by(step, &refinable.sequence, &mut changed);
@@ -171,8 +119,8 @@ mod tests {
     fn every_step_is_below_one_that_it_needs_and_within_its_bounds() {
         let refinable = terrain();
         let fans = Fans::build(&refinable);
-        let bounds = FanBounds::build(&fans, &refinable);
-        let part = |step| bounds.part(&fans, &refinable.mesh.positions, step);
+        let scene = FanScene::new(&fans, &refinable);
+        let part = |step| scene.part(step);
         let mut parents = vec![0; fans.step_count];
         fans.for_each_child(None, |child| parents[child as usize] += 1);
         for step in 0..fans.step_count as u32 {

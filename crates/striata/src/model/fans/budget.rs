@@ -60,14 +60,14 @@ impl<C: Criterion + Clone> FanFront<C> {
             if f32::from_bits(weight) <= search.threshold {
                 break;
             }
-            if !self.instance.is_taken(step) {
+            if self.instance.is_refined(step) {
                 self.hear(scene.fans, step, true);
                 search.missing.pop();
                 self.weigh_new(scene, criterion, &mut search, &mut update);
                 continue;
             }
             if let Some(count) = self.split_within(scene.fans, step, triangle_limit) {
-                update.undone_count += count;
+                update.split_count += count;
                 search.missing.pop();
                 self.weigh_new(scene, criterion, &mut search, &mut update);
                 continue;
@@ -110,12 +110,12 @@ impl<C: Criterion + Clone> FanFront<C> {
     fn place_in(&mut self, fans: &Fans, search: &mut Search, at: u32, weight: f32) {
         let step = self.steps[at as usize];
         let is_heavy = weight > search.threshold;
-        if !self.instance.is_taken(step) {
+        if self.instance.is_refined(step) {
             self.hear(fans, step, is_heavy);
         } else if !is_heavy {
             self.wanted.remove(step);
         }
-        match (is_heavy, self.instance.is_taken(step)) {
+        match (is_heavy, !self.instance.is_refined(step)) {
             (true, true) => search.missing.push((weight.to_bits(), at)),
             (true, false) => search.there.push(Reverse((weight.to_bits(), at))),
             _ => {}

@@ -4,6 +4,7 @@ use super::crowns::{RingArc, crowns};
 use super::table::{Creator, Fan, TableWriter};
 use super::{Fans, MAX_ARCS};
 use crate::mesh::{CollapseSequence, RefinableMesh, is_proper};
+use crate::model::step_bounds::StepBounds;
 use crate::model::step_vertices::StepVertices;
 
 /// Ends a chain of triangles.
@@ -13,11 +14,21 @@ const END: u32 = u32::MAX;
 const ALWAYS: u32 = u32::MAX;
 
 impl Fans {
-    /// Builds the table from a mesh and its sequence.
+    /// Builds the table from a mesh and its sequence, with the bounds of its steps.
     ///
     /// # Panics
     /// If the mesh is not the sequence's: it names vertices that the sequence does not have.
     pub fn build(refinable: &RefinableMesh) -> Self {
+        let fans = Self::build_without_bounds(refinable);
+        Self { bounds: Some(StepBounds::of_fans(&fans, refinable)), ..fans }
+    }
+
+    /// Builds the table alone, which takes less time. Uniform levels and instances that are moved step by step need no more; a
+    /// [`FanScene`](super::FanScene) and a file do.
+    ///
+    /// # Panics
+    /// As [`build`](Self::build).
+    pub fn build_without_bounds(refinable: &RefinableMesh) -> Self {
         let mut builder = Builder::new(refinable);
         for step in (0..refinable.sequence.step_count()).rev() {
             builder.remove(step);
@@ -198,6 +209,7 @@ impl<'r> Builder<'r> {
             far: self.far,
             orphans: tree.orphans(),
             removed: self.sequence.removed_triangle_counts().into(),
+            bounds: None,
         }
     }
 }

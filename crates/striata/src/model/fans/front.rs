@@ -66,9 +66,9 @@ pub struct FanUpdate {
     /// Steps whose weight was asked for.
     pub asked_count: usize,
     /// Steps that were undone.
-    pub undone_count: usize,
+    pub split_count: usize,
     /// Steps that were taken.
-    pub taken_count: usize,
+    pub collapse_count: usize,
     /// Whether nothing is left to do for this view.
     pub is_settled: bool,
     /// Parts that weigh more are refined: 1, or more where a budget of triangles asked for it.
@@ -129,7 +129,7 @@ impl<C: Criterion + Clone> FanFront<C> {
         self.last = Some(criterion.clone());
         self.move_by(motion);
         let mut update = self.begin(scene, 1.0);
-        self.late_splits.retain(|&step| self.wanted.has(step) && self.instance.is_taken(step));
+        self.late_splits.retain(|&step| self.wanted.has(step) && !self.instance.is_refined(step));
         let is_whole = self.split_late(scene.fans, change_limit, &mut update);
         let elapsed = (self.elapsed as f32).next_up();
         let mut at = 0;
@@ -145,7 +145,7 @@ impl<C: Criterion + Clone> FanFront<C> {
                 let was_wanted = self.wanted.has(step);
                 self.hear(scene.fans, step, verdict.is_wanted());
                 // One that was wanted before waits already.
-                if verdict.is_wanted() && !was_wanted && self.instance.is_taken(step) {
+                if verdict.is_wanted() && !was_wanted && !self.instance.is_refined(step) {
                     self.late_splits.push(step);
                     if is_whole {
                         self.split_late(scene.fans, change_limit, &mut update);
@@ -188,7 +188,7 @@ impl<C> FanFront<C> {
         self.move_by(f32::INFINITY);
         // What waits for its turn is not there, and may not be wanted any more.
         for step in std::mem::take(&mut self.late_splits) {
-            if self.instance.is_taken(step) {
+            if !self.instance.is_refined(step) {
                 self.wanted.remove(step);
             }
         }
@@ -286,7 +286,7 @@ impl<C> FanFront<C> {
             self.unwant(step);
         } else if !self.wanted.has(step) {
             self.wanted.insert(step);
-            if !self.instance.is_taken(step) {
+            if self.instance.is_refined(step) {
                 self.list_children(fans, step);
             }
         }
@@ -303,13 +303,13 @@ impl<C> FanFront<C> {
     /// Undoes what is wanted and taken, as far as the limit goes; whether that was all.
     fn split_late(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) -> bool {
         while let Some(&step) = self.late_splits.last() {
-            if self.wanted.has(step) && self.instance.is_taken(step) {
+            if self.wanted.has(step) && !self.instance.is_refined(step) {
                 let left = change_limit.saturating_sub(update.changes());
                 if left == 0 {
                     return false;
                 }
-                update.undone_count += self.split(fans, step, left);
-                if self.instance.is_taken(step) {
+                update.split_count += self.split(fans, step, left);
+                if !self.instance.is_refined(step) {
                     return false;
                 }
             }
@@ -362,13 +362,13 @@ impl<C> FanFront<C> {
             }
             end = step;
             self.unneeded.remove(step);
-            if self.instance.is_taken(step) || self.wanted.has(step) {
+            if !self.instance.is_refined(step) || self.wanted.has(step) {
                 continue;
             }
             if fans.is_free(step, &self.instance.taken) {
                 self.instance.taken.insert(step);
                 self.triangle_count -= usize::from(fans.removed[step as usize]);
-                update.taken_count += 1;
+                update.collapse_count += 1;
                 fans.for_each_needed_by_split(step, |coarser| {
                     if !self.wanted.has(coarser) {
                         self.unneeded.insert(coarser);
@@ -387,6 +387,6 @@ fn below(number: f64) -> f32 {
 impl FanUpdate {
     /// Steps that were undone or taken.
     pub fn changes(&self) -> usize {
-        self.undone_count + self.taken_count
+        self.split_count + self.collapse_count
     }
 }

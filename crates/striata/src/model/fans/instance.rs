@@ -29,17 +29,22 @@ impl FanInstance {
         instance
     }
 
-    /// Whether a step is collapsed: its position is then not there.
+    /// Whether a step is undone: its position is then there.
     ///
     /// # Panics
     /// If there is no such step.
     #[inline]
-    pub fn is_taken(&self, step: u32) -> bool {
-        self.taken.has(step)
+    pub fn is_refined(&self, step: u32) -> bool {
+        !self.taken.has(step)
     }
 
-    /// Steps that are collapsed.
-    pub fn taken_count(&self) -> usize {
+    /// Steps that are undone.
+    pub fn split_count(&self) -> usize {
+        self.step_count - self.taken.count()
+    }
+
+    /// Steps that are taken: those that are not undone.
+    pub fn collapse_count(&self) -> usize {
         self.taken.count()
     }
 
@@ -57,13 +62,13 @@ impl FanInstance {
         let mut waiting = vec![step];
         let mut count = 0;
         while let Some(step) = waiting.pop() {
-            if self.is_taken(step) {
+            if !self.is_refined(step) {
                 continue;
             }
             self.taken.insert(step);
             count += 1;
             fans.for_each_needed_by_collapse(step, |needed| {
-                if !self.is_taken(needed) {
+                if self.is_refined(needed) {
                     waiting.push(needed);
                 }
             });
@@ -78,7 +83,7 @@ impl FanInstance {
     pub fn split(&mut self, fans: &Fans, step: u32) -> usize {
         self.check(fans, step);
         let mut undone = Vec::new();
-        if self.is_taken(step) {
+        if !self.is_refined(step) {
             self.split_into(fans, step, &mut undone);
         }
         undone.len()
@@ -89,7 +94,7 @@ impl FanInstance {
     pub fn refined(fans: &Fans, mut is_wanted: impl FnMut(u32) -> bool) -> Self {
         let mut instance = Self::uniform(fans, 0);
         for step in 0..fans.step_count as u32 {
-            if instance.is_taken(step) && is_wanted(step) {
+            if !instance.is_refined(step) && is_wanted(step) {
                 instance.split(fans, step);
             }
         }

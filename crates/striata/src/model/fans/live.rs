@@ -144,7 +144,7 @@ impl FanTriangles {
         let base = fans.vertices.base_vertex_count;
         let step = (vertex >= base).then(|| fans.vertices.step_of(vertex) as u32);
         let entry = fans.table.entry(vertex, step.map_or(0, |step| step + 1));
-        let is_there = step.is_none_or(|step| !self.shown.is_taken(step));
+        let is_there = step.is_none_or(|step| self.shown.is_refined(step));
         let mut head = self.heads[vertex as usize];
         if head == NONE {
             let arc_count: usize = entry.map(|fan| fan.arc_count()).sum();
@@ -156,7 +156,7 @@ impl FanTriangles {
         }
         let mut arc = head;
         for fan in entry {
-            let mask = if is_there { fan.mask(|step| self.shown.is_taken(step)) } else { 0 };
+            let mask = if is_there { fan.mask(|step| !self.shown.is_refined(step)) } else { 0 };
             self.show(&fan, arc, mask);
             arc += fan.arc_count() as u32;
         }

@@ -42,7 +42,6 @@ mod table;
 mod table_fan;
 mod validate;
 
-pub use bounds::FanBounds;
 pub use emit::{FanForm, FanIndices, fan_triangles_into};
 pub use front::{FanFront, FanUpdate};
 pub use instance::FanInstance;
@@ -54,6 +53,7 @@ pub use table::MAX_ARCS;
 pub use table_fan::{ArcMaker, TableFan};
 
 use self::table::{Entry, Table};
+use super::step_bounds::StepBounds;
 use super::step_vertices::StepVertices;
 use super::{DrawCounts, LodModel, PartBytes, StoredModel, Topology};
 
@@ -72,6 +72,8 @@ pub struct Fans {
     orphans: Vec<u32>,
     /// Triangles that each step takes away.
     removed: Box<[u8]>,
+    /// What views ask of each step; none if the table was built without.
+    bounds: Option<StepBounds>,
 }
 
 impl Fans {
@@ -181,14 +183,16 @@ impl LodModel for Fans {
     fn bytes(&self) -> Vec<PartBytes> {
         let part = |name, bytes| PartBytes { name, bytes };
         let [entries, starts] = self.table.sizes();
-        vec![
+        let mut parts = vec![
             part("first vertices", 4 * self.vertices.firsts.len()),
             part("entries", entries),
             part("starts", starts),
             part("waits", size_of_val(&self.waits[..]) + size_of_val(&self.far[..])),
             part("orphans", size_of_val(&self.orphans[..])),
             part("triangle counts", self.removed.len()),
-        ]
+        ];
+        parts.extend(self.bounds.as_ref().map(|bounds| part("bounds", bounds.as_bytes().len())));
+        parts
     }
 
     fn state_bytes(&self, _: &FansLevel) -> usize {
@@ -197,12 +201,8 @@ impl LodModel for Fans {
 }
 
 impl StoredModel for Fans {
-    fn vertex_count(&self) -> usize {
-        self.vertices.vertex_count
-    }
-
-    fn vertex_count_at(&self, split_count: usize) -> usize {
-        self.vertices.count_at(split_count)
+    fn step_vertices(&self) -> &StepVertices<'_> {
+        &self.vertices
     }
 
     fn group_count(&self) -> usize {

@@ -167,7 +167,7 @@ impl FanMorphs {
 
     /// One frame of a step's way; none if it is then at its own place.
     fn move_step(&mut self, step: u32, known: Option<u16>, wanted: &FanInstance) -> Option<MovingStep> {
-        if wanted.is_taken(step) {
+        if !wanted.is_refined(step) {
             let frame = known.unwrap_or(self.frame_count).saturating_sub(1);
             return Some(MovingStep { step, frame });
         }
@@ -190,7 +190,7 @@ impl FanMorphs {
             }
             if cfg!(debug_assertions) {
                 fans.for_each_needed_by_collapse(step, |finer| {
-                    assert!(drawn.is_taken(finer), "step {step} is taken before {finer}");
+                    assert!(!drawn.is_refined(finer), "step {step} is taken before {finer}");
                 });
             }
             drawn.taken.insert(step);

@@ -1,27 +1,28 @@
 //! A table with what it takes to ask a criterion of its steps.
 
-use super::{FanBounds, Fans};
+use super::Fans;
 use crate::mesh::RefinableMesh;
+use crate::model::step_bounds::StepBounds;
 use crate::view::{Part, Sphere};
 
-/// What all instances of a model share: the table, bounds of its steps, and the positions of the mesh's vertices. It only borrows,
+/// What all instances of a model share: the table with the bounds of its steps, and the positions of the mesh's vertices. It only borrows,
 /// and costs nothing to make: make one wherever it is needed, from owners that are kept elsewhere.
 #[derive(Clone, Copy, Debug)]
 pub struct FanScene<'a> {
     pub(super) fans: &'a Fans,
-    bounds: &'a FanBounds,
+    bounds: &'a StepBounds,
     positions: &'a [[f32; 3]],
 }
 
 impl<'a> FanScene<'a> {
-    /// Puts a table, its bounds and the mesh's positions together.
+    /// Puts a table and the mesh's positions together.
     ///
     /// # Panics
-    /// If they are not of the same mesh, by their counts.
-    pub fn new(fans: &'a Fans, bounds: &'a FanBounds, refinable: &'a RefinableMesh) -> Self {
+    /// If they are not of the same mesh, by their counts, or the table was built without bounds.
+    pub fn new(fans: &'a Fans, refinable: &'a RefinableMesh) -> Self {
         let positions = &refinable.mesh.positions[..];
         assert_eq!(fans.vertex_count(), positions.len(), "the table is another mesh's");
-        assert_eq!(bounds.records.len(), fans.step_count, "the bounds are another table's");
+        let bounds = fans.bounds.as_ref().expect("the table was built with bounds");
         Self { fans, bounds, positions }
     }
 
@@ -36,7 +37,7 @@ impl<'a> FanScene<'a> {
     /// If there is no such step.
     #[inline]
     pub fn part(&self, step: u32) -> Part {
-        self.bounds.part(self.fans, self.positions, step)
+        self.bounds.part(step, self.positions[self.fans.center_vertex(step)])
     }
 
     /// A sphere around all positions, for [`ScreenError::of_model`](crate::view::ScreenError::of_model). Walks all of them:

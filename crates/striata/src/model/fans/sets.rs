@@ -32,7 +32,7 @@ impl FanInstance {
         let base = sequence.base_position_count() as u32;
         loop {
             match sequence.positions().position_of(vertex).checked_sub(base) {
-                Some(step) if self.is_taken(step) => vertex = sequence.target(vertex),
+                Some(step) if !self.is_refined(step) => vertex = sequence.target(vertex),
                 _ => return vertex,
             }
         }

@@ -3,6 +3,7 @@
 use super::table::Table;
 use super::{Fans, validate};
 use crate::model::ModelError;
+use crate::model::step_bounds::StepBounds;
 use crate::model::step_vertices::StepVertices;
 
 /// The stored arrays of a table, without what the sequence knows already.
@@ -51,8 +52,28 @@ impl Fans {
             far: far.to_vec(),
             orphans: orphans.to_vec(),
             removed: removed.into(),
+            bounds: None,
         };
         validate::check(&fans)?;
         Ok(fans)
+    }
+
+    /// The same table with the bounds of its steps from their bytes, given the errors of the steps.
+    ///
+    /// # Errors
+    /// If there are more or fewer records than errors, or one holds what no bounds are.
+    pub(crate) fn with_stored_bounds(self, bytes: &[u8], errors: &[f32]) -> Result<Self, ModelError> {
+        let bounds = StepBounds::from_bytes(bytes, errors.len(), Some(errors))?;
+        Ok(Self { bounds: Some(bounds), ..self })
+    }
+
+    /// The bounds as a file is to hold them; none if the table was built without.
+    pub(crate) fn stored_bounds(&self) -> &[u8] {
+        self.bounds.as_ref().map_or(&[], StepBounds::as_bytes)
+    }
+
+    /// Steps that there are bounds of.
+    pub(crate) fn bounded_step_count(&self) -> usize {
+        self.bounds.as_ref().map_or(0, StepBounds::step_count)
     }
 }

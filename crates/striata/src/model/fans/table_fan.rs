@@ -92,10 +92,10 @@ mod tests {
                 let instance = FanInstance::uniform(&fans, split_count);
                 let mut found = vec![Vec::new(); fans.group_count()];
                 for fan in fans.table_fans() {
-                    if fan.own_step().is_some_and(|step| instance.is_taken(step)) {
+                    if fan.own_step().is_some_and(|step| !instance.is_refined(step)) {
                         continue;
                     }
-                    let made = fan.makers().filter(|maker| instance.is_taken(maker.step));
+                    let made = fan.makers().filter(|maker| !instance.is_refined(maker.step));
                     let arcs = made.fold(fan.lasting_arcs(), |all, maker| all | maker.arcs);
                     let nodes: Vec<u32> = fan.nodes().collect();
                     assert_eq!(nodes.len(), fan.node_count());

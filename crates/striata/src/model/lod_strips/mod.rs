@@ -162,12 +162,8 @@ impl LodModel for LodStrips<'_> {
 }
 
 impl StoredModel for LodStrips<'_> {
-    fn vertex_count(&self) -> usize {
-        self.vertices.vertex_count
-    }
-
-    fn vertex_count_at(&self, split_count: usize) -> usize {
-        self.vertices.count_at(split_count)
+    fn step_vertices(&self) -> &StepVertices<'_> {
+        &self.vertices
     }
 
     fn group_count(&self) -> usize {

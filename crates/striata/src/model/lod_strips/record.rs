@@ -51,10 +51,7 @@ impl EditCounts {
         let mut reader = RecordReader::new(body);
         let mut last = None;
         while !reader.is_empty() {
-            let (strip, flags) = match last {
-                None => reader.first_head(head_bytes)?,
-                Some(last) => reader.next_head(last)?,
-            };
+            let (strip, flags) = reader.head(last, head_bytes)?;
             last = Some(strip);
             let further = reader.further_place_count(flags)?;
             for _ in 0..=further {
@@ -127,6 +124,15 @@ impl<'r> RecordReader<'r> {
     #[inline]
     pub(super) fn is_empty(&self) -> bool {
         self.bytes.is_empty()
+    }
+
+    /// The next strip of a record and its flags; `last` is the strip before it, if there is one.
+    #[inline]
+    pub(super) fn head(&mut self, last: Option<u32>, head_bytes: usize) -> Option<(u32, u32)> {
+        match last {
+            None => self.first_head(head_bytes),
+            Some(last) => self.next_head(last),
+        }
     }
 
     /// The first strip of a record and its flags.

@@ -103,10 +103,7 @@ impl LodStripsState {
         let mut reader = RecordReader::new(body);
         let mut last = None;
         while !reader.is_empty() {
-            let (strip, flags) = match last {
-                None => reader.first_head(model.head_bytes)?,
-                Some(last) => reader.next_head(last)?,
-            };
+            let (strip, flags) = reader.head(last, model.head_bytes)?;
             last = Some(strip);
             let live = &mut self.strips[strip as usize];
             if !std::mem::replace(&mut live.is_changed, true) {
@@ -150,10 +147,7 @@ impl LodStripsState {
         let mut reader = RecordReader::new(body);
         let mut last = None;
         while !reader.is_empty() {
-            let (strip, flags) = match last {
-                None => reader.first_head(model.head_bytes)?,
-                Some(last) => reader.next_head(last)?,
-            };
+            let (strip, flags) = reader.head(last, model.head_bytes)?;
             last = Some(strip);
             let live = &mut self.strips[strip as usize];
             if !std::mem::replace(&mut live.is_changed, true) {

@@ -70,11 +70,7 @@ impl<'m, 'a> Sweep<'m, 'a> {
         let mut reader = RecordReader::new(body);
         let mut last = None;
         while !reader.is_empty() {
-            let (strip, flags) = match last {
-                None => reader.first_head(model.head_bytes),
-                Some(last) => reader.next_head(last),
-            }
-            .ok_or(SHORT)?;
+            let (strip, flags) = reader.head(last, model.head_bytes).ok_or(SHORT)?;
             last = Some(strip);
             if strip as usize >= model.strip_count() {
                 return Err("edits a strip that is not there");

@@ -144,13 +144,7 @@ impl MtsState {
         let length = model.parts.record_lengths[self.split_count];
         let (body, start) = record_before(&model.parts.arena, self.cursor, length)?;
         self.cursor = start;
-        for_each_strip(body, model.head_bytes, |strip, drops| {
-            let live = &mut self.strips[strip as usize];
-            live.change += u8::from(drops);
-            if !std::mem::replace(&mut live.is_touched, true) {
-                self.touched.push(strip);
-            }
-        })
+        self.touch(body, model.head_bytes, |change, drops| *change += u8::from(drops))
     }
 
     fn touch_finer(&mut self, model: &Mts<'_>) -> Option<()> {
@@ -158,9 +152,15 @@ impl MtsState {
         let (body, end) = record_at(&model.parts.arena, self.cursor, length)?;
         self.split_count += 1;
         self.cursor = end;
-        for_each_strip(body, model.head_bytes, |strip, drops| {
+        self.touch(body, model.head_bytes, |change, drops| *change -= u8::from(drops))
+    }
+
+    /// Marks the strips of a record for a walk; `count` counts the changes of their places.
+    #[inline]
+    fn touch(&mut self, body: &[u8], head_bytes: usize, count: impl Fn(&mut u8, bool)) -> Option<()> {
+        for_each_strip(body, head_bytes, |strip, drops| {
             let live = &mut self.strips[strip as usize];
-            live.change -= u8::from(drops);
+            count(&mut live.change, drops);
             if !std::mem::replace(&mut live.is_touched, true) {
                 self.touched.push(strip);
             }

@@ -5,93 +5,14 @@
 //! are: the one above it weighs no less. The error is that of the fragment's own floor, or of one below where that is
 //! larger: what a certified sequence says of a floor holds wherever the floor is shown.
 
-use super::Patterns;
 use crate::mesh::FragmentedMesh;
-use crate::model::ModelError;
-use crate::model::part_record::{Bounded, NO_STEP, PartRecord, bound};
-use crate::view::Part;
+use crate::model::part_record::{Bounded, NO_STEP};
+use crate::model::step_bounds::StepBounds;
 
-/// For each fragment a sphere and a cone of normals that hold whatever it and those below it in the tree change, and the error that
-/// is there while it is left out.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PatternBounds {
-    records: Vec<PartRecord>,
-}
-
-impl PatternBounds {
+impl StepBounds {
     /// The bounds of a mesh's fragments.
-    pub fn build(mesh: &FragmentedMesh) -> Self {
-        Self { records: bound(&mut FragmentSteps { mesh }) }
-    }
-
-    /// What a fragment is to a criterion, given the positions of the mesh's vertices.
-    ///
-    /// # Panics
-    /// If there is no such fragment or position.
-    #[inline]
-    pub fn part(&self, patterns: &Patterns, positions: &[[f32; 3]], step: u32) -> Part {
-        self.records[step as usize].part(positions[patterns.vertices.of_step(step as usize).start as usize])
-    }
-
-    /// Fragments that there are bounds of.
-    pub(crate) fn step_count(&self) -> usize {
-        self.records.len()
-    }
-
-    /// The records as files hold them.
-    pub(crate) fn as_bytes(&self) -> &[u8] {
-        bytemuck::must_cast_slice(&self.records)
-    }
-
-    /// From the bytes of the records of so many fragments.
-    ///
-    /// # Errors
-    /// Where there are more or fewer records, or one holds what no bounds are.
-    pub(crate) fn from_bytes(bytes: &[u8], step_count: usize) -> Result<Self, ModelError> {
-        let records = PartRecord::read_all(bytes, step_count)?;
-        for (step, record) in records.iter().enumerate() {
-            record.check_shape().map_err(|reason| ModelError::Step { step, reason })?;
-        }
-        Ok(Self { records })
-    }
-
-    /// Bytes of the records.
-    pub fn bytes(&self) -> usize {
-        size_of_val(&self.records[..])
-    }
-}
-
-/// Patterns with their bounds and the positions that they are around: what is needed to ask a criterion of a fragment.
-#[derive(Clone, Copy, Debug)]
-pub struct PatternScene<'a> {
-    patterns: &'a Patterns,
-    bounds: &'a PatternBounds,
-    positions: &'a [[f32; 3]],
-}
-
-impl<'a> PatternScene<'a> {
-    /// Puts the three together.
-    ///
-    /// # Panics
-    /// If they are not of one mesh, by their counts.
-    pub fn new(patterns: &'a Patterns, bounds: &'a PatternBounds, positions: &'a [[f32; 3]]) -> Self {
-        assert_eq!(bounds.step_count(), patterns.fragment_count(), "the bounds are of another mesh");
-        assert_eq!(positions.len(), patterns.vertices.vertex_count, "the positions are of another mesh");
-        Self { patterns, bounds, positions }
-    }
-
-    /// The patterns.
-    pub fn patterns(&self) -> &'a Patterns {
-        self.patterns
-    }
-
-    /// What a fragment is to a criterion.
-    ///
-    /// # Panics
-    /// If there is no such fragment.
-    #[inline]
-    pub fn part(&self, step: u32) -> Part {
-        self.bounds.part(self.patterns, self.positions, step)
+    pub(super) fn of_fragments(mesh: &FragmentedMesh) -> Self {
+        Self::build(&mut FragmentSteps { mesh })
     }
 }
 

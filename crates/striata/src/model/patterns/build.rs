@@ -8,21 +8,32 @@ use super::rule::{Matched, Rule, Rulebook, first_corner};
 use super::rule_table::RuleTable;
 use super::{BaseFace, Patterns};
 use crate::mesh::{Face, FragmentSequence, FragmentedMesh};
+use crate::model::step_bounds::StepBounds;
 use crate::model::{ModelError, StepVertices};
 
 /// Steps that are looked at to find out whether one is needed by another; what is not found is listed though it need not be.
 const MAX_SEARCH: usize = 24;
 
 impl Patterns {
-    /// The patterns of a mesh with fragments, whatever made them.
+    /// The patterns of a mesh with fragments, whatever made them, with the bounds of the fragments.
     ///
     /// # Errors
     /// [`ModelError::TooMany`] where the links would take more than 512 MB.
     pub fn build(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
+        let patterns = Self::build_without_bounds(mesh)?;
+        Ok(Self { bounds: Some(StepBounds::of_fragments(mesh)), ..patterns })
+    }
+
+    /// The same without bounds, as [`from_fragments`](Self::from_fragments).
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    pub fn build_without_bounds(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
         Self::from_fragments(&mesh.fragments, mesh.mesh.groups.len().max(1))
     }
 
-    /// The patterns of fragments alone.
+    /// The patterns of fragments alone, without positions and so without bounds. Uniform levels and conditions that ask nothing
+    /// of bounds need no more; a [`PatternScene`](super::PatternScene) and a file do.
     ///
     /// # Errors
     /// As [`build`](Self::build).
@@ -64,6 +75,7 @@ impl Patterns {
             rules,
             ways,
             extras,
+            bounds: None,
         })
     }
 }

@@ -87,7 +87,7 @@ impl PatternInstance {
                         waiting.push(below);
                     }
                 }
-                if !self.is_inserted(step) {
+                if !self.is_refined(step) {
                     self.lay_foundation(patterns, step, |_| change.inserted += 1);
                 }
                 for link in 0..patterns.ways.link_count(head.way) {
@@ -124,7 +124,7 @@ impl PatternInstance {
     /// If the instance is of another model.
     pub fn coarsen(&mut self, patterns: &Patterns, condition: &impl Condition) -> usize {
         self.check(patterns);
-        let before = self.inserted_count();
+        let before = self.split_count();
         let mut end = patterns.fragment_count() as u32;
         let mut makers = Vec::new();
         while let Some(step) = self.last_inserted_before(end) {
@@ -139,7 +139,7 @@ impl PatternInstance {
             }
         }
         self.tidy();
-        before - self.inserted_count()
+        before - self.split_count()
     }
 
     /// Inserts fragments, and what they stand on, until no triangle that is there is too coarse: the second half of the paper's
@@ -149,14 +149,14 @@ impl PatternInstance {
     /// If the instance is of another model.
     pub fn refine(&mut self, patterns: &Patterns, condition: &impl Condition) -> usize {
         self.check(patterns);
-        let before = self.inserted_count();
+        let before = self.split_count();
         let too_coarse = |lower, upper| condition.is_too_coarse(Overlap { lower, upper });
         let mut waiting: Vec<u32> = patterns.above_base().filter(|&step| too_coarse(None, step)).collect();
         let mut end = patterns.fragment_count() as u32;
         while let Some(step) = self.last_inserted_before(end) {
             end = step;
             patterns.for_each_above(step, |above| {
-                if !self.is_inserted(above) && too_coarse(Some(step), above) {
+                if !self.is_refined(above) && too_coarse(Some(step), above) {
                     waiting.push(above);
                 }
             });
@@ -166,13 +166,13 @@ impl PatternInstance {
             self.lay_foundation(patterns, step, |step| fresh.push(step));
             for step in fresh.drain(..) {
                 patterns.for_each_above(step, |above| {
-                    if !self.is_inserted(above) && too_coarse(Some(step), above) {
+                    if !self.is_refined(above) && too_coarse(Some(step), above) {
                         waiting.push(above);
                     }
                 });
             }
         }
-        self.inserted_count() - before
+        self.split_count() - before
     }
 }
 

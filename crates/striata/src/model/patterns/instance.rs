@@ -32,7 +32,7 @@ const MIN_TIDIED: usize = 1024;
 #[derive(Clone, Debug)]
 pub struct PatternInstance {
     inserted: StepBits,
-    inserted_count: usize,
+    split_count: usize,
     /// First triangle of each step's list.
     heads: Vec<u32>,
     slots: Vec<Slot>,
@@ -74,7 +74,7 @@ impl PatternInstance {
         let step_count = patterns.records.step_count;
         let mut instance = Self {
             inserted: StepBits::none(step_count),
-            inserted_count: 0,
+            split_count: 0,
             heads: vec![NONE; step_count],
             slots: Vec::with_capacity(patterns.base.len()),
             groups: Vec::new(),
@@ -105,13 +105,13 @@ impl PatternInstance {
     /// # Panics
     /// If there is no such step.
     #[inline]
-    pub fn is_inserted(&self, step: u32) -> bool {
+    pub fn is_refined(&self, step: u32) -> bool {
         self.inserted.has(step)
     }
 
     /// Fragments that are inserted.
-    pub fn inserted_count(&self) -> usize {
-        self.inserted_count
+    pub fn split_count(&self) -> usize {
+        self.split_count
     }
 
     /// Triangles that are there.
@@ -134,9 +134,9 @@ impl PatternInstance {
     /// If there is no such step, or the instance is of another model.
     pub fn insert(&mut self, patterns: &Patterns, step: u32) -> usize {
         self.check(patterns);
-        let before = self.inserted_count;
+        let before = self.split_count;
         self.lay_foundation(patterns, step, |_| ());
-        self.inserted_count - before
+        self.split_count - before
     }
 
     /// Removes a fragment, and before it all that stands on it; returns how many that were.
@@ -145,7 +145,7 @@ impl PatternInstance {
     /// If there is no such step, or the instance is of another model.
     pub fn remove(&mut self, patterns: &Patterns, step: u32) -> usize {
         self.check(patterns);
-        let before = self.inserted_count;
+        let before = self.split_count;
         let mut waiting = vec![step];
         while let Some(&step) = waiting.last() {
             if !self.inserted.has(step) {
@@ -164,7 +164,7 @@ impl PatternInstance {
             }
         }
         self.tidy();
-        before - self.inserted_count
+        before - self.split_count
     }
 
     /// Appends the triangles that are there; in no order that means anything.
@@ -284,7 +284,7 @@ impl PatternInstance {
         }
         self.scratch = scratch;
         self.inserted.insert(step);
-        self.inserted_count += 1;
+        self.split_count += 1;
     }
 
     /// Removes a step on which nothing stands: the ceiling's triangles become the floor's.
@@ -303,7 +303,7 @@ impl PatternInstance {
         }
         self.scratch = scratch;
         self.inserted.remove(step);
-        self.inserted_count -= 1;
+        self.split_count -= 1;
     }
 
     /// The steps that make the floor of an inserted step on which nothing stands, none for the base and for no floor; some several

@@ -1,7 +1,7 @@
 //! Patterns as a model of uniform levels.
 
 use super::{PatternInstance, Patterns};
-use crate::model::{DrawCounts, LodModel, PartBytes, StoredModel, Topology};
+use crate::model::{DrawCounts, LodModel, PartBytes, StepVertices, StoredModel, Topology};
 
 /// An instance at a uniform level.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,7 +28,7 @@ impl LodModel for Patterns {
     }
 
     fn split_count(&self, state: &PatternsState) -> usize {
-        state.instance.inserted_count()
+        state.instance.split_count()
     }
 
     fn move_to(&self, state: &mut PatternsState, split_count: usize) {
@@ -38,7 +38,7 @@ impl LodModel for Patterns {
             self.fragment_count()
         );
         state.instance.check(self);
-        let now = state.instance.inserted_count();
+        let now = state.instance.split_count();
         for step in (split_count..now).rev() {
             state.instance.remove_top(self, step as u32);
         }
@@ -70,7 +70,7 @@ impl LodModel for Patterns {
     fn bytes(&self) -> Vec<PartBytes> {
         let [records, blocks] = self.records.bytes();
         let part = |name, bytes| PartBytes { name, bytes };
-        vec![
+        let mut parts = vec![
             part("records", records),
             part("blocks of records", blocks),
             part("table of rules", self.rules.bytes()),
@@ -78,7 +78,9 @@ impl LodModel for Patterns {
             part("base", size_of_val(&self.base[..]) + size_of_val(&self.unfounded[..])),
             part("named vertices", self.extras.bytes()),
             part("first vertices", size_of_val(&self.vertices.firsts[..])),
-        ]
+        ];
+        parts.extend(self.bounds.as_ref().map(|bounds| part("bounds", bounds.as_bytes().len())));
+        parts
     }
 
     fn state_bytes(&self, state: &PatternsState) -> usize {
@@ -87,12 +89,8 @@ impl LodModel for Patterns {
 }
 
 impl StoredModel for Patterns {
-    fn vertex_count(&self) -> usize {
-        self.vertices.vertex_count
-    }
-
-    fn vertex_count_at(&self, split_count: usize) -> usize {
-        self.vertices.count_at(split_count)
+    fn step_vertices(&self) -> &StepVertices<'_> {
+        &self.vertices
     }
 
     fn group_count(&self) -> usize {

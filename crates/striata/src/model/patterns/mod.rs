@@ -37,19 +37,21 @@ mod parts;
 mod records;
 mod rule;
 mod rule_table;
+mod scene;
 mod unpack;
 
-pub use bounds::{PatternBounds, PatternScene};
 pub use condition::{Condition, Overlap, PatternChange, Wanted};
 pub use instance::PatternInstance;
 pub use level::PatternsState;
 pub(crate) use parts::PatternsParts;
+pub use scene::PatternScene;
 
 use self::build::Extras;
 use self::overlaps::OverlapTable;
 use self::records::{Head, Records};
 use self::rule_table::RuleTable;
 use super::StepVertices;
+use super::step_bounds::StepBounds;
 
 /// The static half of the model; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,6 +65,8 @@ pub struct Patterns {
     ways: OverlapTable,
     records: Records,
     extras: Extras,
+    /// What views ask of each fragment; none of fragments alone.
+    bounds: Option<StepBounds>,
 }
 
 /// A triangle of the base and where it goes.

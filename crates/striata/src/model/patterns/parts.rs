@@ -11,6 +11,7 @@ use super::rule::{NONE, Rule};
 use super::rule_table::RuleTable;
 use super::{BaseFace, Patterns};
 use crate::model::bits::Bits;
+use crate::model::step_bounds::StepBounds;
 use crate::model::{ModelError, StepVertices};
 
 /// Everything that a file holds of patterns.
@@ -93,8 +94,17 @@ impl Patterns {
         });
         let is_unfounded = |&step: &u32| rules.rule(records.head(step).rule).floor_count() == 0;
         let unfounded = (0..step_count as u32).filter(is_unfounded).collect();
-        let patterns =
-            Self { vertices, group_count, base: base.collect(), unfounded, rules, ways, records, extras };
+        let patterns = Self {
+            vertices,
+            group_count,
+            base: base.collect(),
+            unfounded,
+            rules,
+            ways,
+            records,
+            extras,
+            bounds: None,
+        };
         patterns.check_size()?;
         let fragments = patterns.unpack(vec![0.0; step_count])?;
         if Self::from_fragments(&fragments, group_count)? != patterns {
@@ -105,6 +115,25 @@ impl Patterns {
             });
         }
         Ok(patterns)
+    }
+
+    /// The same patterns with the bounds of their fragments from their bytes.
+    ///
+    /// # Errors
+    /// If there are more or fewer records than fragments, or one holds what no bounds are.
+    pub(crate) fn with_stored_bounds(self, bytes: &[u8]) -> Result<Self, ModelError> {
+        let bounds = StepBounds::from_bytes(bytes, self.fragment_count(), None)?;
+        Ok(Self { bounds: Some(bounds), ..self })
+    }
+
+    /// The bounds as a file is to hold them; none of fragments alone.
+    pub(crate) fn stored_bounds(&self) -> &[u8] {
+        self.bounds.as_ref().map_or(&[], StepBounds::as_bytes)
+    }
+
+    /// Fragments that there are bounds of.
+    pub(crate) fn bounded_step_count(&self) -> usize {
+        self.bounds.as_ref().map_or(0, StepBounds::step_count)
     }
 }
 

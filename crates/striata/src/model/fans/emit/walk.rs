@@ -30,7 +30,7 @@ pub(in super::super) trait Shown {
 impl Shown for FanInstance {
     #[inline]
     fn is_taken(&self, step: u32) -> bool {
-        Self::is_taken(self, step)
+        !self.is_refined(step)
     }
 
     #[inline]
