@@ -1,7 +1,6 @@
 //! Progressive meshes, ordered meshes and discrete levels against the oracle.
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{

@@ -1,8 +1,7 @@
 //! The pattern model as published against the oracle: uniform levels, closed sets, the smallest set of any condition, and what
 //! its form refuses.
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use std::collections::BTreeSet;
 

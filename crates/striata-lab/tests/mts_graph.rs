@@ -1,7 +1,6 @@
 //! MTS as published against the oracle, and against the library's form of it, which shows the same strips.
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::RefinableMesh;

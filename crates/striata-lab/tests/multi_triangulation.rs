@@ -1,7 +1,6 @@
 //! The explicit Multi-Triangulation against the oracle: uniform levels, closed sets, and the smallest set of any condition.
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{FragmentSequence, FragmentedMesh, canonical_triangles};

@@ -1,7 +1,6 @@
 //! Patterns in sequential form: what is written is read again at every level, and whatever else is read is an error or a surface.
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{

@@ -1,7 +1,6 @@
 //! The baselines that draw strips, against the oracle: the original LodStrips and skip strips.
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};

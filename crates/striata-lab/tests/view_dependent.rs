@@ -1,7 +1,6 @@
 //! View-dependent progressive meshes against the oracle: uniform levels, and whatever criteria lead to.
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use std::cell::Cell;
 

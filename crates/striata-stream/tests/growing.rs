@@ -1,10 +1,8 @@
 //! A hierarchy that grows step by step shows what replay and fans show, however its steps are handed over.
 
-#[path = "../../striata/tests/meshes/mod.rs"]
-mod meshes;
+use striata_testing::meshes;
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use striata::mesh::{
     CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles, replay,

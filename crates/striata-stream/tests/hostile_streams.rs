@@ -1,10 +1,8 @@
 //! Streams whose checksums hold and whose contents lie: an error or a mesh, in bounded time and memory.
 
-#[path = "../../striata/tests/meshes/mod.rs"]
-mod meshes;
+use striata_testing::meshes;
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, replay, shapes};
 use striata::simplify::{BatchOptions, build_batches};

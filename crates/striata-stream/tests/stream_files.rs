@@ -1,9 +1,6 @@
 //! Files with streams: alone and beside models, whole and cut off.
 
-#[path = "../../striata/tests/meshes/mod.rs"]
-mod meshes;
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use striata::file::{DecodeError, FileModel, SectionKind, WriteOptions, to_striata};
 use striata::mesh::{RefinableMesh, canonical_triangles, replay, shapes};

@@ -1,9 +1,7 @@
 //! Progressive streams: what is read is what was written, from any prefix, and damaged bytes do no harm.
 
-#[path = "../../striata/tests/meshes/mod.rs"]
-mod meshes;
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::meshes;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{

@@ -1,7 +1,6 @@
 //! Strips made block by block: the same triangles as the mesh, at the price of the whole, in bounded memory.
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use std::convert::Infallible;
 

@@ -1,9 +1,6 @@
 //! Strips for a vertex cache, and the counts of misses that they are judged by.
 
-#[path = "../../striata/tests/meshes/mod.rs"]
-mod meshes;
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, canonical_triangles, shapes};

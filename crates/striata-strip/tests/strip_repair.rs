@@ -1,7 +1,6 @@
 //! Repaired strips against the oracle: the same triangles at every level, no loop, links as a new dual graph has.
 
-#[path = "../../striata/tests/support/mod.rs"]
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{DualGraph, RefinableMesh, canonical_triangles, replay, shapes};

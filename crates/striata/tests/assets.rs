@@ -1,8 +1,8 @@
 //! Models over sequences that cross seams, fold parts flat and let them vanish: all of them against the oracle.
 
-mod meshes;
+use striata_testing::meshes;
 
-mod support;
+use striata_testing::support;
 
 use meshes::{COSTS, asset, random_options};
 use proptest::prelude::*;

@@ -1,11 +1,11 @@
 //! Collapses in batches against what a progressive coder relies on, on every mesh of the test set, by a checker that knows
 //! nothing of how they were found.
 
-mod meshes;
+use striata_testing::meshes;
 
 mod simplifier;
 
-mod support;
+use striata_testing::support;
 
 use std::collections::BTreeSet;
 

@@ -1,6 +1,6 @@
 //! The `.striata` container: what goes in comes out, and no damaged bytes get past it.
 
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::file::{

@@ -1,8 +1,8 @@
 //! Certified errors hold: no point of the original surface is farther from a state than its error says.
 
-mod meshes;
+use striata_testing::meshes;
 
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::Cancelled;

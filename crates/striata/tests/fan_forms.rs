@@ -1,7 +1,7 @@
 //! What fans are written as: triangles, fans and strips of any instance are the same triangles, group by group, and on
 //! any number of threads.
 
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::canonical_triangles;

@@ -1,6 +1,6 @@
 //! A front that follows a view shows what the same criterion refines from the base, whatever way it came.
 
-mod support;
+use striata_testing::support;
 
 use striata::mesh::{RefinableMesh, canonical_triangles};
 use striata::model::{FanFront, FanInstance, FanScene, Fans, LodModel};

@@ -1,6 +1,6 @@
 //! Triangles that are kept from frame to frame are those that the instance shows, group by group.
 
-mod support;
+use striata_testing::support;
 
 use striata::mesh::canonical_triangles;
 use striata::model::{FanInstance, FanTriangles, Fans, LodModel};

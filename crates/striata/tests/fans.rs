@@ -1,6 +1,6 @@
 //! Progressive fans against the oracle: uniform levels, and any set of steps that collapses and splits in any order lead to.
 
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles};

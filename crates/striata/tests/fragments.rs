@@ -1,6 +1,6 @@
 //! Fragments made of collapses show what the collapses show, at every level.
 
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{

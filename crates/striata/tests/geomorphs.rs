@@ -1,9 +1,9 @@
 //! Geomorphs: exactly one level at either end, nothing that jumps between, wedges and all; and instances that follow what is
 //! wanted frame by frame.
 
-mod meshes;
+use striata_testing::meshes;
 
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{AttributeLayer, RefinableMesh, Semantic, canonical_triangles, replay};

@@ -1,6 +1,6 @@
 //! LodStrips against the oracle: the same triangles at every level, in both forms, and exact undoing.
 
-mod support;
+use striata_testing::support;
 
 use std::ops::Range;
 

@@ -1,6 +1,6 @@
 //! MTS against the oracle.
 
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::RefinableMesh;

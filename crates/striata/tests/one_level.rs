@@ -1,6 +1,6 @@
 //! One level in one call, and contraction of parts: what comes out keeps to what was asked.
 
-mod meshes;
+use striata_testing::meshes;
 
 use meshes::{all, check_each};
 use striata::mesh::{IndexedMesh, canonical_triangles, replay, shapes};

@@ -1,6 +1,6 @@
 //! Free placement: one level with vertices anywhere.
 
-mod meshes;
+use striata_testing::meshes;
 
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;

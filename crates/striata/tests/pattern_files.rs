@@ -1,6 +1,6 @@
 //! Patterns in `.striata` files: they come back as they were, and no damaged bytes get past the checks.
 
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::file::{

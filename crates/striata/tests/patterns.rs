@@ -1,6 +1,6 @@
 //! Patterns against the oracle: uniform levels, any set that stands, and the smallest set that satisfies a condition.
 
-mod support;
+use striata_testing::support;
 
 use proptest::prelude::*;
 use striata::mesh::{

@@ -1,6 +1,6 @@
 //! From a mesh to a file and back: strips, LodStrips and `.striata` over the simplifier's own sequences.
 
-mod meshes;
+use striata_testing::meshes;
 
 use meshes::{Named, all, check_each};
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! Errors of sequences against distances that are measured in the plainest way: every sample against every triangle.
 
-mod meshes;
+use striata_testing::meshes;
 
 use glam::DVec3;
 use meshes::{COSTS, asset, folded, inside_out, random_options};

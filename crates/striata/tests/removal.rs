@@ -1,10 +1,10 @@
 //! The removal of vertices against what its fragments promise, on every mesh of the test set.
 
-mod meshes;
+use striata_testing::meshes;
 
 mod simplifier;
 
-mod support;
+use striata_testing::support;
 
 use meshes::{all, closed, odd, open, with_patches};
 use proptest::prelude::*;

@@ -1,10 +1,10 @@
 //! The simplifier against what its sequence promises, on every mesh of the test set and with every cost.
 
-mod meshes;
+use striata_testing::meshes;
 
 mod simplifier;
 
-mod support;
+use striata_testing::support;
 
 use std::collections::BTreeSet;
 
