@@ -4,8 +4,9 @@ use std::collections::BinaryHeap;
 
 use super::overlaps::{MAX_RUN, OverlapBook, Share};
 use super::records::{Draft, Records, Widths};
-use super::rule::{Matched, Rule, Rulebook, first_corner};
+use super::rule::{Rule, first_corner};
 use super::rule_table::RuleTable;
+use super::rulebook::{Matched, Rulebook};
 use super::{BaseFace, Patterns};
 use crate::mesh::{Face, FragmentSequence, FragmentedMesh};
 use crate::model::step_bounds::StepBounds;
@@ -30,6 +31,11 @@ impl Patterns {
     /// As [`build`](Self::build).
     pub fn build_without_bounds(mesh: &FragmentedMesh) -> Result<Self, ModelError> {
         Self::from_fragments(&mesh.fragments, mesh.mesh.groups.len().max(1))
+    }
+
+    /// The same patterns without bounds.
+    pub fn without_bounds(self) -> Self {
+        Self { bounds: None, ..self }
     }
 
     /// The patterns of fragments alone, without positions and so without bounds. Uniform levels and conditions that ask nothing

@@ -37,6 +37,7 @@ mod parts;
 mod records;
 mod rule;
 mod rule_table;
+mod rulebook;
 mod scene;
 mod unpack;
 
