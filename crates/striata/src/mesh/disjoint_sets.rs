@@ -5,23 +5,24 @@
 
 /// Sets over `0..count`, each thing alone at first.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct DisjointSets {
+pub struct DisjointSets {
     parent: Vec<u32>,
 }
 
 impl DisjointSets {
-    pub(crate) fn new(count: usize) -> Self {
+    /// The sets of `count` things, each alone.
+    pub fn new(count: usize) -> Self {
         Self { parent: (0..count as u32).collect() }
     }
 
     /// Every thing alone again, `count` of them; memory is reused.
-    pub(crate) fn reset(&mut self, count: usize) {
+    pub fn reset(&mut self, count: usize) {
         self.parent.clear();
         self.parent.extend(0..count as u32);
     }
 
     /// The smallest member of the set.
-    pub(crate) fn root(&mut self, mut thing: u32) -> u32 {
+    pub fn root(&mut self, mut thing: u32) -> u32 {
         loop {
             let parent = self.parent[thing as usize];
             if parent == thing {
@@ -34,7 +35,7 @@ impl DisjointSets {
     }
 
     /// Makes one set of two; false where they were one already.
-    pub(crate) fn join(&mut self, a: u32, b: u32) -> bool {
+    pub fn join(&mut self, a: u32, b: u32) -> bool {
         let (a, b) = (self.root(a), self.root(b));
         self.parent[a.max(b) as usize] = a.min(b);
         a != b

@@ -1,10 +1,11 @@
 //! What limits how far a mesh can be simplified, and at which price: seams, connected parts, edges of many triangles.
 
+use super::part_statistics::PartStatistics;
+use super::seam_statistics::{SeamCause, SeamStatistics};
+use super::step_statistics::StepStatistics;
 use serde::Serialize;
 use serde_json::{Map, Value};
-use striata::mesh::{
-    PartStatistics, RefinableMesh, SeamCause, SeamStatistics, Semantic, Statistics, StepStatistics, Welded,
-};
+use striata::mesh::{RefinableMesh, Semantic, Statistics, Welded};
 
 use striata_command::output::{counted, grouped};
 

@@ -1,6 +1,9 @@
 //! `info`: what is inside a file, mesh or container.
 
 mod limits;
+mod part_statistics;
+mod seam_statistics;
+mod step_statistics;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};

@@ -4,21 +4,21 @@
 //! and stays so whatever is collapsed, since a collapse only lets positions become one. A single triangle is not closed;
 //! so a closed part has two triangles at least, and any other part has one. Time O(n) expected, memory O(n).
 
-use super::{Adjacency, DisjointSets, Welded};
+use striata::mesh::{Adjacency, DisjointSets, Welded};
 
 /// Sizes of the connected parts of a mesh.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct PartStatistics {
+pub(crate) struct PartStatistics {
     /// Triangles of each part, the smallest first.
-    pub triangle_counts: Vec<usize>,
+    pub(crate) triangle_counts: Vec<usize>,
     /// No level that shows all parts can have fewer triangles.
-    pub least_triangle_count: usize,
+    pub(crate) least_triangle_count: usize,
 }
 
 impl PartStatistics {
     /// Finds the parts of a welded mesh.
-    pub fn of(welded: &Welded) -> Self {
+    pub(crate) fn of(welded: &Welded) -> Self {
         let positions = &welded.positions;
         let adjacency = Adjacency::of_positions(&welded.mesh, positions);
         let mut sets = DisjointSets::new(positions.position_count());
@@ -44,7 +44,7 @@ impl PartStatistics {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{IndexedMesh, shapes, weld};
+    use striata::mesh::{IndexedMesh, shapes, weld};
 
     fn of(mesh: &IndexedMesh) -> (Vec<usize>, usize) {
         let PartStatistics { triangle_counts, least_triangle_count } =

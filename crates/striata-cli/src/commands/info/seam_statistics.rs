@@ -4,12 +4,12 @@
 //! triangles use different wedges at one of its ends. The counts say how much of a mesh is seams, which is what
 //! simplification pays for when it crosses them. Time and memory O(n).
 
-use super::{Adjacency, Semantic, Welded};
+use striata::mesh::{Adjacency, Semantic, Welded};
 
 /// What the wedges of a position differ in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum SeamCause {
+pub(crate) enum SeamCause {
     /// The values of a layer.
     Layer(Semantic),
     /// The materials of their triangles.
@@ -19,27 +19,27 @@ pub enum SeamCause {
 /// How many positions and edges of a mesh are split, and by what.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct SeamStatistics {
+pub(crate) struct SeamStatistics {
     /// Positions that a triangle uses.
-    pub position_count: usize,
+    pub(crate) position_count: usize,
     /// Wedges of all positions.
-    pub wedge_count: usize,
+    pub(crate) wedge_count: usize,
     /// Positions with two or more wedges.
-    pub split_position_count: usize,
+    pub(crate) split_position_count: usize,
     /// Wedges of the position that has the most.
-    pub largest_wedge_count: usize,
+    pub(crate) largest_wedge_count: usize,
     /// Edges with two or more triangles.
-    pub inner_edge_count: usize,
+    pub(crate) inner_edge_count: usize,
     /// Inner edges along which wedges differ.
-    pub seam_edge_count: usize,
+    pub(crate) seam_edge_count: usize,
     /// Split positions by what their wedges differ in, layers first. A position counts for each cause that it has; causes
     /// without a position are left out.
-    pub causes: Vec<(SeamCause, usize)>,
+    pub(crate) causes: Vec<(SeamCause, usize)>,
 }
 
 impl SeamStatistics {
     /// Counts the seams of a welded mesh.
-    pub fn of(welded: &Welded) -> Self {
+    pub(crate) fn of(welded: &Welded) -> Self {
         let positions = &welded.positions;
         let wedge_counts = || (0..positions.position_count() as u32).map(|p| positions.wedges(p).len());
         let mut statistics = Self {
@@ -104,7 +104,7 @@ fn materials_of_vertices(welded: &Welded) -> Vec<Option<u32>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{AttributeLayer, IndexedMesh, shapes, weld};
+    use striata::mesh::{AttributeLayer, IndexedMesh, shapes, weld};
 
     fn of(mesh: &IndexedMesh) -> SeamStatistics {
         SeamStatistics::of(&weld(mesh).expect("shapes are sound"))

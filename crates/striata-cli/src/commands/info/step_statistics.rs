@@ -5,27 +5,27 @@
 //! triangle shows when its position is collapsed, and that no vanishing triangle has, has no partner at the target: it
 //! crosses a seam. Time O(corners that change), which is about n log n; memory O(n).
 
-use super::{DisjointSets, RefinableMesh};
+use striata::mesh::{DisjointSets, RefinableMesh};
 
 /// How many steps of a sequence are special, and which levels show all parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct StepStatistics {
+pub(crate) struct StepStatistics {
     /// Steps that remove triangles and take a wedge to the other side of a seam.
-    pub crossing_count: usize,
+    pub(crate) crossing_count: usize,
     /// Steps that remove no triangle: contractions of two parts, and positions that have lost all their triangles.
-    pub empty_count: usize,
+    pub(crate) empty_count: usize,
     /// Connected parts of the full mesh.
-    pub part_count: usize,
+    pub(crate) part_count: usize,
     /// Parts that have no triangle in the base.
-    pub vanished_part_count: usize,
+    pub(crate) vanished_part_count: usize,
     /// The coarsest level that shows something of every part.
-    pub all_parts_split_count: usize,
+    pub(crate) all_parts_split_count: usize,
 }
 
 impl StepStatistics {
     /// Looks at every step.
-    pub fn of(refinable: &RefinableMesh) -> Self {
+    pub(crate) fn of(refinable: &RefinableMesh) -> Self {
         let RefinableMesh { mesh, sequence } = refinable;
         let mut wedges = vec![Wedge::default(); mesh.vertex_count()];
         let least_split_counts: Vec<usize> =
@@ -99,7 +99,7 @@ fn least_by_part(refinable: &RefinableMesh, least_split_counts: &[usize]) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{CollapseSequence, IndexedMesh, PositionIndex, SequenceParts};
+    use striata::mesh::{CollapseSequence, IndexedMesh, PositionIndex, SequenceParts};
 
     /// A square of four triangles around `V`, with a seam from `A` over `V` to `C`, and a triangle apart.
     ///
