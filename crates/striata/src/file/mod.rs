@@ -3,6 +3,16 @@
 //! A file is a table of sections; the big arrays lie in it as they lie in memory, aligned, so that a mapped
 //! file is read without copying. Everything is bounded by the file's length and checked before it is
 //! trusted; sections of kinds that a reader does not know are skipped unless they are flagged as required.
+//!
+//! ```
+//! use striata::file::StriataFile;
+//! use striata::{Lod, LodOptions, mesh::shapes};
+//!
+//! let bytes = Lod::build(&shapes::torus(32, 16, 1.0, 0.4), &LodOptions::default())?.to_striata(&Default::default())?;
+//! let file = StriataFile::parse(&bytes)?; // arrays are borrowed from the bytes
+//! println!("{} vertices in {} sections", file.positions()?.len(), file.sections().len());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod byte_reader;
 mod container;

@@ -3,6 +3,19 @@
 //! A model has two halves. The static half is built once, never changes, may be shared by any number of
 //! instances and may borrow its arrays from a mapped file. The state is what one instance on the
 //! screen owns: where it stands and what it shows.
+//!
+//! ```
+//! use striata::model::{LodModel as _, LodStrips};
+//! use striata::{mesh::shapes, simplify::build_sequence, strip::stripify};
+//!
+//! let refinable = build_sequence(&shapes::torus(32, 16, 1.0, 0.4), &Default::default())?.refinable;
+//! let model = LodStrips::build(&refinable, &stripify(&refinable.mesh)?)?; // shared by all instances
+//! let mut state = model.new_state(); // one instance
+//! model.move_to(&mut state, model.step_count() / 2);
+//! let mut indices = Vec::new();
+//! model.indices_into(&state, &mut indices); // strips with restarts, over the vertices of refinable.mesh
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod fans;
 pub mod geomorph;

@@ -1,4 +1,14 @@
 //! From a mesh to its simplification sequence: half-edge collapses ordered by cost.
+//!
+//! ```
+//! use striata::mesh::shapes;
+//! use striata::simplify::{SimplifyOptions, Target, simplify};
+//!
+//! let options = SimplifyOptions::default().with_target(Target::Triangles(200));
+//! let level = simplify(&shapes::torus(32, 16, 1.0, 0.4), &options)?;
+//! println!("{} triangles, error {}: {:?}", level.mesh.triangle_count(), level.error, level.stop_reason);
+//! # Ok::<(), striata::simplify::SimplifyError>(())
+//! ```
 
 mod certify;
 mod collapse;

@@ -7,6 +7,14 @@
 //!
 //! [`stripify`] makes strips of a mesh. Whoever makes them in another way, as the crate `striata-strip` does, joins and
 //! cuts [`StripLinks`] and has [`write_strips`] turn them into indices.
+//!
+//! ```
+//! use striata::{mesh::shapes, strip::stripify};
+//!
+//! let strips = stripify(&shapes::torus(32, 16, 1.0, 0.4))?;
+//! println!("{} strips; draw {:?}...", strips.strip_count(), &strips.to_restart_indices().indices[..8]);
+//! # Ok::<(), striata::mesh::MeshError>(())
+//! ```
 
 mod cost;
 mod greedy;

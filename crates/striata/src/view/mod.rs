@@ -3,6 +3,14 @@
 //! Everything here errs on one side. A bound holds all that it bounds, rounding included; a part is called invisible only if
 //! nothing of it can be seen, and its error on the screen is never told too small. No angle is ever computed: sines and
 //! cosines are put together with square roots, which are the same on every machine.
+//!
+//! ```
+//! use striata::view::{Camera, ScreenError};
+//!
+//! let camera = Camera::new([0.0, 0.0, 3.0], [0.0; 3], [0.0, 1.0, 0.0], 0.577, [1920, 1080])?;
+//! let error = ScreenError::new(camera, 1.0).with_silhouettes(0.5); // a criterion: 1 pixel, half a pixel at outlines
+//! # Ok::<(), striata::view::CameraError>(())
+//! ```
 
 mod camera;
 mod cone;
