@@ -295,7 +295,7 @@ fn command_line(arguments: impl Iterator<Item = String>) -> String {
         let needs_none = !argument.is_empty() && argument.chars().all(is_plain);
         if needs_none { argument } else { format!("'{}'", argument.replace('\'', "'\\''")) }
     });
-    std::iter::once("striata".to_owned()).chain(quoted).collect::<Vec<_>>().join(" ")
+    std::iter::once("striata-lab".to_owned()).chain(quoted).collect::<Vec<_>>().join(" ")
 }
 
 fn machine() -> String {
@@ -326,6 +326,6 @@ mod tests {
     fn a_command_line_can_be_pasted() {
         let line = |arguments: &[&str]| command_line(arguments.iter().map(|&a| a.to_owned()));
         assert_eq!(line(&["compare", "a.ply", "--seeds", "3"]), "striata-lab compare a.ply --seeds 3");
-        assert_eq!(line(&["it's here.ply", ""]), "striata 'it'\\''s here.ply' ''");
+        assert_eq!(line(&["it's here.ply", ""]), "striata-lab 'it'\\''s here.ply' ''");
     }
 }
