@@ -12,7 +12,7 @@ use crate::{machine, workspace};
 /// # Errors
 /// The tests that failed, or what is missing.
 pub(crate) fn run() -> Result<()> {
-    let command = crate::test::built_command()?;
+    let command = crate::command::built_command()?;
     let web = workspace().join("web");
     machine::npm_install(&web)?;
     // A page among the tests imports it.

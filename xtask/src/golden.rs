@@ -23,7 +23,7 @@ const STRIPPED: [&str; 2] = ["crates/striata-cli/assets/nefertiti.ply.zst", "ass
 pub(crate) fn run() -> Result<()> {
     let folder = scratch_folder();
     machine::remove_folder(&folder)?;
-    let command = crate::test::built_command()?;
+    let command = crate::command::built_command()?;
     steps::run(Command::new(&command).arg("demo").arg(&folder))?;
     for name in EXPECTED {
         let file = folder.join(name);

@@ -2,6 +2,7 @@
 
 mod bare;
 mod browser;
+mod command;
 mod cpu_time;
 mod golden;
 mod licenses;

@@ -4,9 +4,9 @@ use std::process::Command;
 
 use anyhow::Result;
 
+use crate::command::FULL;
 use crate::machine::starts;
 use crate::steps::{self, say};
-use crate::test::FULL;
 use crate::web::said_by_rustc;
 use crate::workspace;
 

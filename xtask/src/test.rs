@@ -3,16 +3,12 @@
 //! The release build of the command comes first, on the machine as it was found. Then one profile throughout, so that nothing is
 //! compiled twice: `clippy` shares what `check` makes, and the golden run uses the command that the tests have built.
 
-use std::path::PathBuf;
+use anyhow::Result;
 
-use anyhow::{Result, ensure};
-
+use crate::command::FULL;
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, Steps, cargo, say};
-use crate::{bare, browser, golden, licenses, oldest_rust, packages, target_folder, web};
-
-/// All of the command, its window included.
-pub(crate) const FULL: &str = "striata-cli/full";
+use crate::{bare, browser, golden, licenses, oldest_rust, packages, web};
 
 /// Each feature that must compile by itself: the crate and the features.
 const FEATURES_ALONE: &[(&str, &str)] = &[
@@ -97,18 +93,6 @@ pub(crate) fn run() -> Result<()> {
     run_all(&mut steps)?;
     say(&steps.summary());
     Ok(())
-}
-
-/// Builds the command with all its features, if the tests have not done it, and says where it lies.
-///
-/// # Errors
-/// Where it does not compile.
-pub(crate) fn built_command() -> Result<PathBuf> {
-    // The whole workspace is named so that dependencies get the features that they have in the tests.
-    steps::run(&mut cargo(&["build", "--workspace", "--features", FULL, "--bin", "striata"]))?;
-    let command = target_folder()?.join("debug").join(format!("striata{}", std::env::consts::EXE_SUFFIX));
-    ensure!(command.is_file(), "there is no {}", command.display());
-    Ok(command)
 }
 
 fn check_features() -> Result<()> {

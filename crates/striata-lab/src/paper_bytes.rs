@@ -68,7 +68,7 @@ impl PaperBytes for Fans {
 }
 
 impl PaperBytes for Patterns {
-    /// The paper's bits of each fragment and each overlap, with the overlaps that there are; see [`pattern_bytes`].
+    /// The paper's bits of each fragment and each overlap, with the overlaps that there are; see `pattern_bytes`.
     fn paper_bytes(&self, _: Accounting) -> usize {
         pattern_bytes(self.fragment_count(), self.overlap_count())
     }

@@ -204,7 +204,7 @@ fn a_view_refines_what_it_wants_and_what_fans_need_for_that() {
                 let is_wanted = |step| criterion.weigh(&hierarchy.part(step)).is_wanted();
                 let expected = FanInstance::refined(&fans, is_wanted);
                 let is_same =
-                    (0..prefix.added.len() as u32).all(|s| !expected.is_refined(s) != cut.is_refined(s));
+                    (0..prefix.added.len() as u32).all(|s| expected.is_refined(s) == cut.is_refined(s));
                 assert!(is_same, "{} steps, seed {seed}", prefix.added.len());
                 let shown = triangles_of(&cut, hierarchy, prefix);
                 assert_eq!(update.triangle_count, shown.len());

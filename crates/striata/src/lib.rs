@@ -41,7 +41,7 @@
 //! # Where things are
 //!
 //! [`mesh`] is what goes in; [`simplify`] makes the sequence of collapses; [`strip`] makes triangle strips; [`model`] turns a
-//! sequence into levels; [`view`] says what a camera needs; [`file`] is the `.striata` format. Arrows point one way (right uses
+//! sequence into levels; [`view`] says what a camera needs; [`mod@file`] is the `.striata` format. Arrows point one way (right uses
 //! left): `mesh <- simplify`; `mesh <- strip <- model <- file`; `mesh <- view <- model`.
 //!
 //! Other crates: `striata-io` reads and writes mesh files, `striata-stream` compresses a mesh into a stream that can be drawn from its

@@ -5,7 +5,7 @@
 //! is stripified by itself, so each is drawn as well as its mesh allows. An instance is the number of its level.
 //!
 //! Differs: classic levels have vertices of their own. Here all use the one vertex buffer in refinement order, of
-//! which a level needs the first part; [`LodModel::paper_bytes`] counts the classic form.
+//! which a level needs the first part; [`PaperBytes::paper_bytes`] counts the classic form.
 //!
 //! Cost: a change of level is free, a level takes about 5 bytes a triangle. Building stripifies about as many
 //! triangles as 2 (five levels) or 4 (ten) full meshes have.

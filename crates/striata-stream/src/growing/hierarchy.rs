@@ -10,7 +10,7 @@ pub(super) const ALL_THROUGH: u32 = 1 << 31;
 
 /// Steps of a mesh as a hierarchy; see the [module](super).
 ///
-/// The hierarchy keeps no copy of the mesh: [`HierarchyCut::triangles_into`] takes the mesh as it is after the last [`grow`](Self::grow), or with
+/// The hierarchy keeps no copy of the mesh: [`HierarchyCut::triangles_into`](super::HierarchyCut::triangles_into) takes the mesh as it is after the last [`grow`](Self::grow), or with
 /// further steps.
 ///
 /// # Example

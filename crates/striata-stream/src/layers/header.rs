@@ -1,6 +1,6 @@
 //! The header of a layer: five bytes, two numbers, a name, and the axes of a grid.
 
-use striata::file::{semantic_code, semantic_of};
+use striata::file::{SemanticCode, semantic_code, semantic_of};
 
 use super::form::{LayerForm, NumberType, Transform};
 use crate::format::byte_reader::{ByteReader, put_u32};
@@ -10,7 +10,7 @@ use crate::format::grid::{Axis, MAX_BITS};
 impl LayerForm {
     /// Appends the form's bytes.
     pub(crate) fn write(&self, out: &mut Vec<u8>) {
-        let (code, set, name) = semantic_code(&self.semantic);
+        let SemanticCode { kind, set, name } = semantic_code(&self.semantic);
         let number_type = NumberType::ALL.iter().position(|&t| t == self.number_type).unwrap_or(0) as u8;
         let (transform, bits) = match self.transform {
             Transform::Exact => (0, 0),
@@ -18,7 +18,7 @@ impl LayerForm {
             Transform::Uniform { bits, .. } => (2, bits),
         };
         out.extend([
-            code,
+            kind,
             number_type,
             self.component_count,
             u8::from(self.normalized),

@@ -1,7 +1,7 @@
 //! `view`: a window with a mesh at any level, by any model, from anywhere.
 //!
-//! [`viewer`] is all of it but the window: what is loaded, what is wanted, and when the picture has to be drawn again. A model's
-//! triangles come from [`shown`] and go to the GPU by [`stage`]; [`app`] turns a window's events into frames. Nothing is drawn
+//! `viewer` is all of it but the window: what is loaded, what is wanted, and when the picture has to be drawn again. A model's
+//! triangles come from `shown` and go to the GPU by `stage`; `app` turns a window's events into frames. Nothing is drawn
 //! while nothing changes.
 
 mod app;

@@ -11,20 +11,31 @@ const NO_MATERIAL: u32 = u32::MAX;
 /// Header of a layer before its name: four bytes and three numbers.
 const LAYER_HEADER_BYTES: usize = 16;
 
-/// The numbers that stand for a meaning in files and streams: its kind, and which one of that kind; and the name of a layer that has
-/// no other meaning.
-pub fn semantic_code(semantic: &Semantic) -> (u8, u32, &str) {
+/// What stands for the meaning of a layer in files and streams.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SemanticCode<'a> {
+    /// The kind of meaning.
+    pub kind: u8,
+    /// Which one of that kind.
+    pub set: u32,
+    /// The name of a layer that has no other meaning.
+    pub name: &'a str,
+}
+
+/// What stands for a meaning in files and streams; [`semantic_of`] reads it.
+pub fn semantic_code(semantic: &Semantic) -> SemanticCode<'_> {
+    let numbered = |kind, set: u32| SemanticCode { kind, set, name: "" };
     match semantic {
-        Semantic::Normal => (0, 0, ""),
-        Semantic::Tangent => (1, 0, ""),
-        Semantic::TexCoord(set) => (2, u32::from(*set), ""),
-        Semantic::Color(set) => (3, u32::from(*set), ""),
-        Semantic::Joints(set) => (4, u32::from(*set), ""),
-        Semantic::Weights(set) => (5, u32::from(*set), ""),
-        Semantic::MorphPosition(target) => (6, u32::from(*target), ""),
-        Semantic::MorphNormal(target) => (7, u32::from(*target), ""),
-        Semantic::MorphTangent(target) => (8, u32::from(*target), ""),
-        Semantic::Generic(name) => (9, 0, name),
+        Semantic::Normal => numbered(0, 0),
+        Semantic::Tangent => numbered(1, 0),
+        Semantic::TexCoord(set) => numbered(2, u32::from(*set)),
+        Semantic::Color(set) => numbered(3, u32::from(*set)),
+        Semantic::Joints(set) => numbered(4, u32::from(*set)),
+        Semantic::Weights(set) => numbered(5, u32::from(*set)),
+        Semantic::MorphPosition(target) => numbered(6, u32::from(*target)),
+        Semantic::MorphNormal(target) => numbered(7, u32::from(*target)),
+        Semantic::MorphTangent(target) => numbered(8, u32::from(*target)),
+        Semantic::Generic(name) => SemanticCode { kind: 9, set: 0, name },
     }
 }
 
@@ -47,14 +58,14 @@ pub fn semantic_of(code: u8, set: u32, name: &str) -> Option<Semantic> {
 }
 
 pub(super) fn layer_to_bytes(layer: &AttributeLayer) -> Result<Vec<u8>, EncodeError> {
-    let (code, set, name) = semantic_code(&layer.semantic);
+    let SemanticCode { kind, set, name } = semantic_code(&layer.semantic);
     let number_type = match layer.data {
         LayerData::F32(_) => 0,
         LayerData::U8(_) => 1,
         LayerData::U16(_) => 2,
         LayerData::U32(_) => 3,
     };
-    let mut out = vec![code, number_type, layer.component_count, u8::from(layer.normalized)];
+    let mut out = vec![kind, number_type, layer.component_count, u8::from(layer.normalized)];
     put_u32(set, &mut out);
     let data_offset = (LAYER_HEADER_BYTES + name.len()).next_multiple_of(64);
     let what = "a layer's name";

@@ -27,7 +27,9 @@ mod writer;
 pub use container::{SectionInfo, SectionKind, VERSION as FORMAT_VERSION, Verify};
 pub use error::{DecodeError, EncodeError};
 pub use file_head::FileHead;
-pub use mesh_sections::{appearance_from_bytes, appearance_to_bytes, semantic_code, semantic_of};
+pub use mesh_sections::{
+    SemanticCode, appearance_from_bytes, appearance_to_bytes, semantic_code, semantic_of,
+};
 pub use reader::StriataFile;
 pub use stream::{STREAM_MAGIC, StoredStream, StreamCodec, StreamHead, StreamMesh};
 pub use summary::Summary;

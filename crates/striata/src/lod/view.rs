@@ -32,7 +32,7 @@ impl View {
     /// What the errors are is said at [`Lod::has_guaranteed_errors`](super::Lod::has_guaranteed_errors). Cost: proportional to what
     /// changes since the last update, and to the triangles that are shown.
     pub fn update(&mut self, camera: &Camera, pixels: f32) -> FanUpdate {
-        self.update_by(ScreenError::new(camera.clone(), pixels))
+        self.update_by(ScreenError::new(*camera, pixels))
     }
 
     /// Does as [`update`](Self::update), but by a screen error with more terms: silhouettes, a region of interest, a gaze.
@@ -47,7 +47,7 @@ impl View {
     ///
     /// If even the base mesh has more triangles, that is shown.
     pub fn update_to_budget(&mut self, camera: &Camera, pixels: f32, triangle_limit: usize) -> FanUpdate {
-        let error = ScreenError::new(camera.clone(), pixels).of_model(self.tables.sphere());
+        let error = ScreenError::new(*camera, pixels).of_model(self.tables.sphere());
         let update = self.front.update_to_budget(&self.tables.scene(), &error, triangle_limit);
         self.emit_changes(&update);
         update

@@ -1,6 +1,6 @@
 //! What a file holds of a table, and the table that comes out of it.
 
-use super::table::Table;
+use super::table::{Table, TableArrays};
 use super::{Fans, validate};
 use crate::model::ModelError;
 use crate::model::step_bounds::StepBounds;
@@ -26,7 +26,7 @@ pub(crate) struct FansParts<'a> {
 impl Fans {
     /// The arrays that a file is to hold.
     pub(crate) fn parts(&self) -> FansParts<'_> {
-        let (entries, blocks, starts) = self.table.arrays();
+        let TableArrays { entries, blocks, starts } = self.table.arrays();
         FansParts { entries, blocks, starts, waits: &self.waits, far: &self.far, orphans: &self.orphans }
     }
 
@@ -41,7 +41,7 @@ impl Fans {
         let FansParts { entries, blocks, starts, waits, far, orphans } = parts;
         let step_count = removed.len();
         vertices.check(step_count)?;
-        let arrays = (entries.to_vec(), blocks.to_vec(), starts.to_vec());
+        let arrays = TableArrays { entries, blocks, starts };
         let table = Table::from_arrays(arrays, vertices.vertex_count, group_count > 1)?;
         let fans = Self {
             vertices: vertices.without_targets(),

@@ -134,6 +134,17 @@ impl TableWriter {
     }
 }
 
+/// The arrays of a table, as files hold them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TableArrays<'a> {
+    /// The entries of all vertices.
+    pub(super) entries: &'a [u8],
+    /// Where blocks of entries begin; where vertices begin, if there are no `starts`.
+    pub(super) blocks: &'a [u32],
+    /// Where vertices begin in their blocks.
+    pub(super) starts: &'a [u16],
+}
+
 impl Table {
     /// Bytes of the entries, and of where they begin.
     pub(super) fn sizes(&self) -> [usize; 2] {
@@ -141,10 +152,10 @@ impl Table {
         [self.bytes.len(), starts]
     }
 
-    /// The entries; then where blocks begin and where vertices begin in them, or where vertices begin and nothing.
-    pub(super) fn arrays(&self) -> (&[u8], &[u32], &[u16]) {
+    /// The arrays that a file holds.
+    pub(super) fn arrays(&self) -> TableArrays<'_> {
         let blocks = if self.starts.is_empty() { &self.wide_starts } else { &self.blocks };
-        (&self.bytes, blocks, &self.starts)
+        TableArrays { entries: &self.bytes, blocks, starts: &self.starts }
     }
 
     /// A table of the arrays that another one had.
@@ -152,10 +163,12 @@ impl Table {
     /// # Errors
     /// Where they do not say for each of so many vertices where it begins, rising to the end of the entries.
     pub(super) fn from_arrays(
-        (bytes, blocks, starts): (Vec<u8>, Vec<u32>, Vec<u16>),
+        arrays: TableArrays<'_>,
         vertex_count: usize,
         has_groups: bool,
     ) -> Result<Self, ModelError> {
+        let TableArrays { entries, blocks, starts } = arrays;
+        let (bytes, blocks, starts) = (entries.to_vec(), blocks.to_vec(), starts.to_vec());
         let length = |what, found, expected| {
             if found == expected { Ok(()) } else { Err(ModelError::Length { what, found, expected }) }
         };
@@ -390,10 +403,10 @@ mod tests {
         }
         let table = writer.finish();
         let rebuilt = |damage: fn(&mut Vec<u8>, &mut Vec<u32>, &mut Vec<u16>)| {
-            let (bytes, blocks, starts) = table.arrays();
-            let (mut bytes, mut blocks, mut starts) = (bytes.to_vec(), blocks.to_vec(), starts.to_vec());
+            let TableArrays { entries, blocks, starts } = table.arrays();
+            let (mut bytes, mut blocks, mut starts) = (entries.to_vec(), blocks.to_vec(), starts.to_vec());
             damage(&mut bytes, &mut blocks, &mut starts);
-            Table::from_arrays((bytes, blocks, starts), 200, false)
+            Table::from_arrays(TableArrays { entries: &bytes, blocks: &blocks, starts: &starts }, 200, false)
         };
         assert_eq!(rebuilt(|_, _, _| ()), Ok(table.clone()));
         let wide = rebuilt(|_, blocks, starts| {
@@ -403,11 +416,12 @@ mod tests {
         assert_eq!(wide.unwrap().entry(150, 0).count(), 1);
         for vertex in [0, 3, 64, 199] {
             let reason = "does not begin where the one before ends";
-            let (bytes, blocks, starts) = table.arrays();
-            let (bytes, mut blocks, mut starts) = (bytes.to_vec(), blocks.to_vec(), starts.to_vec());
+            let TableArrays { entries, blocks, starts } = table.arrays();
+            let (mut blocks, mut starts) = (blocks.to_vec(), starts.to_vec());
             starts[vertex] += 700;
             blocks[vertex / BLOCK] += 40;
-            let found = Table::from_arrays((bytes, blocks, starts), 200, false);
+            let found =
+                Table::from_arrays(TableArrays { entries, blocks: &blocks, starts: &starts }, 200, false);
             assert!(matches!(found, Err(ModelError::Entry { reason: r, .. }) if r == reason), "{vertex}");
         }
         let behind = rebuilt(|_, blocks, _| blocks[2] = u32::MAX);

@@ -82,7 +82,7 @@ impl<'f> Checked<'f> {
     /// Reads each entry to its end, and adds up what it says of steps.
     fn read_entries(&mut self) -> Result<(), ModelError> {
         let table = &self.fans.table;
-        let byte_count = table.arrays().0.len();
+        let byte_count = table.arrays().entries.len();
         for vertex in 0..self.fans.vertices.vertex_count as u32 {
             let at = vertex as usize;
             let (mut end, entry_end) = (table.start(at), table.start(at + 1));
