@@ -11,7 +11,7 @@ fn run_on_display(bench: &Workbench, arguments: &[&str]) -> Output {
     run_with(bench, arguments, &[])
 }
 
-/// The same in an environment.
+/// Runs it in an environment, on the display that there is or on one of Xvfb.
 fn run_with(bench: &Workbench, arguments: &[&str], environment: &[(&str, &str)]) -> Output {
     let striata = assert_cmd::cargo::cargo_bin("striata");
     let has_display = ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some());
@@ -23,11 +23,33 @@ fn run_with(bench: &Workbench, arguments: &[&str], environment: &[(&str, &str)])
             "the window is tested on a display: set DISPLAY, or install xvfb, xauth and mesa-vulkan-drivers"
         );
         let mut command = Command::new("xvfb-run");
-        command.args(["-a", "-s", "-screen 0 1600x1200x24"]).arg(&striata);
+        command.args(["-a", "-s", "-screen 0 1600x1200x24", "sh", "-c", KEEPS_RESULT]).arg(&striata);
         command
     };
+    let kept = tempfile::tempdir().expect("a temporary folder");
     command.arg("view").args(arguments).current_dir(bench.path(".")).envs(environment.iter().copied());
-    assert_cmd::Command::from_std(command).timeout(Duration::from_secs(600)).output().expect("it starts")
+    command.env("KEPT", kept.path());
+    let mut output =
+        assert_cmd::Command::from_std(command).timeout(Duration::from_secs(600)).output().expect("it starts");
+    if let Ok(status) = std::fs::read_to_string(kept.path().join("status")) {
+        output.status = exit_status(status.trim().parse().expect("a number"));
+        output.stderr = std::fs::read(kept.path().join("stderr")).expect("it was kept");
+    }
+    output
+}
+
+/// Keeps the exit code and the messages of the command: at times xvfb-run fails to clean up after itself, and ends with a code and
+/// a message of its own.
+const KEEPS_RESULT: &str = r#""$0" "$@" 2> "$KEPT/stderr"; echo $? > "$KEPT/status""#;
+
+#[cfg(unix)]
+fn exit_status(code: i32) -> std::process::ExitStatus {
+    std::os::unix::process::ExitStatusExt::from_raw(code << 8)
+}
+
+#[cfg(windows)]
+fn exit_status(code: i32) -> std::process::ExitStatus {
+    std::os::windows::process::ExitStatusExt::from_raw(code as u32)
 }
 
 fn is_in_path(program: &str) -> bool {
