@@ -7,12 +7,12 @@
 export { StriataError, asStriataError } from './error.ts';
 export { Engine } from './engine.ts';
 export type { NewVertices, Order, Report, State, Update, Wish } from './protocol.ts';
-export type { Colouring, ErrorCode, Kind, Phase } from './types.ts';
+export type { Coloring, ErrorCode, Kind, Phase } from './types.ts';
 export { Failure, Model, StreamPlace, Vertices, View } from './wasm/striata_web.js';
 import { start, wasmModule } from './wasm.ts';
 import type { LoaderOptions } from './types.ts';
 
 /** Starts the wasm: nothing else here works before. */
-export async function initialise(wasm?: LoaderOptions['wasm']): Promise<void> {
+export async function initialize(wasm?: LoaderOptions['wasm']): Promise<void> {
   start(await wasmModule(wasm));
 }

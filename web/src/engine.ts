@@ -8,7 +8,7 @@
 import { Failure, Model, View } from './wasm/striata_web.js';
 import { asPlain, asStriataError, StriataError, type PlainError } from './error.ts';
 import type { NewVertices, Order, Report, State, Update, Wish } from './protocol.ts';
-import type { Colouring, Kind, Phase } from './types.ts';
+import type { Coloring, Kind, Phase } from './types.ts';
 import { unpacked } from './unpack.ts';
 
 /** Bytes that are decoded between two looks at the clock. */
@@ -43,7 +43,7 @@ export class Engine {
   /** The stream is complete, or broken off: bytes that were still on their way are dropped. */
   #hasEnded = false;
   #wish: Wish = { by: 'detail', value: 1, limit: 0 };
-  #colouring: Colouring = 'surface';
+  #coloring: Coloring = 'surface';
   #phase: Phase = 'download';
   /** Vertices that the page has. */
   #toldCount = 0;
@@ -80,7 +80,7 @@ export class Engine {
         break;
       case 'show':
         this.#wish = order.wish;
-        this.#colouring = order.colouring;
+        this.#coloring = order.coloring;
         if (this.#model.is_ready) this.#attempt(() => this.#tell(order.ticket));
         break;
     }
@@ -266,9 +266,9 @@ export class Engine {
   }
 
   #numbers(): Uint32Array | undefined {
-    if (this.#colouring === 'strips') return this.#model.color_strips();
-    if (this.#colouring === 'fans') return this.#model.color_fans();
-    if (this.#colouring === 'surface') return undefined;
+    if (this.#coloring === 'strips') return this.#model.color_strips();
+    if (this.#coloring === 'fans') return this.#model.color_fans();
+    if (this.#coloring === 'surface') return undefined;
     const count = this.#model.group_counts().reduce((sum, n) => sum + n, 0);
     return Uint32Array.from({ length: count }, (_, triangle) => triangle);
   }

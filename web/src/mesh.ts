@@ -8,7 +8,7 @@ import { GrowingGeometry } from './buffers.ts';
 import { StriataError } from './error.ts';
 import { painted } from './painted.ts';
 import type { Order, State, Update, Wish } from './protocol.ts';
-import type { Colouring, Kind, StriataEvents, StriataMeshLike, Timings } from './types.ts';
+import type { Coloring, Kind, StriataEvents, StriataMeshLike, Timings } from './types.ts';
 import { look } from './view.ts';
 
 /** What a mesh needs of whoever loads it. */
@@ -40,7 +40,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   #maxError: number | null = null;
   #pixelError: number | null = null;
   #isFrozen = false;
-  #colouring: Colouring = 'surface';
+  #coloring: Coloring = 'surface';
   #isWireframe = false;
   /** The request that has not been answered yet, and whether another has to follow it. */
   #ticket = 0;
@@ -131,16 +131,25 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     this.dispatchEvent({ type: 'change' });
   }
 
-  get colouring(): Colouring {
-    return this.#colouring;
+  get coloring(): Coloring {
+    return this.#coloring;
   }
 
-  set colouring(colouring: Colouring) {
-    if (colouring === this.#colouring) return;
-    if (this.#colouring === 'surface') this.#surfaceMaterial = this.material;
-    this.#colouring = colouring;
+  set coloring(coloring: Coloring) {
+    if (coloring === this.#coloring) return;
+    if (this.#coloring === 'surface') this.#surfaceMaterial = this.material;
+    this.#coloring = coloring;
     this.#hasChanged = true;
     this.#send();
+  }
+
+  /** @deprecated Use `coloring`. */
+  get colouring(): Coloring {
+    return this.coloring;
+  }
+
+  set colouring(coloring: Coloring) {
+    this.coloring = coloring;
   }
 
   get wireframe(): boolean {
@@ -239,17 +248,17 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     this.dispatchEvent({ type: 'error', error });
   }
 
-  /** Shows the surface, or triangles in the colours of what draws them. */
+  /** Shows the surface, or triangles in the colors of what draws them. */
   #paint({ numbers, indices }: Update): void {
     const old = this.geometry;
-    if (numbers && this.#colouring !== 'surface') {
+    if (numbers && this.#coloring !== 'surface') {
       this.#paintMaterial ??= new MeshStandardMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, roughness: 0.9 });
       setWireframe(this.#paintMaterial, this.#isWireframe);
       this.geometry = painted(this.#surface.getAttribute('position')?.array ?? [], indices, numbers);
       this.geometry.boundingSphere = this.#surface.boundingSphere;
       this.geometry.boundingBox = this.#surface.boundingBox;
       this.material = this.#paintMaterial;
-    } else if (this.geometry !== this.#surface && this.#colouring === 'surface') {
+    } else if (this.geometry !== this.#surface && this.#coloring === 'surface') {
       this.geometry = this.#surface;
       this.material = this.#surfaceMaterial;
       for (const material of [this.material].flat()) setWireframe(material, this.#isWireframe);
@@ -273,7 +282,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     this.#hasChanged = false;
     this.#isWaiting = true;
     this.#sent = this.#wish();
-    this.#mind.order({ type: 'show', wish: this.#sent, colouring: this.#colouring, ticket: ++this.#ticket });
+    this.#mind.order({ type: 'show', wish: this.#sent, coloring: this.#coloring, ticket: ++this.#ticket });
   }
 
   #wish(): Wish {

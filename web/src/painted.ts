@@ -1,10 +1,10 @@
-/** Triangles in colours of their own: no two share a vertex, so each can have any colour. */
+/** Triangles in colors of their own: no two share a vertex, so each can have any color. */
 
 import { BufferAttribute, BufferGeometry, Color, SRGBColorSpace } from 'three';
 
-/** Colours are told by hue alone, this many of them. */
+/** Colors are told by hue alone, this many of them. */
 const HUE_COUNT = 1024;
-/** What multiplies a number so that neighbours get hues that lie far apart: the golden ratio's share of 2^32. */
+/** What multiplies a number so that neighbors get hues that lie far apart: the golden ratio's share of 2^32. */
 const SCATTER = 0x9e3779b1;
 
 const palette = makePalette();

@@ -1,7 +1,7 @@
 /** What page and engine tell each other; all of it can be posted to a worker. */
 
 import type { PlainError } from './error.ts';
-import type { Colouring, Kind, Phase } from './types.ts';
+import type { Coloring, Kind, Phase } from './types.ts';
 
 /** Which level is wanted. */
 export interface Wish {
@@ -21,7 +21,7 @@ export type Order =
   | { type: 'end'; error?: PlainError }
   /** A whole file. */
   | { type: 'file'; bytes: Uint8Array; name: string }
-  | { type: 'show'; wish: Wish; colouring: Colouring; ticket: number };
+  | { type: 'show'; wish: Wish; coloring: Coloring; ticket: number };
 
 /** Vertices that are new, from one on. */
 export interface NewVertices {

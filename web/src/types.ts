@@ -8,8 +8,8 @@ export type Source = string | URL | File | Blob | ArrayBuffer | ReadableStream<U
 /** What was read: a bare stream, a `.striata` file, or a plain mesh that was simplified here. */
 export type Kind = 'stream' | 'striata' | 'mesh';
 
-/** How triangles are coloured: as the material has it, or by what draws them. */
-export type Colouring = 'surface' | 'strips' | 'fans' | 'triangles';
+/** How triangles are colored: as the material has it, or by what draws them. */
+export type Coloring = 'surface' | 'strips' | 'fans' | 'triangles';
 
 /** What a model is waiting for. */
 export type Phase = 'download' | 'decode' | 'build' | 'done';
@@ -35,7 +35,7 @@ export interface LoadOptions {
   /** Ends the download and the work; `load` then rejects with code `aborted`. A mesh that is `finished` stays as it is. */
   signal?: AbortSignal;
   onProgress?: (progress: Progress) => void;
-  /** Default: a standard material that takes vertex colours where the mesh has any. */
+  /** Default: a standard material that takes vertex colors where the mesh has any. */
   material?: Material | Material[];
   /** A file name, where the source has none. Kinds are told by content, then by extension. */
   name?: string;
@@ -95,7 +95,7 @@ export interface StriataMeshLike extends Mesh<BufferGeometry, Material | Materia
   pixelError: number | null;
   /** Keeps the triangles of the last view, to look at them from elsewhere. */
   frozen: boolean;
-  colouring: Colouring;
+  coloring: Coloring;
   wireframe: boolean;
   /** Triangles that are shown. */
   readonly triangleCount: number;

@@ -91,7 +91,7 @@ export default function detail(world) {
     assert.equal(await page.evaluate(() => window.striataViewer.mesh.children.some((child) => child.visible && child.material.wireframe)), true);
     await page.keyboard.press('w');
     await page.keyboard.press('s');
-    assert.equal(await page.evaluate(() => window.striataViewer.mesh.colouring), 'strips');
+    assert.equal(await page.evaluate(() => window.striataViewer.mesh.coloring), 'strips');
     await page.keyboard.press('v');
     await settled(page);
     assert.notEqual((await state(page)).pixelError, null, 'V chooses pixels');

@@ -1,4 +1,4 @@
-// How it looks and is held: gallery, dark and light, phones and touch, colours, pictures.
+// How it looks and is held: gallery, dark and light, phones and touch, colors, pictures.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -31,7 +31,7 @@ async function touch(page, from, to) {
 }
 
 const eyeOf = (page) => page.evaluate(() => window.striataViewer.stage.camera.position.toArray());
-const colourOf = (page) => page.evaluate(() => getComputedStyle(document.body).color);
+const colorOf = (page) => page.evaluate(() => getComputedStyle(document.body).color);
 
 export default function looks(world) {
   pageTest(world, 'the gallery shows all models with pictures, and goes back to itself', DESKTOP, async (page) => {
@@ -62,35 +62,35 @@ export default function looks(world) {
     await openModel(world, page, 'nefertiti.stri');
     await settled(page);
     await shot(page, 'desktop-dark');
-    const dark = await colourOf(page);
+    const dark = await colorOf(page);
     await page.emulateMedia({ colorScheme: 'light' });
     // As the system has it.
     await page.waitForFunction((dark) => getComputedStyle(document.body).color !== dark, dark);
     await settled(page);
     await shot(page, 'desktop-light');
     await page.locator('#theme').click();
-    assert.equal(await colourOf(page), dark, 'or as the reader has it');
+    assert.equal(await colorOf(page), dark, 'or as the reader has it');
     await page.reload();
-    assert.equal(await colourOf(page), dark, 'which is remembered');
+    assert.equal(await colorOf(page), dark, 'which is remembered');
     await page.evaluate(() => localStorage.clear());
   });
 
-  pageTest(world, 'colours by strips, fans and triangles', {}, async (page) => {
+  pageTest(world, 'colors by strips, fans and triangles', {}, async (page) => {
     await openModel(world, page, 'spot.striata');
     await slide(page, 'detail', 700);
     await settled(page);
     const pictures = new Set();
-    for (const colouring of ['surface', 'strips', 'fans', 'triangles']) {
-      await page.locator(`input[name="colouring"][value="${colouring}"]`).check({ force: true });
+    for (const coloring of ['surface', 'strips', 'fans', 'triangles']) {
+      await page.locator(`input[name="coloring"][value="${coloring}"]`).check({ force: true });
       await settled(page);
-      const { colouring: now } = await page.evaluate(() => ({ colouring: window.striataViewer.mesh.colouring }));
-      assert.equal(now, colouring);
+      const { coloring: now } = await page.evaluate(() => ({ coloring: window.striataViewer.mesh.coloring }));
+      assert.equal(now, coloring);
       pictures.add(await page.evaluate(() => {
         const { stage } = window.striataViewer;
         stage.renderer.render(stage.scene, stage.camera);
         return stage.renderer.domElement.toDataURL();
       }));
-      await shot(page, `colours-${colouring}`);
+      await shot(page, `colors-${coloring}`);
     }
     assert.equal(pictures.size, 4, 'each looks different');
   });
@@ -160,7 +160,7 @@ export default function looks(world) {
       await page.keyboard.press('Tab');
       reached.add(await page.evaluate(() => document.activeElement?.id || document.activeElement?.getAttribute('name') || ''));
     }
-    for (const id of ['view', 'open', 'theme', 'ask', 'fold', 'mode', 'detail', 'colouring', 'wireframe', 'flat', 'background', 'turn', 'z-up', 'reset', 'picture', 'download', 'to-gallery']) {
+    for (const id of ['view', 'open', 'theme', 'ask', 'fold', 'mode', 'detail', 'coloring', 'wireframe', 'flat', 'background', 'turn', 'z-up', 'reset', 'picture', 'download', 'to-gallery']) {
       assert.ok(reached.has(id), `${id} is reached by Tab: ${[...reached]}`);
     }
   });

@@ -25,10 +25,10 @@ export class FrozenView {
   }
 
   /** Draws the camera's frustum and moves outside of it. */
-  freeze(colour: string): void {
+  freeze(color: string): void {
     if (this.#lines) return;
     const { content, camera, controls } = this.#stage;
-    const material = new LineBasicMaterial({ color: colour });
+    const material = new LineBasicMaterial({ color: color });
     this.#lines = new LineSegments(frustumLines(camera, content.center, content.radius), material);
     this.#stage.scene.add(this.#lines);
     const look = this.#framing.look();

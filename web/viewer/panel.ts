@@ -1,11 +1,11 @@
-/** The rest of the panel: colours, shading, background, turning, full screen, pictures. */
+/** The rest of the panel: colors, shading, background, turning, full screen, pictures. */
 
-import type { Colouring } from '../src/index.ts';
+import type { Coloring } from '../src/index.ts';
 import { element, input, prefersStillness, say } from './page.ts';
-import { themeColour } from './theme.ts';
+import { themeColor } from './theme.ts';
 import type { Viewer } from './viewer.ts';
 
-const BACKGROUNDS: Record<string, string> = { white: '#ffffff', grey: '#808080', black: '#000000' };
+const BACKGROUNDS: Record<string, string> = { white: '#ffffff', gray: '#808080', black: '#000000' };
 
 /** Screens from this width on show the panel at the side. */
 const wide = matchMedia('(min-width: 701px)');
@@ -16,7 +16,7 @@ export class Panel {
   constructor(viewer: Viewer) {
     this.#viewer = viewer;
     element('controls').addEventListener('submit', (event) => event.preventDefault());
-    for (const radio of this.#colourings()) radio.addEventListener('change', () => this.#lookChanged());
+    for (const radio of this.#colorings()) radio.addEventListener('change', () => this.#lookChanged());
     for (const id of ['wireframe', 'flat']) input(id).addEventListener('change', () => this.#lookChanged());
     input('z-up').addEventListener('change', () => viewer.setZUp(input('z-up').checked));
     input('turn').addEventListener('change', () => this.#turnChanged());
@@ -40,27 +40,27 @@ export class Panel {
     say(`${name} ${box.checked ? 'on' : 'off'}`);
   }
 
-  colour(colouring: Colouring): void {
-    const radio = this.#colourings().find((radio) => radio.value === colouring);
+  color(coloring: Coloring): void {
+    const radio = this.#colorings().find((radio) => radio.value === coloring);
     radio?.click();
-    say(`Colours: ${colouring}`);
+    say(`Colors: ${coloring}`);
   }
 
-  /** Colours by strips, or the surface again. */
+  /** Colors by strips, or the surface again. */
   toggleStrips(): void {
-    this.colour(this.#viewer.look.colouring === 'strips' ? 'surface' : 'strips');
+    this.color(this.#viewer.look.coloring === 'strips' ? 'surface' : 'strips');
   }
 
-  /** The next way of colouring. */
-  nextColouring(): void {
-    const radios = this.#colourings();
+  /** The next way of coloring. */
+  nextColoring(): void {
+    const radios = this.#colorings();
     const next = radios[(radios.findIndex((radio) => radio.checked) + 1) % radios.length];
-    if (next) this.colour(next.value as Colouring);
+    if (next) this.color(next.value as Coloring);
   }
 
   paintBackground(): void {
     const chosen = element<HTMLSelectElement>('background').value;
-    this.#viewer.stage.setBackground(BACKGROUNDS[chosen] ?? themeColour('--stage'));
+    this.#viewer.stage.setBackground(BACKGROUNDS[chosen] ?? themeColor('--stage'));
   }
 
   reset(): void {
@@ -93,7 +93,7 @@ export class Panel {
 
   #lookChanged(): void {
     const { look } = this.#viewer;
-    look.colouring = (this.#colourings().find((radio) => radio.checked)?.value ?? 'surface') as Colouring;
+    look.coloring = (this.#colorings().find((radio) => radio.checked)?.value ?? 'surface') as Coloring;
     look.wireframe = input('wireframe').checked;
     look.flat = input('flat').checked;
     this.#viewer.applyLook();
@@ -112,7 +112,7 @@ export class Panel {
     else await element('app').requestFullscreen();
   }
 
-  #colourings(): HTMLInputElement[] {
-    return [...document.querySelectorAll<HTMLInputElement>('input[name="colouring"]')];
+  #colorings(): HTMLInputElement[] {
+    return [...document.querySelectorAll<HTMLInputElement>('input[name="coloring"]')];
   }
 }

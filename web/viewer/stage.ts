@@ -64,8 +64,8 @@ export class Stage {
     return this.#drawn.length > 2 ? this.#drawn.length : 0;
   }
 
-  setBackground(colour: string): void {
-    this.scene.background = new Color(colour);
+  setBackground(color: string): void {
+    this.scene.background = new Color(color);
     this.invalidate();
   }
 

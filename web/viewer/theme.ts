@@ -29,8 +29,8 @@ export function followTheme(changed: () => void): void {
   apply();
 }
 
-/** A colour of style.css as it is now. */
-export function themeColour(name: string): string {
+/** A color of style.css as it is now. */
+export function themeColor(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 

@@ -6,7 +6,7 @@
  */
 
 import type { Material } from 'three';
-import { type Colouring, type ErrorCode, type Progress, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
+import { type Coloring, type ErrorCode, type Progress, StriataError, StriataLoader, type StriataMesh } from '../src/index.ts';
 import { Detail } from './detail.ts';
 import { Figures, words } from './figures.ts';
 import { Framing } from './framing.ts';
@@ -16,17 +16,17 @@ import { count } from './numbers.ts';
 import { element, say } from './page.ts';
 import { isElsewhere, type Opened } from './sources.ts';
 import type { Stage } from './stage.ts';
-import { themeColour } from './theme.ts';
+import { themeColor } from './theme.ts';
 import { Wires } from './wires.ts';
 
-/** What a plain model is made of, where the file gives it no colours. */
+/** What a plain model is made of, where the file gives it no colors. */
 const CLAY = 0xcfc4b4;
 
 type SurfaceMaterial = Material & { flatShading?: boolean; color?: unknown };
 
 /** How every model is to look. */
 export interface Look {
-  colouring: Colouring;
+  coloring: Coloring;
   wireframe: boolean;
   flat: boolean;
   zUp: boolean;
@@ -36,7 +36,7 @@ export class Viewer {
   readonly stage: Stage;
   readonly framing: Framing;
   readonly detail: Detail;
-  readonly look: Look = { colouring: 'surface', wireframe: false, flat: false, zUp: false };
+  readonly look: Look = { coloring: 'surface', wireframe: false, flat: false, zUp: false };
   mesh: StriataMesh | null = null;
   /** Called when a model is on the stage, and when none could be opened and the stage is empty. */
   onShown: () => void = () => {};
@@ -51,7 +51,7 @@ export class Viewer {
   #isOpening = false;
   /** The rest of the model that is shown does not come. */
   #isCut = false;
-  /** Of the surface; other colourings have their own. */
+  /** Of the surface; other colorings have their own. */
   #materials: SurfaceMaterial[] = [];
 
   constructor(stage: Stage) {
@@ -96,7 +96,7 @@ export class Viewer {
   applyLook(): void {
     const { mesh, look } = this;
     if (!mesh) return;
-    mesh.colouring = look.colouring;
+    mesh.coloring = look.coloring;
     this.#wires.show(mesh, look.wireframe);
     for (const material of this.#materials) {
       if ('flatShading' in material && material.flatShading !== look.flat) {
@@ -208,7 +208,7 @@ export class Viewer {
   #detailChanged(): void {
     const { isFrozen } = this.detail;
     element('outside').hidden = !isFrozen;
-    if (isFrozen) this.#frozen.freeze(themeColour('--accent'));
+    if (isFrozen) this.#frozen.freeze(themeColor('--accent'));
     else this.#frozen.thaw();
     if (this.mesh) this.#figures.show(this.mesh);
     this.stage.invalidate();

@@ -23,7 +23,7 @@ pub struct Failure {
     lacks_file: bool,
 }
 
-/// A line of a text file that is to blame, with its neighbours.
+/// A line of a text file that is to blame, with its neighbors.
 #[derive(Debug)]
 pub struct Excerpt {
     name: String,
@@ -247,7 +247,7 @@ impl Excerpt {
     /// Longer lines are no text that a person would look at.
     const MAX_LINE_BYTES: usize = 400;
 
-    /// The line, counted from 1, between its neighbours; `None` where the text has no such line.
+    /// The line, counted from 1, between its neighbors; `None` where the text has no such line.
     pub fn around(name: &str, text: &str, line: usize) -> Option<Self> {
         let first_line = line.checked_sub(1)?.max(1);
         let shown = text.lines().skip(first_line - 1).take(line + 2 - first_line);
@@ -282,7 +282,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_excerpt_marks_the_line_between_its_neighbours() {
+    fn an_excerpt_marks_the_line_between_its_neighbors() {
         let excerpt = Excerpt::around("x.obj", "v 0 0 0\nv 1\nv 2 2 2\nf 1 2 3\n", 2).expect("line 2");
         assert_eq!(excerpt.render(), "  --> x.obj:2\n1 | v 0 0 0\n2 | v 1\n  | ^^^\n3 | v 2 2 2\n");
         let last = Excerpt::around("x.obj", "v 0 0 0\nf", 2).expect("line 2");

@@ -1,6 +1,6 @@
 //! Fans that cover a mesh: around the vertex with most triangles first, until none is left.
 //!
-//! A vertex inside of a surface has some six triangles, and its neighbours have fewer once these are taken; that makes half to
+//! A vertex inside of a surface has some six triangles, and its neighbors have fewer once these are taken; that makes half to
 //! two thirds as many fans as vertices, however the triangles came. Cost: linear but for the queue.
 
 use std::cmp::Reverse;

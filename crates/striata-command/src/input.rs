@@ -1,4 +1,4 @@
-//! Files in: mapped into memory, unpacked, recognised, and blamed line by line where they are wrong; and shapes.
+//! Files in: mapped into memory, unpacked, recognized, and blamed line by line where they are wrong; and shapes.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -54,7 +54,7 @@ impl Bytes {
 }
 
 impl Input {
-    /// Opens a file, or stdin for `-`, takes gzip and zstd off, and recognises what is inside; or finds a shape.
+    /// Opens a file, or stdin for `-`, takes gzip and zstd off, and recognizes what is inside; or finds a shape.
     ///
     /// # Errors
     /// Where it cannot be read, is no file that we know, or there is no such shape.

@@ -20,11 +20,11 @@ pub struct Picture {
     pub rgba: Vec<u8>,
 }
 
-/// Where pictures are drawn: colour, depth and their samples.
+/// Where pictures are drawn: color, depth and their samples.
 #[derive(Debug)]
 pub struct Canvas {
-    colour: Texture,
-    colour_view: TextureView,
+    color: Texture,
+    color_view: TextureView,
     /// What is drawn to, where a pixel has several samples.
     samples_view: Option<TextureView>,
     depth_view: TextureView,
@@ -32,7 +32,7 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// The colour format of all canvases.
+    /// The color format of all canvases.
     pub const FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
 
     /// A canvas of `[width, height]` pixels with 1 or 4 samples a pixel.
@@ -58,13 +58,13 @@ impl Canvas {
         };
         let drawn = TextureUsages::RENDER_ATTACHMENT;
         let read = TextureUsages::COPY_SRC | TextureUsages::TEXTURE_BINDING;
-        let colour = make(Self::FORMAT, 1, drawn | read);
+        let color = make(Self::FORMAT, 1, drawn | read);
         let view = |texture: &Texture| texture.create_view(&Default::default());
         Ok(Self {
-            colour_view: view(&colour),
+            color_view: view(&color),
             samples_view: (samples > 1).then(|| view(&make(Self::FORMAT, samples, drawn))),
             depth_view: view(&make(DEPTH_FORMAT, samples, drawn)),
-            colour,
+            color,
             samples,
         })
     }
@@ -76,20 +76,20 @@ impl Canvas {
 
     /// Its pixels, for a shader that reads them.
     pub(crate) fn view(&self) -> TextureView {
-        self.colour_view.clone()
+        self.color_view.clone()
     }
 
     /// Its size as textures have it.
     pub(crate) fn extent(&self) -> Extent3d {
-        self.colour.size()
+        self.color.size()
     }
 
     /// Begins to draw on a background, linear light and opacity.
     pub fn begin<'e>(&self, encoder: &'e mut CommandEncoder, background: [f32; 4]) -> RenderPass<'e> {
         let [r, g, b, a] = background.map(f64::from);
         let (view, resolve_target) = match &self.samples_view {
-            Some(samples) => (samples, Some(&self.colour_view)),
-            None => (&self.colour_view, None),
+            Some(samples) => (samples, Some(&self.color_view)),
+            None => (&self.color_view, None),
         };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("canvas"),
@@ -135,7 +135,7 @@ impl Canvas {
     /// # Errors
     /// [`GpuError::Failed`], [`GpuError::TooLarge`].
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
-        Picture::read(gpu, &self.colour)
+        Picture::read(gpu, &self.color)
     }
 }
 

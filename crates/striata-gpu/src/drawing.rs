@@ -6,8 +6,8 @@ use wgpu::Buffer;
 
 use crate::indices::{GpuIndices, GpuMultiDraw};
 
-/// Indices and how they are drawn. Groups (materials) are ranges one after the other; the n-th gets the n-th colour where
-/// a [`Look`](crate::Look) asks for colours of groups.
+/// Indices and how they are drawn. Groups (materials) are ranges one after the other; the n-th gets the n-th color where
+/// a [`Look`](crate::Look) asks for colors of groups.
 #[derive(Clone, Copy, Debug)]
 pub enum Drawing<'a> {
     /// Three indices a triangle.
@@ -24,7 +24,7 @@ pub enum Drawing<'a> {
         /// A range for each group.
         groups: &'a [Range<u32>],
     },
-    /// Strips, each by a draw of its own that the GPU reads from a buffer; all in the colour of the first group.
+    /// Strips, each by a draw of its own that the GPU reads from a buffer; all in the color of the first group.
     MultiStrips {
         /// The indices.
         indices: &'a GpuIndices,

@@ -2,7 +2,7 @@
 //!
 //! For each vertex the GPU knows where it comes from and how far it is, 8 bytes. Only what changes is sent: the list of those
 //! that move once for a [`Geomorph`] between two levels, and then one number a frame; each frame's list for [`FanMorphs`], which follow
-//! a view. The shader blends positions, normals and colours; where a target moves itself, it goes on to that one's target,
+//! a view. The shader blends positions, normals and colors; where a target moves itself, it goes on to that one's target,
 //! so chains stay together as they do on the processor.
 //!
 //! Cost: 8 bytes a vertex, 12 bytes sent for each vertex that begins to move, moves by itself or comes to rest.
@@ -51,7 +51,7 @@ impl GpuMorph {
         let at_rest: Vec<[u32; 2]> = (0..vertices.vertex_count().max(1) as u32).map(|v| rest(v).1).collect();
         let places = gpu.buffer_of("places", cast_slice(&at_rest), BufferUsages::STORAGE)?;
         let blend = gpu.buffer_of("blend", &[0; 16], BufferUsages::UNIFORM)?;
-        let buffers = [&vertices.positions, &vertices.normals, &vertices.colours, &places, &blend];
+        let buffers = [&vertices.positions, &vertices.normals, &vertices.colors, &places, &blend];
         let bindings = bind(gpu, &painter.morphing_layout, &buffers);
         let module = gpu.device.create_shader_module(wgpu::include_wgsl!("shaders/scatter.wgsl"));
         let scatter = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {

@@ -1,4 +1,4 @@
-//! Single triangles with colours of their own and visible edges.
+//! Single triangles with colors of their own and visible edges.
 
 use bytemuck::cast_slice;
 use wgpu::{BindGroup, BufferUsages, RenderPass};
@@ -19,10 +19,10 @@ pub struct Inspection {
 }
 
 impl Inspection {
-    /// Uploads the triangles and a colour for each, linear light as bytes; where its opacity is 0 the surface's own shows.
+    /// Uploads the triangles and a color for each, linear light as bytes; where its opacity is 0 the surface's own shows.
     ///
     /// # Panics
-    /// If there are not as many colours as triangles.
+    /// If there are not as many colors as triangles.
     ///
     /// # Errors
     /// [`GpuError::TooLarge`].
@@ -30,12 +30,12 @@ impl Inspection {
         gpu: &Gpu,
         painter: &Painter,
         vertices: &GpuVertices,
-        (triangles, colours): (&[[u32; 3]], &[[u8; 4]]),
+        (triangles, colors): (&[[u32; 3]], &[[u8; 4]]),
     ) -> Result<Self, GpuError> {
-        assert_eq!(colours.len(), triangles.len(), "a colour for each triangle");
+        assert_eq!(colors.len(), triangles.len(), "a color for each triangle");
         let indices = GpuIndices::upload(gpu, cast_slice(triangles))?;
-        let colours = gpu.buffer_of("triangle colours", cast_slice(colours), BufferUsages::STORAGE)?;
-        let buffers = [&vertices.positions, &vertices.normals, &vertices.colours, &indices.buffer, &colours];
+        let colors = gpu.buffer_of("triangle colors", cast_slice(colors), BufferUsages::STORAGE)?;
+        let buffers = [&vertices.positions, &vertices.normals, &vertices.colors, &indices.buffer, &colors];
         let bindings = bind(gpu, &painter.triangles_layout, &buffers);
         Ok(Self { bindings, triangle_count: triangles.len() as u32 })
     }
@@ -47,7 +47,7 @@ impl Inspection {
 }
 
 impl Painter {
-    /// Draws single triangles, with their colours and edges.
+    /// Draws single triangles, with their colors and edges.
     pub fn inspect(&self, pass: &mut RenderPass<'_>, scene: &Scene, inspection: &Inspection) {
         if inspection.triangle_count() == 0 {
             return;

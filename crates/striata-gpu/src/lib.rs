@@ -3,7 +3,7 @@
 //! A mesh's vertices go to the GPU once ([`GpuVertices`]); every level is then only another set of indices over them, drawn
 //! as a triangle list, as strips with primitive restart or by many indirect draws ([`Drawing`]). [`Painter`] holds the
 //! pipelines, [`Canvas`] is a picture in memory, [`Viewpoint`] where one looks from. [`Inspection`] draws single triangles:
-//! coloured by strip or fan, with their edges.
+//! colored by strip or fan, with their edges.
 //!
 //! Any backend of wgpu does, OpenGL and those that draw on the processor among them. [`Gpu::new`] tries each adapter with a small
 //! triangle before it takes it, and says what each of the others lacks.
@@ -81,7 +81,7 @@ pub use gpu_morph::GpuMorph;
 pub use gpu_options::GpuOptions;
 pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;
-pub use look::{Look, Shading, linear_to_srgb, palette_colour};
+pub use look::{Look, Shading, linear_to_srgb, palette_color};
 pub use painter::{DEPTH_FORMAT, Painter, Scene};
 pub use screen_copy::ScreenCopy;
 pub use vertices::GpuVertices;

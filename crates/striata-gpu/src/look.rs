@@ -1,4 +1,4 @@
-//! How a surface looks: its light, its colours, its edges.
+//! How a surface looks: its light, its colors, its edges.
 
 /// Where the normals come from that light is reckoned with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -10,27 +10,27 @@ pub enum Shading {
     Flat,
 }
 
-/// How a surface is painted. Colours are linear light, 0 to 1 a channel.
+/// How a surface is painted. Colors are linear light, 0 to 1 a channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Look {
-    /// Colour of what has no other. Default: warm stone.
+    /// Color of what has no other. Default: warm stone.
     pub base: [f32; 3],
-    /// Colour of the background, with its opacity.
+    /// Color of the background, with its opacity.
     pub background: [f32; 4],
     /// Where normals come from. Default: the vertices.
     pub shading: Shading,
-    /// Whether the vertices' own colours are shown, where there are some. Default: true.
-    pub shows_vertex_colours: bool,
-    /// Whether groups of triangles are shown in colours of their own. Default: false.
+    /// Whether the vertices' own colors are shown, where there are some. Default: true.
+    pub shows_vertex_colors: bool,
+    /// Whether groups of triangles are shown in colors of their own. Default: false.
     pub shows_groups: bool,
-    /// Colour of edges, with their opacity; 0 draws none. Only an [`Inspection`](crate::Inspection) has edges.
+    /// Color of edges, with their opacity; 0 draws none. Only an [`Inspection`](crate::Inspection) has edges.
     pub edges: [f32; 4],
     /// Width of edges, pixels. Default: 1.
     pub edge_width_px: f32,
     /// Whether triangles seen from behind are left out. Default: false.
     pub hides_back: bool,
-    /// How much light counts: 0 paints the colours as they are, 1 lights them fully. Default: 1.
+    /// How much light counts: 0 paints the colors as they are, 1 lights them fully. Default: 1.
     pub light: f32,
 }
 
@@ -40,7 +40,7 @@ impl Default for Look {
             base: [0.72, 0.58, 0.44],
             background: [0.012, 0.013, 0.017, 1.0],
             shading: Shading::Smooth,
-            shows_vertex_colours: true,
+            shows_vertex_colors: true,
             shows_groups: false,
             edges: [0.0, 0.0, 0.0, 0.0],
             edge_width_px: 1.0,
@@ -86,10 +86,10 @@ impl Look {
         self
     }
 
-    /// Sets [`shows_vertex_colours`](Self::shows_vertex_colours).
+    /// Sets [`shows_vertex_colors`](Self::shows_vertex_colors).
     #[must_use]
-    pub fn with_vertex_colours(mut self, shows: bool) -> Self {
-        self.shows_vertex_colours = shows;
+    pub fn with_vertex_colors(mut self, shows: bool) -> Self {
+        self.shows_vertex_colors = shows;
         self
     }
 
@@ -115,9 +115,9 @@ impl Look {
     }
 }
 
-/// A colour for the n-th strip, fan or group: neighbours differ much, by hues along the golden ratio in two shades.
+/// A color for the n-th strip, fan or group: neighbors differ much, by hues along the golden ratio in two shades.
 /// Linear light, as bytes, opaque.
-pub fn palette_colour(number: u32) -> [u8; 4] {
+pub fn palette_color(number: u32) -> [u8; 4] {
     let hue = (f64::from(number) * 0.618_033_988_749_895).fract() as f32 * 6.0;
     let shade = if number.is_multiple_of(2) { 0.85 } else { 0.60 };
     // Each channel rises and falls along the circle of hues.
@@ -139,9 +139,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn neighbours_differ_in_colour() {
+    fn neighbors_differ_in_color() {
         for number in (0..50).chain(1_000_000..1_000_050) {
-            let (a, b) = (palette_colour(number), palette_colour(number + 1));
+            let (a, b) = (palette_color(number), palette_color(number + 1));
             let difference: u32 = a.iter().zip(b).map(|(&x, y)| u32::from(x.abs_diff(y))).sum();
             assert!(difference > 40, "{number}: {a:?} {b:?}");
         }

@@ -16,7 +16,7 @@ use crate::viewpoint::Viewpoint;
 /// The format of depth that all pipelines use; near is 1, infinitely far 0.
 pub const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth32Float;
 
-/// All pipelines for pictures of one colour format and number of samples.
+/// All pipelines for pictures of one color format and number of samples.
 #[derive(Debug)]
 pub struct Painter {
     pub(crate) scene_layout: BindGroupLayout,
@@ -96,7 +96,7 @@ impl Painter {
         }
     }
 
-    /// The colour format that it draws.
+    /// The color format that it draws.
     pub fn format(&self) -> TextureFormat {
         self.format
     }
@@ -136,7 +136,7 @@ impl Painter {
         pass.set_pipeline(&self.surface[usize::from(drawing.is_strips())][usize::from(scene.hides_back)]);
         pass.set_bind_group(0, &scene.bindings, &[]);
         for (slot, buffer) in
-            [&vertices.positions, &vertices.normals, &vertices.colours].into_iter().enumerate()
+            [&vertices.positions, &vertices.normals, &vertices.colors].into_iter().enumerate()
         {
             pass.set_vertex_buffer(slot as u32, buffer.slice(..));
         }
@@ -174,7 +174,7 @@ impl Scene {
             edges: look.edges,
             flags: [
                 u32::from(look.shading == Shading::Flat),
-                u32::from(look.shows_vertex_colours && vertices.has_colours()),
+                u32::from(look.shows_vertex_colors && vertices.has_colors()),
                 u32::from(look.shows_groups),
                 1,
             ],

@@ -7,7 +7,7 @@ use wgpu::{Buffer, BufferUsages};
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 
-/// Positions, normals and colours of a mesh on the GPU.
+/// Positions, normals and colors of a mesh on the GPU.
 ///
 /// Positions are kept less the middle of the bounds ([`origin`](Self::origin)), so that a mesh far from zero keeps its
 /// shape in 32 bits. Normals come from the mesh, or are made from its triangles by area; they serve every level,
@@ -16,8 +16,8 @@ use crate::gpu_error::GpuError;
 pub struct GpuVertices {
     pub(crate) positions: Buffer,
     pub(crate) normals: Buffer,
-    pub(crate) colours: Buffer,
-    has_colours: bool,
+    pub(crate) colors: Buffer,
+    has_colors: bool,
     origin: [f32; 3],
     radius: f32,
     vertex_count: usize,
@@ -33,28 +33,28 @@ impl GpuVertices {
         let origin = bounds.map_or([0.0; 3], |b| std::array::from_fn(|k| (b.min[k] + b.max[k]) / 2.0));
         let positions: Vec<[f32; 3]> =
             mesh.positions.iter().map(|p| std::array::from_fn(|k| p[k] - origin[k])).collect();
-        let colours = vertex_colours(mesh);
+        let colors = vertex_colors(mesh);
         let usage = BufferUsages::VERTEX | BufferUsages::STORAGE;
-        let white = vec![[255u8; 4]; if colours.is_some() { 0 } else { mesh.vertex_count() }];
+        let white = vec![[255u8; 4]; if colors.is_some() { 0 } else { mesh.vertex_count() }];
         Ok(Self {
             positions: gpu.buffer_of("positions", cast_slice(&positions), usage)?,
             normals: gpu.buffer_of("normals", cast_slice(&vertex_normals(mesh)), usage)?,
-            colours: gpu.buffer_of("colours", cast_slice(colours.as_ref().unwrap_or(&white)), usage)?,
-            has_colours: colours.is_some(),
+            colors: gpu.buffer_of("colors", cast_slice(colors.as_ref().unwrap_or(&white)), usage)?,
+            has_colors: colors.is_some(),
             origin,
             radius: bounds.map_or(1.0, |b| b.diagonal() as f32 / 2.0),
             vertex_count: mesh.vertex_count(),
         })
     }
 
-    /// Shows other colours, one a vertex, linear light as bytes: an error, say.
+    /// Shows other colors, one a vertex, linear light as bytes: an error, say.
     ///
     /// # Panics
-    /// If there are not as many colours as vertices.
-    pub fn set_colours(&mut self, gpu: &Gpu, colours: &[[u8; 4]]) {
-        assert_eq!(colours.len(), self.vertex_count, "a colour for each vertex");
-        gpu.queue.write_buffer(&self.colours, 0, cast_slice(colours));
-        self.has_colours = true;
+    /// If there are not as many colors as vertices.
+    pub fn set_colors(&mut self, gpu: &Gpu, colors: &[[u8; 4]]) {
+        assert_eq!(colors.len(), self.vertex_count, "a color for each vertex");
+        gpu.queue.write_buffer(&self.colors, 0, cast_slice(colors));
+        self.has_colors = true;
     }
 
     /// What was taken off all positions.
@@ -72,9 +72,9 @@ impl GpuVertices {
         self.vertex_count
     }
 
-    /// Whether vertices have colours of their own.
-    pub fn has_colours(&self) -> bool {
-        self.has_colours
+    /// Whether vertices have colors of their own.
+    pub fn has_colors(&self) -> bool {
+        self.has_colors
     }
 }
 
@@ -94,14 +94,14 @@ fn vertex_normals(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
     normals.into_iter().map(|n| n.normalize_or_zero().as_vec3().into()).collect()
 }
 
-/// Colours that the mesh has, as bytes.
-fn vertex_colours(mesh: &IndexedMesh) -> Option<Vec<[u8; 4]>> {
+/// Colors that the mesh has, as bytes.
+fn vertex_colors(mesh: &IndexedMesh) -> Option<Vec<[u8; 4]>> {
     let layer = mesh.layers.iter().find(|l| matches!(l.semantic, Semantic::Color(_)))?;
     let component_count = usize::from(layer.component_count);
     let byte = |v, k| (layer.get(v, k).clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
-    let colour = |v| match component_count {
+    let color = |v| match component_count {
         1 | 2 => [byte(v, 0), byte(v, 0), byte(v, 0), 255],
         _ => [byte(v, 0), byte(v, 1), byte(v, 2), 255],
     };
-    Some((0..mesh.vertex_count()).map(colour).collect())
+    Some((0..mesh.vertex_count()).map(color).collect())
 }

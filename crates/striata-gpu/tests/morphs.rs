@@ -12,7 +12,7 @@ use support::{differing_pixels, drawn_pixels, gpu};
 
 const SIZE: [u32; 2] = [240, 200];
 
-/// A mesh with normals and colours as layers, so that the processor can blend them, too.
+/// A mesh with normals and colors as layers, so that the processor can blend them, too.
 fn with_layers(mut mesh: IndexedMesh) -> RefinableMesh {
     let bounds = mesh.bounds().unwrap();
     let middle: [f32; 3] = std::array::from_fn(|k| (bounds.min[k] + bounds.max[k]) / 2.0);
@@ -25,12 +25,12 @@ fn with_layers(mut mesh: IndexedMesh) -> RefinableMesh {
         out.map(|x| x / length)
     });
     let normals = normals.collect();
-    let colours = (0..mesh.vertex_count())
+    let colors = (0..mesh.vertex_count())
         .flat_map(|v| [0.2 + 0.7 * (v % 3) as f32 / 2.0, 0.3 + 0.6 * (v % 4) as f32 / 3.0, 0.5]);
-    let colours = colours.collect();
+    let colors = colors.collect();
     mesh.layers = vec![
         AttributeLayer::from_f32(Semantic::Normal, 3, normals),
-        AttributeLayer::from_f32(Semantic::Color(0), 3, colours),
+        AttributeLayer::from_f32(Semantic::Color(0), 3, colors),
     ];
     build_sequence(&mesh, &Default::default()).unwrap().refinable
 }
@@ -49,7 +49,7 @@ struct Studio<'a> {
     /// What the processor has blended: the full mesh with its vertices on their way.
     blended: IndexedMesh,
     normals: Vec<f32>,
-    colours: Vec<f32>,
+    colors: Vec<f32>,
 }
 
 const LOOK: fn() -> Look = || Look::default().with_groups(false);
@@ -65,7 +65,7 @@ impl<'a> Studio<'a> {
             fans: Fans::build(refinable),
             blended: refinable.mesh.clone(),
             normals: plain(&refinable.mesh, 0),
-            colours: plain(&refinable.mesh, 1),
+            colors: plain(&refinable.mesh, 1),
             gpu,
             painter,
             refinable,
@@ -77,7 +77,7 @@ impl<'a> Studio<'a> {
     /// Draws an instance with the vertices as the shader has them and as the processor has them.
     fn compare(&mut self, drawn: &FanInstance, what: &str) -> Picture {
         self.blended.layers[0] = AttributeLayer::from_f32(Semantic::Normal, 3, self.normals.clone());
-        self.blended.layers[1] = AttributeLayer::from_f32(Semantic::Color(0), 3, self.colours.clone());
+        self.blended.layers[1] = AttributeLayer::from_f32(Semantic::Color(0), 3, self.colors.clone());
         let mut indices = Vec::new();
         drawn.indices_into(&self.fans, &mut indices);
         let whole = 0..indices.len() as u32;
@@ -92,7 +92,7 @@ impl<'a> Studio<'a> {
         let paint = |p: &mut wgpu::RenderPass<'_>| self.painter.draw(p, &scene, &vertices, list);
         let by_processor = self.canvas.paint(self.gpu, background, paint).unwrap();
         assert!(drawn_pixels(&by_shader) > 2000, "{what}: hardly anything was drawn");
-        // Colours are bytes before the one blends them and after the other has.
+        // Colors are bytes before the one blends them and after the other has.
         let differing = differing_pixels(&by_shader, &by_processor, 6);
         // Folds of triangles in one plane are shown by the last bit of their depth.
         assert!(differing <= 20, "{what}: {differing} pixels differ");
@@ -110,8 +110,8 @@ impl<'a> Studio<'a> {
             morph.blend_into(blend, &mesh.positions, &mut self.blended.positions);
             self.normals = plain(mesh, 0);
             morph.blend_layer_into(blend, &mesh.layers[0], &mut self.normals);
-            self.colours = plain(mesh, 1);
-            morph.blend_layer_into(blend, &mesh.layers[1], &mut self.colours);
+            self.colors = plain(mesh, 1);
+            morph.blend_layer_into(blend, &mesh.layers[1], &mut self.colors);
             seen.push(self.compare(morph.drawn(), what));
         }
         let ends = differing_pixels(&seen[0], &seen[4], 6);
@@ -189,7 +189,7 @@ fn what_follows_a_view_is_where_the_processor_puts_it() {
             }
             morphs.positions_into(sequence, &mesh.positions, &mut studio.blended.positions);
             morphs.layer_into(sequence, &mesh.layers[0], &mut studio.normals);
-            morphs.layer_into(sequence, &mesh.layers[1], &mut studio.colours);
+            morphs.layer_into(sequence, &mesh.layers[1], &mut studio.colors);
             studio.morph.follow(&gpu, &morphs, sequence).unwrap();
             let mut chain = std::collections::BTreeMap::new();
             for moving in morphs.moving(sequence) {

@@ -117,30 +117,30 @@ fn lists_strips_and_draws_give_one_picture_at_all_levels() {
 }
 
 #[test]
-fn single_triangles_give_the_same_picture_and_show_their_colours_and_edges() {
+fn single_triangles_give_the_same_picture_and_show_their_colors_and_edges() {
     let mesh = shapes::icosphere(3, 2.0);
     let mut studio = Studio::new(&mesh, Look::default());
     let by_list = studio.list(&mesh.triangles);
     let [r, g, b] = studio.look.base.map(|x| (255.0 * x + 0.5) as u8);
-    let colours = vec![[r, g, b, 255]; mesh.triangle_count()];
-    let inspect = |studio: &Studio, colours: &[[u8; 4]]| {
-        let triangles = (&mesh.triangles[..], colours);
+    let colors = vec![[r, g, b, 255]; mesh.triangle_count()];
+    let inspect = |studio: &Studio, colors: &[[u8; 4]]| {
+        let triangles = (&mesh.triangles[..], colors);
         let inspection = Inspection::new(&studio.gpu, &studio.painter, &studio.vertices, triangles).unwrap();
         let paint =
             |pass: &mut wgpu::RenderPass<'_>| studio.painter.inspect(pass, &studio.scene, &inspection);
         studio.canvas.paint(&studio.gpu, studio.look.background, paint).unwrap()
     };
-    let plain = inspect(&studio, &colours);
+    let plain = inspect(&studio, &colors);
     assert!(differing_pixels(&by_list, &plain, 3) <= 4);
 
-    let striped: Vec<[u8; 4]> = (0..colours.len() as u32).map(striata_gpu::palette_colour).collect();
-    let coloured = inspect(&studio, &striped);
-    assert!(differing_pixels(&by_list, &coloured, 8) > drawn_pixels(&by_list) / 2);
+    let striped: Vec<[u8; 4]> = (0..colors.len() as u32).map(striata_gpu::palette_color).collect();
+    let colored = inspect(&studio, &striped);
+    assert!(differing_pixels(&by_list, &colored, 8) > drawn_pixels(&by_list) / 2);
 
     let view = Viewpoint::portrait(&mesh.bounds().unwrap(), 0.7, 0.35, 0.6);
     let look = studio.look.with_edges([0.0, 0.0, 0.0, 1.0]);
     studio.scene.update(&studio.gpu, &studio.vertices, (&view, SIZE), &look);
-    let edged = inspect(&studio, &colours);
+    let edged = inspect(&studio, &colors);
     let lines = differing_pixels(&plain, &edged, 30);
     assert!(lines > 2000 && lines < drawn_pixels(&plain), "{lines} pixels of lines");
 }

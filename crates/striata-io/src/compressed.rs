@@ -1,6 +1,6 @@
 //! gzip and zstd around any format.
 //!
-//! Compressed bytes are recognised by their first bytes, never by the name. The output is bounded: a
+//! Compressed bytes are recognized by their first bytes, never by the name. The output is bounded: a
 //! file that grows out of all proportion is a bomb, not a mesh.
 
 use std::borrow::Cow;

@@ -21,16 +21,16 @@ pub enum Format {
     Gltf,
     /// glTF 2.0 as one binary file.
     Glb,
-    /// striata's own container: recognised, but not read by this crate.
+    /// striata's own container: recognized, but not read by this crate.
     Striata,
-    /// A progressive stream alone: recognised, but not read by this crate.
+    /// A progressive stream alone: recognized, but not read by this crate.
     Stream,
 }
 
 /// First bytes of striata's own container.
 const STRIATA_MAGIC: &[u8] = b"STRIATA\0";
 
-/// Bytes of a text file that are looked at to recognise it.
+/// Bytes of a text file that are looked at to recognize it.
 const LOOKED_AT: usize = 4096;
 
 impl Format {

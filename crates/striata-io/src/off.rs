@@ -1,7 +1,7 @@
-//! OFF, ascii: `[ST][C][N]OFF`, with normals, colours and texture coordinates at the vertices.
+//! OFF, ascii: `[ST][C][N]OFF`, with normals, colors and texture coordinates at the vertices.
 //!
 //! A parser of our own, on the cursor that OBJ needs anyway: the crates on offer read plain OFF only and
-//! name no lines. Polygons are fanned; colours of polygons are passed over. Cost: one pass.
+//! name no lines. Polygons are fanned; colors of polygons are passed over. Cost: one pass.
 
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
@@ -123,7 +123,7 @@ fn read_vertex(
     Ok(())
 }
 
-/// Colours are 3 or 4 numbers, and only the first vertex can tell which.
+/// Colors are 3 or 4 numbers, and only the first vertex can tell which.
 fn read_color(cursor: &mut Cursor<'_>, layout: Layout, columns: &mut Columns) -> Result<(), Fault> {
     if columns.color_count == 0 {
         let mut ahead = cursor.clone();
@@ -193,7 +193,7 @@ impl Columns {
     }
 }
 
-/// Normals, the first colours and the first texture coordinates are kept, other layers and groups are not.
+/// Normals, the first colors and the first texture coordinates are kept, other layers and groups are not.
 pub(crate) fn to_bytes(mesh: &IndexedMesh) -> Vec<u8> {
     let fitting = |semantic: &Semantic, counts: &[u8]| {
         mesh.layer(semantic).filter(|layer| counts.contains(&layer.component_count))

@@ -412,7 +412,7 @@ mod tests {
         words.extend(
             ["1e-45", "3.4028235e38", "0.1000000014901161193847656250001", "1e39"].map(str::to_owned),
         );
-        // Between 1 and its neighbour: the middle, and the middle with a trace above it.
+        // Between 1 and its neighbor: the middle, and the middle with a trace above it.
         words.push("1.000000059604644775390625".to_owned());
         words.push("1.0000000596046448".to_owned());
         let mut bits = 12_345u32;

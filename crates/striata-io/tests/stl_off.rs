@@ -106,7 +106,7 @@ fn off_comes_back_as_it_was() {
 
 #[test]
 fn off_as_others_write_it() {
-    let text = "# made by hand\nCOFF # with colours\n5 2 0\n\n0 0 0 0.5 0.5 0.5\n1 0 0 0 0 0 # black\n1 1 0 1 1 1\n\
+    let text = "# made by hand\nCOFF # with colors\n5 2 0\n\n0 0 0 0.5 0.5 0.5\n1 0 0 0 0 0 # black\n1 1 0 1 1 1\n\
         0 1 0 1 0 0\n# apart\n2 2 2 0 0 1\n4 0 1 2 3 255 0 0\n2 0 1\n";
     let mesh = read("x.off", text.as_bytes()).unwrap();
     assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);

@@ -76,7 +76,7 @@ fn tame_fragments_take_the_papers_bits() {
     assert!(written.as_bytes().len() < bits / 8 + 200);
 }
 
-/// More neighbours than four bits count, and more rules than a byte.
+/// More neighbors than four bits count, and more rules than a byte.
 #[test]
 fn numbers_that_do_not_fit_are_written_longer() {
     let bipyramid = |n: u32| {
@@ -190,7 +190,7 @@ fn promises_cost_nothing() {
     assert!(decode_sequential(&with(1, &[0; 6])).is_ok());
     assert_eq!(message(&with(1, &[1, 0, 0, 0, 0, 0])), "step 0 has a rule that is not there");
     assert_eq!(message(&with(1, &[0, 3, 0, 0, 0, 0])), "step 0 has an anchor that is not there");
-    assert_eq!(message(&with(1, &[0, 0, 0, 0, 0, 2])), "step 0 counts more neighbours than its anchor has");
+    assert_eq!(message(&with(1, &[0, 0, 0, 0, 0, 2])), "step 0 counts more neighbors than its anchor has");
     assert_eq!(message(&with(1, &[0, 0, 0, 0, 0, 1])), "step 0 has its anchors where no triangle is");
     assert_eq!(message(&with(1, &[0, 0, 0, 0, 0, 15])), "step 0 is cut off by the end of the bytes");
     assert_eq!(

@@ -61,15 +61,15 @@ fn random_manifold(mesh: &IndexedMesh, random: &mut Random) -> RefinableMesh {
 
 /// The link condition, and no triangle left hanging or shared twice.
 fn can_collapse(triangles: &[[u32; 3]], vertex: u32, target: u32) -> bool {
-    let neighbours = |v: u32| {
+    let neighbors = |v: u32| {
         let of_v = triangles.iter().filter(|t| t.contains(&v));
         let mut all: Vec<u32> = of_v.flatten().copied().filter(|&other| other != v).collect();
         all.sort_unstable();
         all
     };
-    // An inner neighbour is in two triangles, one along a border in one.
+    // An inner neighbor is in two triangles, one along a border in one.
     let is_border = |all: &[u32]| all.chunk_by(|a, b| a == b).any(|same| same.len() == 1);
-    let [mut around, mut around_target] = [vertex, target].map(neighbours);
+    let [mut around, mut around_target] = [vertex, target].map(neighbors);
     let shared_count = around.iter().filter(|&&v| v == target).count();
     if shared_count == 2 && is_border(&around) && is_border(&around_target) {
         return false;
@@ -381,7 +381,7 @@ fn what_is_not_manifold_is_refused() {
     let bridge = [[0, 5, 1], [5, 0, 2], [2, 0, 3], [1, 5, 4]];
     assert_eq!(reason_of(one_step(&bridge, 6, 2)), "both lie on borders and their edge does not");
     let tube = [[0, 5, 2], [5, 3, 2], [5, 1, 3], [1, 4, 3], [1, 0, 4], [0, 2, 4]];
-    assert_eq!(reason_of(one_step(&tube, 6, 1)), "they have further neighbours in common");
+    assert_eq!(reason_of(one_step(&tube, 6, 1)), "they have further neighbors in common");
     assert_eq!(reason_of(one_step(&[[0, 1, 2]], 3, 1)), "a triangle vanishes that hangs on no other");
     let seamed = seam_cases().next().unwrap();
     let error = ViewDependentMeshes::build(&seamed.refinable).unwrap_err();

@@ -382,7 +382,7 @@ fn path_of_kept(version: StreamVersion, name: &str) -> std::path::PathBuf {
     std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder).join(format!("{name}.stri"))
 }
 
-/// The files were written by another build, of other optimisation and on another machine than most that run this.
+/// The files were written by another build, of other optimization and on another machine than most that run this.
 #[test]
 fn streams_have_the_same_bits_on_every_machine() {
     for KeptStream { name, mesh, options } in kept_streams() {

@@ -1,7 +1,7 @@
-//! STRIPE-like strips: always on to the neighbour that has the fewest free neighbours left.
+//! STRIPE-like strips: always on to the neighbor that has the fewest free neighbors left.
 //!
-//! A strip starts at a triangle of least degree among the free ones and goes on to the neighbour of least degree,
-//! from both ends; of equal neighbours it takes the one that has the poorer neighbours itself, and of these
+//! A strip starts at a triangle of least degree among the free ones and goes on to the neighbor of least degree,
+//! from both ends; of equal neighbors it takes the one that has the poorer neighbors itself, and of these
 //! the one that needs no swap. So no triangle is left alone that can still be reached, and the price is swaps: the
 //! classic baseline for the number of strips.
 //! \[ESV96, the local algorithm\]. Differs: strips grow from both ends, and the global step before it, which cuts

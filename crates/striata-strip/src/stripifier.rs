@@ -7,10 +7,10 @@ use std::str::FromStr;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stripifier {
-    /// Best of three walks from triangles with few free neighbours: fast, few indices.
+    /// Best of three walks from triangles with few free neighbors: fast, few indices.
     #[default]
     Greedy,
-    /// On to the neighbour with the fewest free neighbours, without a swap among equals: the classic \[ESV96\], few strips.
+    /// On to the neighbor with the fewest free neighbors, without a swap among equals: the classic \[ESV96\], few strips.
     Stripe,
     /// Tunnelling with dynamic identities \[PS03\]: few strips.
     Tunnel {

@@ -10,7 +10,7 @@ use striata_io::{Source, read_bytes};
 use crate::camera::View;
 use crate::shown::{Shown, Wish};
 use crate::vertices::Vertices;
-use crate::{Failure, colouring, limits};
+use crate::{Failure, coloring, limits};
 
 /// What is shown at the moment, to be shown in another form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -141,7 +141,7 @@ impl Built {
     /// Puts the triangles of what was asked for last into the order of fans, and tells the fan of each.
     pub(crate) fn color_fans(&mut self, shown: &mut Shown) -> Vec<u32> {
         self.emit(FanForm::Fans);
-        colouring::by_fans(shown, &self.indices)
+        coloring::by_fans(shown, &self.indices)
     }
 
     fn emit(&mut self, form: FanForm) {

@@ -6,7 +6,7 @@
 //! three.js: that is the package's business (`web/src`).
 //!
 //! In reading order: `model` is the class; it holds what is `streaming`, `stored` or `built`, which all answer with `shown`. `head`, `limits`
-//! and `failure` judge bytes, `camera` and `colouring` what is wished for, `vertices` and `normals` what is handed over, `progress` how far
+//! and `failure` judge bytes, `camera` and `coloring` what is wished for, `vertices` and `normals` what is handed over, `progress` how far
 //! it is.
 //!
 //! Cost: a level of a stream takes a pass over the vertices that have arrived and one over its triangles; a view also asks about
@@ -17,7 +17,7 @@
 
 mod built;
 mod camera;
-mod colouring;
+mod coloring;
 mod failure;
 mod head;
 mod limits;

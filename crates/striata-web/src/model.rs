@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::built::Built;
 use crate::camera::View;
-use crate::colouring;
+use crate::coloring;
 use crate::progress::{self, Sink};
 use crate::shown::{Shown, Wish};
 use crate::streaming::Streaming;
@@ -247,14 +247,14 @@ impl Model {
     /// Where no strips can be made.
     pub fn color_strips(&mut self) -> Result<Vec<u32>, Failure> {
         let vertex_count = self.vertex_count();
-        colouring::by_strips(&mut self.shown, vertex_count)
+        coloring::by_strips(&mut self.shown, vertex_count)
     }
 
     /// Returns the fan of each triangle that is shown, whose order may change. For a stream that is the vertex that the triangle
     /// turns around.
     pub fn color_fans(&mut self) -> Vec<u32> {
         match &mut self.stage {
-            Stage::Streaming(_) => colouring::by_pivots(&self.shown),
+            Stage::Streaming(_) => coloring::by_pivots(&self.shown),
             Stage::Built(built) => built.color_fans(&mut self.shown),
         }
     }

@@ -1,4 +1,4 @@
-//! Attribute layers in the shapes that vertex buffers of pages have: normals, colours, texture coordinates.
+//! Attribute layers in the shapes that vertex buffers of pages have: normals, colors, texture coordinates.
 
 use striata::mesh::{AttributeLayer, Semantic};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -25,7 +25,7 @@ impl Vertices {
         self.normals.take()
     }
 
-    /// Red, green, blue and alpha a vertex, if the mesh has colours.
+    /// Red, green, blue and alpha a vertex, if the mesh has colors.
     pub fn take_colors(&mut self) -> Option<Vec<u8>> {
         self.colors.take()
     }
@@ -76,7 +76,7 @@ fn floats(layer: &AttributeLayer, first: usize) -> Vec<f32> {
     (first..vertex_count).flat_map(|v| (0..width).map(move |i| layer.get(v, i))).collect()
 }
 
-/// Colours as four bytes a vertex, from a vertex on.
+/// Colors as four bytes a vertex, from a vertex on.
 fn colors(layer: &AttributeLayer, first: usize) -> Vec<u8> {
     let width = usize::from(layer.component_count);
     let vertex_count = layer.data.len() / width;
@@ -93,7 +93,7 @@ mod tests {
     use striata::mesh::LayerData;
 
     #[test]
-    fn colours_are_bytes_whatever_they_were() {
+    fn colors_are_bytes_whatever_they_were() {
         let layer = AttributeLayer::from_f32(Semantic::Color(0), 3, vec![0.0, 0.5, 2.0, 1.0, f32::NAN, -1.0]);
         assert_eq!(colors(&layer, 0), [0, 128, 255, 255, 255, 0, 0, 255]);
         assert_eq!(colors(&layer, 1), [255, 0, 0, 255]);

@@ -11,7 +11,7 @@ use striata_io::{Format, to_bytes};
 use striata_stream::{StreamDecoder, StreamOptions, encode_stream, file_model};
 use striata_web::{Model, StreamPlace, View};
 
-/// A torus with colours and two groups.
+/// A torus with colors and two groups.
 fn torus() -> IndexedMesh {
     let mut mesh = shapes::torus(48, 24, 1.0, 0.4);
     let colors = mesh.positions.iter().flat_map(|p| p.map(|x| x.mul_add(0.25, 0.5))).collect();

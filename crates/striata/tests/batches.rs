@@ -88,10 +88,10 @@ fn check_collapse(surface: &ClosedSurface, v: u32, target: u32, max_valence: usi
     let v = *copies.first().expect("one copy");
     let ring = surface.ring(v);
     assert!((3..=max_valence).contains(&ring.vertices.len()), "{v} has valence {}", ring.vertices.len());
-    let u = surface.neighbour(v, target);
+    let u = surface.neighbor(v, target);
     let other = surface.loose_ring(u);
     let shared = ring.vertices.intersection(&other.vertices).count();
-    assert_eq!(shared, 2, "{v} -> {u}: neighbours in common");
+    assert_eq!(shared, 2, "{v} -> {u}: neighbors in common");
     assert_eq!(ring.edges.intersection(&other.edges).count(), 0, "{v} -> {u}: ring edges in common");
     let hole = |vertices: &BTreeSet<u32>| vertices.iter().copied().find(|&w| !surface.is_real(w));
     if let Some(hole) = hole(&ring.vertices) {
@@ -140,7 +140,7 @@ fn check_batches(name: &str, options: &BatchOptions, built: &BuiltBatches) {
         assert_eq!(targets.len(), removed.len(), "a target has one position of a batch");
         assert!(gone.is_disjoint(&targets), "targets stay");
         for t in surface.real_triangles() {
-            assert!(t.iter().filter(|p| gone.contains(p)).count() <= 1, "removed neighbours in {t:?}");
+            assert!(t.iter().filter(|p| gone.contains(p)).count() <= 1, "removed neighbors in {t:?}");
         }
         for &[v, target] in &removed {
             assert!(surface.is_manifold(v), "position {v} is manifold in the full mesh");

@@ -179,7 +179,7 @@ fn a_whole_ring_is_one_fan() {
     let mut out = Vec::new();
     FanInstance::full(&fans).fans_into(&fans, &mut out);
     let rings = out.split(|&index| index == RESTART).filter(|fan| fan[1] == fan[fan.len() - 1]);
-    // Vertices that are removed before any neighbour have their full star: all steps make a triangle of none.
+    // Vertices that are removed before any neighbor have their full star: all steps make a triangle of none.
     assert!(rings.count() > 12);
     let pivots: Vec<u32> = out.split(|&index| index == RESTART).map(|fan| fan[0]).collect();
     let open_ends = out.split(|&index| index == RESTART).map(|fan| (fan[0], fan[1], fan[fan.len() - 1]));

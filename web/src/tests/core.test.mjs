@@ -6,12 +6,12 @@ import { before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 
 const dist = new URL('../../dist/', import.meta.url);
-const { Engine, initialise, Model, StreamPlace, StriataError, View, asStriataError } = await import(new URL('core.js', dist));
+const { Engine, initialize, Model, StreamPlace, StriataError, View, asStriataError } = await import(new URL('core.js', dist));
 const asset = (name) => readFileSync(new URL(`../../../assets/${name}`, import.meta.url));
 const stream = readFileSync(new URL('spot.stri', import.meta.url));
 const TRIANGLES = 5856;
 
-before(() => initialise(readFileSync(new URL('striata.wasm', dist))));
+before(() => initialize(readFileSync(new URL('striata.wasm', dist))));
 
 /** What an engine reports to some orders, until it is done. */
 function reportsTo(orders) {
@@ -83,7 +83,7 @@ test('an engine reports what comes, and that it is all', async () => {
   assert.deepEqual([state.complete, state.phase, state.triangleCount], [true, 'done', TRIANGLES]);
   // And then answers requests.
   const answer = new Promise((resolve) => reports.push = resolve);
-  engine.take({ type: 'show', wish: { by: 'detail', value: 0.1, limit: 0 }, colouring: 'strips', ticket: 7 });
+  engine.take({ type: 'show', wish: { by: 'detail', value: 0.1, limit: 0 }, coloring: 'strips', ticket: 7 });
   const update = await answer;
   assert.equal(update.ticket, 7);
   assert.equal(update.numbers.length, update.indices.length / 3);
@@ -100,7 +100,7 @@ test('views are answered before all bytes are there', async () => {
   const counts = [1, 50].map((distance, at) => {
     const eye = [middle[0], middle[1], middle[2] + distance * diagonal];
     const camera = [...eye, ...middle, 0, 1, 0, 0.5, 800, 600];
-    engine.take({ type: 'show', wish: { by: 'view', value: 1, limit: 0, camera }, colouring: 'surface', ticket: 5 + at });
+    engine.take({ type: 'show', wish: { by: 'view', value: 1, limit: 0, camera }, coloring: 'surface', ticket: 5 + at });
     const { ticket, settled, indices, state } = reports.at(-1);
     assert.deepEqual([ticket, settled, state.complete], [5 + at, true, false]);
     return indices.length / 3;

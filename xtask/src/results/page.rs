@@ -229,7 +229,7 @@ mod tests {
         let table = "| a |\n| - |\n| 1 |\n";
         let read = |marker: &str| tables_of("a.md", &format!("<!-- table: t\n{marker}\n-->\n{table}"));
         assert!(read("check: a").is_ok());
-        for wrong in ["check: b", "keys: b", "json: a", "colour: red", "nothing"] {
+        for wrong in ["check: b", "keys: b", "json: a", "color: red", "nothing"] {
             assert!(read(wrong).is_err(), "{wrong}");
         }
     }

@@ -9,7 +9,7 @@ use striata::model::ModelKind;
 
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
-use striata_command::args::{Colouring, Count, Length, LevelChoice, Point, ViewArgs, Viewport};
+use striata_command::args::{Coloring, Count, Length, LevelChoice, Point, ViewArgs, Viewport};
 
 /// The heading of the camera's flags.
 const CAMERA: &str = "Camera";
@@ -41,24 +41,24 @@ pub(crate) struct RenderArgs {
     /// the file has, else a list]
     #[arg(long, value_name = "NAME", hide_possible_values = true)]
     pub(crate) model: Option<DrawnModel>,
-    /// Colours of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups; of several, each
+    /// Colors of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups; of several, each
     /// gets a row
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', alias = "colors", default_value = "surface", hide_possible_values = true, help_heading = LOOK)]
-    pub(crate) colours: Vec<Colouring>,
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', alias = "colours", default_value = "surface", hide_possible_values = true, help_heading = LOOK)]
+    pub(crate) colors: Vec<Coloring>,
     /// Show the edges of triangles
     #[arg(long, help_heading = LOOK)]
     pub(crate) wireframe: bool,
     /// One normal a triangle
     #[arg(long, help_heading = LOOK)]
     pub(crate) flat: bool,
-    /// Show the original, coloured by how far it is from the level
-    #[arg(long, conflicts_with_all = ["colours", "model"], help_heading = LOOK)]
+    /// Show the original, colored by how far it is from the level
+    #[arg(long, conflicts_with_all = ["colors", "model"], help_heading = LOOK)]
     pub(crate) heat: bool,
-    /// The distance that has the last colour: mesh units, or `1%` of the diagonal [default: the largest on the picture]
+    /// The distance that has the last color: mesh units, or `1%` of the diagonal [default: the largest on the picture]
     #[arg(long, value_name = "D", requires = "heat", help_heading = LOOK)]
     pub(crate) heat_max: Option<Length>,
     /// dark, light, none (see-through) or #rrggbb
-    #[arg(long, value_name = "COLOUR", default_value = "dark", help_heading = LOOK)]
+    #[arg(long, value_name = "COLOR", default_value = "dark", help_heading = LOOK)]
     pub(crate) background: Background,
     /// Pixels of the picture
     #[arg(long, value_name = "WxH", default_value = "1280x960", help_heading = LOOK)]
@@ -149,8 +149,8 @@ pub(crate) enum Background {
     Light,
     /// Nothing.
     None,
-    /// A colour in sRGB.
-    Colour([u8; 3]),
+    /// A color in sRGB.
+    Color([u8; 3]),
 }
 
 impl FromStr for Background {
@@ -164,11 +164,11 @@ impl FromStr for Background {
             ("dark", _) => Ok(Self::Dark),
             ("light", _) => Ok(Self::Light),
             ("none", _) => Ok(Self::None),
-            (_, Some(Ok(colour))) => {
-                let [_, r, g, b] = colour.to_be_bytes();
-                Ok(Self::Colour([r, g, b]))
+            (_, Some(Ok(color))) => {
+                let [_, r, g, b] = color.to_be_bytes();
+                Ok(Self::Color([r, g, b]))
             }
-            _ => Err(format!("{text:?} is no background; say dark, light, none or a colour: #203040")),
+            _ => Err(format!("{text:?} is no background; say dark, light, none or a color: #203040")),
         }
     }
 }
@@ -192,9 +192,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn backgrounds_are_names_or_colours() {
+    fn backgrounds_are_names_or_colors() {
         assert_eq!("none".parse(), Ok(Background::None));
-        assert_eq!("#0a1bFF".parse(), Ok(Background::Colour([10, 27, 255])));
+        assert_eq!("#0a1bFF".parse(), Ok(Background::Color([10, 27, 255])));
         for wrong in ["", "black", "#", "#12345", "#1234567", "#12345g", "#+12345", "123456"] {
             assert!(wrong.parse::<Background>().is_err(), "{wrong:?} was taken");
         }

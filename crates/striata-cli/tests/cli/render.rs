@@ -114,7 +114,7 @@ fn all_models_show_the_same_level() {
 }
 
 #[test]
-fn strips_fans_and_triangles_have_colours_of_their_own() {
+fn strips_fans_and_triangles_have_colors_of_their_own() {
     let bench = Workbench::with_ball();
     let hues = |picture: &Decoded| {
         let pixels = picture.pixels.iter().filter(|p| p[3] > 250 && p[..3].iter().max() > Some(&60));
@@ -125,13 +125,13 @@ fn strips_fans_and_triangles_have_colours_of_their_own() {
         shares.collect::<std::collections::BTreeSet<_>>().len()
     };
     let plain = hues(&picture(&bench, "ball.striata --size 200x150 --background none").0);
-    for colours in ["strips", "fans", "triangles"] {
-        let (coloured, _) =
-            picture(&bench, &format!("ball.striata --size 200x150 --background none --colours {colours}"));
-        assert!(hues(&coloured) > plain + 6, "{colours}: {} hues, {plain} of stone", hues(&coloured));
+    for colors in ["strips", "fans", "triangles"] {
+        let (colored, _) =
+            picture(&bench, &format!("ball.striata --size 200x150 --background none --colors {colors}"));
+        assert!(hues(&colored) > plain + 6, "{colors}: {} hues, {plain} of stone", hues(&colored));
     }
     let (rows, report) =
-        picture(&bench, "ball.striata --size 300x400 --colours surface,strips --levels 100%,20%");
+        picture(&bench, "ball.striata --size 300x400 --colors surface,strips --levels 100%,20%");
     assert_eq!(report["triangle_count"].as_u64(), Some(2 * (512 + 102)), "{report}");
     assert!(report["levels"][1]["strip_count"].as_u64() > Some(5), "{report}");
     assert!(rows.drawn(0..150) > 9000 && rows.drawn(150..300) > 9000);
@@ -156,7 +156,7 @@ fn distances_end_where_distance_measures_the_largest() {
     let (other, _) =
         crate::render::picture(&bench, "ball.striata --heat --triangles 60 --heat-max 100% --size 400x300");
     let (same, _) = crate::render::picture(&bench, "ball.striata --heat --triangles 60 --size 400x300");
-    assert!(same.differing(&other) > 5000, "another end of the bar, other colours");
+    assert!(same.differing(&other) > 5000, "another end of the bar, other colors");
 }
 
 #[test]
@@ -164,7 +164,7 @@ fn a_view_from_outside_is_coarse_behind_the_eye() {
     let bench = Workbench::new();
     // The eye stands in the middle of a terrain and looks along x; from above, what it sees is to the right.
     let view = "shape:terrain --eye 0,0,0.3 --look-at 5,0,0.1 --up 0,0,1 --pixels 0.5 --size 500x400 --background none \
-                --colours triangles --flat --rise 89 --turn 0";
+                --colors triangles --flat --rise 89 --turn 0";
     let bounds = bench.json("info shape:terrain");
     let middle = |k: usize| {
         let side = |name: &str| bounds["bounds"][name][k].as_f64().expect("a number");
@@ -183,7 +183,7 @@ fn a_view_from_outside_is_coarse_behind_the_eye() {
         places.filter(|&(x, y)| picture.at(x, y) != picture.at(x + 1, y)).count()
     };
     let (behind, ahead) = (changes(80..200), changes(300..420));
-    assert!(ahead > 2 * behind && behind > 20, "{behind} changes of colour behind, {ahead} ahead");
+    assert!(ahead > 2 * behind && behind > 20, "{behind} changes of color behind, {ahead} ahead");
     // The lines of what it sees.
     let is_line = |p: &&[u8; 4]| p[0] > 220 && (90..170).contains(&p[1]) && p[2] < 90;
     assert!(picture.pixels.iter().filter(is_line).count() > 150, "no frustum");
@@ -214,7 +214,7 @@ fn meshes_without_anything_to_see_are_no_trouble() {
     bench.write("point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
     bench.write("none.obj", "v 1 2 3\n");
     for name in ["point.obj", "none.obj"] {
-        for flags in ["", "--heat", "--wireframe --levels 100%,1", "--colours strips,fans,groups"] {
+        for flags in ["", "--heat", "--wireframe --levels 100%,1", "--colors strips,fans,groups"] {
             let (picture, _) = picture(&bench, &format!("{name} --size 64x64 {flags} --background none"));
             assert_eq!((picture.width, picture.height), (64, 64), "{name} {flags}");
         }
@@ -234,9 +234,9 @@ fn bad_flags_and_files_are_refused_and_nothing_is_written() {
         ("shape:torus -o out.png --size 9000x10", "8192"),
         ("shape:torus -o out.png --levels 110%", "110%"),
         ("shape:torus -o out.png --levels 10% --triangles 5", "--triangles"),
-        ("shape:torus -o out.png --colours plaid", "plaid"),
-        ("shape:torus -o out.png --colours strips,fans --rows 2", "--rows"),
-        ("shape:torus -o out.png --heat --colours strips", "--heat"),
+        ("shape:torus -o out.png --colors plaid", "plaid"),
+        ("shape:torus -o out.png --colors strips,fans --rows 2", "--rows"),
+        ("shape:torus -o out.png --heat --colors strips", "--heat"),
         ("shape:torus -o out.png --heat-max 1", "--heat"),
         ("shape:torus -o out.png --background mauve", "mauve"),
         ("shape:torus -o out.png --zoom 0", "--zoom"),

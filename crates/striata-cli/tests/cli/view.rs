@@ -77,17 +77,17 @@ fn shot(bench: &Workbench, arguments: &[&str]) -> (usize, usize, Vec<u8>) {
     png(&bench.path(name))
 }
 
-/// Different colours within the middle of the picture, left of the panel.
-fn colours_in_the_middle((width, height, pixels): &(usize, usize, Vec<u8>)) -> usize {
-    let mut colours = std::collections::BTreeSet::new();
+/// Different colors within the middle of the picture, left of the panel.
+fn colors_in_the_middle((width, height, pixels): &(usize, usize, Vec<u8>)) -> usize {
+    let mut colors = std::collections::BTreeSet::new();
     for y in height / 4..height * 3 / 4 {
         for x in width / 12..width * 5 / 12 {
             let at = 3 * (y * width + x);
             // Coarse, so that shading alone gives few.
-            colours.insert([pixels[at] >> 5, pixels[at + 1] >> 5, pixels[at + 2] >> 5]);
+            colors.insert([pixels[at] >> 5, pixels[at + 1] >> 5, pixels[at + 2] >> 5]);
         }
     }
-    colours.len()
+    colors.len()
 }
 
 #[test]
@@ -95,9 +95,9 @@ fn a_screenshot_shows_the_model_and_the_panel() {
     let bench = Workbench::with_ball();
     let plain = shot(&bench, &["ball.striata"]);
     assert_eq!((plain.0, plain.1), (640, 480));
-    let strips = shot(&bench, &["ball.striata", "--colours", "strips"]);
-    let [few, many] = [&plain, &strips].map(colours_in_the_middle);
-    assert!(few >= 3 && many > few, "{few} colours of light, {many} of strips");
+    let strips = shot(&bench, &["ball.striata", "--colors", "strips"]);
+    let [few, many] = [&plain, &strips].map(colors_in_the_middle);
+    assert!(few >= 3 && many > few, "{few} colors of light, {many} of strips");
     let fans = shot(&bench, &["sphere.obj", "--pixels", "3", "--theme", "light", "--wireframe"]);
     let corner = |shot: &(usize, usize, Vec<u8>)| shot.2[3 * (shot.1 - 1) * shot.0];
     assert!(corner(&fans) > 200 && corner(&plain) < 60, "light and dark backgrounds");

@@ -1,6 +1,6 @@
 //! Flags that several commands take, and the values that they parse to.
 
-mod colouring;
+mod coloring;
 mod length;
 mod level;
 mod output;
@@ -10,7 +10,7 @@ mod stream;
 mod strips;
 mod view;
 
-pub use self::colouring::Colouring;
+pub use self::coloring::Coloring;
 pub use self::length::Length;
 pub use self::level::{
     Count, EyeArgs, LEVEL, Level, LevelArgs, LevelChoice, LevelsArgs, OptionalLevel, parse_detail,

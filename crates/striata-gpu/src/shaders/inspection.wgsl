@@ -1,16 +1,16 @@
-// Single triangles, read from storage buffers: each may have a colour, and its edges are known to the pixel.
+// Single triangles, read from storage buffers: each may have a color, and its edges are known to the pixel.
 
 @group(1) @binding(0) var<storage, read> positions: array<f32>;
 @group(1) @binding(1) var<storage, read> normals: array<f32>;
-@group(1) @binding(2) var<storage, read> colours: array<u32>;
+@group(1) @binding(2) var<storage, read> colors: array<u32>;
 @group(1) @binding(3) var<storage, read> indices: array<u32>;
-@group(1) @binding(4) var<storage, read> triangle_colours: array<u32>;
+@group(1) @binding(4) var<storage, read> triangle_colors: array<u32>;
 
 struct Corner {
     @builtin(position) clip: vec4<f32>,
     @location(0) place: vec3<f32>,
     @location(1) normal: vec3<f32>,
-    @location(2) colour: vec3<f32>,
+    @location(2) color: vec3<f32>,
     @location(3) weights: vec3<f32>,
 }
 
@@ -22,13 +22,13 @@ fn vertex(@builtin(vertex_index) number: u32) -> Corner {
     out.clip = scene.clip_from_model * vec4(position, 1.0);
     out.place = position;
     out.normal = vec3(normals[3u * v], normals[3u * v + 1u], normals[3u * v + 2u]);
-    out.colour = scene.base.rgb;
+    out.color = scene.base.rgb;
     if scene.flags.y == 1u {
-        out.colour = unpack4x8unorm(colours[v]).rgb;
+        out.color = unpack4x8unorm(colors[v]).rgb;
     }
     if scene.flags.w == 1u {
-        let own = unpack4x8unorm(triangle_colours[number / 3u]);
-        out.colour = mix(out.colour, own.rgb, own.a);
+        let own = unpack4x8unorm(triangle_colors[number / 3u]);
+        out.color = mix(out.color, own.rgb, own.a);
     }
     let corner = number % 3u;
     out.weights = vec3(f32(corner == 0u), f32(corner == 1u), f32(corner == 2u));
@@ -37,10 +37,10 @@ fn vertex(@builtin(vertex_index) number: u32) -> Corner {
 
 @fragment
 fn fragment(in: Corner) -> @location(0) vec4<f32> {
-    let colour = lit(in.colour, in.place, in.normal);
+    let color = lit(in.color, in.place, in.normal);
     // Pixels to each edge; half a width on each side of it belongs to a line.
     let distance = in.weights / max(fwidth(in.weights), vec3(1e-12));
     let nearest = min(distance.x, min(distance.y, distance.z));
     let line = 1.0 - smoothstep(0.0, 1.0, nearest - 0.5 * scene.numbers.x + 0.5);
-    return vec4(mix(colour, scene.edges.rgb, line * scene.edges.a), 1.0);
+    return vec4(mix(color, scene.edges.rgb, line * scene.edges.a), 1.0);
 }

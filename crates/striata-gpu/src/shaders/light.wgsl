@@ -9,11 +9,11 @@ struct Scene {
     fill: vec4<f32>,
     // Which way is up, for light from the sky.
     up: vec4<f32>,
-    // Colour of what has no other.
+    // Color of what has no other.
     base: vec4<f32>,
     edges: vec4<f32>,
-    // x: 1 where normals are the triangles', y: 1 where vertex colours count, z: 1 where groups do, w: 1 where
-    // triangles have colours of their own.
+    // x: 1 where normals are the triangles', y: 1 where vertex colors count, z: 1 where groups do, w: 1 where
+    // triangles have colors of their own.
     flags: vec4<u32>,
     // x: width of edges in pixels.
     numbers: vec4<f32>,
@@ -21,7 +21,7 @@ struct Scene {
 
 @group(0) @binding(0) var<uniform> scene: Scene;
 
-// Hues along the golden ratio in two shades, as `palette_colour` on the processor.
+// Hues along the golden ratio in two shades, as `palette_color` on the processor.
 fn palette(number: u32) -> vec3<f32> {
     // Whole numbers keep the fraction exact for any number.
     let hue = f32((number * 2654435769u) >> 8u) / 16777216.0 * 6.0;
@@ -31,7 +31,7 @@ fn palette(number: u32) -> vec3<f32> {
     return shade * (0.24 + 0.60 * amount);
 }
 
-fn lit(colour: vec3<f32>, place: vec3<f32>, smooth_normal: vec3<f32>) -> vec3<f32> {
+fn lit(color: vec3<f32>, place: vec3<f32>, smooth_normal: vec3<f32>) -> vec3<f32> {
     let to_eye = scene.eye.xyz - place;
     let across = cross(dpdx(place), dpdy(place));
     var normal = smooth_normal;
@@ -48,5 +48,5 @@ fn lit(colour: vec3<f32>, place: vec3<f32>, smooth_normal: vec3<f32>) -> vec3<f3
     let half_way = normalize(normalize(to_eye) + scene.key.xyz);
     let gloss = 0.06 * pow(max(dot(normal, half_way), 0.0), 40.0);
     let light = 0.05 + 0.13 * sky + key + fill;
-    return mix(colour, colour * light + gloss, scene.eye.w);
+    return mix(color, color * light + gloss, scene.eye.w);
 }

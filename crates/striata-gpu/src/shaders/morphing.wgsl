@@ -2,7 +2,7 @@
 
 @group(1) @binding(0) var<storage, read> positions: array<f32>;
 @group(1) @binding(1) var<storage, read> normals: array<f32>;
-@group(1) @binding(2) var<storage, read> colours: array<u32>;
+@group(1) @binding(2) var<storage, read> colors: array<u32>;
 // Of each vertex: where it comes from or goes to, itself where it is at rest; and how far it is at its own place.
 @group(1) @binding(3) var<storage, read> places: array<vec2<u32>>;
 // x: how far a morph between whole levels is.
@@ -15,21 +15,21 @@ const VANISHES = 3.0;
 struct Shown {
     position: vec3<f32>,
     normal: vec3<f32>,
-    colour: vec4<f32>,
+    color: vec4<f32>,
 }
 
 fn own(v: u32) -> Shown {
     return Shown(
         vec3(positions[3u * v], positions[3u * v + 1u], positions[3u * v + 2u]),
         vec3(normals[3u * v], normals[3u * v + 1u], normals[3u * v + 2u]),
-        unpack4x8unorm(colours[v]),
+        unpack4x8unorm(colors[v]),
     );
 }
 
 fn mixed(here: Shown, there: Shown, factor: f32) -> Shown {
     var out: Shown;
     out.position = mix(here.position, there.position, factor);
-    out.colour = mix(here.colour, there.colour, factor);
+    out.color = mix(here.color, there.color, factor);
     // Normals keep their length; opposite ones meet in nothing.
     let normal = mix(here.normal, there.normal, factor);
     let length = length(normal);
@@ -71,5 +71,5 @@ fn shown(v: u32) -> Shown {
 @vertex
 fn morphing(@builtin(vertex_index) number: u32, @builtin(instance_index) group: u32) -> Corner {
     let at = shown(number);
-    return corner(at.position, at.normal, at.colour, group);
+    return corner(at.position, at.normal, at.color, group);
 }

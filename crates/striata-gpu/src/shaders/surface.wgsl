@@ -4,20 +4,20 @@ struct Corner {
     @builtin(position) clip: vec4<f32>,
     @location(0) place: vec3<f32>,
     @location(1) normal: vec3<f32>,
-    @location(2) colour: vec3<f32>,
+    @location(2) color: vec3<f32>,
 }
 
-fn corner(position: vec3<f32>, normal: vec3<f32>, colour: vec4<f32>, group: u32) -> Corner {
+fn corner(position: vec3<f32>, normal: vec3<f32>, color: vec4<f32>, group: u32) -> Corner {
     var out: Corner;
     out.clip = scene.clip_from_model * vec4(position, 1.0);
     out.place = position;
     out.normal = normal;
-    out.colour = scene.base.rgb;
+    out.color = scene.base.rgb;
     if scene.flags.y == 1u {
-        out.colour = colour.rgb;
+        out.color = color.rgb;
     }
     if scene.flags.z == 1u {
-        out.colour = palette(group);
+        out.color = palette(group);
     }
     return out;
 }
@@ -26,13 +26,13 @@ fn corner(position: vec3<f32>, normal: vec3<f32>, colour: vec4<f32>, group: u32)
 fn vertex(
     @location(0) position: vec3<f32>,
     @location(1) normal: vec3<f32>,
-    @location(2) colour: vec4<f32>,
+    @location(2) color: vec4<f32>,
     @builtin(instance_index) group: u32,
 ) -> Corner {
-    return corner(position, normal, colour, group);
+    return corner(position, normal, color, group);
 }
 
 @fragment
 fn fragment(in: Corner) -> @location(0) vec4<f32> {
-    return vec4(lit(in.colour, in.place, in.normal), 1.0);
+    return vec4(lit(in.color, in.place, in.normal), 1.0);
 }

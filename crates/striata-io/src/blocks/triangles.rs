@@ -119,7 +119,7 @@ fn bounds_of(stream: &PlyStream) -> Result<Option<Bounds>, ReadError> {
     Ok(bounds)
 }
 
-/// All triangles, in the order in which a curve through space meets their centres.
+/// All triangles, in the order in which a curve through space meets their centers.
 fn sorted_triangles(
     stream: &PlyStream,
     bounds: Option<Bounds>,
@@ -195,7 +195,7 @@ impl Cut {
 
     fn end_block(&mut self, length: usize) -> io::Result<()> {
         let block = (self.starts.len() - 1) as u32;
-        // Neighbours in a file are often neighbours in a row of triangles, which strips follow well.
+        // Neighbors in a file are often neighbors in a row of triangles, which strips follow well.
         self.ahead[..length].sort_unstable_by_key(|record| record.number);
         for record in self.ahead.drain(..length) {
             for vertex in record.corners {

@@ -154,7 +154,7 @@ impl Accessor<'_> {
         Fault::Malformed(Place::Json(self.path.clone()), reason.into())
     }
 
-    /// All numbers as floats, normalised integers as fractions.
+    /// All numbers as floats, normalized integers as fractions.
     pub(super) fn floats(&self) -> Vec<f32> {
         let one = |x: f32, most: f32| if self.normalized { (x / most).max(-1.0) } else { x };
         match self.component {

@@ -133,7 +133,7 @@ pub(super) fn append(layer: &mut AttributeLayer, accessor: &Accessor<'_>, transf
     }
 }
 
-/// Copies elements into a layer that may be wider: a colour's missing alpha is `one`, all else zero.
+/// Copies elements into a layer that may be wider: a color's missing alpha is `one`, all else zero.
 fn widen<T: Copy + Default>(
     out: &mut Vec<T>,
     numbers: &[T],

@@ -1,6 +1,6 @@
 //! Attribute layers as glTF accessors, in the types that glTF allows for each meaning.
 //!
-//! Normals and tangents are given unit length, and colours kept within 0 and 1, since glTF demands both. What has no glTF type
+//! Normals and tangents are given unit length, and colors kept within 0 and 1, since glTF demands both. What has no glTF type
 //! (integers of 32 bits, unusual widths) is written as floats where that loses nothing, under a name of its own
 //! with an underscore before it.
 

@@ -16,7 +16,7 @@ pub(super) type Corner = [u32; 3];
 #[derive(Default)]
 pub(super) struct Tables {
     pub positions: Vec<[f32; 3]>,
-    /// Three a position, up to the last position that has a colour; empty without any.
+    /// Three a position, up to the last position that has a color; empty without any.
     pub colors: Vec<f32>,
     pub texcoords: Vec<[f32; 2]>,
     pub normals: Vec<[f32; 3]>,

@@ -129,7 +129,7 @@ impl Reader {
         }
     }
 
-    /// `v x y z`, with a weight, or a colour, or an alpha after that.
+    /// `v x y z`, with a weight, or a color, or an alpha after that.
     fn position(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         let tables = &mut self.tables;
         tables.positions.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
@@ -145,7 +145,7 @@ impl Reader {
             count += 1;
         }
         if count >= 3 {
-            // Vertices before the first colour are white, as are those without one after it.
+            // Vertices before the first color are white, as are those without one after it.
             tables.colors.resize((tables.positions.len() - 1) * 3, 1.0);
             tables.colors.extend_from_slice(&extra[..3]);
         }

@@ -1,4 +1,4 @@
-//! The OBJ writer: positions with colours, texture coordinates, normals, groups, names of materials and libraries.
+//! The OBJ writer: positions with colors, texture coordinates, normals, groups, names of materials and libraries.
 //! Other layers have no place in OBJ.
 
 use std::io::Write as _;

@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | normal, tangent | `nx ny nz`, `tangent_x tangent_y tangent_z tangent_w` |
 //! | UV set 0, others | `s t` (also read: `u v`, `texture_u texture_v`, `texcoord_u texcoord_v`), `texcoord_1_s texcoord_1_t` |
-//! | colour set 0, others | `red green blue alpha` (also read: `diffuse_red` …), `color_1_red` … |
+//! | color set 0, others | `red green blue alpha` (also read: `diffuse_red` …), `color_1_red` … |
 //! | joints, weights | `joints_0_0` … `joints_0_3`, `weights_0_0` … `weights_0_3` |
 //! | morph targets | `morph_0_position_x` …, `morph_0_normal_x` …, `morph_0_tangent_x` … |
 //! | anything else | its name; with several components `name.0 name.1` …; with `generic_` before it where the name alone would mean something else |

@@ -24,7 +24,7 @@ pub(super) struct Bars {
 pub(super) struct BarChart {
     /// What is counted.
     pub(super) title: &'static str,
-    /// The kinds of values, in the order of their colours.
+    /// The kinds of values, in the order of their colors.
     pub(super) kinds: Vec<&'static str>,
     /// From top to bottom.
     pub(super) bars: Vec<Bars>,
@@ -56,8 +56,8 @@ impl BarChart {
         let (right, bottom) = (width - VALUES_PX, height - AXIS_PX);
         let scale = Scale::linear(self.bars.iter().flat_map(|bars| bars.values.iter().copied()).chain([0.0]));
         let across = |value: f64| scale.pixel(value, (NAMES_PX, right));
-        let text = |colour: RGBColor, side: HPos| {
-            (FONT, FONT_PX).into_font().color(&colour).pos(Pos::new(side, VPos::Center))
+        let text = |color: RGBColor, side: HPos| {
+            (FONT, FONT_PX).into_font().color(&color).pos(Pos::new(side, VPos::Center))
         };
         for &tick in scale.ticks() {
             let x = across(tick);
@@ -73,11 +73,11 @@ impl BarChart {
             let middle = f64::from(KINDS_PX) + group_px * (i as f64 + 0.5);
             root.draw_text(&bars.name, &text(INK.0, HPos::Right), (NAMES_PX - 10, middle as i32))?;
             let first = middle - bar_px * bars.values.len() as f64 / 2.0;
-            for (k, (&value, (colour, _))) in bars.values.iter().zip(SERIES).enumerate() {
+            for (k, (&value, (color, _))) in bars.values.iter().zip(SERIES).enumerate() {
                 let from = first + bar_px * k as f64;
                 let to = from + bar_px - 1.0;
                 let bar = [(NAMES_PX, from as i32), (across(value), to as i32)];
-                root.draw(&Rectangle::new(bar, colour.filled()))?;
+                root.draw(&Rectangle::new(bar, color.filled()))?;
                 let style =
                     (FONT, value_px).into_font().color(&SOFT.0).pos(Pos::new(HPos::Left, VPos::Center));
                 let place = (across(value) + 6, ((from + to) / 2.0) as i32);
@@ -88,11 +88,11 @@ impl BarChart {
         Ok(())
     }
 
-    /// A square of each colour with what it stands for.
+    /// A square of each color with what it stands for.
     fn draw_kinds(&self, root: &DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Box<dyn Error + '_>> {
         let mut x = NAMES_PX;
-        for (kind, (colour, _)) in self.kinds.iter().zip(SERIES) {
-            root.draw(&Rectangle::new([(x, 16), (x + 16, 32)], colour.filled()))?;
+        for (kind, (color, _)) in self.kinds.iter().zip(SERIES) {
+            root.draw(&Rectangle::new([(x, 16), (x + 16, 32)], color.filled()))?;
             let style = (FONT, FONT_PX).into_font().color(&INK.0).pos(Pos::new(HPos::Left, VPos::Center));
             root.draw_text(kind, &style, (x + 24, 24))?;
             x += 56 + kind.chars().count() as i32 * FONT_PX as i32 * 6 / 10;
@@ -120,8 +120,8 @@ mod tests {
             assert!(svg.contains(text), "{text:?} is not in the chart");
         }
         let style = super::super::plot::style();
-        for colour in svg.split("=\"#").skip(1).map(|rest| &rest[..6]) {
-            assert!(style.contains(colour), "the style does not know #{colour}");
+        for color in svg.split("=\"#").skip(1).map(|rest| &rest[..6]) {
+            assert!(style.contains(color), "the style does not know #{color}");
         }
     }
 

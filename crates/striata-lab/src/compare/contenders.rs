@@ -57,7 +57,7 @@ impl<E: Into<Failure>> From<E> for Unbuilt {
     }
 }
 
-/// All of them; the colours of charts follow this order.
+/// All of them; the colors of charts follow this order.
 const ENTRIES: [Entry; 13] = [
     Entry::new("lodstrips", |given| built(|| LodStrips::build(given.refinable, given.strips))),
     Entry::new("mts", |given| built(|| Mts::build(given.refinable, given.strips))),

@@ -102,7 +102,7 @@ fn walk_blocks(report: &ModelsReport, pace: Pace) -> Result<Vec<Block>, Failure>
             .map(|row| {
                 let walk = &row.walk(pace).series;
                 let points = walk.frame.iter().map(|&frame| frame as f64).zip(values(walk));
-                // Without points a model still has its colour.
+                // Without points a model still has its color.
                 let is_shown = row.draws_strips || !only_strips;
                 Series {
                     name: row.name.to_owned(),

@@ -1,6 +1,6 @@
-//! Charts as SVG inside a page: lines with a spread, points with names, in the page's colours.
+//! Charts as SVG inside a page: lines with a spread, points with names, in the page's colors.
 //!
-//! Colours are written into the SVG as those of the light theme, so that a chart taken out of the page is readable;
+//! Colors are written into the SVG as those of the light theme, so that a chart taken out of the page is readable;
 //! [`style`] gives the rules by which the page turns them into its variables.
 
 use std::error::Error;
@@ -27,14 +27,14 @@ const NAMES_PX: u32 = 236;
 /// At the right elsewhere: half a number at the last tick.
 const TICK_PX: u32 = 44;
 
-/// Names and titles, as all that is no series: colour, and the page's variable for it.
+/// Names and titles, as all that is no series: color, and the page's variable for it.
 pub(super) const INK: (RGBColor, &str) = (RGBColor(0x23, 0x20, 0x1c), "ink");
 /// Numbers on axes.
 pub(super) const SOFT: (RGBColor, &str) = (RGBColor(0x6d, 0x66, 0x5c), "soft");
 /// Lines behind what is drawn.
 pub(super) const RULE: (RGBColor, &str) = (RGBColor(0xdd, 0xd7, 0xcd), "rule");
 
-/// Colours of series in the light theme and in the dark one.
+/// Colors of series in the light theme and in the dark one.
 pub(super) const SERIES: [(RGBColor, &str); 13] = [
     (RGBColor(0x0b, 0x6e, 0x99), "#5bb8e0"),
     (RGBColor(0xc2, 0x57, 0x1a), "#f0955a"),
@@ -118,16 +118,16 @@ impl Chart {
             .x_desc(self.x_title)
             .y_desc(self.y_title)
             .draw()?;
-        for (series, (colour, _)) in self.series.iter().zip(SERIES.iter().cycle()) {
+        for (series, (color, _)) in self.series.iter().zip(SERIES.iter().cycle()) {
             let low = series.points.iter().zip(&series.spread).map(|(&(x, _), &(low, _))| (x, low));
             let high = series.points.iter().zip(&series.spread).map(|(&(x, _), &(_, high))| (x, high));
             let outline: Vec<_> = low.chain(high.rev()).collect();
             if outline.len() > 2 {
-                chart.plotting_area().draw(&Polygon::new(outline, colour.mix(0.22)))?;
+                chart.plotting_area().draw(&Polygon::new(outline, color.mix(0.22)))?;
             }
-            chart.plotting_area().draw(&PathElement::new(series.points.clone(), colour.stroke_width(3)))?;
+            chart.plotting_area().draw(&PathElement::new(series.points.clone(), color.stroke_width(3)))?;
             for &point in series.points.iter().filter(|_| series.has_marks()) {
-                chart.plotting_area().draw(&Circle::new(point, 5, colour.filled()))?;
+                chart.plotting_area().draw(&Circle::new(point, 5, color.filled()))?;
             }
         }
         if self.lists_names() {
@@ -155,13 +155,13 @@ impl Chart {
         let height =
             |series: &Series| series.points.iter().map(|&(_, y)| y).sum::<f64>() / series.points.len() as f64;
         let drawn = self.series.iter().zip(SERIES.iter().cycle()).filter(|(s, _)| !s.points.is_empty());
-        let mut named: Vec<_> = drawn.map(|(series, (colour, _))| (height(series), series, colour)).collect();
+        let mut named: Vec<_> = drawn.map(|(series, (color, _))| (height(series), series, color)).collect();
         named.sort_by(|a, b| b.0.total_cmp(&a.0));
         let left = (SIZE.0 - NAMES_PX) as i32 + 12;
-        for (line, (_, series, colour)) in named.into_iter().enumerate() {
+        for (line, (_, series, color)) in named.into_iter().enumerate() {
             let y = MARGIN_PX as i32 + 14 + line as i32 * FONT_PX as i32 * 3 / 2;
-            root.draw(&PathElement::new([(left, y), (left + 18, y)], colour.stroke_width(4)))?;
-            let style = (FONT, FONT_PX).into_font().color(colour).pos(Pos::new(HPos::Left, VPos::Center));
+            root.draw(&PathElement::new([(left, y), (left + 18, y)], color.stroke_width(4)))?;
+            let style = (FONT, FONT_PX).into_font().color(color).pos(Pos::new(HPos::Left, VPos::Center));
             root.draw_text(&series.name, &style, (left + 26, y))?;
         }
         Ok(())
@@ -178,7 +178,7 @@ impl Chart {
             labels.keep_free(points, series.has_marks());
         }
         let drawn = self.series.iter().zip(places).zip(SERIES.iter().cycle());
-        for ((series, points), (colour, _)) in drawn {
+        for ((series, points), (color, _)) in drawn {
             let from_the_right: Vec<Pixel> = points.iter().rev().copied().collect();
             let Some(spot) = labels.place(&series.name, &from_the_right) else { continue };
             let anchor = match spot.anchor {
@@ -186,32 +186,32 @@ impl Chart {
                 Anchor::Middle => HPos::Center,
                 Anchor::End => HPos::Right,
             };
-            let style = (FONT, FONT_PX).into_font().color(colour).pos(Pos::new(anchor, VPos::Center));
+            let style = (FONT, FONT_PX).into_font().color(color).pos(Pos::new(anchor, VPos::Center));
             root.draw_text(&series.name, &style, (spot.x, spot.y))?;
         }
         Ok(())
     }
 }
 
-/// The rules by which a page shows charts in its own colours.
+/// The rules by which a page shows charts in its own colors.
 pub(super) fn style() -> String {
     let hex = |RGBColor(r, g, b): RGBColor| format!("#{r:02X}{g:02X}{b:02X}");
     let mut rules = String::from(".chart svg { display: block; width: 100%; height: auto; }\n");
-    for (colour, variable) in [INK, SOFT, RULE] {
+    for (color, variable) in [INK, SOFT, RULE] {
         for property in ["fill", "stroke"] {
-            let colour = hex(colour);
+            let color = hex(color);
             // Writing to a string cannot fail.
-            let _ = writeln!(rules, ".chart [{property}=\"{colour}\"] {{ {property}: var(--{variable}); }}");
+            let _ = writeln!(rules, ".chart [{property}=\"{color}\"] {{ {property}: var(--{variable}); }}");
         }
     }
     let mut dark = String::new();
-    for (index, (colour, in_dark)) in SERIES.into_iter().enumerate() {
-        let colour = hex(colour);
+    for (index, (color, in_dark)) in SERIES.into_iter().enumerate() {
+        let color = hex(color);
         let _ = write!(dark, "--series-{index}: {in_dark}; ");
         for property in ["fill", "stroke"] {
             let _ = writeln!(
                 rules,
-                ".chart [{property}=\"{colour}\"] {{ {property}: var(--series-{index}, {colour}); }}"
+                ".chart [{property}=\"{color}\"] {{ {property}: var(--series-{index}, {color}); }}"
             );
         }
     }
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn a_chart_names_its_series_and_axes_in_colours_that_the_style_knows() {
+    fn a_chart_names_its_series_and_axes_in_colors_that_the_style_knows() {
         let line = |name: &str, y: f64| Series {
             name: name.to_owned(),
             points: vec![(1.0, y), (3.0, y / 2.0), (5.0, y / 3.0)],
@@ -246,8 +246,8 @@ mod tests {
         }
         assert_eq!(svg.matches("<circle").count(), 6);
         let style = style();
-        for colour in svg.split("=\"#").skip(1).map(|rest| &rest[..6]) {
-            assert!(style.contains(colour), "the style does not know #{colour}");
+        for color in svg.split("=\"#").skip(1).map(|rest| &rest[..6]) {
+            assert!(style.contains(color), "the style does not know #{color}");
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::scene::Scene;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-use crate::topology::rings::Neighbour;
+use crate::topology::rings::Neighbor;
 use crate::topology::surface::{Cut, NONE, triangle_of};
 
 /// Lengths and ranks that have probabilities of their own.
@@ -27,7 +27,7 @@ pub(super) struct Edges<'a> {
     /// The corners around it.
     pub(super) corners: &'a [u32],
     /// The other ends.
-    pub(super) neighbours: &'a [Neighbour],
+    pub(super) neighbors: &'a [Neighbor],
     /// Where it is.
     pub(super) kept: [i32; 3],
 }
@@ -91,12 +91,12 @@ impl ChainCuts {
 
     /// Where in a ring a run of free triangles can begin, and how long its edges are.
     fn find_starts(&mut self, scene: &Scene<'_>, edges: Edges<'_>, length: usize) {
-        let Edges { corners, neighbours, kept } = edges;
+        let Edges { corners, neighbors, kept } = edges;
         let n = corners.len();
         self.spokes.clear();
-        self.spokes.extend(corners.iter().zip(neighbours).map(|(&corner, neighbour)| {
-            let is_virtual = scene.surface.is_virtual(neighbour.vertex);
-            let place = neighbour.place;
+        self.spokes.extend(corners.iter().zip(neighbors).map(|(&corner, neighbor)| {
+            let is_virtual = scene.surface.is_virtual(neighbor.vertex);
+            let place = neighbor.place;
             let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum::<i64>();
             Spoke {
                 square: if is_virtual { 0 } else { square },

@@ -13,7 +13,7 @@ pub(super) struct Trace {
     pub(super) valence: u8,
     /// Those of them that may go to a new vertex in this batch.
     pub(super) free: u8,
-    /// Neighbours that split in this batch, and in the last one.
+    /// Neighbors that split in this batch, and in the last one.
     pub(super) splits: u8,
     /// See [`Self::splits`].
     pub(super) last_splits: u8,
@@ -114,7 +114,7 @@ impl Memory {
         self.share >> 8
     }
 
-    /// Notes whether a vertex splits whose neighbours saw so many splits.
+    /// Notes whether a vertex splits whose neighbors saw so many splits.
     #[inline]
     pub(super) fn settle(&mut self, vertex: u32, around: i32, splits: bool) {
         let goal = if splits { 65535 } else { 0 };

@@ -1,6 +1,6 @@
 //! Which vertices split, and which triangles go to the new vertex.
 //!
-//! Whether a vertex splits is mixed from many small contexts: what became of its neighbours in this batch and the last ones,
+//! Whether a vertex splits is mixed from many small contexts: what became of its neighbors in this batch and the last ones,
 //! how many of its triangles are left, how long its edges are and how bent it is against the others. Which run of its triangles
 //! goes to the new vertex is chosen among all that can, by a log-linear model that learns as it goes. Where
 //! time matters more, a vertex that does not split is told by what is remembered of it; for the smallest streams its ring is

@@ -53,12 +53,12 @@ impl Patch {
     pub(super) fn features(&self, ring: &Ring, whole: [i64; 3]) -> [usize; FEATURES] {
         let class = class_of(self.length);
         let size_log = log2_wide(self.length as u64 + 2);
-        let (mut centre, mut distance, mut width, mut nearer) = (OPEN, OPEN, OPEN_WIDTH, OPEN);
+        let (mut center, mut distance, mut width, mut nearer) = (OPEN, OPEN, OPEN_WIDTH, OPEN);
         let [first, end] = [self.first, self.end].map(|i| &ring.spokes[i]);
         if !first.is_virtual && !end.is_virtual {
             let steps = self.steps.map(i64::from);
             let square = log2_wide(dot_wide(steps, steps) as u64);
-            centre = ((square - size_log - log2_wide(self.squares.into()) + 15 * 64) >> 6).clamp(0, 14);
+            center = ((square - size_log - log2_wide(self.squares.into()) + 15 * 64) >> 6).clamp(0, 14);
             distance = ((square - 2 * size_log - ring.length + 10 * 96) / 96).clamp(0, 14);
             width = self.width(first, end);
             nearer = self.nearer(ring);
@@ -66,7 +66,7 @@ impl Patch {
         let n = ring.spokes.len();
         let left = (n + 2 - self.length).clamp(3, 6) - 3;
         [
-            class + centre as usize,
+            class + center as usize,
             class + self.share(n, whole, size_log) as usize,
             class + distance as usize,
             left * 32 + width as usize,

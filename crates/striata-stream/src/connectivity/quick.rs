@@ -14,7 +14,7 @@ use crate::entropy::{AdaptiveBit, Coder, Rate};
 use crate::format::form::{Effort, StreamVersion};
 use crate::positions::Surroundings;
 use crate::refine::walk::Walk;
-use crate::topology::rings::{Neighbour, Rings};
+use crate::topology::rings::{Neighbor, Rings};
 use crate::topology::surface::{Cut, Surface, triangle_of};
 
 /// What is kept with a vertex.
@@ -192,7 +192,7 @@ impl QuickModel {
             _ => {
                 let kept = scene.places[self.splits[split] as usize];
                 let edges =
-                    Edges { corners: self.rings.of(split), neighbours: self.rings.neighbours(split), kept };
+                    Edges { corners: self.rings.of(split), neighbors: self.rings.neighbors(split), kept };
                 self.chains.code(coder, scene, edges, actual)
             }
         };
@@ -202,7 +202,7 @@ impl QuickModel {
         self.begins.push((split as u32, start as u32));
         if self.is_learned() {
             // The cuts that come next see what this one leaves.
-            let at = |at: usize| self.rings.neighbours(split)[at % n].vertex;
+            let at = |at: usize| self.rings.neighbors(split)[at % n].vertex;
             self.count(self.splits[split], [at(start), at(start + length)], length);
         }
         true
@@ -218,15 +218,15 @@ impl QuickModel {
         let ring = self.rings.of(split);
         let kept = scene.places[self.splits[split] as usize];
         let mut edges = [Edge::default(); quick_cuts::MOST];
-        for ((edge, &corner), neighbour) in edges.iter_mut().zip(ring).zip(self.rings.neighbours(split)) {
-            let is_virtual = scene.surface.is_virtual(neighbour.vertex);
-            let square = (0..3).map(|a| i64::from(neighbour.place[a] - kept[a]).pow(2)).sum::<i64>();
+        for ((edge, &corner), neighbor) in edges.iter_mut().zip(ring).zip(self.rings.neighbors(split)) {
+            let is_virtual = scene.surface.is_virtual(neighbor.vertex);
+            let square = (0..3).map(|a| i64::from(neighbor.place[a] - kept[a]).pow(2)).sum::<i64>();
             *edge = Edge {
                 square: if is_virtual { 0 } else { square },
                 few: if is_virtual {
                     0
                 } else {
-                    6 - self.kept[neighbour.vertex as usize].triangles.min(15) as i8
+                    6 - self.kept[neighbor.vertex as usize].triangles.min(15) as i8
                 },
                 is_virtual,
                 is_free: !scene.is_taken(triangle_of(corner)),
@@ -247,15 +247,15 @@ impl QuickModel {
         let vertex = self.splits[split];
         let here = scene.places[vertex as usize];
         let mut spokes = [LearnedSpoke::default(); quick_cuts::MOST];
-        for ((spoke, &corner), neighbour) in spokes.iter_mut().zip(ring).zip(self.rings.neighbours(split)) {
+        for ((spoke, &corner), neighbor) in spokes.iter_mut().zip(ring).zip(self.rings.neighbors(split)) {
             let is_free = !scene.is_taken(triangle_of(corner));
-            *spoke = if scene.surface.is_virtual(neighbour.vertex) {
+            *spoke = if scene.surface.is_virtual(neighbor.vertex) {
                 LearnedSpoke { valence: 9, past: 13, is_virtual: true, is_free, ..LearnedSpoke::default() }
             } else {
                 LearnedSpoke {
-                    step: std::array::from_fn(|a| neighbour.place[a].wrapping_sub(here[a])),
-                    valence: self.kept[neighbour.vertex as usize].triangles,
-                    past: self.past(neighbour.vertex),
+                    step: std::array::from_fn(|a| neighbor.place[a].wrapping_sub(here[a])),
+                    valence: self.kept[neighbor.vertex as usize].triangles,
+                    past: self.past(neighbor.vertex),
                     is_virtual: false,
                     is_free,
                 }
@@ -290,9 +290,9 @@ impl QuickModel {
         for (&(split, begin), &end) in self.begins.iter().zip(ends) {
             let patch = &patches[first..end as usize];
             first = end as usize;
-            let neighbours = self.rings.neighbours(split as usize);
+            let neighbors = self.rings.neighbors(split as usize);
             let kept = places[self.splits[split as usize] as usize];
-            look_around(surface, places, (neighbours, begin as usize), (patch, kept), &mut around);
+            look_around(surface, places, (neighbors, begin as usize), (patch, kept), &mut around);
             tell(&around);
         }
     }
@@ -336,30 +336,30 @@ fn place_of(cut: Option<Cut>, ring: &[u32]) -> (usize, usize) {
 fn look_around(
     surface: &Surface,
     places: &[[i32; 3]],
-    (neighbours, begin): (&[Neighbour], usize),
+    (neighbors, begin): (&[Neighbor], usize),
     (patch, [x, y, z]): (&[u32], [i32; 3]),
     around: &mut Surroundings,
 ) {
-    let n = neighbours.len();
+    let n = neighbors.len();
     let wrap = |at: usize| if at < n { at } else { at - n };
     let spot = |vertex: u32, [x, y, z]: [i32; 3]| {
         if surface.is_virtual(vertex) { [0; 4] } else { [x, y, z, 1] }
     };
-    let neighbour = |at: usize| {
-        let neighbour = &neighbours[wrap(at)];
-        spot(neighbour.vertex, neighbour.place)
+    let neighbor = |at: usize| {
+        let neighbor = &neighbors[wrap(at)];
+        spot(neighbor.vertex, neighbor.place)
     };
     around.ring[0] = [x, y, z, 1];
-    around.across[0] = neighbour(begin + n - 1);
+    around.across[0] = neighbor(begin + n - 1);
     let places_left = around.ring.len() - 1;
     for (at, &corner) in patch.iter().enumerate().take(places_left) {
-        around.ring[at + 1] = neighbour(begin + at);
+        around.ring[at + 1] = neighbor(begin + at);
         let across = surface.vertex(surface.opposite(corner));
         around.across[at + 1] = spot(across, places[across as usize]);
     }
     if let Some(last) = around.ring.get_mut(patch.len() + 1) {
-        *last = neighbour(begin + patch.len());
-        around.across[patch.len() + 1] = neighbour(wrap(begin + patch.len()) + 1);
+        *last = neighbor(begin + patch.len());
+        around.across[patch.len() + 1] = neighbor(wrap(begin + patch.len()) + 1);
     }
     around.count = (patch.len() + 2).min(around.ring.len());
 }

@@ -1,6 +1,6 @@
-//! What is seen around a vertex that may split: its neighbours and their history, then lengths, angles, areas and bends.
+//! What is seen around a vertex that may split: its neighbors and their history, then lengths, angles, areas and bends.
 //!
-//! Measures are logarithms to base 2 in 1/256, of squares, since roots and quotients are then free. Steps to neighbours are
+//! Measures are logarithms to base 2 in 1/256, of squares, since roots and quotients are then free. Steps to neighbors are
 //! shifted down to 13 bits where they are longer, so that products stay small.
 
 use crate::entropy::log2_q8;
@@ -41,15 +41,15 @@ pub(super) struct Spoke {
 pub(super) struct Ring {
     /// Edges and triangles, counter-clockwise.
     pub(super) spokes: Vec<Spoke>,
-    /// Neighbours by what became of them.
+    /// Neighbors by what became of them.
     pub(super) fates: [usize; 4],
-    /// Neighbours made in the last batch.
+    /// Neighbors made in the last batch.
     pub(super) young: usize,
     /// Triangles that may go to a new vertex.
     pub(super) free: usize,
     /// The most of them in a row.
     pub(super) free_run: usize,
-    /// The share of splits that the neighbours asked before saw, in 1/256.
+    /// The share of splits that the neighbors asked before saw, in 1/256.
     pub(super) density: i32,
     /// Mean of the lengths.
     pub(super) length: i32,

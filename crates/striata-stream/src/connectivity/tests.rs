@@ -69,7 +69,7 @@ impl World {
             let v = self.surface.split(&patch);
             let made = self.surface.triangle_count() as u32;
             (made - 2..made).for_each(|t| self.surface.set_mark(t, self.walk.batch()));
-            // Somewhere between two of its neighbours.
+            // Somewhere between two of its neighbors.
             let known = |w: &u32| *w < v && !self.surface.is_virtual(*w);
             let ring: Vec<u32> =
                 self.surface.ring(v).map(|c| self.surface.vertex(next(c))).filter(known).collect();

@@ -24,7 +24,7 @@ pub struct StreamFacts {
     pub is_exact: bool,
     /// Bits of a coordinate on the grid of positions.
     pub grid_bits: u32,
-    /// Distance of neighbours on that grid, mesh units.
+    /// Distance of neighbors on that grid, mesh units.
     pub grid_step: f64,
     /// Positions of the full mesh.
     pub position_count: usize,

@@ -3,7 +3,7 @@
 //! A coordinate `q` stands for `origin + q * step`, worked out in f64 and rounded to f32 once, which is the same number
 //! on every machine. The grid is never finer than the floats of the mesh: where a step would be lost in rounding, it
 //! becomes a power of two of which all points are multiples. So a place on the grid is told from all others, and
-//! quantising it gives its coordinates again. What is lost to the grid can be kept beside it: the
+//! quantizing it gives its coordinates again. What is lost to the grid can be kept beside it: the
 //! **correction** counts the floats between a place and the exact coordinate.
 //!
 //! Differs from the usual grids of coders: the step is the same along all axes, and a tolerance is kept with all
@@ -63,7 +63,7 @@ pub(crate) struct Axis {
 
 impl Axis {
     /// The number nearest to a place, within 0 to `limit`; 0 for what is no number.
-    pub(crate) fn quantise(self, place: f32, limit: i32) -> i32 {
+    pub(crate) fn quantize(self, place: f32, limit: i32) -> i32 {
         let q = ((f64::from(place) - f64::from(self.origin)) / self.step + 0.5).floor();
         // The cast takes what is no number for 0.
         (q.clamp(0.0, f64::from(limit))) as i32
@@ -93,7 +93,7 @@ impl Axis {
                 |low: f32| if is_fine { (f64::from(low) / unit).floor() * unit } else { f64::from(low) };
             let axes: Vec<_> = ranges.iter().map(|r| Self { origin: origin(r.0) as f32, step }).collect();
             let most =
-                axes.iter().zip(ranges).map(|(axis, r)| axis.quantise(r.1, i32::MAX)).max().unwrap_or(0);
+                axes.iter().zip(ranges).map(|(axis, r)| axis.quantize(r.1, i32::MAX)).max().unwrap_or(0);
             if most as u32 <= limit {
                 return (axes, (most as u32 + 1).next_power_of_two().ilog2().max(1));
             }
@@ -175,9 +175,9 @@ impl PositionGrid {
     }
 
     /// The point nearest to a position within the bounds.
-    pub(crate) fn quantise(&self, position: [f32; 3]) -> [i32; 3] {
+    pub(crate) fn quantize(&self, position: [f32; 3]) -> [i32; 3] {
         let limit = ((1u32 << self.bits) - 1) as i32;
-        [0, 1, 2].map(|a| self.axis(a).quantise(position[a], limit))
+        [0, 1, 2].map(|a| self.axis(a).quantize(position[a], limit))
     }
 
     /// The place of a point; always finite.
@@ -299,10 +299,10 @@ mod tests {
                 assert_eq!(grid.check(), Ok(grid));
                 assert!(grid.bits <= bits, "cloud {index}, {bits} bits: {grid:?}");
                 for &p in cloud {
-                    let q = grid.quantise(p);
+                    let q = grid.quantize(p);
                     assert!(q.iter().all(|&x| (0..1i64 << grid.bits).contains(&i64::from(x))));
                     let place = grid.place(q);
-                    assert_eq!(grid.quantise(place), q, "cloud {index}, {bits} bits, {p:?}, {grid:?}");
+                    assert_eq!(grid.quantize(place), q, "cloud {index}, {bits} bits, {p:?}, {grid:?}");
                     let largest = grid.largest_distance(
                         bounds.min.iter().chain(&bounds.max).fold(0.0, |m, x| x.abs().max(m)),
                     );
@@ -317,7 +317,7 @@ mod tests {
         let bounds = Bounds { min: [0.0, -1.0, 5.0], max: [1.0, 1.0, 5.5] };
         let grid = PositionGrid::from_bits(&bounds, 12).unwrap();
         assert_eq!((grid.step, grid.bits, grid.origin), (2.0 / 4095.0, 12, bounds.min));
-        assert_eq!(grid.quantise(bounds.max), [2048, 4095, 1024]);
+        assert_eq!(grid.quantize(bounds.max), [2048, 4095, 1024]);
         assert_eq!(PositionGrid::from_bits(&bounds, 0), Err(GridError::Bits { bits: 0 }));
         assert_eq!(PositionGrid::from_bits(&bounds, 25), Err(GridError::Bits { bits: 25 }));
     }
@@ -331,7 +331,7 @@ mod tests {
                 match PositionGrid::from_tolerance(&bounds, tolerance) {
                     Ok(grid) => {
                         for &p in &cloud {
-                            assert!(off(grid.place(grid.quantise(p)), p) <= tolerance, "{grid:?} {p:?}");
+                            assert!(off(grid.place(grid.quantize(p)), p) <= tolerance, "{grid:?} {p:?}");
                         }
                     }
                     Err(GridError::Tolerance { least, .. }) => assert!(least > tolerance),
@@ -386,13 +386,13 @@ mod tests {
             let mut writer = RangeWriter::new();
             let mut model = CorrectionModel::new();
             for &p in cloud {
-                model.code(&mut writer, &grid, grid.quantise(p), p);
+                model.code(&mut writer, &grid, grid.quantize(p), p);
             }
             let (bytes, _) = writer.finish();
             let mut reader = RangeReader::new(&bytes, true);
             let mut model = CorrectionModel::new();
             for &p in cloud {
-                let read = model.code(&mut reader, &grid, grid.quantise(p), [0.0; 3]);
+                let read = model.code(&mut reader, &grid, grid.quantize(p), [0.0; 3]);
                 assert_eq!(read.map(f32::to_bits), p.map(f32::to_bits), "cloud {index}");
             }
             // A float has 32 bits, the grid tells up to 14 of them.

@@ -1,9 +1,9 @@
 //! Codes unit vectors: normals, and tangents with their sign.
 //!
 //! A direction is predicted from those around and from the geometry: their mean and affine fit, the normal of the triangles
-//! around, and the directions of neighbours **mirrored** at the plane across the edge to them. On a circle's arc the
+//! around, and the directions of neighbors **mirrored** at the plane across the edge to them. On a circle's arc the
 //! last is exact, wherever on the arc the vertex lies. Which of these, or which sum of them, did best lately is asked for
-//! each degree of conflict between geometry and neighbours: where they agree geometry is best, where not the mean.
+//! each degree of conflict between geometry and neighbors: where they agree geometry is best, where not the mean.
 
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 use crate::format::form::{Effort, StreamVersion};
@@ -72,7 +72,7 @@ struct Outlook {
     mean: [i64; 3],
     affine: [i64; 3],
     geometric: [i64; 3],
-    /// The sum of the mirrored neighbours, and the same with near ones counting more.
+    /// The sum of the mirrored neighbors, and the same with near ones counting more.
     mirrored: [i64; 3],
     near: [i64; 3],
     /// How far the ring is from its mean, in 1/16 of the grid.
@@ -106,7 +106,7 @@ impl Outlook {
                 mean[axis] += d[axis];
                 affine[axis] += d[axis] * i64::from(weight);
                 mirrored[axis] += mirror;
-                // Thousands of neighbours at the very place are too many for the sum.
+                // Thousands of neighbors at the very place are too many for the sum.
                 near[axis] = near[axis].saturating_add(mirror * (reciprocal >> 12));
             }
         }
@@ -377,7 +377,7 @@ mod tests {
     use crate::layers::ring_fit::RingFit;
 
     #[test]
-    fn on_a_sphere_mirrored_neighbours_are_exact() {
+    fn on_a_sphere_mirrored_neighbors_are_exact() {
         let grid = Octahedron::new(12);
         let place = |d: [f64; 3]| -> [i32; 3] { d.map(|x| (x * 2000.0) as i32) };
         let unit = |x: f64, y: f64| {

@@ -108,7 +108,7 @@ impl LayerForm {
                 let limit = ((1u32 << bits) - 1) as i32;
                 numbers
                     .chunks_exact(n)
-                    .flat_map(|v| v.iter().zip(axes).map(|(&x, a)| a.quantise(x, limit)))
+                    .flat_map(|v| v.iter().zip(axes).map(|(&x, a)| a.quantize(x, limit)))
                     .collect()
             }
             (_, LayerData::F32(numbers)) => numbers.iter().map(|&x| ordered(x)).collect(),

@@ -12,7 +12,7 @@ pub struct LayerOptions {
     pub normal_bits: u32,
     /// For texture coordinates, 1 to 24, over their range; 12 by default.
     pub texcoord_bits: u32,
-    /// For colours given as floats, 1 to 24; 8 by default.
+    /// For colors given as floats, 1 to 24; 8 by default.
     pub color_bits: u32,
     /// For weights of joints given as floats, 1 to 24; 10 by default.
     pub weight_bits: u32,
@@ -48,7 +48,7 @@ impl LayerOptions {
         self
     }
 
-    /// Other bits for colours.
+    /// Other bits for colors.
     pub fn with_color_bits(mut self, bits: u32) -> Self {
         self.color_bits = bits;
         self
@@ -86,7 +86,7 @@ impl LayerOptions {
         };
         check("normals", self.normal_bits, 2, 16)?;
         check("texture coordinates", self.texcoord_bits, 1, MAX_BITS)?;
-        check("colours", self.color_bits, 1, MAX_BITS)?;
+        check("colors", self.color_bits, 1, MAX_BITS)?;
         check("weights", self.weight_bits, 1, MAX_BITS)?;
         check("other layers", self.generic_bits, 1, MAX_BITS)
     }

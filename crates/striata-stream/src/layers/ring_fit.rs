@@ -11,20 +11,20 @@ pub(crate) const WEIGHT_BITS: u32 = 16;
 /// Bits that differences within a ring are brought down to, so that products of six of them fit.
 const DIFFERENCE_BITS: u32 = 7;
 
-/// Bits that the distances from the centre are brought down to, so that products of theirs fit.
+/// Bits that the distances from the center are brought down to, so that products of theirs fit.
 const ARM_BITS: u32 = 12;
 
 /// Ring vertices that take part in a fit.
 const MOST: usize = 24;
 
-/// What the places of a ring say about its centre.
+/// What the places of a ring say about its center.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct RingFit {
     /// For each ring vertex, in 1/65536; all of them sum to about one.
     pub(crate) weights: Vec<i32>,
-    /// The sum of the normals of the triangles between the centre and the ring, by area; zeros where there are none.
+    /// The sum of the normals of the triangles between the center and the ring, by area; zeros where there are none.
     pub(crate) normal: [i64; 3],
-    /// From the centre to each ring vertex; all are halved until they fit 12 bits.
+    /// From the center to each ring vertex; all are halved until they fit 12 bits.
     pub(crate) arms: Vec<[i64; 3]>,
     /// True where the last and the first vertex of the ring share a triangle.
     pub(crate) is_closed: bool,
@@ -32,10 +32,10 @@ pub(crate) struct RingFit {
 }
 
 impl RingFit {
-    /// Fits a ring of places around a centre; `is_closed` where its last and first vertex share a triangle.
-    pub(crate) fn measure(&mut self, centre: [i32; 3], ring: &[[i32; 3]], is_closed: bool) {
+    /// Fits a ring of places around a center; `is_closed` where its last and first vertex share a triangle.
+    pub(crate) fn measure(&mut self, center: [i32; 3], ring: &[[i32; 3]], is_closed: bool) {
         let arm =
-            |p: &[i32; 3]| -> [i64; 3] { std::array::from_fn(|a| i64::from(p[a]) - i64::from(centre[a])) };
+            |p: &[i32; 3]| -> [i64; 3] { std::array::from_fn(|a| i64::from(p[a]) - i64::from(center[a])) };
         self.arms.clear();
         self.arms.extend(ring.iter().map(arm));
         let largest = self.arms.iter().flatten().fold(0, |m, x| x.abs().max(m)) as u64;
@@ -48,7 +48,7 @@ impl RingFit {
             return;
         }
         let even = (1i64 << WEIGHT_BITS) / ring.len() as i64;
-        let slope = (2..=MOST).contains(&ring.len()).then(|| self.slope(centre, ring)).flatten();
+        let slope = (2..=MOST).contains(&ring.len()).then(|| self.slope(center, ring)).flatten();
         let Some((slope, shift)) = slope else {
             self.weights.resize(ring.len(), even as i32);
             return;
@@ -62,7 +62,7 @@ impl RingFit {
 
     /// What a difference from the ring's mean has to be multiplied with to give its share of the weight, and the bits
     /// to shift the sum by.
-    fn slope(&mut self, centre: [i32; 3], ring: &[[i32; 3]]) -> Option<([i64; 3], u32)> {
+    fn slope(&mut self, center: [i32; 3], ring: &[[i32; 3]]) -> Option<([i64; 3], u32)> {
         let n = ring.len() as i64;
         let sum: [i64; 3] = std::array::from_fn(|a| ring.iter().map(|p| i64::from(p[a])).sum());
         let from_mean = |p: [i32; 3]| -> [i64; 3] { std::array::from_fn(|a| n * i64::from(p[a]) - sum[a]) };
@@ -73,8 +73,8 @@ impl RingFit {
         let rounded = |d: [i64; 3]| d.map(|x| (x + (1 << down >> 1)) >> down);
         self.differences.iter_mut().for_each(|d| *d = rounded(*d));
         let limit = 2 << DIFFERENCE_BITS;
-        let to_centre = rounded(from_mean(centre)).map(|x| x.clamp(-limit, limit));
-        let (solved, determinant) = solve(&self.differences, to_centre)?;
+        let to_center = rounded(from_mean(center)).map(|x| x.clamp(-limit, limit));
+        let (solved, determinant) = solve(&self.differences, to_center)?;
         // The quotient with 16 bits more than a weight has, from a divisor of at most 30 bits.
         let spare = (determinant.ilog2() + 1).saturating_sub(30);
         let divisor = (determinant >> spare).max(1);
@@ -126,9 +126,9 @@ mod tests {
 
     use super::*;
 
-    fn fitted(centre: [i32; 3], ring: &[[i32; 3]]) -> RingFit {
+    fn fitted(center: [i32; 3], ring: &[[i32; 3]]) -> RingFit {
         let mut fit = RingFit::default();
-        fit.measure(centre, ring, true);
+        fit.measure(center, ring, true);
         fit
     }
 
@@ -139,14 +139,14 @@ mod tests {
             for count in 4..9 {
                 let mut place = || [(); 3].map(|()| random.below(scale) as i32);
                 let ring: Vec<_> = (0..count).map(|_| place()).collect();
-                let centre: [i32; 3] =
+                let center: [i32; 3] =
                     std::array::from_fn(|a| ring.iter().take(3).map(|p| p[a]).sum::<i32>() / 3);
-                let fit = fitted(centre, &ring);
+                let fit = fitted(center, &ring);
                 let value = |p: [i32; 3]| f64::from(p[0]) * 3.0 - f64::from(p[1]) * 2.0 + f64::from(p[2]);
                 let found: f64 =
                     ring.iter().zip(&fit.weights).map(|(&p, &w)| value(p) * f64::from(w) / 65536.0).sum();
                 let mean: f64 = ring.iter().map(|&p| value(p)).sum::<f64>() / f64::from(count);
-                let (off, before) = ((found - value(centre)).abs(), (mean - value(centre)).abs());
+                let (off, before) = ((found - value(center)).abs(), (mean - value(center)).abs());
                 assert!(off < 0.5 * before + 0.1 * f64::from(scale), "{count}: {off} for {before}");
                 let sum: i32 = fit.weights.iter().sum();
                 assert!((sum - 65536).abs() < 6000, "{sum}");
@@ -160,7 +160,7 @@ mod tests {
         let fit = fitted([0, 0, 3], &ring);
         assert!(fit.weights.iter().all(|w| (w - 16384).abs() < 20), "{:?}", fit.weights);
         assert_eq!(fit.normal, [0, 0, 400]);
-        // Moving the centre moves the weights with it.
+        // Moving the center moves the weights with it.
         let fit = fitted([5, 0, 0], &ring);
         assert!(fit.weights[0] > 28000 && fit.weights[2] < 5000, "{:?}", fit.weights);
     }

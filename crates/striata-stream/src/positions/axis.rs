@@ -24,7 +24,7 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     /// How far bumps reach.
     pub(super) widths: [Width; WIDTHS],
     /// The grid coordinate that is expected.
-    pub(super) centre: i32,
+    pub(super) center: i32,
     /// True where counters see the axis from its other end: the vertex that split, or the outside, is upwards for them.
     pub(super) is_mirrored: bool,
     /// True for the axis along the normal, where little is left open.
@@ -55,10 +55,10 @@ impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
         }
     }
 
-    /// How much of each density lies below a coordinate `off` from the centre.
+    /// How much of each density lies below a coordinate `off` from the center.
     #[inline]
     pub(super) fn below(&self, off: i32) -> Masses<KINDS, WIDTHS> {
-        let x = self.local.border(self.centre.wrapping_add(off), self.axis);
+        let x = self.local.border(self.center.wrapping_add(off), self.axis);
         let mut masses = [[0; WIDTHS]; KINDS];
         if KINDS == 1 {
             masses[0] = below(self.bumps, x, &self.widths);

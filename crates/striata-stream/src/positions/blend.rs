@@ -24,7 +24,7 @@ impl<const N: usize> Blend<N> {
         (sum >> 16) as i32
     }
 
-    /// Learns how far off the prediction was: normalised least mean squares.
+    /// Learns how far off the prediction was: normalized least mean squares.
     #[inline]
     pub(super) fn learn(&mut self, features: &[i32; N], error: i32) {
         let power = features.iter().map(|&x| i64::from(x) * i64::from(x)).sum::<i64>() + CALM;

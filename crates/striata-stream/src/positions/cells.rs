@@ -244,7 +244,7 @@ const LEAST_STEP_LOG: u32 = 4;
 
 /// How much of the density lies below a coordinate so far from the center.
 fn below_all(axis: &Axis<'_, 1, 1>, off: i32, width: &[Width; 1]) -> i32 {
-    let x = axis.local.border(axis.centre.wrapping_add(off), axis.axis);
+    let x = axis.local.border(axis.center.wrapping_add(off), axis.axis);
     below(axis.bumps, x, width)[0]
 }
 
@@ -252,7 +252,7 @@ fn below_all(axis: &Axis<'_, 1, 1>, off: i32, width: &[Width; 1]) -> i32 {
 #[inline]
 fn said_of(axis: &Axis<'_, 1, 1>, step_log: u32) -> Said {
     let local_log = (step_log as i32 + axis.local.shift - LEAST_STEP_LOG as i32).max(0) as usize;
-    let center = i16x8::splat(axis.local.border(axis.centre, axis.axis));
+    let center = i16x8::splat(axis.local.border(axis.center, axis.axis));
     let (low, high) = LOCAL_ENDS[local_log.min(LOCAL_ENDS.len() - 1)].split_at(8);
     let ends = [low, high].map(|ends| i16x8::from_slice_unaligned(ends).saturating_add(center));
     let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
@@ -295,7 +295,7 @@ impl AxisCoder<1, 1> for CellModel {
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let step_log = span_log.saturating_sub(SPAN_LOG);
         let said = said_of(axis, step_log);
-        let actual = actual.wrapping_sub(axis.centre);
+        let actual = actual.wrapping_sub(axis.center);
         let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
         let meant = ENDS.iter().filter(|&&end| actual >= end << step_log).count() ^ flip;
         let cell = self.cell(coder, axis, &said, meant) ^ flip;
@@ -311,7 +311,7 @@ impl AxisCoder<1, 1> for CellModel {
         } else {
             self.within(coder, axis, (ENDS[cell - 1] << step_log, ENDS[cell] << step_log), actual)
         };
-        axis.centre.wrapping_add(off)
+        axis.center.wrapping_add(off)
     }
 }
 
@@ -354,7 +354,7 @@ mod tests {
             axis: 0,
             bumps,
             widths: [Width::new(7)],
-            centre: 40,
+            center: 40,
             is_mirrored,
             is_last: false,
             size: 20,

@@ -80,7 +80,7 @@ impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KI
         const { assert!(8 * VECTORS > KINDS * WIDTHS + COUNTERS, "one opinion each") }
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let half = 1i32 << span_log;
-        let actual = actual.wrapping_sub(axis.centre);
+        let actual = actual.wrapping_sub(axis.center);
         let near = half >> NEAR_LOG;
         let masses = [axis.below(-near), axis.below(near)];
         let off = if near > 0 && !self.is_outside(coder, axis, (near, &masses), actual) {
@@ -91,7 +91,7 @@ impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KI
         } else {
             self.far.signed(coder, axis.size, actual)
         };
-        axis.centre.wrapping_add(off)
+        axis.center.wrapping_add(off)
     }
 }
 

@@ -66,7 +66,7 @@ struct Around {
     /// Axes from the most tangential to the most normal.
     axes: [usize; 3],
     /// By axis, how far from the middle of the ring others lie: the mean of parallelograms across ring edges, the vertex
-    /// that split, and the middle of its neighbours in the ring.
+    /// that split, and the middle of its neighbors in the ring.
     features: [[i32; 3]; 3],
 }
 
@@ -195,14 +195,14 @@ impl PlainModel {
             let blend = &mut self.blends[slot / 2][valence];
             let expected = blend.predict(features);
             let lifted = if slot < 2 { expected } else { (expected - rise).clamp(-12_000, 12_000) };
-            let centre = around.to_grid(lifted, a);
+            let center = around.to_grid(lifted, a);
             let spread =
                 ((log2_q8(features[0].unsigned_abs() + 16) - 1024) >> 7).clamp(0, SPREADS as i32 - 1);
             // Where rings are wide the lowest bits tell nothing.
             let noise = (1 - around.scale - slot as i32 / 2).clamp(0, 17) as u32;
             let circumstances = Circumstances { size, spread: spread as usize, noise };
-            let residual = actual[a].wrapping_sub(centre);
-            place[a] = centre.wrapping_add(self.axes[slot].code(coder, circumstances, residual));
+            let residual = actual[a].wrapping_sub(center);
+            place[a] = center.wrapping_add(self.axes[slot].code(coder, circumstances, residual));
             let found = around.off_middle(place[a], a);
             let error = (found - lifted).clamp(-around.radius, around.radius);
             blend.learn(features, error);

@@ -174,7 +174,7 @@ impl<const USED: usize> Sight<USED> {
             bumps: &self.bumps,
             widths: widths.map(|width| Width::new(width.max(narrowest))),
             // The cell that is expected is the first upwards, from either end.
-            centre: local.to_grid(expected, axis).wrapping_add(i32::from(is_mirrored)),
+            center: local.to_grid(expected, axis).wrapping_add(i32::from(is_mirrored)),
             is_last: self.is_last,
             is_mirrored,
             size: (size as usize).min(SIZES - 1),
@@ -220,8 +220,8 @@ pub(super) fn normal_order(local: &Local) -> ([i64; 3], [usize; 3]) {
     (normal, axes)
 }
 
-/// By axis, where the vertex that split is, the middle of its neighbours in the ring, that of the next ones, and that of what
-/// lies across its edges to its neighbours.
+/// By axis, where the vertex that split is, the middle of its neighbors in the ring, that of the next ones, and that of what
+/// lies across its edges to its neighbors.
 fn kept_and_beside(local: &Local) -> [[i32; 4]; 3] {
     let n = local.count;
     let kept = local.ring[0].unwrap_or_default();

@@ -139,14 +139,14 @@ fn close_loops(copies: &mut Vec<[u32; 3]>, opposite: &mut Vec<u32>, copy_count: 
         if opposite[start as usize] != NONE {
             continue;
         }
-        let centre = copy_count as u32 + loops;
+        let center = copy_count as u32 + loops;
         loops += 1;
         let first = copies.len() as u32;
         let mut corner = start;
         loop {
             let (a, b) = edge_facing(copies, corner);
             let here = 3 * copies.len() as u32;
-            copies.push([centre, b, a]);
+            copies.push([center, b, a]);
             opposite.extend([corner, NONE, NONE]);
             opposite[corner as usize] = here;
             if here / 3 > first {

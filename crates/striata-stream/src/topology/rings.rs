@@ -15,12 +15,12 @@ const SHORT: usize = 16;
 pub(crate) struct Rings {
     corners: Vec<u32>,
     ends: Vec<u32>,
-    neighbours: Vec<Neighbour>,
+    neighbors: Vec<Neighbor>,
 }
 
 /// The next vertex of a corner of a ring.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Neighbour {
+pub(crate) struct Neighbor {
     pub(crate) vertex: u32,
     pub(crate) place: [i32; 3],
 }
@@ -68,12 +68,12 @@ impl Rings {
         }
     }
 
-    /// Looks up where the neighbours of all vertices are: what one of them has to wait for, others have to as well.
+    /// Looks up where the neighbors of all vertices are: what one of them has to wait for, others have to as well.
     pub(crate) fn look(&mut self, surface: &Surface, places: &[[i32; 3]]) {
-        self.neighbours.clear();
-        self.neighbours.extend(self.corners.iter().map(|&corner| {
+        self.neighbors.clear();
+        self.neighbors.extend(self.corners.iter().map(|&corner| {
             let vertex = surface.vertex(next(corner));
-            Neighbour { vertex, place: places[vertex as usize] }
+            Neighbor { vertex, place: places[vertex as usize] }
         }));
     }
 
@@ -84,10 +84,10 @@ impl Rings {
         first..self.ends[at] as usize
     }
 
-    /// The neighbours of one of the vertices that were looked up, in the order of its corners.
+    /// The neighbors of one of the vertices that were looked up, in the order of its corners.
     #[inline]
-    pub(crate) fn neighbours(&self, at: usize) -> &[Neighbour] {
-        &self.neighbours[self.range(at)]
+    pub(crate) fn neighbors(&self, at: usize) -> &[Neighbor] {
+        &self.neighbors[self.range(at)]
     }
 
     /// The corners around one of the vertices.
@@ -118,7 +118,7 @@ mod tests {
             rings.look(&surface, &places);
             for (at, &vertex) in vertices.iter().enumerate() {
                 assert_eq!(rings.of(at), surface.ring(vertex).collect::<Vec<_>>());
-                let around = rings.neighbours(at).iter().map(|n| (n.vertex, n.place[0] as u32));
+                let around = rings.neighbors(at).iter().map(|n| (n.vertex, n.place[0] as u32));
                 let expected = surface.ring(vertex).map(|c| surface.vertex(next(c)));
                 assert!(around.eq(expected.map(|v| (v, 7 * v))));
             }

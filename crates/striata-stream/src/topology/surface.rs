@@ -274,8 +274,8 @@ impl Surface {
         v
     }
 
-    /// Takes a vertex away: its triangles go to the neighbour at the edge of `corner`, the corner at the vertex whose
-    /// next one is the neighbour. The two triangles at that edge vanish but stay in the table.
+    /// Takes a vertex away: its triangles go to the neighbor at the edge of `corner`, the corner at the vertex whose
+    /// next one is the neighbor. The two triangles at that edge vanish but stay in the table.
     pub(crate) fn collapse(&mut self, corner: u32) -> Undo {
         let a = corner;
         let kept = self.vertex(next(a));

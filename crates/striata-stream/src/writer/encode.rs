@@ -253,7 +253,7 @@ fn points_of(refinable: &RefinableMesh, grid: &PositionGrid, forms: &[LayerForm]
     let layers = refinable.mesh.layers.iter().zip(forms);
     let layers =
         layers.map(|(layer, form)| LayerValues::from_integers(form.integers(layer), form.integer_count()));
-    Points { places: exact.iter().map(|&p| grid.quantise(p)).collect(), exact, layers: layers.collect() }
+    Points { places: exact.iter().map(|&p| grid.quantize(p)).collect(), exact, layers: layers.collect() }
 }
 
 fn head_of(

@@ -104,7 +104,7 @@ mod tests {
         let refinable = built.refinable;
         let sequence = &refinable.sequence;
         let base = sequence.base_vertex_count();
-        // Neighbours change places where neither is the other's target: two batches of two and the rest alone.
+        // Neighbors change places where neither is the other's target: two batches of two and the rest alone.
         let mut order: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
         let mut swapped = Vec::new();
         let mut vertex = base;

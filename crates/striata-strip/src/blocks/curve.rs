@@ -1,4 +1,4 @@
-//! The order of triangles from which blocks are cut: Hilbert's curve through their centres.
+//! The order of triangles from which blocks are cut: Hilbert's curve through their centers.
 //!
 //! Consecutive triangles along the curve lie in one place, and so do consecutive blocks: the border
 //! between what is done and what is to come stays short. The cube that the curve fills has the length of
@@ -27,7 +27,7 @@ impl BlockCurve {
         Self { min, scale: if extent > 0.0 { cells / extent } else { 0.0 } }
     }
 
-    /// How far along the curve the centre of a triangle lies.
+    /// How far along the curve the center of a triangle lies.
     ///
     /// Points outside the bounds and coordinates that are no numbers count as the nearest end of the cube.
     pub fn key(&self, corners: [[f32; 3]; 3]) -> u64 {
@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn neighbours_along_the_curve_are_neighbours_in_space() {
+    fn neighbors_along_the_curve_are_neighbors_in_space() {
         let mut cells: Vec<(u64, [i32; 3])> = Vec::new();
         for x in 0..8 {
             for y in 0..8 {

@@ -47,7 +47,7 @@ impl<'a> MeshBlocks<'a> {
             }
             order.extend(keys.into_iter().map(|(_, t)| t));
         }
-        // Neighbours in a file are often neighbours in a row of triangles, which strips follow well.
+        // Neighbors in a file are often neighbors in a row of triangles, which strips follow well.
         for (_, range) in &blocks {
             order[range.clone()].sort_unstable();
         }

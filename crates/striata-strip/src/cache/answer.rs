@@ -5,7 +5,7 @@
 //! equally many triangles, by what they have paid and by what they are likely to pay:
 //!
 //! * an **open** vertex in the cache is the likelier to be lost the older it is;
-//! * an undrawn triangle is the likelier to end a strip the fewer undrawn neighbours it has. Since each link
+//! * an undrawn triangle is the likelier to end a strip the fewer undrawn neighbors it has. Since each link
 //!   between drawn and undrawn counts, answers with short borders win, which keeps the rows of strips compact.
 
 use striata::mesh::Random;
@@ -24,7 +24,7 @@ pub(super) struct Prices {
     pub(super) loss: f64,
     /// An open vertex in the cache, by its age.
     pub(super) risks: Vec<f64>,
-    /// An undrawn triangle, by its undrawn neighbours.
+    /// An undrawn triangle, by its undrawn neighbors.
     pub(super) poverty: [f64; 4],
 }
 
@@ -84,7 +84,7 @@ impl Way {
 
 /// A way on, and what the answer would be worth after it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Judgement {
+pub(super) struct Judgment {
     pub(super) step: Step,
     way: Way,
     cost: f64,
@@ -178,7 +178,7 @@ impl Answer {
     }
 
     /// Appends the ways on for the last strip.
-    pub(super) fn judge_crossings(&self, scene: &Scene<'_>, out: &mut Vec<Judgement>) {
+    pub(super) fn judge_crossings(&self, scene: &Scene<'_>, out: &mut Vec<Judgment>) {
         let outlook = self.outlook(scene);
         let mut judge = |side: u32, is_swap: bool| {
             if self.beyond(scene, side).is_some() {
@@ -196,7 +196,7 @@ impl Answer {
     }
 
     /// Appends the `count` best starts of a new strip at triangles around cached vertices.
-    pub(super) fn judge_starts(&self, scene: &Scene<'_>, count: usize, out: &mut Vec<Judgement>) {
+    pub(super) fn judge_starts(&self, scene: &Scene<'_>, count: usize, out: &mut Vec<Judgment>) {
         let first = out.len();
         let outlook = self.outlook(scene);
         for (v, _) in self.cached.open_vertices().take(START_VERTEX_COUNT) {
@@ -213,7 +213,7 @@ impl Answer {
     }
 
     /// Appends a start far from what is cached: beside what was drawn last, or at the first undrawn triangle.
-    pub(super) fn judge_far_start(&mut self, scene: &Scene<'_>, trail: &[u32], out: &mut Vec<Judgement>) {
+    pub(super) fn judge_far_start(&mut self, scene: &Scene<'_>, trail: &[u32], out: &mut Vec<Judgment>) {
         let near = trail.iter().rev().find_map(|&t| self.beside(scene, t).next());
         let found = near.or_else(|| {
             let open = (self.first_undrawn..scene.group.end)
@@ -226,7 +226,7 @@ impl Answer {
         }
     }
 
-    fn judge_start(&self, scene: &Scene<'_>, outlook: &Outlook, triangle: u32) -> Judgement {
+    fn judge_start(&self, scene: &Scene<'_>, outlook: &Outlook, triangle: u32) -> Judgment {
         let sent = (scene.surface.triangles[triangle as usize], 3);
         self.judge(scene, outlook, Way { step: Step::Start(triangle), sent, index_price: START_PRICE })
     }
@@ -259,7 +259,7 @@ impl Answer {
         outlook
     }
 
-    fn judge(&self, scene: &Scene<'_>, outlook: &Outlook, way: Way) -> Judgement {
+    fn judge(&self, scene: &Scene<'_>, outlook: &Outlook, way: Way) -> Judgment {
         let step = way.step;
         let triangle = step.triangle(&scene.surface);
         let poverty = self.poverty + self.poverty_change(scene, triangle);
@@ -276,7 +276,7 @@ impl Answer {
             }
         }
         let cost = self.cost + way.index_price + paid;
-        Judgement { step, way, cost, poverty, score: cost + poverty + likely }
+        Judgment { step, way, cost, poverty, score: cost + poverty + likely }
     }
 
     /// How drawing a triangle changes what is undrawn around it.
@@ -293,9 +293,9 @@ impl Answer {
     }
 
     /// Takes a step that was judged on this answer.
-    pub(super) fn take(&mut self, scene: &mut Scene<'_>, judgement: &Judgement, step_index: u32) {
-        let triangle = judgement.step.triangle(&scene.surface);
-        self.head = match (judgement.step, self.head) {
+    pub(super) fn take(&mut self, scene: &mut Scene<'_>, judgment: &Judgment, step_index: u32) {
+        let triangle = judgment.step.triangle(&scene.surface);
+        self.head = match (judgment.step, self.head) {
             (Step::Start(_), _) => {
                 self.strip_start = step_index;
                 Head::Single(triangle)
@@ -307,11 +307,11 @@ impl Answer {
             // The first turn of a strip is free to the side before.
             (Step::Cross(side), _) => Head::Entered(scene.surface.twin(side).unwrap_or(side), false),
         };
-        (self.cost, self.poverty, self.score) = (judgement.cost, judgement.poverty, judgement.score);
+        (self.cost, self.poverty, self.score) = (judgment.cost, judgment.poverty, judgment.score);
         self.hash ^= mixed(triangle.into());
         scene.covered.draw(&mut self.drawn, triangle);
         self.cached.draw(scene.surface.triangles[triangle as usize]);
-        for &v in judgement.way.sent() {
+        for &v in judgment.way.sent() {
             if self.cached.slot(v).is_none() {
                 self.cached.push(v, scene.covered.open_count(&scene.surface, &self.drawn, v));
             }

@@ -12,7 +12,7 @@
 
 use striata::strip::{StripLinks, StripPath, StripSet};
 
-use super::answer::{Answer, Judgement, Prices, Scene, Step, mixed};
+use super::answer::{Answer, Judgment, Prices, Scene, Step, mixed};
 use super::covered::{COLUMN_COUNT, Covered};
 use super::steps::Steps;
 use super::surface::Surface;
@@ -61,10 +61,10 @@ struct Search<'a> {
     nexts: Vec<Answer>,
     live_count: usize,
     steps: Steps,
-    /// Settled triangles in the order of drawing, without those at the end that have no unsettled neighbour.
+    /// Settled triangles in the order of drawing, without those at the end that have no unsettled neighbor.
     trail: Vec<u32>,
-    /// All ways on: answer and judgement.
-    found: Vec<(usize, Judgement)>,
+    /// All ways on: answer and judgment.
+    found: Vec<(usize, Judgment)>,
     /// Of `found`, scores and places, best first.
     ranked: Vec<(f64, u32)>,
     /// Of the ways on that are taken: what tells answers apart, and the first step of the last strip.
@@ -124,10 +124,10 @@ impl<'a> Search<'a> {
                     answer.judge_far_start(&self.scene, trail, &mut ways);
                 }
             }
-            self.found.extend(ways.drain(..).map(|judgement| (i, judgement)));
+            self.found.extend(ways.drain(..).map(|judgment| (i, judgment)));
         }
         self.ranked.clear();
-        self.ranked.extend(self.found.iter().zip(0..).map(|((_, judgement), i)| (judgement.score, i)));
+        self.ranked.extend(self.found.iter().zip(0..).map(|((_, judgment), i)| (judgment.score, i)));
         self.ranked.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     }
 
@@ -136,10 +136,10 @@ impl<'a> Search<'a> {
         let max_alike = self.answers.len() / 2;
         self.taken.clear();
         for &(_, i) in &self.ranked {
-            let (parent, judgement) = &self.found[i as usize];
+            let (parent, judgment) = &self.found[i as usize];
             let parent = &self.answers[*parent];
-            let triangle = judgement.step.triangle(&self.scene.surface);
-            let (is_start, strip_start) = match judgement.step {
+            let triangle = judgment.step.triangle(&self.scene.surface);
+            let (is_start, strip_start) = match judgment.step {
                 Step::Start(_) => (1, step_index),
                 Step::Cross(_) => (0, parent.strip_start),
             };
@@ -154,8 +154,8 @@ impl<'a> Search<'a> {
             }
             let next = &mut self.nexts[self.taken.len()];
             next.copy_from(parent);
-            next.take(&mut self.scene, judgement, step_index);
-            next.leaf = self.steps.push(parent.leaf, judgement.step);
+            next.take(&mut self.scene, judgment, step_index);
+            next.leaf = self.steps.push(parent.leaf, judgment.step);
             self.taken.push((identity, strip_start));
             if self.taken.len() == self.nexts.len() {
                 break;
@@ -194,7 +194,7 @@ impl<'a> Search<'a> {
             writer.take(step);
             self.trail.push(step.triangle(&self.scene.surface));
         }
-        while self.trail.pop_if(|&mut t| !has_unsettled_neighbour(&self.scene, t)).is_some() {}
+        while self.trail.pop_if(|&mut t| !has_unsettled_neighbor(&self.scene, t)).is_some() {}
     }
 
     fn settle_triangles(&mut self) {
@@ -204,7 +204,7 @@ impl<'a> Search<'a> {
     }
 }
 
-fn has_unsettled_neighbour(scene: &Scene<'_>, triangle: u32) -> bool {
+fn has_unsettled_neighbor(scene: &Scene<'_>, triangle: u32) -> bool {
     let beside = (3 * triangle..3 * triangle + 3).filter_map(|side| scene.surface.twin(side));
     beside.into_iter().any(|twin| !scene.covered.is_settled(twin / 3))
 }

@@ -56,7 +56,7 @@ pub(super) struct State {
 }
 
 impl State {
-    /// Takes over the links of triangles, in an order that keeps neighbours near each other.
+    /// Takes over the links of triangles, in an order that keeps neighbors near each other.
     pub(super) fn new(order: Vec<u32>, triangles: &[[u32; 3]], links: &StripLinks<'_>) -> Self {
         let mut place = vec![NO_TWIN; triangles.len()];
         for (&triangle, i) in order.iter().zip(0..) {
@@ -162,7 +162,7 @@ impl State {
         ends_cost(*ends) - before
     }
 
-    /// The neighbour along the other solid side, if there is one.
+    /// The neighbor along the other solid side, if there is one.
     #[inline]
     fn beyond(&self, side: Side) -> Option<u32> {
         self.other(side).map(|other| self.twin(other) >> 2)
@@ -188,7 +188,7 @@ impl State {
         change + self.ends_around(side, twin, true)
     }
 
-    /// Swaps across a solid link and across its neighbours along the strip: those that it has a part in.
+    /// Swaps across a solid link and across its neighbors along the strip: those that it has a part in.
     #[inline]
     pub(super) fn swaps_at(&self, side: Side) -> i32 {
         self.swaps_around(side, self.twin(side))
@@ -200,13 +200,13 @@ impl State {
         self.swap(side) + beside(side) + beside(twin)
     }
 
-    /// Counts in or out the ends that a link has a part in: of its two triangles and of their neighbours.
+    /// Counts in or out the ends that a link has a part in: of its two triangles and of their neighbors.
     #[inline]
     fn ends_around(&mut self, side: Side, twin: Side, come: bool) -> i32 {
         let mut change = self.change_end(side >> 2, come) + self.change_end(twin >> 2, come);
         for side in [side, twin] {
-            if let Some(neighbour) = self.beyond(side) {
-                change += self.change_end(neighbour, come);
+            if let Some(neighbor) = self.beyond(side) {
+                change += self.change_end(neighbor, come);
             }
         }
         change

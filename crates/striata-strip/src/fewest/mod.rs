@@ -1,7 +1,7 @@
 //! Fewest strips: ends of strips walk at random until they meet.
 //!
-//! The end of a strip takes a neighbouring triangle, which lets go of one of its own neighbours: that one is the next
-//! end. The number of strips stays, no loop closes if a triangle of the same strip lets go of the neighbour on
+//! The end of a strip takes a neighboring triangle, which lets go of one of its own neighbors: that one is the next
+//! end. The number of strips stays, no loop closes if a triangle of the same strip lets go of the neighbor on
 //! the end's side, and where an end meets the end of another strip the two become one. It is a tunnel without
 //! a limit of length, dug without a search; balanced trees (`path_forest`) say which strip a triangle is in. In each
 //! component it stops at a number that provably cannot be beaten (`bound`).
@@ -180,8 +180,8 @@ impl<'a, 'g> Walker<'a, 'g> {
             return None;
         }
         let left = match side {
-            Some(side) => self.forest.neighbour(taken, side)?,
-            None => self.either_neighbour(taken),
+            Some(side) => self.forest.neighbor(taken, side)?,
+            None => self.either_neighbor(taken),
         };
         self.cut(taken, left);
         self.join(crossed);
@@ -212,8 +212,8 @@ impl<'a, 'g> Walker<'a, 'g> {
         chosen
     }
 
-    /// One of the two neighbours along the strip.
-    fn either_neighbour(&mut self, triangle: u32) -> u32 {
+    /// One of the two neighbors along the strip.
+    fn either_neighbor(&mut self, triangle: u32) -> u32 {
         let first = self.links.first_solid(triangle).unwrap_or(3 * triangle);
         let second = self.links.other_solid(first).unwrap_or(first);
         let side = if self.random.next_u64() & 1 == 0 { first } else { second };

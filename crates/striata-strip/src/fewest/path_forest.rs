@@ -72,7 +72,7 @@ impl PathForest {
     }
 
     /// The triangle beside `triangle` on this side.
-    pub(super) fn neighbour(&mut self, triangle: u32, side: usize) -> Option<u32> {
+    pub(super) fn neighbor(&mut self, triangle: u32, side: usize) -> Option<u32> {
         self.splay(triangle);
         let mut node = self.nodes[triangle as usize].children[side];
         if node == NONE {
@@ -218,10 +218,10 @@ mod tests {
                 let tail = lists.0[s].split_off(i.max(j));
                 lists.0.push(tail);
             } else if s == r {
-                // The neighbour on the other's side.
+                // The neighbor on the other's side.
                 let side = forest.side_of(a, b).unwrap();
                 let expected = lists.0[s][if i < j { j - 1 } else { j + 1 }];
-                assert_eq!(forest.neighbour(b, side), Some(expected));
+                assert_eq!(forest.neighbor(b, side), Some(expected));
             }
         }
     }
@@ -231,8 +231,8 @@ mod tests {
         let mut forest = PathForest::new(9);
         forest.chain(&[4, 2, 7, 0, 8]);
         let side = forest.side_of(4, 2).unwrap();
-        assert_eq!(forest.neighbour(2, 1 - side), Some(7));
-        assert_eq!(forest.neighbour(4, side), None);
+        assert_eq!(forest.neighbor(2, 1 - side), Some(7));
+        assert_eq!(forest.neighbor(4, side), None);
         assert_eq!(forest.side_of(4, 1), None);
     }
 }

@@ -7,7 +7,7 @@
 //!
 //! ```text
 //!        a                     a           t1 and t2 die; the sides u - a
-//!      / | \                  / \          of their neighbours find each other,
+//!      / | \                  / \          of their neighbors find each other,
 //!    l t1|  r     v -> u     l | r         and so do the sides u - b
 //!    u---v--o    ------->      u - o
 //!    l t2|  r                l | r

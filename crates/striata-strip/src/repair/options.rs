@@ -22,7 +22,7 @@ pub struct RepairOptions {
     pub tunnel_length: u32,
     /// Tunnels, whole or begun, that one search looks at; default 24.
     pub search_limit: u32,
-    /// Searches begin at the triangles of a step and at so many rings of neighbours around them; default 1.
+    /// Searches begin at the triangles of a step and at so many rings of neighbors around them; default 1.
     pub reach: u32,
     /// Triangles of a strip that are walked to learn whether a tunnel would close it to a loop; in longer
     /// strips some tunnels are passed over. Default 1,024.

@@ -40,7 +40,7 @@ impl LiveStrips<'_> {
         let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
         let mut cut_count = 0;
         for &triangle in dying.iter() {
-            touched.extend(neighbours(&links, triangle));
+            touched.extend(neighbors(&links, triangle));
             let solid = links.first_solid(triangle);
             if let Some((one, other)) = solid.and_then(|one| Some((one, links.other_solid(one)?))) {
                 bridges.push([one, other].map(|side| links.twins()[side as usize]));
@@ -95,7 +95,7 @@ impl LiveStrips<'_> {
         touched.extend(graph.corners_at(vertex).map(|corner| corner / 3));
         let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
         for &triangle in revived.iter() {
-            touched.extend(neighbours(&links, triangle));
+            touched.extend(neighbors(&links, triangle));
         }
         let mut joined_count = 0;
         for &ends in bridges.iter() {
@@ -126,7 +126,7 @@ impl LiveStrips<'_> {
         report.touched_count += seeds.len();
         for _ in 0..self.reach {
             for i in 0..seeds.len() {
-                seeds.extend(neighbours(&links, seeds[i]));
+                seeds.extend(neighbors(&links, seeds[i]));
             }
             seeds.sort_unstable();
             seeds.dedup();
@@ -168,7 +168,7 @@ fn search_at(
 }
 
 /// Triangles across the links of a triangle.
-fn neighbours(links: &StripLinks<'_>, triangle: u32) -> impl Iterator<Item = u32> {
+fn neighbors(links: &StripLinks<'_>, triangle: u32) -> impl Iterator<Item = u32> {
     let sides = 3 * triangle as usize..3 * triangle as usize + 3;
     links.twins()[sides].iter().filter(|&&twin| twin != NO_TWIN).map(|&twin| twin / 3)
 }

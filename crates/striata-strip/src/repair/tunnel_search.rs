@@ -1,9 +1,9 @@
 //! The search for tunnels around one triangle, priced.
 //!
-//! A tunnel from the end `t` of a strip is a chain of moves: `t` takes a neighbour `x`, which lets one of its own
-//! neighbours `b` go, and `b` is the next end; a last move joins the end to another strip's. Each move leaves proper
+//! A tunnel from the end `t` of a strip is a chain of moves: `t` takes a neighbor `x`, which lets one of its own
+//! neighbors `b` go, and `b` is the next end; a last move joins the end to another strip's. Each move leaves proper
 //! strips, so chains are tried on the links themselves, the cheapest first, and the one that leaves least of
-//! `swap weight * swaps + strip weight * strips` stays. Where `x` is in the strip of `t`, the neighbour
+//! `swap weight * swaps + strip weight * strips` stays. Where `x` is in the strip of `t`, the neighbor
 //! between them must go, or a loop would close \[PS03, 3.1\]; who is in whose strip is found by walking it.
 //!
 //! ```text
@@ -268,7 +268,7 @@ impl TunnelSearch {
     /// Walks the strip of an end until it has met all triangles that the moves take, and notes where it enters
     /// them; whether it met all or came to the strip's other end.
     fn walk_from(&mut self, links: &StripLinks<'_>, end: u32) -> bool {
-        // An end has three neighbours at most.
+        // An end has three neighbors at most.
         let mut sought = [NO_TWIN; 3];
         let mut sought_count = 0;
         for taken in self.moves.iter().map(|other| other.taken) {

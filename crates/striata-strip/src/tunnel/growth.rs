@@ -1,7 +1,7 @@
 //! The first tunnels, those of one link: strips grow at their ends before any search begins.
 //!
-//! Taking such tunnels at random leaves many triangles with no free neighbour, and only longer tunnels can mend that.
-//! So a strip begins where fewest neighbours are free and goes on to the neighbour that has fewest left, among equals
+//! Taking such tunnels at random leaves many triangles with no free neighbor, and only longer tunnels can mend that.
+//! So a strip begins where fewest neighbors are free and goes on to the neighbor that has fewest left, among equals
 //! to the one from which fewest are left further on: the rule of SGI's `tomesh` \[ESV96, 2\]; then chance decides.
 //! On the bunny that leaves 585 strips, without the look ahead 1,275, with chance alone 5,346. Linear in time.
 

@@ -2,8 +2,8 @@
 //!
 //! A tunnel alternates dashed and solid links from one strip's end to another's; complementing it makes one strip
 //! fewer \[PS03, 3.1\]. It may be walked two links at a time: the moving end takes a triangle across a dashed
-//! link, and that triangle lets go of a neighbour, which is the next moving end. No loop can close if a
-//! triangle of the same strip lets go of the neighbour on the moving end's side, and if the
+//! link, and that triangle lets go of a neighbor, which is the next moving end. No loop can close if a
+//! triangle of the same strip lets go of the neighbor on the moving end's side, and if the
 //! last triangle belongs to another strip.
 
 use striata::mesh::{NO_TWIN, Random};

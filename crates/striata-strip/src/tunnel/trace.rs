@@ -27,7 +27,7 @@ pub(crate) trait Places {
     fn place(&self, triangle: u32) -> u32;
 }
 
-/// Two links of a tunnel: the moving end takes a triangle, which lets go of a neighbour: the next moving end.
+/// Two links of a tunnel: the moving end takes a triangle, which lets go of a neighbor: the next moving end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     /// The dashed link, as the side of the moving end.

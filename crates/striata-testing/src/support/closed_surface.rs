@@ -14,7 +14,7 @@ pub struct ClosedSurface {
     is_manifold: Vec<bool>,
 }
 
-/// The neighbours of a vertex on its ring, and the edges of the ring, both without direction.
+/// The neighbors of a vertex on its ring, and the edges of the ring, both without direction.
 pub struct Ring {
     pub vertices: BTreeSet<u32>,
     pub edges: BTreeSet<[u32; 2]>,
@@ -126,7 +126,7 @@ impl ClosedSurface {
     /// The ring of a vertex; fails where it is no single cycle of different vertices.
     pub fn ring(&self, v: u32) -> Ring {
         let follows: BTreeMap<u32, u32> = self.edges_around(v).collect();
-        assert_eq!(follows.len(), self.edges_around(v).count(), "{v} sees a neighbour twice");
+        assert_eq!(follows.len(), self.edges_around(v).count(), "{v} sees a neighbor twice");
         let first = *follows.keys().next().unwrap_or_else(|| panic!("{v} has lost all triangles"));
         let mut at = follows[&first];
         let mut length = 1;
@@ -161,13 +161,13 @@ impl ClosedSurface {
         }
     }
 
-    /// The copy of position `target` that is a neighbour of `v`.
-    pub fn neighbour(&self, v: u32, target: u32) -> u32 {
+    /// The copy of position `target` that is a neighbor of `v`.
+    pub fn neighbor(&self, v: u32, target: u32) -> u32 {
         let ring = self.ring(v);
         let mut found =
             ring.vertices.iter().filter(|&&c| self.is_real(c) && self.position_of[c as usize] == target);
-        let u = *found.next().unwrap_or_else(|| panic!("{v} has no neighbour at position {target}"));
-        assert!(found.next().is_none(), "{v} has two neighbours at position {target}");
+        let u = *found.next().unwrap_or_else(|| panic!("{v} has no neighbor at position {target}"));
+        assert!(found.next().is_none(), "{v} has two neighbors at position {target}");
         u
     }
 

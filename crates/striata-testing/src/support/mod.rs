@@ -121,7 +121,7 @@ pub fn with_seams_and_groups(mut mesh: IndexedMesh) -> IndexedMesh {
 /// How wild a random sequence is.
 #[derive(Clone, Copy, Debug)]
 pub struct Wildness {
-    /// Of 100 collapses, how many go to a position anywhere instead of a neighbour.
+    /// Of 100 collapses, how many go to a position anywhere instead of a neighbor.
     pub far_percent: usize,
     /// Positions that stay at least.
     pub base_position_count: usize,
@@ -143,7 +143,7 @@ pub fn random_refinable(mesh: &IndexedMesh, wildness: Wildness, random: &mut Ran
     let (mut removed, mut removed_counts) = (Vec::new(), Vec::new());
     while present.len() > wildness.base_position_count.max(1) {
         let p = present.swap_remove(random.below(present.len()));
-        let mut neighbours: Vec<u32> = positions
+        let mut neighbors: Vec<u32> = positions
             .wedges(p)
             .flat_map(|v| &triangles_of[v as usize])
             .map(|&t| triangles[t as usize])
@@ -151,9 +151,9 @@ pub fn random_refinable(mesh: &IndexedMesh, wildness: Wildness, random: &mut Ran
             .flat_map(|t| t.map(|v| positions.position_of(v)))
             .filter(|&q| q != p)
             .collect();
-        neighbours.sort_unstable();
-        let is_far = neighbours.is_empty() || random.below(100) < wildness.far_percent;
-        let pool = if is_far { &present } else { &neighbours };
+        neighbors.sort_unstable();
+        let is_far = neighbors.is_empty() || random.below(100) < wildness.far_percent;
+        let pool = if is_far { &present } else { &neighbors };
         let wedges = positions.wedges(pool[random.below(pool.len())]);
         let mut removed_count = 0u8;
         for v in positions.wedges(p) {

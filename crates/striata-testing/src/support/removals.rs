@@ -99,7 +99,7 @@ fn closes_a_hole(others: &[[u32; 3]], first: u32, last: u32) -> bool {
     sides(first, last) == 1 && sides(last, first) == 0
 }
 
-/// The neighbours of a vertex in order, and whether they close a ring; none where its triangles are not one fan.
+/// The neighbors of a vertex in order, and whether they close a ring; none where its triangles are not one fan.
 fn ring_of(triangles: &[[u32; 3]], vertex: u32) -> Option<(Vec<u32>, bool)> {
     let mut arcs: Vec<[u32; 2]> = triangles
         .iter()

@@ -21,7 +21,7 @@ impl Case {
     }
 }
 
-/// Meshes that break assumptions, collapsed to one position, to neighbours and to anywhere.
+/// Meshes that break assumptions, collapsed to one position, to neighbors and to anywhere.
 pub fn nasty_cases() -> impl Iterator<Item = Case> {
     let with_seeds = |(name, mesh): (&'static str, IndexedMesh)| {
         (0..8).map(move |seed| {

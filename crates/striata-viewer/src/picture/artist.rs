@@ -119,7 +119,7 @@ mod tests {
     use striata::mesh::{IndexedMesh, shapes};
 
     use super::*;
-    use crate::picture::{Angles, Line, Paint, Style, triangle_colours, with_normals};
+    use crate::picture::{Angles, Line, Paint, Style, triangle_colors, with_normals};
 
     fn on_gpu() -> Artist {
         let output = Output::quiet();
@@ -152,14 +152,13 @@ mod tests {
     #[test]
     fn a_gpu_and_the_rasterizer_draw_the_same() {
         let (mesh, camera) = torus();
-        let (_, colours) = triangle_colours(&mesh.triangles);
+        let (_, colors) = triangle_colors(&mesh.triangles);
         let by_height = |p: &[f32; 3]| [(127.0 * (1.0 + p[1])) as u8, 40, 200, 255];
         let heights = Paint::Vertices(mesh.positions.iter().map(by_height).collect());
-        let line =
-            Line { ends: [[-2.0, 0.1, -1.0], [2.0, 0.3, 1.0]], colour: [255, 80, 0, 255], width: 12.0 };
+        let line = Line { ends: [[-2.0, 0.1, -1.0], [2.0, 0.3, 1.0]], color: [255, 80, 0, 255], width: 12.0 };
         for (paint, has_edges, is_flat) in [
             (Paint::Surface, false, false),
-            (Paint::Triangles(colours), false, true),
+            (Paint::Triangles(colors), false, true),
             (heights, false, false),
             (Paint::Surface, true, true),
         ] {

@@ -14,9 +14,9 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// A canvas of one colour.
-    pub fn filled(width: usize, height: usize, colour: Rgba) -> Self {
-        Self { width, height, pixels: vec![colour; width * height] }
+    /// A canvas of one color.
+    pub fn filled(width: usize, height: usize, color: Rgba) -> Self {
+        Self { width, height, pixels: vec![color; width * height] }
     }
 
     /// A canvas of sRGB bytes whose light was weighed by its opacity before it was encoded, as GPUs leave it.
@@ -52,14 +52,14 @@ impl Canvas {
         }
     }
 
-    /// Lays so much of a colour over one pixel; places outside are no pixels.
-    pub fn tint(&mut self, [x, y]: [i64; 2], colour: Rgba, amount: f32) {
+    /// Lays so much of a color over one pixel; places outside are no pixels.
+    pub fn tint(&mut self, [x, y]: [i64; 2], color: Rgba, amount: f32) {
         if let (Ok(x), Ok(y)) = (usize::try_from(x), usize::try_from(y))
             && x < self.width
             && y < self.height
         {
             let pixel = &mut self.row_mut(y)[x];
-            *pixel = over(colour.map(|c| c * amount), *pixel);
+            *pixel = over(color.map(|c| c * amount), *pixel);
         }
     }
 
@@ -88,13 +88,13 @@ impl Canvas {
     /// What the encoder reports.
     pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
         let is_opaque = self.pixels.iter().all(|p| p[3] > 0.999);
-        let colour = if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba };
+        let color = if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba };
         let channels = if is_opaque { 3 } else { 4 };
         let mut bytes = Vec::with_capacity(channels * self.pixels.len());
         self.pixels.iter().for_each(|&p| bytes.extend_from_slice(&to_bytes(p)[..channels]));
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, self.width as u32, self.height as u32);
-        encoder.set_color(colour);
+        encoder.set_color(color);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_compression(png::Compression::High);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
@@ -161,8 +161,7 @@ mod tests {
 
     #[test]
     fn png_decodes_again_with_opacity_where_there_is_some() {
-        for (corner, colour) in
-            [([0.0, 0.0, 0.0, 1.0], png::ColorType::Rgb), ([0.0; 4], png::ColorType::Rgba)]
+        for (corner, color) in [([0.0, 0.0, 0.0, 1.0], png::ColorType::Rgb), ([0.0; 4], png::ColorType::Rgba)]
         {
             let mut canvas = Canvas::filled(60, 12, [1.0; 4]);
             canvas.row_mut(0)[0] = corner;
@@ -170,7 +169,7 @@ mod tests {
             let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("a PNG header");
             let mut bytes = vec![0; reader.output_buffer_size().expect("a small picture")];
             let info = reader.next_frame(&mut bytes).expect("whole data");
-            assert_eq!((info.width, info.height, info.color_type), (60, 12, colour));
+            assert_eq!((info.width, info.height, info.color_type), (60, 12, color));
             assert!(bytes[..3] == [0; 3] && bytes.last() == Some(&255));
         }
     }

@@ -12,7 +12,7 @@ pub struct Frustum {
 }
 
 /// Linear light as bytes: what stands out from stone, from the dark and from the light.
-const COLOUR: [u8; 4] = [255, 62, 8, 255];
+const COLOR: [u8; 4] = [255, 62, 8, 255];
 
 /// How wide its lines are.
 const WIDTH: f32 = 3.0;
@@ -42,7 +42,7 @@ impl Frustum {
 
     /// Draws its edges, and a small screen before its eye, into a shot.
     pub fn draw_into(&self, shot: &mut Shot<'_>) {
-        let line = |from, to, width| Line { ends: [from, to], colour: COLOUR, width };
+        let line = |from, to, width| Line { ends: [from, to], color: COLOR, width };
         let screen = self.corners.map(|corner| between(self.eye, corner, 0.14));
         for i in 0..4 {
             let next = (i + 1) % 4;

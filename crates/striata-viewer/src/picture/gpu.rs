@@ -12,7 +12,7 @@ use striata_gpu::{
 };
 
 use super::drawn::Drawn;
-use super::paint::Colour;
+use super::paint::Color;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Camera, Canvas};
 use striata_command::failure::caught;
@@ -152,14 +152,14 @@ impl GpuArtist {
         let lines = LineTriangles::new(&shot.lines, camera, shot.vertices.vertex_count());
         let mesh = with_more_vertices(shot.vertices, &lines.positions);
         let mut vertices = GpuVertices::upload(gpu, &mesh)?;
-        if let Paint::Vertices(colours) = &shot.paint {
-            let mut colours = colours.clone();
-            colours.resize(mesh.vertex_count(), [0; 4]);
-            vertices.set_colours(gpu, &colours);
+        if let Paint::Vertices(colors) = &shot.paint {
+            let mut colors = colors.clone();
+            colors.resize(mesh.vertex_count(), [0; 4]);
+            vertices.set_colors(gpu, &colors);
         }
-        let surface = match (shot.colours_of_triangles(), shot.strips) {
-            (Some(colours), _) => {
-                let triangles: (&[[u32; 3]], &[Colour]) = (&shot.triangles, &colours);
+        let surface = match (shot.colors_of_triangles(), shot.strips) {
+            (Some(colors), _) => {
+                let triangles: (&[[u32; 3]], &[Color]) = (&shot.triangles, &colors);
                 Surface::Triangles(Inspection::new(gpu, painter, &vertices, triangles)?)
             }
             (None, Some(strips)) => {
@@ -178,7 +178,7 @@ impl GpuArtist {
             None
         } else {
             let scene = painter.scene(gpu, &vertices, view, &Look::default().with_light(0.0))?;
-            let triangles: (&[[u32; 3]], &[Colour]) = (&lines.triangles, &lines.colours);
+            let triangles: (&[[u32; 3]], &[Color]) = (&lines.triangles, &lines.colors);
             Some((scene, Inspection::new(gpu, painter, &vertices, triangles)?))
         };
         Ok(Uploaded { vertices, surface, lines, scene })

@@ -1,9 +1,9 @@
-//! Distances as colours: how far each vertex of the original is from a level.
+//! Distances as colors: how far each vertex of the original is from a level.
 
 use striata::mesh::{IndexedMesh, MeshError, TriangleTree};
 
 use super::canvas::from_srgb;
-use super::paint::Colour;
+use super::paint::Color;
 
 /// How far the vertices of a mesh are from another surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,29 +31,29 @@ impl Heat {
         Ok(Self { distances, max })
     }
 
-    /// The colours of the vertices, where `top` has the last one.
-    pub fn colours(&self, top: f64) -> Vec<Colour> {
+    /// The colors of the vertices, where `top` has the last one.
+    pub fn colors(&self, top: f64) -> Vec<Color> {
         let share = |distance: f64| if top > 0.0 { (distance / top).min(1.0) } else { 0.0 };
-        self.distances.iter().map(|&distance| bytes(colour_at(share(distance)))).collect()
+        self.distances.iter().map(|&distance| bytes(color_at(share(distance)))).collect()
     }
 }
 
-/// The colour of a share of the largest distance, linear light: inferno backwards, so that what is near is pale and looks
+/// The color of a share of the largest distance, linear light: inferno backwards, so that what is near is pale and looks
 /// as much darker as the distance is larger; its darkest part would be lost among shadows.
-pub(super) fn colour_at(share: f64) -> [f32; 3] {
+pub(super) fn color_at(share: f64) -> [f32; 3] {
     const DARKEST: f64 = 0.22;
-    // Between neighbours of the map, since its own bytes make steps in the dark.
+    // Between neighbors of the map, since its own bytes make steps in the dark.
     let place = 255.0 * (1.0 - (1.0 - DARKEST) * share.clamp(0.0, 1.0));
     let (below, above) = (place.floor(), place.ceil());
     let [a, b] = [below, above].map(|at| {
-        let colour = colorous::INFERNO.eval_continuous(at / 255.0);
-        [colour.r, colour.g, colour.b].map(from_srgb)
+        let color = colorous::INFERNO.eval_continuous(at / 255.0);
+        [color.r, color.g, color.b].map(from_srgb)
     });
     let weight = (place - below) as f32;
     [0, 1, 2].map(|k| a[k] + weight * (b[k] - a[k]))
 }
 
-fn bytes([r, g, b]: [f32; 3]) -> Colour {
+fn bytes([r, g, b]: [f32; 3]) -> Color {
     let [r, g, b] = [r, g, b].map(|light| (255.0 * light + 0.5) as u8);
     [r, g, b, 255]
 }
@@ -77,15 +77,15 @@ mod tests {
         let heat = Heat::of(&original, &level).expect("sound meshes");
         assert!((heat.max - 0.25).abs() < 1e-6 && heat.distances[..4] == [0.0; 4], "{heat:?}");
         assert_eq!(heat.distances[5], 0.0, "no triangle uses it");
-        let colours = heat.colours(heat.max);
-        assert_eq!((colours[0], colours[4]), (bytes(colour_at(0.0)), bytes(colour_at(1.0))));
-        assert_eq!(heat.colours(0.0)[4], bytes(colour_at(0.0)));
+        let colors = heat.colors(heat.max);
+        assert_eq!((colors[0], colors[4]), (bytes(color_at(0.0)), bytes(color_at(1.0))));
+        assert_eq!(heat.colors(0.0)[4], bytes(color_at(0.0)));
     }
 
     #[test]
     fn larger_distances_are_darker_step_by_step() {
         let light = |step: u32| {
-            let [r, g, b] = colour_at(f64::from(step) / 64.0);
+            let [r, g, b] = color_at(f64::from(step) / 64.0);
             0.2126 * r + 0.7152 * g + 0.0722 * b
         };
         assert!(light(0) > 0.9 && light(64) < 0.04, "{} {}", light(0), light(64));

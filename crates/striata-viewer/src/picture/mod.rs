@@ -31,8 +31,8 @@ pub use frustum::Frustum;
 pub use gpu::GpuArtist;
 pub use heat::Heat;
 pub use normals::with_normals;
-pub use paint::{Painted, fan_colours, group_colours, strip_colours, triangle_colours};
+pub use paint::{Painted, fan_colors, group_colors, strip_colors, triangle_colors};
 #[cfg(feature = "serve")]
 pub use portrait::{nobody, portrait};
-pub use sheet::{ColourBar, Panel, Sheet, Theme, significant};
+pub use sheet::{ColorBar, Panel, Sheet, Theme, significant};
 pub use shot::{Line, Paint, Shot, Style};

@@ -10,7 +10,7 @@ use striata::mesh::{IndexedMesh, Semantic};
 
 use super::camera::{Camera, cross, dot, minus, unit, wide};
 use super::clip::{Corner, Piece, clipped, near_plane};
-use super::paint::Colour;
+use super::paint::Color;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Canvas, Rgba};
 
@@ -39,8 +39,8 @@ fn draw_in_bands(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2], 
         for index in 0..shot.triangles.len() {
             faces.fill(index, &view, &mut target);
         }
-        for (corners, &paint) in lines.triangles.iter().zip(&lines.colours) {
-            let color = colour(paint);
+        for (corners, &paint) in lines.triangles.iter().zip(&lines.colors) {
+            let color = color(paint);
             let corners = corners.map(|v| Corner {
                 place: view.seen(lines.positions[v as usize]),
                 color,
@@ -62,8 +62,8 @@ struct Faces<'a> {
     seen: Vec<Vec3>,
     /// None where triangles are flat.
     normals: Option<Vec<Vec3>>,
-    of_triangles: Option<std::borrow::Cow<'a, [Colour]>>,
-    of_vertices: Option<Vec<Colour>>,
+    of_triangles: Option<std::borrow::Cow<'a, [Color]>>,
+    of_vertices: Option<Vec<Color>>,
     face: Face,
 }
 
@@ -71,13 +71,13 @@ impl<'a> Faces<'a> {
     fn new(shot: &'a Shot<'a>, view: &View, edges: f32) -> Self {
         let normals = if shot.is_flat { None } else { normals_of(shot.vertices) };
         let of_vertices = match &shot.paint {
-            Paint::Vertices(colours) => Some(colours.clone()),
-            Paint::Surface => colours_of(shot.vertices),
+            Paint::Vertices(colors) => Some(colors.clone()),
+            Paint::Surface => colors_of(shot.vertices),
             Paint::Triangles(_) => None,
         };
         let face = Face { has_normals: normals.is_some(), light: shot.light(), edges };
         let seen = shot.vertices.positions.iter().map(|&p| view.seen(p)).collect();
-        let of_triangles = shot.colours_of_triangles();
+        let of_triangles = shot.colors_of_triangles();
         Self { shot, seen, normals, of_triangles, of_vertices, face }
     }
 
@@ -85,8 +85,8 @@ impl<'a> Faces<'a> {
     fn fill(&self, index: usize, view: &View, target: &mut Target) {
         let corners = self.shot.triangles[index];
         let colors = match (&self.of_triangles, &self.of_vertices) {
-            (Some(colours), _) => [colour(colours[index]); 3],
-            (None, Some(colours)) => corners.map(|v| colour(colours[v as usize])),
+            (Some(colors), _) => [color(colors[index]); 3],
+            (None, Some(colors)) => corners.map(|v| color(colors[v as usize])),
             (None, None) => [STONE; 3],
         };
         let normal =
@@ -101,7 +101,7 @@ impl<'a> Faces<'a> {
     }
 }
 
-fn colour([r, g, b, _]: Colour) -> Vec3 {
+fn color([r, g, b, _]: Color) -> Vec3 {
     [r, g, b].map(|byte| f32::from(byte) / 255.0)
 }
 
@@ -110,12 +110,12 @@ fn normals_of(mesh: &IndexedMesh) -> Option<Vec<Vec3>> {
     Some((0..mesh.vertex_count()).map(|v| [0, 1, 2].map(|k| layer.get(v, k))).collect())
 }
 
-fn colours_of(mesh: &IndexedMesh) -> Option<Vec<Colour>> {
+fn colors_of(mesh: &IndexedMesh) -> Option<Vec<Color>> {
     let layer = mesh.layers.iter().find(|layer| matches!(layer.semantic, Semantic::Color(_)))?;
     let channels = if layer.component_count < 3 { [0, 0, 0] } else { [0, 1, 2] };
     let byte = |v, k| (255.0 * layer.get(v, k).clamp(0.0, 1.0) + 0.5) as u8;
-    let colour = |v| channels.map(|k| byte(v, k));
-    Some((0..mesh.vertex_count()).map(colour).map(|[r, g, b]| [r, g, b, 255]).collect())
+    let color = |v| channels.map(|k| byte(v, k));
+    Some((0..mesh.vertex_count()).map(color).map(|[r, g, b]| [r, g, b, 255]).collect())
 }
 
 /// A corner on the screen: pixels, and one over the distance.
@@ -277,7 +277,7 @@ fn facing(corners: &[Corner; 3]) -> Vec3 {
 }
 
 /// Light on a surface, as `light.wgsl` has it; the camera carries the lights.
-fn lit(colour: Vec3, normal: Vec3, to_eye: Vec3) -> Vec3 {
+fn lit(color: Vec3, normal: Vec3, to_eye: Vec3) -> Vec3 {
     let towards_key = unit32([-0.55, 0.65, 0.75]);
     let key = 0.78 * dot32(normal, towards_key).max(0.0);
     let fill = 0.16 * dot32(normal, unit32([0.9, 0.1, 0.35])).max(0.0);
@@ -285,7 +285,7 @@ fn lit(colour: Vec3, normal: Vec3, to_eye: Vec3) -> Vec3 {
     let half_way = unit32(std::array::from_fn(|k| to_eye[k] + towards_key[k]));
     let gloss = 0.06 * dot32(normal, half_way).max(0.0).powi(40);
     let light = 0.05 + 0.13 * sky + key + fill;
-    colour.map(|channel| channel * light + gloss)
+    color.map(|channel| channel * light + gloss)
 }
 
 /// The pixels of some rows or columns whose centers may lie between three coordinates.
@@ -314,13 +314,13 @@ mod tests {
 
     const CAMERA: Camera = Camera { eye: [0.0, 0.0, 5.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 0.8 };
 
-    fn drawn(positions: &[Vec3], triangles: &[[u32; 3]], colours: &[Colour]) -> Canvas {
+    fn drawn(positions: &[Vec3], triangles: &[[u32; 3]], colors: &[Color]) -> Canvas {
         let mesh = IndexedMesh::new(positions.to_vec(), triangles.to_vec());
         let shot = Shot {
             vertices: &mesh,
             triangles: Cow::Borrowed(triangles),
             strips: None,
-            paint: Paint::Triangles(colours.to_vec()),
+            paint: Paint::Triangles(colors.to_vec()),
             has_edges: false,
             is_flat: true,
             lines: Vec::new(),

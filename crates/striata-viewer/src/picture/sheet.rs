@@ -1,11 +1,11 @@
-//! Panels side by side, with text above and below and a colour bar beside them.
+//! Panels side by side, with text above and below and a color bar beside them.
 
 use super::canvas::from_srgb;
-use super::heat::colour_at;
+use super::heat::color_at;
 use super::text::{Align, width, write};
 use super::{Canvas, Rgba};
 
-/// Colours of what is no mesh.
+/// Colors of what is no mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Theme {
     background: Rgba,
@@ -27,18 +27,18 @@ impl Theme {
         soft_ink: [0.10, 0.10, 0.11, 1.0],
     };
 
-    /// The same on a colour in sRGB.
+    /// The same on a color in sRGB.
     pub fn on_srgb(srgb: [u8; 3]) -> Self {
         let [r, g, b] = srgb.map(from_srgb);
         Self::on([r, g, b, 1.0])
     }
 
-    /// Letters that are read on a colour, linear light; on nothing they are grey, which is read on most pages.
+    /// Letters that are read on a color, linear light; on nothing they are gray, which is read on most pages.
     pub fn on(background: Rgba) -> Self {
         let [r, g, b, opacity] = background;
         if opacity == 0.0 {
-            let grey = [0.22, 0.22, 0.22, 1.0];
-            return Self { background, ink: grey, soft_ink: grey };
+            let gray = [0.22, 0.22, 0.22, 1.0];
+            return Self { background, ink: gray, soft_ink: gray };
         }
         let theme = if 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.18 { Self::LIGHT } else { Self::DARK };
         Self { background, ..theme }
@@ -58,14 +58,14 @@ pub struct Panel {
 
 /// A scale from 0 to some distance.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ColourBar {
+pub struct ColorBar {
     /// What it shows.
     pub title: String,
     /// Texts at equal distances, from 0 up to the end of the bar.
     pub marks: Vec<String>,
 }
 
-impl ColourBar {
+impl ColorBar {
     /// A bar of distances up to `top`, where the largest may be farther.
     pub fn up_to(top: f64, largest: f64) -> Self {
         const QUARTERS: u32 = 4;
@@ -104,7 +104,7 @@ pub struct Sheet {
     has_text: bool,
     /// Whether titles stand above the first row and captions below the last only.
     shares_text: bool,
-    bar: Option<ColourBar>,
+    bar: Option<ColorBar>,
 }
 
 impl Sheet {
@@ -119,8 +119,8 @@ impl Sheet {
         Self { has_text: true, shares_text, ..self }
     }
 
-    /// With a colour bar at its right.
-    pub fn with_bar(self, bar: ColourBar) -> Self {
+    /// With a color bar at its right.
+    pub fn with_bar(self, bar: ColorBar) -> Self {
         Self { bar: Some(bar), ..self }
     }
 
@@ -171,10 +171,10 @@ impl Sheet {
     }
 
     /// Writes into the middle of a panel's width, smaller where there is too little room.
-    fn write(&self, sheet: &mut Canvas, text: &str, (size, colour): (f32, Rgba), place: [f32; 2]) {
+    fn write(&self, sheet: &mut Canvas, text: &str, (size, color): (f32, Rgba), place: [f32; 2]) {
         let room = 0.88 * self.panel_size()[0] as f32;
         let size = size * (room / width(text, size).max(1.0)).min(1.0);
-        write(sheet, text, (size, colour), (place, Align::Middle));
+        write(sheet, text, (size, color), (place, Align::Middle));
     }
 
     /// Pixels of the letters of a title.
@@ -204,14 +204,14 @@ impl Sheet {
         (texts.fold(title, f32::max) + 1.5 * size).ceil() as usize
     }
 
-    fn draw_bar(&self, sheet: &mut Canvas, bar: &ColourBar, theme: &Theme) {
+    fn draw_bar(&self, sheet: &mut Canvas, bar: &ColorBar, theme: &Theme) {
         let size = self.mark_size();
         let [left, thick] = [self.size[0].saturating_sub(self.bar_width()), (1.1 * size) as usize];
         let height = self.size[1];
         let (top, bottom) = (height * 22 / 100, height * 78 / 100);
         for y in top..bottom {
             let share = (bottom - 1 - y) as f64 / (bottom - 1 - top).max(1) as f64;
-            let [r, g, b] = colour_at(share);
+            let [r, g, b] = color_at(share);
             for x in left..(left + thick).min(self.size[0]) {
                 sheet.row_mut(y)[x] = [r, g, b, 1.0];
             }
@@ -235,8 +235,8 @@ impl Sheet {
 mod tests {
     use super::*;
 
-    fn panel(size: [usize; 2], colour: Rgba) -> Panel {
-        let canvas = Canvas::filled(size[0], size[1], colour);
+    fn panel(size: [usize; 2], color: Rgba) -> Panel {
+        let canvas = Canvas::filled(size[0], size[1], color);
         Panel { canvas, title: "10 %".to_owned(), caption: "5,000 triangles".to_owned() }
     }
 
@@ -244,15 +244,14 @@ mod tests {
     fn panels_lie_in_their_places_between_their_texts() {
         let sheet = Sheet::new([400, 300], (2, 2)).with_text(true);
         let size = sheet.panel_size();
-        let colours =
-            [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [0.5, 0.5, 0.0, 1.0]];
-        let panels = colours.map(|colour| panel(size, colour));
+        let colors = [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [0.5, 0.5, 0.0, 1.0]];
+        let panels = colors.map(|color| panel(size, color));
         let canvas = sheet.assemble(&panels, &Theme::DARK);
         let at = |x: usize, y: usize| canvas.pixels()[y * 400 + x];
         let head = sheet.head_height();
-        for (i, colour) in colours.into_iter().enumerate() {
+        for (i, color) in colors.into_iter().enumerate() {
             let (x, y) = (i % 2 * size[0] + size[0] / 2, head + i / 2 * size[1] + size[1] / 2);
-            assert_eq!(at(x, y), colour, "panel {i}");
+            assert_eq!(at(x, y), color, "panel {i}");
         }
         let inked = |rows: std::ops::Range<usize>| {
             rows.flat_map(|y| (0..400).map(move |x| (x, y))).filter(|&(x, y)| at(x, y)[0] > 0.15).count()
@@ -263,19 +262,19 @@ mod tests {
     }
 
     #[test]
-    fn a_bar_goes_from_the_first_colour_to_the_last() {
+    fn a_bar_goes_from_the_first_color_to_the_last() {
         let marks = ["0", "0.5", "1"].map(str::to_owned).to_vec();
-        let bar = ColourBar { title: "distance".to_owned(), marks };
+        let bar = ColorBar { title: "distance".to_owned(), marks };
         let sheet = Sheet::new([300, 200], (1, 1)).with_bar(bar);
         let [width, _] = sheet.panel_size();
         assert!(width < 260);
         let canvas = sheet.assemble(&[panel(sheet.panel_size(), [0.0; 4])], &Theme::DARK);
-        let colour = |share: f64| {
-            let [r, g, b] = colour_at(share);
+        let color = |share: f64| {
+            let [r, g, b] = color_at(share);
             [r, g, b, 1.0]
         };
         let at = |y: usize| canvas.pixels()[y * 300 + 300 - sheet.bar_width() + 2];
-        assert_eq!((at(44), at(155)), (colour(1.0), colour(0.0)));
+        assert_eq!((at(44), at(155)), (color(1.0), color(0.0)));
         assert_eq!(at(43), Theme::DARK.background);
     }
 
@@ -283,7 +282,7 @@ mod tests {
     fn tiny_sheets_are_no_trouble() {
         for size in [[1, 1], [3, 200], [200, 3]] {
             let marks = vec!["0".to_owned(), "1".to_owned()];
-            let bar = ColourBar { title: "t".to_owned(), marks };
+            let bar = ColorBar { title: "t".to_owned(), marks };
             let sheet = Sheet::new(size, (3, 2)).with_text(false).with_bar(bar);
             let panels = vec![panel(sheet.panel_size(), [1.0; 4]); 6];
             let canvas = sheet.assemble(&panels, &Theme::on([0.0; 4]));
@@ -308,8 +307,8 @@ mod tests {
 
     #[test]
     fn a_bar_ends_at_its_top_and_says_where_there_is_more() {
-        assert_eq!(ColourBar::up_to(2.0, 2.0).marks, ["0", "0.500", "1.00", "1.50", "2.00"]);
-        assert_eq!(ColourBar::up_to(2.0, 3.0).marks[4], "from 2.00");
-        assert_eq!(ColourBar::up_to(0.0, 0.0).marks, ["0"; 5]);
+        assert_eq!(ColorBar::up_to(2.0, 2.0).marks, ["0", "0.500", "1.00", "1.50", "2.00"]);
+        assert_eq!(ColorBar::up_to(2.0, 3.0).marks[4], "from 2.00");
+        assert_eq!(ColorBar::up_to(0.0, 0.0).marks, ["0"; 5]);
     }
 }

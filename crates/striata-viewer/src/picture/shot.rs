@@ -6,18 +6,18 @@ use striata::mesh::IndexedMesh;
 use striata::strip::StripIndices;
 
 use super::camera::{Camera, cross, dot, minus, unit, wide};
-use super::paint::Colour;
+use super::paint::Color;
 
 /// What one panel shows.
 #[derive(Clone, Debug)]
 pub struct Shot<'a> {
-    /// Its vertices are drawn, with their normals and colours.
+    /// Its vertices are drawn, with their normals and colors.
     pub vertices: &'a IndexedMesh,
     /// Triangles over them.
     pub triangles: Cow<'a, [[u32; 3]]>,
-    /// The same triangles as strips, for a GPU, where single ones need no colours or edges.
+    /// The same triangles as strips, for a GPU, where single ones need no colors or edges.
     pub strips: Option<&'a StripIndices>,
-    /// Their colours.
+    /// Their colors.
     pub paint: Paint,
     /// Whether the edges of triangles are seen.
     pub has_edges: bool,
@@ -27,15 +27,15 @@ pub struct Shot<'a> {
     pub lines: Vec<Line>,
 }
 
-/// How triangles are coloured; linear light as bytes.
+/// How triangles are colored; linear light as bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Paint {
-    /// In the colours of the vertices, or all as stone.
+    /// In the colors of the vertices, or all as stone.
     Surface,
-    /// Each in one colour.
-    Triangles(Vec<Colour>),
-    /// Between the colours of vertices; they say something, so there is less light and shadow.
-    Vertices(Vec<Colour>),
+    /// Each in one color.
+    Triangles(Vec<Color>),
+    /// Between the colors of vertices; they say something, so there is less light and shadow.
+    Vertices(Vec<Color>),
 }
 
 /// A line from one point to another.
@@ -44,7 +44,7 @@ pub struct Line {
     /// Where it begins and ends, mesh units.
     pub ends: [[f32; 3]; 2],
     /// Linear light as bytes.
-    pub colour: Colour,
+    pub color: Color,
     /// Pixels that it is wide, of a picture of 1000 rows.
     pub width: f32,
 }
@@ -69,11 +69,11 @@ impl Style {
     pub const FACETED: Self = Self { has_edges: true, is_flat: true };
 }
 
-/// The colour of a mesh without colours, linear light.
+/// The color of a mesh without colors, linear light.
 pub(super) const STONE: [f32; 3] = [0.72, 0.58, 0.44];
 
 impl<'a> Shot<'a> {
-    /// A mesh in some colours and a style.
+    /// A mesh in some colors and a style.
     pub fn of(mesh: &'a IndexedMesh, paint: Paint, Style { has_edges, is_flat }: Style) -> Self {
         let triangles = Cow::Borrowed(&mesh.triangles[..]);
         Self { vertices: mesh, triangles, strips: None, paint, has_edges, is_flat, lines: Vec::new() }
@@ -84,10 +84,10 @@ impl<'a> Shot<'a> {
         if matches!(self.paint, Paint::Vertices(_)) { 0.62 } else { 1.0 }
     }
 
-    /// A colour for each triangle, where single ones have to be drawn.
-    pub(super) fn colours_of_triangles(&self) -> Option<Cow<'_, [Colour]>> {
+    /// A color for each triangle, where single ones have to be drawn.
+    pub(super) fn colors_of_triangles(&self) -> Option<Cow<'_, [Color]>> {
         match &self.paint {
-            Paint::Triangles(colours) => Some(Cow::Borrowed(colours)),
+            Paint::Triangles(colors) => Some(Cow::Borrowed(colors)),
             Paint::Surface if !self.has_edges => None,
             Paint::Surface => {
                 let stone = STONE.map(|x| (255.0 * x + 0.5) as u8);
@@ -95,9 +95,9 @@ impl<'a> Shot<'a> {
                 Some(Cow::Owned(vec![stone; self.triangles.len()]))
             }
             Paint::Vertices(_) if !self.has_edges => None,
-            Paint::Vertices(colours) => {
+            Paint::Vertices(colors) => {
                 let mean = |triangle: &[u32; 3]| {
-                    let corners = triangle.map(|v| colours[v as usize]);
+                    let corners = triangle.map(|v| colors[v as usize]);
                     std::array::from_fn(|k| (corners.iter().map(|c| u32::from(c[k])).sum::<u32>() / 3) as u8)
                 };
                 Some(self.triangles.iter().map(mean).collect())
@@ -135,7 +135,7 @@ impl<'a> Shot<'a> {
 pub(super) struct LineTriangles {
     pub(super) positions: Vec<[f32; 3]>,
     pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) colours: Vec<Colour>,
+    pub(super) colors: Vec<Color>,
 }
 
 impl LineTriangles {
@@ -156,7 +156,7 @@ impl LineTriangles {
                 out.positions.push([0, 1, 2].map(|k| (eye[k] + end[k] + half * across[k]) as f32));
             }
             out.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
-            out.colours.extend([line.colour; 2]);
+            out.colors.extend([line.color; 2]);
         }
         out
     }
@@ -183,7 +183,7 @@ mod tests {
 
     #[test]
     fn a_line_is_as_wide_as_asked_at_both_ends() {
-        let line = Line { ends: [[0.0, -1.0, 0.0], [0.0, 1.0, 2.0]], colour: [255; 4], width: 10.0 };
+        let line = Line { ends: [[0.0, -1.0, 0.0], [0.0, 1.0, 2.0]], color: [255; 4], width: 10.0 };
         let quad = LineTriangles::new(&[line], &CAMERA, 7);
         assert_eq!((quad.triangles[0], quad.positions.len()), ([7, 8, 9], 4));
         for (a, b, depth) in [(0, 1, 4.0f32), (2, 3, 2.0)] {
@@ -195,7 +195,7 @@ mod tests {
 
     #[test]
     fn what_is_behind_the_eye_is_cut_off() {
-        let line = |a: f32, b: f32| Line { ends: [[1.0, 0.0, a], [1.0, 0.0, b]], colour: [0; 4], width: 1.0 };
+        let line = |a: f32, b: f32| Line { ends: [[1.0, 0.0, a], [1.0, 0.0, b]], color: [0; 4], width: 1.0 };
         assert!(LineTriangles::new(&[line(5.0, 9.0)], &CAMERA, 0).triangles.is_empty());
         let cut = LineTriangles::new(&[line(0.0, 9.0)], &CAMERA, 0);
         assert_eq!(cut.triangles.len(), 2);
@@ -216,6 +216,6 @@ mod tests {
         };
         let opacities = [40, 400, 4000].map(|height| shot.edge_opacity(&CAMERA, height));
         assert!(opacities[0] < opacities[1] && opacities[1] < opacities[2], "{opacities:?}");
-        assert_eq!(shot.colours_of_triangles().map(|c| c.len()), Some(mesh.triangle_count()));
+        assert_eq!(shot.colors_of_triangles().map(|c| c.len()), Some(mesh.triangle_count()));
     }
 }

@@ -15,13 +15,13 @@ static FONT: LazyLock<Option<FontRef<'static>>> =
 pub(super) enum Align {
     /// It begins there.
     Left,
-    /// It is centred there.
+    /// It is centerd there.
     Middle,
 }
 
-/// Writes a line of text whose capital letters are centred on a row of pixels.
+/// Writes a line of text whose capital letters are centerd on a row of pixels.
 pub(super) fn write(canvas: &mut Canvas, text: &str, style: (f32, Rgba), ([x, y], align): ([f32; 2], Align)) {
-    let (size, colour) = style;
+    let (size, color) = style;
     let Some(font) = FONT.as_ref() else { return };
     let (glyphs, width) = laid_out(font, text, size);
     let left = if align == Align::Middle { x - width / 2.0 } else { x };
@@ -33,7 +33,7 @@ pub(super) fn write(canvas: &mut Canvas, text: &str, style: (f32, Rgba), ([x, y]
         let bounds = outline.px_bounds();
         outline.draw(|dx, dy, amount| {
             let place = [bounds.min.x as i64 + i64::from(dx), bounds.min.y as i64 + i64::from(dy)];
-            canvas.tint(place, colour, amount.clamp(0.0, 1.0));
+            canvas.tint(place, color, amount.clamp(0.0, 1.0));
         });
     }
 }

@@ -5,14 +5,14 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use striata::model::ModelKind;
 
-use striata_command::args::{Colouring, Count, DriverArgs, Viewport, parse_detail};
+use striata_command::args::{Coloring, Count, DriverArgs, Viewport, parse_detail};
 use striata_command::failure::Failure;
 
 /// Arguments of `view`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata view bunny.striata\n  \
-    striata view scan.ply --pixels 1 --colours fans --screenshot scan.png")]
+    striata view scan.ply --pixels 1 --colors fans --screenshot scan.png")]
 pub struct WindowArgs {
     /// Meshes, .striata files or streams; more can be dropped on the window
     #[arg(value_name = "FILE")]
@@ -57,15 +57,15 @@ pub struct FirstArgs {
     /// At most this many triangles, or this share of the full mesh's, those that the view shows best
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, group = "first_level")]
     pub budget: Option<Count>,
-    /// Colours of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups
+    /// Colors of triangles: surface (those of the vertices, or stone), strips, fans, triangles, groups
     #[arg(
         long,
         value_name = "NAME",
         default_value = "surface",
         hide_possible_values = true,
-        alias = "colors"
+        alias = "colours"
     )]
-    pub colours: Colouring,
+    pub colors: Coloring,
     /// Draw the edges
     #[arg(long)]
     pub wireframe: bool,

@@ -51,7 +51,7 @@ pub(super) const SHORTCUTS: [Shortcut; 22] = [
     shortcut(Key::CloseBracket, "[ ]", Command::Do(Action::Finer), "coarser, finer"),
     shortcut(Key::M, "M", Command::Do(Action::NextModel), "next model"),
     shortcut(Key::W, "W", Command::Do(Action::Wireframe), "wireframe"),
-    shortcut(Key::S, "S", Command::Do(Action::Pieces), "strips or fans in colours"),
+    shortcut(Key::S, "S", Command::Do(Action::Pieces), "strips or fans in colors"),
     shortcut(Key::F, "F", Command::Do(Action::Flat), "flat or smooth"),
     shortcut(Key::V, "V", Command::Freeze, "freeze the level, look at it from elsewhere"),
     shortcut(Key::G, "G", Command::Do(Action::Morphs), "geomorphs"),

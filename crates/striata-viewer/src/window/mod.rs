@@ -30,12 +30,12 @@ use winit::event_loop::EventLoop;
 use self::app::{App, Wake, WindowPlan};
 pub use self::args::{FirstArgs, ShownModel, ThemeArg, WindowArgs};
 use self::orbit::Up;
-use self::state::{Colours, GoalKind, ViewerState};
+use self::state::{Colors, GoalKind, ViewerState};
 use self::system_error::without_place;
 use self::viewer::Viewer;
 #[cfg(feature = "serve")]
 use crate::serve;
-use striata_command::args::Colouring;
+use striata_command::args::Coloring;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
@@ -94,11 +94,11 @@ fn first_state(args: &FirstArgs) -> ViewerState {
         Some(_) => state.goal = goal,
         None => state.set_goal(goal, true),
     }
-    state.colours = match args.colours {
-        Colouring::Surface => Colours::Surface,
-        Colouring::Strips | Colouring::Fans => Colours::Pieces,
-        Colouring::Triangles => Colours::Triangles,
-        Colouring::Groups => Colours::Groups,
+    state.colors = match args.colors {
+        Coloring::Surface => Colors::Surface,
+        Coloring::Strips | Coloring::Fans => Colors::Pieces,
+        Coloring::Triangles => Colors::Triangles,
+        Coloring::Groups => Colors::Groups,
     };
     (state.wireframe, state.is_flat) = (args.wireframe, args.flat);
     state

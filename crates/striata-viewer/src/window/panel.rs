@@ -7,7 +7,7 @@ use egui::{Align, Color32, Grid, Layout, RichText, Slider, TextureId, ThemePrefe
 use super::args::ShownModel;
 use super::loader::Task;
 use super::orbit::Up;
-use super::state::{Background, Colours, GoalKind};
+use super::state::{Background, Colors, GoalKind};
 use super::subject::Subject;
 use super::viewer::{Place, Viewer};
 use super::{frustum, help, plots};
@@ -271,7 +271,7 @@ fn model(viewer: &mut Viewer, ui: &mut Ui) {
     ui.add_enabled(can_morph, egui::Checkbox::new(&mut viewer.state.morphs, "Geomorphs"))
         .on_disabled_hover_text("Fans know how")
         .on_hover_text(
-            "Vertices slide to where they belong instead of jumping; not with edges or colours of triangles",
+            "Vertices slide to where they belong instead of jumping; not with edges or colors of triangles",
         );
     let mut is_frozen = viewer.state.frozen.is_some();
     let hover = "Keep the level of this view, and look at it from elsewhere";
@@ -285,24 +285,24 @@ fn look(viewer: &mut Viewer, ui: &mut Ui) {
     let state = &mut viewer.state;
     let pieces = state.model.pieces();
     ui.horizontal_wrapped(|ui| {
-        let shown = state.colours_shown();
-        let mut choice = |ui: &mut Ui, colours, name: &str, is_enabled| {
-            let button = egui::Button::selectable(shown == colours, name);
+        let shown = state.colors_shown();
+        let mut choice = |ui: &mut Ui, colors, name: &str, is_enabled| {
+            let button = egui::Button::selectable(shown == colors, name);
             if ui.add_enabled(is_enabled, button).clicked() {
-                state.colours = colours;
+                state.colors = colors;
             }
         };
-        choice(ui, Colours::Surface, "Surface", true);
-        choice(ui, Colours::Pieces, pieces.unwrap_or("Strips"), pieces.is_some());
-        choice(ui, Colours::Triangles, "Triangles", true);
-        choice(ui, Colours::Groups, "Groups", true);
+        choice(ui, Colors::Surface, "Surface", true);
+        choice(ui, Colors::Pieces, pieces.unwrap_or("Strips"), pieces.is_some());
+        choice(ui, Colors::Triangles, "Triangles", true);
+        choice(ui, Colors::Groups, "Groups", true);
     });
     Grid::new("look").num_columns(2).spacing([16.0, 4.0]).show(ui, |ui| {
         ui.checkbox(&mut state.wireframe, "Wireframe");
         ui.checkbox(&mut state.is_flat, "Flat");
         ui.end_row();
         ui.checkbox(&mut state.hides_back, "Hide back sides");
-        ui.checkbox(&mut state.shows_vertex_colours, "Own colours");
+        ui.checkbox(&mut state.shows_vertex_colors, "Own colors");
         ui.end_row();
         ui.checkbox(&mut state.turns, "Turn");
         let mut is_z_up = viewer.orbit.up() == Up::Z;
@@ -317,12 +317,12 @@ fn look(viewer: &mut Viewer, ui: &mut Ui) {
         if ui.selectable_label(!is_own, "Theme").clicked() {
             state.background = Background::Theme;
         }
-        let mut colour = match state.background {
-            Background::Own(colour) => colour,
+        let mut color = match state.background {
+            Background::Own(color) => color,
             Background::Theme => [0.2, 0.25, 0.3],
         };
-        if ui.color_edit_button_rgb(&mut colour).changed() {
-            state.background = Background::Own(colour);
+        if ui.color_edit_button_rgb(&mut color).changed() {
+            state.background = Background::Own(color);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.button("Reset view").clicked() {

@@ -72,7 +72,7 @@ impl Screen {
         Ok(Self { window, gpu, renderer, instance, surface, config, reported })
     }
 
-    /// Follows the window's size; a minimised one has none, and keeps what it had.
+    /// Follows the window's size; a minimized one has none, and keeps what it had.
     pub(super) fn resize(&mut self, width: u32, height: u32) {
         if width == 0 || height == 0 {
             return;

@@ -5,11 +5,11 @@ use std::ops::Range;
 use striata::model::FanInstance;
 use striata_gpu::{
     Canvas, Drawing, FanExtractor, Gpu, GpuError, GpuFanInstance, GpuFans, GpuIndices, GpuMorph, GpuVertices,
-    Inspection, Look, Painter, Scene, ScreenCopy, Viewpoint, palette_colour, wgpu,
+    Inspection, Look, Painter, Scene, ScreenCopy, Viewpoint, palette_color, wgpu,
 };
 
 use super::shown::{Changes, Shown};
-use super::state::Colours;
+use super::state::Colors;
 use super::subject::Subject;
 
 /// Samples a pixel.
@@ -20,8 +20,8 @@ const SAMPLES: u32 = 4;
 pub(super) enum Inspected {
     /// The surface is drawn by its indices.
     No,
-    /// Single triangles, in these colours.
-    By(Colours),
+    /// Single triangles, in these colors.
+    By(Colors),
 }
 
 /// Everything on the GPU that belongs to one subject.
@@ -76,7 +76,7 @@ impl Stage {
         Self { gpu, painter, extractor: None, canvas: None, props: None, uploaded_bytes: 0 }
     }
 
-    /// Bytes uploaded so far of indices, colours and moved vertices.
+    /// Bytes uploaded so far of indices, colors and moved vertices.
     pub(super) fn uploaded_bytes(&self) -> u64 {
         self.uploaded_bytes
     }
@@ -116,15 +116,15 @@ impl Stage {
     ) -> Result<(), GpuError> {
         let Some(props) = &mut self.props else { return Ok(()) };
         let uploaded_before = props.uploaded_bytes();
-        if let Inspected::By(colours) = inspected {
+        if let Inspected::By(colors) = inspected {
             if is_new || props.inspected != inspected || props.inspection.is_none() {
-                let (triangles, numbers) = match colours {
-                    Colours::Pieces => shown.pieces(subject),
+                let (triangles, numbers) = match colors {
+                    Colors::Pieces => shown.pieces(subject),
                     _ => shown.grouped(subject),
                 };
-                let colours = triangle_colours(colours, &numbers);
+                let colors = triangle_colors(colors, &numbers);
                 let vertices = &props.vertices;
-                let inspection = Inspection::new(&self.gpu, &self.painter, vertices, (&triangles, &colours))?;
+                let inspection = Inspection::new(&self.gpu, &self.painter, vertices, (&triangles, &colors))?;
                 props.inspection = Some(inspection);
                 self.uploaded_bytes += 16 * triangles.len() as u64;
             }
@@ -196,7 +196,7 @@ impl Stage {
         Ok(is_resized)
     }
 
-    /// The picture as its bytes stand, for a window that mixes colours as the screen encodes them.
+    /// The picture as its bytes stand, for a window that mixes colors as the screen encodes them.
     pub(super) fn picture(&self) -> Option<&wgpu::TextureView> {
         self.canvas.as_ref().map(|framed| framed.copy.view())
     }
@@ -283,11 +283,11 @@ impl Props {
     }
 }
 
-/// A colour for each triangle.
-fn triangle_colours(colours: Colours, numbers: &[u32]) -> Vec<[u8; 4]> {
-    match colours {
-        Colours::Surface => vec![[255, 255, 255, 0]; numbers.len()],
-        Colours::Triangles => (0..numbers.len() as u32).map(palette_colour).collect(),
-        Colours::Pieces | Colours::Groups => numbers.iter().map(|&number| palette_colour(number)).collect(),
+/// A color for each triangle.
+fn triangle_colors(colors: Colors, numbers: &[u32]) -> Vec<[u8; 4]> {
+    match colors {
+        Colors::Surface => vec![[255, 255, 255, 0]; numbers.len()],
+        Colors::Triangles => (0..numbers.len() as u32).map(palette_color).collect(),
+        Colors::Pieces | Colors::Groups => numbers.iter().map(|&number| palette_color(number)).collect(),
     }
 }

@@ -82,11 +82,11 @@ pub(super) enum Goal {
 
 /// How triangles are told apart.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Colours {
-    /// Not at all: the surface with its own colours.
+pub(super) enum Colors {
+    /// Not at all: the surface with its own colors.
     #[default]
     Surface,
-    /// Each strip or fan has a colour.
+    /// Each strip or fan has a color.
     Pieces,
     /// Each triangle has one.
     Triangles,
@@ -100,7 +100,7 @@ pub(super) enum Background {
     /// As the panel: dark or light.
     #[default]
     Theme,
-    /// A colour of the user's, linear light.
+    /// A color of the user's, linear light.
     Own([f32; 3]),
 }
 
@@ -130,9 +130,9 @@ pub(super) struct ViewerState {
     pub(super) morphs: bool,
     pub(super) frozen: Option<Frozen>,
     pub(super) wireframe: bool,
-    pub(super) colours: Colours,
+    pub(super) colors: Colors,
     pub(super) is_flat: bool,
-    pub(super) shows_vertex_colours: bool,
+    pub(super) shows_vertex_colors: bool,
     pub(super) hides_back: bool,
     pub(super) background: Background,
     pub(super) turns: bool,
@@ -154,9 +154,9 @@ impl Default for ViewerState {
             morphs: false,
             frozen: None,
             wireframe: false,
-            colours: Colours::Surface,
+            colors: Colors::Surface,
             is_flat: false,
-            shows_vertex_colours: true,
+            shows_vertex_colors: true,
             hides_back: false,
             background: Background::Theme,
             turns: false,
@@ -178,7 +178,7 @@ pub(super) enum Action {
     NextModel,
     /// Edges or none.
     Wireframe,
-    /// Colours of strips or fans, or none.
+    /// Colors of strips or fans, or none.
     Pieces,
     /// Flat or smooth.
     Flat,
@@ -213,8 +213,8 @@ impl ViewerState {
             Action::Coarser => self.refine(false, triangle_count),
             Action::NextModel => self.model = self.model_after(has_collapses),
             Action::Wireframe => self.wireframe ^= true,
-            Action::Pieces if self.colours == Colours::Pieces => self.colours = Colours::Surface,
-            Action::Pieces => self.colours = Colours::Pieces,
+            Action::Pieces if self.colors == Colors::Pieces => self.colors = Colors::Surface,
+            Action::Pieces => self.colors = Colors::Pieces,
             Action::Flat => self.is_flat ^= true,
             Action::Morphs => self.morphs ^= true,
             Action::Turn => self.turns ^= true,
@@ -261,17 +261,17 @@ impl ViewerState {
         }
     }
 
-    /// The colours that this model can show.
-    pub(super) fn colours_shown(&self) -> Colours {
-        match self.colours {
-            Colours::Pieces if self.model.pieces().is_none() => Colours::Surface,
-            colours => colours,
+    /// The colors that this model can show.
+    pub(super) fn colors_shown(&self) -> Colors {
+        match self.colors {
+            Colors::Pieces if self.model.pieces().is_none() => Colors::Surface,
+            colors => colors,
         }
     }
 
-    /// Whether single triangles are drawn, each with colours and edges of its own.
+    /// Whether single triangles are drawn, each with colors and edges of its own.
     pub(super) fn inspects(&self) -> bool {
-        self.wireframe || matches!(self.colours_shown(), Colours::Pieces | Colours::Triangles)
+        self.wireframe || matches!(self.colors_shown(), Colors::Pieces | Colors::Triangles)
     }
 
     /// How the surface looks on a dark or a light background.
@@ -288,8 +288,8 @@ impl ViewerState {
             .with_shading(shading)
             .with_edges(edges)
             .with_edge_width_px(pixels_per_point)
-            .with_vertex_colours(self.shows_vertex_colours)
-            .with_groups(self.colours_shown() == Colours::Groups)
+            .with_vertex_colors(self.shows_vertex_colors)
+            .with_groups(self.colors_shown() == Colors::Groups)
             .with_back_hidden(self.hides_back)
     }
 
@@ -409,12 +409,12 @@ mod tests {
     }
 
     #[test]
-    fn colours_of_pieces_need_pieces() {
+    fn colors_of_pieces_need_pieces() {
         let mut state = ViewerState::default();
         state.apply(Action::Pieces, 10, true);
-        assert!(state.inspects() && state.colours_shown() == Colours::Pieces);
+        assert!(state.inspects() && state.colors_shown() == Colors::Pieces);
         state.model = ShownModel::List;
-        assert!(!state.inspects() && state.colours_shown() == Colours::Surface);
+        assert!(!state.inspects() && state.colors_shown() == Colors::Surface);
         state.apply(Action::Wireframe, 10, true);
         assert!(state.inspects());
         assert!(state.look(true, 1.0).edges[3] > 0.0);

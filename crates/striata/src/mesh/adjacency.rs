@@ -255,7 +255,7 @@ impl Adjacency {
 /// Memory for one position's link, reused from position to position.
 #[derive(Default)]
 struct LinkScratch {
-    /// (neighbour, place in the list of corners), sorted.
+    /// (neighbor, place in the list of corners), sorted.
     ends: Vec<(u32, u32)>,
     sets: DisjointSets,
     /// The first corner of each component, as a place in the list of corners.
@@ -345,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn a_reversed_neighbour_is_inconsistent() {
+    fn a_reversed_neighbor_is_inconsistent() {
         let adjacency = of(&[[0, 1, 2], [2, 0, 3]]);
         assert!(adjacency.edge_between(0, 2).unwrap().is_inconsistent());
         let twisted = Adjacency::of_vertices(&shapes::moebius_strip(5));

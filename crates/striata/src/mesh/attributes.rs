@@ -11,7 +11,7 @@ pub enum Semantic {
     Tangent,
     /// Texture coordinates, 2 components; the number is the UV set.
     TexCoord(u8),
-    /// Colour, 3 or 4 components in 0..=1 (or normalised integers); the number is the colour set.
+    /// Color, 3 or 4 components in 0..=1 (or normalized integers); the number is the color set.
     Color(u8),
     /// Indices of up to 4 joints; the number is the set.
     Joints(u8),
@@ -117,7 +117,7 @@ impl AttributeLayer {
         self.component_count as usize * self.data.component_bytes()
     }
 
-    /// Component `component` of vertex `vertex` as a float, normalised integers mapped to 0..=1.
+    /// Component `component` of vertex `vertex` as a float, normalized integers mapped to 0..=1.
     pub fn get(&self, vertex: usize, component: usize) -> f32 {
         let index = vertex * self.component_count as usize + component;
         match &self.data {

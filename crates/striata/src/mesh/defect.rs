@@ -59,7 +59,7 @@ pub enum Defect {
         /// Triangles on the edge.
         triangle_count: usize,
     },
-    /// Two neighbours face opposite ways.
+    /// Two neighbors face opposite ways.
     InconsistentEdge {
         /// A vertex at each end.
         vertices: [u32; 2],

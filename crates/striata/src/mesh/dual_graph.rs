@@ -18,7 +18,7 @@ use std::cmp::Ordering;
 
 use super::{IndexedMesh, PositionIndex, is_proper};
 
-/// Links between neighbouring triangles.
+/// Links between neighboring triangles.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DualGraph {
     twins: Vec<[u32; 3]>,
@@ -71,15 +71,15 @@ impl DualGraph {
 
     /// The triangle on the other side of side `k` (from corner `k` to the next), if there is one.
     #[inline]
-    pub fn neighbour(&self, triangle: u32, k: usize) -> Option<u32> {
+    pub fn neighbor(&self, triangle: u32, k: usize) -> Option<u32> {
         self.twin(3 * triangle + k as u32).map(|side| side / 3)
     }
 
-    /// The neighbours across the three sides, `u32::MAX` where there is none.
+    /// The neighbors across the three sides, `u32::MAX` where there is none.
     ///
     /// One triangle can be there twice: two triangles can share two edges.
     #[inline]
-    pub fn neighbours(&self, triangle: u32) -> [u32; 3] {
+    pub fn neighbors(&self, triangle: u32) -> [u32; 3] {
         self.twins[triangle as usize].map(|side| if side == NO_TWIN { NO_TWIN } else { side / 3 })
     }
 
@@ -188,10 +188,10 @@ mod tests {
     #[test]
     fn links_know_both_ends() {
         let graph = DualGraph::of_vertices(&plain(&[[0, 1, 2], [0, 2, 3], [2, 1, 4]]));
-        assert_eq!(graph.neighbours(0), [NO_TWIN, 2, 1]);
-        assert_eq!(graph.neighbours(1), [0, NO_TWIN, NO_TWIN]);
+        assert_eq!(graph.neighbors(0), [NO_TWIN, 2, 1]);
+        assert_eq!(graph.neighbors(1), [0, NO_TWIN, NO_TWIN]);
         assert_eq!((graph.twin(2), graph.twin(3), graph.twin(0)), (Some(3), Some(2), None));
-        assert_eq!(graph.neighbour(2, 0), Some(0));
+        assert_eq!(graph.neighbor(2, 0), Some(0));
         assert_eq!((graph.degree(0), graph.degree(2), graph.link_count()), (2, 1, 2));
     }
 
@@ -214,8 +214,8 @@ mod tests {
             [0, 0, 1],
         ]));
         assert_eq!([0, 1, 2, 3, 4, 5].map(|t| graph.degree(t)), [1, 1, 1, 0, 1, 0]);
-        assert_eq!(graph.neighbours(0), [2, NO_TWIN, NO_TWIN]);
-        assert_eq!(graph.neighbours(4), [NO_TWIN, 1, NO_TWIN]);
+        assert_eq!(graph.neighbors(0), [2, NO_TWIN, NO_TWIN]);
+        assert_eq!(graph.neighbors(4), [NO_TWIN, 1, NO_TWIN]);
     }
 
     #[test]
@@ -224,7 +224,7 @@ mod tests {
         let group = |first, count| TriangleGroup { first, count, ..TriangleGroup::default() };
         mesh.groups = vec![group(0, 1), group(1, 0), group(1, 3)];
         let graph = DualGraph::of_vertices(&mesh);
-        assert_eq!([0, 1, 2, 3].map(|t| graph.neighbours(t)[0]), [NO_TWIN, 2, 1, NO_TWIN]);
+        assert_eq!([0, 1, 2, 3].map(|t| graph.neighbors(t)[0]), [NO_TWIN, 2, 1, NO_TWIN]);
 
         let welded = weld(&shapes::hard_cube()).unwrap();
         assert_eq!(DualGraph::of_vertices(&welded.mesh).link_count(), 6);
@@ -234,6 +234,6 @@ mod tests {
     #[test]
     fn two_sides_of_a_pillow_share_three_links() {
         let graph = DualGraph::of_vertices(&plain(&[[0, 1, 2], [0, 2, 1]]));
-        assert_eq!((graph.neighbours(0), graph.link_count()), ([1, 1, 1], 3));
+        assert_eq!((graph.neighbors(0), graph.link_count()), ([1, 1, 1], 3));
     }
 }

@@ -1,6 +1,6 @@
 //! Positions against vertices: which vertices are wedges of one position.
 
-/// Numbers the positions of a mesh whose wedges are neighbours: position `p` owns the vertices
+/// Numbers the positions of a mesh whose wedges are neighbors: position `p` owns the vertices
 /// `first[p]..first[p + 1]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PositionIndex {

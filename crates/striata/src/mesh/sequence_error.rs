@@ -33,7 +33,7 @@ pub enum SequenceError {
         limit: u32,
     },
     /// The wedges of one position collapse to different positions.
-    #[error("vertex {vertex} collapses to position {found}, its neighbour wedge to {expected}")]
+    #[error("vertex {vertex} collapses to position {found}, its neighbor wedge to {expected}")]
     SplitTarget {
         /// The vertex.
         vertex: usize,

@@ -200,7 +200,7 @@ fn expected_components(semantic: &Semantic) -> Components {
 }
 
 fn find_bad_attributes(layer: &AttributeLayer, report: &mut Report) {
-    // Integers are finite, and their vectors as long as quantisation makes them.
+    // Integers are finite, and their vectors as long as quantization makes them.
     let LayerData::F32(data) = &layer.data else { return };
     let is_unit = matches!(layer.semantic, Semantic::Normal | Semantic::Tangent);
     for (vertex, numbers) in data.chunks(usize::from(layer.component_count).max(1)).enumerate() {

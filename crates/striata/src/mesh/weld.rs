@@ -13,7 +13,7 @@ use super::{IndexedMesh, MeshError, PositionIndex, TriangleGroup};
 /// The outcome of [`weld`].
 #[derive(Clone, Debug)]
 pub struct Welded {
-    /// The mesh: no unused, no repeated vertices, wedges of one position neighbours.
+    /// The mesh: no unused, no repeated vertices, wedges of one position neighbors.
     pub mesh: IndexedMesh,
     /// Its positions.
     pub positions: PositionIndex,

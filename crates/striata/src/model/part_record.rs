@@ -16,7 +16,7 @@ pub(in crate::model) const NO_STEP: u32 = u32::MAX;
 pub(in crate::model) trait Bounded {
     /// The step above each in the tree, which is coarser; [`NO_STEP`] for one that hangs from the base.
     fn parents(&self) -> Vec<u32>;
-    /// Where the sphere of a step has its centre.
+    /// Where the sphere of a step has its center.
     fn center(&self, step: u32) -> [f32; 3];
     /// Appends the triangles that go or come with a step.
     fn changed_into(&mut self, step: u32, out: &mut Vec<[[f32; 3]; 3]>);
@@ -126,7 +126,7 @@ impl PartRecord {
         Ok(records)
     }
 
-    /// The bounds, around a centre.
+    /// The bounds, around a center.
     #[inline]
     pub(in crate::model) fn part(self, center: [f32; 3]) -> Part {
         let sin = f32::from(self.sin) * (1.0 / 255.0);

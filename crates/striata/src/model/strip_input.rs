@@ -60,7 +60,7 @@ pub(super) fn sorted_by_place(strips: &StripSet, positions: &[[f32; 3]]) -> Stri
     out
 }
 
-/// The low 10 bits with two zeros between neighbours.
+/// The low 10 bits with two zeros between neighbors.
 fn spread_bits(value: u32) -> u32 {
     let mut x = value & 0x3ff;
     x = (x | x << 16) & 0x0300_00ff;

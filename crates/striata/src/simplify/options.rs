@@ -103,7 +103,7 @@ pub struct AttributeWeights {
     pub normal: f32,
     /// Every UV set; default 0.02.
     pub texcoord: f32,
-    /// Every colour set; default 0.003.
+    /// Every color set; default 0.003.
     pub color: f32,
 }
 

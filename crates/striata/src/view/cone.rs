@@ -69,7 +69,7 @@ impl NormalCone {
         if self.cos <= 0.0 || distance <= radius {
             return false;
         }
-        // From where the eye sees it the part may lie beside its centre by this much, and its normals beside the axis.
+        // From where the eye sees it the part may lie beside its center by this much, and its normals beside the axis.
         let aside = Turn::of_sin(radius / distance);
         let facing = turn_between(sight / distance, direction(self.axis));
         let turned = facing.plus(Turn::of_cos(f64::from(self.cos))).and_then(|turn| turn.plus(aside));

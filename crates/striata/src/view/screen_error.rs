@@ -261,7 +261,7 @@ mod tests {
             let camera = criterion.camera();
             let is_hidden =
                 !camera.may_see(&part.sphere) || part.cone.is_turned_away(&part.sphere, camera.eye());
-            // The camera looks at a sphere as a whole, the criterion at its centre and then at its radius.
+            // The camera looks at a sphere as a whole, the criterion at its center and then at its radius.
             let middle = camera.error_px(part.error, &Sphere::point(part.sphere.center));
             if weight > 0.0 {
                 assert!(!is_hidden || criterion.weigh(&part).lasts < 1e-3);

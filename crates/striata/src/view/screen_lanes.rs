@@ -124,7 +124,7 @@ impl ScreenError {
     fn places(&self, lanes: &Lanes) -> Places {
         let sight = minus(lanes.center, self.eye);
         let square = dot(sight, sight);
-        // An eye at the very centre sees it in no direction, which is as good as any.
+        // An eye at the very center sees it in no direction, which is as good as any.
         let distance = square.sqrt() + splat(f32::MIN_POSITIVE);
         Places {
             view: [self.right, self.up, self.forward].map(|axis| dot(sight, splat3(axis))),
@@ -183,7 +183,7 @@ impl ScreenError {
 
 /// How far parts are turned away from the eye, and how far they face it: over 0 where all of them do.
 ///
-/// The least that a normal within an angle `a` of the axis, at a point within `r` of the centre, looks along the sight is
+/// The least that a normal within an angle `a` of the axis, at a point within `r` of the center, looks along the sight is
 /// `d cos(b + a) - r` where the sight is an angle `b` off the axis: that is exact, so what lies within is turned as far.
 #[inline]
 fn facing(lanes: &Lanes, places: &Places) -> [f32x8; 2] {

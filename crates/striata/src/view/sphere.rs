@@ -1,4 +1,4 @@
-//! Bounding spheres that keep their centre.
+//! Bounding spheres that keep their center.
 
 use glam::Vec3;
 
@@ -7,7 +7,7 @@ use super::SLACK;
 /// A ball that holds what it has been grown to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Its centre, mesh units.
+    /// Its center, mesh units.
     pub center: [f32; 3],
     /// Its radius, mesh units; not negative.
     pub radius: f32,
@@ -19,13 +19,13 @@ impl Sphere {
         Self { center, radius: 0.0 }
     }
 
-    /// The sphere of the same centre that also holds a point.
+    /// The sphere of the same center that also holds a point.
     #[must_use]
     pub fn with_point(self, point: [f32; 3]) -> Self {
         self.with_sphere(&Self::point(point))
     }
 
-    /// The sphere of the same centre that also holds another.
+    /// The sphere of the same center that also holds another.
     #[must_use]
     pub fn with_sphere(self, other: &Self) -> Self {
         let reach = distance(self.center, other.center) + other.radius;

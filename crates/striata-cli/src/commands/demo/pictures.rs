@@ -11,7 +11,7 @@ use striata_command::args::tan;
 use striata_command::failure::Failure;
 use striata_command::output::grouped;
 use striata_viewer::picture::{
-    Angles, Artist, Camera, ColourBar, Frustum, Heat, Paint, Panel, Sheet, Shot, Style, Theme, strip_colours,
+    Angles, Artist, Camera, ColorBar, Frustum, Heat, Paint, Panel, Sheet, Shot, Style, Theme, strip_colors,
     with_normals,
 };
 
@@ -92,8 +92,8 @@ impl Studio<'_> {
             let mut state = self.built.lod_strips().new_state();
             self.built.lod_strips().move_to(&mut state, split_count_at(self.built, share));
             let strips = strips_of_level(self.built.lod_strips(), &state);
-            let (triangles, colours) = strip_colours(&strips);
-            let painted = Shot::of(&level, Paint::Triangles(colours), Style::FLAT);
+            let (triangles, colors) = strip_colors(&strips);
+            let painted = Shot::of(&level, Paint::Triangles(colors), Style::FLAT);
             panels.push(self.panel(share, &Shot { triangles: triangles.into(), ..painted }, &sheet));
         }
         finish(&sheet, &panels)
@@ -115,11 +115,11 @@ impl Studio<'_> {
         let heats: Vec<Heat> = heats.collect::<Result<_, _>>()?;
         let top = heats.iter().map(|heat| heat.max).fold(0.0, f64::max);
         let sheet =
-            Sheet::new([1280, 560], (shares.len(), 1)).with_text(true).with_bar(ColourBar::up_to(top, top));
+            Sheet::new([1280, 560], (shares.len(), 1)).with_text(true).with_bar(ColorBar::up_to(top, top));
         let original = self.refinable.mesh.clone();
         let mut panels = Vec::new();
         for (&share, heat) in shares.iter().zip(&heats) {
-            let shot = Shot::of(&original, Paint::Vertices(heat.colours(top)), Style::SMOOTH);
+            let shot = Shot::of(&original, Paint::Vertices(heat.colors(top)), Style::SMOOTH);
             panels.push(self.panel(share, &shot, &sheet));
         }
         finish(&sheet, &panels)

@@ -1,4 +1,4 @@
-//! A level that is drawn, and how it is coloured.
+//! A level that is drawn, and how it is colored.
 
 use std::borrow::Cow;
 
@@ -8,12 +8,12 @@ use striata::simplify::Target;
 use striata::strip::{StripIndices, StripSet, stripify};
 
 use crate::commands::extract::ViewLevel;
-use striata_command::args::Colouring;
+use striata_command::args::Coloring;
 use striata_command::failure::Failure;
 use striata_command::fan_cover::fans_of;
 use striata_command::level::{Floor, Reached, shortfall};
 use striata_viewer::picture::{
-    Paint, Shot, Style, fan_colours, group_colours, strip_colours, triangle_colours, with_normals,
+    Paint, Shot, Style, fan_colors, group_colors, strip_colors, triangle_colors, with_normals,
 };
 
 /// A level that is drawn.
@@ -74,31 +74,31 @@ impl Figure {
         }
     }
 
-    /// What a shot of it shows, in some colours.
+    /// What a shot of it shows, in some colors.
     ///
     /// # Errors
     /// Where strips cannot be made, which is our fault.
-    pub(super) fn painted(&self, colouring: Colouring) -> Result<Painted, Failure> {
-        let (triangles, colours) = match colouring {
-            Colouring::Surface => {
+    pub(super) fn painted(&self, coloring: Coloring) -> Result<Painted, Failure> {
+        let (triangles, colors) = match coloring {
+            Coloring::Surface => {
                 let strips = self.strips.as_ref().map(StripSet::to_restart_indices);
                 return Ok(Painted { triangles: None, paint: Paint::Surface, strips });
             }
-            Colouring::Strips => match &self.strips {
-                Some(strips) => strip_colours(strips),
-                None => strip_colours(&stripify(&self.mesh)?),
+            Coloring::Strips => match &self.strips {
+                Some(strips) => strip_colors(strips),
+                None => strip_colors(&stripify(&self.mesh)?),
             },
-            Colouring::Fans => fan_colours(&fans_of(&self.mesh)),
-            Colouring::Triangles => triangle_colours(&self.mesh.triangles),
-            Colouring::Groups => group_colours(&self.mesh),
+            Coloring::Fans => fan_colors(&fans_of(&self.mesh)),
+            Coloring::Triangles => triangle_colors(&self.mesh.triangles),
+            Coloring::Groups => group_colors(&self.mesh),
         };
-        Ok(Painted { triangles: Some(triangles), paint: Paint::Triangles(colours), strips: None })
+        Ok(Painted { triangles: Some(triangles), paint: Paint::Triangles(colors), strips: None })
     }
 }
 
-/// A level in its colours.
+/// A level in its colors.
 pub(super) struct Painted {
-    /// In another order than the level's, where colours need one.
+    /// In another order than the level's, where colors need one.
     triangles: Option<Vec<[u32; 3]>>,
     paint: Paint,
     strips: Option<StripIndices>,

@@ -6,11 +6,11 @@ use super::figure::Figure;
 use super::place::Place;
 use super::source::Source;
 use crate::args::RenderArgs;
-use striata_command::args::Colouring;
+use striata_command::args::Coloring;
 use striata_command::failure::Failure;
 use striata_command::output::counted;
 use striata_viewer::picture::{
-    Artist, Camera, Canvas, ColourBar, Heat, Paint, Panel, Sheet, Shot, Style, Theme, significant,
+    Artist, Camera, Canvas, ColorBar, Heat, Paint, Panel, Sheet, Shot, Style, Theme, significant,
 };
 
 /// The picture before it is drawn.
@@ -21,7 +21,7 @@ pub(super) struct Layout<'a> {
     place: &'a Place,
     /// Where distances are shown, those of each level.
     pub(super) heats: Vec<Heat>,
-    /// The distance that has the last colour.
+    /// The distance that has the last color.
     pub(super) heat_top: f64,
     diagonal: f64,
     sheet: Sheet,
@@ -55,9 +55,9 @@ impl<'a> Layout<'a> {
         let make = |grid| {
             let mut sheet = Sheet::new(size, grid);
             if args.levels.is_some() {
-                sheet = sheet.with_text(args.colours.len() > 1);
+                sheet = sheet.with_text(args.colors.len() > 1);
             }
-            if args.heat { sheet.with_bar(ColourBar::up_to(heat_top, largest)) } else { sheet }
+            if args.heat { sheet.with_bar(ColorBar::up_to(heat_top, largest)) } else { sheet }
         };
         let sheet = make(grid(args, figures.len(), place, &make));
         Ok(Self { args, original, figures, place, heats, heat_top, diagonal, sheet })
@@ -71,9 +71,9 @@ impl<'a> Layout<'a> {
         let size = self.sheet.panel_size();
         let camera = self.place.camera(size[0] as f32 / size[1] as f32);
         let (mut panels, mut frame_secs) = (Vec::new(), 0.0);
-        for &colouring in &self.args.colours {
+        for &coloring in &self.args.colors {
             for (number, figure) in self.figures.iter().enumerate() {
-                let drawn = self.draw_one((number, figure), colouring, artist, (&camera, size))?;
+                let drawn = self.draw_one((number, figure), coloring, artist, (&camera, size))?;
                 frame_secs += drawn.secs;
                 let (title, caption) = (figure.title.clone(), self.caption(number, figure));
                 panels.push(Panel { canvas: drawn.canvas, title, caption });
@@ -85,7 +85,7 @@ impl<'a> Layout<'a> {
     fn draw_one(
         &self,
         (number, figure): (usize, &Figure),
-        colouring: Colouring,
+        coloring: Coloring,
         artist: &mut Artist,
         (camera, size): (&Camera, [usize; 2]),
     ) -> Result<striata_viewer::picture::Drawn, Failure> {
@@ -98,11 +98,11 @@ impl<'a> Layout<'a> {
         let style = Style { has_edges: self.args.wireframe, is_flat: self.args.flat };
         match self.heats.get(number) {
             Some(heat) => {
-                let paint = Paint::Vertices(heat.colours(self.heat_top));
+                let paint = Paint::Vertices(heat.colors(self.heat_top));
                 Ok(draw(Shot::of(self.original, paint, style), artist))
             }
             None => {
-                let painted = figure.painted(colouring)?;
+                let painted = figure.painted(coloring)?;
                 Ok(draw(painted.shot(&figure.mesh, style), artist))
             }
         }
@@ -113,7 +113,7 @@ impl<'a> Layout<'a> {
         let percent = |distance: f64| significant(100.0 * distance / self.diagonal, 2);
         match (self.heats.get(number), &figure.strips) {
             (Some(heat), _) if heat.max > 0.0 => format!("{triangles}, up to {} % away", percent(heat.max)),
-            (None, Some(strips)) if self.args.colours.contains(&Colouring::Strips) => {
+            (None, Some(strips)) if self.args.colors.contains(&Coloring::Strips) => {
                 format!("{triangles}, {}", counted(strips.strip_count(), "strip", "strips"))
             }
             (None, _) if figure.error > 0.0 => {
@@ -124,15 +124,15 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// Columns and rows: a row for each colouring, or else as many as show the levels largest.
+/// Columns and rows: a row for each coloring, or else as many as show the levels largest.
 fn grid(
     args: &RenderArgs,
     count: usize,
     place: &Place,
     make: &impl Fn((usize, usize)) -> Sheet,
 ) -> (usize, usize) {
-    if args.colours.len() > 1 {
-        return (count, args.colours.len());
+    if args.colors.len() > 1 {
+        return (count, args.colors.len());
     }
     if let Some(rows) = args.rows {
         let rows = usize::from(rows).min(count);

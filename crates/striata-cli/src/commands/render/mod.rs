@@ -64,9 +64,9 @@ fn check(args: &RenderArgs) -> Result<(), Failure> {
         return Err(Failure::user("a view was described, but there is no --eye")
             .with_hint("say --eye, or leave --pixels, --viewport and the like out"));
     }
-    if args.colours.len() > 1 && args.rows.is_some() {
-        return Err(Failure::user("--rows and more than one of --colours: each of these has a row already")
-            .with_hint("leave --rows out, or name one of --colours"));
+    if args.colors.len() > 1 && args.rows.is_some() {
+        return Err(Failure::user("--rows and more than one of --colors: each of these has a row already")
+            .with_hint("leave --rows out, or name one of --colors"));
     }
     Ok(())
 }
@@ -105,7 +105,7 @@ fn theme(background: Background) -> Theme {
         Background::Dark => Theme::DARK,
         Background::Light => Theme::LIGHT,
         Background::None => Theme::on([0.0; 4]),
-        Background::Colour(srgb) => Theme::on_srgb(srgb),
+        Background::Color(srgb) => Theme::on_srgb(srgb),
     }
 }
 

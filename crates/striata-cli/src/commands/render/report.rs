@@ -52,7 +52,7 @@ struct Level {
 
 #[derive(Serialize)]
 struct HeatReport {
-    /// The distance at the end of the colour bar.
+    /// The distance at the end of the color bar.
     top: f64,
     /// The same as a share of the diagonal.
     top_of_diagonal: f64,
@@ -98,7 +98,7 @@ impl Report {
             width,
             height,
             adapter: artist.name(),
-            triangle_count: args.colours.len() * levels.iter().map(of_panel).sum::<usize>(),
+            triangle_count: args.colors.len() * levels.iter().map(of_panel).sum::<usize>(),
             frame_secs,
             heat: args.heat.then(|| HeatReport {
                 top: layout.heat_top,
@@ -112,7 +112,7 @@ impl Report {
     pub(super) fn to_text(&self) -> String {
         let heat = self.heat.as_ref().map_or_else(String::new, |heat| {
             let share = 100.0 * heat.top_of_diagonal;
-            format!(", colours up to {} ({share:.4} % of the diagonal)", measured(heat.top))
+            format!(", colors up to {} ({share:.4} % of the diagonal)", measured(heat.top))
         });
         let shortfalls = self.levels.iter().filter_map(|level| level.shortfall.as_ref());
         let shortfalls: String = shortfalls.map(|text| format!("\n{}", remark(None, text))).collect();

@@ -11,7 +11,7 @@ use crate::args::{DrawnModel, RenderArgs};
 use crate::commands::build::errors_are_guaranteed;
 use crate::commands::extract::{PatternsOfFile, level_of_view};
 use crate::strip_lists::strips_of_level;
-use striata_command::args::{Colouring, Count, Point};
+use striata_command::args::{Coloring, Count, Point};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{Floor, FullMesh, Reached, shortfall};
@@ -299,7 +299,7 @@ fn needs_levels(args: &RenderArgs) -> bool {
 
 /// Strips that are looked at follow the levels.
 fn default_model(args: &RenderArgs) -> DrawnModel {
-    let shows_strips = args.colours.contains(&Colouring::Strips) && args.level.eye.is_none();
+    let shows_strips = args.colors.contains(&Coloring::Strips) && args.level.eye.is_none();
     if shows_strips { DrawnModel::Model(ModelKind::LodStrips) } else { DrawnModel::List }
 }
 

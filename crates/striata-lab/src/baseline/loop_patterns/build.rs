@@ -202,14 +202,14 @@ impl<'a> Builder<'a> {
         !is_glued || self.is_closed_around(first, last) && self.is_closed_around(last, first)
     }
 
-    /// Whether the triangles around a vertex lead from a neighbour back to it.
-    fn is_closed_around(&self, vertex: u32, neighbour: u32) -> bool {
-        let mut at = neighbour;
+    /// Whether the triangles around a vertex lead from a neighbor back to it.
+    fn is_closed_around(&self, vertex: u32, neighbor: u32) -> bool {
+        let mut at = neighbor;
         while let Some(&triangle) = self.sides.get(&key([vertex, at])) {
             let corners = &self.corners[triangle as usize];
             let turn = corners.iter().position(|&v| v == vertex).unwrap_or(0);
             at = corners[(turn + 2) % 3];
-            if at == neighbour {
+            if at == neighbor {
                 return true;
             }
         }

@@ -11,7 +11,7 @@
 //!        41 stands on 17, 30 and 12; 30's loop 0 ends at 41, so 41 covers 30
 //! ```
 //!
-//! **An instance** is the current triangulation with its neighbours. To insert a fragment, its floor is found at the side
+//! **An instance** is the current triangulation with its neighbors. To insert a fragment, its floor is found at the side
 //! between the anchors and replaced by a fan; to remove one, the fan of its vertex is found and replaced by a floor. A triangle's
 //! youngest corner tells which fragment made it.
 //!

@@ -110,7 +110,7 @@ impl Shape {
     }
 }
 
-/// The neighbours of a vertex, counterclockwise, and whether they end at a border.
+/// The neighbors of a vertex, counterclockwise, and whether they end at a border.
 fn ring_of(vertex: u32, ceiling: &[[u32; 3]]) -> Result<(Vec<u32>, bool), &'static str> {
     const NO_FAN: &str = "removes a vertex whose triangles are not one fan";
     if ceiling.is_empty() {

@@ -1,4 +1,4 @@
-//! What one instance owns: the fragments that are inserted and the current triangulation with its neighbours.
+//! What one instance owns: the fragments that are inserted and the current triangulation with its neighbors.
 
 use striata::mesh::canonical_triangles;
 

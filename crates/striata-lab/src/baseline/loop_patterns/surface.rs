@@ -1,4 +1,4 @@
-//! A triangulation that knows its neighbours, and the two ways to change it: a fan for a floor, and a floor for a fan.
+//! A triangulation that knows its neighbors, and the two ways to change it: a fan for a floor, and a floor for a fan.
 //!
 //! Triangles stand side by side in slots. Side `i` of a triangle runs from its corner `i` to the next; behind it is another slot,
 //! or a border. Every vertex knows one of its triangles. A rule is laid over the triangles by walking its tree, so that a floor
@@ -378,7 +378,7 @@ impl Surface {
         let (corners, beside) = (self.corners[slot as usize], self.beside[slot as usize]);
         for side in 0..3 {
             let ends = [corners[next(side)], corners[side]];
-            // A neighbour behind two sides is told of both.
+            // A neighbor behind two sides is told of both.
             self.join(beside[side], ends, slot);
             let at = &mut self.triangle_at[corners[side] as usize];
             if *at == moved {

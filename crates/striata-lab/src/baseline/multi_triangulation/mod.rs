@@ -11,7 +11,7 @@
 //!     floor    | / |      4 triangles that it replaces; each names its lower fragment, or it is the base's
 //! ```
 //!
-//! Nothing here walks from a triangle to its neighbours, so any mesh will do: borders, seams, groups, non-manifold places.
+//! Nothing here walks from a triangle to its neighbors, so any mesh will do: borders, seams, groups, non-manifold places.
 //!
 //! Differs: a fragment without a floor (a triangle that hangs on one edge, a vertex without triangles) stands on nothing, so that no
 //! triangle tells that it is missing; a condition is asked for it by itself. Beside the two steps of \[KG98\] section 3.4,

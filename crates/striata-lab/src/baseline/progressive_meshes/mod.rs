@@ -12,8 +12,8 @@
 //!
 //! Differs: \[Hop96\] places vertices anew and splits into wedges as it refines; here collapses are half-edge
 //! collapses over one vertex buffer, so attributes need no record. \[Hop98\] finds the corners of a split by
-//! walking around the vertex, with the neighbours of each triangle kept in the instance; here they are listed, which
-//! serves any mesh, needs no neighbours and makes a step a few writes. A corner is a word, a count is a byte.
+//! walking around the vertex, with the neighbors of each triangle kept in the instance; here they are listed, which
+//! serves any mesh, needs no neighbors and makes a step a few writes. A corner is a word, a count is a byte.
 //!
 //! Cost: a step touches about three corners and two triangles. Building is linear in the corners that change, but
 //! for sorting.

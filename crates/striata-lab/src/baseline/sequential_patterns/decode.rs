@@ -4,8 +4,8 @@ use striata::mesh::{Face, Fragment, FragmentSequence, PositionIndex};
 use striata::model::Bits;
 
 use super::{
-    ANCHOR_BITS, FRAGMENT_BITS, LONG_NEIGHBOUR, LONG_NEIGHBOUR_BITS, LONG_RULE, LONG_RULE_BITS,
-    NEIGHBOUR_BITS, Neighbours, OPENS_TWICE, RULE_BITS, SequentialPatternsError,
+    ANCHOR_BITS, FRAGMENT_BITS, LONG_NEIGHBOR, LONG_NEIGHBOR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOR_BITS,
+    Neighbors, OPENS_TWICE, RULE_BITS, SequentialPatternsError,
 };
 use crate::baseline::loop_patterns::{Found, Rule, RuleTable, Surface};
 
@@ -21,7 +21,7 @@ pub struct SequentialDecoder {
     bits: Bits,
     at: usize,
     surface: Surface,
-    around: Neighbours,
+    around: Neighbors,
     found: Found,
     sorted: Vec<u32>,
 }
@@ -60,7 +60,7 @@ impl SequentialDecoder {
             bits,
             at: 0,
             surface,
-            around: Neighbours::default(),
+            around: Neighbors::default(),
             found: Found::default(),
             sorted: Vec::new(),
         })
@@ -124,7 +124,7 @@ impl SequentialDecoder {
     fn read(&mut self) -> Result<Fragment, &'static str> {
         let rule = self.read_number(LONG_RULE, [RULE_BITS, LONG_RULE_BITS])? as usize;
         let anchor = self.read_bits(ANCHOR_BITS)? as usize;
-        let counted = self.read_number(LONG_NEIGHBOUR, [NEIGHBOUR_BITS, LONG_NEIGHBOUR_BITS])? as usize;
+        let counted = self.read_number(LONG_NEIGHBOR, [NEIGHBOR_BITS, LONG_NEIGHBOR_BITS])? as usize;
         let vertex = self.base_vertex_count + self.step;
         if rule >= self.rules.len() {
             return Err("has a rule that is not there");
@@ -134,7 +134,7 @@ impl SequentialDecoder {
         }
         self.around.find(&self.surface, anchor as u32);
         if counted >= self.around.count() {
-            return Err("counts more neighbours than its anchor has");
+            return Err("counts more neighbors than its anchor has");
         }
         let place = self.around.place(counted);
         let rules = std::mem::take(&mut self.rules);
@@ -143,7 +143,7 @@ impl SequentialDecoder {
         fragment
     }
 
-    /// Puts the fragment with a rule where its second anchor is the neighbour at a place.
+    /// Puts the fragment with a rule where its second anchor is the neighbor at a place.
     fn place(&mut self, rule: Rule, anchor: u32, place: usize) -> Result<Fragment, &'static str> {
         if rule.apexes.is_empty() {
             let side = place.checked_sub(1).map(|before| self.around.star[before]);

@@ -6,7 +6,7 @@ use striata::mesh::{FragmentSequence, FragmentedMesh};
 use striata::model::{Bits, ModelError};
 
 use super::{
-    ANCHOR_BITS, LONG_NEIGHBOUR, LONG_NEIGHBOUR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOUR_BITS, Neighbours,
+    ANCHOR_BITS, LONG_NEIGHBOR, LONG_NEIGHBOR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOR_BITS, Neighbors,
     OPENS_TWICE, RULE_BITS, SequentialPatterns,
 };
 use crate::baseline::loop_patterns::{Found, Rule, Shape, Side, Surface, check_form};
@@ -46,7 +46,7 @@ impl SequentialPatterns {
         let mut writer = Writer {
             surface,
             bits: Bits::default(),
-            around: Neighbours::default(),
+            around: Neighbors::default(),
             found: Found::default(),
             star: Vec::new(),
         };
@@ -92,7 +92,7 @@ fn number_rules(shapes: &[Shape]) -> Result<(Vec<&[u8]>, Vec<u32>), ModelError> 
 struct Writer {
     surface: Surface,
     bits: Bits,
-    around: Neighbours,
+    around: Neighbors,
     found: Found,
     star: Vec<Side>,
 }
@@ -110,13 +110,13 @@ impl Writer {
         self.write(u64::from(rule_number), LONG_RULE, [RULE_BITS, LONG_RULE_BITS]);
         self.bits.push(u64::from(a), ANCHOR_BITS);
         let counted = self.around.counted(place) as u64;
-        self.write(counted, LONG_NEIGHBOUR, [NEIGHBOUR_BITS, LONG_NEIGHBOUR_BITS]);
+        self.write(counted, LONG_NEIGHBOR, [NEIGHBOR_BITS, LONG_NEIGHBOR_BITS]);
         self.surface.add_vertex();
         self.surface.put_fan(vertex, rule, &mut self.found);
         Ok(())
     }
 
-    /// The place of the second anchor among the neighbours of the first; leaves the floor in `found`.
+    /// The place of the second anchor among the neighbors of the first; leaves the floor in `found`.
     fn find(&mut self, rule: Rule, shape: &Shape) -> Option<usize> {
         let [a, b] = [shape.ring[0], shape.ring[1]];
         let mut places = 0..self.around.count();

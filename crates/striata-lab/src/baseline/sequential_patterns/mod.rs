@@ -1,7 +1,7 @@
 //! Patterns in sequential form, for transmission: \[KG98\] section 3.1.
 //!
 //! Fragments follow each other from coarse to fine, and each is told by where it goes in the triangulation that the ones before it
-//! made: the number of its rule, its first anchor, and which neighbour of that is the second. Neighbours are counted
+//! made: the number of its rule, its first anchor, and which neighbor of that is the second. Neighbors are counted
 //! counterclockwise from the one with the smallest number. The hierarchy is not stored; whoever has read so many fragments has that
 //! level.
 //!
@@ -9,13 +9,13 @@
 //! 4 bytes each  vertices of the base, triangles of the base, fragments, rules
 //! 12 bytes      a triangle of the base
 //! rules         a byte for the ring's length, a byte (1: open), a byte for each triangle of the floor
-//! fragments     rule 8 bits (255: 16 more), anchor 32 bits, neighbour 4 bits (15: 32 more)
+//! fragments     rule 8 bits (255: 16 more), anchor 32 bits, neighbor 4 bits (15: 32 more)
 //! ```
 //!
 //! All numbers are little-endian, fragments begin at the lowest bit of the first byte after the rules. Rules are numbered by
 //! how often they are met, so that the escape is for the rarest. Positions are not part of it: they follow in the order of refinement.
 //!
-//! Differs: the paper limits anchors to 16 neighbours and rules to 256; here either may be more, for more bits. What
+//! Differs: the paper limits anchors to 16 neighbors and rules to 256; here either may be more, for more bits. What
 //! is read may be anything: a fragment that has no place is an error, and nothing is allocated that the bytes do not
 //! pay for (a fragment takes 44 bits and brings at most 255 triangles).
 //!
@@ -36,14 +36,14 @@ const RULE_BITS: u32 = 8;
 const LONG_RULE_BITS: u32 = 16;
 /// Bits of a vertex.
 const ANCHOR_BITS: u32 = 32;
-/// Bits of the second anchor's place among the neighbours, and of one that does not fit.
-const NEIGHBOUR_BITS: u32 = 4;
-const LONG_NEIGHBOUR_BITS: u32 = 32;
+/// Bits of the second anchor's place among the neighbors, and of one that does not fit.
+const NEIGHBOR_BITS: u32 = 4;
+const LONG_NEIGHBOR_BITS: u32 = 32;
 /// Bits of a fragment without escapes: what the paper counts.
-const FRAGMENT_BITS: usize = (RULE_BITS + ANCHOR_BITS + NEIGHBOUR_BITS) as usize;
+const FRAGMENT_BITS: usize = (RULE_BITS + ANCHOR_BITS + NEIGHBOR_BITS) as usize;
 /// Instead of a number: it stands behind, longer.
 const LONG_RULE: u64 = (1 << RULE_BITS) - 1;
-const LONG_NEIGHBOUR: u64 = (1 << NEIGHBOUR_BITS) - 1;
+const LONG_NEIGHBOR: u64 = (1 << NEIGHBOR_BITS) - 1;
 
 /// What a fragment must not do.
 const OPENS_TWICE: &str = "opens a hole at a vertex that has another border";
@@ -86,16 +86,16 @@ pub fn decode_sequential(bytes: &[u8]) -> Result<FragmentSequence, SequentialPat
     SequentialDecoder::new(bytes)?.into_sequence()
 }
 
-/// The neighbours of a vertex, counterclockwise, told by the triangles around it.
+/// The neighbors of a vertex, counterclockwise, told by the triangles around it.
 #[derive(Debug, Default)]
-struct Neighbours {
+struct Neighbors {
     star: Vec<Side>,
     is_closed: bool,
-    /// Place of the neighbour with the smallest number.
+    /// Place of the neighbor with the smallest number.
     smallest: usize,
 }
 
-impl Neighbours {
+impl Neighbors {
     fn find(&mut self, surface: &Surface, vertex: u32) {
         self.is_closed = surface.star_into(vertex, &mut self.star);
         self.smallest = (0..self.count()).min_by_key(|&place| self.vertex(surface, place)).unwrap_or(0);
@@ -116,12 +116,12 @@ impl Neighbours {
         }
     }
 
-    /// The side from the vertex to a neighbour, with a triangle on its left; none for the last neighbour at a border.
+    /// The side from the vertex to a neighbor, with a triangle on its left; none for the last neighbor at a border.
     fn side(&self, place: usize) -> Option<Side> {
         self.star.get(place).copied()
     }
 
-    /// Place of the neighbour that is counted as so manieth, and the other way round.
+    /// Place of the neighbor that is counted as so manieth, and the other way round.
     fn place(&self, counted: usize) -> usize {
         (self.smallest + counted) % self.count()
     }

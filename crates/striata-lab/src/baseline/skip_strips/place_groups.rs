@@ -1,6 +1,6 @@
 //! Which places of a strip show the same vertex, while its vertices collapse one by one.
 //!
-//! Groups are united by relabelling the smaller one, so all unions of a strip of `n` places take `n log n` steps,
+//! Groups are united by relabeling the smaller one, so all unions of a strip of `n` places take `n log n` steps,
 //! and each looks at the triangles that it may take away.
 
 /// The end of a list of places.

@@ -76,7 +76,7 @@ impl SkipStripsState {
         );
         let [start, end] = [self.split_count.min(split_count), self.split_count.max(split_count)]
             .map(|step| model.step_offsets[step] as usize);
-        // The strips of neighbouring steps are neighbours: those of all steps in between are one run.
+        // The strips of neighboring steps are neighbors: those of all steps in between are one run.
         for &strip in &model.affected_strips[start..end] {
             if !std::mem::replace(&mut self.strips[strip as usize].is_marked, true) {
                 self.marked.push(strip);

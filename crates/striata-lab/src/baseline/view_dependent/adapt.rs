@@ -235,7 +235,7 @@ impl<C: Criterion> Pass<'_, C> {
         self.state.collapse(model, step);
         self.adapted.collapse_count += 1;
         let split = &model.splits[step as usize];
-        // The vertex above has two children again, perhaps, and the triangles beside have the neighbours that they were made with.
+        // The vertex above has two children again, perhaps, and the triangles beside have the neighbors that they were made with.
         let beside = split.beside.into_iter().filter(|&number| number != NONE);
         let makers = beside.filter_map(|number| model.maker(number));
         self.state.loosened.extend(makers.chain((split.parent != ROOT).then_some(split.parent)));

@@ -1,7 +1,7 @@
 //! What a criterion is asked of each vertex of the hierarchy: a sphere and a cone over all its leaves.
 //!
 //! As \[Hop97\] has it: the sphere of a leaf holds the triangles of the full mesh around it, and its cone their normals; that of
-//! a parent keeps its centre, which is its vertex, and holds those of its children. What a split needs beside, to be
+//! a parent keeps its center, which is its vertex, and holds those of its children. What a split needs beside, to be
 //! legal, is not in it.
 
 use glam::DVec3;

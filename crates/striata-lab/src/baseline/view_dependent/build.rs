@@ -1,4 +1,4 @@
-//! Building the hierarchy: one pass from the full mesh to the base over a surface that knows its neighbours.
+//! Building the hierarchy: one pass from the full mesh to the base over a surface that knows its neighbors.
 
 use striata::mesh::{RefinableMesh, is_proper};
 

@@ -2,8 +2,8 @@
 //!
 //! Every step is a node of a hierarchy: the vertex that it splits, with the two that come of it as its children. An instance shows
 //! a front of the hierarchy: a list of vertices that are active, and the triangles between them, each with its
-//! three corners and its three neighbours. A vertex can be split once the four triangles are there that will lie beside the two
-//! that the split makes; a split can be undone while those two still have these four as neighbours.
+//! three corners and its three neighbors. A vertex can be split once the four triangles are there that will lie beside the two
+//! that the split makes; a split can be undone while those two still have these four as neighbors.
 //!
 //! ```text
 //!            tip                         tip
@@ -245,8 +245,8 @@ impl LodModel for ViewDependentMeshes {
 
 impl PaperBytes for ViewDependentMeshes {
     /// The structures of \[Hop97\], dynamic ones among them as there: a vertex of the hierarchy with two links of the active
-    /// list, parent, children, left triangle, four neighbours and four numbers for the criterion; a triangle with two links,
-    /// material, three vertices and three neighbours. Positions and normals are not counted.
+    /// list, parent, children, left triangle, four neighbors and four numbers for the criterion; a triangle with two links,
+    /// material, three vertices and three neighbors. Positions and normals are not counted.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
         let nodes = self.vertex_count() + self.splits.len();
         let triangles = self.splits.iter().flat_map(|split| split.present([0, 1]));

@@ -160,7 +160,7 @@ impl ViewDependentState {
         active.due[0] = ASK;
     }
 
-    /// Whether a step whose children are there can be collapsed: the triangles that it made have the neighbours that they
+    /// Whether a step whose children are there can be collapsed: the triangles that it made have the neighbors that they
     /// were made with.
     #[inline]
     pub(super) fn can_collapse(&self, model: &ViewDependentMeshes, step: u32) -> bool {
@@ -222,15 +222,15 @@ impl ViewDependentState {
         self.lowest = self.lowest.min(step as usize);
     }
 
-    /// Puts a neighbour behind the side of a triangle that lies so many turns from a vertex; the other end of that side.
+    /// Puts a neighbor behind the side of a triangle that lies so many turns from a vertex; the other end of that side.
     #[inline]
-    fn link(&mut self, number: u32, vertex: u32, turn: usize, neighbour: u32) -> Option<u32> {
+    fn link(&mut self, number: u32, vertex: u32, turn: usize, neighbor: u32) -> Option<u32> {
         if number == NONE {
             return None;
         }
         let slot = self.slot_of[number as usize] as usize;
         let corner = turn_of(&self.corners[slot], vertex);
-        self.triangles[slot].beside[(corner + turn) % 3] = neighbour;
+        self.triangles[slot].beside[(corner + turn) % 3] = neighbor;
         Some(self.corners[slot][(corner + 3 - turn) % 3])
     }
 

@@ -1,4 +1,4 @@
-//! The surface while the model is built: triangles that know their neighbours, collapsed from the full mesh to the base.
+//! The surface while the model is built: triangles that know their neighbors, collapsed from the full mesh to the base.
 
 use striata::mesh::{Adjacency, IndexedMesh};
 
@@ -84,8 +84,8 @@ impl Surface {
         if taken_count == 2 && !is_closed && !is_target_closed {
             return Err("both lie on borders and their edge does not");
         }
-        if self.common_neighbours(step, &star, &target_star, [vertex, target]) != taken_count {
-            return Err("they have further neighbours in common");
+        if self.common_neighbors(step, &star, &target_star, [vertex, target]) != taken_count {
+            return Err("they have further neighbors in common");
         }
         self.take(&star, vertex, target, &taken);
         (self.star, self.target_star) = (star, target_star);
@@ -150,7 +150,7 @@ impl Surface {
     }
 
     /// Vertices that are next to both.
-    fn common_neighbours(&mut self, step: usize, star: &[u32], target_star: &[u32], ends: [u32; 2]) -> usize {
+    fn common_neighbors(&mut self, step: usize, star: &[u32], target_star: &[u32], ends: [u32; 2]) -> usize {
         for &triangle in star {
             self.corners[triangle as usize].iter().for_each(|&v| self.marks[v as usize] = step);
         }

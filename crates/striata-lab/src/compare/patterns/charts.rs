@@ -59,7 +59,7 @@ fn bar_chart(
     BarChart { title, kinds, bars: report.sources.iter().map(bars).collect() }
 }
 
-// What may be missing stands last, so that colours stay what they are.
+// What may be missing stands last, so that colors stay what they are.
 
 fn bits_chart(report: &PatternsReport) -> BarChart {
     let kinds = vec!["ours", "paper's count", "as published", "in sequence"];

@@ -25,7 +25,7 @@ const ROUND_COUNT: usize = 7;
 /// Seconds after which no further round of a size begins.
 const SIZE_SECS: f64 = 0.3;
 
-/// The models; the colours of charts follow this order, in which the one that may be missing is last.
+/// The models; the colors of charts follow this order, in which the one that may be missing is last.
 pub(super) const NAMES: [&str; 3] = ["patterns", "multi-triangulation", "loop-patterns"];
 
 /// One size of what is extracted.

@@ -24,11 +24,11 @@ pub(super) fn code(mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
     let bounds = mesh.bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
     let extent = (0..3).map(|i| f64::from(bounds.max[i]) - f64::from(bounds.min[i])).fold(0.0, f64::max);
     let step = (extent / f64::from((1u32 << bits) - 1)).max(f64::MIN_POSITIVE);
-    let quantised = |p: &[f32; 3]| {
+    let quantized = |p: &[f32; 3]| {
         let place = |i: usize| ((f64::from(p[i]) - f64::from(bounds.min[i])) / step).round() as u16;
         [place(0), place(1), place(2), 0]
     };
-    let vertices: Vec<Vertex> = mesh.positions.iter().map(quantised).collect();
+    let vertices: Vec<Vertex> = mesh.positions.iter().map(quantized).collect();
     let indices = meshopt::optimize_vertex_cache(mesh.triangles.as_flattened(), vertices.len());
     let remap = meshopt::optimize_vertex_fetch_remap(&indices, vertices.len());
     let indices = meshopt::remap_index_buffer(Some(&indices), indices.len(), &remap);

@@ -59,7 +59,7 @@ fn path_section(path: &PathReport) -> Result<Section, Failure> {
     let frames = path.frame_count as f64;
     let chart = |y_title: &'static str, values: &dyn Fn(&Figures) -> Vec<f64>| {
         let lines = path.contenders.iter().map(|contender| {
-            // Without points a model still has its colour.
+            // Without points a model still has its color.
             let points = contender.figures.as_ref().map_or_else(Vec::new, |figures| {
                 let frames = figures.series.frame.iter().map(|&frame| frame as f64);
                 frames.zip(values(figures)).skip(1).collect()
@@ -200,7 +200,7 @@ fn points(run: &Run, of: impl Fn(usize) -> (usize, f64)) -> Vec<(f64, f64)> {
     run.later_frames().map(of).map(|(count, secs)| (count as f64, 1e3 * secs)).collect()
 }
 
-/// Means of groups of points that are neighbours on a logarithmic axis.
+/// Means of groups of points that are neighbors on a logarithmic axis.
 fn binned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let mut points: Vec<(f64, f64)> = points.into_iter().filter(|&(x, _)| x > 0.0).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));

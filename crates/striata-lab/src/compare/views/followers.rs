@@ -51,7 +51,7 @@ pub(super) struct Models<'r> {
     pub(super) rival: Result<ViewDependentMeshes, String>,
 }
 
-/// The names of followers; the colours of charts follow this order.
+/// The names of followers; the colors of charts follow this order.
 pub(super) const NAMES: [&str; 5] = ["fans", "fans-kept", "fans-stateless", "vdpm", "uniform"];
 
 /// Their places among [`NAMES`].

@@ -6,8 +6,8 @@
 //! half a strip more. (It is Berge's bound for matchings with nothing taken out.)
 //!
 //! ```text
-//!     o---o---o      the middle triangle has three links, its neighbours two: one of them stays dashed,
-//!         |          and a strip ends at that neighbour
+//!     o---o---o      the middle triangle has three links, its neighbors two: one of them stays dashed,
+//!         |          and a strip ends at that neighbor
 //!         o
 //! ```
 //!
@@ -32,7 +32,7 @@ pub(super) fn raise(least: &mut [u32], component: &[u32], graph: &DualGraph) {
         let mut size = 0;
         while let Some(inner) = island.pop() {
             size += 1;
-            for beside in graph.neighbours(inner) {
+            for beside in graph.neighbors(inner) {
                 let is_new = beside != NO_TWIN && !is_seen[beside as usize] && graph.degree(beside) == 3;
                 if is_new {
                     is_seen[beside as usize] = true;

@@ -236,7 +236,7 @@ impl Viewer {
             return Ok(Frame::default());
         }
         let inspected =
-            if self.state.inspects() { Inspected::By(self.state.colours_shown()) } else { Inspected::No };
+            if self.state.inspects() { Inspected::By(self.state.colors_shown()) } else { Inspected::No };
         let drawn = Drawn {
             viewpoint: self.orbit.viewpoint(),
             size: self.place.size,

@@ -6,7 +6,7 @@ use std::time::Duration;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Vec2};
 
 use super::super::args::ShownModel;
-use super::super::state::Colours;
+use super::super::state::Colors;
 use super::super::{panel, shown::Changes};
 use super::*;
 
@@ -110,7 +110,7 @@ fn keys_change_the_level_the_model_and_the_look() {
     }
     bench.press(Key::S);
     bench.press(Key::W);
-    assert!(bench.viewer.state.wireframe && bench.viewer.state.colours == Colours::Pieces);
+    assert!(bench.viewer.state.wireframe && bench.viewer.state.colors == Colors::Pieces);
     bench.press(Key::H);
     assert!(bench.viewer.state.shows_help);
     bench.press(Key::Escape);

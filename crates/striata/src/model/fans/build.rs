@@ -123,7 +123,7 @@ impl<'r> Builder<'r> {
         }
         covered.sort_unstable();
         self.note_far_target(step as u32, &star, &covered);
-        // Where nothing of the floor is left at a neighbour, no triangle tells it to wait for this step.
+        // Where nothing of the floor is left at a neighbor, no triangle tells it to wait for this step.
         for &triangle in &star {
             for vertex in self.triangles[triangle as usize].corners {
                 let position = self.sequence.positions().position_of(vertex);

@@ -4,7 +4,7 @@
 //! vertex of a manifold they are one ring or one open run, elsewhere there may be several, and nodes may be passed twice.
 //! An Euler tour finds the fewest: where more arcs leave a node than enter it, crowns begin, and where more enter, they end.
 
-/// A triangle around a pivot, without the pivot, and what it is labelled with.
+/// A triangle around a pivot, without the pivot, and what it is labeled with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct RingArc {
     /// The corner after the pivot.

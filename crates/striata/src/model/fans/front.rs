@@ -6,7 +6,7 @@
 //! once nothing is there that needs them, and when the last such thing is taken, they are looked at again. So the
 //! instance shows what is wanted and what that needs, whatever the way it came \[Hop97\].
 //!
-//! Differs: \[Hop97\] keeps the active mesh with its neighbourhoods; here the table tells them: a front adds to its
+//! Differs: \[Hop97\] keeps the active mesh with its neighborhoods; here the table tells them: a front adds to its
 //! instance three bits a step, and twelve bytes for each step that it may ask for.
 
 use wide::f32x8;

@@ -1,7 +1,7 @@
 //! An instance: which fragments are inserted, and the triangles that are there.
 //!
 //! Every triangle waits in a list: of the step that would replace it, or, if the full mesh shows it, of the step that made it. So
-//! the floor of a step that can be inserted is its list, whatever the rest of the surface looks like, and no neighbours have
+//! the floor of a step that can be inserted is its list, whatever the rest of the surface looks like, and no neighbors have
 //! to be kept. What stands in the list says where in the rule's floor a triangle is; corners begin with the youngest, so its
 //! vertices are known too.
 

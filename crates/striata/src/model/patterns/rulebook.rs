@@ -206,7 +206,7 @@ struct Ring {
 }
 
 impl Ring {
-    /// From (corner after the centre, corner after that, face); none where they are not one run that passes no vertex
+    /// From (corner after the center, corner after that, face); none where they are not one run that passes no vertex
     /// twice.
     fn of(mut arcs: Vec<(u32, u32, u32)>) -> Option<Self> {
         let is_end = |v: u32| arcs.iter().any(|arc| arc.1 == v);

@@ -108,7 +108,7 @@ fn certified_collapses(
 }
 
 /// Where a step raises the error of the levels by more than this, a way round is looked for: a triangle that folds over its
-/// neighbour leaves what it stood for to that neighbour, which is not of the step's floor.
+/// neighbor leaves what it stood for to that neighbor, which is not of the step's floor.
 const WORTH_A_LOOK: f64 = 1.02;
 
 /// For which states errors are to hold.

@@ -19,8 +19,8 @@
 //! ceiling stood for is then given up, at a bound of the diagonal of the mesh's bounds, which no two vertices exceed; `adopt`
 //! finds better for sequences that exist.
 //!
-//! Pieces never leave the fragment, so where a new triangle folds over its neighbour the bound is that to the triangle, not
-//! to the neighbour that hides the hole. Within the fragment it is tight: at most 3 % above the distance of some point from the floor,
+//! Pieces never leave the fragment, so where a new triangle folds over its neighbor the bound is that to the triangle, not
+//! to the neighbor that hides the hole. Within the fragment it is tight: at most 3 % above the distance of some point from the floor,
 //! as far as cuts find their way, which they nearly always do.
 //!
 //! Cost: a step looks at each piece around it, so all steps together O(n log n) pieces for n triangles; half a second for the 69,451

@@ -8,7 +8,7 @@ pub(super) const MAX_CORNERS: usize = 8;
 /// The three corners of the whole triangle.
 pub(super) const WHOLE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
-/// Corners nearer than this to the line between their neighbours are none, in units of the triangle's sides.
+/// Corners nearer than this to the line between their neighbors are none, in units of the triangle's sides.
 const FLAT: f64 = 1e-14;
 
 /// A convex polygon, counterclockwise.

@@ -234,7 +234,7 @@ impl AttributeSpace {
         (squared + material).min(MAX_SMEAR)
     }
 
-    /// What collapsing `v` to neighbour `k` of its star costs in attributes; the wedges must be paired already.
+    /// What collapsing `v` to neighbor `k` of its star costs in attributes; the wedges must be paired already.
     pub(in crate::simplify) fn cost(
         &self,
         star: &Star,

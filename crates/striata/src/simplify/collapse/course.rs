@@ -23,7 +23,7 @@ pub(in crate::simplify) struct Course {
     /// Mesh units of one scaled unit.
     scale: f64,
     witnesses: Witnesses,
-    /// The neighbours that the position removed last had, each once.
+    /// The neighbors that the position removed last had, each once.
     pub(in crate::simplify) ring: Vec<u32>,
     /// Triangles that are left.
     pub(in crate::simplify) triangle_count: usize,
@@ -180,7 +180,7 @@ impl Course {
     }
 
     /// Does what must be done while the star of `v` still stands: targets of its wedges, memory of the cost function.
-    /// Returns the largest squared distance of tracked vertices, where they are tracked between neighbours.
+    /// Returns the largest squared distance of tracked vertices, where they are tracked between neighbors.
     fn leave(&mut self, judge: &mut Judge<'_>, v: u32, u: u32) -> Option<f32> {
         let Judge { wedges, memory, pairs, .. } = judge;
         if let Some(pairs) = pairs {
@@ -195,8 +195,8 @@ impl Course {
             self.record.targets[v as usize] = u;
             return None;
         }
-        let neighbour = judge.gather_and_pair(v, u);
-        if neighbour.is_none() {
+        let neighbor = judge.gather_and_pair(v, u);
+        if neighbor.is_none() {
             judge.pair_wedges(v, u);
         }
         let Judge { star, positions, wedges, memory, .. } = judge;
@@ -207,7 +207,7 @@ impl Course {
             }
             None => self.record.targets[v as usize] = u,
         }
-        let (Memory::Tracked(tracker), Some(k)) = (memory, neighbour) else { return None };
+        let (Memory::Tracked(tracker), Some(k)) = (memory, neighbor) else { return None };
         star.mark_vanishing(Some(k));
         tracker.load(star, positions, v);
         Some(tracker.collapse(star, v, k))

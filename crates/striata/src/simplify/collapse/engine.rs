@@ -226,17 +226,17 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// Removes `v` into `u` and gives the neighbours new bounds; returns the error after it, mesh units.
+    /// Removes `v` into `u` and gives the neighbors new bounds; returns the error after it, mesh units.
     fn collapse(&mut self, v: u32, u: u32) -> f64 {
         let choice = self.choice(v);
         let error = self.course.collapse(&mut self.judge, v, &choice);
         self.heap.remove(v);
-        self.update_neighbours(u);
+        self.update_neighbors(u);
         error
     }
 
     /// New bounds for all whose star or whose target has changed.
-    fn update_neighbours(&mut self, u: u32) {
+    fn update_neighbors(&mut self, u: u32) {
         let ring = std::mem::take(&mut self.course.ring);
         for &w in &ring {
             self.target[w as usize] = UNDECIDED;
@@ -253,7 +253,7 @@ impl<'a> Engine<'a> {
             }
         }
         if !self.course.ring.contains(&u) {
-            // A contraction of two parts: u was no neighbour.
+            // A contraction of two parts: u was no neighbor.
             self.target[u as usize] = UNDECIDED;
             let bound = self.judge.lower_bound(u);
             self.heap.set(u, bound);

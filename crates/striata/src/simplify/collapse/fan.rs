@@ -102,7 +102,7 @@ impl Change {
     /// True where the new triangle keeps facing the same way and is no sliver.
     ///
     /// A needle faces nowhere in particular, so what follows it must agree with the mean of the star, or stay as
-    /// small. Scans are full of needles, and locking them would lock their neighbours.
+    /// small. Scans are full of needles, and locking them would lock their neighbors.
     #[inline]
     pub(in crate::simplify) fn is_allowed(self, star: StarNormal) -> f32x8 {
         let splat = f32x8::splat;

@@ -57,7 +57,7 @@ struct Candidate {
 
 /// The mesh as it is, and all that judges it.
 pub(in crate::simplify) struct Judge<'a> {
-    /// Positions about the bounds' centre, diagonal 1, padded to a vector register.
+    /// Positions about the bounds' center, diagonal 1, padded to a vector register.
     pub(in crate::simplify) positions: Vec<[f32; 4]>,
     /// Mesh units of one unit of these.
     pub(in crate::simplify) scale: f64,
@@ -111,8 +111,8 @@ impl<'a> Judge<'a> {
         judge.memory = judge.initial_memory(options.cost, welded.mesh.triangle_count());
         if let Some(distance) = options.pair_distance.filter(|&d| d > 0.0) {
             let threshold = ((distance / scale) as f32).clamp(1e-6, 1.0);
-            let is_neighbour = |p: u32, q: u32| judge.links.entries(p).contains(&q);
-            judge.pairs = Some(Pairs::new(&judge.positions, threshold, is_neighbour));
+            let is_neighbor = |p: u32, q: u32| judge.links.entries(p).contains(&q);
+            judge.pairs = Some(Pairs::new(&judge.positions, threshold, is_neighbor));
             judge.legality.may_merge = true;
             // Otherwise relaxed collapses let parts vanish, at a price.
             judge.legality.may_vanish = options.topology == TopologyRule::Keep;
@@ -141,11 +141,11 @@ impl<'a> Judge<'a> {
 
     fn star_quadric(&mut self, v: u32) -> Quadric {
         self.star.gather(&self.links, &self.positions, v);
-        let centre = point(&self.positions, v).as_dvec3();
+        let center = point(&self.positions, v).as_dvec3();
         let mut sum = Quadric::default();
         for t in 0..self.star.triangle_count() {
-            let [a, b] = self.star.triangle(t).map(|i| centre + self.star.offset(i).as_dvec3());
-            sum.add(&Quadric::of_triangle([centre, a, b]));
+            let [a, b] = self.star.triangle(t).map(|i| center + self.star.offset(i).as_dvec3());
+            sum.add(&Quadric::of_triangle([center, a, b]));
         }
         sum
     }
@@ -316,7 +316,7 @@ impl<'a> Judge<'a> {
         if self.pairs.is_some() { self.best_pair(v, best) } else { best }
     }
 
-    /// Whether neighbour `k` may be the target, and its cost with the distance of `v` from the fan.
+    /// Whether neighbor `k` may be the target, and its cost with the distance of `v` from the fan.
     fn measure(&mut self, v: u32, k: usize) -> Option<f32> {
         let u = self.star.ids[k];
         if !self.legality.allows(&self.links, v, u) || (self.pairs.is_some() && !self.leaves_enough(v, u)) {
@@ -341,7 +341,7 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// The full cost of neighbour `k` as the target.
+    /// The full cost of neighbor `k` as the target.
     fn settle(&mut self, v: u32, k: usize) -> Option<f32> {
         self.candidates[k].stage = Stage::Settled;
         let Candidate { quadratic, distance_squared, .. } = self.candidates[k];
@@ -381,10 +381,10 @@ impl<'a> Judge<'a> {
         if !self.has_partner(v) {
             return best;
         }
-        let centre = point(&self.positions, v);
+        let center = point(&self.positions, v);
         let partners = std::mem::take(&mut self.partners);
         for &target in &partners {
-            let to = point(&self.positions, target) - centre;
+            let to = point(&self.positions, target) - center;
             if self.links.kind(target) == LinkKind::Empty || self.links.entries(v).contains(&target) {
                 continue;
             }
@@ -465,15 +465,15 @@ fn lock_group_borders(welded: &Welded, is_locked: &mut [bool]) {
     }
 }
 
-/// One entry a position, about the centre of the bounds and with their diagonal as unit, and that unit.
+/// One entry a position, about the center of the bounds and with their diagonal as unit, and that unit.
 fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
     let Some(bounds) = welded.mesh.bounds() else { return (Vec::new(), 1.0) };
     let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };
-    let centre: [f64; 3] =
+    let center: [f64; 3] =
         std::array::from_fn(|a| 0.5 * (f64::from(bounds.min[a]) + f64::from(bounds.max[a])));
     let place = |p: u32| {
         let [x, y, z] = welded.mesh.positions[welded.positions.first_vertex(p) as usize];
-        let on = |x: f32, a: usize| ((f64::from(x) - centre[a]) / scale) as f32;
+        let on = |x: f32, a: usize| ((f64::from(x) - center[a]) / scale) as f32;
         [on(x, 0), on(y, 1), on(z, 2), 0.0]
     };
     ((0..welded.positions.position_count() as u32).map(place).collect(), scale)

@@ -1,12 +1,12 @@
 //! Whether a collapse keeps the mesh what it is: the link condition, stated for any kind of link.
 //!
-//! On a manifold this is the condition of [DEGN99]: `v` and `u` may share only the neighbours that span a triangle
+//! On a manifold this is the condition of [DEGN99]: `v` and `u` may share only the neighbors that span a triangle
 //! with both, or the collapse would pinch the surface. The same words hold where three triangles meet at an
-//! edge: what must not arise is a triangle that is there already, or a neighbour without any triangle.
+//! edge: what must not arise is a triangle that is there already, or a neighbor without any triangle.
 
 use super::links::{LinkEdge, LinkKind, Links};
 
-/// A target may not gather more neighbours than this, unless it had them before: hubs cost quadratic time.
+/// A target may not gather more neighbors than this, unless it had them before: hubs cost quadratic time.
 const MAX_VALENCE: usize = 40;
 /// Triangles that one collapse may remove: the sequence counts them in a byte.
 pub(in crate::simplify) const MAX_REMOVED: usize = 255;
@@ -24,7 +24,7 @@ pub(in crate::simplify) struct Legality {
 }
 
 impl Legality {
-    /// True where `v`, a neighbour of `u`, may be collapsed to it.
+    /// True where `v`, a neighbor of `u`, may be collapsed to it.
     pub(in crate::simplify) fn allows(&mut self, links: &Links, v: u32, u: u32) -> bool {
         let is_ring = |p| matches!(links.kind(p), LinkKind::Closed | LinkKind::Open);
         if is_ring(v) && is_ring(u) {
@@ -58,8 +58,8 @@ impl Legality {
         }
         let is_apex = |x: u32| self.apexes.binary_search(&x).is_ok();
         let near_u = |x: u32| self.other.iter().any(|e| e.a == x || e.b == x);
-        let mut neighbours = self.edges.iter().flat_map(|e| [e.a, e.b]).filter(|&x| x != u);
-        if neighbours.any(|x| !is_apex(x) && near_u(x)) {
+        let mut neighbors = self.edges.iter().flat_map(|e| [e.a, e.b]).filter(|&x| x != u);
+        if neighbors.any(|x| !is_apex(x) && near_u(x)) {
             return false;
         }
         // Two apexes joined on both sides: a tetrahedron would fold flat.
@@ -150,7 +150,7 @@ mod tests {
             let j = (i + 1) % 3;
             tube.extend([[i, j, 3 + i], [j, 3 + j, 3 + i]]);
         }
-        assert!(!allows(&tube, 0, 1), "vertex 2 is a neighbour of both without a triangle");
+        assert!(!allows(&tube, 0, 1), "vertex 2 is a neighbor of both without a triangle");
     }
 
     #[test]

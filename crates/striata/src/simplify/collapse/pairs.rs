@@ -13,7 +13,7 @@ const MAX_PARTNERS: usize = 8;
 const MAX_LOOKS: usize = 256;
 const NONE: u32 = u32::MAX;
 
-/// Candidates for contraction besides the neighbours.
+/// Candidates for contraction besides the neighbors.
 #[derive(Debug)]
 pub(in crate::simplify) struct Pairs {
     /// First entry of the list of every position.
@@ -26,11 +26,11 @@ pub(in crate::simplify) struct Pairs {
 }
 
 impl Pairs {
-    /// All pairs nearer than `threshold` (scaled units) that `is_neighbour` does not join already.
+    /// All pairs nearer than `threshold` (scaled units) that `is_neighbor` does not join already.
     pub(in crate::simplify) fn new(
         positions: &[[f32; 4]],
         threshold: f32,
-        is_neighbour: impl Fn(u32, u32) -> bool,
+        is_neighbor: impl Fn(u32, u32) -> bool,
     ) -> Self {
         let count = positions.len();
         let mut pairs = Self {
@@ -62,7 +62,7 @@ impl Pairs {
                     }
                 }
             }
-            near.retain(|&(squared, q)| squared <= threshold * threshold && !is_neighbour(p, q));
+            near.retain(|&(squared, q)| squared <= threshold * threshold && !is_neighbor(p, q));
             near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             for &(_, q) in near.iter().take(MAX_PARTNERS) {
                 pairs.push(p, q);

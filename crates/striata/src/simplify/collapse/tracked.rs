@@ -54,7 +54,7 @@ impl Tracker {
         }
     }
 
-    /// What collapsing the star's centre `v` to neighbour `k` adds to the loaded vertices' weighted squared distances,
+    /// What collapsing the star's center `v` to neighbor `k` adds to the loaded vertices' weighted squared distances,
     /// at least 0; `own` is the squared distance of v from the fan.
     pub(in crate::simplify) fn increase(&self, star: &Star, k: usize, (v, own): (u32, f32)) -> f32 {
         let to = star.offset(k);
@@ -89,7 +89,7 @@ impl Tracker {
     }
 }
 
-/// Squared distance of a point from the fan around neighbour `k`, and the triangle nearest to it; where none is left, a
+/// Squared distance of a point from the fan around neighbor `k`, and the triangle nearest to it; where none is left, a
 /// vanished one, of which the edge that stays is measured.
 fn nearest_exactly(star: &Star, k: usize, at: Vec3) -> Option<(f32, usize)> {
     let distance = |t: usize| {

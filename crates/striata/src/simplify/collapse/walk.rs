@@ -22,15 +22,15 @@ pub(in crate::simplify) fn walk(
 ) -> Standing {
     let mut least = f32::INFINITY;
     for _ in 0..MAX_WALK {
-        let centre = offset(place);
+        let center = offset(place);
         links.edges_into(place, edges);
         // Where the nearest point lies on the rim, the star beyond may be nearer still.
         let mut beyond = NONE;
         let before = least;
         for e in edges.iter() {
             let (a, b) = (offset(e.a), offset(e.b));
-            let [x, y, z] = nearest(centre, a, b);
-            let distance_squared = (centre * x + a * y + b * z).length_squared();
+            let [x, y, z] = nearest(center, a, b);
+            let distance_squared = (center * x + a * y + b * z).length_squared();
             if distance_squared < least {
                 least = distance_squared;
                 let rim = if y >= z { e.a } else { e.b };
@@ -38,7 +38,7 @@ pub(in crate::simplify) fn walk(
             }
         }
         if edges.is_empty() {
-            least = least.min(centre.length_squared());
+            least = least.min(center.length_squared());
         }
         if beyond == NONE || least >= before {
             break;

@@ -117,7 +117,7 @@ impl<'a> Wedges<'a> {
         }
     }
 
-    /// Pairs the wedges of `v` with those of its neighbour `star.ids[k]`; false if some wedge has no partner on its own
+    /// Pairs the wedges of `v` with those of its neighbor `star.ids[k]`; false if some wedge has no partner on its own
     /// side of the seam.
     pub(in crate::simplify) fn pair(&mut self, star: &Star, v: u32, k: usize) -> bool {
         let u = star.ids[k];

@@ -76,7 +76,7 @@ fn mix_direction(data: &mut [f32], n: usize, (from, to): (usize, usize), share: 
     if share > 0.5 {
         data.copy_within(from..from + n, to);
     }
-    // Opposite directions leave none to normalise: the nearer one stays.
+    // Opposite directions leave none to normalize: the nearer one stays.
     if length > 1e-6 {
         for (slot, x) in data[to..].iter_mut().zip(mixed) {
             *slot = (f64::from(x) / length) as f32;

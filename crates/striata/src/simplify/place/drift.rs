@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn witness_of_a_flattened_tip_is_found() {
-        // A closed fan whose centre stands up: merged into a rim vertex, its height is the error.
+        // A closed fan whose center stands up: merged into a rim vertex, its height is the error.
         let welded = weld(&shapes::closed_fan(8)).expect("shapes are sound");
         let number = |v| welded.source_vertex.iter().position(|&source| source == v).map_or(0, |v| v as u32);
         let (tip, rim) = (number(0), number(1));

@@ -1,6 +1,6 @@
 //! What moving a vertex costs, as a quadratic form, and where an edge's new vertex costs least.
 //!
-//! The planes of a star all pass through its centre, so six numbers hold the squared distances from them, weighted by
+//! The planes of a star all pass through its center, so six numbers hold the squared distances from them, weighted by
 //! area, and the sum of the normals holds the change of volume. Two stars that share an edge add up; with the first end
 //! as origin, the second at `d`, and `s` for the triangles on the edge, which both stars have:
 //!
@@ -24,7 +24,7 @@ const LEAST_FLATNESS: f64 = 0.1;
 /// A place this many square roots of the area away from the edge's middle is no place.
 const FARTHEST: f64 = 2.0;
 
-/// The quadratic form of a star about its centre; lengths to the fourth at a place.
+/// The quadratic form of a star about its center; lengths to the fourth at a place.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Form {
     /// xx, yy, zz, xy, xz, yz.
@@ -206,11 +206,11 @@ impl EdgeForm {
 mod tests {
     use super::*;
 
-    /// The form of a closed fan around `centre`.
-    fn star(centre: DVec3, ring: &[DVec3]) -> Form {
+    /// The form of a closed fan around `center`.
+    fn star(center: DVec3, ring: &[DVec3]) -> Form {
         let mut form = Form::default();
         for (i, a) in ring.iter().enumerate() {
-            form.add_triangle((*a - centre).cross(ring[(i + 1) % ring.len()] - centre));
+            form.add_triangle((*a - center).cross(ring[(i + 1) % ring.len()] - center));
         }
         form
     }

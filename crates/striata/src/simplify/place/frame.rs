@@ -4,27 +4,27 @@ use glam::DVec3;
 
 use crate::mesh::IndexedMesh;
 
-/// The centre of its bounds and their diagonal.
+/// The center of its bounds and their diagonal.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
-    centre: DVec3,
+    center: DVec3,
     pub(super) scale: f64,
 }
 
 impl Frame {
     pub(super) fn of(mesh: &IndexedMesh) -> Self {
-        let Some(bounds) = mesh.bounds() else { return Self { centre: DVec3::ZERO, scale: 1.0 } };
+        let Some(bounds) = mesh.bounds() else { return Self { center: DVec3::ZERO, scale: 1.0 } };
         let [min, max] = [bounds.min, bounds.max].map(|p| DVec3::from(p.map(f64::from)));
         let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };
-        Self { centre: 0.5 * (min + max), scale }
+        Self { center: 0.5 * (min + max), scale }
     }
 
     pub(super) fn enter(&self, p: [f32; 3]) -> DVec3 {
-        (DVec3::from(p.map(f64::from)) - self.centre) / self.scale
+        (DVec3::from(p.map(f64::from)) - self.center) / self.scale
     }
 
     pub(super) fn leave(&self, p: DVec3) -> [f32; 3] {
         let limit = f64::from(f32::MAX);
-        (p * self.scale + self.centre).to_array().map(|x| x.clamp(-limit, limit) as f32)
+        (p * self.scale + self.center).to_array().map(|x| x.clamp(-limit, limit) as f32)
     }
 }

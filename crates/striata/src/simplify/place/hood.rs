@@ -17,11 +17,11 @@ const TWICE_ROOT_3: f64 = 3.464_101_615_137_754_6;
 /// For two triangles and the edge between them, what leaving the course of the seam there weighs.
 pub(super) type SeamWeight<'a> = &'a dyn Fn([u32; 2], DVec3) -> Option<f64>;
 
-/// Scratch that holds one star at a time; everything is relative to its centre.
+/// Scratch that holds one star at a time; everything is relative to its center.
 #[derive(Debug, Default)]
 pub(super) struct Hood {
-    pub(super) centre: DVec3,
-    /// Neighbours, each once.
+    pub(super) center: DVec3,
+    /// Neighbors, each once.
     pub(super) ids: Vec<u32>,
     pub(super) offsets: Vec<DVec3>,
     /// Corners of each triangle as indices into `ids`, and its number where followed.
@@ -54,9 +54,9 @@ impl Hood {
             LinkKind::Closed | LinkKind::Open => self.number_ring(links.entries(v)),
             LinkKind::Edges => self.number_edges(),
         }
-        self.centre = positions[v as usize];
+        self.center = positions[v as usize];
         self.offsets.clear();
-        self.offsets.extend(self.ids.iter().map(|&id| positions[id as usize] - self.centre));
+        self.offsets.extend(self.ids.iter().map(|&id| positions[id as usize] - self.center));
         let offsets = &self.offsets;
         self.normals.clear();
         self.normals
@@ -119,7 +119,7 @@ impl Hood {
         form
     }
 
-    /// What the star shares with that of neighbour `i`.
+    /// What the star shares with that of neighbor `i`.
     pub(super) fn shared(&self, i: usize) -> Shared {
         let mut shared = Shared::default();
         for (t, &normal) in self.triangles.iter().zip(&self.normals) {
@@ -130,12 +130,12 @@ impl Hood {
         shared
     }
 
-    /// True where the edge to neighbour `i` is a border.
+    /// True where the edge to neighbor `i` is a border.
     pub(super) fn is_border(&self, i: usize) -> bool {
         self.borders.contains(&(i as u32))
     }
 
-    /// The triangles that stay when the centre moves and `other` is merged with it.
+    /// The triangles that stay when the center moves and `other` is merged with it.
     fn staying(&self, other: u32) -> impl Iterator<Item = Staying> {
         let gone = self.ids.iter().position(|&id| id == other).map_or(u32::MAX, |i| i as u32);
         let stays = move |t: &&LinkEdge| t.a != gone && t.b != gone;
@@ -146,12 +146,12 @@ impl Hood {
         })
     }
 
-    /// True where no triangle that stays flips over or becomes a sliver with the centre at `place`.
+    /// True where no triangle that stays flips over or becomes a sliver with the center at `place`.
     ///
     /// `mean` is the summed normal of both stars. A needle faces nowhere in particular, so what follows it must
     /// agree with the mean, or stay as small; a triangle that was folded over may unfold.
     pub(super) fn may_move(&self, place: DVec3, other: u32, mean: DVec3) -> bool {
-        let x = place - self.centre;
+        let x = place - self.center;
         self.staying(other).all(|Staying { a, b, normal: old }| {
             let new = (a - x).cross(b - x);
             let (old_squared, new_squared) = (old.length_squared(), new.length_squared());
@@ -170,9 +170,9 @@ impl Hood {
         })
     }
 
-    /// Squared distance of the centre from the triangles that stay, once it has moved to `place`.
+    /// Squared distance of the center from the triangles that stay, once it has moved to `place`.
     pub(super) fn distance_squared(&self, place: DVec3, other: u32) -> f64 {
-        let x = (place - self.centre).as_vec3();
+        let x = (place - self.center).as_vec3();
         let distances = self.staying(other).map(|Staying { a, b, .. }| {
             crate::simplify::collapse::fan::distance_squared(x, a.as_vec3(), b.as_vec3())
         });
@@ -180,7 +180,7 @@ impl Hood {
     }
 }
 
-/// A triangle that stays: its corners besides the centre, and its normal before.
+/// A triangle that stays: its corners besides the center, and its normal before.
 struct Staying {
     a: DVec3,
     b: DVec3,
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn centre_may_move_inside_its_ring_only() {
+    fn center_may_move_inside_its_ring_only() {
         let hood = hood_of(4);
         let at = |x: f64, y: f64| hood.may_move(DVec3::new(x, y, 0.0), u32::MAX, DVec3::Z);
         assert!(at(1.0, 1.0) && at(1.2, 0.9));

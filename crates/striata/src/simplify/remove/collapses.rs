@@ -31,7 +31,7 @@ impl Judge<'_> {
         best
     }
 
-    /// Leaves only neighbours along the sharp edges of the star; false where those meet in it.
+    /// Leaves only neighbors along the sharp edges of the star; false where those meet in it.
     fn keep_to_features(&mut self, v: u32) -> bool {
         let kind = self.collapses.links.kind(v);
         let (Some(cosine), LinkKind::Closed | LinkKind::Open) = (self.feature_cosine, kind) else {

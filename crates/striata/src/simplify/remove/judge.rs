@@ -29,7 +29,7 @@ const BORDER_WEIGHT: f32 = 0.8;
 const SPIKE_WEIGHT: f32 = 60.0;
 const NONE: u32 = u32::MAX;
 
-/// More neighbours than this no position gets by a new edge: hubs cost quadratic time.
+/// More neighbors than this no position gets by a new edge: hubs cost quadratic time.
 const MAX_VALENCE: usize = 40;
 
 /// Share of the memoryless cost of a collapse beside the distances of what was removed before.
@@ -62,7 +62,7 @@ pub(super) enum Depth {
 pub(super) enum Filling {
     /// By triangles of the ring.
     Free,
-    /// By moving the removed vertex to a neighbour, an index into the star.
+    /// By moving the removed vertex to a neighbor, an index into the star.
     Collapse(usize),
     /// In the same way, but without keeping the topology or the course of borders.
     Relaxed(usize),
@@ -208,7 +208,7 @@ impl<'a> Judge<'a> {
             return true;
         }
         shown.resize(star.ids.len(), NONE);
-        let mut centre = NONE;
+        let mut center = NONE;
         let agrees = |known: &mut u32, vertex: u32| {
             let is_same = *known == NONE || *known == vertex;
             *known = vertex;
@@ -219,7 +219,7 @@ impl<'a> Judge<'a> {
             let triangle = star.triangles[t];
             let [x, y] = [a, b].map(|i| wedges.shown(triangle, star.ids[i]));
             let own = wedges.corners(triangle).into_iter().find(|&c| c != x && c != y).unwrap_or(x);
-            agrees(&mut centre, own) && agrees(&mut shown[a], x) && agrees(&mut shown[b], y)
+            agrees(&mut center, own) && agrees(&mut shown[a], x) && agrees(&mut shown[b], y)
         })
     }
 

@@ -12,7 +12,7 @@ const NONE: u32 = u32::MAX;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
     pub(super) position: u32,
-    /// Relative to the star's centre.
+    /// Relative to the star's center.
     pub(super) at: Vec3,
     /// Area that it stands for, scaled units.
     pub(super) weight: f32,
@@ -29,7 +29,7 @@ pub(super) struct Points {
     next: Vec<u32>,
     weight: Vec<f32>,
     distance_squared: Vec<f32>,
-    /// Those of the star loaded last, its centre at the end.
+    /// Those of the star loaded last, its center at the end.
     pub(super) loaded: Vec<Point>,
 }
 

@@ -1,6 +1,6 @@
 //! The same half-edge collapses in **batches**: what a progressive coder can undo all at once.
 //!
-//! A batch removes positions no two of which are neighbours, each into a target of its own. The stars of the removed
+//! A batch removes positions no two of which are neighbors, each into a target of its own. The stars of the removed
 //! positions are then disjoint and stay as they are while the batch is carried out, so its steps may be undone in any order, and
 //! whether a vertex splits can be read off the coarse mesh, vertex by vertex (independent sets \[CLR99\], batches of splits
 //! \[PR00\]). Each batch takes greedily, in the order of cost, from the cheapest part of the mesh only.
@@ -15,7 +15,7 @@
 //! What is not manifold, and collapses that change the topology, wait for a **general batch**, whose collapses are done one after another and
 //! may be any (`general.rs`). Closed scans have none, or a few at their coarse end.
 //!
-//! Differs: removed positions must not be neighbours, but their stars may touch, which makes batches twice as large as
+//! Differs: removed positions must not be neighbors, but their stars may touch, which makes batches twice as large as
 //! disjoint stars do. Levels lie 3 to 8 % farther off in RMS than those of one collapse at a time. Time O(n log n), 1.5 times
 //! that of one at a time; at the default share five or six batches for each factor e in size.
 

@@ -2,7 +2,7 @@
 
 use crate::simplify::collapse::links::Links;
 
-/// Places that each candidate among its neighbours puts a candidate back, as a share of all. It makes batches larger by a few
+/// Places that each candidate among its neighbors puts a candidate back, as a share of all. It makes batches larger by a few
 /// hundredths, so fewer vertices are asked whether they split; more of it costs error for next to nothing.
 const CROWD_WEIGHT: f32 = 0.1;
 
@@ -30,7 +30,7 @@ impl Selection {
         self.batch += 1;
     }
 
-    /// Puts candidates, which come cheapest first, the farther back the more of their neighbours are candidates as well.
+    /// Puts candidates, which come cheapest first, the farther back the more of their neighbors are candidates as well.
     pub(super) fn bring_forward_lonely(&mut self, candidates: &mut [(f32, u32)], links: &Links) {
         for &(_, v) in candidates.iter() {
             self.candidate[v as usize] = self.batch;
@@ -49,7 +49,7 @@ impl Selection {
         }
     }
 
-    /// True where `v` is no neighbour of a position that is already removed, and no target.
+    /// True where `v` is no neighbor of a position that is already removed, and no target.
     #[inline]
     pub(super) fn is_free(&self, v: u32) -> bool {
         self.ring[v as usize] != self.batch
@@ -61,7 +61,7 @@ impl Selection {
         self.target[u as usize] != self.batch
     }
 
-    /// Takes a position to `u`, one of its neighbours in `ring`.
+    /// Takes a position to `u`, one of its neighbors in `ring`.
     pub(super) fn take(&mut self, u: u32, ring: &[u32]) {
         for &w in ring {
             self.ring[w as usize] = self.batch;
@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn crowded_candidates_come_later() {
-        // A strip 0 1 2 .. 39 where 2 has the neighbours 0 1 3 4.
+        // A strip 0 1 2 .. 39 where 2 has the neighbors 0 1 3 4.
         let strip: Vec<[u32; 3]> =
             (0..38).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] }).collect();
         let links = Links::new(40, &strip, false);
@@ -117,12 +117,12 @@ mod tests {
         assert_eq!(many[0].1, 0);
         assert!(
             many.iter().position(|c| c.1 == 39) < many.iter().position(|c| c.1 == 37),
-            "39 has two neighbours, 37 four"
+            "39 has two neighbors, 37 four"
         );
     }
 
     #[test]
-    fn taken_positions_keep_their_neighbours_until_the_next_batch() {
+    fn taken_positions_keep_their_neighbors_until_the_next_batch() {
         let mut selection = Selection::new(6);
         selection.begin();
         selection.take(1, &[1, 2, 3]);

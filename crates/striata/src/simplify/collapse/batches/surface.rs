@@ -2,7 +2,7 @@
 //!
 //! `Legality` looks at positions, where a mesh that is not manifold shares vertices that the coder's copies do not share: it
 //! refuses more. What it does not know is the virtual vertex in each hole. With it a position on a boundary has one
-//! neighbour more, and only an **ear**, one triangle between two boundary edges, can break the link condition there: when its
+//! neighbor more, and only an **ear**, one triangle between two boundary edges, can break the link condition there: when its
 //! third edge has no other side, or none that a surface could go on through.
 
 use crate::simplify::collapse::legality::Legality;
@@ -19,7 +19,7 @@ pub(super) fn is_manifold(links: &Links, v: u32) -> bool {
     matches!(links.kind(v), LinkKind::Closed | LinkKind::Open)
 }
 
-/// Whether the position `v`, which is manifold, may go to its neighbour `u` on the closed surface.
+/// Whether the position `v`, which is manifold, may go to its neighbor `u` on the closed surface.
 pub(super) fn allows(legality: &mut Legality, links: &Links, v: u32, u: u32) -> bool {
     if links.kind(v) == LinkKind::Open {
         let ring = links.entries(v);

@@ -38,7 +38,7 @@ impl Chain {
         for (i, e) in edges.iter().enumerate() {
             let mut has_predecessor = false;
             for (j, f) in edges.iter().enumerate() {
-                // Two edges may not leave, nor enter, the same neighbour.
+                // Two edges may not leave, nor enter, the same neighbor.
                 if i != j && (e.a == f.a || e.b == f.b) {
                     return LinkKind::Edges;
                 }

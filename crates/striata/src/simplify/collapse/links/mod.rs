@@ -1,7 +1,7 @@
 //! The link of every position: what surrounds it, kept up to date while collapses eat the mesh.
 //!
 //! The link of `v` is the set of edges opposite to `v` in its triangles. On a manifold it is one cycle or, at
-//! a boundary, one path, and is stored as the ordered **ring** of neighbours; no triangle needs to be stored
+//! a boundary, one path, and is stored as the ordered **ring** of neighbors; no triangle needs to be stored
 //! at all. Anywhere else it is stored as a plain list of edges, so that bow-ties, books and repeated triangles
 //! work too. A half-edge collapse is then substitution in the links around it:
 //!

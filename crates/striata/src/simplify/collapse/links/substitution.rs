@@ -8,15 +8,15 @@ use super::edge::{LinkEdge, LinkKind};
 impl Links {
     /// Replaces `v` by `u` in every link and drops the triangles that lose a corner; the link of `v` ends empty.
     ///
-    /// Legal for any two positions, neighbours or not: what is sensible is the caller's business.
+    /// Legal for any two positions, neighbors or not: what is sensible is the caller's business.
     pub(in crate::simplify) fn collapse(&mut self, v: u32, u: u32) {
         if !self.splice(v, u) {
             self.merge(v, u);
         }
-        // `ring` now holds the neighbours of v, each at least once.
+        // `ring` now holds the neighbors of v, each at least once.
         let ring = std::mem::take(&mut self.ring);
         for (i, &w) in ring.iter().enumerate() {
-            // Rings name each neighbour once; only edge lists repeat them.
+            // Rings name each neighbor once; only edge lists repeat them.
             if w != u && (self.slabs[v as usize].kind != LinkKind::Edges || !ring[..i].contains(&w)) {
                 self.substitute(w, v, u);
             }
@@ -28,7 +28,7 @@ impl Links {
     }
 
     /// Takes out `v` with the triangles around it and puts in `floor` instead: numbers and corners of triangles that
-    /// have neighbours of `v` at their corners.
+    /// have neighbors of `v` at their corners.
     pub(in crate::simplify) fn fill(&mut self, v: u32, floor: &[(u32, [u32; 3])]) {
         let mut edges = std::mem::take(&mut self.edges);
         let mut ring = std::mem::take(&mut self.ring);
@@ -55,7 +55,7 @@ impl Links {
     }
 
     /// The link of `u` after the collapse, where both links are rings; false where they are not, or
-    /// where the result is no ring. Leaves the neighbours of `v` in `self.ring`.
+    /// where the result is no ring. Leaves the neighbors of `v` in `self.ring`.
     fn splice(&mut self, v: u32, u: u32) -> bool {
         let (sv, su) = (self.slabs[v as usize], self.slabs[u as usize]);
         let is_ring = |kind| matches!(kind, LinkKind::Closed | LinkKind::Open);
@@ -74,7 +74,7 @@ impl Links {
         // The part of v's ring that u takes over, and where it enters u's ring.
         let arc: Range<usize>;
         if sv.kind == LinkKind::Closed {
-            // u must see v between the same two neighbours.
+            // u must see v between the same two neighbors.
             let interior = su.kind == LinkKind::Closed || (j > 0 && j + 1 < m);
             if !interior || n < 3 || m < 3 {
                 return false;
@@ -101,7 +101,7 @@ impl Links {
         if m - 1 + arc.len() < least {
             return false;
         }
-        // A neighbour that both rings name outside the shared triangles would stand twice.
+        // A neighbor that both rings name outside the shared triangles would stand twice.
         if arc.clone().any(|i| old.contains(&self.ring[i % n])) {
             return false;
         }
@@ -172,7 +172,7 @@ impl Links {
         self.edges = edges;
     }
 
-    /// Reads `u` for `v` in the link of `w`, a neighbour of v.
+    /// Reads `u` for `v` in the link of `w`, a neighbor of v.
     fn substitute(&mut self, w: u32, v: u32, u: u32) {
         let slab = self.slabs[w as usize];
         let (start, n) = (slab.start as usize, slab.len as usize);

@@ -111,7 +111,7 @@ fn hexagon_is_one_ring_and_collapses_to_a_fan() {
 
 #[test]
 fn rings_of_a_grid_equal_substitution() {
-    // Interior and border vertices, each collapsed to each neighbour in turn.
+    // Interior and border vertices, each collapsed to each neighbor in turn.
     let at = |x: u32, y: u32| 5 * y + x;
     let mut grid = Vec::new();
     for y in 0..4 {

@@ -8,7 +8,7 @@ use super::lanes::{LANES, NO_TRIANGLE, Vec3x8, grow, lanes, least_of, slices, ve
 use crate::simplify::collapse::fan;
 
 impl Star {
-    /// Squared distance of v from the fan that neighbour `k` as the target would leave; `None` where a triangle would
+    /// Squared distance of v from the fan that neighbor `k` as the target would leave; `None` where a triangle would
     /// flip or become a sliver.
     pub(in crate::simplify) fn fan_distance_squared(&mut self, k: usize) -> Option<f32> {
         self.mark_vanishing(Some(k));
@@ -24,7 +24,7 @@ impl Star {
         Some((0..self.triangle_count).map(edge).fold(f32::INFINITY, f32::min))
     }
 
-    /// The same for a target that is no neighbour: all triangles stay.
+    /// The same for a target that is no neighbor: all triangles stay.
     pub(in crate::simplify) fn moved_distance_squared(&mut self, to: Vec3) -> Option<f32> {
         self.mark_vanishing(None);
         self.distance_squared_from(to)
@@ -71,7 +71,7 @@ impl Star {
         Some(least_of(least))
     }
 
-    /// Squared distance of the point `p` from the fan that was judged last, neighbour `k` being the target; infinite
+    /// Squared distance of the point `p` from the fan that was judged last, neighbor `k` being the target; infinite
     /// where no triangle is left.
     pub(in crate::simplify) fn fan_distance_squared_of(&self, k: usize, p: Vec3) -> f32 {
         let [a, b] = self.corners();
@@ -94,7 +94,7 @@ impl Star {
         least_of(least)
     }
 
-    /// Notes which triangles a collapse to neighbour `k` removes.
+    /// Notes which triangles a collapse to neighbor `k` removes.
     pub(in crate::simplify) fn mark_vanishing(&mut self, k: Option<usize>) {
         let padded = self.triangle_count.next_multiple_of(LANES);
         grow(&mut self.vanishes, padded);
@@ -105,7 +105,7 @@ impl Star {
         match k {
             None => {}
             Some(k) if self.pairs.is_empty() => {
-                // Triangle k begins at the neighbour, the one before ends there.
+                // Triangle k begins at the neighbor, the one before ends there.
                 let before = if k == 0 { self.ids.len() - 1 } else { k - 1 };
                 for t in [k, before] {
                     if let Some(lane) = real.get_mut(t) {
@@ -169,7 +169,7 @@ impl Star {
         worst
     }
 
-    /// True where neighbours `i` and `k` span a triangle with v.
+    /// True where neighbors `i` and `k` span a triangle with v.
     fn is_edge(&self, i: usize, k: usize) -> bool {
         if self.pairs.is_empty() {
             let (low, high) = (i.min(k), i.max(k));

@@ -1,6 +1,6 @@
 //! The star of one position, gathered once and judged against all its possible targets.
 //!
-//! The cost of moving the origin `v` to a neighbour `u` is a quadratic form of `u`: the squared distances from the
+//! The cost of moving the origin `v` to a neighbor `u` is a quadratic form of `u`: the squared distances from the
 //! planes of the triangles around v, weighted by area, plus the squared change of volume over the area, all of the
 //! *current* mesh (memoryless [LT98], [Hop99]). A plane through v gives no linear part, so six numbers hold
 //! the whole form:
@@ -39,9 +39,9 @@ pub(in crate::simplify) type SeamBetween<'a> = &'a dyn Fn(&Star, usize, usize) -
 /// Scratch that holds one star at a time.
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct Star {
-    /// Neighbours, each once; candidates for the target.
+    /// Neighbors, each once; candidates for the target.
     pub(in crate::simplify) ids: Vec<u32>,
-    /// Neighbours relative to v; one more for the ring's wrap, then zeros up to whole lanes.
+    /// Neighbors relative to v; one more for the ring's wrap, then zeros up to whole lanes.
     offsets: Coordinates,
     /// Corners of each triangle as indices into `ids`; empty for rings, whose triangle i is (i, i + 1).
     pairs: Vec<[u32; 2]>,
@@ -49,7 +49,7 @@ pub(in crate::simplify) struct Star {
     corners: [Coordinates; 2],
     /// Unscaled normals of the triangles, zeros up to whole lanes.
     normals: Coordinates,
-    /// Cost of each neighbour as the target; infinite where it may not be.
+    /// Cost of each neighbor as the target; infinite where it may not be.
     pub(in crate::simplify) costs: Vec<f32>,
     /// Triangle numbers, where followed.
     pub(in crate::simplify) triangles: Vec<u32>,
@@ -91,14 +91,14 @@ impl Star {
         spokes.chain(rim).fold(0.0, f32::max)
     }
 
-    /// Neighbour `i` relative to the centre.
+    /// Neighbor `i` relative to the center.
     #[inline]
     pub(in crate::simplify) fn offset(&self, i: usize) -> Vec3 {
         let [x, y, z] = &self.offsets;
         Vec3::new(x[i], y[i], z[i])
     }
 
-    /// The two neighbours that span triangle `t`.
+    /// The two neighbors that span triangle `t`.
     #[inline]
     pub(in crate::simplify) fn triangle(&self, t: usize) -> [usize; 2] {
         if self.pairs.is_empty() {
@@ -202,7 +202,7 @@ impl Star {
         self.normals = normals;
     }
 
-    /// Fills `costs` with the quadratic form at every neighbour.
+    /// Fills `costs` with the quadratic form at every neighbor.
     pub(in crate::simplify) fn compute_costs(&mut self) {
         self.form = self.quadric();
         let [xx, yy, zz, xy, xz, yz] = self.form.map(f32x8::splat);
@@ -219,7 +219,7 @@ impl Star {
         self.costs.truncate(n);
     }
 
-    /// The quadratic form at a place that need not be a neighbour.
+    /// The quadratic form at a place that need not be a neighbor.
     pub(in crate::simplify) fn cost_at(&self, at: Vec3) -> f32 {
         let [xx, yy, zz, xy, xz, yz] = self.form;
         let Vec3 { x, y, z } = at;

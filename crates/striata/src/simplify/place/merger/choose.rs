@@ -54,7 +54,7 @@ impl Merger<'_> {
         EdgeForm::new(&self.known[v as usize].form, other, self.hood.shared(i), self.hood.offsets[i])
     }
 
-    /// Where the edge from the gathered `v` to its neighbour `i` may put its vertex.
+    /// Where the edge from the gathered `v` to its neighbor `i` may put its vertex.
     fn course(&self, v: u32, i: usize) -> Course {
         let u = self.hood.ids[i];
         let borders = [v, u].map(|p| self.known[p as usize].border_count);
@@ -132,7 +132,7 @@ impl Merger<'_> {
             let (removed, kept) = if is_kept { (u, v) } else { (v, u) };
             // Ends stay where they are, without any rounding.
             let is_end = local == if is_kept { DVec3::ZERO } else { offset };
-            let place = if is_end { self.positions[kept as usize] } else { self.hood.centre + local };
+            let place = if is_end { self.positions[kept as usize] } else { self.hood.center + local };
             let merge = Merge { removed, kept, share: self.share_of(removed, kept, place) };
             if edge.cost(local) as f32 >= best.map_or(limit, |(least, _)| least) {
                 continue;

@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn a_valley_is_not_bridged() {
-        // Four neighbours, two of them low: the new edge lies low, where the removed vertex was.
+        // Four neighbors, two of them low: the new edge lies low, where the removed vertex was.
         let ring = [[1., 0., 0.], [0., 1., 1.], [-1., 0., 0.], [0., -1., 1.]].map(Vec3::from);
         let mut hole = Hole::default();
         hole.load(ring.into_iter(), true);

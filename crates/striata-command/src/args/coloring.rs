@@ -1,10 +1,10 @@
-//! What the colours of a picture mean.
+//! What the colors of a picture mean.
 
 use clap::ValueEnum;
 
-/// What colours tell.
+/// What colors tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Colouring {
+pub enum Coloring {
     /// Nothing but what the mesh looks like
     Surface,
     /// Strips

@@ -1,7 +1,7 @@
 //! Which triangles belong together: those of a strip, those of a fan.
 //!
 //! Triangles are put into the order in which strips or fans have them, and each gets the number of its own; so whoever
-//! draws them needs no more than a colour for each number.
+//! draws them needs no more than a color for each number.
 
 use striata::mesh::{IndexedMesh, TriangleGroup};
 use striata::model::{FanIndices, fan_triangles_into};
