@@ -2,6 +2,8 @@
 
 mod ball;
 mod costs;
+#[cfg(unix)]
+mod guides;
 mod help;
 mod levels;
 mod orders;

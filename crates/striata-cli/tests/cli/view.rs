@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::workbench::{NO_DRIVERS, Workbench};
 
 /// Runs the command where it can open a window, and kills it where it never ends.
-fn run_on_display(bench: &Workbench, arguments: &[&str]) -> Output {
+pub(crate) fn run_on_display(bench: &Workbench, arguments: &[&str]) -> Output {
     run_with(bench, arguments, &[])
 }
 
