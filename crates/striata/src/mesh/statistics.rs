@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_square_with_everything_in_it() {
+    fn counts_degenerate_duplicate_and_unused_elements() {
         let positions =
             vec![[0., 0., 0.], [2., 0., 0.], [2., 3., 0.], [0., 3., 0.], [1., 0., 0.], [-0., 0., 0.]];
         let triangles = vec![[0, 1, 2], [5, 2, 3], [2, 0, 1], [3, 2, 0], [0, 4, 1], [0, 5, 3]];
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn components_alone_are_those_of_all_numbers() {
+    fn component_count_agrees_with_statistics() {
         let mut compared = 0;
         for (name, mesh) in shapes::nasty() {
             // An error may contain a NaN, which is not equal to itself, so compare only successes.
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn duplicates_know_their_direction() {
+    fn duplicates_report_their_direction() {
         let found = duplicate_triangles(&[[3, 1, 2], [1, 2, 3], [4, 4, 4], [2, 1, 3], [4, 4, 4], [1, 2, 4]]);
         let duplicate = |triangle, is_opposite| Duplicate { triangle, first: 0, is_opposite };
         assert_eq!(found, vec![duplicate(1, false), duplicate(3, true)]);
@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_manifold_is_counted() {
+    fn non_manifold_edges_and_vertices_are_counted() {
         let book = of(&shapes::book(4));
         assert_eq!((book.non_manifold_edge_count, book.boundary_edge_count, book.genus), (1, 8, None));
         let tie = of(&shapes::bow_tie());
