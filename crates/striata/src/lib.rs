@@ -36,7 +36,7 @@
 //! | [`Fans`](model::Fans) | triangles, fans or strips | 31 (23) | 0.13 (12) | views, instancing, compute |
 //! | [`LodStrips`](model::LodStrips) | strips, edited in place | 23 | 10 | uniform levels, small changes |
 //! | [`Mts`](model::Mts) | strips, rebuilt on change | 21 | 17 | uniform levels, compact storage |
-//! | [`Patterns`](model::Patterns) | triangles | 21 (13) | its triangles | guaranteed errors, any removal order |
+//! | [`Patterns`](model::Patterns) | triangles | 21 (13) | its triangles | views with guaranteed errors |
 //!
 //! Sizes are bytes per vertex, measured on the Stanford bunny. In parentheses: the stored size without
 //! support for views and, for `Fans`, the instance size of [`FanFront`](model::FanFront), which follows a

@@ -39,8 +39,7 @@ impl<'a> ByteReader<'a> {
         Ok(f32::from_bits(self.u32()?))
     }
 
-    /// Reads a count of items of at least `item_bytes` each, so that it is safe to allocate memory for
-    /// them.
+    /// Reads a count of items of at least `item_bytes` each, so that it is safe to allocate memory for them.
     pub(super) fn count(&mut self, item_bytes: usize) -> Result<usize, DecodeError> {
         let count = self.u32()? as usize;
         if count > (self.bytes.len() - self.at) / item_bytes {

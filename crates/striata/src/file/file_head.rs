@@ -22,8 +22,7 @@ impl FileHead {
     /// Reads the head from the first bytes of a file; `None` if more bytes are needed.
     ///
     /// # Errors
-    /// [`DecodeError`] if the bytes do not start a `.striata` file of the supported version, or are
-    /// damaged.
+    /// [`DecodeError`] if the bytes do not start a `.striata` file of the supported version, or are damaged.
     pub fn read(bytes: &[u8]) -> Result<Option<Self>, DecodeError> {
         if bytes.len() < HEADER_BYTES {
             return Ok(None);

@@ -97,8 +97,7 @@ impl Lod {
         Ok(Self { tables: Arc::new(Tables::from_file(file)?) })
     }
 
-    /// Encodes the mesh, the sequence and the fans as a `.striata` file, which [`StriataFile::parse`]
-    /// reads.
+    /// Encodes the mesh, the sequence and the fans as a `.striata` file, which [`StriataFile::parse`] reads.
     ///
     /// # Errors
     /// [`EncodeError`](crate::file::EncodeError) if a part is too large for the format.

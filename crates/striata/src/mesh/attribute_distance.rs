@@ -6,9 +6,8 @@
 //! of a thin part would be compared with the other sheet, whose texture coordinates mean something else.
 //!
 //! A triangle on the same side counts if it is no farther away than four times the distance of the nearest
-//! triangle plus 1 % of the diagonal; if there is none, the nearest triangle on any side is used. If
-//! several triangles are equally near, as on both sides of a seam, the one with the smallest difference
-//! counts.
+//! triangle plus 1 % of the diagonal; if there is none, the nearest triangle on any side is used. If several
+//! triangles are equally near, as on both sides of a seam, the one with the smallest difference counts.
 //!
 //! Cost: O(n log n) for a tree of n triangles, then O(log n) expected and 8 bytes for each sample. Results
 //! are the same for any number of threads and on every machine.
@@ -22,10 +21,11 @@ use super::{AttributeLayer, DistanceError, DistanceOptions, IndexedMesh, Semanti
 /// Smallest dot product of two unit normals that count as being on the same side.
 const SAME_SIDE: f64 = 0.3;
 
-/// Factor by which a triangle on the same side may be farther away than the nearest triangle, ...
+/// Multiple of the distance to the nearest triangle up to which triangles on the same side count, with
+/// [`REACH_SHARE`] added.
 const REACH: f64 = 4.0;
 
-/// ... plus this fraction of the diagonal.
+/// Addition to that reach, as a fraction of the diagonal of the original.
 const REACH_SHARE: f64 = 0.01;
 
 /// Triangles are equally near if their distances differ by at most this fraction of the diagonal.
@@ -190,8 +190,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// Finds the triangles of the level to compare a sample with; returns whether they are on the same
-    /// side.
+    /// Finds the triangles of the level to compare a sample with; returns whether they are on the same side.
     fn find_nearest(
         &self,
         (point, triangle): (DVec3, usize),

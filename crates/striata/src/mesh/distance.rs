@@ -1,11 +1,10 @@
 //! Surface distance between two meshes by sampling, as in Metro \[CRS98\].
 //!
-//! Points are distributed over each surface and measured against the whole other surface. Both directions
-//! are needed, since one alone does not notice what is missing. Samples are stratified by area: sample `k`
-//! of `n` lies in the triangle in which the running area passes `k / n`, at the next point of a
-//! low-discrepancy sequence, so the results converge as with a grid rather than as with random noise. All
-//! vertices and some points on the edges are measured too; they count only for the maximum, which is
-//! usually found there.
+//! Points are distributed over each surface and measured against the whole other surface. Both directions are
+//! needed, since one alone does not notice what is missing. Samples are stratified by area: sample `k` of `n`
+//! lies in the triangle in which the running area passes `k / n`, at the next point of a low-discrepancy
+//! sequence, so the results converge as with a grid rather than as with random noise. All vertices and some
+//! points on the edges are measured too; they count only for the maximum, which is usually found there.
 //!
 //! Differs: Metro computes a number of samples per triangle and rounds it; here every sample represents the
 //! same area.
@@ -102,7 +101,8 @@ pub enum DistanceError {
 /// ```
 /// use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance};
 /// let at = |z| IndexedMesh::new(vec![[0., 0., z], [1., 0., z], [0., 1., z]], vec![[0, 1, 2]]);
-/// let distance = surface_distance(&at(0.0), &at(0.5), &DistanceOptions::default().with_sample_count(1_000))?;
+/// let options = DistanceOptions::default().with_sample_count(1_000);
+/// let distance = surface_distance(&at(0.0), &at(0.5), &options)?;
 /// assert_eq!((distance.max, distance.rms), (0.5, 0.5));
 /// # Ok::<(), striata::mesh::DistanceError>(())
 /// ```
@@ -227,8 +227,7 @@ mod tests {
         let d = surface_distance(&square(0.0), &half, &DistanceOptions::default()).unwrap();
         assert_eq!(d.b_to_a, OneSided::default());
         assert!((d.a_to_b.max - 2f64.sqrt()).abs() < 1e-12);
-        // Over the missing half, the distance h to the diagonal has the density 2 (c - h) / c^2, c = sqrt
-        // 2.
+        // Over the missing half, the distance h to the diagonal has the density 2 (c - h) / c^2, c = sqrt 2.
         assert!((d.a_to_b.mean - 0.5 * 2f64.sqrt() / 3.0).abs() < 1e-4);
         assert!((d.a_to_b.rms - (0.5f64 * 2.0 / 6.0).sqrt()).abs() < 1e-4);
         assert_eq!((d.max, d.rms), (d.a_to_b.max, d.a_to_b.rms));

@@ -132,8 +132,7 @@ pub enum MeshError {
 /// A triangle mesh: triangles that index into vertices, with attribute layers, groups and materials.
 ///
 /// The fields are public, so that importers can fill them and GPUs and scripts can read them.
-/// [`IndexedMesh::check`] reports whether they are consistent; every operation of this crate calls it
-/// first.
+/// [`IndexedMesh::check`] reports whether they are consistent; every operation of this crate calls it first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IndexedMesh {
     /// Position of each vertex, in mesh units.

@@ -112,8 +112,7 @@ impl Levels {
 
     /// Split count of the most detailed level with at most `triangle_count` triangles; 0 if there is none.
     pub fn split_count_for_triangles(&self, triangle_count: usize) -> usize {
-        // Linear search: counts need not rise, since the floor of a fragment may be larger than its
-        // ceiling.
+        // Linear search: counts need not rise, since the floor of a fragment may be larger than its ceiling.
         self.triangle_counts.iter().rposition(|&n| n as usize <= triangle_count).unwrap_or(0)
     }
 

@@ -5,8 +5,7 @@
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PositionIndex {
     first: Vec<u32>,
-    /// Position of each vertex; empty if every position has one vertex, since the two indices are then
-    /// equal.
+    /// Position of each vertex; empty if every position has one vertex, since the two indices are then equal.
     position_of: Vec<u32>,
 }
 

@@ -1,8 +1,7 @@
 //! The library's pseudo-random number generator: splitmix64, seeded, the same on every machine.
 //!
 //! Tests, generated meshes and stratified samples need numbers without patterns, but no secrets. Splitmix64
-//! passes the usual test batteries, accepts any seed and takes five lines, so a dependency would not pay
-//! off.
+//! passes the usual test batteries, accepts any seed and takes five lines, so a dependency would not pay off.
 
 /// A seeded pseudo-random number generator.
 ///

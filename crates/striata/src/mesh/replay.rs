@@ -39,7 +39,7 @@ pub fn replay(refinable: &RefinableMesh, split_count: usize) -> IndexedMesh {
     level
 }
 
-/// Appends to `out` the triangles of the level at `split_count` that remain of `triangles`.
+/// Extracts the level of the given triangles at `split_count`, appending those that remain to `out`.
 ///
 /// # Panics
 /// If `split_count` exceeds the step count.

@@ -89,8 +89,7 @@ pub(super) fn weights_on_triangle([u, v]: [f64; 2]) -> [f64; 3] {
     [1.0 - u - v, u, v]
 }
 
-/// Point `k` of Roberts' two-dimensional R2 sequence, whose first `n` points are evenly spread for every
-/// `n`.
+/// Point `k` of Roberts' two-dimensional R2 sequence, whose first `n` points are evenly spread for every `n`.
 pub(super) fn low_discrepancy_point(seed: u64, k: usize) -> [f64; 2] {
     // 2^64 divided by the plastic number and by its square; wrapping arithmetic takes the fractional part
     // exactly.

@@ -13,8 +13,7 @@ use super::{IndexedMesh, MeshError, PositionIndex, TriangleGroup};
 /// Result of [`weld`].
 #[derive(Clone, Debug)]
 pub struct Welded {
-    /// The welded mesh: no unused and no repeated vertices, and the wedges of each position are
-    /// consecutive.
+    /// The welded mesh: no unused and no repeated vertices, and the wedges of each position are consecutive.
     pub mesh: IndexedMesh,
     /// The vertices (wedges) of each position.
     pub positions: PositionIndex,

@@ -61,8 +61,7 @@ impl CacheCost {
 /// `triangle_count` is the number of triangles that the buffer draws. Restarts do not affect the cache.
 pub fn fifo_cache_cost(indices: &[u32], triangle_count: usize, cache_size: usize) -> CacheCost {
     let (indices, vertex_limit) = drawn_vertices(indices);
-    // The miss that loaded a vertex, counted from 1; the vertex stays cached until `cache_size` more
-    // misses.
+    // The miss that loaded a vertex, counted from 1; the vertex stays cached until `cache_size` more misses.
     let mut entered = vec![0usize; vertex_limit];
     let mut miss_count = 0;
     let mut used_count = 0;

@@ -1,5 +1,4 @@
-//! The fast greedy stripifier: starts at triangles with few free neighbors and keeps the best of three
-//! walks.
+//! The fast greedy stripifier: starts at triangles with few free neighbors and keeps the best of three walks.
 //!
 //! Each strip starts at the triangle that is most likely to be left isolated. Three walks run through that
 //! triangle, one for each pair of its edges. A walk continues without a swap if it can and swaps if it

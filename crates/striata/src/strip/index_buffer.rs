@@ -17,8 +17,7 @@ pub struct StripIndices {
 }
 
 impl StripIndices {
-    /// Converts the indices to 16 bits, with [`RESTART`] as `0xFFFF`; `None` if a vertex index does not
-    /// fit.
+    /// Converts the indices to 16 bits, with [`RESTART`] as `0xFFFF`; `None` if a vertex index does not fit.
     pub fn to_u16(&self) -> Option<Vec<u16>> {
         let narrow = |&index: &u32| match index {
             RESTART => Some(u16::MAX),
@@ -35,8 +34,7 @@ impl StripSet {
         self.joined(|indices, _| indices.push(RESTART))
     }
 
-    /// Joins the strips of each group with repeated indices (degenerate triangles) in a single index
-    /// buffer.
+    /// Joins the strips of each group with repeated indices (degenerate triangles) in a single index buffer.
     ///
     /// The buffer needs no primitive restart, as formats such as glTF 2.0 require; all triangles keep their
     /// winding.

@@ -13,8 +13,7 @@ use crate::mesh::{NO_TWIN, is_proper};
 
 /// Triangles that do not belong to a strip yet, for stripifiers that grow one strip after another.
 ///
-/// Sides are numbered as in [`StripLinks`]: side `3 * triangle + k` runs from corner `k` to the next
-/// corner.
+/// Sides are numbered as in [`StripLinks`]: side `3 * triangle + k` runs from corner `k` to the next corner.
 #[derive(Clone, Debug)]
 pub struct FreeTriangles<'a> {
     twins: &'a [u32],

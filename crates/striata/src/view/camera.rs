@@ -86,8 +86,7 @@ impl Camera {
         let radius = f64::from(sphere.radius);
         let [depth, x, y] = [self.forward, self.right, self.up].map(|axis| to.dot(axis));
         let slack = 1e-9 * (to.length() + radius);
-        // `across - half * depth` is the distance to the side plane, times the length of the plane's
-        // normal.
+        // `across - half * depth` is the distance to the side plane, times the length of the plane's normal.
         let is_within = |across: f64, half: f64| {
             across.abs() - half * depth <= (radius + slack) * (1.0 + half * half).sqrt()
         };

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::Sphere;
 
-/// More than cosines lose to rounding when a cone is built or stored as `f32`.
+/// Upper bound on the rounding error of cosines when a cone is built and stored as `f32`.
 const SLACK: f64 = 1e-6;
 
 /// All directions within some angle of an axis.

@@ -3,8 +3,7 @@
 //! A model describes its surface as parts: a step together with all steps that depend on it, given by a
 //! bounding sphere, a cone of normals and an error. A criterion knows the view. It assigns each part a
 //! weight, and parts with a weight above 1 are refined. Parts are nested, and a part must weigh at least as
-//! much as the parts inside it; otherwise, models would have to look below every part that they leave
-//! coarse.
+//! much as the parts inside it; otherwise, models would have to look below every part that they leave coarse.
 
 use super::{NormalCone, Sphere};
 
@@ -15,7 +14,7 @@ pub struct Part {
     pub sphere: Sphere,
     /// Contains the normals of all triangles that refining the part adds or removes.
     pub cone: NormalCone,
-    /// Maximum distance between the coarse part and the surface that it replaces, in mesh units.
+    /// Maximum distance to the original surface while the part is not refined, in mesh units.
     pub error: f32,
 }
 

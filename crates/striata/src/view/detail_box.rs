@@ -22,8 +22,7 @@ impl Criterion for DetailBox {
             (min - at).max(at - max).max(0.0)
         };
         let [x, y, z] = [outside(0), outside(1), outside(2)];
-        // The comparisons are written so that parts with NaN coordinates count as inside: no detail is
-        // lost.
+        // The comparisons are written so that parts with NaN coordinates count as inside: no detail is lost.
         let is_outside = (x * x + y * y + z * z).sqrt() > f64::from(part.sphere.radius);
         let is_wanted = !(is_outside && part.error <= self.error_outside);
         Verdict { weight: if is_wanted { f32::INFINITY } else { 0.0 }, lasts: f32::INFINITY }

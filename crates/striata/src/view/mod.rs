@@ -1,5 +1,4 @@
-//! View-dependent refinement: bounds of parts of a mesh, and criteria such as a camera's screen-space
-//! error.
+//! View-dependent refinement: bounds of parts of a mesh, and criteria such as a camera's screen-space error.
 //!
 //! All tests are conservative. A bound contains everything that it bounds, rounding included; a part is
 //! only called invisible if nothing of it can be seen, and its screen-space error is never underestimated.
@@ -29,5 +28,5 @@ pub use detail_box::DetailBox;
 pub use screen_error::{Fovea, ScreenError};
 pub use sphere::Sphere;
 
-/// More than rounding can take away from a sum of a few products of numbers around 1.
+/// Upper bound on the rounding error of a sum of a few products of numbers around 1.
 const SLACK: f32 = 1e-5;

@@ -68,8 +68,7 @@ impl ScreenError {
     /// Allows errors of up to `pixels` pixels on the screen of a camera; anything but a positive number
     /// allows none.
     ///
-    /// Coordinates and sizes of models must be between 1e-18 and 1e18, so that squared distances are
-    /// finite.
+    /// Coordinates and sizes of models must be between 1e-18 and 1e18, so that squared distances are finite.
     pub fn new(camera: Camera, pixels: f32) -> Self {
         let half = camera.half.map(|half| half as f32);
         Self {

@@ -11,10 +11,10 @@ use super::{Part, ScreenError, Verdict};
 /// sqrt(4 - 3 cos^2 a)`.
 const STRETCH: f32 = 1.16;
 
-/// More than the relative rounding error of a length here.
+/// Upper bound on the relative rounding error of a length here.
 const SLACK: f32 = 4e-6;
 
-/// More than the relative rounding error of a squared length and of its squared component along an axis.
+/// Upper bound on the relative rounding error of a squared length and its squared component along an axis.
 const ALONG_SLACK: f32 = 1e-6;
 
 /// Up to eight parts, transposed to one vector per number.

@@ -79,7 +79,7 @@ pub struct Fragment {
     pub ceiling: Vec<Face>,
     /// Triangles that fill the hole without that position.
     pub floor: Vec<Face>,
-    /// Maximum distance between the floor and the surface that it replaces, in mesh units.
+    /// Maximum distance between the floor and the original surface that it represents, in mesh units.
     pub error: f32,
 }
 
@@ -99,8 +99,7 @@ pub struct FragmentSequence {
 }
 
 impl FragmentSequence {
-    /// Assigns indices to the faces of fragments in refinement order and resolves the faces of their
-    /// floors.
+    /// Assigns indices to the faces of fragments in refinement order and resolves the faces of their floors.
     ///
     /// # Errors
     /// [`FragmentError`] for the first step that is inconsistent.
@@ -167,7 +166,8 @@ impl FragmentSequence {
         &self.floors[self.first_floor[step as usize] as usize..self.first_floor[step as usize + 1] as usize]
     }
 
-    /// Maximum distance between the floor of a step and the surface that it replaces, in mesh units.
+    /// Maximum distance between the floor of a step and the original surface that it represents, in mesh
+    /// units.
     ///
     /// # Panics
     /// If the step does not exist.

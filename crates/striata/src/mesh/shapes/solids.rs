@@ -25,8 +25,7 @@ pub fn cube() -> IndexedMesh {
 
 /// The sphere used in the papers on strips: 15,314 vertices, 30,624 triangles, radius 1.
 pub fn paper_sphere() -> IndexedMesh {
-    // 87 * 176 + 2 = 15,314; the 88 steps from pole to pole are as long as the 176 steps around the
-    // equator.
+    // 87 * 176 + 2 = 15,314; the 88 steps from pole to pole are as long as the 176 steps around the equator.
     uv_sphere(87, 176, 1.0)
 }
 
