@@ -21,9 +21,9 @@ impl<'a> ByteReader<'a> {
     pub(super) fn bytes(&mut self, count: usize) -> Result<&'a [u8], DecodeError> {
         let end = self.at.checked_add(count).filter(|&end| end <= self.bytes.len());
         let end = end.ok_or_else(|| self.malformed("ends too early"))?;
-        let taken = &self.bytes[self.at..end];
+        let bytes = &self.bytes[self.at..end];
         self.at = end;
-        Ok(taken)
+        Ok(bytes)
     }
 
     pub(super) fn u8(&mut self) -> Result<u8, DecodeError> {

@@ -434,13 +434,13 @@ impl<'a> StriataFile<'a> {
     pub fn level_of<M: StoredModel>(&self, model: &M, state: &M::State) -> Result<IndexedMesh, DecodeError> {
         let positions = self.positions()?;
         let vertex_count = model.vertex_count_at(model.split_count(state));
-        let Some(shown) = positions.get(..vertex_count) else {
+        let Some(level_positions) = positions.get(..vertex_count) else {
             let (kind, what) = (SectionKind::POSITIONS, "vertices");
             let (found, expected) = (positions.len() as u64, vertex_count as u64);
             return Err(DecodeError::Count { kind, what, found, expected });
         };
         let mut level = IndexedMesh {
-            positions: shown.to_vec(),
+            positions: level_positions.to_vec(),
             triangles: Vec::new(),
             layers: self.layers_of_first(vertex_count)?,
             groups: self.groups()?,

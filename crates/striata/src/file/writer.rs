@@ -295,11 +295,12 @@ fn check_model(
         FileModel::Mts(model) => check_counts(kind, *model, source)?,
         FileModel::Fans(fans) => {
             check_counts(kind, *fans, source)?;
-            let shown = |split_count| fans.draw_counts(&fans.level_at(split_count)).index_count / 3;
+            let triangle_count_at =
+                |split_count| fans.draw_counts(&fans.level_at(split_count)).index_count / 3;
             let step_count = fans.step_count();
             expect(kind, "bounds", fans.bounded_step_count(), step_count)?;
-            expect(kind, "triangles", shown(step_count), triangle_count)?;
-            expect(kind, "triangles of the base", shown(0), base_triangle_count)?;
+            expect(kind, "triangles", triangle_count_at(step_count), triangle_count)?;
+            expect(kind, "triangles of the base", triangle_count_at(0), base_triangle_count)?;
         }
         FileModel::Patterns(patterns) => {
             check_counts(kind, *patterns, source)?;

@@ -94,21 +94,21 @@ pub fn attribute_distance(
 struct Attributes<'a> {
     mesh: &'a IndexedMesh,
     /// Unit normal of each triangle; zero for triangles without area.
-    facing: Vec<DVec3>,
+    triangle_normals: Vec<DVec3>,
     normals: Option<&'a AttributeLayer>,
     uvs: Option<&'a AttributeLayer>,
 }
 
 impl<'a> Attributes<'a> {
     fn of(mesh: &'a IndexedMesh) -> Self {
-        let facing = mesh.triangles.iter().map(|t| {
+        let triangle_normals = mesh.triangles.iter().map(|t| {
             let [a, b, c] = t.map(|v| to_dvec3(mesh.positions[v as usize]));
             (b - a).cross(c - a).normalize_or_zero()
         });
         let layer = |semantic, least| mesh.layer(&semantic).filter(|layer| layer.component_count >= least);
         Self {
             mesh,
-            facing: facing.collect(),
+            triangle_normals: triangle_normals.collect(),
             normals: layer(Semantic::Normal, 3),
             uvs: layer(Semantic::TexCoord(0), 2),
         }
@@ -118,7 +118,7 @@ impl<'a> Attributes<'a> {
     fn normal(&self, triangle: usize, weights: [f64; 3]) -> Option<DVec3> {
         let layer = self.normals?;
         let sum = self.mix(layer, triangle, weights);
-        Some(sum.try_normalize().unwrap_or(self.facing[triangle]))
+        Some(sum.try_normalize().unwrap_or(self.triangle_normals[triangle]))
     }
 
     fn uv(&self, triangle: usize, weights: [f64; 3]) -> Option<DVec3> {
@@ -197,25 +197,26 @@ impl Comparison<'_> {
         hint: &mut usize,
         found: &mut Vec<usize>,
     ) -> bool {
-        let facing = self.original.facing[triangle];
-        let is_same_side = |tried: usize| self.level.facing[tried].dot(facing) > SAME_SIDE;
-        let plain = self.tree.distance_from_hint(point, hint);
-        let reach = REACH * plain + REACH_SHARE * self.diagonal;
-        let mut nearest = if is_same_side(*hint) { plain } else { f64::INFINITY };
+        let own_normal = self.original.triangle_normals[triangle];
+        let is_same_side =
+            |candidate: usize| self.level.triangle_normals[candidate].dot(own_normal) > SAME_SIDE;
+        let nearest_distance = self.tree.distance_from_hint(point, hint);
+        let reach = REACH * nearest_distance + REACH_SHARE * self.diagonal;
+        let mut nearest = if is_same_side(*hint) { nearest_distance } else { f64::INFINITY };
         if nearest == f64::INFINITY {
-            self.tree.visit_within(point, reach, |tried, distance| {
-                if distance < nearest && is_same_side(tried) {
+            self.tree.visit_within(point, reach, |candidate, distance| {
+                if distance < nearest && is_same_side(candidate) {
                     nearest = distance;
                 }
                 nearest.min(reach)
             });
         }
         let has_same_side = nearest <= reach;
-        let limit = if has_same_side { nearest } else { plain } + TIE_SHARE * self.diagonal;
+        let limit = if has_same_side { nearest } else { nearest_distance } + TIE_SHARE * self.diagonal;
         found.clear();
-        self.tree.visit_within(point, limit, |tried, distance| {
-            if distance <= limit && (!has_same_side || is_same_side(tried)) {
-                found.push(tried);
+        self.tree.visit_within(point, limit, |candidate, distance| {
+            if distance <= limit && (!has_same_side || is_same_side(candidate)) {
+                found.push(candidate);
             }
             limit
         });

@@ -51,13 +51,13 @@ pub fn replay_into(
 ) {
     let sequence = &refinable.sequence;
     let vertex_count = sequence.vertex_count_at(split_count) as u32;
-    let shown = |mut v: u32| {
+    let substitute = |mut v: u32| {
         while v >= vertex_count {
             v = sequence.target(v);
         }
         v
     };
-    out.extend(triangles.iter().map(|t| t.map(shown)).filter(|&[a, b, c]| a != b && b != c && c != a));
+    out.extend(triangles.iter().map(|t| t.map(substitute)).filter(|&[a, b, c]| a != b && b != c && c != a));
 }
 
 /// Rotates a triangle so that its smallest index comes first; the winding stays the same.

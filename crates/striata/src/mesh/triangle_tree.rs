@@ -110,10 +110,10 @@ impl TriangleTree {
         if !is_far && squared > enough {
             let squared_scale = self.scale * self.scale * COST_MARGIN;
             let limit = (squared * squared_scale) as f32;
-            self.boxes.visit_near(in_frame.as_vec3a(), limit, |tried| {
-                let other = squared_distance_to_triangle(point, &self.corners[tried]);
+            self.boxes.visit_near(in_frame.as_vec3a(), limit, |candidate| {
+                let other = squared_distance_to_triangle(point, &self.corners[candidate]);
                 if other < squared {
-                    (squared, *triangle) = (other, tried);
+                    (squared, *triangle) = (other, candidate);
                 }
                 if squared <= enough { 0.0 } else { (squared * squared_scale) as f32 }
             });
@@ -128,17 +128,19 @@ impl TriangleTree {
     /// reach are visited as well.
     pub(super) fn visit_within(&self, point: DVec3, reach: f64, mut visit: impl FnMut(usize, f64) -> f64) {
         let in_frame = (point - self.center) * self.scale;
-        let distance_to = |tried: usize| squared_distance_to_triangle(point, &self.corners[tried]).sqrt();
+        let distance_to =
+            |candidate: usize| squared_distance_to_triangle(point, &self.corners[candidate]).sqrt();
         if in_frame.abs().max_element() > FAR {
-            for tried in 0..self.corners.len() {
-                visit(tried, distance_to(tried));
+            for candidate in 0..self.corners.len() {
+                visit(candidate, distance_to(candidate));
             }
             return;
         }
         // A reach of 0 must not skip the boxes that contain the point.
         let limit = |reach: f64| (((reach * self.scale).powi(2) * COST_MARGIN) as f32).max(f32::MIN_POSITIVE);
-        self.boxes
-            .visit_near(in_frame.as_vec3a(), limit(reach), |tried| limit(visit(tried, distance_to(tried))));
+        self.boxes.visit_near(in_frame.as_vec3a(), limit(reach), |candidate| {
+            limit(visit(candidate, distance_to(candidate)))
+        });
     }
 
     fn box_of(&self, corners: &[[f32; 3]; 3]) -> AxisBox {

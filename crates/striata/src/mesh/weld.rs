@@ -262,11 +262,11 @@ fn order_by_position(mesh: &IndexedMesh, vertices: &Vertices) -> (Vec<u32>, Vec<
 
 /// Position index in the welded mesh for every input vertex.
 fn positions_of_sources(position_of: &[u32], vertices: &Vertices, order: &[u32], first: &[u32]) -> Vec<u32> {
-    let mut place = vec![u32::MAX; position_of.iter().max().map_or(0, |&p| p as usize + 1)];
+    let mut new_position = vec![u32::MAX; position_of.iter().max().map_or(0, |&p| p as usize + 1)];
     for (new, &v) in first[..first.len() - 1].iter().enumerate() {
-        place[vertices.position[order[v as usize] as usize] as usize] = new as u32;
+        new_position[vertices.position[order[v as usize] as usize] as usize] = new as u32;
     }
-    position_of.iter().map(|&p| place[p as usize]).collect()
+    position_of.iter().map(|&p| new_position[p as usize]).collect()
 }
 
 /// The Z-order (Morton) curve over the bounds of a mesh.

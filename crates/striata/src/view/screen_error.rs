@@ -49,18 +49,23 @@ pub struct ScreenError {
     pub(super) right: Vec3,
     pub(super) up: Vec3,
     pub(super) forward: Vec3,
-    /// Half the width and height of the screen at unit distance, and factors that turn offsets into
-    /// distances.
+    /// Half the width and height of the screen at unit distance.
     pub(super) half: [f32; 2],
+    /// Lengths of the normals of the side planes, inverted: they turn offsets from a plane into distances.
     pub(super) across: [f32; 2],
+    /// Cosine of the angle between the view axis and a corner of the screen.
     pub(super) corner: f32,
     /// Effective distances are clamped to this minimum.
     pub(super) nearest: f32,
-    /// Pixels per unit of length at unit distance, and the tolerance in pixels.
+    /// Pixels per unit of length at unit distance.
     pub(super) scale: f32,
+    /// Tolerance, in pixels.
     pub(super) pixels: f32,
+    /// Tolerance on silhouettes, in pixels.
     pub(super) silhouette: Option<f32>,
+    /// A region and the tolerance inside it, in pixels.
     pub(super) region: Option<(Sphere, f32)>,
+    /// The fovea and the direction of the gaze, relative to the camera.
     pub(super) fovea: Option<(Fovea, Vec3)>,
 }
 
@@ -68,7 +73,7 @@ impl ScreenError {
     /// Allows errors of up to `pixels` pixels on the screen of a camera; anything but a positive number
     /// allows none.
     ///
-    /// Coordinates and sizes of models must be between 1e-18 and 1e18, so that squared distances are finite.
+    /// Coordinates and sizes of models must be between 1e-18 and 1e18, so that f32 can represent their squares.
     pub fn new(camera: Camera, pixels: f32) -> Self {
         let half = camera.half.map(|half| half as f32);
         Self {
@@ -98,14 +103,14 @@ impl ScreenError {
         Self { model: Some(model), nearest, ..self }
     }
 
-    /// Sets a different tolerance for parts that may be on the silhouette. Errors there are visible as
-    /// steps against the background, while surfaces that face the eye hide them in their shading.
+    /// Sets a stricter tolerance for parts that may be on the silhouette. Errors there are visible as steps
+    /// against the background, while surfaces that face the eye hide them in their shading.
     #[must_use]
     pub fn with_silhouettes(self, pixels: f32) -> Self {
         Self { silhouette: Some(pixels), ..self }
     }
 
-    /// Sets a different tolerance inside a region of interest. The tolerance elsewhere may be infinite.
+    /// Sets a stricter tolerance inside a region of interest. The tolerance elsewhere may be infinite.
     #[must_use]
     pub fn with_region(self, region: Sphere, pixels: f32) -> Self {
         Self { region: Some((region, pixels)), ..self }

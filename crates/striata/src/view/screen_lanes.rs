@@ -242,8 +242,8 @@ mod tests {
         let mut random = Random::new(22);
         for _ in 0..20_000 {
             let axis = direction(&mut random);
-            let aside = axis.cross(direction(&mut random)).normalize() * (random.unit() as f32 * 6e-4);
-            let center = (axis + aside) * (1.0 + 4.0 * random.unit() as f32);
+            let offset = axis.cross(direction(&mut random)).normalize() * (random.unit() as f32 * 6e-4);
+            let center = (axis + offset) * (1.0 + 4.0 * random.unit() as f32);
             let cos = 0.02 + 0.3 * random.unit() as f32;
             // Reference in f64, from the exact f32 inputs: how far the part would be turned away if it were
             // a point.
