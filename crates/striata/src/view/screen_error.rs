@@ -51,7 +51,7 @@ pub struct ScreenError {
     pub(super) forward: Vec3,
     /// Half the width and height of the screen at unit distance.
     pub(super) half: [f32; 2],
-    /// Lengths of the normals of the side planes, inverted: they turn offsets from a plane into distances.
+    /// Inverse lengths of the side planes' normals, which turn offsets from a plane into distances.
     pub(super) across: [f32; 2],
     /// Cosine of the angle between the view axis and a corner of the screen.
     pub(super) corner: f32,
