@@ -1,4 +1,4 @@
-//! Surface distance: the tree of triangles, single queries, and whole measurements.
+//! Benchmarks of surface distance: building the tree, single queries, and whole measurements.
 
 use std::hint::black_box;
 
@@ -7,7 +7,7 @@ use striata::mesh::{DistanceOptions, IndexedMesh, Random, TriangleTree, shapes, 
 
 const QUERIES: usize = 10_000;
 
-/// Points near the surface in the order of its triangles, as sampling makes them.
+/// Points near the surface, in the order of its triangles: the access pattern of sampling.
 fn points_near(mesh: &IndexedMesh) -> Vec<[f64; 3]> {
     let mut random = Random::new(1);
     let offset = 1e-3 * mesh.diagonal() as f32;

@@ -1,6 +1,7 @@
-//! How fast sequences are built; ids are `simplify/MESH/full`.
+//! Benchmarks of building collapse sequences; ids are `simplify/MESH/full`.
 //!
-//! The environment variable `STRIATA_MESHES` may name files, parted by `:`; otherwise generated meshes are used.
+//! Besides generated meshes, it measures the files listed in the environment variable `STRIATA_MESHES`,
+//! separated by `:`.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use striata::mesh::{IndexedMesh, shapes, weld};

@@ -1,4 +1,6 @@
-//! Every level of a mesh in one file: `cargo run --release -p striata --example all_levels -- bunny.ply bunny.striata`
+//! Stores every level of detail of a mesh in one file, then opens the file and extracts some levels.
+//!
+//! Run with `cargo run --release -p striata --example all_levels -- bunny.ply bunny.striata`.
 
 use std::error::Error;
 
@@ -12,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let lod = Lod::build(&striata_io::read(input)?, &LodOptions::default())?;
     striata_io::save(output, &lod)?;
 
-    // Later, in another program: any level, over one vertex buffer.
+    // Later, in another program, extract any level; all levels share one vertex buffer.
     let lod = striata_io::open(output)?;
     for percent in [100, 50, 25, 10, 5, 2, 1] {
         let triangle_count = lod.mesh().triangle_count() * percent / 100;

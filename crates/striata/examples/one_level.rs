@@ -1,4 +1,6 @@
-//! One level of a mesh: `cargo run --release -p striata --example one_level -- bunny.ply 5000 bunny-5k.glb`
+//! Simplifies a mesh to a given number of triangles.
+//!
+//! Run with `cargo run --release -p striata --example one_level -- bunny.ply 5000 bunny-5k.glb`.
 
 use std::error::Error;
 

@@ -1,7 +1,8 @@
-//! Continuous level of detail for triangle meshes: one mesh in, every level of detail out, over one vertex buffer.
+//! Continuous level of detail for triangle meshes: every level of a mesh, over a single vertex buffer.
 //!
-//! Vertices are removed one by one, the cheapest first, and the order is kept. So every level uses the first vertices of one
-//! buffer, a level for a camera is as easy as a uniform one, and each level knows its distance from the original.
+//! Vertices are removed one at a time, cheapest first, and the order is recorded. Every level of detail
+//! therefore uses a prefix of a single vertex buffer, a level refined for a camera is as easy to get as a
+//! uniform one, and the error of every level is known.
 //!
 //! ```
 //! use striata::mesh::shapes;
@@ -19,7 +20,7 @@
 //! view.update(&camera, 1.0); // to an error of one pixel
 //! upload(lod.positions(), view.indices());
 //!
-//! let bytes = lod.to_striata(&Default::default())?; // one file; striata_io::save writes it, striata_io::open reads it
+//! let bytes = lod.to_striata(&Default::default())?; // one file: see striata_io::save and striata_io::open
 //! # assert!(!bytes.is_empty());
 //! # fn upload(_: &[[f32; 3]], _: &[u32]) {}
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -27,26 +28,36 @@
 //!
 //! # Which model do I want?
 //!
-//! [`Lod`] draws triangle lists by progressive fans. Four models are in [`model`]; all show the same triangles.
+//! [`Lod`] draws triangle lists with progressive fans. Engines that need more control can choose one of the
+//! four models in [`model`]. Built from the same sequence, all four show the same triangles at a given level.
 //!
-//! | model | drawn as | stored, bytes a vertex | an instance, bytes a vertex | best for |
+//! | model | drawn as | stored | instance | best for |
 //! | --- | --- | --- | --- | --- |
-//! | [`Fans`](model::Fans) | triangle list, fans or strips | 31 (23 without views) | 0.13, or 12 to follow a camera quickly | views; many instances; compute shaders |
-//! | [`LodStrips`](model::LodStrips) | strips, edited in place | 23 | 10 | uniform levels that change a little each frame |
-//! | [`Mts`](model::Mts) | strips, walked anew if they change | 21 | 17 | uniform levels in the smallest memory |
-//! | [`Patterns`](model::Patterns) | triangle list | 21 (13 without views) | its triangles | views of any order of removal, with guaranteed errors |
+//! | [`Fans`](model::Fans) | triangles, fans or strips | 31 (23) | 0.13 (12) | views, instancing, compute |
+//! | [`LodStrips`](model::LodStrips) | strips, edited in place | 23 | 10 | uniform levels, small changes |
+//! | [`Mts`](model::Mts) | strips, rebuilt on change | 21 | 17 | uniform levels, compact storage |
+//! | [`Patterns`](model::Patterns) | triangles | 21 (13) | its triangles | views with guaranteed errors |
 //!
-//! These are figures of the Stanford bunny.
-//! `striata info --models` reports them for a mesh of yours.
+//! Sizes are bytes per vertex, measured on the Stanford bunny. In parentheses: the stored size without
+//! support for views and, for `Fans`, the instance size of [`FanFront`](model::FanFront), which follows a
+//! camera quickly. Run `striata info --models` to get these figures for your own mesh.
 //!
-//! # Where things are
+//! # Modules
 //!
-//! [`mesh`] is what goes in; [`simplify`] makes the sequence of collapses; [`strip`] makes triangle strips; [`model`] turns a
-//! sequence into levels; [`view`] says what a camera needs; [`mod@file`] is the `.striata` format. Arrows point one way (right uses
-//! left): `mesh <- simplify`; `mesh <- strip <- model <- file`; `mesh <- view <- model`.
+//! * [`lod`]: [`Lod`] and its levels and views, the simplest way to use the library
+//! * [`mesh`]: meshes, attributes, validation, measurement, and the collapse sequence
+//! * [`simplify`]: builds the collapse sequence of a mesh
+//! * [`strip`]: triangle strips
+//! * [`model`]: multiresolution models, which turn a sequence into levels
+//! * [`view`]: cameras and other criteria for view-dependent refinement
+//! * [`mod@file`]: the `.striata` file format
 //!
-//! Other crates: `striata-io` reads and writes mesh files, `striata-stream` compresses a mesh into a stream that can be drawn from its
-//! first bytes, `striata-strip` searches for better strips, `striata-gpu` draws with wgpu.
+//! Dependencies between the modules go one way (right uses left): `mesh <- simplify`;
+//! `mesh <- strip <- model <- file`; `mesh <- view <- model`.
+//!
+//! Related crates: `striata-io` reads and writes mesh files, `striata-stream` compresses a mesh into a
+//! stream that can be drawn from its first bytes, `striata-strip` searches for better strips, and
+//! `striata-gpu` draws with wgpu.
 //!
 //! # Features
 //!
@@ -66,7 +77,7 @@ pub use lod::{Level, Lod, LodOptions, View};
 pub use progress::{Cancelled, Progress, ProgressFn, ignore_progress};
 pub use simplify::Target;
 
-/// The readme's example, compiled with the documentation's tests.
+/// Compiles the example of the README as a documentation test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -116,7 +116,7 @@ fn a_view_is_fine_where_the_eye_looks() {
     assert_eq!(view("--eye 0,0,3 --model fans")["stop_reason"], "target_reached");
     let refused = |flags: &str| bench.refused(&format!("extract ball.striata -o x.ply {flags}"));
     assert!(refused("--eye 0,0,3 --model mts").contains("hint: a view takes --model fans"));
-    assert!(refused("--eye 0,0,3 --look-at 0,0,3").contains("give no direction"));
+    assert!(refused("--eye 0,0,3 --look-at 0,0,3").contains("do not define a view direction"));
     assert!(refused("--detail 1 --pixels 3").contains("hint: say --eye"));
     assert!(bench.refused("simplify sphere.obj -o x.ply --eye 0,0,3").contains("unexpected argument"));
 }

@@ -1,8 +1,8 @@
-//! Reading and writing the small mixed sections: numbers and texts one after the other.
+//! Reading and writing of small sections that mix numbers and texts.
 
 use super::{DecodeError, EncodeError, SectionKind};
 
-/// Takes numbers and texts off a section; every length is checked against what is left.
+/// Reads numbers and texts from a section; checks every length against the bytes that remain.
 pub(super) struct ByteReader<'a> {
     kind: SectionKind,
     bytes: &'a [u8],
@@ -21,9 +21,9 @@ impl<'a> ByteReader<'a> {
     pub(super) fn bytes(&mut self, count: usize) -> Result<&'a [u8], DecodeError> {
         let end = self.at.checked_add(count).filter(|&end| end <= self.bytes.len());
         let end = end.ok_or_else(|| self.malformed("ends too early"))?;
-        let taken = &self.bytes[self.at..end];
+        let bytes = &self.bytes[self.at..end];
         self.at = end;
-        Ok(taken)
+        Ok(bytes)
     }
 
     pub(super) fn u8(&mut self) -> Result<u8, DecodeError> {
@@ -39,7 +39,7 @@ impl<'a> ByteReader<'a> {
         Ok(f32::from_bits(self.u32()?))
     }
 
-    /// A count of items that take at least `item_bytes` each, so that it can be allocated.
+    /// Reads a count of items of at least `item_bytes` each, so that it is safe to allocate memory for them.
     pub(super) fn count(&mut self, item_bytes: usize) -> Result<usize, DecodeError> {
         let count = self.u32()? as usize;
         if count > (self.bytes.len() - self.at) / item_bytes {
@@ -55,7 +55,7 @@ impl<'a> ByteReader<'a> {
 
     pub(super) fn text(&mut self) -> Result<String, DecodeError> {
         let bytes = self.block()?;
-        let text = std::str::from_utf8(bytes).map_err(|_| self.malformed("the text is no UTF-8"))?;
+        let text = std::str::from_utf8(bytes).map_err(|_| self.malformed("a text is not valid UTF-8"))?;
         Ok(text.to_owned())
     }
 
@@ -73,7 +73,7 @@ pub(super) fn put_u32(value: u32, out: &mut Vec<u8>) {
     out.extend(value.to_le_bytes());
 }
 
-/// A block of bytes behind its length.
+/// Appends a block of bytes, preceded by its length.
 pub(super) fn put_block(what: &'static str, bytes: &[u8], out: &mut Vec<u8>) -> Result<(), EncodeError> {
     let length = bytes.len();
     put_u32(u32::try_from(length).map_err(|_| EncodeError::TooLong { what, length })?, out);

@@ -1,4 +1,4 @@
-//! Header and table of sections.
+//! Header and section table of a file.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -7,94 +7,94 @@ use std::ops::Range;
 use super::DecodeError;
 
 pub(super) const MAGIC: [u8; 8] = *b"STRIATA\0";
-/// Version of the file format that is written, and the only one that is read.
+/// Version of the file format that is written, and the only one that can be read.
 pub const VERSION: u32 = 1;
 pub(super) const HEADER_BYTES: usize = 64;
 pub(super) const ENTRY_BYTES: usize = 32;
 pub(super) const ALIGNMENT: usize = 64;
-/// Far over what any file needs; keeps a hostile table from being long work.
+/// Far more than any file needs; limits the work that a malicious table can cause.
 const MAX_SECTIONS: usize = 65_536;
-/// Readers that do not know the section must refuse the file.
+/// Section flag: readers that do not know the kind must reject the file.
 pub(super) const REQUIRED: u32 = 1;
 
-/// The kind of a section: four letters.
+/// Kind of a section, a four-character code.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SectionKind(pub [u8; 4]);
 
 impl SectionKind {
-    /// Counts and bounds, see [`Summary`](super::Summary).
+    /// Counts and bounds; see [`Summary`](super::Summary).
     pub const SUMMARY: Self = Self(*b"SUMM");
-    /// Texts about the file, by key.
+    /// Key-value texts about the file.
     pub const METADATA: Self = Self(*b"META");
-    /// Positions of the vertices.
+    /// Positions of all vertices.
     pub const POSITIONS: Self = Self(*b"POSN");
-    /// One attribute layer; there may be many.
+    /// One attribute layer; a file can have several.
     pub const LAYER: Self = Self(*b"LAYR");
     /// Groups of triangles.
     pub const GROUPS: Self = Self(*b"GRUP");
     /// Materials, images and textures.
     pub const APPEARANCE: Self = Self(*b"APPR");
-    /// Triangles of the full mesh; only in files without strips.
+    /// Triangles of the full mesh; only in files from whose models they cannot be derived.
     pub const TRIANGLES: Self = Self(*b"TRIS");
-    /// First vertices of the positions; only where a position has several.
+    /// First vertex of each position; only if some position has several vertices.
     pub const FIRST_VERTICES: Self = Self(*b"SQFV");
-    /// Targets of the collapses.
+    /// Collapse target of each vertex.
     pub const TARGETS: Self = Self(*b"SQTG");
-    /// Errors of the levels.
+    /// Error of each level.
     pub const ERRORS: Self = Self(*b"SQER");
-    /// Triangles that each collapse removes.
+    /// Number of triangles that each collapse removes.
     pub const REMOVED: Self = Self(*b"SQRM");
-    /// Indices of the strips of the full mesh, from which models of strips start.
+    /// Indices of the strips of the full mesh, shared by all models that use strips.
     pub const STRIP_INDICES: Self = Self(*b"LSIX");
     /// First index of each strip.
     pub const STRIP_OFFSETS: Self = Self(*b"LSOF");
     /// First strip of each group.
     pub const STRIP_GROUPS: Self = Self(*b"LSGR");
-    /// LodStrips: bytes of each record.
+    /// LodStrips: length of each record, in bytes.
     pub const RECORD_LENGTHS: Self = Self(*b"LSRL");
-    /// LodStrips: the records.
+    /// LodStrips: records of all steps.
     pub const RECORDS: Self = Self(*b"LSAR");
-    /// MTS: the last change of its strip after which each place is there.
+    /// MTS: for each index of a strip, the last change of the strip that it survives.
     pub const LAST_CHANGES: Self = Self(*b"MTLC");
     /// MTS: first break of each strip.
     pub const BREAK_OFFSETS: Self = Self(*b"MTBO");
-    /// MTS: the breaks.
+    /// MTS: breaks, at which a strip of the full mesh becomes two.
     pub const BREAKS: Self = Self(*b"MTBR");
-    /// MTS: bytes of each record.
+    /// MTS: length of each record, in bytes.
     pub const CHANGE_LENGTHS: Self = Self(*b"MTRL");
-    /// MTS: the records, which name the strips that a step changes.
+    /// MTS: records of all steps, which list the strips that each step changes.
     pub const CHANGES: Self = Self(*b"MTCH");
-    /// Fans: the entries of all vertices.
+    /// Fans: entries of all vertices.
     pub const FAN_ENTRIES: Self = Self(*b"FNEN");
-    /// Fans: where each block of vertices begins, or each vertex.
+    /// Fans: start of each block of vertices, or of each vertex.
     pub const FAN_BLOCKS: Self = Self(*b"FNBL");
-    /// Fans: where each vertex begins in its block.
+    /// Fans: start of each vertex's entry within its block.
     pub const FAN_STARTS: Self = Self(*b"FNST");
-    /// Fans: steps that wait for others beside those that make their triangles.
+    /// Fans: dependencies between steps that do not follow from the entries.
     pub const FAN_WAITS: Self = Self(*b"FNWT");
-    /// Fans: steps whose target is not around them.
+    /// Fans: steps whose target is not in a triangle around them.
     pub const FAN_FAR_TARGETS: Self = Self(*b"FNFT");
-    /// Fans: steps that no entry has.
+    /// Fans: steps that no entry lists as a child.
     pub const FAN_ORPHANS: Self = Self(*b"FNOR");
-    /// Fans: what a criterion needs of each step.
+    /// Fans: bounds of each step, for view-dependent refinement.
     pub const FAN_BOUNDS: Self = Self(*b"FNBD");
-    /// Patterns: how numbers are packed.
+    /// Patterns: bit widths of the packed numbers.
     pub const PATTERN_WIDTHS: Self = Self(*b"PTWD");
-    /// Patterns: the rules.
+    /// Patterns: rules.
     pub const PATTERN_RULES: Self = Self(*b"PTRU");
-    /// Patterns: the ways in which ceilings are shared.
+    /// Patterns: ways in which ceilings are divided among later fragments.
     pub const PATTERN_WAYS: Self = Self(*b"PTWY");
-    /// Patterns: where each block of records begins.
+    /// Patterns: start of each block of records.
     pub const PATTERN_BLOCKS: Self = Self(*b"PTBL");
-    /// Patterns: the records of all steps.
+    /// Patterns: records of all steps.
     pub const PATTERN_RECORDS: Self = Self(*b"PTRC");
-    /// Patterns: triangles of the base and where they go.
+    /// Patterns: triangles of the base mesh and the fragments that replace them.
     pub const PATTERN_BASE: Self = Self(*b"PTBS");
-    /// Patterns: vertices that no triangle of a fragment tells.
+    /// Patterns: vertices of steps that do not follow from the triangles of their fragments.
     pub const PATTERN_EXTRAS: Self = Self(*b"PTEX");
-    /// Patterns: what a criterion needs of each step.
+    /// Patterns: bounds of each step, for view-dependent refinement.
     pub const PATTERN_BOUNDS: Self = Self(*b"PTBD");
-    /// The progressive stream.
+    /// Progressive stream.
     pub const STREAM: Self = Self(*b"STRM");
 
     fn is_known(self) -> bool {
@@ -153,47 +153,47 @@ impl fmt::Debug for SectionKind {
     }
 }
 
-/// One section as the table lists it.
+/// A section, as listed in the section table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SectionInfo {
-    /// What it holds.
+    /// Kind of the section.
     pub kind: SectionKind,
-    /// Where it begins in the file.
+    /// Offset of the section in the file, in bytes.
     pub offset: u64,
-    /// Its bytes.
+    /// Length of the section, in bytes.
     pub bytes: u64,
-    /// True where a reader that does not know the kind must refuse the file.
+    /// Whether a reader that does not know the kind must reject the file.
     pub is_required: bool,
     pub(super) checksum: u32,
 }
 
-/// When checksums of sections are compared.
+/// When the checksums of sections are verified.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Verify {
-    /// Each section when it is read: opening touches only the header.
+    /// When a section is first read: opening a file touches only its header.
     #[default]
     WhenRead,
-    /// All sections at once: opening reads the whole file.
+    /// All when the file is opened, which reads the whole file.
     All,
 }
 
-/// Whether the end of a file may be missing.
+/// Whether a file may be truncated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ending {
-    /// The file has the length that its header says.
+    /// The file must have the length given in its header.
     Whole,
-    /// It may end anywhere within its stream.
+    /// The file may end anywhere within its stream.
     Cut,
 }
 
-/// The bytes of a file with its checked table.
+/// The bytes of a file with its validated section table.
 #[derive(Clone, Debug)]
 pub(super) struct Container<'a> {
     bytes: &'a [u8],
     pub(super) sections: Vec<SectionInfo>,
     is_verified: bool,
-    /// The length that the header says.
+    /// Length of the file, as given in its header.
     length: u64,
 }
 
@@ -205,7 +205,7 @@ fn u64_at(bytes: &[u8], at: usize) -> u64 {
     u64::from(u32_at(bytes, at)) | u64::from(u32_at(bytes, at + 4)) << 32
 }
 
-/// Checksum of header and table, its own field taken as zero.
+/// Checksum of header and table, with the checksum field itself set to zero.
 pub(super) fn header_checksum(head: &[u8]) -> u32 {
     let mut hasher = crc32fast::Hasher::new();
     hasher.update(&head[..24]);
@@ -223,7 +223,7 @@ impl<'a> Container<'a> {
         }
         let sections = read_sections(bytes, head_bytes, length)?;
         if found < length {
-            // All but the stream has to be there.
+            // Everything but the stream must be present.
             let stream = sections.last().filter(|last| last.kind == SectionKind::STREAM);
             let expected = stream.map_or(length, |stream| stream.offset);
             if found < expected {
@@ -240,7 +240,7 @@ impl<'a> Container<'a> {
         Ok(container)
     }
 
-    /// A stream of so many bytes as the only section, its chunks checked by themselves.
+    /// A container whose only section is a stream of `length` bytes; its chunks have their own checksums.
     pub(super) fn of_stream(bytes: &'a [u8], length: u64) -> Self {
         let kind = SectionKind::STREAM;
         let stream = SectionInfo { kind, offset: 0, bytes: length, is_required: true, checksum: 0 };
@@ -248,10 +248,11 @@ impl<'a> Container<'a> {
     }
 
     fn checked_bytes(&self, section: &SectionInfo) -> Result<&'a [u8], DecodeError> {
-        // The table was checked against the length in the header: only a stream may reach beyond what is there, which is a usize.
-        let there = &self.bytes[section.offset as usize..];
-        let length = section.bytes.min(there.len() as u64);
-        let bytes = &there[..length as usize];
+        // The table was checked against the length in the header; only a stream can extend past the
+        // available bytes, whose count is a usize.
+        let available = &self.bytes[section.offset as usize..];
+        let length = section.bytes.min(available.len() as u64);
+        let bytes = &available[..length as usize];
         let is_whole = length == section.bytes;
         if is_whole && !self.is_verified {
             let (found, expected) = (crc32fast::hash(bytes), section.checksum);
@@ -263,17 +264,17 @@ impl<'a> Container<'a> {
         Ok(bytes)
     }
 
-    /// Whether the file ends before its header says.
+    /// Whether the file is shorter than its header says.
     pub(super) fn is_cut(&self) -> bool {
         (self.bytes.len() as u64) < self.length
     }
 
-    /// The sections of a kind, in the order of the file.
+    /// All sections of a kind, in file order.
     pub(super) fn all(&self, kind: SectionKind) -> impl Iterator<Item = Result<&'a [u8], DecodeError>> {
         self.sections.iter().filter(move |s| s.kind == kind).map(|s| self.checked_bytes(s))
     }
 
-    /// The one section of a kind, if there is any.
+    /// The section of a kind, or `None`; an error if there are several.
     pub(super) fn find(&self, kind: SectionKind) -> Result<Option<&'a [u8]>, DecodeError> {
         let mut sections = self.sections.iter().filter(|s| s.kind == kind);
         let Some(section) = sections.next() else { return Ok(None) };
@@ -283,12 +284,12 @@ impl<'a> Container<'a> {
         }
     }
 
-    /// The one section of a kind.
+    /// The only section of a kind; an error if there is none or more than one.
     pub(super) fn get(&self, kind: SectionKind) -> Result<&'a [u8], DecodeError> {
         self.find(kind)?.ok_or(DecodeError::SectionCount { kind, found: 0 })
     }
 
-    /// The one section of a kind as numbers; borrowed where the bytes are aligned.
+    /// The only section of a kind as an array of numbers; borrowed if the bytes are aligned.
     pub(super) fn numbers<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(
         &self,
         kind: SectionKind,
@@ -297,13 +298,13 @@ impl<'a> Container<'a> {
     }
 }
 
-/// Bytes as numbers; borrowed where they are aligned.
+/// Reinterprets bytes as numbers; borrowed if the bytes are aligned.
 pub(super) fn numbers<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(
     kind: SectionKind,
     bytes: &[u8],
 ) -> Result<Cow<'_, [T]>, DecodeError> {
     if !bytes.len().is_multiple_of(size_of::<T>()) {
-        let reason = "the length is no multiple of a number's bytes";
+        let reason = "the length is not a multiple of the element size";
         return Err(DecodeError::Malformed { kind, offset: bytes.len(), reason });
     }
     Ok(match bytemuck::try_cast_slice(bytes) {
@@ -312,7 +313,7 @@ pub(super) fn numbers<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(
     })
 }
 
-/// The length of the file as its header says, and the bytes of header and table.
+/// File length given in the header, and length of header and section table together, in bytes.
 pub(super) fn read_header(bytes: &[u8]) -> Result<(u64, usize), DecodeError> {
     if !bytes.starts_with(&MAGIC) {
         return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
@@ -334,7 +335,7 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<(u64, usize), DecodeError> {
     Ok((length, head_bytes))
 }
 
-/// The table that follows the header, checked against its checksum and the file's length.
+/// Reads the section table after verifying its checksum; checks it against the file's length.
 pub(super) fn read_sections(
     bytes: &[u8],
     head_bytes: usize,
@@ -360,7 +361,7 @@ fn read_table(head: &[u8], file_length: u64) -> Result<Vec<SectionInfo>, DecodeE
         let Some(section_end) =
             section_end.filter(|_| offset >= end && offset.is_multiple_of(ALIGNMENT as u64))
         else {
-            return Err(DecodeError::SectionPlace { kind, offset, length, file_length });
+            return Err(DecodeError::SectionLocation { kind, offset, length, file_length });
         };
         let is_required = flags & REQUIRED != 0;
         if is_required && !kind.is_known() {
@@ -372,7 +373,7 @@ fn read_table(head: &[u8], file_length: u64) -> Result<Vec<SectionInfo>, DecodeE
     Ok(sections)
 }
 
-/// Bytes from `end` on to the next place where a section may begin.
+/// Padding bytes from `end` up to the next offset at which a section may start.
 pub(super) fn padding(end: usize) -> Range<usize> {
     end..end.next_multiple_of(ALIGNMENT)
 }

@@ -1,136 +1,138 @@
-//! What can be wrong with a file, and with what is to become one.
+//! Errors of reading and writing `.striata` files.
 
 use super::SectionKind;
 use crate::mesh::{MeshError, SequenceError};
 use crate::model::{ModelError, ModelKind};
 use crate::strip::StripSetError;
 
-/// Why bytes are not a `.striata` file, or not a sound one.
+/// Why bytes are not a valid `.striata` file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DecodeError {
-    /// The file does not begin with the format's magic bytes.
+    /// The file does not start with the magic bytes of the format.
     #[error("not a .striata file: it begins with {found:02x?}")]
     Magic {
         /// The first bytes, at most 8.
         found: Vec<u8>,
     },
-    /// The file is of a version that this reader does not know.
-    #[error("format version {found}, but this reader knows up to {supported}")]
+    /// The file has a format version that this reader does not support.
+    #[error("the file has format version {found}, but this reader supports only version {supported}")]
     Version {
-        /// The file's version.
+        /// Version of the file.
         found: u32,
-        /// The latest known version.
+        /// Supported version.
         supported: u32,
     },
-    /// The file is shorter or longer than it says, or than its header needs.
+    /// The length of the file differs from what its header says or requires.
     #[error("the file has {found} bytes, expected {expected}")]
     FileLength {
-        /// Bytes that are there.
+        /// Length of the file, in bytes.
         found: u64,
-        /// Bytes that should be.
+        /// Expected length, in bytes.
         expected: u64,
     },
-    /// The header or its table is damaged.
+    /// The header or the section table is damaged.
     #[error("the header is damaged: checksum {found:08x}, expected {expected:08x}")]
     HeaderChecksum {
-        /// Checksum of the bytes.
+        /// Checksum computed from the bytes.
         found: u32,
-        /// Checksum that the header holds.
+        /// Checksum stored in the header.
         expected: u32,
     },
-    /// A section's bytes are damaged.
+    /// The contents of a section are damaged.
     #[error("section {kind} at byte {offset} is damaged: checksum {found:08x}, expected {expected:08x}")]
     Checksum {
-        /// The section.
+        /// Kind of the section.
         kind: SectionKind,
-        /// Where it begins.
+        /// Offset of the section in the file.
         offset: u64,
-        /// Checksum of the bytes.
+        /// Checksum computed from the bytes.
         found: u32,
-        /// Checksum that the table holds.
+        /// Checksum stored in the section table.
         expected: u32,
     },
-    /// A section lies outside the file, over another one, or unaligned.
-    #[error("section {kind} has no sound place: {length} bytes at byte {offset} of {file_length}")]
-    SectionPlace {
-        /// The section.
+    /// A section lies outside the file, overlaps another one, or is not aligned.
+    #[error("section {kind} has an invalid location: {length} bytes at byte {offset} of {file_length}")]
+    SectionLocation {
+        /// Kind of the section.
         kind: SectionKind,
-        /// Where it should begin.
+        /// Offset given for the section.
         offset: u64,
-        /// Its bytes.
+        /// Length given for the section, in bytes.
         length: u64,
-        /// Bytes of the file.
+        /// Length of the file, in bytes.
         file_length: u64,
     },
-    /// A section that has to be understood is of a kind that this reader does not know.
+    /// A required section has a kind that this reader does not know.
     #[error("section {kind} is required, but this reader does not know it")]
     UnknownSection {
-        /// The section.
+        /// Kind of the section.
         kind: SectionKind,
     },
-    /// A section is missing, or there more than once.
-    #[error("section {kind} is there {found} times, expected once")]
+    /// A section is missing, or occurs more than once.
+    #[error("section {kind} occurs {found} times, expected once")]
     SectionCount {
-        /// The section.
+        /// Kind of the section.
         kind: SectionKind,
-        /// How many there are.
+        /// Number of sections of this kind.
         found: usize,
     },
-    /// A section's content makes no sense.
+    /// The contents of a section are invalid.
     #[error("section {kind}, byte {offset}: {reason}")]
     Malformed {
-        /// The section.
+        /// Kind of the section.
         kind: SectionKind,
-        /// Where in the section.
+        /// Offset within the section, in bytes.
         offset: usize,
-        /// What is wrong.
+        /// Description of the problem.
         reason: &'static str,
     },
-    /// Two parts of the file disagree on a number.
-    #[error("section {kind} holds {found} {what}, expected {expected}")]
+    /// Two parts of the file disagree about a count.
+    #[error("section {kind} has {found} {what}, expected {expected}")]
     Count {
-        /// The section.
+        /// Kind of the section.
         kind: SectionKind,
         /// What is counted.
         what: &'static str,
-        /// What the section holds.
+        /// Count found in the section.
         found: u64,
-        /// What the rest of the file needs.
+        /// Count that the rest of the file implies.
         expected: u64,
     },
-    /// A level was asked for that the file does not have.
-    #[error("split count {split_count} asked for, but the file has {step_count} steps")]
+    /// The requested level does not exist in the file.
+    #[error("split count {split_count} is out of range: the file has {step_count} steps")]
     SplitCount {
-        /// The level.
+        /// Requested split count.
         split_count: usize,
-        /// Steps of the file.
+        /// Number of steps in the file.
         step_count: usize,
     },
-    /// The file has fragments, and something was asked for that only collapses tell.
-    #[error("the file was made by removing vertices, not by collapses: only its patterns know its levels")]
+    /// The file has fragments instead of collapses, and the request requires collapses.
+    #[error(
+        "the file was made by vertex removals instead of collapses; its levels are only available as patterns"
+    )]
     NoCollapses,
-    /// A progressive stream is unsound.
+    /// The progressive stream is invalid.
     #[error("the stream is damaged: {0}")]
     Stream(String),
-    /// The mesh is in a stream, and no [`StreamCodec`](super::StreamCodec) was given.
+    /// The mesh is only in a stream, and no [`StreamCodec`](super::StreamCodec) was given.
     #[error("the mesh is in a progressive stream, which needs the striata-stream crate")]
     NoStreamCodec,
-    /// The mesh is unsound.
+    /// The mesh is inconsistent.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The sequence is unsound.
+    /// The sequence is inconsistent.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
-    /// A model is unsound.
+    /// A model is invalid.
     #[error("{model}: {reason}")]
     Model {
-        /// The model.
+        /// Kind of the model.
         model: ModelKind,
-        /// What is wrong with it.
+        /// Description of the problem.
         reason: ModelError,
     },
-    /// The strips of the full mesh are unsound.
+    /// The strips of the full mesh are inconsistent.
     #[error(transparent)]
     Strips(#[from] StripSetError),
 }
@@ -139,50 +141,51 @@ pub enum DecodeError {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum EncodeError {
-    /// The writer failed.
+    /// Writing the output failed.
     #[error(transparent)]
     Io(#[from] std::io::Error),
-    /// The mesh is unsound.
+    /// The mesh is inconsistent.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// A model was built from another mesh.
-    #[error("the {model} model has {found} {what}, the mesh has {expected}")]
+    /// A model was built from a different mesh.
+    #[error("the {model} model has {found} {what}, but the mesh has {expected}")]
     Model {
-        /// The model.
+        /// Kind of the model.
         model: ModelKind,
         /// What is counted.
         what: &'static str,
-        /// The model's number.
+        /// Count in the model.
         found: usize,
-        /// The mesh's number.
+        /// Count in the mesh.
         expected: usize,
     },
-    /// Two models start from different strips; a file holds the strips once.
-    #[error("the {model} model starts from other strips than the model before it")]
+    /// Two models use different strips, but a file contains only one set of strips.
+    #[error("the {model} model uses different strips than the model before it")]
     OtherStrips {
-        /// The later model.
+        /// Kind of the later model.
         model: ModelKind,
     },
-    /// A file cannot hold the model, since no reader could tell it from one that is meant to fill its memory.
+    /// The model exceeds a limit of the format. Readers enforce these limits against files made to exhaust
+    /// memory.
     #[error("{model}: {reason}")]
     Unstorable {
-        /// The model.
+        /// Kind of the model.
         model: ModelKind,
-        /// What is too much of it.
+        /// The limit that is exceeded.
         reason: ModelError,
     },
-    /// The same model was given twice.
+    /// Two models of the same kind were given.
     #[error("the {model} model is given more than once")]
     RepeatedModel {
-        /// The model.
+        /// Kind of the model.
         model: ModelKind,
     },
     /// A text or image is too large for the format.
-    #[error("{what} has {length} bytes, at most 4 GiB can be stored")]
+    #[error("{what} has {length} bytes, but at most 4 GiB can be stored")]
     TooLong {
-        /// What it is.
+        /// Description of the text or image.
         what: &'static str,
-        /// Its bytes.
+        /// Its length, in bytes.
         length: usize,
     },
 }

@@ -1,28 +1,28 @@
-//! What the first bytes of a file tell: sections and counts, without the rest of it.
+//! Sections and counts of a file, read from its first bytes only.
 //!
-//! Lists of files need no more, and who fetches a file over a network learns from it which bytes to ask for.
-//! Cost: time and memory of the table, no more than the bytes that are there.
+//! This is enough to list files, and to decide which byte ranges to fetch over a network. Cost: linear in
+//! the size of the section table.
 
 use super::container::{HEADER_BYTES, read_header, read_sections};
 use super::{DecodeError, SectionInfo, SectionKind, Summary};
 
-/// Table and counts of a `.striata` file.
+/// Section table and summary of a `.striata` file.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct FileHead {
-    /// Bytes of the whole file.
+    /// Length of the whole file, in bytes.
     pub file_bytes: u64,
-    /// All sections, in the order of the file.
+    /// All sections, in file order.
     pub sections: Vec<SectionInfo>,
     /// Counts and bounds.
     pub summary: Summary,
 }
 
 impl FileHead {
-    /// Reads the head from the first bytes of a file; none where there are too few of them.
+    /// Reads the head from the first bytes of a file; `None` if more bytes are needed.
     ///
     /// # Errors
-    /// [`DecodeError`] where they begin no `.striata` file that this version reads, or are damaged.
+    /// [`DecodeError`] if the bytes do not start a `.striata` file of the supported version, or are damaged.
     pub fn read(bytes: &[u8]) -> Result<Option<Self>, DecodeError> {
         if bytes.len() < HEADER_BYTES {
             return Ok(None);

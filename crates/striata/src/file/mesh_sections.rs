@@ -1,28 +1,28 @@
-//! The sections of attribute layers, groups, appearance and metadata.
+//! Encoding of attribute layers, groups, appearance and metadata.
 
 use super::byte_reader::{ByteReader, put_block, put_texts, put_u32};
 use super::container::numbers;
 use super::{DecodeError, EncodeError, SectionKind};
 use crate::mesh::{Appearance, AttributeLayer, Image, LayerData, Material, Semantic, TriangleGroup};
 
-/// Stands for "no material" in a group.
+/// Value that means "no material" in a group.
 const NO_MATERIAL: u32 = u32::MAX;
 
-/// Header of a layer before its name: four bytes and three numbers.
+/// Size of a layer's header before its name: four bytes and three `u32`.
 const LAYER_HEADER_BYTES: usize = 16;
 
-/// What stands for the meaning of a layer in files and streams.
+/// Meaning of an attribute layer, as encoded in files and streams.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SemanticCode<'a> {
-    /// The kind of meaning.
+    /// Code of the meaning.
     pub kind: u8,
-    /// Which one of that kind.
+    /// Number of the set or morph target.
     pub set: u32,
-    /// The name of a layer that has no other meaning.
+    /// Name of a generic layer; empty for all others.
     pub name: &'a str,
 }
 
-/// What stands for a meaning in files and streams; [`semantic_of`] reads it.
+/// Encodes the meaning of a layer for files and streams; [`semantic_of`] is the inverse.
 pub fn semantic_code(semantic: &Semantic) -> SemanticCode<'_> {
     let numbered = |kind, set: u32| SemanticCode { kind, set, name: "" };
     match semantic {
@@ -39,7 +39,7 @@ pub fn semantic_code(semantic: &Semantic) -> SemanticCode<'_> {
     }
 }
 
-/// The meaning that [`semantic_code`] gave such numbers; `None` if they mean nothing.
+/// Decodes the meaning of a layer, the inverse of [`semantic_code`]; `None` if the code is unknown.
 pub fn semantic_of(code: u8, set: u32, name: &str) -> Option<Semantic> {
     let (small, wide) = (u8::try_from(set).ok(), u16::try_from(set).ok());
     Some(match code {
@@ -79,7 +79,7 @@ pub(super) fn layer_to_bytes(layer: &AttributeLayer) -> Result<Vec<u8>, EncodeEr
     Ok(out)
 }
 
-/// The layer's head, and its numbers for the first `vertex_count` vertices of `full_vertex_count`.
+/// Reads a layer: its header and the values of the first `vertex_count` of `full_vertex_count` vertices.
 pub(super) fn layer_from_bytes(
     bytes: &[u8],
     vertex_count: usize,
@@ -92,28 +92,23 @@ pub(super) fn layer_from_bytes(
     let (set, data_offset) = (reader.u32()?, reader.u32()? as usize);
     let name = reader.text()?;
     let Some(semantic) = semantic_of(code, set, &name) else {
-        return Err(reader.malformed("unknown meaning of a layer"));
+        return Err(reader.malformed("unknown semantic of a layer"));
     };
     if component_count == 0 || normalized > 1 {
-        return Err(reader.malformed("a layer has 1 to 255 components, normalized or not"));
+        return Err(reader.malformed("the component count is 0 or the normalized flag is over 1"));
     }
     let data = bytes.get(data_offset..).filter(|_| data_offset >= LAYER_HEADER_BYTES + name.len());
-    let data = data.ok_or_else(|| reader.malformed("the numbers begin outside the section"))?;
+    let data = data.ok_or_else(|| reader.malformed("the values begin outside the section"))?;
     let number_bytes = match number_type {
         0 | 3 => 4,
         1 => 1,
         2 => 2,
-        _ => return Err(reader.malformed("unknown type of numbers")),
+        _ => return Err(reader.malformed("unknown type of values")),
     };
     let vertex_bytes = component_count as usize * number_bytes;
     let expected = full_vertex_count as u64 * vertex_bytes as u64;
     if data.len() as u64 != expected {
-        return Err(DecodeError::Count {
-            kind,
-            what: "bytes of numbers",
-            found: data.len() as u64,
-            expected,
-        });
+        return Err(DecodeError::Count { kind, what: "bytes of values", found: data.len() as u64, expected });
     }
     let data = &data[..vertex_count * vertex_bytes];
     let data = match number_type {
@@ -146,13 +141,14 @@ pub(super) fn groups_from_bytes(bytes: &[u8]) -> Result<Vec<TriangleGroup>, Deco
         let material = (material != NO_MATERIAL).then_some(material);
         groups.push(TriangleGroup { name, material, first, count });
         let next = first.checked_add(count);
-        first = next.ok_or_else(|| reader.malformed("more triangles than can be counted"))?;
+        first =
+            next.ok_or_else(|| reader.malformed("the groups have more triangles than 32 bits can count"))?;
     }
     reader.end()?;
     Ok(groups)
 }
 
-/// Materials, images and what goes with them as a file has them in one section, and a stream in its head.
+/// Encodes materials, images and the rest of the appearance, as used in files and in the heads of streams.
 ///
 /// # Errors
 /// [`EncodeError::TooLong`] if a text or an image is too large for the format.
@@ -166,7 +162,7 @@ pub fn appearance_to_bytes(appearance: &Appearance) -> Result<Vec<u8>, EncodeErr
     put_u32(appearance.images.len() as u32, &mut out);
     for image in &appearance.images {
         put_block("an image's name", image.name.as_bytes(), &mut out)?;
-        put_block("an image's place", image.uri.as_bytes(), &mut out)?;
+        put_block("an image's URI", image.uri.as_bytes(), &mut out)?;
         put_block("an image's type", image.mime_type.as_bytes(), &mut out)?;
         put_block("an image", &image.bytes, &mut out)?;
     }
@@ -177,10 +173,10 @@ pub fn appearance_to_bytes(appearance: &Appearance) -> Result<Vec<u8>, EncodeErr
     Ok(out)
 }
 
-/// What [`appearance_to_bytes`] wrote.
+/// Decodes an appearance, the inverse of [`appearance_to_bytes`].
 ///
 /// # Errors
-/// [`DecodeError::Malformed`] if the bytes are unsound.
+/// [`DecodeError::Malformed`] if the bytes are invalid.
 pub fn appearance_from_bytes(bytes: &[u8]) -> Result<Appearance, DecodeError> {
     let mut reader = ByteReader::new(SectionKind::APPEARANCE, bytes);
     let mut appearance = Appearance::default();

@@ -1,15 +1,17 @@
-//! Bytes: the `.striata` container and its sections, as `docs/format.md` lays them out.
+//! The `.striata` file format: a container of sections, specified in `docs/format.md`.
 //!
-//! A file is a table of sections; the big arrays lie in it as they lie in memory, aligned, so that a mapped
-//! file is read without copying. Everything is bounded by the file's length and checked before it is
-//! trusted; sections of kinds that a reader does not know are skipped unless they are flagged as required.
+//! A file is a table of sections. Large arrays are stored as they are laid out in memory, and aligned, so
+//! that a memory-mapped file can be used without copying. Every count is bounded by the file's length, and
+//! everything is checked before it is trusted. Readers skip sections of unknown kinds unless these are
+//! flagged as required.
 //!
 //! ```
 //! use striata::file::StriataFile;
 //! use striata::{Lod, LodOptions, mesh::shapes};
 //!
-//! let bytes = Lod::build(&shapes::torus(32, 16, 1.0, 0.4), &LodOptions::default())?.to_striata(&Default::default())?;
-//! let file = StriataFile::parse(&bytes)?; // arrays are borrowed from the bytes
+//! let lod = Lod::build(&shapes::torus(32, 16, 1.0, 0.4), &LodOptions::default())?;
+//! let bytes = lod.to_striata(&Default::default())?;
+//! let file = StriataFile::parse(&bytes)?; // borrows its arrays from the bytes
 //! println!("{} vertices in {} sections", file.positions()?.len(), file.sections().len());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -36,4 +38,4 @@ pub use summary::Summary;
 pub use writer::{FileModel, WriteOptions, to_striata, write_fragments, write_striata};
 
 #[cfg(target_endian = "big")]
-compile_error!("the arrays of a .striata file are little-endian and are read in place");
+compile_error!("the arrays of a .striata file are little-endian and are used in place");

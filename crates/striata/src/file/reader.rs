@@ -1,7 +1,7 @@
-//! Reading a file: typed views of its sections, the whole mesh, single levels.
+//! Reading of files: typed access to the sections, the whole mesh, single levels.
 
-mod patterns;
-mod stream;
+mod read_patterns;
+mod read_stream;
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -21,33 +21,35 @@ use crate::model::{
 };
 use crate::strip::{StripSet, strip_triangles};
 
-/// A `.striata` file in memory or mapped; nothing but its header is read before it is asked for.
+/// A `.striata` file in memory or memory-mapped; apart from the header, sections are read only when needed.
 #[derive(Clone, Debug)]
 pub struct StriataFile<'a> {
     container: Container<'a>,
     summary: Summary,
-    /// The patterns, once they have been checked: that takes as long as building them.
+    /// The patterns, cached after validation, which takes as long as building them.
     patterns: OnceLock<Patterns>,
-    /// The mesh of a stream, once it has been decoded, where the file has nothing else.
+    /// The decoded mesh of a file that contains only a stream.
     decoded: OnceLock<RefinableMesh>,
     codec: Option<&'static dyn StreamCodec>,
 }
 
 impl<'a> StriataFile<'a> {
-    /// Reads header, table and summary; checksums of sections are compared as they are read.
+    /// Reads the header, the section table and the summary; each section's checksum is verified when the
+    /// section is read.
     ///
-    /// The mesh of a file that has it in a stream alone takes a decoder: see [`with_codec`](Self::with_codec).
+    /// If a file contains its mesh only as a stream, reading the mesh requires a decoder: see
+    /// [`with_codec`](Self::with_codec).
     ///
     /// # Errors
-    /// [`DecodeError`] where the bytes are no sound `.striata` file.
+    /// [`DecodeError`] if the bytes are not a valid `.striata` file.
     pub fn parse(bytes: &'a [u8]) -> Result<Self, DecodeError> {
         Self::parse_with(bytes, Verify::WhenRead)
     }
 
-    /// The same, saying when checksums are compared.
+    /// Reads a file like [`parse`](Self::parse), with a choice of when checksums are verified.
     ///
     /// # Errors
-    /// As [`parse`](Self::parse).
+    /// [`DecodeError`] under the conditions of [`parse`](Self::parse).
     pub fn parse_with(bytes: &'a [u8], verify: Verify) -> Result<Self, DecodeError> {
         Self::of_container(Container::parse(bytes, verify, Ending::Whole)?)
     }
@@ -66,15 +68,15 @@ impl<'a> StriataFile<'a> {
         self.summary
     }
 
-    /// All sections with their sizes, in the order of the file.
+    /// All sections with their sizes, in file order.
     pub fn sections(&self) -> &[SectionInfo] {
         &self.container.sections
     }
 
-    /// Texts about the file by key; empty where there are none.
+    /// Key-value texts about the file; empty if there are none.
     ///
     /// # Errors
-    /// [`DecodeError`] where the section is unsound.
+    /// [`DecodeError`] if the section is invalid.
     pub fn metadata(&self) -> Result<Vec<(String, String)>, DecodeError> {
         match self.container.find(SectionKind::METADATA)? {
             Some(bytes) => metadata_from_bytes(bytes),
@@ -82,10 +84,10 @@ impl<'a> StriataFile<'a> {
         }
     }
 
-    /// Positions of all vertices in refinement order.
+    /// Positions of all vertices, in refinement order.
     ///
     /// # Errors
-    /// [`DecodeError`] where the section is unsound.
+    /// [`DecodeError`] if the section is invalid.
     pub fn positions(&self) -> Result<Cow<'a, [[f32; 3]]>, DecodeError> {
         if let Some(refinable) = self.mesh_of_stream()? {
             return Ok(refinable.mesh.positions.clone().into());
@@ -99,7 +101,7 @@ impl<'a> StriataFile<'a> {
     /// The attribute layers.
     ///
     /// # Errors
-    /// [`DecodeError`] where a section is unsound.
+    /// [`DecodeError`] if a section is invalid.
     pub fn layers(&self) -> Result<Vec<AttributeLayer>, DecodeError> {
         if let Some(refinable) = self.mesh_of_stream()? {
             return Ok(refinable.mesh.layers.clone());
@@ -107,7 +109,7 @@ impl<'a> StriataFile<'a> {
         self.layers_of_first(self.positions()?.len())
     }
 
-    /// The layers, for the first so many vertices only.
+    /// The attribute layers of the first `vertex_count` vertices.
     fn layers_of_first(&self, vertex_count: usize) -> Result<Vec<AttributeLayer>, DecodeError> {
         let full = self.positions()?.len();
         self.container
@@ -116,10 +118,10 @@ impl<'a> StriataFile<'a> {
             .collect()
     }
 
-    /// Groups of the full mesh.
+    /// Triangle groups of the full mesh.
     ///
     /// # Errors
-    /// [`DecodeError`] where the section is unsound.
+    /// [`DecodeError`] if the section is invalid.
     pub fn groups(&self) -> Result<Vec<TriangleGroup>, DecodeError> {
         if let Some(refinable) = self.mesh_of_stream()? {
             return Ok(refinable.mesh.groups.clone());
@@ -130,10 +132,10 @@ impl<'a> StriataFile<'a> {
         Ok(groups)
     }
 
-    /// Errors of the levels, from the base up; see [`CollapseSequence::errors`].
+    /// Errors of the levels, starting with the base mesh; see [`CollapseSequence::errors`].
     ///
     /// # Errors
-    /// [`DecodeError`] where the section is unsound.
+    /// [`DecodeError`] if the section is invalid.
     pub fn errors(&self) -> Result<Cow<'a, [f32]>, DecodeError> {
         if let Some(refinable) = self.mesh_of_stream()? {
             return Ok(refinable.sequence.errors().to_vec().into());
@@ -143,15 +145,15 @@ impl<'a> StriataFile<'a> {
         Ok(errors)
     }
 
-    /// Whether the file's steps are collapses; if not, only its patterns know its levels.
+    /// Whether the steps of the file are collapses; if not, its levels are only available as patterns.
     pub fn has_collapses(&self) -> bool {
         self.has(SectionKind::TARGETS) || !self.has(SectionKind::PATTERN_RECORDS)
     }
 
-    /// The levels, whatever leads from one to the next.
+    /// Sizes and errors of the levels, whether the steps are collapses or not.
     ///
     /// # Errors
-    /// [`DecodeError`] where a section is unsound.
+    /// [`DecodeError`] if a section is invalid.
     pub fn levels(&self) -> Result<Levels, DecodeError> {
         if self.has_collapses() {
             return Ok(self.sequence()?.levels().clone());
@@ -159,10 +161,10 @@ impl<'a> StriataFile<'a> {
         self.levels_of(&self.read_patterns()?)
     }
 
-    /// The sequence, checked and in memory of its own.
+    /// The collapse sequence, validated and copied out of the file.
     ///
     /// # Errors
-    /// [`DecodeError`] where a section is unsound, or there are no collapses.
+    /// [`DecodeError`] if a section is invalid, or if the steps are not collapses.
     pub fn sequence(&self) -> Result<CollapseSequence, DecodeError> {
         if let Some(refinable) = self.mesh_of_stream()? {
             return Ok(refinable.sequence.clone());
@@ -188,7 +190,7 @@ impl<'a> StriataFile<'a> {
     }
 
     fn position_index(&self) -> Result<PositionIndex, DecodeError> {
-        // Bounded by the positions that are really there, not by what the summary says.
+        // Bounded by the number of positions actually stored, not by the summary.
         let vertex_count = self.positions()?.len();
         let kind = SectionKind::FIRST_VERTICES;
         let Some(firsts) = self.first_vertices()? else {
@@ -215,21 +217,23 @@ impl<'a> StriataFile<'a> {
         Ok(Some(firsts))
     }
 
-    /// Whether the file has sections of a kind.
+    /// Whether the file has any section of a kind.
     fn has(&self, kind: SectionKind) -> bool {
         self.container.sections.iter().any(|section| section.kind == kind)
     }
 
-    /// Triangles of the full mesh as they stand in a section of their own; files with strips, fans or patterns have none.
+    /// Triangles of the full mesh, if the file has a section for them; files with strips, fans or patterns
+    /// do not.
     ///
-    /// Vertices are not looked at: [`mesh`](Self::mesh) does.
+    /// Vertex indices are not checked here, but in [`mesh`](Self::mesh).
     pub fn triangles(&self) -> Option<Result<Cow<'a, [[u32; 3]]>, DecodeError>> {
         self.has(SectionKind::TRIANGLES).then(|| self.container.numbers(SectionKind::TRIANGLES))
     }
 
-    /// The strips of the full mesh, if the file has them; in memory of their own.
+    /// Strips of the full mesh, if the file has them, copied out of the file.
     ///
-    /// Vertices are not looked at: [`refinable_mesh`](Self::refinable_mesh) and the models do.
+    /// Vertex indices are not checked here, but in [`refinable_mesh`](Self::refinable_mesh) and by the
+    /// models.
     pub fn strips(&self) -> Option<Result<StripSet, DecodeError>> {
         self.has(SectionKind::STRIP_INDICES).then(|| {
             let strips = StripSet::from_parts(
@@ -243,7 +247,8 @@ impl<'a> StriataFile<'a> {
         })
     }
 
-    /// The LodStrips, if the file has them: borrowed from the file and checked once, so that no move can fail.
+    /// The LodStrips model, if the file has one; borrowed from the file and validated once, so that no move
+    /// can fail.
     pub fn lod_strips(&self) -> Option<Result<LodStrips<'a>, DecodeError>> {
         self.has(SectionKind::RECORDS).then(|| self.read_lod_strips())
     }
@@ -262,7 +267,8 @@ impl<'a> StriataFile<'a> {
         Ok(model)
     }
 
-    /// The MTS, if the file has it: borrowed from the file and checked once, so that no move can fail.
+    /// The MTS model, if the file has one; borrowed from the file and validated once, so that no move can
+    /// fail.
     pub fn mts(&self) -> Option<Result<Mts<'a>, DecodeError>> {
         self.has(SectionKind::LAST_CHANGES).then(|| self.read_mts())
     }
@@ -284,8 +290,8 @@ impl<'a> StriataFile<'a> {
         Ok(model)
     }
 
-    /// The fans with the bounds of their steps, if the file has them: in memory of their own and checked once, so that no move
-    /// can fail.
+    /// The fans and the bounds of their steps, if the file has them; copied out of the file and validated
+    /// once, so that no move can fail.
     pub fn fans(&self) -> Option<Result<Fans, DecodeError>> {
         self.has(SectionKind::FAN_ENTRIES).then(|| self.read_fans())
     }
@@ -329,28 +335,32 @@ impl<'a> StriataFile<'a> {
         })
     }
 
-    /// Whether a model is of this file's size.
+    /// Checks that a model has the number of steps and groups that the summary gives.
     fn expect_model(&self, model: &impl StripModel, steps_in: SectionKind) -> Result<(), DecodeError> {
         self.expect(steps_in, "steps", model.step_count(), self.summary.step_count)?;
         let group_count = self.summary.group_count.max(1);
         self.expect(SectionKind::STRIP_GROUPS, "groups", model.group_count(), group_count)
     }
 
-    /// The whole mesh with its sequence, checked and in memory of its own. Of a stream alone, what is there of it.
+    /// The whole mesh with its collapse sequence, validated and copied out of the file. If a file contains
+    /// only a stream, this is the part of it that is available.
     ///
-    /// In files with strips the triangles come in the order of the strips, in files without them in that of the fans or patterns.
+    /// The order of the triangles follows the strips if the file has them, otherwise the fans or patterns.
     ///
     /// # Errors
-    /// [`DecodeError`] where any part is unsound or parts do not fit together, or where there are no collapses.
+    /// [`DecodeError`] if any part is invalid or inconsistent with the others, or if the steps are not
+    /// collapses.
     pub fn refinable_mesh(&self) -> Result<RefinableMesh, DecodeError> {
         let sequence = self.sequence()?;
         Ok(RefinableMesh { mesh: self.mesh()?, sequence })
     }
 
-    /// The whole mesh, checked and in memory of its own (of a stream alone, what is there of it), its triangles in the order of [`refinable_mesh`](Self::refinable_mesh).
+    /// The whole mesh, validated and copied out of the file, with its triangles in the order of
+    /// [`refinable_mesh`](Self::refinable_mesh). If a file contains only a stream, this is the part of it
+    /// that is available.
     ///
     /// # Errors
-    /// [`DecodeError`] where any part is unsound or parts do not fit together.
+    /// [`DecodeError`] if any part is invalid or inconsistent with the others.
     pub fn mesh(&self) -> Result<IndexedMesh, DecodeError> {
         if let Some(refinable) = self.mesh_of_stream()? {
             return Ok(refinable.mesh.clone());
@@ -385,13 +395,13 @@ impl<'a> StriataFile<'a> {
         Ok(mesh)
     }
 
-    /// One level as a mesh of its own, by way of the first model that the file has.
+    /// Extracts one level as a separate mesh, using the first model in the file.
     ///
     /// # Errors
-    /// [`DecodeError`] where the file has no model, no such level, or any part is unsound.
+    /// [`DecodeError`] if the file has no model or no such level, or if any part is invalid.
     pub fn level(&self, split_count: usize) -> Result<IndexedMesh, DecodeError> {
         if let Some(refinable) = self.mesh_of_stream()? {
-            return stream::level(refinable, split_count);
+            return read_stream::level(refinable, split_count);
         }
         let step_count = self.summary.step_count;
         if split_count > step_count {
@@ -416,20 +426,21 @@ impl<'a> StriataFile<'a> {
         self.level_of(model, &state)
     }
 
-    /// The level that an instance of one of the file's models shows; for callers who keep model and state.
+    /// Extracts the level that an instance of one of the file's models shows; for callers who keep the
+    /// model and its state.
     ///
     /// # Errors
-    /// [`DecodeError`] where any part is unsound, or the model is not the file's.
+    /// [`DecodeError`] if any part is invalid, or if the model does not belong to the file.
     pub fn level_of<M: StoredModel>(&self, model: &M, state: &M::State) -> Result<IndexedMesh, DecodeError> {
         let positions = self.positions()?;
         let vertex_count = model.vertex_count_at(model.split_count(state));
-        let Some(shown) = positions.get(..vertex_count) else {
+        let Some(level_positions) = positions.get(..vertex_count) else {
             let (kind, what) = (SectionKind::POSITIONS, "vertices");
             let (found, expected) = (positions.len() as u64, vertex_count as u64);
             return Err(DecodeError::Count { kind, what, found, expected });
         };
         let mut level = IndexedMesh {
-            positions: shown.to_vec(),
+            positions: level_positions.to_vec(),
             triangles: Vec::new(),
             layers: self.layers_of_first(vertex_count)?,
             groups: self.groups()?,
@@ -448,7 +459,7 @@ impl<'a> StriataFile<'a> {
         Ok(level)
     }
 
-    /// Appends the triangles of the full mesh's strips, which have to be as many as the groups say.
+    /// Appends the triangles of the full mesh's strips and checks that each group has as many as it should.
     fn append_strips(&self, strips: &StripSet, mesh: &mut IndexedMesh) -> Result<(), DecodeError> {
         for group in 0..strips.group_count() {
             let first = mesh.triangles.len();
@@ -460,7 +471,8 @@ impl<'a> StriataFile<'a> {
         Ok(())
     }
 
-    /// The same of the full level of a model that stands in a section.
+    /// Appends the triangles of a model's full level, like [`append_strips`](Self::append_strips); `kind`
+    /// is the section used in errors.
     fn append_full<M: StoredModel>(
         &self,
         model: &M,
@@ -476,7 +488,7 @@ impl<'a> StriataFile<'a> {
         Ok(())
     }
 
-    /// Ends a group with the last triangle of a mesh.
+    /// Ends a group at the last triangle added; its first triangle is `first`.
     fn end_group(
         &self,
         kind: SectionKind,

@@ -1,7 +1,7 @@
-//! What the container knows of progressive streams: where their bytes are, and who decodes them.
+//! Progressive streams inside files: their location, and the interface of their decoder.
 //!
-//! A stream may be all that a file has of its mesh. The crate `striata-stream` codes and decodes streams, and hands its decoder
-//! over as a [`StreamCodec`].
+//! A stream may be the only representation of the mesh in a file. The crate `striata-stream` encodes and
+//! decodes streams and provides its decoder as a [`StreamCodec`].
 
 use std::fmt::Debug;
 
@@ -11,58 +11,60 @@ use crate::mesh::RefinableMesh;
 /// The first bytes of a stream.
 pub const STREAM_MAGIC: [u8; 4] = *b"\x89STR";
 
-/// A stream as a file stores it: its bytes, and the counts that its head names.
+/// A stream to be stored in a file: its bytes and the counts from its head.
 ///
-/// `striata_stream::file_model` makes it of the bytes.
+/// `striata_stream::file_model` creates one from the bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StoredStream<'s> {
     /// All bytes of the stream.
     pub bytes: &'s [u8],
-    /// Vertices of the full mesh.
+    /// Number of vertices of the full mesh.
     pub vertex_count: usize,
-    /// Triangles of the full mesh.
+    /// Number of triangles of the full mesh.
     pub triangle_count: usize,
-    /// Steps from the base to the full mesh.
+    /// Number of steps from the base mesh to the full mesh.
     pub step_count: usize,
-    /// Groups of triangles; 0 if the mesh names none.
+    /// Number of triangle groups; 0 if the mesh has none.
     pub group_count: usize,
 }
 
-/// What the beginning of a stream says of all of it.
+/// Contents of a stream's head.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StreamHead {
-    /// Bytes of the whole stream.
+    /// Length of the whole stream, in bytes.
     pub stream_bytes: u64,
-    /// Counts; the bounds may be unknown.
+    /// Counts of the mesh; the bounds may be unknown.
     pub summary: Summary,
 }
 
-/// What the bytes of a stream give.
+/// Result of decoding a stream.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StreamMesh {
-    /// The mesh that has come, with the sequence that leads to it.
+    /// The mesh decoded so far, with its collapse sequence.
     pub refinable: RefinableMesh,
-    /// Whether that is all of the stream.
+    /// Whether the whole stream has been decoded.
     pub is_complete: bool,
 }
 
-/// Decodes the streams of files.
+/// Decoder for the streams in files.
 pub trait StreamCodec: Debug + Sync {
-    /// Reads what the beginning of a stream says, from bytes that may be cut off.
+    /// Reads the head of a stream, which may be truncated.
     ///
     /// # Errors
-    /// [`DecodeError`] if they begin no sound stream, go on after its end, or end before its base mesh does.
+    /// [`DecodeError`] if the bytes do not start a valid stream, continue after its end, or end before its
+    /// base mesh is complete.
     fn head(&self, stream: &[u8]) -> Result<StreamHead, DecodeError>;
 
-    /// The texts in the head of a stream, by key.
+    /// Reads the key-value texts in the head of a stream.
     ///
     /// # Errors
-    /// [`DecodeError`] if the head is unsound.
+    /// [`DecodeError`] if the head is invalid.
     fn metadata(&self, stream: &[u8]) -> Result<Vec<(String, String)>, DecodeError>;
 
-    /// Decodes a stream; only one that is cut off may end before it says.
+    /// Decodes a stream. `is_cut` allows the stream to be truncated.
     ///
     /// # Errors
-    /// [`DecodeError`] if the stream is unsound, ends too early, or ends before its base mesh does.
+    /// [`DecodeError`] if the stream is invalid, is truncated although `is_cut` is false, or ends before
+    /// its base mesh is complete.
     fn decode(&self, stream: &[u8], is_cut: bool) -> Result<StreamMesh, DecodeError>;
 }

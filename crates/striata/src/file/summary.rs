@@ -1,42 +1,42 @@
-//! Counts and bounds, readable without touching the big arrays.
+//! Counts and bounds of a file, available without reading the large arrays.
 
 use super::byte_reader::{ByteReader, put_u32};
 use super::{DecodeError, SectionKind};
 use crate::mesh::{Bounds, IndexedMesh, Levels, RefinableMesh};
 
-/// What a file holds, in numbers.
+/// Counts and bounds of the mesh in a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Summary {
-    /// Vertices of the full mesh.
+    /// Number of vertices of the full mesh.
     pub vertex_count: usize,
-    /// Positions of the full mesh.
+    /// Number of positions of the full mesh.
     pub position_count: usize,
-    /// Triangles of the full mesh.
+    /// Number of triangles of the full mesh.
     pub triangle_count: usize,
-    /// Groups of triangles; 0 where the mesh names none.
+    /// Number of triangle groups; 0 if the mesh has none.
     pub group_count: usize,
-    /// Steps from the base to the full mesh.
+    /// Number of steps from the base mesh to the full mesh.
     pub step_count: usize,
-    /// Positions of the base mesh.
+    /// Number of positions of the base mesh.
     pub base_position_count: usize,
-    /// Vertices of the base mesh.
+    /// Number of vertices of the base mesh.
     pub base_vertex_count: usize,
-    /// Triangles of the base mesh.
+    /// Number of triangles of the base mesh.
     pub base_triangle_count: usize,
-    /// Error of the base mesh, mesh units.
+    /// Error of the base mesh, in mesh units.
     pub error_max: f32,
-    /// Bounds of the full mesh; `None` without vertices.
+    /// Bounds of the full mesh; `None` if it has no vertices.
     pub bounds: Option<Bounds>,
 }
 
 impl Summary {
-    /// The numbers of a mesh with its sequence.
+    /// Summarizes a mesh with its collapse sequence.
     pub fn of(refinable: &RefinableMesh) -> Self {
         Self::of_levels(&refinable.mesh, refinable.sequence.levels())
     }
 
-    /// The numbers of a mesh with its levels.
+    /// Summarizes a mesh with its levels.
     pub fn of_levels(mesh: &IndexedMesh, sequence: &Levels) -> Self {
         Self {
             vertex_count: mesh.vertex_count(),
@@ -92,7 +92,7 @@ impl Summary {
         let mut point = || Ok::<_, DecodeError>([reader.f32()?, reader.f32()?, reader.f32()?]);
         let bounds = Bounds { min: point()?, max: point()? };
         summary.bounds = has_bounds.then_some(bounds);
-        // Later versions may append fields: what is left is not looked at.
+        // Later versions may append fields, so any remaining bytes are ignored.
         Ok(summary)
     }
 }

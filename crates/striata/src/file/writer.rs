@@ -1,4 +1,4 @@
-//! Writing a file: all sections are laid out, then header, table and bytes go out in one pass.
+//! Writing of files: all sections are laid out first, then everything is written in one pass.
 
 use std::borrow::Cow;
 use std::io::Write;
@@ -9,26 +9,26 @@ use super::{EncodeError, SectionKind, StoredStream, Summary};
 use crate::mesh::{CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
 use crate::model::{Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StoredModel};
 
-/// A model to be stored beside the mesh.
+/// A model to be stored along with the mesh.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum FileModel<'m> {
     /// Strips that are edited in place.
     LodStrips(&'m LodStrips<'m>),
-    /// Strips that are walked again where they change.
+    /// Strips that are rebuilt when they change.
     Mts(&'m Mts<'m>),
-    /// Fans of each vertex, for levels that differ from place to place, with the bounds of their steps.
+    /// Fans of each vertex with the bounds of their steps, for uniform and view-dependent levels.
     Fans(&'m Fans),
-    /// Patterns, for levels that differ from place to place, with the bounds of their fragments.
+    /// Patterns with the bounds of their fragments, for uniform and view-dependent levels.
     Patterns(&'m Patterns),
-    /// The progressive stream of the mesh, which is in the stream's order
-    /// (`EncodedStream::reorder` of the crate `striata-stream`). Alone it is all that the file has: mesh and levels are decoded
-    /// from it.
+    /// Progressive stream of the mesh, whose vertices must be in the stream's order
+    /// (`EncodedStream::reorder` of the crate `striata-stream`). If it is the only model, the file contains
+    /// nothing else, and mesh and levels are decoded from the stream.
     Progressive(StoredStream<'m>),
 }
 
 impl<'m> FileModel<'m> {
-    /// Which model it is.
+    /// Kind of the model.
     pub fn kind(&self) -> ModelKind {
         match self {
             Self::LodStrips(_) => ModelKind::LodStrips,
@@ -39,7 +39,7 @@ impl<'m> FileModel<'m> {
         }
     }
 
-    /// The strips that it starts from, if it does: groups, offsets, indices.
+    /// The strips that the model uses, if any: groups, offsets, indices.
     fn strips(&self) -> Option<[&'m [u32]; 3]> {
         match *self {
             Self::LodStrips(model) => Some([&model.group_offsets, &model.offsets, &model.indices]),
@@ -50,7 +50,7 @@ impl<'m> FileModel<'m> {
         }
     }
 
-    /// Its sections beside the strips.
+    /// Sections of the model, without the strips.
     fn sections(&self) -> Vec<(SectionKind, Cow<'m, [u8]>)> {
         match *self {
             Self::LodStrips(model) => vec![
@@ -92,7 +92,7 @@ impl<'m> FileModel<'m> {
                     (SectionKind::PATTERN_BOUNDS, patterns.stored_bounds().into()),
                 ]
             }
-            // It goes last, where a file that is cut off still has its beginning.
+            // The stream is the last section, so that a truncated file still contains its beginning.
             Self::Progressive(_) => Vec::new(),
         }
     }
@@ -106,33 +106,34 @@ fn bytes_of<T: bytemuck::NoUninit>(numbers: &[T]) -> Cow<'_, [u8]> {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct WriteOptions {
-    /// Texts about the file by key, such as `creator` or `source`; default none.
+    /// Key-value texts about the file, such as `creator` or `source`; default none.
     pub metadata: Vec<(String, String)>,
 }
 
 impl WriteOptions {
-    /// Appends to [`WriteOptions::metadata`].
+    /// Adds an entry to [`WriteOptions::metadata`].
     pub fn with_metadata(mut self, key: impl Into<String>, value: impl Into<String>) -> Self {
         self.metadata.push((key.into(), value.into()));
         self
     }
 }
 
-/// A section before it has a place.
+/// A section that has no offset in the file yet.
 struct Section<'m> {
     kind: SectionKind,
     flags: u32,
     bytes: Cow<'m, [u8]>,
 }
 
-/// Writes a mesh, its sequence and its models as one `.striata` file.
+/// Writes a mesh, its collapse sequence and its models as a `.striata` file.
 ///
-/// The same input gives the same bytes on every machine. With models of strips the triangles are stored as strips only,
-/// once for all models, and come back in the strips' order; with fans alone they come back from these, with a stream alone
-/// from that, as exact as it is. A stream is the last section, so that a file that is cut off has its beginning.
+/// The same input gives the same bytes on every machine. The triangles are stored only once. With models
+/// that use strips, they are stored as strips, which all these models share, and are read back in the order
+/// of the strips. With fans only, they are read back from the fans; with a stream only, from the stream, at
+/// its precision. A stream is the last section, so that a truncated file still contains its beginning.
 ///
 /// # Errors
-/// [`EncodeError`] where the mesh is unsound, a model was built from another mesh, or the writer fails.
+/// [`EncodeError`] if the mesh is inconsistent, a model was built from a different mesh, or writing fails.
 pub fn write_striata(
     refinable: &RefinableMesh,
     models: &[FileModel<'_>],
@@ -144,13 +145,15 @@ pub fn write_striata(
     write_sections(&lay_out(source, models, options)?, out)
 }
 
-/// Writes a mesh with fragments and its patterns as one `.striata` file: no other model can be made of fragments.
+/// Writes a mesh with fragments and its patterns as a `.striata` file; no other model can be built from
+/// fragments.
 ///
-/// The same input gives the same bytes on every machine. The triangles come back in the order of the patterns; of errors, those
-/// of the levels are kept, and those of single floors in the bounds of the patterns.
+/// The same input gives the same bytes on every machine. The triangles are read back in the order of the
+/// patterns. The file keeps the errors of the levels; the errors of individual floors are only kept as part
+/// of the patterns' bounds.
 ///
 /// # Errors
-/// As [`write_striata`].
+/// [`EncodeError`] under the conditions of [`write_striata`].
 pub fn write_fragments(
     fragmented: &FragmentedMesh,
     patterns: &Patterns,
@@ -162,12 +165,12 @@ pub fn write_fragments(
     write_sections(&lay_out(source, &[FileModel::Patterns(patterns)], options)?, out)
 }
 
-/// What a file is made of beside models.
+/// The contents of a file other than models.
 #[derive(Clone, Copy)]
 struct Source<'m> {
     mesh: &'m IndexedMesh,
     levels: &'m Levels,
-    /// None where vertices were removed otherwise.
+    /// `None` if vertices were removed in other ways than by collapses.
     collapses: Option<&'m CollapseSequence>,
 }
 
@@ -201,10 +204,10 @@ fn write_sections(sections: &[Section<'_>], out: &mut dyn Write) -> Result<(), E
     Ok(())
 }
 
-/// As [`write_striata`], into memory.
+/// Encodes a `.striata` file in memory, like [`write_striata`].
 ///
 /// # Errors
-/// As [`write_striata`].
+/// [`EncodeError`] under the conditions of [`write_striata`].
 pub fn to_striata(
     refinable: &RefinableMesh,
     models: &[FileModel<'_>],
@@ -274,8 +277,11 @@ fn lay_out<'m>(
     Ok(sections)
 }
 
+/// Checks that a model can be stored in a file after other models.
+///
 /// # Errors
-/// Where the model is of another mesh, is there already, or starts from other strips than those before it.
+/// [`EncodeError`] if the model was built from a different mesh, repeats an earlier kind, or uses other
+/// strips.
 fn check_model(
     model: &FileModel<'_>,
     before: &[FileModel<'_>],
@@ -289,11 +295,12 @@ fn check_model(
         FileModel::Mts(model) => check_counts(kind, *model, source)?,
         FileModel::Fans(fans) => {
             check_counts(kind, *fans, source)?;
-            let shown = |split_count| fans.draw_counts(&fans.level_at(split_count)).index_count / 3;
+            let triangle_count_at =
+                |split_count| fans.draw_counts(&fans.level_at(split_count)).index_count / 3;
             let step_count = fans.step_count();
             expect(kind, "bounds", fans.bounded_step_count(), step_count)?;
-            expect(kind, "triangles", shown(step_count), triangle_count)?;
-            expect(kind, "triangles of the base", shown(0), base_triangle_count)?;
+            expect(kind, "triangles", triangle_count_at(step_count), triangle_count)?;
+            expect(kind, "triangles of the base", triangle_count_at(0), base_triangle_count)?;
         }
         FileModel::Patterns(patterns) => {
             check_counts(kind, *patterns, source)?;

@@ -1,4 +1,4 @@
-//! One uniform level.
+//! A single uniform level of detail.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use crate::model::{FanForm, FanIndices, LodModel as _};
 use crate::simplify::{StopReason, Target};
 use crate::strip::{StripIndices, stripify};
 
-/// One uniform level of a [`Lod`](super::Lod): triangles over the first few vertices of its mesh.
+/// A uniform level of detail of a [`Lod`](super::Lod): a triangle list over a prefix of its vertices.
 #[derive(Clone, Debug)]
 pub struct Level {
     tables: Arc<Tables>,
@@ -28,7 +28,7 @@ impl Level {
         }
     }
 
-    /// Goes to another level of the same mesh; memory is reused.
+    /// Moves to another level of the same mesh, reusing memory.
     pub fn move_to(&mut self, target: Target) {
         let fans = self.tables.fans();
         (self.split_count, self.stop_reason) = target.resolve(&self.tables.refinable().sequence);
@@ -37,58 +37,62 @@ impl Level {
         fans.emit_level_into(&state, FanForm::Triangles, &mut self.indices);
     }
 
-    /// The triangles, three indices each, group after group.
+    /// Vertex indices of the triangles, three per triangle, sorted by group.
     pub fn indices(&self) -> &[u32] {
         &self.indices.indices
     }
 
-    /// The triangles, group after group.
+    /// Triangles of the level, sorted by group.
     pub fn triangles(&self) -> &[[u32; 3]] {
         self.indices().as_chunks().0
     }
 
-    /// Triangles of the level.
+    /// Number of triangles in the level.
     pub fn triangle_count(&self) -> usize {
         self.indices().len() / 3
     }
 
-    /// Vertices that the level uses: the first so many of the mesh.
+    /// Number of vertices in the level: its indices refer to this many vertices from the start of the
+    /// vertex buffer.
     pub fn vertex_count(&self) -> usize {
         self.tables.refinable().sequence.vertex_count_at(self.split_count)
     }
 
-    /// Vertex splits between the base mesh and this level.
+    /// Number of vertex splits between the base mesh and this level.
     pub fn split_count(&self) -> usize {
         self.split_count
     }
 
-    /// Distance between the level and the full mesh, in mesh units: an estimate, or a bound if
-    /// [`Lod::has_guaranteed_errors`](super::Lod::has_guaranteed_errors).
+    /// Distance between the level and the full mesh, in mesh units: a guaranteed bound if
+    /// [`Lod::has_guaranteed_errors`](super::Lod::has_guaranteed_errors) is true, otherwise an estimate.
     pub fn error(&self) -> f32 {
         self.tables.refinable().sequence.error_at(self.split_count)
     }
 
-    /// How near the level comes to the target.
+    /// Whether the level meets the target, and if not, why.
     pub fn stop_reason(&self) -> StopReason {
         self.stop_reason
     }
 
-    /// Which part of the indices belongs to each group of the mesh, which has one material. If the mesh has no groups, one
-    /// range holds all indices.
+    /// Range of [`indices`](Self::indices) that belongs to each group of the mesh; each group has one
+    /// material. A mesh without groups has a single range that covers all indices.
     pub fn groups(&self) -> &[Range<u32>] {
         &self.indices.group_ranges
     }
 
-    /// The level as triangle strips with restart indices, made anew by the quick stripifier; each group is drawn by itself.
+    /// Builds triangle strips with restart indices for the level; no strip crosses from one group into
+    /// another.
     ///
-    /// Cost: linear in the triangles of the level. Models that keep strips from level to level are
-    /// [`LodStrips`](crate::model::LodStrips) and [`Mts`](crate::model::Mts).
+    /// The fast stripifier builds them from scratch on every call. Cost: linear in the number of triangles
+    /// of the level. To keep strips from level to level, use [`LodStrips`](crate::model::LodStrips) or
+    /// [`Mts`](crate::model::Mts).
     pub fn strips(&self) -> StripIndices {
         let level = replay(self.tables.refinable(), self.split_count);
         stripify(&level).expect("a level of a mesh that was checked").to_restart_indices()
     }
 
-    /// The level as a mesh of its own, for export: only the vertices that its triangles use, with all their attributes.
+    /// Copies the level into a separate mesh for export, with only the vertices that its triangles use and
+    /// all of their attributes.
     pub fn to_mesh(&self) -> IndexedMesh {
         replay(self.tables.refinable(), self.split_count).without_unused_vertices()
     }

@@ -1,8 +1,9 @@
-//! The front door: every level of one mesh, uniform or for a camera, over one vertex buffer.
+//! Every level of detail of one mesh, uniform or view-dependent, over one vertex buffer.
 //!
-//! [`Lod`] puts the stages of the library together: [`simplify`](crate::simplify) makes the sequence of collapses, progressive
-//! fans ([`model::fans`](crate::model::fans)) turn any set of its steps into triangles, and [`view`](crate::view) says which
-//! steps a camera needs. Nothing here is new; engines that need more control use the stages themselves.
+//! [`Lod`] connects the stages of the library: [`simplify`](crate::simplify) builds the collapse sequence,
+//! progressive fans ([`model::fans`](crate::model::fans)) turn any set of refined steps into triangles, and
+//! [`view`](crate::view) decides which steps a camera needs. This module is a convenience layer; engines
+//! that need more control can use the stages directly.
 //!
 //! # Example
 //! ```
@@ -44,28 +45,28 @@ use crate::simplify::{
 };
 use crate::{ProgressFn, ignore_progress};
 
-/// Every level of detail of one mesh: its vertices in refinement order, the collapse sequence, and what turns any level or
-/// view into triangles. It never changes, and a clone shares everything with its original.
+/// Every level of detail of one mesh: the vertices in refinement order, the collapse sequence, and the
+/// tables that turn any level or view into triangles.
 ///
-/// Memory: the mesh, and about 40 bytes for each vertex.
+/// A `Lod` is immutable, and its clones share their data. Memory: the mesh plus about 40 bytes per vertex.
 #[derive(Clone, Debug)]
 pub struct Lod {
     tables: Arc<Tables>,
 }
 
 impl Lod {
-    /// Simplifies a mesh as far as the options allow and keeps every level on the way.
+    /// Simplifies a mesh as far as the options allow and keeps every level of detail along the way.
     ///
     /// # Errors
-    /// [`SimplifyError`] if the mesh's parts do not fit together or an option is out of range.
+    /// [`SimplifyError`] if the mesh is inconsistent or an option is out of range.
     pub fn build(mesh: &IndexedMesh, options: &LodOptions) -> Result<Self, SimplifyError> {
         Self::build_with_progress(mesh, options, &mut ignore_progress)
     }
 
-    /// Does as [`build`](Self::build) and reports its progress; the callback can cancel.
+    /// Builds the levels like [`build`](Self::build) and reports progress; the callback can cancel.
     ///
     /// # Errors
-    /// As [`build`](Self::build), and if the callback cancels.
+    /// [`SimplifyError`] under the conditions of [`build`](Self::build), or if the callback cancels.
     pub fn build_with_progress(
         mesh: &IndexedMesh,
         options: &LodOptions,
@@ -79,21 +80,24 @@ impl Lod {
         Ok(Self { tables: Arc::new(Tables::new(certified, true)) })
     }
 
-    /// The levels of a mesh that has a sequence already, with estimated errors. A decoded stream is one such mesh.
+    /// Wraps a mesh that already has a collapse sequence, such as a decoded stream; its errors count as
+    /// estimates.
     pub fn from_refinable(refinable: RefinableMesh) -> Self {
         Self { tables: Arc::new(Tables::new(refinable, false)) }
     }
 
-    /// The levels of a `.striata` file. Its fans are read if it has some, and built otherwise.
+    /// Reads the levels from a `.striata` file.
+    ///
+    /// The fans are read from the file if it contains them, and rebuilt otherwise.
     ///
     /// # Errors
-    /// [`DecodeError`] if the file is damaged, or if it was made by removals instead of collapses
-    /// ([`DecodeError::NoCollapses`]).
+    /// [`DecodeError`] if the file is damaged, or [`DecodeError::NoCollapses`] if it was made by vertex
+    /// removals instead of collapses.
     pub fn from_file(file: &StriataFile<'_>) -> Result<Self, DecodeError> {
         Ok(Self { tables: Arc::new(Tables::from_file(file)?) })
     }
 
-    /// The file that holds these levels: the mesh, the sequence and the fans, as [`StriataFile::parse`] reads it.
+    /// Encodes the mesh, the sequence and the fans as a `.striata` file, which [`StriataFile::parse`] reads.
     ///
     /// # Errors
     /// [`EncodeError`](crate::file::EncodeError) if a part is too large for the format.
@@ -104,7 +108,7 @@ impl Lod {
         self.tables.to_striata(options)
     }
 
-    /// The full mesh with its vertices in refinement order: every level uses the first few of them.
+    /// The full mesh, with its vertices in refinement order: every level uses a prefix of them.
     pub fn mesh(&self) -> &IndexedMesh {
         &self.tables.refinable().mesh
     }
@@ -119,28 +123,29 @@ impl Lod {
         &self.tables.refinable().sequence
     }
 
-    /// Vertex splits from the base mesh to the full mesh.
+    /// Number of vertex splits from the base mesh to the full mesh.
     pub fn step_count(&self) -> usize {
         self.sequence().step_count()
     }
 
-    /// Whether errors are bounds that hold at every point of the original, and not estimates.
+    /// Whether errors are guaranteed bounds that hold at every point of the original surface, rather than
+    /// estimates.
     pub fn has_guaranteed_errors(&self) -> bool {
         self.tables.has_guaranteed_errors()
     }
 
-    /// One uniform level: the most detailed one that does not exceed the target. A target below the base mesh gives the base
-    /// mesh, one above the full mesh gives the full mesh.
+    /// Returns the most detailed uniform level that does not exceed the target.
     ///
-    /// Cost: linear in the triangles of the level.
+    /// A target below the base mesh gives the base mesh; a target above the full mesh gives the full mesh.
+    /// Cost: linear in the number of triangles of the level.
     pub fn level(&self, target: Target) -> Level {
         let mut level = Level::empty(Arc::clone(&self.tables));
         level.move_to(target);
         level
     }
 
-    /// A new instance that follows a camera; it shows the base mesh until its first update. Any number of instances share one
-    /// `Lod`.
+    /// Creates an instance that follows a camera. It shows the base mesh until its first update; any number
+    /// of instances can share one `Lod`.
     pub fn view(&self) -> View {
         View::new(Arc::clone(&self.tables))
     }

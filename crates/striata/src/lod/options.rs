@@ -1,4 +1,4 @@
-//! How a `Lod` is built.
+//! Options for building a `Lod`.
 
 use crate::simplify::SequenceOptions;
 
@@ -6,10 +6,12 @@ use crate::simplify::SequenceOptions;
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct LodOptions {
-    /// How the mesh is simplified: cost, seams, boundaries, the smallest level. Default: [`SequenceOptions::default`].
+    /// How the mesh is simplified: cost, seams, boundaries, the coarsest level. Default:
+    /// [`SequenceOptions::default`].
     pub sequence: SequenceOptions,
-    /// Whether the error of every level and view is a bound that holds at every point of the original; default `false`: an
-    /// estimate. Bounds take several times as long to build.
+    /// Whether the error of every level and view is a guaranteed bound, which holds at every point of the
+    /// original surface. Default `false`: errors are estimates. Computing bounds makes building several
+    /// times slower.
     pub has_guaranteed_errors: bool,
 }
 

@@ -1,19 +1,19 @@
-//! What all levels and views of one mesh share.
+//! Data shared by all levels and views of one mesh.
 
 use crate::file::{DecodeError, EncodeError, FileModel, StriataFile, WriteOptions, to_striata};
 use crate::mesh::RefinableMesh;
 use crate::model::{FanScene, Fans};
 use crate::view::Sphere;
 
-/// The key under which a file says whether its errors hold, and what it then says.
-const ERRORS: (&str, &str) = ("errors", "guaranteed");
+/// Metadata key and value by which a file records that its errors are guaranteed bounds.
+const GUARANTEED_ERRORS: (&str, &str) = ("errors", "guaranteed");
 
-/// The mesh in refinement order with its fans.
+/// The mesh in refinement order, with its fans.
 #[derive(Debug)]
 pub(super) struct Tables {
     refinable: RefinableMesh,
     fans: Fans,
-    /// Around all positions.
+    /// Bounding sphere of all positions.
     sphere: Sphere,
     has_guaranteed_errors: bool,
 }
@@ -21,27 +21,27 @@ pub(super) struct Tables {
 impl Tables {
     pub(super) fn new(refinable: RefinableMesh, has_guaranteed_errors: bool) -> Self {
         let fans = Fans::build(&refinable);
-        Self::of_parts(refinable, fans, has_guaranteed_errors)
+        Self::from_parts(refinable, fans, has_guaranteed_errors)
     }
 
     pub(super) fn from_file(file: &StriataFile<'_>) -> Result<Self, DecodeError> {
         let refinable = file.refinable_mesh()?;
-        let (key, value) = ERRORS;
+        let (key, value) = GUARANTEED_ERRORS;
         let has_guaranteed_errors = file.metadata()?.iter().any(|(k, v)| k == key && v == value);
         match file.fans() {
-            Some(fans) => Ok(Self::of_parts(refinable, fans?, has_guaranteed_errors)),
+            Some(fans) => Ok(Self::from_parts(refinable, fans?, has_guaranteed_errors)),
             None => Ok(Self::new(refinable, has_guaranteed_errors)),
         }
     }
 
-    fn of_parts(refinable: RefinableMesh, fans: Fans, has_guaranteed_errors: bool) -> Self {
+    fn from_parts(refinable: RefinableMesh, fans: Fans, has_guaranteed_errors: bool) -> Self {
         let sphere = FanScene::new(&fans, &refinable).sphere();
         Self { refinable, fans, sphere, has_guaranteed_errors }
     }
 
     pub(super) fn to_striata(&self, options: &WriteOptions) -> Result<Vec<u8>, EncodeError> {
         let mut options = options.clone();
-        let (key, value) = ERRORS;
+        let (key, value) = GUARANTEED_ERRORS;
         if options.metadata.iter().all(|(k, _)| k != key) {
             let value = if self.has_guaranteed_errors { value } else { "estimated" };
             options = options.with_metadata(key, value);

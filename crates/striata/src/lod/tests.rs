@@ -13,13 +13,13 @@ fn meshes() -> [IndexedMesh; 4] {
     ]
 }
 
-fn sound() -> impl Iterator<Item = IndexedMesh> {
+fn consistent_meshes() -> impl Iterator<Item = IndexedMesh> {
     meshes().into_iter().filter(|mesh| mesh.check().is_ok())
 }
 
 #[test]
-fn levels_are_those_of_the_oracle() {
-    for mesh in sound() {
+fn levels_match_the_replay_oracle() {
+    for mesh in consistent_meshes() {
         let lod = Lod::build(&mesh, &LodOptions::default()).unwrap();
         let refinable = lod.tables.refinable();
         for split_count in 0..=lod.step_count() {
@@ -28,39 +28,39 @@ fn levels_are_those_of_the_oracle() {
             assert_eq!(canonical_triangles(level.triangles()), canonical_triangles(&expected.triangles));
             assert_eq!(level.split_count(), split_count);
             assert!(level.indices().iter().all(|&index| (index as usize) < level.vertex_count()));
-            let mut of_strips = Vec::new();
+            let mut strip_triangles = Vec::new();
             let strips = level.strips();
             for range in &strips.group_ranges {
                 let range = range.start as usize..range.end as usize;
-                restart_triangles_into(&strips.indices[range], &mut of_strips);
+                restart_triangles_into(&strips.indices[range], &mut strip_triangles);
             }
-            assert_eq!(canonical_triangles(&of_strips), canonical_triangles(&expected.triangles));
-            let groups: usize = level.groups().iter().map(|range| range.len()).sum();
-            assert_eq!(groups, level.indices().len());
+            assert_eq!(canonical_triangles(&strip_triangles), canonical_triangles(&expected.triangles));
+            let grouped_index_count: usize = level.groups().iter().map(|range| range.len()).sum();
+            assert_eq!(grouped_index_count, level.indices().len());
         }
     }
 }
 
 #[test]
-fn a_level_that_moves_is_one_that_was_made_there() {
+fn a_moved_level_equals_a_new_one() {
     let lod = Lod::build(&shapes::terrain(20, 3), &LodOptions::default()).unwrap();
     let mut level = lod.level(Target::Detail(1.0));
     for triangles in [100, 700, 3, 100_000] {
         level.move_to(Target::Triangles(triangles));
-        let made = lod.level(Target::Triangles(triangles));
-        assert_eq!(level.indices(), made.indices());
-        assert_eq!((level.error(), level.stop_reason()), (made.error(), made.stop_reason()));
+        let fresh = lod.level(Target::Triangles(triangles));
+        assert_eq!(level.indices(), fresh.indices());
+        assert_eq!((level.error(), level.stop_reason()), (fresh.error(), fresh.stop_reason()));
     }
 }
 
 #[test]
-fn views_show_what_a_camera_needs() {
+fn views_refine_as_the_camera_approaches() {
     let lod = Lod::build(&shapes::terrain(40, 3), &LodOptions::default()).unwrap();
     let center = lod.mesh().bounds().unwrap().min;
     let mut view = lod.view();
     assert_eq!(view.triangle_count(), lod.level(Target::SplitCount(0)).triangle_count());
-    let camera = |away: f32| {
-        Camera::new([center[0], center[1], center[2] + away], center, [0.0, 1.0, 0.0], 0.577, [800, 600])
+    let camera = |distance: f32| {
+        Camera::new([center[0], center[1], center[2] + distance], center, [0.0, 1.0, 0.0], 0.577, [800, 600])
     };
     let diagonal = lod.mesh().diagonal() as f32;
     view.update(&camera(100.0 * diagonal).unwrap(), 1.0);
@@ -74,8 +74,8 @@ fn views_show_what_a_camera_needs() {
 }
 
 #[test]
-fn files_keep_all_of_it() {
-    for (mesh, is_guaranteed) in sound().zip([false, true, false]) {
+fn files_round_trip() {
+    for (mesh, is_guaranteed) in consistent_meshes().zip([false, true, false]) {
         let options = LodOptions::default().with_guaranteed_errors(is_guaranteed);
         let lod = Lod::build(&mesh, &options).unwrap();
         let bytes = lod.to_striata(&WriteOptions::default()).unwrap();
@@ -90,7 +90,7 @@ fn files_keep_all_of_it() {
 }
 
 #[test]
-fn meshes_whose_parts_do_not_fit_are_refused() {
+fn inconsistent_meshes_are_rejected() {
     let broken = meshes().into_iter().find(|mesh| mesh.check().is_err()).unwrap();
     assert!(matches!(Lod::build(&broken, &LodOptions::default()), Err(SimplifyError::Mesh(_))));
 }

@@ -7,11 +7,11 @@ use super::tables::Tables;
 use crate::model::{FanForm, FanFront, FanIndices, FanUpdate};
 use crate::view::{Camera, ScreenError};
 
-/// One instance of a [`Lod`](super::Lod): from frame to frame it shows what its camera needs, fine where an error would be seen
-/// and coarse elsewhere.
+/// An instance of a [`Lod`](super::Lod) that follows a camera: refined where errors would be visible,
+/// coarse elsewhere.
 ///
-/// Memory: one bit for each step, and about 12 bytes for each vertex that it shows, besides the indices. Engines that want
-/// an instance to be the bits alone use [`FanInstance`](crate::model::FanInstance).
+/// Memory: one bit for each step and about 12 bytes for each visible vertex, plus the indices. Engines that
+/// need only the one bit per step can use [`FanInstance`](crate::model::FanInstance).
 #[derive(Clone, Debug)]
 pub struct View {
     tables: Arc<Tables>,
@@ -27,15 +27,18 @@ impl View {
         view
     }
 
-    /// Refines what the camera sees until no error takes more than so many pixels of its screen, and coarsens the rest.
+    /// Refines whatever the camera sees until no error covers more than `pixels` pixels of its screen, and
+    /// coarsens the rest.
     ///
-    /// What the errors are is said at [`Lod::has_guaranteed_errors`](super::Lod::has_guaranteed_errors). Cost: proportional to what
-    /// changes since the last update, and to the triangles that are shown.
+    /// Whether these errors are bounds or estimates depends on
+    /// [`Lod::has_guaranteed_errors`](super::Lod::has_guaranteed_errors). Cost: proportional to the number
+    /// of steps that change since the last update and to the number of triangles shown.
     pub fn update(&mut self, camera: &Camera, pixels: f32) -> FanUpdate {
         self.update_by(ScreenError::new(*camera, pixels))
     }
 
-    /// Does as [`update`](Self::update), but by a screen error with more terms: silhouettes, a region of interest, a gaze.
+    /// Updates the view like [`update`](Self::update), but with a custom screen error, which can weight
+    /// silhouettes, a region of interest or the gaze direction.
     pub fn update_by(&mut self, error: ScreenError) -> FanUpdate {
         let error = error.of_model(self.tables.sphere());
         let update = self.front.update(&self.tables.scene(), &error, usize::MAX);
@@ -43,9 +46,10 @@ impl View {
         update
     }
 
-    /// Shows what looks best to the camera with at most so many triangles; no error is made smaller than `pixels`.
+    /// Spends at most `triangle_limit` triangles on what looks best to the camera; parts whose error is
+    /// already below `pixels` are not refined further.
     ///
-    /// If even the base mesh has more triangles, that is shown.
+    /// If even the base mesh exceeds the limit, the base mesh is shown.
     pub fn update_to_budget(&mut self, camera: &Camera, pixels: f32, triangle_limit: usize) -> FanUpdate {
         let error = ScreenError::new(*camera, pixels).of_model(self.tables.sphere());
         let update = self.front.update_to_budget(&self.tables.scene(), &error, triangle_limit);
@@ -53,22 +57,23 @@ impl View {
         update
     }
 
-    /// The triangles, three indices each over the vertices of [`Lod::mesh`](super::Lod::mesh), group after group.
+    /// Vertex indices into [`Lod::mesh`](super::Lod::mesh), three per triangle, sorted by group.
     pub fn indices(&self) -> &[u32] {
         &self.indices.indices
     }
 
-    /// The triangles, group after group.
+    /// Triangles shown, sorted by group.
     pub fn triangles(&self) -> &[[u32; 3]] {
         self.indices().as_chunks().0
     }
 
-    /// Triangles that are shown.
+    /// Number of triangles shown.
     pub fn triangle_count(&self) -> usize {
         self.front.triangle_count()
     }
 
-    /// Which part of the indices belongs to each group of the mesh; one range if the mesh has no groups.
+    /// Range of [`indices`](Self::indices) that belongs to each group of the mesh; a single range if the
+    /// mesh has no groups.
     pub fn groups(&self) -> &[Range<u32>] {
         &self.indices.group_ranges
     }

@@ -1,80 +1,83 @@
-//! Who is next to whom, on any triangles at all: edges with all their sides, corners around each position.
+//! Adjacency of arbitrary triangles: every edge with all its sides, every position with all its corners.
 //!
-//! A half-edge structure needs a manifold; here an edge simply lists every triangle side that lies on it, one
-//! or fifty, and a position lists all its corners. Everything sits in flat arrays filled by counting sorts.
-//! Numbers are positions, so that a seam, where vertices differ, is not taken for a boundary.
+//! A half-edge structure requires a manifold. Here, an edge simply lists every triangle side that lies on
+//! it, whether one or fifty, and a position lists all its corners. Everything is stored in flat arrays that
+//! are filled by counting sorts. Indices refer to positions, so a seam, where only vertices differ, does
+//! not count as a boundary.
 //!
 //! ```text
-//!        c           corner 3t + 0 is at a, and names the side a -> b as well
+//!        c           corner 3t + 0 is at a; the same index names the side a -> b
 //!       / \          corner 3t + 1 is at b, side b -> c
 //!      / t \         corner 3t + 2 is at c, side c -> a
 //!     a --- b
 //! ```
 //!
-//! Triangles with two corners at one position have no area to be beside; they are left out of everything.
-//! Cost: O(n) on meshes of bounded valence, O(n log n) at worst; about 60 bytes a triangle.
+//! Triangles with two corners at one position are ignored: they have no area, hence no neighbors. Cost:
+//! O(n) on meshes of bounded valence, O(n log n) in the worst case; about 60 bytes per triangle.
 
 use super::disjoint_sets::DisjointSets;
 use super::{IndexedMesh, PositionIndex};
 
-/// The corners and edges of a triangle list, by position.
+/// The corners and edges of a triangle list, indexed by position.
 #[derive(Clone, Debug)]
 pub struct Adjacency {
-    /// The triangles, corners as positions.
+    /// The triangles, with positions as corners.
     triangles: Vec<[u32; 3]>,
-    /// Where the corners of each position begin in `corners`, closed by the count.
+    /// Start of each position's corners in `corners`, followed by the number of corners.
     first_corner: Vec<u32>,
-    /// Corners by position, rising.
+    /// Corners sorted by position, each list in increasing order.
     corners: Vec<u32>,
-    /// Where the edges with each lower end begin in `edges`, closed by the count.
+    /// Start of the edges with each lower end in `edges`, followed by the number of edges.
     first_edge: Vec<u32>,
     edges: Vec<EdgeRecord>,
-    /// Sides by edge: those from the lower to the higher end first, then the others, each rising.
+    /// Sides sorted by edge: first those from the lower to the higher end, then the others, each list in
+    /// increasing order.
     sides: Vec<u32>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct EdgeRecord {
     high: u32,
-    /// Its first entry in `sides`.
+    /// Start of the edge's sides in `sides`.
     first: u32,
-    /// Sides that run from the lower to the higher end.
+    /// Number of sides that run from the lower to the higher end.
     forward_count: u32,
 }
 
 /// An undirected edge between two positions, with all triangle sides that lie on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Edge<'a> {
-    /// Its two positions, the smaller number first.
+    /// The two positions, the smaller index first.
     pub ends: [u32; 2],
-    /// Sides that run from `ends[0]` to `ends[1]`: side `3 * triangle + k` begins at the triangle's corner `k`.
+    /// Sides that run from `ends[0]` to `ends[1]`; side `3 * triangle + k` starts at corner `k` of its
+    /// triangle.
     pub forward: &'a [u32],
     /// Sides that run from `ends[1]` to `ends[0]`.
     pub backward: &'a [u32],
 }
 
 impl Edge<'_> {
-    /// Triangle sides on the edge.
+    /// Number of triangle sides on the edge.
     pub fn side_count(&self) -> usize {
         self.forward.len() + self.backward.len()
     }
 
-    /// All sides, those that run forward first.
+    /// All sides of the edge, forward ones first.
     pub fn sides(&self) -> impl Iterator<Item = u32> + '_ {
         self.forward.iter().chain(self.backward).copied()
     }
 
-    /// One triangle only.
+    /// Whether only one triangle uses the edge.
     pub fn is_boundary(&self) -> bool {
         self.side_count() == 1
     }
 
-    /// More than two triangles.
+    /// Whether more than two triangles use the edge.
     pub fn is_non_manifold(&self) -> bool {
         self.side_count() > 2
     }
 
-    /// Two triangles that run along it in the same direction: one of them faces the wrong way.
+    /// Whether two triangles use the edge in the same direction, so that one of them faces the wrong way.
     pub fn is_inconsistent(&self) -> bool {
         self.forward.len() == 2 && self.backward.is_empty()
             || self.backward.len() == 2 && self.forward.is_empty()
@@ -82,24 +85,24 @@ impl Edge<'_> {
 }
 
 impl Adjacency {
-    /// Adjacency by position, seams closed.
+    /// Builds the adjacency by position: surfaces are connected across seams.
     ///
     /// # Panics
-    /// If a triangle names a vertex that `positions` does not know.
+    /// If a triangle uses a vertex that is not in `positions`.
     pub fn of_positions(mesh: &IndexedMesh, positions: &PositionIndex) -> Self {
         let triangles = mesh.triangles.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
         Self::of_triangles(triangles, positions.position_count())
     }
 
-    /// Adjacency by vertex, seams open.
+    /// Builds the adjacency by vertex: surfaces end at seams.
     ///
     /// # Panics
-    /// If a triangle names a vertex that is not there.
+    /// If a triangle uses a vertex that does not exist.
     pub fn of_vertices(mesh: &IndexedMesh) -> Self {
         Self::of_triangles(mesh.triangles.clone(), mesh.vertex_count())
     }
 
-    /// Adjacency of triangles whose corners are numbers below `position_count`.
+    /// Builds the adjacency of triangles whose corners are indices below `position_count`.
     ///
     /// # Panics
     /// If a corner is not below `position_count`.
@@ -113,8 +116,8 @@ impl Adjacency {
                 first_side[from.min(to) as usize + 1] += 1;
             }
         }
-        sum_up(&mut first_corner);
-        sum_up(&mut first_side);
+        accumulate(&mut first_corner);
+        accumulate(&mut first_side);
         let mut corners = vec![0; first_corner[position_count] as usize];
         let mut sides_by_low = vec![Side::default(); corners.len()];
         let (mut corner_slot, mut side_slot) = (first_corner.clone(), first_side.clone());
@@ -132,48 +135,48 @@ impl Adjacency {
         Self { triangles, first_corner, corners, first_edge, edges, sides }
     }
 
-    /// Positions, used or not.
+    /// Number of positions, whether used or not.
     pub fn position_count(&self) -> usize {
         self.first_corner.len() - 1
     }
 
-    /// The triangles by position, degenerate ones included.
+    /// The triangles with positions as corners, including degenerate ones.
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// Edges.
+    /// Number of edges.
     pub fn edge_count(&self) -> usize {
         self.edges.len()
     }
 
-    /// The corners at a position, `3 * triangle + k` each, rising.
+    /// Corners at a position, as `3 * triangle + k`, in increasing order.
     pub fn corners(&self, position: u32) -> &[u32] {
         let p = position as usize;
         &self.corners[self.first_corner[p] as usize..self.first_corner[p + 1] as usize]
     }
 
-    /// The triangles around a position, rising.
+    /// Triangles around a position, in increasing order.
     pub fn triangles_around(&self, position: u32) -> impl ExactSizeIterator<Item = u32> + '_ {
         self.corners(position).iter().map(|corner| corner / 3)
     }
 
-    /// All edges, by their ends.
+    /// All edges, sorted by their ends.
     pub fn edges(&self) -> impl Iterator<Item = Edge<'_>> + '_ {
         (0..self.position_count() as u32).flat_map(|low| self.edges_from(low))
     }
 
-    /// The edges whose lower end is `low`, by their higher end.
+    /// Edges whose lower end is `low`, sorted by their higher end.
     pub fn edges_from(&self, low: u32) -> impl ExactSizeIterator<Item = Edge<'_>> + '_ {
         self.edge_range(low).map(move |index| self.edge(low, index))
     }
 
-    /// The edge between two positions, if any triangle has it.
+    /// The edge between two positions, if any triangle uses it.
     pub fn edge_between(&self, a: u32, b: u32) -> Option<Edge<'_>> {
         let (low, high) = (a.min(b), a.max(b));
         let range = self.edge_range(low);
-        let place = self.edges[range.clone()].binary_search_by_key(&high, |edge| edge.high).ok()?;
-        Some(self.edge(low, range.start + place))
+        let index = self.edges[range.clone()].binary_search_by_key(&high, |edge| edge.high).ok()?;
+        Some(self.edge(low, range.start + index))
     }
 
     fn edge_range(&self, low: u32) -> std::ops::Range<usize> {
@@ -187,28 +190,30 @@ impl Adjacency {
         Edge { ends: [low, high], forward, backward }
     }
 
-    /// The two other positions of a corner's triangle, in the triangle's order.
+    /// The two other positions of a corner's triangle, in winding order.
     pub fn opposite_side(&self, corner: u32) -> [u32; 2] {
         let triangle = self.triangles[corner as usize / 3];
         let k = corner as usize % 3;
         [triangle[(k + 1) % 3], triangle[(k + 2) % 3]]
     }
 
-    /// Pieces that meet at a position in nothing but that position, each with its smallest corner, rising.
+    /// Smallest corner of each piece of surface that meets the others only at this position, in increasing
+    /// order.
     ///
-    /// These are the components of its link: one around a manifold vertex, two at a bow-tie.
+    /// The pieces correspond to the components of the position's link: one for a manifold vertex, two for a
+    /// bow-tie.
     pub fn link_components(&self, position: u32) -> Vec<u32> {
         let mut scratch = LinkScratch::default();
-        self.sort_link(position, &mut scratch);
+        self.find_link_components(position, &mut scratch);
         scratch.roots.iter().map(|&root| self.corners(position)[root as usize]).collect()
     }
 
-    /// The positions where more than one piece meets, rising.
+    /// Positions at which several pieces of surface meet, in increasing order.
     pub fn bow_ties(&self) -> Vec<u32> {
         let mut scratch = LinkScratch::default();
         let mut found = Vec::new();
         for position in 0..self.position_count() as u32 {
-            self.sort_link(position, &mut scratch);
+            self.find_link_components(position, &mut scratch);
             if scratch.roots.len() > 1 {
                 found.push(position);
             }
@@ -216,7 +221,7 @@ impl Adjacency {
         found
     }
 
-    fn sort_link(&self, position: u32, scratch: &mut LinkScratch) {
+    fn find_link_components(&self, position: u32, scratch: &mut LinkScratch) {
         let corners = self.corners(position);
         scratch.ends.clear();
         for (index, &corner) in corners.iter().enumerate() {
@@ -231,7 +236,7 @@ impl Adjacency {
         scratch.roots.extend((0..corners.len() as u32).filter(|&i| scratch.sets.root(i) == i));
     }
 
-    /// Components: triangles that share a position belong together.
+    /// Number of connected components; triangles that share a position are connected.
     pub fn component_count(&self) -> usize {
         let mut sets = DisjointSets::new(self.position_count());
         let used = (0..self.position_count() as u32).filter(|&p| !self.corners(p).is_empty()).count();
@@ -239,7 +244,7 @@ impl Adjacency {
         used - joined
     }
 
-    /// Loops of boundary edges; two loops that touch in a position count as one.
+    /// Number of loops of boundary edges; two loops that touch at a position count as one.
     pub fn boundary_loop_count(&self) -> usize {
         let mut sets = DisjointSets::new(self.position_count());
         let mut is_boundary = vec![false; self.position_count()];
@@ -252,17 +257,17 @@ impl Adjacency {
     }
 }
 
-/// Memory for one position's link, reused from position to position.
+/// Scratch memory for the link of a position, reused between positions.
 #[derive(Default)]
 struct LinkScratch {
-    /// (neighbor, place in the list of corners), sorted.
+    /// Pairs (neighbor, index into the list of corners), sorted.
     ends: Vec<(u32, u32)>,
     sets: DisjointSets,
-    /// The first corner of each component, as a place in the list of corners.
+    /// First corner of each component, as an index into the list of corners.
     roots: Vec<u32>,
 }
 
-/// A triangle side while edges are gathered; the order of fields is the order of sides.
+/// A triangle side while edges are gathered; its fields are in sort order.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct Side {
     high: u32,
@@ -270,7 +275,7 @@ struct Side {
     corner: u32,
 }
 
-/// Sorts the sides of each lower end and makes an edge of each run with the same higher end.
+/// Sorts the sides of each lower end and creates an edge for each run with the same higher end.
 fn gather_edges(first_side: &[u32], sides: &mut [Side]) -> (Vec<u32>, Vec<EdgeRecord>) {
     let mut first_edge = Vec::with_capacity(first_side.len());
     let mut edges = Vec::with_capacity(sides.len() / 2);
@@ -289,13 +294,14 @@ fn gather_edges(first_side: &[u32], sides: &mut [Side]) -> (Vec<u32>, Vec<EdgeRe
     (first_edge, edges)
 }
 
-/// Whether a triangle has three different corners: others have no area, no neighbors and no strip.
+/// Whether a triangle has three different corners. Others have no area and no neighbors, and belong to no
+/// strip.
 #[inline]
 pub fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
     a != b && b != c && c != a
 }
 
-fn sum_up(counts: &mut [u32]) {
+fn accumulate(counts: &mut [u32]) {
     let mut sum = 0;
     for count in counts {
         sum += *count;
@@ -334,12 +340,12 @@ mod tests {
     }
 
     #[test]
-    fn every_triangle_of_a_book_is_on_its_back() {
+    fn an_edge_lists_all_triangles_of_a_book() {
         let adjacency = of(&[[0, 1, 2], [1, 0, 3], [0, 1, 4], [0, 1, 0]]);
-        let back = adjacency.edge_between(0, 1).unwrap();
-        assert_eq!((back.forward, back.backward), (&[0, 6][..], &[3][..]));
-        assert!(back.is_non_manifold() && !back.is_inconsistent());
-        assert_eq!(back.sides().map(|side| side / 3).collect::<Vec<_>>(), vec![0, 2, 1]);
+        let spine = adjacency.edge_between(0, 1).unwrap();
+        assert_eq!((spine.forward, spine.backward), (&[0, 6][..], &[3][..]));
+        assert!(spine.is_non_manifold() && !spine.is_inconsistent());
+        assert_eq!(spine.sides().map(|side| side / 3).collect::<Vec<_>>(), vec![0, 2, 1]);
         assert_eq!(adjacency.link_components(0), vec![0]);
         assert_eq!(adjacency.triangles_around(0).collect::<Vec<_>>(), vec![0, 1, 2]);
     }
@@ -354,12 +360,12 @@ mod tests {
     }
 
     #[test]
-    fn bow_ties_fall_apart() {
+    fn a_bow_tie_has_two_link_components() {
         let adjacency = Adjacency::of_vertices(&shapes::bow_tie());
         assert_eq!(adjacency.bow_ties(), vec![0]);
         assert_eq!(adjacency.link_components(0), vec![0, 3]);
         assert_eq!(adjacency.component_count(), 1);
-        // A closed fan is one piece although its corners are listed out of order.
+        // A closed fan is a single piece even if its corners are listed out of order.
         let fan = of(&[[0, 1, 2], [0, 3, 4], [0, 2, 3], [0, 4, 1]]);
         assert_eq!(fan.bow_ties(), Vec::<u32>::new());
         assert_eq!(fan.link_components(0), vec![0]);
@@ -376,7 +382,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_next_to_nothing() {
+    fn empty_and_degenerate_meshes_have_no_edges() {
         let adjacency = of(&[]);
         assert_eq!((adjacency.edge_count(), adjacency.component_count()), (0, 0));
         assert_eq!(of(&[[0, 0, 1], [2, 2, 2]]).component_count(), 0);

@@ -1,46 +1,46 @@
-//! What groups of triangles look like: material names, and what is kept of a glTF's materials.
+//! Materials and images of a mesh, carried along from import to export.
 
-/// One material as its source names it.
+/// A material, as its source file names it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Material {
     /// The material's name; may be empty.
     pub name: String,
-    /// The material as a glTF `material` object in JSON; empty where the source was no glTF.
+    /// The material as a glTF `material` object in JSON; empty if the source was not glTF.
     pub gltf_json: String,
 }
 
-/// An image that materials refer to by its place in [`Appearance::images`].
+/// An image, which materials refer to by its index in [`Appearance::images`].
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Image {
     /// The image's name; may be empty.
     pub name: String,
-    /// Where the source found it, relative to the source; empty for an embedded image.
+    /// Location of the image relative to the source file; empty for an embedded image.
     pub uri: String,
-    /// `image/png`, `image/jpeg`, …; may be empty where only `uri` is known.
+    /// MIME type such as `image/png` or `image/jpeg`; may be empty if only `uri` is known.
     pub mime_type: String,
-    /// The file's bytes; empty where the reference could not be followed.
+    /// Contents of the image file; empty if the reference could not be resolved.
     pub bytes: Vec<u8>,
 }
 
-/// All that a mesh carries along for looks; striata itself never interprets it.
+/// Everything a mesh carries along for its appearance; striata does not interpret it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Appearance {
-    /// Materials, by the index that [`TriangleGroup::material`](super::TriangleGroup) holds.
+    /// Materials, indexed by [`TriangleGroup::material`](super::TriangleGroup).
     pub materials: Vec<Material>,
-    /// Images, by the index that glTF textures hold.
+    /// Images, indexed by glTF textures.
     pub images: Vec<Image>,
-    /// glTF `texture` objects in JSON, one each.
+    /// glTF `texture` objects, one JSON string each.
     pub textures_json: Vec<String>,
-    /// glTF `sampler` objects in JSON, one each.
+    /// glTF `sampler` objects, one JSON string each.
     pub samplers_json: Vec<String>,
-    /// glTF extensions that the objects above use.
+    /// Names of the glTF extensions that the objects above use.
     pub extensions_used: Vec<String>,
-    /// OBJ material libraries by file name.
+    /// File names of OBJ material libraries.
     pub material_libraries: Vec<String>,
 }
 
 impl Appearance {
-    /// Nothing to carry.
+    /// Whether there is nothing to carry along.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }

@@ -1,55 +1,58 @@
-//! How far normals and texture coordinates of a simplified mesh are from those of the original.
+//! Differences of normals and texture coordinates between a simplified mesh and the original.
 //!
-//! Points are spread over the original surface by area. Each is compared with the nearest point of the other surface *on the
-//! same side*: of a triangle whose normal is within about 73 degrees (a dot product above 0.3) of that of the sample's own
-//! triangle. Without that rule, samples on one sheet of a thin part would be compared with the other sheet, whose texture
-//! coordinates mean something else. A triangle on the same side counts if it is no farther away than four times the distance of
-//! the nearest triangle plus 1 % of the diagonal; if there is none, the nearest triangle on any side is taken. If several triangles are
-//! equally near, as on both sides of a seam, the one with the smaller difference counts.
+//! Sample points are spread over the original surface by area. Each is compared with the nearest point of
+//! the other surface *on the same side*: on a triangle whose normal is within about 73 degrees (a dot
+//! product above 0.3) of the normal of the sample's own triangle. Without that rule, samples on one sheet
+//! of a thin part would be compared with the other sheet, whose texture coordinates mean something else.
 //!
-//! Cost: O(n log n) for a tree of n triangles, then O(log n) expected for each sample, and 8 bytes for each sample. Results
-//! depend neither on threads nor on the machine.
+//! A triangle on the same side counts if it is no farther away than four times the distance of the nearest
+//! triangle plus 1 % of the diagonal; if there is none, the nearest triangle on any side is used. If several
+//! triangles are equally near, as on both sides of a seam, the one with the smallest difference counts.
+//!
+//! Cost: O(n log n) for a tree of n triangles, then O(log n) expected and 8 bytes for each sample. Results
+//! are the same for any number of threads and on every machine.
 
 use glam::DVec3;
 
-use super::surface_samples::{Samples, in_chunks, spread, weights_on_triangle};
-use super::triangle_tree::exact;
+use super::surface_samples::{Samples, low_discrepancy_point, map_chunks, weights_on_triangle};
+use super::triangle_tree::to_dvec3;
 use super::{AttributeLayer, DistanceError, DistanceOptions, IndexedMesh, Semantic, TriangleTree};
 
-/// Smallest dot product of two unit normals that are on the same side.
+/// Smallest dot product of two unit normals that count as being on the same side.
 const SAME_SIDE: f64 = 0.3;
 
-/// A triangle on the same side may be farther away than the nearest triangle by this factor,
+/// Multiple of the distance to the nearest triangle up to which triangles on the same side count, with
+/// [`REACH_SHARE`] added.
 const REACH: f64 = 4.0;
 
-/// plus this share of the diagonal.
+/// Addition to that reach, as a fraction of the diagonal of the original.
 const REACH_SHARE: f64 = 0.01;
 
-/// Triangles are equally near if their distances differ by no more than this share of the diagonal.
+/// Triangles are equally near if their distances differ by at most this fraction of the diagonal.
 const TIE_SHARE: f64 = 1e-6;
 
-/// Mean and tail of the differences of one attribute.
+/// Mean and 95th percentile of the differences of one attribute.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AttributeSpread {
-    /// Mean over the area.
+    /// Mean, weighted by area.
     pub mean: f64,
-    /// 95 % of the area differ by no more than this.
+    /// Value that 95 % of the area does not exceed.
     pub percentile_95: f64,
 }
 
-/// What [`attribute_distance`] measures.
+/// Result of [`attribute_distance`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AttributeDistance {
-    /// Angles between interpolated normals, radians; `None` if a mesh has no normals.
+    /// Angles between interpolated normals, in radians; `None` if either mesh has no normals.
     pub normal: Option<AttributeSpread>,
-    /// Distances between texture coordinates of set 0, in UV units (1 is the width of the texture); `None` if a mesh has
-    /// none.
+    /// Distances between texture coordinates of set 0, in UV units (1 is the width of the texture); `None`
+    /// if either mesh has none.
     pub uv: Option<AttributeSpread>,
-    /// Share of the samples for which a triangle on the same side was within reach.
+    /// Fraction of the samples for which a triangle on the same side was within reach.
     pub same_side_share: f64,
 }
 
-/// Measures how far normals and texture coordinates of `level` are from those of `original`, at points of `original`.
+/// Measures how far the normals and texture coordinates of `level` differ from those of `original`.
 ///
 /// ```
 /// use striata::mesh::{DistanceOptions, attribute_distance, shapes};
@@ -60,7 +63,7 @@ pub struct AttributeDistance {
 /// ```
 ///
 /// # Errors
-/// [`DistanceError`] if a mesh is inconsistent or without triangles, or no sample is asked for.
+/// [`DistanceError`] if a mesh is inconsistent or has no triangles, or if the sample count is 0.
 pub fn attribute_distance(
     original: &IndexedMesh,
     level: &IndexedMesh,
@@ -87,42 +90,42 @@ pub fn attribute_distance(
     Ok(comparison.measure())
 }
 
-/// Attributes of one mesh, by triangle and by point.
+/// The attributes of one mesh, by triangle and by point.
 struct Attributes<'a> {
     mesh: &'a IndexedMesh,
-    /// Unit normals of the triangles; zero for triangles without area.
-    facing: Vec<DVec3>,
+    /// Unit normal of each triangle; zero for triangles without area.
+    triangle_normals: Vec<DVec3>,
     normals: Option<&'a AttributeLayer>,
     uvs: Option<&'a AttributeLayer>,
 }
 
 impl<'a> Attributes<'a> {
     fn of(mesh: &'a IndexedMesh) -> Self {
-        let facing = mesh.triangles.iter().map(|t| {
-            let [a, b, c] = t.map(|v| exact(mesh.positions[v as usize]));
+        let triangle_normals = mesh.triangles.iter().map(|t| {
+            let [a, b, c] = t.map(|v| to_dvec3(mesh.positions[v as usize]));
             (b - a).cross(c - a).normalize_or_zero()
         });
         let layer = |semantic, least| mesh.layer(&semantic).filter(|layer| layer.component_count >= least);
         Self {
             mesh,
-            facing: facing.collect(),
+            triangle_normals: triangle_normals.collect(),
             normals: layer(Semantic::Normal, 3),
             uvs: layer(Semantic::TexCoord(0), 2),
         }
     }
 
-    /// The unit normal at a point of a triangle: that of the triangle if its corners have none.
+    /// Unit normal at a point of a triangle; the triangle's own normal if those of its corners cancel out.
     fn normal(&self, triangle: usize, weights: [f64; 3]) -> Option<DVec3> {
         let layer = self.normals?;
         let sum = self.mix(layer, triangle, weights);
-        Some(sum.try_normalize().unwrap_or(self.facing[triangle]))
+        Some(sum.try_normalize().unwrap_or(self.triangle_normals[triangle]))
     }
 
     fn uv(&self, triangle: usize, weights: [f64; 3]) -> Option<DVec3> {
         self.uvs.map(|layer| self.mix(layer, triangle, weights))
     }
 
-    /// Up to three components of a layer at a point of a triangle.
+    /// Interpolates up to three components of a layer at a point of a triangle.
     fn mix(&self, layer: &AttributeLayer, triangle: usize, weights: [f64; 3]) -> DVec3 {
         let count = usize::from(layer.component_count).min(3);
         let corner = |v: u32| {
@@ -135,7 +138,7 @@ impl<'a> Attributes<'a> {
     }
 }
 
-/// Differences of some samples, in their order.
+/// Differences measured at some samples, in the order of the samples.
 #[derive(Default)]
 struct Differences {
     angles: Vec<f32>,
@@ -144,7 +147,7 @@ struct Differences {
     same_side_count: usize,
 }
 
-/// An original, a level of it, and where they are compared.
+/// The data of one measurement.
 struct Comparison<'a> {
     samples: Samples<'a>,
     original: Attributes<'a>,
@@ -153,21 +156,21 @@ struct Comparison<'a> {
     diagonal: f64,
 }
 
-/// A point of the original.
+/// A sample point on the original surface.
 struct Sample {
     point: DVec3,
     triangle: usize,
-    /// Where it lies in the triangle.
+    /// Barycentric coordinates of the point in the triangle.
     weights: [f64; 3],
 }
 
 impl Comparison<'_> {
     fn measure(&self) -> AttributeDistance {
-        let chunks = in_chunks(self.samples.areas.count(), |range| {
+        let chunks = map_chunks(self.samples.areas.count(), |range| {
             let mut found = Differences::default();
             let (mut hint, mut triangles) = (usize::MAX, Vec::new());
             self.samples.areas.for_each(range, |k, triangle| {
-                let uv = spread(self.samples.seed, k);
+                let uv = low_discrepancy_point(self.samples.seed, k);
                 let point = self.samples.point_on_triangle(triangle, uv);
                 found.same_side_count +=
                     usize::from(self.find_nearest((point, triangle), &mut hint, &mut triangles));
@@ -187,32 +190,33 @@ impl Comparison<'_> {
         }
     }
 
-    /// Lists the triangles of the level that a sample is compared with; returns whether they are on the same side.
+    /// Finds the triangles of the level to compare a sample with; returns whether they are on the same side.
     fn find_nearest(
         &self,
         (point, triangle): (DVec3, usize),
         hint: &mut usize,
         found: &mut Vec<usize>,
     ) -> bool {
-        let facing = self.original.facing[triangle];
-        let is_same_side = |tried: usize| self.level.facing[tried].dot(facing) > SAME_SIDE;
-        let plain = self.tree.distance_from_hint(point, hint);
-        let reach = REACH * plain + REACH_SHARE * self.diagonal;
-        let mut nearest = if is_same_side(*hint) { plain } else { f64::INFINITY };
+        let own_normal = self.original.triangle_normals[triangle];
+        let is_same_side =
+            |candidate: usize| self.level.triangle_normals[candidate].dot(own_normal) > SAME_SIDE;
+        let nearest_distance = self.tree.distance_from_hint(point, hint);
+        let reach = REACH * nearest_distance + REACH_SHARE * self.diagonal;
+        let mut nearest = if is_same_side(*hint) { nearest_distance } else { f64::INFINITY };
         if nearest == f64::INFINITY {
-            self.tree.visit_within(point, reach, |tried, distance| {
-                if distance < nearest && is_same_side(tried) {
+            self.tree.visit_within(point, reach, |candidate, distance| {
+                if distance < nearest && is_same_side(candidate) {
                     nearest = distance;
                 }
                 nearest.min(reach)
             });
         }
         let has_same_side = nearest <= reach;
-        let limit = if has_same_side { nearest } else { plain } + TIE_SHARE * self.diagonal;
+        let limit = if has_same_side { nearest } else { nearest_distance } + TIE_SHARE * self.diagonal;
         found.clear();
-        self.tree.visit_within(point, limit, |tried, distance| {
-            if distance <= limit && (!has_same_side || is_same_side(tried)) {
-                found.push(tried);
+        self.tree.visit_within(point, limit, |candidate, distance| {
+            if distance <= limit && (!has_same_side || is_same_side(candidate)) {
+                found.push(candidate);
             }
             limit
         });
@@ -227,7 +231,7 @@ impl Comparison<'_> {
         let (own_normal, own_uv) = (self.original.normal(own, weights), self.original.uv(own, weights));
         for &triangle in triangles {
             let corners =
-                self.level.mesh.triangles[triangle].map(|v| exact(self.level.mesh.positions[v as usize]));
+                self.level.mesh.triangles[triangle].map(|v| to_dvec3(self.level.mesh.positions[v as usize]));
             let weights = nearest_weights(point, corners);
             if let (Some(a), Some(b)) = (own_normal, self.level.normal(triangle, weights)) {
                 lower(&mut angle, angle_between(a, b));
@@ -242,7 +246,7 @@ impl Comparison<'_> {
 }
 
 impl AttributeSpread {
-    /// Mean and tail of some values; `None` if there is none.
+    /// Mean and 95th percentile of some values; `None` if there are no values.
     fn of(mut values: Vec<f32>) -> Option<Self> {
         let count = values.len();
         let mean = values.iter().map(|&x| f64::from(x)).sum::<f64>() / count.max(1) as f64;
@@ -252,7 +256,7 @@ impl AttributeSpread {
     }
 }
 
-/// Weights of the corners of a triangle at its point nearest to another point.
+/// Barycentric coordinates of the point of a triangle that is nearest to another point.
 fn nearest_weights(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
     let (ab, ac) = (b - a, c - a);
     let normal = ab.cross(ac);
@@ -272,11 +276,13 @@ fn nearest_weights(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
     nearest.unwrap_or([1.0, 0.0, 0.0])
 }
 
-/// The angle between two unit vectors, 0 to pi, by exactly rounded operations alone: the arc functions of a platform's library
-/// may differ in the last bit.
+/// Angle between two unit vectors, 0 to pi.
+///
+/// It uses correctly rounded operations only, since the inverse trigonometric functions of a platform may
+/// differ in the last bit.
 fn angle_between(a: DVec3, b: DVec3) -> f64 {
     let (across, along) = ((a - b).length(), (a + b).length());
-    // A quarter of the angle is below pi / 4; two halvings more bring its tangent below 0.2.
+    // A quarter of the angle is at most pi / 4; two further halvings bring its tangent below 0.2.
     let quarter = across / ((across * across + along * along).sqrt() + along).max(f64::MIN_POSITIVE);
     let halved = |x: f64| x / (1.0 + (1.0 + x * x).sqrt());
     let x = halved(halved(quarter));
@@ -289,7 +295,7 @@ fn angle_between(a: DVec3, b: DVec3) -> f64 {
 mod tests {
     use super::*;
 
-    /// A square of two triangles at a height, with normals along z and texture coordinates moved by `u`.
+    /// A unit square at height `z`, with normals along z and texture coordinates shifted by `u`.
     fn square(z: f32, u: f32) -> IndexedMesh {
         let corners = [[0., 0.], [1., 0.], [1., 1.], [0., 1.]];
         let mut mesh =
@@ -325,7 +331,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shift_of_texture_coordinates_is_measured_as_it_is() {
+    fn uv_shifts_are_measured() {
         let found = measured(&square(0.0, 0.0), &square(0.25, 0.125));
         let uv = found.uv.unwrap();
         assert!((uv.mean - 0.125).abs() < 1e-6 && (uv.percentile_95 - 0.125).abs() < 1e-6, "{uv:?}");
@@ -334,13 +340,14 @@ mod tests {
     }
 
     #[test]
-    fn the_other_sheet_of_a_thin_part_is_not_taken() {
-        // The level has lost nothing, but its upper sheet lies under the lower one of the original.
+    fn samples_are_not_compared_with_the_opposite_sheet() {
+        // The surface is unchanged, but the upper sheet of the level lies below the lower one of the
+        // original.
         let original = joined(square(0.01, 0.0), &turned_over(square(0.0, 0.5)));
         let level = joined(square(0.001, 0.0), &turned_over(square(0.009, 0.5)));
         let uv = measured(&original, &level).uv.unwrap();
         assert!(uv.percentile_95 < 1e-6, "{uv:?}");
-        // With one sheet alone, the other one's samples have to take it: half of them are .5 off.
+        // With only one sheet left, the samples of the other one must use it: half of them are off by 0.5.
         let found = measured(&original, &square(0.01, 0.0));
         assert!((found.uv.unwrap().mean - 0.25).abs() < 1e-3 && (found.same_side_share - 0.5).abs() < 1e-3);
     }
@@ -358,7 +365,8 @@ mod tests {
 
     #[test]
     fn a_seam_is_compared_with_its_better_side() {
-        // A roof whose two sides have charts of their own, and a strip above its ridge, which is nearest to both sides.
+        // A roof whose two sides have separate charts, and a strip above its ridge, which is nearest to
+        // both sides.
         let bent = |mut mesh: IndexedMesh, slope: f32, u: f32| {
             mesh.positions.iter_mut().for_each(|p| *p = [p[0] - u, p[1], slope * (p[0] - u)]);
             mesh
@@ -368,13 +376,13 @@ mod tests {
         strip.positions.iter_mut().for_each(|p| *p = [0.01 * p[0], p[1], 0.5]);
         for level in [joined(left.clone(), &right), joined(right, &left)] {
             let found = measured(&strip, &level).uv.unwrap();
-            // The strip spans its chart, the ridge is one edge of it.
+            // The strip covers its whole chart, but the ridge is only one edge of that chart.
             assert!((found.mean - 0.5).abs() < 1e-3, "{found:?}");
         }
     }
 
     #[test]
-    fn the_tail_is_where_a_twentieth_begins() {
+    fn percentile_95_covers_95_percent_of_the_values() {
         let spread = AttributeSpread::of((1..=100).map(|x| x as f32).collect()).unwrap();
         assert_eq!(spread, AttributeSpread { mean: 50.5, percentile_95: 95.0 });
         assert_eq!(AttributeSpread::of(Vec::new()), None);
@@ -382,7 +390,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_are_those_of_the_arc_functions() {
+    fn angle_between_matches_the_platform() {
         for k in 0..=64 {
             let angle = f64::from(k) / 64.0 * std::f64::consts::PI;
             let found = angle_between(DVec3::X, DVec3::new(angle.cos(), angle.sin(), 0.0));

@@ -1,8 +1,8 @@
-//! Attribute layers: per-vertex data besides the position.
+//! Attribute layers: per-vertex data other than the position.
 
 use std::fmt;
 
-/// What a layer means; the order of the variants is the order of layers in files.
+/// Meaning of a layer; files store layers in the order of these variants.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Semantic {
     /// Unit normal, 3 components.
@@ -23,7 +23,7 @@ pub enum Semantic {
     MorphNormal(u16),
     /// Displacement of the tangent by one morph target, 3 components.
     MorphTangent(u16),
-    /// Anything else, by the name its file gave it.
+    /// Any other attribute, under the name that its file gives it.
     Generic(String),
 }
 
@@ -44,7 +44,7 @@ impl fmt::Display for Semantic {
     }
 }
 
-/// The numbers of a layer, vertex by vertex, `component_count` each.
+/// Values of a layer, vertex by vertex, with `component_count` values each.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LayerData {
     /// 32-bit floats.
@@ -58,7 +58,7 @@ pub enum LayerData {
 }
 
 impl LayerData {
-    /// Numbers held (vertices times components).
+    /// Number of values: vertices times components.
     pub fn len(&self) -> usize {
         match self {
             Self::F32(v) => v.len(),
@@ -68,12 +68,12 @@ impl LayerData {
         }
     }
 
-    /// True where the layer holds no number.
+    /// Whether the layer has no values.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Bytes one number takes.
+    /// Size of one value, in bytes.
     pub fn component_bytes(&self) -> usize {
         match self {
             Self::F32(_) | Self::U32(_) => 4,
@@ -82,7 +82,7 @@ impl LayerData {
         }
     }
 
-    /// The numbers as little-endian bytes (as they lie in memory on the machines we run on).
+    /// The values as little-endian bytes, which is their layout in memory on all supported machines.
     pub fn as_bytes(&self) -> &[u8] {
         match self {
             Self::F32(v) => bytemuck::cast_slice(v),
@@ -96,28 +96,28 @@ impl LayerData {
 /// One attribute of every vertex.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AttributeLayer {
-    /// What the numbers mean.
+    /// Meaning of the values.
     pub semantic: Semantic,
-    /// Numbers per vertex, 1 to 255.
+    /// Number of values per vertex, 1 to 255.
     pub component_count: u8,
-    /// True where integers stand for fractions (255 means 1.0), as glTF has it.
+    /// Whether integers stand for fractions (255 means 1.0), as in glTF.
     pub normalized: bool,
-    /// `vertex_count * component_count` numbers.
+    /// `vertex_count * component_count` values.
     pub data: LayerData,
 }
 
 impl AttributeLayer {
-    /// A layer of floats.
+    /// Creates a layer of floats.
     pub fn from_f32(semantic: Semantic, component_count: u8, data: Vec<f32>) -> Self {
         Self { semantic, component_count, normalized: false, data: LayerData::F32(data) }
     }
 
-    /// Bytes that one vertex takes in this layer.
+    /// Size of one vertex in this layer, in bytes.
     pub fn vertex_bytes(&self) -> usize {
         self.component_count as usize * self.data.component_bytes()
     }
 
-    /// Component `component` of vertex `vertex` as a float, normalized integers mapped to 0..=1.
+    /// Component `component` of vertex `vertex` as a float; normalized integers are mapped to 0..=1.
     pub fn get(&self, vertex: usize, component: usize) -> f32 {
         let index = vertex * self.component_count as usize + component;
         match &self.data {
@@ -130,7 +130,7 @@ impl AttributeLayer {
         }
     }
 
-    /// The layer with its vertices picked and reordered: vertex `i` of the result is `order[i]` here.
+    /// Selects and reorders vertices: vertex `i` of the result is vertex `order[i]` of this layer.
     pub fn gather(&self, order: &[u32]) -> Self {
         fn pick<T: Copy>(data: &[T], order: &[u32], n: usize) -> Vec<T> {
             let mut out = Vec::with_capacity(order.len() * n);

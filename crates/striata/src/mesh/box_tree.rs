@@ -1,31 +1,33 @@
-//! A balanced tree of boxes, for finding the few that are near a point.
+//! A balanced tree of bounding boxes, for finding the boxes near a point.
 //!
-//! Each box is split at the median of its members' middles along the longest side, so the depth is logarithmic for any input,
-//! equal boxes included, where trees that follow a cost degenerate into chains.
+//! Each node is split along its longest axis at the median of the box centers. The depth is therefore
+//! logarithmic for any input, even if all boxes are equal, in which case trees built by a cost heuristic
+//! degenerate into chains.
 
 use glam::Vec3A;
 
-/// Members of a leaf, at most.
+/// Largest number of boxes in a leaf.
 const LEAF_SIZE: usize = 4;
 
-/// A box that is aligned with the axes.
+/// An axis-aligned box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AxisBox {
     pub(crate) min: Vec3A,
     pub(crate) max: Vec3A,
 }
 
-/// A node and all below it: those follow it in the list of nodes, up to `end`.
+/// A node; its descendants follow it in the list of nodes, up to `end`.
 struct Node {
     bounds: AxisBox,
-    /// The members below it, as a range of the tree's order.
+    /// Boxes below this node, as a range of the tree's `order`.
     first: u32,
     count: u32,
-    /// The node after the last one below it; the second child of an inner node begins where that of its first child ends.
+    /// Index after the last descendant. The second child of an inner node starts at the `end` of its first
+    /// child.
     end: u32,
 }
 
-/// A tree over boxes that it does not keep.
+/// A tree over boxes, which are identified by index and not stored.
 #[derive(Default)]
 pub(crate) struct BoxTree {
     nodes: Vec<Node>,
@@ -33,13 +35,13 @@ pub(crate) struct BoxTree {
 }
 
 impl AxisBox {
-    const NOTHING: Self = Self { min: Vec3A::INFINITY, max: Vec3A::NEG_INFINITY };
+    const EMPTY: Self = Self { min: Vec3A::INFINITY, max: Vec3A::NEG_INFINITY };
 
-    fn with(self, other: Self) -> Self {
+    fn union(self, other: Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// Squared distance of a point to the box.
+    /// Squared distance between a point and the box.
     #[inline]
     fn squared_distance(&self, point: Vec3A) -> f32 {
         (self.min - point).max(point - self.max).max(Vec3A::ZERO).length_squared()
@@ -47,7 +49,7 @@ impl AxisBox {
 }
 
 impl BoxTree {
-    /// Builds the tree in O(n log n) time; there may be no boxes.
+    /// Builds the tree in O(n log n) time; `boxes` may be empty.
     pub(crate) fn new(boxes: &[AxisBox]) -> Self {
         let mut tree = Self { nodes: Vec::new(), order: (0..boxes.len() as u32).collect() };
         if !boxes.is_empty() {
@@ -59,21 +61,23 @@ impl BoxTree {
         tree
     }
 
-    /// Adds the node of some boxes, which begin at `first` of the order, and all below it.
+    /// Appends the node for the boxes in `order`, which start at position `first` of the tree's order, and
+    /// all its descendants.
     fn split(&mut self, boxes: &[AxisBox], order: &mut [u32], first: usize) {
         let of = |&member: &u32| boxes[member as usize];
-        let middle = |member: &u32| of(member).min + of(member).max;
-        let bounds = order.iter().map(of).fold(AxisBox::NOTHING, AxisBox::with);
+        // Twice the center, which gives the same order.
+        let center = |member: &u32| of(member).min + of(member).max;
+        let bounds = order.iter().map(of).fold(AxisBox::EMPTY, AxisBox::union);
         let (node, count) = (self.nodes.len(), order.len());
         self.nodes.push(Node { bounds, first: first as u32, count: count as u32, end: 0 });
         if count > LEAF_SIZE {
-            let middles =
-                |start: Vec3A, pick: fn(Vec3A, Vec3A) -> Vec3A| order.iter().map(middle).fold(start, pick);
-            let extent = middles(Vec3A::NEG_INFINITY, Vec3A::max) - middles(Vec3A::INFINITY, Vec3A::min);
+            let centers =
+                |start: Vec3A, pick: fn(Vec3A, Vec3A) -> Vec3A| order.iter().map(center).fold(start, pick);
+            let extent = centers(Vec3A::NEG_INFINITY, Vec3A::max) - centers(Vec3A::INFINITY, Vec3A::min);
             let axis = extent.max_position();
             let half = count / 2;
             order.select_nth_unstable_by(half, |a, b| {
-                middle(a)[axis].total_cmp(&middle(b)[axis]).then(a.cmp(b))
+                center(a)[axis].total_cmp(&center(b)[axis]).then(a.cmp(b))
             });
             let (low, high) = order.split_at_mut(half);
             self.split(boxes, low, first);
@@ -82,8 +86,8 @@ impl BoxTree {
         self.nodes[node].end = self.nodes.len() as u32;
     }
 
-    /// Hands over the members of boxes that are nearer to a point than a limit, in f32 and squared, near ones first. `visit`
-    /// returns the limit from then on, which may fall.
+    /// Visits the boxes nearer to a point than a limit, a squared distance in f32, roughly from near to
+    /// far. `visit` returns the limit for the rest of the search, which may shrink.
     #[inline]
     pub(crate) fn visit_near(&self, point: Vec3A, limit: f32, mut visit: impl FnMut(usize) -> f32) {
         if !self.nodes.is_empty() {
@@ -118,7 +122,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn any_boxes_make_a_shallow_tree_that_reaches_all() {
+    fn a_search_without_limit_visits_every_box_once() {
         for count in [0, 1, 4, 5, 9, 1000] {
             for spread in [0.0, 1.0] {
                 let boxes: Vec<AxisBox> = (0..count)

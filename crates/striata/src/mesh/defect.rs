@@ -1,113 +1,113 @@
-//! The things that can be wrong with a mesh, each with its place and a line that says so.
+//! The kinds of defects that a mesh can have, each with its location and a one-line description.
 
 use std::fmt;
 
 use super::{MeshError, Semantic};
 
-/// Something wrong with a mesh, and where.
+/// A defect of a mesh, with its location.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Defect {
-    /// The parts do not fit together: indices, lengths, groups, coordinates.
+    /// The mesh is inconsistent: indices, lengths, groups or coordinates.
     Inconsistent(MeshError),
-    /// A layer has another number of components than its meaning asks for.
+    /// A layer has the wrong number of components for its meaning.
     LayerShape {
-        /// The layer.
+        /// Meaning of the layer.
         semantic: Semantic,
-        /// Components it has.
+        /// Number of components it has.
         found: u8,
-        /// Components it should have, in words.
+        /// Number of components it should have, in words.
         expected: &'static str,
     },
-    /// Two layers mean the same.
+    /// Two layers have the same meaning.
     RepeatedLayer {
-        /// The layer.
+        /// Meaning of the layers.
         semantic: Semantic,
     },
-    /// A triangle names one vertex twice.
+    /// Two corners of a triangle are the same vertex.
     RepeatedVertex {
-        /// The triangle.
+        /// Index of the triangle.
         triangle: usize,
-        /// The vertex.
+        /// The repeated vertex.
         vertex: u32,
     },
-    /// Two vertices of a triangle are at one position.
+    /// Two vertices of a triangle have the same position.
     RepeatedPosition {
-        /// The triangle.
+        /// Index of the triangle.
         triangle: usize,
         /// The two vertices.
         vertices: [u32; 2],
     },
-    /// The corners of a triangle are different, but on a line.
+    /// The corners of a triangle are distinct but collinear.
     NoArea {
-        /// The triangle.
+        /// Index of the triangle.
         triangle: usize,
     },
-    /// A triangle has the positions of an earlier one.
+    /// A triangle has the same three positions as an earlier one.
     DuplicateTriangle {
-        /// The triangle.
+        /// Index of the triangle.
         triangle: usize,
-        /// The first with these positions.
+        /// First triangle with these positions.
         first: usize,
-        /// It faces the other way.
+        /// Whether the two triangles face opposite ways.
         is_opposite: bool,
     },
-    /// More than two triangles meet in an edge.
+    /// More than two triangles share an edge.
     NonManifoldEdge {
-        /// A vertex at each end.
+        /// One vertex at each end of the edge.
         vertices: [u32; 2],
-        /// Triangles on the edge.
+        /// Number of triangles on the edge.
         triangle_count: usize,
     },
-    /// Two neighbors face opposite ways.
+    /// Two triangles that share an edge face opposite ways.
     InconsistentEdge {
-        /// A vertex at each end.
+        /// One vertex at each end of the edge.
         vertices: [u32; 2],
         /// The two triangles.
         triangles: [usize; 2],
     },
-    /// Pieces of surface meet in a position and share no edge there.
+    /// Several pieces of surface meet at a position without sharing an edge there.
     BowTie {
         /// A vertex at the position.
         vertex: u32,
-        /// How many pieces.
+        /// Number of pieces.
         piece_count: usize,
     },
-    /// No triangle names the vertex.
+    /// No triangle uses the vertex.
     UnusedVertex {
-        /// The vertex.
+        /// Index of the vertex.
         vertex: usize,
     },
-    /// A number of a layer is NaN or infinite.
+    /// A value of a layer is NaN or infinite.
     NonFiniteAttribute {
-        /// The layer.
+        /// Meaning of the layer.
         semantic: Semantic,
-        /// The vertex.
+        /// Index of the vertex.
         vertex: usize,
-        /// The component.
+        /// Index of the component.
         component: usize,
-        /// What stands there.
+        /// The value found.
         value: f32,
     },
-    /// A normal or tangent is more than a hundredth longer or shorter than 1.
+    /// The length of a normal or tangent differs from 1 by more than 0.01.
     NonUnitVector {
-        /// The layer.
+        /// Meaning of the layer.
         semantic: Semantic,
-        /// The vertex.
+        /// Index of the vertex.
         vertex: usize,
         /// The length found.
         length: f64,
     },
-    /// The weights of a vertex's joints, over all sets, sum to something a hundredth or more off 1.
+    /// The joint weights of a vertex, summed over all sets, differ from 1 by more than 0.01.
     WeightSum {
-        /// The vertex.
+        /// Index of the vertex.
         vertex: usize,
         /// The sum found.
         sum: f64,
     },
 }
 
-/// The kinds of [`Defect`], in the order of reports.
+/// Kind of a [`Defect`], in the order in which reports list them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum DefectKind {
@@ -142,10 +142,10 @@ pub enum DefectKind {
 }
 
 impl DefectKind {
-    /// The kind in words that can follow a number.
+    /// Description of the kind, in words that can follow a count.
     pub fn as_str(self) -> &'static str {
         match self {
-            Self::Inconsistent => "parts that do not fit together",
+            Self::Inconsistent => "inconsistencies",
             Self::LayerShape => "layers of the wrong shape",
             Self::RepeatedLayer => "repeated layers",
             Self::RepeatedVertex => "triangles with a repeated vertex",
@@ -164,7 +164,7 @@ impl DefectKind {
 }
 
 impl Defect {
-    /// The kind, without its place.
+    /// The kind of the defect, without its location.
     pub fn kind(&self) -> DefectKind {
         match self {
             Self::Inconsistent(_) => DefectKind::Inconsistent,
@@ -190,16 +190,16 @@ impl fmt::Display for Defect {
         match self {
             Self::Inconsistent(error) => error.fmt(f),
             Self::LayerShape { semantic, found, expected } => {
-                write!(f, "layer {semantic} has {found} components a vertex, but needs {expected}")
+                write!(f, "layer {semantic} has {found} components per vertex, but needs {expected}")
             }
-            Self::RepeatedLayer { semantic } => write!(f, "layer {semantic} is there twice"),
+            Self::RepeatedLayer { semantic } => write!(f, "layer {semantic} appears twice"),
             Self::RepeatedVertex { triangle, vertex } => {
                 write!(f, "triangle {triangle} uses vertex {vertex} twice")
             }
             Self::RepeatedPosition { triangle, vertices: [a, b] } => {
-                write!(f, "triangle {triangle} uses vertices {a} and {b}, which are at one position")
+                write!(f, "triangle {triangle} uses vertices {a} and {b}, which have the same position")
             }
-            Self::NoArea { triangle } => write!(f, "triangle {triangle} has its corners on a line"),
+            Self::NoArea { triangle } => write!(f, "triangle {triangle} has collinear corners"),
             Self::DuplicateTriangle { triangle, first, is_opposite: false } => {
                 write!(f, "triangle {triangle} repeats triangle {first}")
             }
@@ -213,9 +213,9 @@ impl fmt::Display for Defect {
                 write!(f, "triangles {s} and {t} face opposite ways along the edge of vertices {a} and {b}")
             }
             Self::BowTie { vertex, piece_count } => {
-                write!(f, "{piece_count} pieces of surface meet in vertex {vertex} alone")
+                write!(f, "{piece_count} pieces of surface meet only in vertex {vertex}")
             }
-            Self::UnusedVertex { vertex } => write!(f, "vertex {vertex} is used by no triangle"),
+            Self::UnusedVertex { vertex } => write!(f, "vertex {vertex} is not used by any triangle"),
             Self::NonFiniteAttribute { semantic, vertex, component, value } => {
                 write!(f, "layer {semantic} has {value} as component {component} of vertex {vertex}")
             }

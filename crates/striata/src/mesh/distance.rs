@@ -1,31 +1,32 @@
-//! Surface distance between two meshes by sampling, what Metro measures \[CRS98\].
+//! Surface distance between two meshes by sampling, as in Metro \[CRS98\].
 //!
-//! Points are spread over one surface and each is measured against the whole other surface, then the
-//! other way round: one way alone does not see what is missing. Samples are stratified by area: sample `k` of
-//! `n` lies where the running area passes `k / n`, and inside its triangle at the next point of a
-//! low-discrepancy sequence, so figures converge like a grid's and not like noise. All vertices and a
-//! share of points on the sides count for the maximum only, since that is where maxima lie.
+//! Points are distributed over each surface and measured against the whole other surface. Both directions are
+//! needed, since one alone does not notice what is missing. Samples are stratified by area: sample `k` of `n`
+//! lies in the triangle in which the running area passes `k / n`, at the next point of a low-discrepancy
+//! sequence, so the results converge as with a grid rather than as with random noise. All vertices and some
+//! points on the edges are measured too; they count only for the maximum, which is usually found there.
 //!
-//! Differs: Metro draws a number of samples per triangle and rounds it; here every sample stands for the same area.
+//! Differs: Metro computes a number of samples per triangle and rounds it; here every sample represents the
+//! same area.
 //!
-//! Cost: O(n log n) for the trees of n triangles, then O(log n) a sample; no sample is stored. Results depend
-//! neither on threads nor on the machine.
+//! Cost: O(n log n) for the trees of n triangles, then O(log n) per sample; no sample is stored. Results
+//! are the same for any number of threads and on every machine.
 
 use crate::setters::setters;
 use glam::DVec3;
 
-use super::surface_samples::{Samples, Strata, in_chunks, spread};
-use super::triangle_tree::exact;
+use super::surface_samples::{Samples, Strata, low_discrepancy_point, map_chunks};
+use super::triangle_tree::to_dvec3;
 use super::{IndexedMesh, MeshError, TriangleTree};
 
 /// Options of [`surface_distance`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct DistanceOptions {
-    /// Area samples on each of the two surfaces, at least 1; default 500,000. Vertices, and a quarter as
-    /// many points on sides, come on top.
+    /// Number of area samples on each of the two surfaces, at least 1; default 500,000. All vertices, and a
+    /// quarter as many points on edges, are measured in addition.
     pub sample_count: usize,
-    /// Shifts where samples lie; default 0. Two seeds differ by the error of sampling.
+    /// Offsets the sample points; default 0. The results of two seeds differ by the sampling error.
     pub seed: u64,
 }
 
@@ -42,33 +43,33 @@ impl DistanceOptions {
     }
 }
 
-/// Distances of the samples of one surface to the other surface, mesh units.
+/// Distances from the samples of one surface to the other surface, in mesh units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OneSided {
-    /// The largest, over vertices, sides and area.
+    /// Maximum over vertices, edges and area.
     pub max: f64,
-    /// Root of the mean square over the area.
+    /// Root mean square over the area.
     pub rms: f64,
     /// Mean over the area.
     pub mean: f64,
 }
 
-/// What [`surface_distance`] measures; mesh units, not shares of the diagonal.
+/// Result of [`surface_distance`], in mesh units (not relative to the diagonal).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDistance {
     /// From the first mesh to the second.
     pub a_to_b: OneSided,
     /// From the second mesh to the first.
     pub b_to_a: OneSided,
-    /// The larger one-sided maximum: the Hausdorff distance, as far as samples see it.
+    /// Larger of the two one-sided maxima: the Hausdorff distance, as far as the samples capture it.
     pub max: f64,
-    /// The larger one-sided RMS, as Metro reports it.
+    /// Larger of the two one-sided RMS values, as Metro reports it.
     pub rms: f64,
-    /// The larger one-sided mean.
+    /// Larger of the two one-sided means.
     pub mean: f64,
-    /// Diagonal of the bounds of the first mesh, to divide by.
+    /// Diagonal of the bounds of the first mesh, for computing relative distances.
     pub diagonal: f64,
-    /// Points measured, both ways together.
+    /// Number of points measured, both directions together.
     pub sample_count: usize,
 }
 
@@ -76,7 +77,7 @@ pub struct SurfaceDistance {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DistanceError {
-    /// A mesh does not hang together.
+    /// A mesh is inconsistent.
     #[error("the {which} mesh: {source}")]
     Mesh {
         /// `first` or `second`.
@@ -84,29 +85,30 @@ pub enum DistanceError {
         /// What is wrong with it.
         source: MeshError,
     },
-    /// A mesh has no surface.
+    /// A mesh has no triangles.
     #[error("the {which} mesh has no triangle to measure a distance to")]
     Empty {
         /// `first` or `second`.
         which: &'static str,
     },
-    /// No samples were asked for.
+    /// The sample count is 0.
     #[error("the sample count is 0, but must be at least 1")]
     NoSamples,
 }
 
-/// Measures how far two surfaces are from each other, both ways.
+/// Measures the distance between two surfaces in both directions.
 ///
 /// ```
 /// use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance};
 /// let at = |z| IndexedMesh::new(vec![[0., 0., z], [1., 0., z], [0., 1., z]], vec![[0, 1, 2]]);
-/// let distance = surface_distance(&at(0.0), &at(0.5), &DistanceOptions::default().with_sample_count(1_000))?;
+/// let options = DistanceOptions::default().with_sample_count(1_000);
+/// let distance = surface_distance(&at(0.0), &at(0.5), &options)?;
 /// assert_eq!((distance.max, distance.rms), (0.5, 0.5));
 /// # Ok::<(), striata::mesh::DistanceError>(())
 /// ```
 ///
 /// # Errors
-/// [`DistanceError`] where a mesh is inconsistent or without triangles, or no sample is asked for.
+/// [`DistanceError`] if a mesh is inconsistent or has no triangles, or if the sample count is 0.
 pub fn surface_distance(
     a: &IndexedMesh,
     b: &IndexedMesh,
@@ -138,12 +140,13 @@ fn surface_tree(mesh: &IndexedMesh, which: &'static str) -> Result<TriangleTree,
 }
 
 impl Samples<'_> {
-    /// The mean is taken over the area; over the sides where there is no area; else over the vertices.
+    /// Measures all samples. Means are over the area or, if the area is 0, over the edges or else the
+    /// vertices.
     fn measure(&self, tree: &TriangleTree) -> OneSided {
         let vertices = sum_chunks(self.used_vertices.len(), |range, sums| {
             let mut hint = usize::MAX;
             for &v in &self.used_vertices[range] {
-                sums.add(tree.distance_from_hint(exact(self.mesh.positions[v as usize]), &mut hint));
+                sums.add(tree.distance_from_hint(to_dvec3(self.mesh.positions[v as usize]), &mut hint));
             }
         });
         let sides = self.measure_strata(&self.sides, tree, |t, [u, _]| self.point_on_side(t, u));
@@ -166,7 +169,7 @@ impl Samples<'_> {
         sum_chunks(strata.count(), |range, sums| {
             let mut hint = usize::MAX;
             strata.for_each(range, |k, t| {
-                sums.add(tree.distance_from_hint(point(t, spread(self.seed, k)), &mut hint));
+                sums.add(tree.distance_from_hint(point(t, low_discrepancy_point(self.seed, k)), &mut hint));
             });
         })
     }
@@ -198,9 +201,9 @@ impl Sums {
     }
 }
 
-/// Sums `0..count` chunk by chunk and joins the chunks in order, with or without threads.
+/// Accumulates `0..count` in chunks and joins the chunks in order, on several threads if enabled.
 fn sum_chunks(count: usize, measure: impl Fn(std::ops::Range<usize>, &mut Sums) + Sync) -> Sums {
-    let chunks = in_chunks(count, |range| {
+    let chunks = map_chunks(count, |range| {
         let mut sums = Sums::default();
         measure(range, &mut sums);
         sums
@@ -218,20 +221,20 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_half_shows_one_way_only() {
+    fn a_missing_half_is_seen_in_one_direction_only() {
         let mut half = square(0.0);
         half.triangles.pop();
         let d = surface_distance(&square(0.0), &half, &DistanceOptions::default()).unwrap();
         assert_eq!(d.b_to_a, OneSided::default());
         assert!((d.a_to_b.max - 2f64.sqrt()).abs() < 1e-12);
-        // Over the missing half the distance h to the diagonal has density 2 (c - h) / c^2, c = sqrt 2.
+        // Over the missing half, the distance h to the diagonal has the density 2 (c - h) / c^2, c = sqrt 2.
         assert!((d.a_to_b.mean - 0.5 * 2f64.sqrt() / 3.0).abs() < 1e-4);
         assert!((d.a_to_b.rms - (0.5f64 * 2.0 / 6.0).sqrt()).abs() < 1e-4);
         assert_eq!((d.max, d.rms), (d.a_to_b.max, d.a_to_b.rms));
     }
 
     #[test]
-    fn surfaces_without_area_are_measured_by_sides_then_points() {
+    fn surfaces_without_area_are_measured_by_edges_then_vertices() {
         let line = |z| IndexedMesh::new(vec![[0., 0., z], [1., 0., z], [4., 0., z]], vec![[0, 1, 2]]);
         let point = |z| IndexedMesh::new(vec![[0., 0., z]], vec![[0, 0, 0]]);
         for (a, b) in [(line(0.0), line(3.0)), (point(0.0), point(3.0))] {
@@ -243,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_name_the_mesh() {
+    fn errors_say_which_mesh_is_bad() {
         let measure = |a: &_, b: &_| surface_distance(a, b, &DistanceOptions::default());
         let empty = IndexedMesh::default();
         assert_eq!(measure(&square(0.), &empty), Err(DistanceError::Empty { which: "second" }));
@@ -256,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn far_from_the_origin_nothing_is_lost() {
+    fn precision_holds_far_from_the_origin() {
         let moved = |z: f32| {
             let mut mesh = square(z);
             mesh.positions.iter_mut().for_each(|p| *p = [p[0] + 1e7, p[1] - 1e7, p[2] + 8e6]);

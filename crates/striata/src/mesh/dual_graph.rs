@@ -1,18 +1,18 @@
-//! The dual graph: a node for each triangle, a link for each edge that two triangles can be crossed by.
+//! The dual graph of a mesh: a node for each triangle, a link for each edge shared by two triangles.
 //!
-//! Strips and clusters walk from triangle to triangle. Two triangles are linked where they run along an
-//! edge in opposite directions, lie in one group and agree on the edge's vertices. On an edge with more than
-//! two sides the first forward side is linked with the first backward side, and so on, so every side has at most
-//! one link and every node at most three.
+//! Strips and clusters are built by walking from triangle to triangle. Two triangles are linked if they
+//! traverse a common edge in opposite directions, belong to the same group and agree on the vertices of the
+//! edge. If an edge has more than two sides, the first forward side is linked with the first backward side,
+//! and so on, so every side has at most one link and every node at most three.
 //!
 //! ```text
 //!          c               side 3t + 1 runs b -> c, its twin
 //!        /   \  \          side 3n + k runs c -> b;
-//!      /   t   \  n  >     both ends of a link know each other
+//!      /   t   \  n  >     each side stores the other
 //!    a --------- b
 //! ```
 //!
-//! Linear on meshes of bounded valence; 40 bytes a triangle while it is made, 12 are kept.
+//! Linear time on meshes of bounded valence; 40 bytes per triangle during construction, 12 afterwards.
 
 use std::cmp::Ordering;
 
@@ -24,31 +24,32 @@ pub struct DualGraph {
     twins: Vec<[u32; 3]>,
 }
 
-/// In place of a twin: no link across this side.
+/// Value in place of a twin: there is no link across this side.
 pub const NO_TWIN: u32 = u32::MAX;
 
 impl DualGraph {
-    /// Links triangles of one group that share two vertices: seams and groups are borders, as strips need it.
+    /// Links triangles of the same group that share two vertices; there are no links across seams and group
+    /// boundaries, as strips require.
     ///
     /// # Panics
-    /// If a triangle names a vertex that is not there, or groups do not cover the triangles.
+    /// If a triangle uses a vertex that does not exist, or if the groups do not cover the triangles.
     pub fn of_vertices(mesh: &IndexedMesh) -> Self {
         Self::of_triangles(&mesh.triangles, mesh.vertex_count(), &group_ends(mesh))
     }
 
-    /// Links triangles that share two positions, across seams and groups.
+    /// Links triangles that share two positions, also across seams and group boundaries.
     ///
     /// # Panics
-    /// If a triangle names a vertex that `positions` does not know.
+    /// If a triangle uses a vertex that is not in `positions`.
     pub fn of_positions(mesh: &IndexedMesh, positions: &PositionIndex) -> Self {
         let triangles: Vec<_> = mesh.triangles.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
         Self::of_triangles(&triangles, positions.position_count(), &[triangles.len() as u32])
     }
 
-    /// Links triangles of one group; `group_ends` rises and ends with the triangle count.
+    /// Links triangles of the same group; `group_ends` is increasing and ends with the triangle count.
     fn of_triangles(triangles: &[[u32; 3]], vertex_count: usize, group_ends: &[u32]) -> Self {
         let (firsts, mut sides) = sides_by_low_end(triangles, vertex_count);
-        let mut pairing = Pairing {
+        let mut pairing = SidePairing {
             triangles,
             group_ends,
             twins: vec![[NO_TWIN; 3]; triangles.len()],
@@ -64,51 +65,51 @@ impl DualGraph {
         Self { twins: pairing.twins }
     }
 
-    /// Nodes, one for each triangle; degenerate triangles have no link.
+    /// Number of nodes, one for each triangle; degenerate triangles have no links.
     pub fn triangle_count(&self) -> usize {
         self.twins.len()
     }
 
-    /// The triangle on the other side of side `k` (from corner `k` to the next), if there is one.
+    /// The triangle across side `k` (from corner `k` to the next corner), if there is one.
     #[inline]
     pub fn neighbor(&self, triangle: u32, k: usize) -> Option<u32> {
         self.twin(3 * triangle + k as u32).map(|side| side / 3)
     }
 
-    /// The neighbors across the three sides, `u32::MAX` where there is none.
+    /// The triangles across the three sides; [`NO_TWIN`] for sides without a link.
     ///
-    /// One triangle can be there twice: two triangles can share two edges.
+    /// A triangle can appear twice, since two triangles can share two edges.
     #[inline]
     pub fn neighbors(&self, triangle: u32) -> [u32; 3] {
         self.twins[triangle as usize].map(|side| if side == NO_TWIN { NO_TWIN } else { side / 3 })
     }
 
-    /// The twin of every side, [`NO_TWIN`] if it has none.
+    /// The twin of every side; [`NO_TWIN`] for sides without a link.
     pub fn twins(&self) -> &[u32] {
         self.twins.as_flattened()
     }
 
-    /// The side `3 * triangle + k` that runs along the same edge the other way.
+    /// The side of the neighboring triangle that is linked with this side, `3 * triangle + k`.
     #[inline]
     pub fn twin(&self, side: u32) -> Option<u32> {
         let twin = self.twins[side as usize / 3][side as usize % 3];
         (twin != NO_TWIN).then_some(twin)
     }
 
-    /// Links at a triangle, 0 to 3.
+    /// Number of links of a triangle, 0 to 3.
     #[inline]
     pub fn degree(&self, triangle: u32) -> usize {
         self.twins[triangle as usize].iter().filter(|&&side| side != NO_TWIN).count()
     }
 
-    /// Links in all.
+    /// Number of links in the graph.
     pub fn link_count(&self) -> usize {
         self.twins.iter().flatten().filter(|&&side| side != NO_TWIN).count() / 2
     }
 }
 
-/// The sides of all proper triangles by the lower of their ends: where each vertex's begin, and for each side
-/// the higher end and, in the low 32 bits, the side.
+/// The sides of all non-degenerate triangles, sorted by the lower vertex of each: the start of each
+/// vertex's list, and for each side its higher vertex (high 32 bits) and its index (low 32 bits).
 fn sides_by_low_end(triangles: &[[u32; 3]], vertex_count: usize) -> (Vec<u32>, Vec<u64>) {
     let ends = |[a, b, c]: [u32; 3]| [(a, b), (b, c), (c, a)].map(|(a, b)| (a.min(b), a.max(b)));
     let proper =
@@ -132,17 +133,18 @@ fn sides_by_low_end(triangles: &[[u32; 3]], vertex_count: usize) -> (Vec<u32>, V
     (firsts, sides)
 }
 
-/// Pairs the sides of one edge after another.
-struct Pairing<'a> {
+/// Pairs up the sides of one edge at a time.
+struct SidePairing<'a> {
     triangles: &'a [[u32; 3]],
     group_ends: &'a [u32],
     twins: Vec<[u32; 3]>,
-    /// Sides of the edge at hand that run to its higher end, and to its lower one.
+    /// Sides of the current edge that run towards its higher vertex, and those that run towards its lower
+    /// one.
     edge: [Vec<u32>; 2],
 }
 
-impl Pairing<'_> {
-    /// Sides of an edge, rising in their low 32 bits.
+impl SidePairing<'_> {
+    /// Pairs up the sides of an edge; their indices, in the low 32 bits, are increasing.
     fn pair_edge(&mut self, sides: &[u64]) {
         for side in sides.iter().map(|&side| side as u32) {
             let [a, b, c] = self.triangles[side as usize / 3];
@@ -151,7 +153,7 @@ impl Pairing<'_> {
         }
         let group_of = |side: u32| self.group_ends.partition_point(|&end| end <= side / 3);
         let [mut up, mut down] = [0, 0];
-        // Sides rise with their triangles, and so do groups: one pass pairs group by group.
+        // The lists are sorted by triangle and thus by group, so a single pass pairs up group after group.
         while let (Some(&a), Some(&b)) = (self.edge[0].get(up), self.edge[1].get(down)) {
             let order =
                 if self.group_ends.len() == 1 { Ordering::Equal } else { group_of(a).cmp(&group_of(b)) };
@@ -166,7 +168,7 @@ impl Pairing<'_> {
     }
 }
 
-/// One past the last triangle of each group that has any.
+/// End of each non-empty group: one past its last triangle.
 fn group_ends(mesh: &IndexedMesh) -> Vec<u32> {
     mesh.groups_or_whole()
         .iter()
@@ -186,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn links_know_both_ends() {
+    fn both_sides_of_a_link_store_each_other() {
         let graph = DualGraph::of_vertices(&plain(&[[0, 1, 2], [0, 2, 3], [2, 1, 4]]));
         assert_eq!(graph.neighbors(0), [NO_TWIN, 2, 1]);
         assert_eq!(graph.neighbors(1), [0, NO_TWIN, NO_TWIN]);
@@ -196,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn only_opposite_directions_link() {
+    fn only_opposite_sides_are_linked() {
         let graph = DualGraph::of_vertices(&plain(&[[0, 1, 2], [0, 1, 3]]));
         assert_eq!(graph.link_count(), 0);
         let moebius = DualGraph::of_vertices(&shapes::moebius_strip(5));
@@ -219,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn groups_and_seams_are_borders() {
+    fn links_do_not_cross_groups_and_seams() {
         let mut mesh = plain(&[[0, 1, 2], [1, 0, 3], [0, 1, 4], [1, 0, 5]]);
         let group = |first, count| TriangleGroup { first, count, ..TriangleGroup::default() };
         mesh.groups = vec![group(0, 1), group(1, 0), group(1, 3)];
@@ -232,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn two_sides_of_a_pillow_share_three_links() {
+    fn two_opposite_triangles_share_three_links() {
         let graph = DualGraph::of_vertices(&plain(&[[0, 1, 2], [0, 2, 1]]));
         assert_eq!((graph.neighbors(0), graph.link_count()), ([1, 1, 1], 3));
     }

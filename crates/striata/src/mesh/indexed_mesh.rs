@@ -1,40 +1,40 @@
-//! The indexed triangle mesh that every stage takes and gives.
+//! The indexed triangle mesh that every stage of the library reads and returns.
 
 use std::ops::Range;
 
 use super::{Appearance, AttributeLayer, Semantic};
 
-/// A run of triangles that share a material.
+/// A run of consecutive triangles that share a material.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TriangleGroup {
-    /// The group's own name (an OBJ group, a glTF mesh); may be empty.
+    /// Name of the group (an OBJ group, a glTF mesh); may be empty.
     pub name: String,
-    /// Index into [`Appearance::materials`], if the triangles have one.
+    /// Index into [`Appearance::materials`], or `None` if the triangles have no material.
     pub material: Option<u32>,
-    /// First triangle of the run.
+    /// Index of the first triangle of the run.
     pub first: u32,
-    /// Triangles in the run.
+    /// Number of triangles in the run.
     pub count: u32,
 }
 
 impl TriangleGroup {
-    /// The triangles of the group, as a range of indices.
+    /// Range of the group's triangle indices.
     pub fn range(&self) -> Range<usize> {
         self.first as usize..self.first as usize + self.count as usize
     }
 }
 
-/// Axis-aligned bounds of positions.
+/// Axis-aligned bounding box of positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Smallest coordinates, mesh units.
+    /// Smallest coordinates, in mesh units.
     pub min: [f32; 3],
-    /// Largest coordinates, mesh units.
+    /// Largest coordinates, in mesh units.
     pub max: [f32; 3],
 }
 
 impl Bounds {
-    /// Bounds of the finite positions; `None` where there is none.
+    /// Computes the bounds of all finite positions; `None` if there are none.
     pub fn of(positions: &[[f32; 3]]) -> Option<Self> {
         let mut finite = positions.iter().filter(|p| p.iter().all(|x| x.is_finite()));
         let first = *finite.next()?;
@@ -48,140 +48,141 @@ impl Bounds {
         Some(bounds)
     }
 
-    /// Length of the diagonal, mesh units.
+    /// Length of the diagonal, in mesh units.
     pub fn diagonal(&self) -> f64 {
         (0..3).map(|a| f64::from(self.max[a]) - f64::from(self.min[a])).map(|d| d * d).sum::<f64>().sqrt()
     }
 }
 
-/// What makes a mesh unusable as it stands; each names the place.
+/// Why a mesh is unusable as it is.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// A triangle names a vertex that is not there.
+    /// A triangle refers to a vertex that does not exist.
     #[error("triangle {triangle} uses vertex {vertex}, but there are {vertex_count} vertices")]
     IndexOutOfRange {
-        /// The triangle.
+        /// Index of the triangle.
         triangle: usize,
-        /// The vertex it names.
+        /// The vertex index it contains.
         vertex: u32,
-        /// Vertices that exist.
+        /// Number of vertices in the mesh.
         vertex_count: usize,
     },
     /// A coordinate is NaN or infinite.
     #[error("vertex {vertex} has the coordinate {value} on axis {axis}")]
     NonFinitePosition {
-        /// The vertex.
+        /// Index of the vertex.
         vertex: usize,
-        /// 0, 1 or 2.
+        /// Axis of the coordinate: 0, 1 or 2.
         axis: usize,
-        /// What stands there.
+        /// The coordinate found.
         value: f32,
     },
-    /// A layer's length does not fit the vertices.
-    #[error("layer {semantic} holds {found} numbers, but {vertex_count} vertices need {expected}")]
+    /// The length of a layer does not match the number of vertices.
+    #[error("layer {semantic} has {found} values, but {vertex_count} vertices need {expected}")]
     LayerLength {
-        /// The layer.
+        /// Meaning of the layer.
         semantic: Semantic,
-        /// Numbers found.
+        /// Number of values found, over all vertices.
         found: usize,
-        /// Numbers needed.
+        /// Number of values needed.
         expected: usize,
-        /// Vertices of the mesh.
+        /// Number of vertices in the mesh.
         vertex_count: usize,
     },
-    /// Groups do not tile the triangles in order.
+    /// The groups do not cover all triangles in order, without gaps or overlaps.
     #[error(
-        "group {group} covers triangles {first}..{end}, but {expected_first} was next of {triangle_count}"
+        "group {group} covers triangles {first}..{end}, but the groups must cover all {triangle_count} \
+         triangles in order and this one must begin at {expected_first}"
     )]
     GroupRange {
-        /// The group.
+        /// Index of the group.
         group: usize,
         /// Its first triangle.
         first: u64,
         /// One past its last triangle.
         end: u64,
-        /// Where it should begin.
+        /// The triangle at which it should begin.
         expected_first: u64,
-        /// Triangles of the mesh.
+        /// Number of triangles in the mesh.
         triangle_count: usize,
     },
-    /// A group names a material that is not there.
-    #[error("group {group} uses material {material}, but there are {material_count}")]
+    /// A group refers to a material that does not exist.
+    #[error("group {group} uses material {material}, but there are {material_count} materials")]
     MaterialOutOfRange {
-        /// The group.
+        /// Index of the group.
         group: usize,
-        /// The material it names.
+        /// The material index it contains.
         material: u32,
-        /// Materials that exist.
+        /// Number of materials.
         material_count: usize,
     },
-    /// More vertices or triangles than 32-bit indices can name.
-    #[error("{what} number {count}, but at most {limit} can be handled")]
+    /// The mesh has more vertices or triangles than 32-bit indices can address.
+    #[error("the mesh has {count} {what}, but the limit is {limit}")]
     TooLarge {
         /// `vertices` or `triangles`.
         what: &'static str,
-        /// How many there are.
+        /// Number of them in the mesh.
         count: usize,
-        /// How many can be.
+        /// Largest number supported.
         limit: usize,
     },
 }
 
-/// Triangles over vertices; a vertex is a position with one value of every layer.
+/// A triangle mesh: triangles that index into vertices, with attribute layers, groups and materials.
 ///
-/// Fields are public: files fill them, GPUs and scripts read them. [`IndexedMesh::check`] says
-/// whether they fit together; every operation of this crate checks before it trusts.
+/// The fields are public, so that importers can fill them and GPUs and scripts can read them.
+/// [`IndexedMesh::check`] reports whether they are consistent; every operation of this crate calls it first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IndexedMesh {
-    /// One position a vertex, mesh units.
+    /// Position of each vertex, in mesh units.
     pub positions: Vec<[f32; 3]>,
-    /// Three vertex indices a triangle, counter-clockwise seen from outside.
+    /// Vertex indices of each triangle, counter-clockwise when seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// Attribute layers, each as long as `positions`.
+    /// Attribute layers, each with data for every vertex.
     pub layers: Vec<AttributeLayer>,
-    /// Consecutive runs that cover all triangles in order; empty means one unnamed group.
+    /// Consecutive runs that cover all triangles in order; if empty, all triangles form one unnamed group.
     pub groups: Vec<TriangleGroup>,
-    /// Materials and images that groups refer to.
+    /// Materials and images that the groups refer to.
     pub appearance: Appearance,
 }
 
-/// Most vertices or triangles that a mesh may have: three corners and a link for each triangle can then be counted in 32 bits, and the
-/// largest index, which means primitive restart, is that of no vertex.
+/// Largest number of vertices or triangles in a mesh. Below this limit, three corners plus one link per
+/// triangle still fit into 32 bits, and no vertex has the largest index, which means primitive restart.
 pub(crate) const MAX_COUNT: usize = u32::MAX as usize / 4;
 
 impl IndexedMesh {
-    /// A mesh of positions and triangles alone.
+    /// Creates a mesh without attributes, groups or materials.
     pub fn new(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>) -> Self {
         Self { positions, triangles, ..Self::default() }
     }
 
-    /// Vertices, used or not.
+    /// Number of vertices, whether used or not.
     pub fn vertex_count(&self) -> usize {
         self.positions.len()
     }
 
-    /// Triangles.
+    /// Number of triangles.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// The layer with this meaning, if there is one.
+    /// The first layer with this meaning, if there is one.
     pub fn layer(&self, semantic: &Semantic) -> Option<&AttributeLayer> {
         self.layers.iter().find(|layer| layer.semantic == *semantic)
     }
 
-    /// Bounds of the positions; `None` for a mesh without finite positions.
+    /// Bounds of all finite positions; `None` if there are none.
     pub fn bounds(&self) -> Option<Bounds> {
         Bounds::of(&self.positions)
     }
 
-    /// Length of the bounds' diagonal, mesh units; 0 for an empty mesh.
+    /// Length of the diagonal of the bounds, in mesh units; 0 for an empty mesh.
     pub fn diagonal(&self) -> f64 {
         self.bounds().map_or(0.0, |b| b.diagonal())
     }
 
-    /// The groups, with the one implied group spelled out where the list is empty.
+    /// The groups, or a single group of all triangles if the list is empty.
     pub fn groups_or_whole(&self) -> Vec<TriangleGroup> {
         if self.groups.is_empty() {
             vec![TriangleGroup { count: self.triangles.len() as u32, ..TriangleGroup::default() }]
@@ -190,10 +191,10 @@ impl IndexedMesh {
         }
     }
 
-    /// Checks that all parts fit together: indices, lengths, groups, finite positions.
+    /// Checks that the mesh is consistent: indices, layer lengths, groups, and finite positions.
     ///
     /// # Errors
-    /// The first misfit, with its place.
+    /// The first inconsistency found, as a [`MeshError`].
     pub fn check(&self) -> Result<(), MeshError> {
         self.check_sizes()?;
         let vertex_count = self.positions.len();
@@ -252,9 +253,9 @@ impl IndexedMesh {
         Ok(())
     }
 
-    /// The mesh with its vertices picked and reordered: vertex `i` of the result is `order[i]` here.
+    /// Selects and reorders vertices: vertex `i` of the result is vertex `order[i]` of this mesh.
     ///
-    /// `new_index[v]` must say where old vertex `v` went; triangles are renamed by it.
+    /// `new_index[v]` must be the index of old vertex `v` in `order`; it is applied to the triangles.
     pub(crate) fn gather(&self, order: &[u32], new_index: &[u32]) -> Self {
         Self {
             positions: order.iter().map(|&v| self.positions[v as usize]).collect(),
@@ -265,7 +266,7 @@ impl IndexedMesh {
         }
     }
 
-    /// The mesh without vertices that no triangle uses; kept vertices stay in order.
+    /// A copy of the mesh without the vertices that no triangle uses; the other vertices keep their order.
     pub fn without_unused_vertices(&self) -> Self {
         let mut new_index = vec![u32::MAX; self.positions.len()];
         for &v in self.triangles.iter().flatten() {

@@ -1,7 +1,8 @@
-//! Indexed triangle meshes, and everything that is true of a mesh before any model is built from it.
+//! Indexed triangle meshes: attributes, welding, validation, measurement, and the collapse sequence.
 //!
-//! A **vertex** is what a GPU means by it: a position with its attributes. Vertices that share one
-//! position are its **wedges**; [`weld`] finds them and gives each position a number.
+//! This module contains everything that is known about a mesh before a model is built from it. A **vertex**
+//! is what a GPU means by it: a position together with its attributes. Vertices that share one position are
+//! its **wedges**; [`weld`] finds them and assigns an index to each distinct position.
 
 mod adjacency;
 mod appearance;
@@ -50,5 +51,5 @@ pub use sequence::{CollapseSequence, RefinableMesh, SequenceParts};
 pub use sequence_error::SequenceError;
 pub use statistics::Statistics;
 pub use triangle_tree::{Nearest, TriangleTree};
-pub use validate::{LISTED_OF_EACH_KIND, Report, validate};
+pub use validate::{MAX_LISTED_PER_KIND, Report, validate};
 pub use weld::{Welded, weld};

@@ -1,24 +1,24 @@
-//! Positions against vertices: which vertices are wedges of one position.
+//! The mapping between positions and their vertices (wedges).
 
-/// Numbers the positions of a mesh whose wedges are neighbors: position `p` owns the vertices
-/// `first[p]..first[p + 1]`.
+/// Maps positions to vertices and back, for a mesh whose wedges are consecutive: position `p` owns the
+/// vertices `first[p]..first[p + 1]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PositionIndex {
     first: Vec<u32>,
-    /// Left empty where every position has one vertex: the two numberings are then the same.
+    /// Position of each vertex; empty if every position has one vertex, since the two indices are then equal.
     position_of: Vec<u32>,
 }
 
 impl PositionIndex {
-    /// One vertex a position.
+    /// Creates an index in which every position has exactly one vertex.
     pub fn identity(vertex_count: usize) -> Self {
         Self { first: (0..=vertex_count as u32).collect(), position_of: Vec::new() }
     }
 
-    /// From the first vertex of each position, closed by the vertex count.
+    /// Creates an index from the first vertex of each position, followed by the vertex count.
     ///
     /// # Panics
-    /// If `first` does not start at 0 or does not rise strictly.
+    /// If `first` does not start at 0 or is not strictly increasing.
     pub fn from_first(first: Vec<u32>) -> Self {
         assert_eq!(first.first(), Some(&0), "positions start at vertex 0");
         assert!(first.windows(2).all(|w| w[0] < w[1]), "every position owns at least one vertex");
@@ -33,17 +33,17 @@ impl PositionIndex {
         Self { first, position_of }
     }
 
-    /// Positions.
+    /// Number of positions.
     pub fn position_count(&self) -> usize {
         self.first.len() - 1
     }
 
-    /// Vertices of all positions.
+    /// Number of vertices.
     pub fn vertex_count(&self) -> usize {
         self.first[self.first.len() - 1] as usize
     }
 
-    /// True where every position has exactly one vertex.
+    /// Whether every position has exactly one vertex.
     pub fn is_identity(&self) -> bool {
         self.position_of.is_empty()
     }
@@ -66,7 +66,7 @@ impl PositionIndex {
         self.first[position as usize]..self.first[position as usize + 1]
     }
 
-    /// First vertex of every position, closed by the vertex count.
+    /// First vertex of every position, followed by the vertex count.
     pub fn first_vertices(&self) -> &[u32] {
         &self.first
     }

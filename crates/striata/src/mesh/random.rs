@@ -1,9 +1,9 @@
-//! The one source of pseudo-random numbers: splitmix64, seeded, the same on every machine.
+//! The library's pseudo-random number generator: splitmix64, seeded, the same on every machine.
 //!
-//! Tests, generated meshes and stratified samples need numbers without pattern, never secrets. Splitmix64
-//! passes the usual batteries, takes any seed and is five lines, so no crate is drawn in for it.
+//! Tests, generated meshes and stratified samples need numbers without patterns, but no secrets. Splitmix64
+//! passes the usual test batteries, accepts any seed and takes five lines, so a dependency would not pay off.
 
-/// A seeded stream of pseudo-random numbers.
+/// A seeded pseudo-random number generator.
 ///
 /// ```
 /// use striata::mesh::Random;
@@ -15,7 +15,7 @@
 pub struct Random(u64);
 
 impl Random {
-    /// A stream; equal seeds give equal streams, and any seed is good.
+    /// Creates a generator. Equal seeds give equal sequences, and every seed is equally good.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
@@ -30,19 +30,19 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Uniform in `0..limit`; 0 where `limit` is 0.
+    /// Uniform integer in `0..limit`; 0 if `limit` is 0.
     #[inline]
     pub fn below(&mut self, limit: u32) -> u32 {
         ((u128::from(self.next_u64()) * u128::from(limit)) >> 64) as u32
     }
 
-    /// Uniform in `0.0..1.0`.
+    /// Uniform float in `0.0..1.0`.
     #[inline]
     pub fn unit(&mut self) -> f64 {
         (self.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Uniform in `low..high`, as a float.
+    /// Uniform float in `low..high`.
     pub fn between(&mut self, low: f32, high: f32) -> f32 {
         (f64::from(low) + (f64::from(high) - f64::from(low)) * self.unit()) as f32
     }
@@ -53,14 +53,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn first_numbers_are_the_published_ones() {
+    fn matches_the_published_test_vector() {
         let mut random = Random::new(1_234_567);
         let expected = [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423];
         assert_eq!([(); 3].map(|()| random.next_u64()), expected);
     }
 
     #[test]
-    fn ranges_are_kept_and_filled() {
+    fn values_fill_their_ranges_evenly() {
         let mut random = Random::new(0);
         let mut seen = [0; 6];
         for _ in 0..6_000 {

@@ -1,14 +1,14 @@
-//! The oracle: a level by plain substitution of vertices, triangle by triangle.
+//! Reference extraction of a level: every corner follows its collapse targets. The tests' oracle.
 //!
-//! Every model must show the same oriented triangles as [`replay`] at every split count. It is slow on
-//! purpose (each corner follows its targets) and short enough to be right.
+//! Every model must show the same oriented triangles as [`replay`] at every split count. This code is
+//! deliberately simple and slow, so that it is easy to see that it is right.
 
 use super::{IndexedMesh, RefinableMesh, TriangleGroup};
 
-/// The level of `refinable` after `split_count` vertex splits, as a mesh of its own.
+/// Extracts the level of `refinable` after `split_count` vertex splits as a separate mesh.
 ///
-/// Vertices are the first so many of the full mesh, triangles keep their order and their groups; triangles
-/// that have lost a corner are gone.
+/// Its vertices are a prefix of those of the full mesh; triangles keep their order and their groups.
+/// Triangles that have become degenerate are left out.
 ///
 /// # Panics
 /// If `split_count` exceeds the step count.
@@ -39,7 +39,7 @@ pub fn replay(refinable: &RefinableMesh, split_count: usize) -> IndexedMesh {
     level
 }
 
-/// Appends what is left of `triangles` at `split_count` to `out`.
+/// Extracts the level of the given triangles at `split_count`, appending those that remain to `out`.
 ///
 /// # Panics
 /// If `split_count` exceeds the step count.
@@ -51,16 +51,16 @@ pub fn replay_into(
 ) {
     let sequence = &refinable.sequence;
     let vertex_count = sequence.vertex_count_at(split_count) as u32;
-    let shown = |mut v: u32| {
+    let substitute = |mut v: u32| {
         while v >= vertex_count {
             v = sequence.target(v);
         }
         v
     };
-    out.extend(triangles.iter().map(|t| t.map(shown)).filter(|&[a, b, c]| a != b && b != c && c != a));
+    out.extend(triangles.iter().map(|t| t.map(substitute)).filter(|&[a, b, c]| a != b && b != c && c != a));
 }
 
-/// A triangle turned so that its smallest index comes first: its winding stays.
+/// Rotates a triangle so that its smallest index comes first; the winding stays the same.
 pub(crate) fn canonical_triangle([a, b, c]: [u32; 3]) -> [u32; 3] {
     if a <= b && a <= c {
         [a, b, c]
@@ -71,8 +71,8 @@ pub(crate) fn canonical_triangle([a, b, c]: [u32; 3]) -> [u32; 3] {
     }
 }
 
-/// Triangles turned so that the smallest index comes first, then sorted: equal lists are equal multisets
-/// of oriented triangles.
+/// Rotates every triangle so that its smallest index comes first, then sorts them: equal results mean equal
+/// multisets of oriented triangles.
 pub fn canonical_triangles(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let mut out: Vec<_> = triangles.iter().map(|&t| canonical_triangle(t)).collect();
     out.sort_unstable();

@@ -1,9 +1,9 @@
-//! The simplification sequence that every model is built from.
+//! The collapse sequence that every model is built from.
 //!
-//! A mesh of [`RefinableMesh`] is numbered in **refinement order**: the base mesh's positions first, then each
-//! position in the order in which refinement brings it back. A mesh refined by `split_count` vertex splits
-//! therefore uses a prefix of the vertices, and the sequence needs to store only where each vertex
-//! collapses to, its **target**, which always has a smaller number.
+//! The vertices of a [`RefinableMesh`] are in **refinement order**: first the positions of the base mesh,
+//! then every other position in the order in which refinement restores it. A mesh refined by `split_count`
+//! vertex splits therefore uses a prefix of the vertices. All that the sequence has to store is the vertex
+//! that each vertex collapses to, its **target**, which always has a smaller index.
 //!
 //! ```text
 //! positions   0 1 2 .. base-1 | base  base+1  ..  base+step_count-1
@@ -14,24 +14,25 @@
 use super::sequence_error::check_length;
 use super::{IndexedMesh, Levels, PositionIndex, SequenceError};
 
-/// The arrays of a [`CollapseSequence`], as builders and files hand them over.
+/// The arrays of a [`CollapseSequence`], as passed by builders and file readers.
 #[derive(Clone, Debug)]
 pub struct SequenceParts {
-    /// First vertex of every position in refinement order, closed by the vertex count.
+    /// First vertex of every position in refinement order, followed by the vertex count.
     pub positions: PositionIndex,
-    /// Positions of the base mesh.
+    /// Number of positions of the base mesh.
     pub base_position_count: usize,
-    /// Target of every vertex from the base's vertex count on.
+    /// Target of every vertex that is not in the base mesh.
     pub targets: Vec<u32>,
-    /// Error of the level at split count `s`, one for each step, mesh units; never rising.
+    /// Error of the level at each split count below the step count, in mesh units; never increasing.
     pub errors: Vec<f32>,
-    /// Triangles that collapsing the position of step `s` removes.
+    /// Number of triangles that collapsing the position of each step removes.
     pub removed_triangle_counts: Vec<u8>,
-    /// Triangles of the full mesh.
+    /// Number of triangles of the full mesh.
     pub triangle_count: usize,
 }
 
-/// Where every position collapses to, in refinement order, with errors and triangle counts.
+/// The target of every collapsed vertex, in refinement order, with the errors and triangle counts of the
+/// levels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CollapseSequence {
     levels: Levels,
@@ -40,10 +41,10 @@ pub struct CollapseSequence {
 }
 
 impl CollapseSequence {
-    /// Checks the parts and puts them together.
+    /// Checks the parts and assembles them into a sequence.
     ///
     /// # Errors
-    /// [`SequenceError`] naming the first part that does not fit.
+    /// [`SequenceError`] for the first inconsistency found.
     pub fn from_parts(parts: SequenceParts) -> Result<Self, SequenceError> {
         let SequenceParts {
             positions,
@@ -71,32 +72,32 @@ impl CollapseSequence {
         Ok(Self { levels, targets, removed_triangle_counts })
     }
 
-    /// How large each level is, and how far off.
+    /// Sizes and errors of the levels.
     pub fn levels(&self) -> &Levels {
         &self.levels
     }
 
-    /// Positions and their wedges.
+    /// The vertices (wedges) of each position.
     pub fn positions(&self) -> &PositionIndex {
         self.levels.positions()
     }
 
-    /// Steps from the base mesh to the full mesh.
+    /// Number of steps from the base mesh to the full mesh.
     pub fn step_count(&self) -> usize {
         self.levels.step_count()
     }
 
-    /// Positions of the base mesh.
+    /// Number of positions of the base mesh.
     pub fn base_position_count(&self) -> usize {
         self.levels.base_position_count()
     }
 
-    /// Vertices of the base mesh.
+    /// Number of vertices of the base mesh.
     pub fn base_vertex_count(&self) -> usize {
         self.vertex_count_at(0)
     }
 
-    /// Vertices that a level shows: always the first so many of the vertex buffer.
+    /// Number of vertices at a level: it uses this many vertices from the start of the vertex buffer.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count.
@@ -104,7 +105,7 @@ impl CollapseSequence {
         self.levels.vertex_count_at(split_count)
     }
 
-    /// Triangles that a level shows.
+    /// Number of triangles at a level.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count.
@@ -112,7 +113,7 @@ impl CollapseSequence {
         self.levels.triangle_count_at(split_count)
     }
 
-    /// Object-space error of a level, mesh units; 0 for the full mesh.
+    /// Object-space error of a level, in mesh units; 0 for the full mesh.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count.
@@ -120,50 +121,51 @@ impl CollapseSequence {
         self.levels.error_at(split_count)
     }
 
-    /// The vertices (wedges) that step `step` restores.
+    /// The vertices (wedges) that a step restores.
     #[inline]
     pub fn step_vertices(&self, step: usize) -> std::ops::Range<u32> {
         self.levels.step_vertices(step)
     }
 
-    /// The vertex that `vertex` becomes when its position is collapsed; itself for a vertex of the base.
+    /// The vertex that `vertex` becomes when its position is collapsed; `vertex` itself if it is in the
+    /// base mesh.
     #[inline]
     pub fn target(&self, vertex: u32) -> u32 {
         let base = self.levels.base_vertex_count() as u32;
         if vertex < base { vertex } else { self.targets[(vertex - base) as usize] }
     }
 
-    /// Targets of the vertices from the base's vertex count on.
+    /// Targets of all vertices that are not in the base mesh, in order.
     pub fn targets(&self) -> &[u32] {
         &self.targets
     }
 
-    /// Error of the level at each split count below the step count; never rising.
+    /// Error of the level at each split count below the step count; never increasing.
     pub fn errors(&self) -> &[f32] {
         self.levels.errors()
     }
 
-    /// Triangles that each step's collapse removes.
+    /// Number of triangles that the collapse of each step removes.
     pub fn removed_triangle_counts(&self) -> &[u8] {
         &self.removed_triangle_counts
     }
 
-    /// The most detailed level with at most `triangle_count` triangles; the base if none has so few.
+    /// Split count of the most detailed level with at most `triangle_count` triangles; 0 if there is none.
     pub fn split_count_for_triangles(&self, triangle_count: usize) -> usize {
         self.levels.split_count_for_triangles(triangle_count)
     }
 
-    /// The most detailed level with at most `vertex_count` vertices; the base if none has so few.
+    /// Split count of the most detailed level with at most `vertex_count` vertices; 0 if there is none.
     pub fn split_count_for_vertices(&self, vertex_count: usize) -> usize {
         self.levels.split_count_for_vertices(vertex_count)
     }
 
-    /// The coarsest level whose error is at most `error` mesh units.
+    /// Split count of the coarsest level whose error is at most `error` mesh units.
     pub fn split_count_for_error(&self, error: f64) -> usize {
         self.levels.split_count_for_error(error)
     }
 
-    /// The level nearest to a detail of 0 (base) to 1 (full) that does not exceed it.
+    /// Split count of the most detailed level that does not exceed a detail from 0.0 (base) to 1.0 (full).
     pub fn split_count_for_detail(&self, detail: f64) -> usize {
         self.levels.split_count_for_detail(detail)
     }
@@ -190,17 +192,17 @@ fn check_targets(positions: &PositionIndex, base: usize, targets: &[u32]) -> Res
     Ok(())
 }
 
-/// A mesh in refinement order with its sequence: all levels of detail at once.
+/// A mesh in refinement order together with its collapse sequence, from which every level can be derived.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RefinableMesh {
-    /// The full mesh, vertices in refinement order, no unused vertices, no degenerate triangles.
+    /// The full mesh: vertices in refinement order, no unused vertices, no degenerate triangles.
     pub mesh: IndexedMesh,
-    /// How it is simplified.
+    /// How the mesh is simplified.
     pub sequence: CollapseSequence,
 }
 
 impl RefinableMesh {
-    /// The same without the coarsest levels: its base is what this one shows at a split count.
+    /// Drops the coarsest levels: the level at `split_count` becomes the new base mesh.
     ///
     /// # Panics
     /// If `split_count` exceeds the step count.

@@ -1,68 +1,71 @@
-//! What is wrong with a sequence that does not hang together.
+//! Errors of inconsistent sequences.
 
-/// What makes the arrays of a sequence inconsistent.
+/// Why the arrays of a sequence are inconsistent.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SequenceError {
-    /// An array's length does not fit the others.
-    #[error("the sequence holds {found} {what}, expected {expected}")]
+    /// The length of an array does not match the others.
+    #[error("the sequence has {found} {what}, expected {expected}")]
     Length {
-        /// Which array.
+        /// Name of the array.
         what: &'static str,
-        /// Its length.
+        /// Length of the array.
         found: usize,
-        /// The length that fits.
+        /// Length that the other arrays imply.
         expected: usize,
     },
-    /// The first vertices of the positions do not rise from 0 to the vertex count.
+    /// The first vertices of the positions do not increase from 0 to the vertex count.
     #[error("position {position} begins at vertex {first}, which is out of order")]
     PositionOrder {
-        /// The position.
+        /// Index of the position.
         position: usize,
         /// Its first vertex.
         first: u32,
     },
-    /// A vertex collapses to one that is not older than its own position.
-    #[error("vertex {vertex} collapses to {target}, but only vertices below {limit} are there")]
+    /// A vertex collapses to a vertex that does not come before its own position.
+    #[error("vertex {vertex} collapses to vertex {target}, but its target must be below {limit}")]
     Target {
-        /// The vertex.
+        /// The collapsed vertex.
         vertex: usize,
         /// Its target.
         target: u32,
-        /// First vertex of its position.
+        /// First vertex of the collapsed position.
         limit: u32,
     },
     /// The wedges of one position collapse to different positions.
-    #[error("vertex {vertex} collapses to position {found}, its neighbor wedge to {expected}")]
+    #[error(
+        "vertex {vertex} collapses to position {found}, but another wedge of its position collapses \
+         to {expected}"
+    )]
     SplitTarget {
-        /// The vertex.
+        /// The collapsed vertex.
         vertex: usize,
-        /// Position that it collapses to.
+        /// Position that this vertex collapses to.
         found: u32,
         /// Position that the first wedge collapses to.
         expected: u32,
     },
-    /// An error is negative, not a number, or grows with detail.
-    #[error("step {step} carries the error {error}, after {previous}")]
+    /// An error is negative, not finite, or grows with detail.
+    #[error("step {step} has the error {error}, after {previous}: errors must be at least 0 and never rise")]
     Error {
-        /// The step.
+        /// Index of the step.
         step: usize,
         /// Its error.
         error: f32,
-        /// The error of the step before.
+        /// Error of the previous step.
         previous: f32,
     },
-    /// The counts of removed triangles do not lead from the full mesh to a base mesh.
-    #[error("the steps remove {removed} triangles of {triangle_count}")]
+    /// The counts of removed triangles exceed the triangles of the full mesh.
+    #[error("the steps remove {removed} triangles, but the full mesh has {triangle_count}")]
     TriangleCount {
-        /// Triangles that all steps remove.
+        /// Number of triangles that all steps remove together.
         removed: u64,
-        /// Triangles of the full mesh.
+        /// Number of triangles of the full mesh.
         triangle_count: usize,
     },
 }
 
-/// Checks that an array has the length that it should have.
+/// Checks that an array has the expected length.
 pub(super) fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), SequenceError> {
     if found == expected { Ok(()) } else { Err(SequenceError::Length { what, found, expected }) }
 }

@@ -1,65 +1,64 @@
-//! What a mesh is like in numbers: counts, topology, size.
+//! Statistics of a mesh: counts, topology, size.
 //!
 //! Everything is counted by position (vertices with bit-equal coordinates, -0 being 0), so the numbers do
-//! not depend on how a file splits vertices at seams. Topology comes from [`Adjacency`]; the genus follows from
-//! Euler's formula where the surface is an oriented manifold, and is not given elsewhere.
+//! not depend on how a file splits vertices at seams. Topology comes from [`Adjacency`]; the genus follows
+//! from Euler's formula and is reported only if the surface is an oriented manifold.
 //!
-//! Cost: O(n) expected time, about 150 bytes a triangle while it counts.
+//! Cost: O(n) expected time, about 150 bytes per triangle while counting.
 
 use glam::DVec3;
 
 use super::disjoint_sets::DisjointSets;
-use super::weld::number_positions;
+use super::weld::index_positions;
 use super::{Adjacency, Bounds, IndexedMesh, MeshError};
 
-/// Numbers about one mesh.
+/// Counts, topology and size of a mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Statistics {
-    /// Vertices, used or not.
+    /// Number of vertices, whether used or not.
     pub vertex_count: usize,
-    /// Triangles, degenerate or not.
+    /// Number of triangles, whether degenerate or not.
     pub triangle_count: usize,
-    /// Different positions of vertices, used or not.
+    /// Number of distinct vertex positions, whether used or not.
     pub position_count: usize,
-    /// Vertices that no triangle names.
+    /// Number of vertices that no triangle uses.
     pub unused_vertex_count: usize,
-    /// Triangles without area: two corners at one position, or three on a line.
+    /// Number of triangles without area: two corners at one position, or three on a line.
     pub degenerate_triangle_count: usize,
-    /// Triangles with the positions of an earlier one, in either direction.
+    /// Number of triangles with the same positions as an earlier one, in either direction.
     pub duplicate_triangle_count: usize,
-    /// Edges between positions.
+    /// Number of edges between positions.
     pub edge_count: usize,
-    /// Pieces that share no position.
+    /// Number of connected components; triangles that share a position are connected.
     pub component_count: usize,
-    /// Edges with one triangle.
+    /// Number of edges with one triangle.
     pub boundary_edge_count: usize,
-    /// Loops that the boundary edges form; loops that touch count as one.
+    /// Number of loops of boundary edges; loops that touch count as one.
     pub boundary_loop_count: usize,
-    /// Edges with more than two triangles.
+    /// Number of edges with more than two triangles.
     pub non_manifold_edge_count: usize,
-    /// Bow-ties: positions where pieces meet that share no edge there.
+    /// Number of bow-ties: positions where pieces of surface meet that share no edge there.
     pub non_manifold_vertex_count: usize,
-    /// Edges whose two triangles face opposite ways.
+    /// Number of edges whose two triangles face opposite ways.
     pub inconsistent_edge_count: usize,
-    /// Vertices minus edges plus triangles, of what is used and has three different corners.
+    /// Vertices minus edges plus triangles, counting only used positions and non-degenerate triangles.
     pub euler_characteristic: i64,
-    /// Handles, summed over components; `None` unless the mesh is an oriented manifold.
+    /// Number of handles, summed over components; `None` unless the mesh is an oriented manifold.
     pub genus: Option<usize>,
-    /// True where there are triangles and every edge has two or more of them.
+    /// Whether the mesh has triangles and no boundary edges.
     pub is_closed: bool,
-    /// Sum of the triangles' areas, square mesh units.
+    /// Sum of the areas of all triangles, in square mesh units.
     pub area: f64,
-    /// Bounds of all vertices; `None` where there is none.
+    /// Bounds of all vertices; `None` if there are none.
     pub bounds: Option<Bounds>,
 }
 
 impl Statistics {
-    /// Counts everything.
+    /// Computes the statistics of a mesh.
     ///
     /// # Errors
-    /// [`MeshError`] where the mesh's parts do not fit together; [`validate`](super::validate) then
-    /// tells more.
+    /// [`MeshError`] if the mesh is inconsistent; [`validate`](super::validate) then reports all defects.
     pub fn of(mesh: &IndexedMesh) -> Result<Self, MeshError> {
         mesh.check()?;
         let (triangles, position_count) = triangles_by_position(mesh);
@@ -97,7 +96,7 @@ impl Statistics {
         self.genus = self.genus_of_manifold();
     }
 
-    /// Each component has V - E + F = 2 - 2 * genus - loops.
+    /// Genus from V - E + F = 2 - 2 * genus - loops, which holds for each component.
     fn genus_of_manifold(&self) -> Option<usize> {
         let defects =
             self.non_manifold_edge_count + self.non_manifold_vertex_count + self.inconsistent_edge_count;
@@ -108,24 +107,26 @@ impl Statistics {
         usize::try_from((spheres - self.euler_characteristic) / 2).ok()
     }
 
-    /// True where no edge or vertex is non-manifold and all triangles face consistently; boundaries may be.
+    /// Whether all edges and vertices are manifold and all triangles face consistently; boundaries are
+    /// allowed.
     pub fn is_oriented_manifold(&self) -> bool {
         self.genus.is_some()
     }
 }
 
-/// The triangles with positions for corners, and the number of positions; indices must be in range.
+/// The triangles with positions as corners, and the number of positions; indices must be in range.
 pub(super) fn triangles_by_position(mesh: &IndexedMesh) -> (Vec<[u32; 3]>, usize) {
-    let position_of = number_positions(&mesh.positions);
+    let position_of = index_positions(&mesh.positions);
     let position_count = position_of.iter().max().map_or(0, |&p| p as usize + 1);
     (mesh.triangles.iter().map(|t| t.map(|v| position_of[v as usize])).collect(), position_count)
 }
 
 impl IndexedMesh {
-    /// Pieces that share no position: [`Statistics::component_count`] without the rest, in linear time.
+    /// Number of connected components, as in [`Statistics::component_count`] but without computing anything
+    /// else; linear time.
     ///
     /// # Errors
-    /// [`MeshError`] where the mesh's parts do not fit together.
+    /// [`MeshError`] if the mesh is inconsistent.
     pub fn component_count(&self) -> Result<usize, MeshError> {
         self.check()?;
         let (triangles, position_count) = triangles_by_position(self);
@@ -142,14 +143,14 @@ impl IndexedMesh {
     }
 }
 
-/// A triangle's area, square mesh units; exactly 0 where two corners are at one position.
+/// Area of a triangle, in square mesh units; exactly 0 if two corners have the same position.
 pub(super) fn area_of(mesh: &IndexedMesh, triangle: usize) -> f64 {
     let corner = |v: u32| DVec3::from_array(mesh.positions[v as usize].map(f64::from));
     let [a, b, c] = mesh.triangles[triangle].map(corner);
     0.5 * (b - a).cross(c - a).length()
 }
 
-/// Vertices that no triangle names, rising; indices out of range are passed over.
+/// Vertices that no triangle uses, in increasing order; indices out of range are ignored.
 pub(super) fn unused_vertices(mesh: &IndexedMesh) -> impl Iterator<Item = usize> {
     let mut used = vec![false; mesh.positions.len()];
     for &v in mesh.triangles.iter().flatten() {
@@ -160,18 +161,20 @@ pub(super) fn unused_vertices(mesh: &IndexedMesh) -> impl Iterator<Item = usize>
     used.into_iter().enumerate().filter(|(_, used)| !used).map(|(v, _)| v)
 }
 
-/// A triangle over the same three corners as an earlier one.
+/// A triangle with the same three corners as an earlier one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Duplicate {
     pub(super) triangle: u32,
-    /// The first triangle over these corners.
+    /// The first triangle with these corners.
     pub(super) first: u32,
     pub(super) is_opposite: bool,
 }
 
-/// All triangles over the corners of an earlier one, rising; degenerate triangles are never duplicates.
+/// All triangles with the same corners as an earlier one, in increasing order; degenerate triangles are
+/// never duplicates.
 pub(super) fn duplicate_triangles(triangles: &[[u32; 3]]) -> Vec<Duplicate> {
-    // Two of three steps around rise, or one: that is which way round sorted corners run.
+    // Around an even permutation of sorted corners, two of the three steps go up; around an odd one, only
+    // one does.
     let is_even = |[a, b, c]: [u32; 3]| [a < b, b < c, c < a].into_iter().filter(|&rises| rises).count() == 2;
     let mut sorted: Vec<([u32; 3], u32)> = Vec::with_capacity(triangles.len());
     for (t, &corners) in triangles.iter().enumerate() {
@@ -204,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_square_with_everything_in_it() {
+    fn counts_degenerate_duplicate_and_unused_elements() {
         let positions =
             vec![[0., 0., 0.], [2., 0., 0.], [2., 3., 0.], [0., 3., 0.], [1., 0., 0.], [-0., 0., 0.]];
         let triangles = vec![[0, 1, 2], [5, 2, 3], [2, 0, 1], [3, 2, 0], [0, 4, 1], [0, 5, 3]];
@@ -219,10 +222,10 @@ mod tests {
     }
 
     #[test]
-    fn components_alone_are_those_of_all_numbers() {
+    fn component_count_agrees_with_statistics() {
         let mut compared = 0;
         for (name, mesh) in shapes::nasty() {
-            // An error may hold a NaN, which equals nothing.
+            // An error may contain a NaN, which is not equal to itself, so compare only successes.
             let whole = Statistics::of(&mesh).ok().map(|statistics| statistics.component_count);
             assert_eq!(mesh.component_count().ok(), whole, "{name}");
             compared += usize::from(whole.is_some_and(|count| count > 1));
@@ -231,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn duplicates_know_their_direction() {
+    fn duplicates_report_their_direction() {
         let found = duplicate_triangles(&[[3, 1, 2], [1, 2, 3], [4, 4, 4], [2, 1, 3], [4, 4, 4], [1, 2, 4]]);
         let duplicate = |triangle, is_opposite| Duplicate { triangle, first: 0, is_opposite };
         assert_eq!(found, vec![duplicate(1, false), duplicate(3, true)]);
@@ -253,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_manifold_is_counted() {
+    fn non_manifold_edges_and_vertices_are_counted() {
         let book = of(&shapes::book(4));
         assert_eq!((book.non_manifold_edge_count, book.boundary_edge_count, book.genus), (1, 8, None));
         let tie = of(&shapes::bow_tie());

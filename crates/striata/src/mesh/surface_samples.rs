@@ -1,22 +1,23 @@
-//! Points spread over a surface: where samples lie, in proportion to area or length.
+//! Sample points on a surface, distributed by area and by edge length.
 //!
-//! Samples are stratified: sample `k` of `n` lies where the running weight passes `k / n`, and inside its triangle at the next
-//! point of a low-discrepancy sequence. They are computed when they are measured; none is stored.
+//! Samples are stratified: sample `k` of `n` lies in the triangle in which the running sum of the weights
+//! passes `k / n`, at the next point of a low-discrepancy sequence. Sample points are computed when they
+//! are needed and never stored.
 
 use std::ops::Range;
 
 use glam::DVec3;
 
-use super::triangle_tree::exact;
+use super::triangle_tree::to_dvec3;
 use super::{IndexedMesh, Random};
 
-/// Area samples for each sample on a side.
-const AREA_PER_SIDE: usize = 4;
+/// Number of area samples for each sample on an edge.
+const AREA_SAMPLES_PER_EDGE_SAMPLE: usize = 4;
 
-/// Samples that one task measures: fixed, so that sums do not depend on the number of threads.
-const CHUNK: usize = 4_096;
+/// Number of samples that one task measures; fixed, so that sums do not depend on the number of threads.
+const CHUNK_SIZE: usize = 4_096;
 
-/// Where the samples of one surface lie; they are made when they are measured.
+/// The sample points of one surface, computed on demand.
 pub(super) struct Samples<'a> {
     pub(super) mesh: &'a IndexedMesh,
     pub(super) used_vertices: Vec<u32>,
@@ -26,7 +27,7 @@ pub(super) struct Samples<'a> {
 }
 
 impl<'a> Samples<'a> {
-    /// `sample_count` of them on the area, and fewer on the sides; see `DistanceOptions`.
+    /// Places `sample_count` samples on the area and fewer on the edges; see `DistanceOptions`.
     pub(super) fn new(mesh: &'a IndexedMesh, sample_count: usize, seed: u64) -> Self {
         let mut used = vec![false; mesh.positions.len()];
         for &v in mesh.triangles.iter().flatten() {
@@ -34,18 +35,18 @@ impl<'a> Samples<'a> {
         }
         let mut random = Random::new(seed);
         let areas = mesh.triangles.iter().map(|t| {
-            let [a, b, c] = t.map(|v| exact(mesh.positions[v as usize]));
+            let [a, b, c] = t.map(|v| to_dvec3(mesh.positions[v as usize]));
             (b - a).cross(c - a).length()
         });
         let lengths = mesh.triangles.iter().map(|t| {
-            let [a, b, c] = t.map(|v| exact(mesh.positions[v as usize]));
+            let [a, b, c] = t.map(|v| to_dvec3(mesh.positions[v as usize]));
             (b - a).length() + (c - b).length() + (a - c).length()
         });
         Self {
             mesh,
             used_vertices: (0..used.len() as u32).filter(|&v| used[v as usize]).collect(),
             areas: Strata::new(areas, sample_count, random.unit()),
-            sides: Strata::new(lengths, sample_count.div_ceil(AREA_PER_SIDE), random.unit()),
+            sides: Strata::new(lengths, sample_count.div_ceil(AREA_SAMPLES_PER_EDGE_SAMPLE), random.unit()),
             seed: random.next_u64(),
         }
     }
@@ -55,10 +56,10 @@ impl<'a> Samples<'a> {
     }
 
     pub(super) fn corners(&self, triangle: usize) -> [DVec3; 3] {
-        self.mesh.triangles[triangle].map(|v| exact(self.mesh.positions[v as usize]))
+        self.mesh.triangles[triangle].map(|v| to_dvec3(self.mesh.positions[v as usize]))
     }
 
-    /// `u` runs once around the triangle, at equal speed.
+    /// Point on the perimeter of a triangle; `u` from 0 to 1 goes around it once, at constant speed.
     pub(super) fn point_on_side(&self, triangle: usize, u: f64) -> DVec3 {
         let [a, b, c] = self.corners(triangle);
         let lengths = [(b - a).length(), (c - b).length(), (a - c).length()];
@@ -72,7 +73,8 @@ impl<'a> Samples<'a> {
         a
     }
 
-    /// A point of a triangle; points that are spread evenly over a square are spread evenly over the triangle.
+    /// Point of a triangle; points distributed evenly over the unit square are distributed evenly over the
+    /// triangle.
     pub(super) fn point_on_triangle(&self, triangle: usize, uv: [f64; 2]) -> DVec3 {
         let [a, b, c] = self.corners(triangle);
         let [_, v, w] = weights_on_triangle(uv);
@@ -80,15 +82,17 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// Weights of the three corners: the square of `u` and `v` is folded onto its lower half, so equal areas stay equal.
+/// Barycentric coordinates for a point of the unit square, whose upper half is folded onto the lower one:
+/// areas stay in proportion.
 pub(super) fn weights_on_triangle([u, v]: [f64; 2]) -> [f64; 3] {
     let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
     [1.0 - u - v, u, v]
 }
 
-/// Point `k` of Roberts' two-dimensional sequence, whose first `n` points are evenly spread for every `n`.
-pub(super) fn spread(seed: u64, k: usize) -> [f64; 2] {
-    // 2^64 divided by the plastic number and by its square; wrapping is the fractional part, exactly.
+/// Point `k` of Roberts' two-dimensional R2 sequence, whose first `n` points are evenly spread for every `n`.
+pub(super) fn low_discrepancy_point(seed: u64, k: usize) -> [f64; 2] {
+    // 2^64 divided by the plastic number and by its square; wrapping arithmetic takes the fractional part
+    // exactly.
     const STEPS: [u64; 2] = [0xC13F_A9A9_02A6_328F, 0x91E1_0DA5_C79E_7B1D];
     let starts = [seed, seed.rotate_left(32)];
     std::array::from_fn(|d| {
@@ -97,14 +101,14 @@ pub(super) fn spread(seed: u64, k: usize) -> [f64; 2] {
     })
 }
 
-/// Samples dealt to triangles in proportion to a weight, by systematic sampling.
+/// Samples assigned to triangles in proportion to a weight, by systematic sampling.
 pub(super) struct Strata {
-    /// First sample of each triangle, closed by the count.
+    /// Index of the first sample of each triangle, followed by the sample count.
     first: Vec<usize>,
 }
 
 impl Strata {
-    /// Deals `count` samples, or none where all weights are 0; `shift` in 0..1 moves all of them.
+    /// Assigns `count` samples, or none if all weights are 0; `shift` in 0..1 offsets all of them.
     pub(super) fn new(weights: impl Iterator<Item = f64> + Clone, count: usize, shift: f64) -> Self {
         let total: f64 = weights.clone().sum();
         let mut first = vec![0];
@@ -127,7 +131,7 @@ impl Strata {
         self.first[self.first.len() - 1]
     }
 
-    /// Calls `f` with each sample of the range and its triangle.
+    /// Calls `f` with every sample of the range and its triangle.
     pub(super) fn for_each(&self, range: Range<usize>, mut f: impl FnMut(usize, usize)) {
         let mut triangle = self.first.partition_point(|&first| first <= range.start) - 1;
         for k in range {
@@ -139,16 +143,16 @@ impl Strata {
     }
 }
 
-/// Measures `0..count` chunk by chunk, with or without threads; results come in order.
-pub(super) fn in_chunks<T: Send>(count: usize, measure: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    let chunk = |index: usize| measure(index * CHUNK..((index + 1) * CHUNK).min(count));
+/// Calls `measure` for `0..count` in chunks, on several threads if enabled; returns the results in order.
+pub(super) fn map_chunks<T: Send>(count: usize, measure: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    let chunk = |index: usize| measure(index * CHUNK_SIZE..((index + 1) * CHUNK_SIZE).min(count));
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;
-        (0..count.div_ceil(CHUNK)).into_par_iter().map(chunk).collect()
+        (0..count.div_ceil(CHUNK_SIZE)).into_par_iter().map(chunk).collect()
     }
     #[cfg(not(feature = "parallel"))]
-    (0..count.div_ceil(CHUNK)).map(chunk).collect()
+    (0..count.div_ceil(CHUNK_SIZE)).map(chunk).collect()
 }
 
 #[cfg(test)]
@@ -156,7 +160,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn samples_follow_the_area() {
+    fn samples_are_proportional_to_area() {
         let strata = Strata::new([1.0, 0.0, 3.0, 0.5].into_iter(), 900, 0.3);
         assert_eq!(strata.first, vec![0, 200, 200, 800, 900]);
         let mut dealt = [0; 4];

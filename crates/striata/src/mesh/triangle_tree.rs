@@ -1,36 +1,38 @@
-//! A tree of boxes over triangles that answers "how far is this point from the surface?".
+//! Point-to-surface distance queries, by a tree of boxes over the triangles of a mesh.
 //!
-//! A [tree of boxes](BoxTree) finds in f32 the few triangles that matter; their distances are computed in f64. Boxes are a little larger and costs a little dearer than the truth, by more than f32
-//! rounds, so no box is skipped that holds a nearer triangle: the distance is the exact minimum, the same on
-//! every machine. Boxes live in a frame where the mesh spans -1..1, triangles keep the mesh's own coordinates:
-//! coordinates around 1e7 or 1e-7 lose nothing.
+//! A [tree of boxes](BoxTree) in f32 finds the few triangles that can be nearest; their distances are
+//! computed in f64. Boxes are enlarged, and search limits raised, by more than f32 rounds, so no box that
+//! contains a nearer triangle is ever skipped: the result is the exact minimum, the same on every machine.
+//! The boxes use a frame in which the mesh spans -1..1, while the triangles keep their own coordinates, so
+//! nothing is lost for coordinates around 1e7 or 1e-7.
 //!
-//! Cost: O(n log n) to build, O(log n) expected for a point near the surface; about 70 bytes a triangle.
+//! Cost: O(n log n) to build, O(log n) expected per query near the surface; about 70 bytes per triangle.
 
 use glam::{DVec3, Vec3A};
 
 use super::box_tree::{AxisBox, BoxTree};
 use super::{IndexedMesh, MeshError};
 
-/// Added to every box on all sides, in a frame where the mesh spans -1..1; f32 rounds by 6e-8 there.
+/// Margin added to every box on all sides, in a frame in which the mesh spans -1..1; f32 rounds by 6e-8
+/// there.
 const BOX_MARGIN: f32 = 1e-6;
 
-/// Factor on costs of triangles, for what f32 rounds on points far away.
+/// Factor on search limits, which covers the rounding of f32 for points far away.
 const COST_MARGIN: f64 = 1.0 + 2e-6;
 
-/// Farther out than this many half extents, f64 sees the mesh as one point.
+/// Distance in half extents beyond which the mesh is a single point in f64.
 const FAR: f64 = 1e17;
 
 /// The triangle nearest to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest {
-    /// Distance, mesh units.
+    /// Distance, in mesh units.
     pub distance: f64,
-    /// The triangle's index in its mesh; of several at the same distance, any one.
+    /// Index of the triangle in its mesh; if several are equally near, any of them.
     pub triangle: u32,
 }
 
-/// A point-to-surface index over the triangles of one mesh.
+/// A spatial index over the triangles of a mesh, which finds the triangle nearest to a point.
 ///
 /// ```
 /// use striata::mesh::{IndexedMesh, TriangleTree};
@@ -41,24 +43,24 @@ pub struct Nearest {
 /// ```
 pub struct TriangleTree {
     boxes: BoxTree,
-    /// Corners of the triangles, in the mesh's order and coordinates.
+    /// Corners of the triangles, in the order and the coordinates of the mesh.
     corners: Vec<[[f32; 3]; 3]>,
-    /// Middle of the frame of the boxes, mesh units.
+    /// Center of the boxes' frame, in mesh units.
     center: DVec3,
-    /// Frame units for a mesh unit.
+    /// Frame units per mesh unit.
     scale: f64,
 }
 
 impl TriangleTree {
-    /// Builds the tree; triangles may be degenerate, and there may be none.
+    /// Builds the tree; the mesh may contain degenerate triangles, or none at all.
     ///
     /// # Errors
-    /// [`MeshError`] where an index is out of range or a coordinate not finite.
+    /// [`MeshError`] if the mesh is inconsistent or a coordinate is not finite.
     pub fn new(mesh: &IndexedMesh) -> Result<Self, MeshError> {
         mesh.check()?;
         let corners: Vec<[[f32; 3]; 3]> =
             mesh.triangles.iter().map(|t| t.map(|v| mesh.positions[v as usize])).collect();
-        let points = || corners.iter().flatten().map(|&p| exact(p));
+        let points = || corners.iter().flatten().map(|&p| to_dvec3(p));
         let min = points().fold(DVec3::INFINITY, DVec3::min);
         let max = points().fold(DVec3::NEG_INFINITY, DVec3::max);
         let half_extent = 0.5 * (max - min).max_element();
@@ -70,12 +72,12 @@ impl TriangleTree {
         Ok(tree)
     }
 
-    /// Distance of the point to the surface, mesh units; infinite where there is no triangle.
+    /// Distance between a point and the surface, in mesh units; infinite if there are no triangles.
     pub fn distance_to(&self, point: [f64; 3]) -> f64 {
         self.nearest(point).map_or(f64::INFINITY, |nearest| nearest.distance)
     }
 
-    /// The nearest triangle; `None` where there is none, or where the point is not finite.
+    /// The triangle nearest to a point; `None` if there are no triangles or the point is not finite.
     pub fn nearest(&self, point: [f64; 3]) -> Option<Nearest> {
         let point = DVec3::from_array(point);
         let mut triangle = usize::MAX;
@@ -83,14 +85,15 @@ impl TriangleTree {
         (triangle != usize::MAX).then_some(Nearest { distance, triangle: triangle as u32 })
     }
 
-    /// Distance of a finite point whose nearest triangle is probably that of the query before.
+    /// Distance of a finite point whose nearest triangle is probably the one found by the previous query.
     ///
-    /// `triangle` carries that triangle from query to query; it changes the work, never the distance.
+    /// `triangle` passes that triangle on from query to query. It affects the speed, never the result.
     pub(super) fn distance_from_hint(&self, point: DVec3, triangle: &mut usize) -> f64 {
         self.distance_within(point, 0.0, triangle)
     }
 
-    /// Distance as [`Self::distance_from_hint`] finds it, or that of any triangle that is no farther than `enough`.
+    /// Distance like [`Self::distance_from_hint`], but stops at any triangle that is no farther than
+    /// `enough`.
     pub(crate) fn distance_within(&self, point: DVec3, enough: f64, triangle: &mut usize) -> f64 {
         let in_frame = (point - self.center) * self.scale;
         let is_far = in_frame.abs().max_element() > FAR;
@@ -101,16 +104,16 @@ impl TriangleTree {
             *triangle = usize::MAX;
             return f64::INFINITY;
         };
-        // Squared: roots are taken once per query.
+        // Squared, so that only one square root is needed per query.
         let mut squared = squared_distance_to_triangle(point, corners);
         let enough = enough * enough;
         if !is_far && squared > enough {
             let squared_scale = self.scale * self.scale * COST_MARGIN;
             let limit = (squared * squared_scale) as f32;
-            self.boxes.visit_near(in_frame.as_vec3a(), limit, |tried| {
-                let other = squared_distance_to_triangle(point, &self.corners[tried]);
+            self.boxes.visit_near(in_frame.as_vec3a(), limit, |candidate| {
+                let other = squared_distance_to_triangle(point, &self.corners[candidate]);
                 if other < squared {
-                    (squared, *triangle) = (other, tried);
+                    (squared, *triangle) = (other, candidate);
                 }
                 if squared <= enough { 0.0 } else { (squared * squared_scale) as f32 }
             });
@@ -118,38 +121,43 @@ impl TriangleTree {
         squared.sqrt()
     }
 
-    /// Hands over triangles that are within `reach` of a finite point, each with its distance, mesh units; near ones tend to
-    /// come first. `visit` returns the reach from then on, which may shrink. A few triangles beyond the reach come as well.
+    /// Visits the triangles within `reach` of a finite point, roughly from near to far, with their
+    /// distances in mesh units.
+    ///
+    /// `visit` returns the reach for the rest of the search, which may shrink. A few triangles beyond the
+    /// reach are visited as well.
     pub(super) fn visit_within(&self, point: DVec3, reach: f64, mut visit: impl FnMut(usize, f64) -> f64) {
         let in_frame = (point - self.center) * self.scale;
-        let distance_to = |tried: usize| squared_distance_to_triangle(point, &self.corners[tried]).sqrt();
+        let distance_to =
+            |candidate: usize| squared_distance_to_triangle(point, &self.corners[candidate]).sqrt();
         if in_frame.abs().max_element() > FAR {
-            for tried in 0..self.corners.len() {
-                visit(tried, distance_to(tried));
+            for candidate in 0..self.corners.len() {
+                visit(candidate, distance_to(candidate));
             }
             return;
         }
-        // A reach of 0 must not leave out the boxes that the point is in.
+        // A reach of 0 must not skip the boxes that contain the point.
         let limit = |reach: f64| (((reach * self.scale).powi(2) * COST_MARGIN) as f32).max(f32::MIN_POSITIVE);
-        self.boxes
-            .visit_near(in_frame.as_vec3a(), limit(reach), |tried| limit(visit(tried, distance_to(tried))));
+        self.boxes.visit_near(in_frame.as_vec3a(), limit(reach), |candidate| {
+            limit(visit(candidate, distance_to(candidate)))
+        });
     }
 
     fn box_of(&self, corners: &[[f32; 3]; 3]) -> AxisBox {
-        let [a, b, c] = corners.map(|corner| ((exact(corner) - self.center) * self.scale).as_vec3a());
+        let [a, b, c] = corners.map(|corner| ((to_dvec3(corner) - self.center) * self.scale).as_vec3a());
         let margin = Vec3A::splat(BOX_MARGIN);
         AxisBox { min: a.min(b).min(c) - margin, max: a.max(b).max(c) + margin }
     }
 }
 
-/// Squared distance of a point to a triangle, which may be a segment or a point.
+/// Squared distance between a point and a triangle, which may be degenerate.
 ///
-/// Over the inside it is the distance to the plane; elsewhere the nearest point lies on a side that turns its
-/// back on the point. Corners are f32, so their differences are all but exact in f64, and a needle's normal
-/// is as good as any other.
+/// Above the interior it is the distance to the plane; elsewhere the nearest point is on an edge that faces
+/// the point. Corners are f32, so their differences are almost exact in f64, and the normal of a needle is
+/// as good as any other.
 #[inline]
 fn squared_distance_to_triangle(point: DVec3, corners: &[[f32; 3]; 3]) -> f64 {
-    let [a, b, c] = corners.map(|corner| exact(corner) - point);
+    let [a, b, c] = corners.map(|corner| to_dvec3(corner) - point);
     let sides = [(a, b - a), (b, c - b), (c, a - c)];
     let normal = sides[0].1.cross(sides[1].1);
     let squared_normal = normal.length_squared();
@@ -166,7 +174,7 @@ fn squared_distance_to_triangle(point: DVec3, corners: &[[f32; 3]; 3]) -> f64 {
     squared
 }
 
-/// Squared distance of the origin to the segment from `start` along `side`.
+/// Squared distance between the origin and the segment from `start` to `start + side`.
 #[inline]
 fn squared_distance_to_segment(start: DVec3, side: DVec3) -> f64 {
     let along = -start.dot(side);
@@ -180,9 +188,9 @@ fn squared_distance_to_segment(start: DVec3, side: DVec3) -> f64 {
     }
 }
 
-/// A position without loss.
+/// Converts a position to f64, which is exact.
 #[inline]
-pub(super) fn exact(position: [f32; 3]) -> DVec3 {
+pub(super) fn to_dvec3(position: [f32; 3]) -> DVec3 {
     DVec3::from_array(position.map(f64::from))
 }
 
@@ -197,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn every_region_of_a_triangle() {
+    fn distances_are_right_in_every_region_around_a_triangle() {
         assert_eq!(distance([1., 1., -2.], &CORNERS), 2.0);
         assert_eq!(distance([1., 1., 0.], &CORNERS), 0.0);
         assert_eq!(distance([2., -3., 4.], &CORNERS), 5.0);
@@ -205,7 +213,7 @@ mod tests {
         assert_eq!(distance([-3., -4., 12.], &CORNERS), 13.0);
         assert_eq!(distance([7., -4., 0.], &CORNERS), 5.0);
         assert_eq!(distance([0., 8., 12.], &CORNERS), 13.0);
-        // Over the middle of the long side, which runs along (-4, 3).
+        // Above the middle of the long side, which runs along (-4, 3).
         assert!((distance([2. + 3., 1.5 + 4., 0.], &CORNERS) - 5.0).abs() < 1e-12);
     }
 
@@ -218,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn the_tree_agrees_with_trying_all() {
+    fn the_tree_agrees_with_brute_force() {
         let mut random = crate::mesh::Random::new(3);
         let mut point = |scale: f32| [(); 3].map(|()| random.between(-scale, scale));
         let mut mesh = IndexedMesh::default();
@@ -243,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn no_triangle_and_no_number() {
+    fn empty_meshes_and_nan_points_have_no_nearest_triangle() {
         let empty = TriangleTree::new(&IndexedMesh::default()).unwrap();
         assert_eq!(empty.nearest([0.0; 3]), None);
         assert_eq!(empty.distance_to([0.0; 3]), f64::INFINITY);
@@ -254,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn points_as_far_as_numbers_reach() {
+    fn distances_are_exact_for_very_distant_points() {
         let mesh = IndexedMesh::new(CORNERS.to_vec(), vec![[0, 1, 2], [0, 2, 1]]);
         let tree = TriangleTree::new(&mesh).unwrap();
         for z in [1e6, 1e16, 1e19, 1e37, 1e150] {
@@ -264,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hundred_thousand_equal_triangles_still_make_a_tree() {
+    fn equal_triangles_do_not_degenerate_the_tree() {
         let mesh = IndexedMesh::new(CORNERS.to_vec(), vec![[0, 1, 2]; 100_000]);
         assert_eq!(TriangleTree::new(&mesh).unwrap().distance_to([1., 1., 7.]), 7.0);
     }

@@ -1,23 +1,24 @@
-//! Everything that is wrong with a mesh, with its place.
+//! Finds everything that is wrong with a mesh and reports where.
 //!
-//! [`IndexedMesh::check`] stops at the first thing that would make a mesh unusable; this looks at all of the
-//! mesh, broken or not, and also finds what is legal but seldom meant: degenerate and duplicate
-//! triangles, non-manifold places, bad attributes. A boundary is no defect.
+//! [`IndexedMesh::check`] stops at the first thing that makes a mesh unusable. [`validate`] looks at the
+//! whole mesh, broken or not, and also finds what is legal but rarely intended: degenerate and duplicate
+//! triangles, non-manifold edges and vertices, bad attributes. A boundary is not a defect.
 //!
-//! Cost: O(n log n) time, about 150 bytes a triangle; the report keeps a fixed number of defects of each kind.
+//! Cost: O(n log n) time, about 150 bytes per triangle; the report lists at most a fixed number of defects
+//! of each kind.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
 use super::defect::{Defect, DefectKind};
 use super::statistics::{area_of, duplicate_triangles, unused_vertices};
-use super::weld::number_positions;
+use super::weld::index_positions;
 use super::{Adjacency, AttributeLayer, IndexedMesh, LayerData, MeshError, Semantic};
 
-/// Defects that a [`Report`] lists of each kind; all are counted.
-pub const LISTED_OF_EACH_KIND: usize = 16;
+/// Number of defects of each kind that a [`Report`] lists; further ones are only counted.
+pub const MAX_LISTED_PER_KIND: usize = 16;
 
-/// What [`validate`] found.
+/// Defects found by [`validate`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
     defects: Vec<Defect>,
@@ -25,22 +26,22 @@ pub struct Report {
 }
 
 impl Report {
-    /// The first [`LISTED_OF_EACH_KIND`] defects of each kind, kind by kind.
+    /// The first [`MAX_LISTED_PER_KIND`] defects of each kind, sorted by kind.
     pub fn defects(&self) -> &[Defect] {
         &self.defects
     }
 
-    /// How many defects of a kind there are, listed or not.
+    /// Number of defects of a kind, listed or not.
     pub fn count(&self, kind: DefectKind) -> usize {
         self.counts.get(&kind).copied().unwrap_or(0)
     }
 
-    /// The kinds found, with how many there are.
+    /// Kinds of defects found, with the number of each.
     pub fn counts(&self) -> impl Iterator<Item = (DefectKind, usize)> + '_ {
         self.counts.iter().map(|(&kind, &count)| (kind, count))
     }
 
-    /// True where nothing was found.
+    /// Whether no defect was found.
     pub fn is_clean(&self) -> bool {
         self.counts.is_empty()
     }
@@ -48,13 +49,13 @@ impl Report {
     fn add(&mut self, defect: Defect) {
         let count = self.counts.entry(defect.kind()).or_insert(0);
         *count += 1;
-        if *count <= LISTED_OF_EACH_KIND {
+        if *count <= MAX_LISTED_PER_KIND {
             self.defects.push(defect);
         }
     }
 }
 
-/// A line for each listed defect, and one for each kind with more than are listed.
+/// Prints a line for each listed defect, and one for each kind that has more defects than are listed.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for run in self.defects.chunk_by(|a, b| a.kind() == b.kind()) {
@@ -70,7 +71,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// Looks for everything that can be wrong with a mesh.
+/// Checks a mesh for every kind of [`Defect`].
 ///
 /// ```
 /// use striata::mesh::{IndexedMesh, validate};
@@ -91,7 +92,7 @@ pub fn validate(mesh: &IndexedMesh) -> Report {
     }
     find_bad_numbers(mesh, &mut report);
     let triangles = find_bad_triangles(mesh, &mut report);
-    find_bad_joints(mesh, &triangles, &mut report);
+    find_bad_topology(mesh, &triangles, &mut report);
     unused_vertices(mesh).for_each(|vertex| report.add(Defect::UnusedVertex { vertex }));
     find_bad_layers(mesh, &mut report);
     find_bad_weights(mesh, &mut report);
@@ -114,9 +115,10 @@ fn find_bad_numbers(mesh: &IndexedMesh, report: &mut Report) {
     }
 }
 
-/// Reports degenerate triangles; returns the triangles by position, those out of range made degenerate.
+/// Reports degenerate and duplicate triangles; returns all triangles with their positions as corners, those
+/// with an index out of range as degenerate ones.
 fn find_bad_triangles(mesh: &IndexedMesh, report: &mut Report) -> Vec<[u32; 3]> {
-    let position_of = number_positions(&mesh.positions);
+    let position_of = index_positions(&mesh.positions);
     let mut triangles = Vec::with_capacity(mesh.triangles.len());
     for (triangle, &corners) in mesh.triangles.iter().enumerate() {
         if corners.iter().any(|&v| v as usize >= position_of.len()) {
@@ -143,8 +145,8 @@ fn find_bad_triangles(mesh: &IndexedMesh, report: &mut Report) -> Vec<[u32; 3]> 
     triangles
 }
 
-fn find_bad_joints(mesh: &IndexedMesh, triangles: &[[u32; 3]], report: &mut Report) {
-    // Positions are numbered no higher than vertices.
+fn find_bad_topology(mesh: &IndexedMesh, triangles: &[[u32; 3]], report: &mut Report) {
+    // There are never more positions than vertices.
     let adjacency = Adjacency::of_triangles(triangles.to_vec(), mesh.vertex_count());
     let vertex_at = |corner: u32| mesh.triangles[corner as usize / 3][corner as usize % 3];
     for edge in adjacency.edges().filter(|edge| edge.is_non_manifold() || edge.is_inconsistent()) {
@@ -200,7 +202,7 @@ fn expected_components(semantic: &Semantic) -> Components {
 }
 
 fn find_bad_attributes(layer: &AttributeLayer, report: &mut Report) {
-    // Integers are finite, and their vectors as long as quantization makes them.
+    // Integers are always finite, and their vectors have unit length up to quantization.
     let LayerData::F32(data) = &layer.data else { return };
     let is_unit = matches!(layer.semantic, Semantic::Normal | Semantic::Tangent);
     for (vertex, numbers) in data.chunks(usize::from(layer.component_count).max(1)).enumerate() {
@@ -220,7 +222,8 @@ fn find_bad_attributes(layer: &AttributeLayer, report: &mut Report) {
     }
 }
 
-/// Eight-bit weights round by up to 4 / 510 in all, so a hundredth is let pass.
+/// Reports joint weights that do not sum to 1. The tolerance of 0.01 allows for rounding: eight-bit weights
+/// are off by up to 4 / 510 in total.
 fn find_bad_weights(mesh: &IndexedMesh, report: &mut Report) {
     let vertex_count = mesh.vertex_count();
     let fits = |layer: &&AttributeLayer| {
@@ -236,7 +239,7 @@ fn find_bad_weights(mesh: &IndexedMesh, report: &mut Report) {
             .iter()
             .flat_map(|set| (0..usize::from(set.component_count)).map(|c| f64::from(set.get(vertex, c))));
         let sum: f64 = weights.sum();
-        // Weights that are not finite have been named already.
+        // Weights that are not finite have been reported already.
         if sum.is_finite() && (sum - 1.0).abs() > 0.01 {
             report.add(Defect::WeightSum { vertex, sum });
         }
@@ -255,7 +258,7 @@ mod tests {
     const SQUARE: [[f32; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
 
     #[test]
-    fn clean_meshes_are_clean() {
+    fn sound_meshes_have_no_defects() {
         for mesh in [shapes::hard_cube(), shapes::uv_cylinder(7, 2), shapes::two_material_sphere(4, 5)] {
             assert_eq!(lines(&mesh), Vec::<String>::new());
             assert!(validate(&mesh).is_clean());
@@ -263,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn triangles_are_named() {
+    fn triangle_defects_are_reported() {
         let mut mesh = IndexedMesh::new(SQUARE.to_vec(), vec![[0, 1, 1], [0, 1, 4], [0, 1, 2], [2, 0, 1]]);
         mesh.positions.push([-0.0, 0.0, 0.0]);
         mesh.positions.push([2.0, 0.0, 0.0]);
@@ -271,21 +274,21 @@ mod tests {
         let expected = [
             "triangle 6 uses vertex 9, but there are 6 vertices",
             "triangle 0 uses vertex 1 twice",
-            "triangle 1 uses vertices 4 and 0, which are at one position",
-            "triangle 5 has its corners on a line",
+            "triangle 1 uses vertices 4 and 0, which have the same position",
+            "triangle 5 has collinear corners",
             "triangle 3 repeats triangle 2",
             "triangle 4 repeats triangle 2 facing the other way",
             "the edge between vertices 0 and 1 has 4 triangles",
             "the edge between vertices 2 and 4 has 3 triangles",
             "the edge between vertices 1 and 2 has 3 triangles",
-            "vertex 3 is used by no triangle",
+            "vertex 3 is not used by any triangle",
         ];
         assert_eq!(lines(&mesh), expected);
     }
 
     #[test]
-    fn joints_of_the_surface_are_named() {
-        assert_eq!(lines(&shapes::bow_tie()), ["2 pieces of surface meet in vertex 0 alone"]);
+    fn topological_defects_are_reported() {
+        assert_eq!(lines(&shapes::bow_tie()), ["2 pieces of surface meet only in vertex 0"]);
         let turned = IndexedMesh::new(SQUARE.to_vec(), vec![[0, 1, 2], [2, 0, 3]]);
         assert_eq!(
             lines(&turned),
@@ -294,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn attributes_are_named() {
+    fn attribute_defects_are_reported() {
         let mut mesh = IndexedMesh::new(SQUARE.to_vec(), vec![[0, 1, 2], [0, 2, 3]]);
         let normals = vec![0., 0., 1., 0., 0., 2., 0., f32::NAN, 0., 0., 0., 0.995];
         mesh.layers = vec![
@@ -308,9 +311,9 @@ mod tests {
             AttributeLayer::from_f32(Semantic::Normal, 2, vec![1.0; 7]),
         ];
         let expected = [
-            "layer normal holds 7 numbers, but 4 vertices need 8",
-            "layer normal has 2 components a vertex, but needs 3",
-            "layer normal is there twice",
+            "layer normal has 7 values, but 4 vertices need 8",
+            "layer normal has 2 components per vertex, but needs 3",
+            "layer normal appears twice",
             "layer normal has NaN as component 1 of vertex 2",
             "layer normal has a vector of length 2.0000 at vertex 1, expected 1",
             "layer normal has a vector of length 1.4142 at vertex 0, expected 1",
@@ -322,13 +325,13 @@ mod tests {
     }
 
     #[test]
-    fn long_lists_are_counted() {
+    fn defects_beyond_the_listed_ones_are_counted() {
         let mesh = IndexedMesh::new(SQUARE.to_vec(), vec![[7, 8, 9]; 100]);
         let report = validate(&mesh);
         assert_eq!(report.count(DefectKind::Inconsistent), 300);
-        assert_eq!(report.defects().len(), LISTED_OF_EACH_KIND + 4);
+        assert_eq!(report.defects().len(), MAX_LISTED_PER_KIND + 4);
         let text = report.to_string();
-        assert!(text.contains("… and 284 more parts that do not fit together"), "{text}");
+        assert!(text.contains("… and 284 more inconsistencies"), "{text}");
         assert_eq!(report.counts().map(|(_, count)| count).collect::<Vec<_>>(), vec![300, 4]);
     }
 }

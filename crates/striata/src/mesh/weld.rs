@@ -1,33 +1,34 @@
-//! Welding: one vertex for equal vertices, wedges of one position side by side.
+//! Welding: merges equal vertices and makes the wedges of each position consecutive.
 //!
-//! Files repeat vertices (STL corner by corner, glTF per primitive). Two vertices are one when position,
-//! every layer and material agree bit for bit (with -0 equal to 0); they are wedges of one position when
-//! only the position agrees. Vertices that no triangle uses are dropped, and so are triangles
-//! with two corners at one position, which no picture shows. Time O(n) expected, memory O(n).
+//! Files repeat vertices (STL for every corner, glTF for every primitive). Two vertices are merged if their
+//! position, every layer and the material agree bit for bit (with -0 equal to 0); they become wedges of one
+//! position if only the position agrees. Vertices that no triangle uses are dropped, and so are triangles
+//! with two corners at one position, which are invisible. Time O(n) expected, memory O(n).
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
 use super::{IndexedMesh, MeshError, PositionIndex, TriangleGroup};
 
-/// The outcome of [`weld`].
+/// Result of [`weld`].
 #[derive(Clone, Debug)]
 pub struct Welded {
-    /// The mesh: no unused, no repeated vertices, wedges of one position neighbors.
+    /// The welded mesh: no unused and no repeated vertices, and the wedges of each position are consecutive.
     pub mesh: IndexedMesh,
-    /// Its positions.
+    /// The vertices (wedges) of each position.
     pub positions: PositionIndex,
-    /// For each vertex, the vertex of the input that it was first seen as.
+    /// For each vertex, the first input vertex that was merged into it.
     pub source_vertex: Vec<u32>,
-    /// For each vertex of the input, its position here; `u32::MAX` where no triangle uses it.
+    /// For each input vertex, its position in the welded mesh; `u32::MAX` if no triangle uses it.
     pub position_of_source: Vec<u32>,
-    /// Triangles dropped since two of their corners are at one position.
+    /// Number of triangles that were dropped because two of their corners share a position.
     pub degenerate_triangle_count: usize,
-    /// Vertices that were merged into an equal one.
+    /// Number of vertices that were merged into an equal one.
     pub merged_vertex_count: usize,
 }
 
-/// Multiplies and folds: keys are already mixed words, a keyed hash would only cost time.
+/// Hasher that multiplies and folds: the keys are few, well-mixed words, so a keyed hash would only cost
+/// time.
 #[derive(Default)]
 struct WordHasher(u64);
 
@@ -53,21 +54,21 @@ impl Hasher for WordHasher {
 
 type WordMap<K, V> = HashMap<K, V, BuildHasherDefault<WordHasher>>;
 
-/// Welds equal vertices and groups wedges of one position.
+/// Merges equal vertices and makes the wedges of each position consecutive.
 ///
 /// # Errors
-/// [`MeshError`] where the mesh's parts do not fit together or a coordinate is not finite.
+/// [`MeshError`] if the mesh is inconsistent or a coordinate is not finite.
 pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
     mesh.check()?;
     let material_of = materials_of_triangles(mesh);
-    let position_of = number_positions(&mesh.positions);
+    let position_of = index_positions(&mesh.positions);
     let mut triangles = Vec::with_capacity(mesh.triangles.len());
     let groups = drop_degenerate(mesh, &position_of, &mut triangles);
     let degenerate_triangle_count = mesh.triangles.len() - triangles.len();
     let source = Source { mesh, position_of, material_of };
-    let vertices = number_vertices(&source, &mut triangles);
+    let vertices = index_vertices(&source, &mut triangles);
     let (order, first) = order_by_position(mesh, &vertices);
-    let position_of_source = sources_by_position(&source.position_of, &vertices, &order, &first);
+    let position_of_source = positions_of_sources(&source.position_of, &vertices, &order, &first);
     let mut new_index = vec![0u32; order.len()];
     for (new, &old) in order.iter().enumerate() {
         new_index[old as usize] = new as u32;
@@ -94,11 +95,11 @@ pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
 struct Source<'a> {
     mesh: &'a IndexedMesh,
     position_of: Vec<u32>,
-    /// Empty where all triangles share one material.
+    /// Material of each triangle plus one, 0 for none; empty if all triangles share one material.
     material_of: Vec<u32>,
 }
 
-/// The material of each triangle plus one, or nothing where there is only one.
+/// Material of each triangle plus one, 0 for none; empty if all triangles share one material.
 fn materials_of_triangles(mesh: &IndexedMesh) -> Vec<u32> {
     let mut materials = mesh.groups.iter().map(|g| g.material);
     let first = materials.next();
@@ -112,15 +113,15 @@ fn materials_of_triangles(mesh: &IndexedMesh) -> Vec<u32> {
     out
 }
 
-/// Gives equal positions equal numbers; numbers rise with the first vertex that has them.
-pub(super) fn number_positions(positions: &[[f32; 3]]) -> Vec<u32> {
+/// Assigns an index to each distinct position, in the order in which the vertices first use them.
+pub(super) fn index_positions(positions: &[[f32; 3]]) -> Vec<u32> {
     let mut numbers: WordMap<[u32; 3], u32> = WordMap::default();
     numbers.reserve(positions.len());
     let mut next = 0;
     positions
         .iter()
         .map(|p| {
-            // Adding zero turns -0 into 0, so that both weld.
+            // Adding zero turns -0 into 0, so that the two are merged.
             let key = p.map(|x| (x + 0.0).to_bits());
             *numbers.entry(key).or_insert_with(|| {
                 next += 1;
@@ -130,7 +131,7 @@ pub(super) fn number_positions(positions: &[[f32; 3]]) -> Vec<u32> {
         .collect()
 }
 
-/// Copies the triangles with three different positions, and the groups with them.
+/// Copies the triangles with three different positions to `kept`; returns the groups adapted to them.
 fn drop_degenerate(mesh: &IndexedMesh, position_of: &[u32], kept: &mut Vec<[u32; 3]>) -> Vec<TriangleGroup> {
     let is_proper = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|v| position_of[v as usize]);
@@ -151,20 +152,23 @@ fn drop_degenerate(mesh: &IndexedMesh, position_of: &[u32], kept: &mut Vec<[u32;
 
 #[derive(Default)]
 struct Vertices {
-    /// Input vertex, by new vertex.
+    /// Input vertex of each new vertex.
     source: Vec<u32>,
-    /// Position, by new vertex.
+    /// Position of each new vertex.
     position: Vec<u32>,
     merged_count: usize,
 }
 
-/// Numbers the distinct vertices in the order of the input's vertices and renames the triangles' corners.
+/// Assigns new indices to the distinct vertices, in the order of the input, and applies them to the
+/// triangles.
 ///
-/// Vertices of one position are compared along a chain, so that no attribute is hashed.
-fn number_vertices(source: &Source<'_>, triangles: &mut [[u32; 3]]) -> Vertices {
+/// The vertices of one position form a linked list and are compared one by one, so that attributes need not
+/// be hashed.
+fn index_vertices(source: &Source<'_>, triangles: &mut [[u32; 3]]) -> Vertices {
     const NONE: u32 = u32::MAX;
     let has_materials = !source.material_of.is_empty();
-    // Pairs (input vertex, material) in order; without materials each vertex stands once.
+    // New vertex of each pair (input vertex, material). Without materials, every input vertex is looked up
+    // once.
     let mut pair_of_vertex: WordMap<(u32, u32), u32> = WordMap::default();
     let mut used = vec![false; source.mesh.positions.len()];
     for &v in triangles.iter().flatten() {
@@ -210,7 +214,7 @@ fn number_vertices(source: &Source<'_>, triangles: &mut [[u32; 3]]) -> Vertices 
         }
         return out;
     }
-    // Degenerate triangles are gone from `triangles`: walk the input to keep the materials in step.
+    // `triangles` no longer contains degenerate triangles: walk the input to keep the materials in step.
     let mut kept = triangles.iter_mut();
     for (t, corners) in source.mesh.triangles.iter().enumerate() {
         let [a, b, c] = corners.map(|v| source.position_of[v as usize]);
@@ -233,11 +237,12 @@ fn same_attributes(mesh: &IndexedMesh, a: usize, b: usize) -> bool {
     })
 }
 
-/// Orders vertices along a space-filling curve, wedges of one position together; returns the order and each
-/// position's first vertex. Simplification jumps about the mesh: what is near in space should be near in memory.
+/// Orders vertices along a space-filling curve, keeping the wedges of a position together; returns the
+/// order and the first vertex of each position. Simplification accesses the mesh in random order, so what
+/// is close in space should be close in memory.
 fn order_by_position(mesh: &IndexedMesh, vertices: &Vertices) -> (Vec<u32>, Vec<u32>) {
     let mut keys: Vec<(u64, u32, u32)> = Vec::with_capacity(vertices.source.len());
-    if let Some(curve) = Curve::of(mesh) {
+    if let Some(curve) = ZOrderCurve::of(mesh) {
         keys.extend(vertices.source.iter().zip(&vertices.position).enumerate().map(
             |(v, (&source, &position))| (curve.code(mesh.positions[source as usize]), position, v as u32),
         ));
@@ -255,22 +260,22 @@ fn order_by_position(mesh: &IndexedMesh, vertices: &Vertices) -> (Vec<u32>, Vec<
     (keys.into_iter().map(|(_, _, v)| v).collect(), first)
 }
 
-/// Where the position of every input vertex went.
-fn sources_by_position(position_of: &[u32], vertices: &Vertices, order: &[u32], first: &[u32]) -> Vec<u32> {
-    let mut place = vec![u32::MAX; position_of.iter().max().map_or(0, |&p| p as usize + 1)];
+/// Position index in the welded mesh for every input vertex.
+fn positions_of_sources(position_of: &[u32], vertices: &Vertices, order: &[u32], first: &[u32]) -> Vec<u32> {
+    let mut new_position = vec![u32::MAX; position_of.iter().max().map_or(0, |&p| p as usize + 1)];
     for (new, &v) in first[..first.len() - 1].iter().enumerate() {
-        place[vertices.position[order[v as usize] as usize] as usize] = new as u32;
+        new_position[vertices.position[order[v as usize] as usize] as usize] = new as u32;
     }
-    position_of.iter().map(|&p| place[p as usize]).collect()
+    position_of.iter().map(|&p| new_position[p as usize]).collect()
 }
 
-/// The Z-order curve over the bounds of a mesh.
-struct Curve {
+/// The Z-order (Morton) curve over the bounds of a mesh.
+struct ZOrderCurve {
     min: [f64; 3],
     scale: f64,
 }
 
-impl Curve {
+impl ZOrderCurve {
     const BITS: u32 = 21;
 
     fn of(mesh: &IndexedMesh) -> Option<Self> {
@@ -282,13 +287,13 @@ impl Curve {
     }
 
     fn code(&self, p: [f32; 3]) -> u64 {
-        let cell = |a: usize| spread(((f64::from(p[a]) - self.min[a]) * self.scale) as u64);
+        let cell = |a: usize| spread_bits(((f64::from(p[a]) - self.min[a]) * self.scale) as u64);
         cell(0) | cell(1) << 1 | cell(2) << 2
     }
 }
 
-/// Puts two zero bits between the lower 21 bits of `x`.
-fn spread(x: u64) -> u64 {
+/// Inserts two zero bits between the lower 21 bits of `x`.
+fn spread_bits(x: u64) -> u64 {
     let mut x = x & 0x1F_FFFF;
     x = (x | x << 32) & 0x001F_0000_0000_FFFF;
     x = (x | x << 16) & 0x001F_0000_FF00_00FF;
@@ -315,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn attributes_keep_wedges_apart_and_side_by_side() {
+    fn wedges_stay_separate_but_consecutive() {
         let p = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [-0., 0., 0.]];
         let mut mesh = IndexedMesh::new(p.to_vec(), vec![[0, 1, 2], [3, 2, 1]]);
         mesh.layers.push(AttributeLayer::from_f32(
@@ -351,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn not_a_number_is_named() {
+    fn nan_coordinates_are_rejected() {
         let mesh = IndexedMesh::new(vec![[0., f32::NAN, 0.]], vec![]);
         assert!(matches!(weld(&mesh), Err(MeshError::NonFinitePosition { vertex: 0, axis: 1, .. })));
     }

@@ -1,26 +1,26 @@
-//! What strips cost: indices sent, and vertices transformed.
+//! Cost of strips: number of indices, and vertices transformed with a vertex cache.
 
 use super::{RESTART, StripSet, strip_triangles};
 
-/// What a set of strips costs.
+/// Cost of a set of strips.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StripCost {
-    /// Triangles, degenerate ones not counted.
+    /// Number of triangles, without degenerate ones.
     pub triangle_count: usize,
-    /// Strips.
+    /// Number of strips.
     pub strip_count: usize,
-    /// Degenerate triangles inside strips: turns and parity fixes.
+    /// Number of degenerate triangles inside strips: swaps and parity fixes.
     pub swap_count: usize,
-    /// Indices of the buffer with primitive restart: swaps, parity fixes and restarts counted.
+    /// Length of the index buffer with primitive restart, including swaps, parity fixes and restarts.
     pub index_count: usize,
-    /// `index_count / triangle_count`; 0 without triangles.
+    /// `index_count / triangle_count`; 0 if there are no triangles.
     pub indices_per_triangle: f64,
-    /// Indices of the longest strip.
+    /// Number of indices in the longest strip.
     pub longest_strip: usize,
 }
 
 impl StripSet {
-    /// What the strips cost.
+    /// Computes the cost of the strips.
     pub fn cost(&self) -> StripCost {
         let mut cost = StripCost { strip_count: self.strip_count(), ..StripCost::default() };
         for strip in self.strips() {
@@ -37,14 +37,14 @@ impl StripSet {
     }
 }
 
-/// Vertices that a GPU with a cache of transformed vertices transforms.
+/// Number of vertices that a GPU with a post-transform cache has to transform.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CacheCost {
-    /// Cache misses.
+    /// Number of cache misses.
     pub miss_count: usize,
-    /// Misses a triangle.
+    /// Average cache miss ratio: misses per triangle.
     pub acmr: f64,
-    /// Misses a used vertex; 1 is perfect.
+    /// Average transform to vertex ratio: misses per used vertex; 1 is optimal.
     pub atvr: f64,
 }
 
@@ -55,13 +55,13 @@ impl CacheCost {
     }
 }
 
-/// Runs an index buffer (triangles or strips, restarts allowed) through a first-in first-out cache of
-/// `cache_size` vertices.
+/// Simulates a first-in first-out cache of `cache_size` vertices on an index buffer of triangles or strips,
+/// which may contain restarts.
 ///
-/// `triangle_count` is what the buffer draws. Restarts leave the cache as it is.
+/// `triangle_count` is the number of triangles that the buffer draws. Restarts do not affect the cache.
 pub fn fifo_cache_cost(indices: &[u32], triangle_count: usize, cache_size: usize) -> CacheCost {
     let (indices, vertex_limit) = drawn_vertices(indices);
-    // The miss that brought a vertex in, from 1; a vertex is cached while fewer than `cache_size` followed.
+    // The miss that loaded a vertex, counted from 1; the vertex stays cached until `cache_size` more misses.
     let mut entered = vec![0usize; vertex_limit];
     let mut miss_count = 0;
     let mut used_count = 0;
@@ -76,33 +76,33 @@ pub fn fifo_cache_cost(indices: &[u32], triangle_count: usize, cache_size: usize
     CacheCost::new(miss_count, triangle_count, used_count)
 }
 
-/// Does as [`fifo_cache_cost`] with a cache that lets go of the vertex that was used least recently.
+/// Simulates a least-recently-used cache, like [`fifo_cache_cost`] in all other respects.
 pub fn lru_cache_cost(indices: &[u32], triangle_count: usize, cache_size: usize) -> CacheCost {
     let (indices, vertex_limit) = drawn_vertices(indices);
-    let mut recent = Recent::new(vertex_limit);
+    let mut list = LruList::new(vertex_limit);
     let (mut cached_count, mut miss_count, mut used_count) = (0, 0, 0);
     for v in indices {
-        match recent.states[v as usize] {
-            Residence::Inside => recent.unlink(v),
-            residence => {
-                used_count += usize::from(residence == Residence::NeverSeen);
+        match list.states[v as usize] {
+            CacheState::Cached => list.unlink(v),
+            state => {
+                used_count += usize::from(state == CacheState::NeverSeen);
                 miss_count += 1;
                 cached_count += 1;
             }
         }
-        recent.push_newest(v);
+        list.push_newest(v);
         if cached_count > cache_size {
-            recent.drop_oldest();
+            list.evict_oldest();
             cached_count -= 1;
         }
     }
     CacheCost::new(miss_count, triangle_count, used_count)
 }
 
-/// The vertices that a buffer names, restarts left out, and a limit above them.
+/// The vertices in a buffer, without restarts, and a bound above them.
 ///
-/// Numbers far above what the buffer's length accounts for are replaced by their ranks: tables by vertex
-/// never outgrow the buffer.
+/// If indices are much larger than the length of the buffer, they are replaced by their ranks, so that
+/// tables indexed by vertex never outgrow the buffer.
 fn drawn_vertices(indices: &[u32]) -> (Vec<u32>, usize) {
     let mut vertices: Vec<u32> = indices.iter().copied().filter(|&v| v != RESTART).collect();
     let limit = vertices.iter().max().map_or(0, |&v| v as usize + 1);
@@ -118,28 +118,28 @@ fn drawn_vertices(indices: &[u32]) -> (Vec<u32>, usize) {
     (vertices, sorted.len())
 }
 
-/// Whether a vertex is in a cache.
+/// Whether a vertex is in the cache.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Residence {
+enum CacheState {
     NeverSeen,
-    Inside,
-    Outside,
+    Cached,
+    Evicted,
 }
 
-/// Vertices from the most to the least recently used: a list threaded through tables by vertex, O(1) a use.
-struct Recent {
-    states: Vec<Residence>,
-    /// The one used next after each and the one used last before it; the last entry closes the ring.
+/// A doubly linked list of vertices in order of use, stored in tables by vertex; each operation is O(1).
+struct LruList {
+    states: Vec<CacheState>,
+    /// The next more recently and the next less recently used vertex; the last entry closes the ring.
     newer: Vec<u32>,
     older: Vec<u32>,
-    ring: u32,
+    sentinel: u32,
 }
 
-impl Recent {
+impl LruList {
     fn new(vertex_limit: usize) -> Self {
         let links = vec![vertex_limit as u32; vertex_limit + 1];
-        let states = vec![Residence::NeverSeen; vertex_limit];
-        Self { states, newer: links.clone(), older: links, ring: vertex_limit as u32 }
+        let states = vec![CacheState::NeverSeen; vertex_limit];
+        Self { states, newer: links.clone(), older: links, sentinel: vertex_limit as u32 }
     }
 
     fn unlink(&mut self, v: u32) {
@@ -149,18 +149,18 @@ impl Recent {
     }
 
     fn push_newest(&mut self, v: u32) {
-        let newest = self.older[self.ring as usize];
-        self.states[v as usize] = Residence::Inside;
-        self.newer[v as usize] = self.ring;
+        let newest = self.older[self.sentinel as usize];
+        self.states[v as usize] = CacheState::Cached;
+        self.newer[v as usize] = self.sentinel;
         self.older[v as usize] = newest;
         self.newer[newest as usize] = v;
-        self.older[self.ring as usize] = v;
+        self.older[self.sentinel as usize] = v;
     }
 
-    fn drop_oldest(&mut self) {
-        let oldest = self.newer[self.ring as usize];
+    fn evict_oldest(&mut self) {
+        let oldest = self.newer[self.sentinel as usize];
         self.unlink(oldest);
-        self.states[oldest as usize] = Residence::Outside;
+        self.states[oldest as usize] = CacheState::Evicted;
     }
 }
 
@@ -181,16 +181,16 @@ mod tests {
     }
 
     #[test]
-    fn a_cache_forgets_the_oldest_vertex() {
+    fn a_fifo_cache_evicts_the_oldest_vertex() {
         let cost = fifo_cache_cost(&[0, 1, 2, RESTART, 0, 1, 3, 0], 2, 3);
-        // 3 pushes 0 out.
+        // Vertex 3 replaces vertex 0.
         assert_eq!(cost.miss_count, 5);
         assert_eq!((cost.acmr, cost.atvr), (2.5, 1.25));
     }
 
     #[test]
-    fn recent_use_keeps_a_vertex() {
-        // 0 is used again before 3 comes, so 1 goes, then 2.
+    fn an_lru_cache_keeps_recently_used_vertices() {
+        // Vertex 0 is used again before 3 is loaded, so 1 is replaced, then 2.
         let buffer = [0, 1, 2, RESTART, 0, 3, 0, 1, 3, 0, 2];
         let cost = lru_cache_cost(&buffer, 4, 3);
         assert_eq!(cost.miss_count, 6);
@@ -199,11 +199,11 @@ mod tests {
     }
 
     #[test]
-    fn caches_without_room_or_work() {
+    fn caches_of_size_zero_and_empty_buffers() {
         for cost in [fifo_cache_cost, lru_cache_cost] {
             assert_eq!(cost(&[0, 1, 0, 1, 1], 1, 0).miss_count, 5);
             assert_eq!(cost(&[RESTART, RESTART], 0, 16), CacheCost::default());
-            // A number far beyond the buffer takes no table of its size.
+            // An index far beyond the buffer's length must not allocate a table of that size.
             assert_eq!(cost(&[RESTART - 1, 7, RESTART - 1, 8], 2, 16).miss_count, 3);
         }
     }

@@ -1,10 +1,10 @@
-//! Greedy strips: from triangles with few free neighbors, walk both ways, keep the best of three walks.
+//! The fast greedy stripifier: starts at triangles with few free neighbors and keeps the best of three walks.
 //!
-//! The next strip starts where a triangle is most in danger of being left alone. Through that triangle run
-//! three walks, one for each pair of its edges; each goes on straight (no swap) where it can, turns where it
-//! must, and the walk that saves most indices becomes the strip. In the spirit of SGI's `tomesh` and of
-//! \[ESV96\], but the merit is indices (`swaps + 3 * strips`), not the number of strips.
-//! Time and memory are linear: at most three times the triangles of the chosen strip are looked at.
+//! Each strip starts at the triangle that is most likely to be left isolated. Three walks run through that
+//! triangle, one for each pair of its edges. A walk continues without a swap if it can and swaps if it
+//! must; the walk that saves most indices becomes the strip. This follows the idea of SGI's `tomesh` and
+//! \[ESV96\], but minimizes the number of indices (`swaps + 3 * strips`) instead of the number of strips.
+//! Time and memory are linear: for each strip, at most three times its triangles are visited.
 
 use std::ops::Range;
 
@@ -14,11 +14,11 @@ use super::strip_set::StripSet;
 use super::write::write_strips;
 use crate::mesh::{DualGraph, IndexedMesh, MeshError, NO_TWIN};
 
-/// Covers each triangle of a mesh by exactly one strip, quickly and with few indices; degenerate triangles (two equal
-/// corners) are left out.
+/// Covers each triangle of a mesh by exactly one strip, quickly and with few indices.
 ///
-/// The groups of the set are those of the mesh (one if it has none). Stripifiers that search for better strips are in the
-/// crate `striata-strip`.
+/// Degenerate triangles (two equal corners) are left out. The set has the same groups as the mesh, or a
+/// single group if the mesh has none. For stripifiers that search for better strips, see the crate
+/// `striata-strip`.
 ///
 /// ```
 /// use striata::mesh::shapes;
@@ -30,7 +30,7 @@ use crate::mesh::{DualGraph, IndexedMesh, MeshError, NO_TWIN};
 /// ```
 ///
 /// # Errors
-/// [`MeshError`] if the mesh's parts do not fit together.
+/// [`MeshError`] if the mesh is inconsistent.
 pub fn stripify(mesh: &IndexedMesh) -> Result<StripSet, MeshError> {
     mesh.check()?;
     let graph = DualGraph::of_vertices(mesh);
@@ -42,28 +42,30 @@ pub fn stripify(mesh: &IndexedMesh) -> Result<StripSet, MeshError> {
     Ok(out)
 }
 
-/// Joins triangles that stand alone into strips, group by group (each a range of triangles); strips that are there already
-/// stay as they are.
+/// Joins triangles that do not belong to a strip yet into strips, group by group; existing strips stay as
+/// they are.
+///
+/// Each group is a range of triangles.
 ///
 /// # Panics
-/// If `triangles` are not those of the graph that the links belong to, or a group goes beyond them.
+/// If `triangles` are not those of the links' graph, or if a group extends past them.
 pub fn join_greedily(triangles: &[[u32; 3]], groups: &[Range<usize>], links: &mut StripLinks<'_>) {
-    let stamps = vec![0; triangles.len()];
+    let last_walks = vec![0; triangles.len()];
     let free = FreeTriangles::new(triangles, links);
-    let mut walker = Walker { free, twins: links.twins(), stamps, stamp: 0 };
+    let mut grower = StripGrower { free, twins: links.twins(), last_walks, walk_index: 0 };
     for group in groups {
-        join_group(&mut walker, group.clone(), links);
+        join_group(&mut grower, group.clone(), links);
     }
 }
 
-fn join_group(walker: &mut Walker<'_>, group: Range<usize>, links: &mut StripLinks<'_>) {
-    let mut seeds = Seeds::new(&walker.free, group);
+fn join_group(grower: &mut StripGrower<'_>, group: Range<usize>, links: &mut StripLinks<'_>) {
+    let mut seeds = Seeds::new(&grower.free, group);
     let (mut best, mut trial) = (Walk::default(), Walk::default());
-    while let Some(seed) = seeds.pop(&walker.free) {
+    while let Some(seed) = seeds.pop(&grower.free) {
         best.clear();
         for edge in 3 * seed..3 * seed + 3 {
-            walker.walk_both_ways(edge, &mut trial);
-            if best.is_empty() || trial.merit() > best.merit() {
+            grower.walk_both_ways(edge, &mut trial);
+            if best.is_empty() || trial.saved_index_count() > best.saved_index_count() {
                 std::mem::swap(&mut best, &mut trial);
             }
         }
@@ -71,15 +73,16 @@ fn join_group(walker: &mut Walker<'_>, group: Range<usize>, links: &mut StripLin
             links.join(entered);
         }
         for &h in best.back.iter().chain(&best.front).chain([&(3 * seed)]) {
-            walker.free.take(h / 3);
+            grower.free.take(h / 3);
         }
         for &h in best.back.iter().chain(&best.front).chain([&(3 * seed)]) {
-            seeds.push_around(h / 3, &walker.free);
+            seeds.push_around(h / 3, &grower.free);
         }
     }
 }
 
-/// A walk through a seed: the half-edges by which the triangles after and before it are entered.
+/// A walk through a seed triangle, given by the sides through which the triangles after and before it are
+/// entered.
 #[derive(Default)]
 struct Walk {
     seed: u32,
@@ -100,51 +103,53 @@ impl Walk {
         self.seed == NO_TWIN
     }
 
-    /// Indices saved against a strip for every triangle.
-    fn merit(&self) -> i64 {
+    /// Number of indices saved compared with one strip per triangle.
+    fn saved_index_count(&self) -> i64 {
         3 * (self.front.len() + self.back.len()) as i64 - self.swap_count as i64
     }
 }
 
-struct Walker<'a> {
+struct StripGrower<'a> {
     free: FreeTriangles<'a>,
     twins: &'a [u32],
-    /// The trial that last passed each triangle.
-    stamps: Vec<u32>,
-    stamp: u32,
+    /// Index of the last walk that passed each triangle.
+    last_walks: Vec<u32>,
+    walk_index: u32,
 }
 
-impl Walker<'_> {
-    /// Whether a walk may leave a triangle by this half-edge.
+impl StripGrower<'_> {
+    /// Whether the current walk can leave a triangle through this side.
     #[inline]
     fn is_open(&self, exit: u32) -> bool {
-        self.free.beyond(exit).is_some_and(|enter| self.stamps[enter as usize / 3] != self.stamp)
+        self.free.beyond(exit).is_some_and(|enter| self.last_walks[enter as usize / 3] != self.walk_index)
     }
 
-    /// Walks from the triangle of `exit` forward through `exit` and backward through the edge before it.
+    /// Walks from the triangle of `exit` forward through `exit` and backward through the side before it.
     fn walk_both_ways(&mut self, exit: u32, walk: &mut Walk) {
-        self.stamp += 1;
+        self.walk_index += 1;
         walk.clear();
         walk.seed = exit;
-        self.stamps[exit as usize / 3] = self.stamp;
-        // Entered by the edge before `exit`, the seed turns to the next edge; seen from behind, to the one before.
+        self.last_walks[exit as usize / 3] = self.walk_index;
+        // Entered by the side before `exit`, the seed turns to the next side; seen from the other end, to
+        // the previous one.
         walk.swap_count = self.walk(exit, false, &mut walk.front);
         walk.swap_count += self.walk(prev_side(exit), true, &mut walk.back);
     }
 
-    /// Appends the half-edges by which triangles are entered; `turns_next` is the turn that needs no swap.
+    /// Appends the sides through which triangles are entered; `turns_next` is the direction that needs no
+    /// swap. Returns the number of swaps.
     fn walk(&mut self, mut exit: u32, mut turns_next: bool, entered: &mut Vec<u32>) -> usize {
         let mut swap_count = 0;
         while self.is_open(exit) {
             let enter = self.twins[exit as usize];
-            self.stamps[enter as usize / 3] = self.stamp;
+            self.last_walks[enter as usize / 3] = self.walk_index;
             entered.push(enter);
             let (mut straight, mut turned) = (next_side(enter), prev_side(enter));
             if !turns_next {
                 (straight, turned) = (turned, straight);
             }
             exit = straight;
-            if self.is_open(turned) && (!self.is_open(straight) || self.strands(turned, straight)) {
+            if self.is_open(turned) && (!self.is_open(straight) || self.isolates(turned, straight)) {
                 exit = turned;
                 swap_count += 1;
             } else {
@@ -154,12 +159,12 @@ impl Walker<'_> {
         swap_count
     }
 
-    /// Whether going straight would leave a triangle alone that a swap picks up without ending the walk.
-    fn strands(&self, turned: u32, straight: u32) -> bool {
-        let ways_on = |exit: u32| {
+    /// Whether going straight would isolate a triangle that a swap would include without ending the walk.
+    fn isolates(&self, turned: u32, straight: u32) -> bool {
+        let open_side_count = |exit: u32| {
             let enter = self.twins[exit as usize];
             usize::from(self.is_open(next_side(enter))) + usize::from(self.is_open(prev_side(enter)))
         };
-        ways_on(turned) == 1 && ways_on(straight) == 2
+        open_side_count(turned) == 1 && open_side_count(straight) == 2
     }
 }

@@ -1,27 +1,27 @@
-//! Strips as one index buffer: with primitive restart, or stitched by degenerate triangles.
+//! Conversion of strips to one index buffer, with primitive restart or stitched by degenerate triangles.
 
 use std::ops::Range;
 
 use super::{StripSet, strip_triangles};
 
-/// The index that ends a strip and begins the next on the GPU.
+/// The primitive restart index, which ends a strip.
 pub const RESTART: u32 = u32::MAX;
 
-/// One index buffer of strips, with the range that draws each group.
+/// Strips in a single index buffer, with the range to draw for each group.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct StripIndices {
     /// The indices.
     pub indices: Vec<u32>,
-    /// For each group, what to draw of `indices`.
+    /// Range of `indices` to draw for each group.
     pub group_ranges: Vec<Range<u32>>,
 }
 
 impl StripIndices {
-    /// The same indices in 16 bits, [`RESTART`] as `0xFFFF`; none where a vertex has no such number.
+    /// Converts the indices to 16 bits, with [`RESTART`] as `0xFFFF`; `None` if a vertex index does not fit.
     pub fn to_u16(&self) -> Option<Vec<u16>> {
         let narrow = |&index: &u32| match index {
             RESTART => Some(u16::MAX),
-            // The restart's own number is no vertex.
+            // The restart value cannot be used for a vertex.
             _ => u16::try_from(index).ok().filter(|&index| index != u16::MAX),
         };
         self.indices.iter().map(narrow).collect()
@@ -29,13 +29,15 @@ impl StripIndices {
 }
 
 impl StripSet {
-    /// One index buffer with [`RESTART`] between the strips of a group.
+    /// Joins the strips of each group with [`RESTART`] in a single index buffer.
     pub fn to_restart_indices(&self) -> StripIndices {
         self.joined(|indices, _| indices.push(RESTART))
     }
 
-    /// One index buffer without restarts: strips of a group are joined by repeated indices (degenerate
-    /// triangles), as formats such as glTF 2.0 need it; every winding stays.
+    /// Joins the strips of each group with repeated indices (degenerate triangles) in a single index buffer.
+    ///
+    /// The buffer needs no primitive restart, as formats such as glTF 2.0 require; all triangles keep their
+    /// winding.
     pub fn to_stitched_indices(&self) -> StripIndices {
         self.joined(|indices, next| {
             if let Some(&last) = indices.last() {
@@ -44,10 +46,11 @@ impl StripSet {
         })
     }
 
-    /// Joins the strips of each group; `join` writes what stands before a next strip and its first index.
+    /// Joins the strips of each group; `join` appends what separates the buffer so far from the next strip,
+    /// given its first index.
     fn joined(&self, join: impl Fn(&mut Vec<u32>, u32)) -> StripIndices {
         let mut out = StripIndices::default();
-        // Parity counts from where a draw begins, hence group by group.
+        // Parity counts from the start of a draw call, hence group by group.
         let mut group_indices = Vec::new();
         for group in 0..self.group_count() {
             group_indices.clear();
@@ -65,8 +68,10 @@ impl StripSet {
     }
 }
 
-/// Appends what joins two strips by degenerate triangles: the first ends with `last`, the other begins with
-/// `next`. `is_odd` says whether the number of indices so far is, since the other has to begin at an even place.
+/// Appends the indices that join two strips by degenerate triangles.
+///
+/// The first strip ends with `last`, and the second begins with `next`. `is_odd` is whether the number of
+/// indices so far is odd; the second strip has to begin at an even position.
 pub fn stitch(last: u32, is_odd: bool, next: u32, out: &mut Vec<u32>) {
     if last == next {
         out.extend(is_odd.then_some(last));
@@ -75,7 +80,7 @@ pub fn stitch(last: u32, is_odd: bool, next: u32, out: &mut Vec<u32>) {
     }
 }
 
-/// Appends the triangles that a GPU with primitive restart draws, degenerate ones left out.
+/// Appends the triangles that a GPU with primitive restart draws, without degenerate ones.
 pub fn restart_triangles_into(indices: &[u32], out: &mut Vec<[u32; 3]>) {
     for strip in indices.split(|&index| index == RESTART) {
         out.extend(strip_triangles(strip));
@@ -88,7 +93,7 @@ mod tests {
     use crate::mesh::canonical_triangles;
 
     #[test]
-    fn sixteen_bits_hold_what_they_can() {
+    fn indices_convert_to_16_bits_if_they_fit() {
         let indices = |indices: &[u32]| StripIndices { indices: indices.to_vec(), group_ranges: Vec::new() };
         assert_eq!(indices(&[0, 1, 65_534, RESTART]).to_u16(), Some(vec![0, 1, 65_534, 65_535]));
         assert_eq!(indices(&[0, 1, 65_535]).to_u16(), None);
@@ -96,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn joined_strips_draw_the_same_triangles() {
+    fn restart_and_stitched_buffers_draw_the_same_triangles() {
         let mut set = StripSet::new();
         for strip in [&[0, 1, 2][..], &[2, 1, 3, 4], &[7, 5, 6, 8, 9], &[9, 8, 10], &[]] {
             set.push(strip);

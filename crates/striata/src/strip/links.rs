@@ -1,24 +1,24 @@
-//! Solid and dashed links: a set of strips as a coloring of the dual graph.
+//! Solid and dashed links: a set of strips, represented by marked links of the dual graph.
 //!
-//! A link of the [`DualGraph`] is **solid** where its two triangles follow each other in one strip and
-//! **dashed** elsewhere \[PS03, 3.1\]. A set of strips is then nothing but a set of solid links in which no node
-//! has more than two and no loop closes; every stripifier edits such a coloring, and one writer
-//! turns it into indices.
+//! A link of the [`DualGraph`] is **solid** if its two triangles are consecutive in a strip, and **dashed**
+//! otherwise \[PS03, 3.1\]. A set of strips is thus a set of solid links in which no node has more than two
+//! and which contains no loop. All stripifiers edit these marks, and [`write_strips`](super::write_strips)
+//! converts them to indices.
 //!
 //! ```text
 //!     o===o---o===o===o      === solid, --- dashed: two strips, of two and of three triangles
 //! ```
 //!
-//! One byte a triangle; a join, a cut and a question cost a few loads.
+//! Memory: one byte per triangle. Joining, cutting and lookups take a few loads each.
 
 use super::StripSet;
 use super::strip_set::strip_triangles;
 use crate::mesh::{DualGraph, NO_TWIN, canonical_triangle};
 
-/// Which links of a dual graph are solid.
+/// The solid links of a dual graph.
 ///
-/// Links are named by sides: side `3 * triangle + k` runs from corner `k` of its triangle to the next corner, and
-/// its twin is the same link seen from the other triangle.
+/// A link is identified by either of its sides: side `3 * triangle + k` runs from corner `k` of its
+/// triangle to the next corner, and its twin is the same link seen from the other triangle.
 ///
 /// ```
 /// use striata::mesh::{DualGraph, shapes};
@@ -36,63 +36,65 @@ use crate::mesh::{DualGraph, NO_TWIN, canonical_triangle};
 #[derive(Clone, Debug)]
 pub struct StripLinks<'a> {
     twins: &'a [u32],
-    /// Bit `k` of a triangle: the link across its side `k` is solid.
+    /// Bit `k` of each triangle: whether the link across its side `k` is solid.
     solid: Vec<u8>,
 }
 
-/// How a strip that passes a triangle's side goes on from there.
+/// The direction in which a strip that crosses a side of a triangle continues.
 ///
-/// Seen from a solid side, the triangle's other solid side is the next one around it, the one before, or
-/// there is none. A strip goes on without a swap across a link where both of its sides turn alike.
+/// Seen from a solid side, the other solid side of the triangle is either the next side around the
+/// triangle, or the previous one, or missing. No swap is needed across a link if the turns at both of its
+/// sides are equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Turn {
     /// The strip ends in this triangle.
     End = 0,
-    /// The other solid side follows this one.
+    /// The other solid side is the next one around the triangle.
     Next = 1,
-    /// The other solid side comes before this one.
+    /// The other solid side is the previous one around the triangle.
     Prev = 2,
 }
 
-/// By solid bits and side.
+/// Turn for each combination of solid bits and side.
 const TURNS: [[Turn; 3]; 8] = {
     use Turn::{End as E, Next as N, Prev as P};
     [[E, E, E], [E, E, E], [E, E, E], [N, P, E], [E, E, E], [P, E, N], [E, N, P], [E, E, E]]
 };
 
-/// The side after this one around its triangle.
+/// The next side around the triangle.
 #[inline]
 pub fn next_side(side: u32) -> u32 {
     if side % 3 == 2 { side - 2 } else { side + 1 }
 }
 
-/// The side before this one around its triangle.
+/// The previous side around the triangle.
 #[inline]
 pub fn prev_side(side: u32) -> u32 {
     if side.is_multiple_of(3) { side + 2 } else { side - 1 }
 }
 
 impl<'a> StripLinks<'a> {
-    /// All links dashed: every triangle is a strip.
+    /// Creates links that are all dashed: every triangle is a separate strip.
     pub fn new(graph: &'a DualGraph) -> Self {
         Self { twins: graph.twins(), solid: vec![0; graph.triangle_count()] }
     }
 
-    /// The links that strips of this mesh run along.
+    /// Marks the links along the strips of a mesh.
     ///
-    /// A strip is cut where it crosses an edge that the graph does not link (some edges with more than two
-    /// sides) and where it repeats a triangle; triangles that the mesh does not have are passed over.
+    /// A strip is cut if it crosses an edge without a link (possible if an edge has more than two sides) or
+    /// repeats a triangle. Triangles that the mesh does not contain are ignored.
     pub fn from_strips(graph: &'a DualGraph, triangles: &[[u32; 3]], strips: &StripSet) -> Self {
         let mut links = Self::new(graph);
         links.join_along(triangles, strips);
         links
     }
 
-    /// Takes the solid bits of triangles from a caller that keeps the twins of all sides itself, as a graph that changes
-    /// has to: bit `k` of a triangle says that the link across its side `k` is solid.
+    /// Creates links from solid bits and from the twins of all sides, which the caller stores; for graphs
+    /// that change.
     ///
-    /// [`Self::into_bits`] gives them back.
+    /// Bit `k` of a triangle is set if the link across its side `k` is solid. [`Self::into_bits`] returns
+    /// the bits.
     ///
     /// # Panics
     /// In debug builds, if there are not three twins for each triangle.
@@ -101,13 +103,15 @@ impl<'a> StripLinks<'a> {
         Self { twins, solid }
     }
 
-    /// Gives back what [`Self::from_bits`] took.
+    /// Returns the solid bits, for use with [`Self::from_bits`].
     pub fn into_bits(self) -> Vec<u8> {
         self.solid
     }
 
-    /// Makes the links solid that strips of these triangles run along; gives the first triangle of a strip
-    /// that is not there (or not so often), with the number of its strip.
+    /// Marks the links along strips of these triangles as solid.
+    ///
+    /// Returns the first triangle of a strip that the mesh does not contain (or not as often), together
+    /// with the index of the strip.
     ///
     /// # Panics
     /// If `triangles` are not those of the graph.
@@ -116,32 +120,32 @@ impl<'a> StripLinks<'a> {
         let mut by_corners: Vec<([u32; 3], u32)> =
             triangles.iter().enumerate().map(|(i, &t)| (canonical_triangle(t), i as u32)).collect();
         by_corners.sort_unstable();
-        let mut is_taken = vec![false; triangles.len()];
-        // For the first of equal triangles, how many of them are known to be taken.
-        let mut taken_counts = vec![0; triangles.len()];
+        let mut is_used = vec![false; triangles.len()];
+        // At the first of equal triangles: how many of them are known to be used.
+        let mut used_counts = vec![0; triangles.len()];
         for (strip, indices) in strips.strips().enumerate() {
             let mut last: Option<u32> = None;
             for corners in strip_triangles(indices).map(canonical_triangle) {
-                // Among equal triangles a linked one is the one that the strip means.
+                // Among equal triangles, prefer a linked one: it continues the strip.
                 let fits =
-                    |t: u32| !is_taken[t as usize] && canonical_triangle(triangles[t as usize]) == corners;
+                    |t: u32| !is_used[t as usize] && canonical_triangle(triangles[t as usize]) == corners;
                 let side = last.and_then(|last| self.dashed_side_to(last, fits));
                 let found = side.map(|side| self.twins[side as usize] / 3).or_else(|| {
                     let first = by_corners.partition_point(|&(other, _)| other < corners);
-                    let count = taken_counts.get_mut(first)?;
+                    let count = used_counts.get_mut(first)?;
                     loop {
                         let &(other, triangle) = by_corners.get(first + *count)?;
                         if other != corners {
                             return None;
                         }
-                        if !is_taken[triangle as usize] {
+                        if !is_used[triangle as usize] {
                             return Some(triangle);
                         }
                         *count += 1;
                     }
                 });
                 match found {
-                    Some(triangle) => is_taken[triangle as usize] = true,
+                    Some(triangle) => is_used[triangle as usize] = true,
                     None => missing = missing.or(Some((strip, corners))),
                 }
                 if let Some(side) = side {
@@ -153,7 +157,7 @@ impl<'a> StripLinks<'a> {
         missing
     }
 
-    /// A dashed link from a triangle to one that fits, both of which can take it.
+    /// A dashed side of a triangle that leads to a matching triangle, if both can have another solid link.
     fn dashed_side_to(&self, from: u32, fits: impl Fn(u32) -> bool) -> Option<u32> {
         if self.solid_degree(from) == 2 {
             return None;
@@ -164,12 +168,12 @@ impl<'a> StripLinks<'a> {
         })
     }
 
-    /// Triangles of the graph.
+    /// Number of triangles in the graph.
     pub fn triangle_count(&self) -> usize {
         self.solid.len()
     }
 
-    /// The twins of all sides, [`NO_TWIN`] for a side that has none.
+    /// The twin of every side; [`NO_TWIN`] for sides without a link.
     #[inline]
     pub fn twins(&self) -> &'a [u32] {
         self.twins
@@ -180,7 +184,7 @@ impl<'a> StripLinks<'a> {
         self.solid.fill(0);
     }
 
-    /// Solid bits of a triangle: bit `k` says that the link across its side `k` is solid.
+    /// Solid bits of a triangle; bit `k` is set if the link across its side `k` is solid.
     #[inline]
     pub fn solid_bits(&self, triangle: u32) -> u8 {
         self.solid[triangle as usize]
@@ -192,24 +196,24 @@ impl<'a> StripLinks<'a> {
         self.solid[side as usize / 3] & bit(side) != 0
     }
 
-    /// Solid links of a triangle, 0 to 2.
+    /// Number of solid links of a triangle, 0 to 2.
     #[inline]
     pub fn solid_degree(&self, triangle: u32) -> u32 {
         self.solid[triangle as usize].count_ones()
     }
 
-    /// Solid links in all; proper triangles less this are the strips.
+    /// Number of solid links; the number of non-degenerate triangles minus this is the number of strips.
     pub fn solid_count(&self) -> usize {
         self.solid.iter().map(|bits| bits.count_ones() as usize).sum::<usize>() / 2
     }
 
-    /// How the strip that passes this side goes on within its triangle.
+    /// Direction in which the strip that crosses this side continues in the side's triangle.
     #[inline]
     pub fn turn(&self, side: u32) -> Turn {
         TURNS[usize::from(self.solid[side as usize / 3] & 7)][side as usize % 3]
     }
 
-    /// The solid side of a triangle other than this one.
+    /// The other solid side of the same triangle.
     #[inline]
     pub fn other_solid(&self, side: u32) -> Option<u32> {
         match self.turn(side) {
@@ -219,7 +223,7 @@ impl<'a> StripLinks<'a> {
         }
     }
 
-    /// A solid side of a triangle, the lowest.
+    /// The first solid side of a triangle.
     #[inline]
     pub fn first_solid(&self, triangle: u32) -> Option<u32> {
         let bits = self.solid[triangle as usize];
@@ -228,10 +232,12 @@ impl<'a> StripLinks<'a> {
 
     /// Makes a dashed link solid.
     ///
-    /// The caller sees to it that no loop closes: a loop has no end to write it from.
+    /// The caller must make sure that this does not close a loop, since a loop has no end at which it could
+    /// be written.
     ///
     /// # Panics
-    /// If there is no link across this side; in debug builds also if it is solid or a triangle has two already.
+    /// If there is no link across this side; in debug builds also if it is solid, or if a triangle already
+    /// has two solid links.
     #[inline]
     pub fn join(&mut self, side: u32) {
         let twin = self.twins[side as usize];
@@ -254,9 +260,9 @@ impl<'a> StripLinks<'a> {
         self.solid[twin as usize / 3] &= !bit(twin);
     }
 
-    /// Follows the strip out of its triangle through a solid side to its end: the end's triangle.
+    /// Follows the strip from a triangle through one of its solid sides, and returns the last triangle.
     ///
-    /// On a loop, comes back to where it began.
+    /// On a loop, this is the triangle of `side` itself.
     #[inline]
     pub fn end_beyond(&self, side: u32) -> u32 {
         let first = side / 3;
@@ -270,7 +276,7 @@ impl<'a> StripLinks<'a> {
         }
     }
 
-    /// Cuts one link of every loop, so that every strip has ends; gives the number of loops.
+    /// Cuts one link of every loop, so that every strip has ends; returns the number of loops.
     pub fn cut_loops(&mut self) -> usize {
         let mut is_seen = vec![false; self.solid.len()];
         for end in 0..self.solid.len() as u32 {
@@ -291,7 +297,7 @@ impl<'a> StripLinks<'a> {
         loop_count
     }
 
-    /// Marks the triangles of the strip that ends here.
+    /// Marks the triangles of the strip that ends in `end`.
     fn mark(&self, end: u32, is_seen: &mut [bool]) {
         is_seen[end as usize] = true;
         let mut exit = self.first_solid(end);

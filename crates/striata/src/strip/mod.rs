@@ -1,12 +1,12 @@
-//! Triangle strips: what they are, one quick way to make them, and what they cost.
+//! Triangle strips: data structures, a fast stripifier, and cost measures.
 //!
-//! A strip `s` of `n` indices holds `n - 2` triangles: triangle `i` is `(s[i], s[i+1], s[i+2])` for even `i`
-//! and the same with its first two corners swapped for odd `i`, so a strip keeps one winding. A repeated
-//! index makes a degenerate triangle that nobody draws; that is how a strip turns (a **swap**) and how two
-//! strips are joined without a restart index (a **stitch**).
+//! A strip `s` of `n` indices contains `n - 2` triangles. Triangle `i` is `(s[i], s[i+1], s[i+2])` for even
+//! `i`; for odd `i`, its first two corners are swapped, so that all triangles keep the same winding. A
+//! repeated index creates a degenerate triangle, which draws nothing. This is how a strip changes direction
+//! (a **swap**) and how two strips are joined without a restart index (a **stitch**).
 //!
-//! [`stripify`] makes strips of a mesh. Whoever makes them in another way, as the crate `striata-strip` does, joins and
-//! cuts [`StripLinks`] and has [`write_strips`] turn them into indices.
+//! [`stripify`] creates strips for a mesh. To implement another stripifier, as the crate `striata-strip`
+//! does, join and cut [`StripLinks`] and convert them to indices with [`write_strips`].
 //!
 //! ```
 //! use striata::{mesh::shapes, strip::stripify};

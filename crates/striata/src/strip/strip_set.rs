@@ -1,31 +1,32 @@
-//! Many strips in three flat arrays.
+//! A set of strips, stored in three flat arrays.
 
 use std::ops::Range;
 
-/// What makes the arrays of a [`StripSet`] inconsistent.
+/// Why the arrays of a [`StripSet`] are inconsistent.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StripSetError {
-    /// Offsets do not rise from 0 to the length of what they cut.
-    #[error("{what} offset {index} is {found}, after {previous}, of {limit}")]
+    /// Offsets do not increase from 0 to the length of the array that they divide.
+    #[error("{what} offset {index} is {found}, after {previous}: offsets must rise from 0 to {limit}")]
     Offset {
-        /// `strip` or `group`.
+        /// Which offsets: `strip` or `group`.
         what: &'static str,
-        /// Which offset.
+        /// Index of the offset.
         index: usize,
-        /// What it is.
+        /// The offset found.
         found: u32,
-        /// The offset before it.
+        /// The previous offset.
         previous: u32,
-        /// What the last offset has to be.
+        /// The value that the last offset must have.
         limit: usize,
     },
 }
 
-/// Triangle strips, group by group: one flat list of indices, cut into strips, cut into groups.
+/// Triangle strips, sorted by group: a flat list of indices, divided into strips, which are divided into
+/// groups.
 ///
-/// Group `g` of the set holds the triangles of group `g` of its mesh (one group where the mesh has none);
-/// no strip crosses a group.
+/// Group `g` of the set contains the triangles of group `g` of its mesh (a single group if the mesh has
+/// none); no strip crosses from one group into another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StripSet {
     indices: Vec<u32>,
@@ -40,16 +41,16 @@ impl Default for StripSet {
 }
 
 impl StripSet {
-    /// No strips and no groups.
+    /// Creates a set without strips and groups.
     pub fn new() -> Self {
         Self { indices: Vec::new(), offsets: vec![0], group_offsets: vec![0] }
     }
 
-    /// From its arrays: all indices, the first index of each strip, the first strip of each group, the
-    /// latter two closed by their end.
+    /// Creates a set from its arrays: all indices, the first index of each strip followed by the number of
+    /// indices, and the first strip of each group followed by the number of strips.
     ///
     /// # Errors
-    /// [`StripSetError`] where the offsets do not rise from 0 to the end.
+    /// [`StripSetError`] if the offsets do not increase from 0 to the end.
     pub fn from_parts(
         indices: Vec<u32>,
         offsets: Vec<u32>,
@@ -60,31 +61,32 @@ impl StripSet {
         Ok(Self { indices, offsets, group_offsets })
     }
 
-    /// Appends a strip to the open group.
+    /// Appends a strip to the current group.
     pub fn push(&mut self, strip: &[u32]) {
         self.indices.extend_from_slice(strip);
         self.offsets.push(self.indices.len() as u32);
     }
 
-    /// Ends the open group: all strips pushed since the last end belong to it, none is fine.
+    /// Ends the current group, which consists of all strips pushed since the previous group ended; it may
+    /// be empty.
     pub fn end_group(&mut self) {
         self.group_offsets.push(self.strip_count() as u32);
     }
 
-    /// Strips.
+    /// Number of strips.
     pub fn strip_count(&self) -> usize {
         self.offsets.len() - 1
     }
 
-    /// Groups.
+    /// Number of groups.
     pub fn group_count(&self) -> usize {
         self.group_offsets.len() - 1
     }
 
-    /// One strip's indices.
+    /// Indices of a strip.
     ///
     /// # Panics
-    /// If there is no such strip.
+    /// If the strip does not exist.
     pub fn strip(&self, strip: usize) -> &[u32] {
         &self.indices[self.offsets[strip] as usize..self.offsets[strip + 1] as usize]
     }
@@ -94,46 +96,46 @@ impl StripSet {
         self.offsets.windows(2).map(|w| &self.indices[w[0] as usize..w[1] as usize])
     }
 
-    /// The strips of one group.
+    /// Range of the strips in a group.
     ///
     /// # Panics
-    /// If there is no such group.
+    /// If the group does not exist.
     pub fn group_strips(&self, group: usize) -> Range<usize> {
         self.group_offsets[group] as usize..self.group_offsets[group + 1] as usize
     }
 
-    /// All indices, strip after strip, no restarts.
+    /// Indices of all strips, one after another, without restarts.
     pub fn indices(&self) -> &[u32] {
         &self.indices
     }
 
-    /// First index of each strip, closed by the number of indices.
+    /// First index of each strip, followed by the number of indices.
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
     }
 
-    /// First strip of each group, closed by the number of strips.
+    /// First strip of each group, followed by the number of strips.
     pub fn group_offsets(&self) -> &[u32] {
         &self.group_offsets
     }
 
-    /// Appends the triangles of all strips, degenerate ones left out.
+    /// Appends the triangles of all strips, without degenerate ones.
     pub fn triangles_into(&self, out: &mut Vec<[u32; 3]>) {
         for strip in self.strips() {
             out.extend(strip_triangles(strip));
         }
     }
 
-    /// The set with every strip cut to at most `max_indices` indices.
+    /// Cuts every strip into pieces of at most `max_indices` indices.
     ///
-    /// A piece begins with the last two indices of the piece before it, at an even place, so that
-    /// every triangle keeps its winding; degenerate triangles at the cut are not repeated.
+    /// Each piece starts with the last two indices of the piece before it, at an even position, so that
+    /// every triangle keeps its winding. Degenerate triangles at a cut are not repeated.
     ///
     /// # Panics
-    /// If `max_indices` is under 4: a piece could not advance.
+    /// If `max_indices` is less than 4, since a piece could then not advance.
     pub fn cut(&self, max_indices: usize) -> Self {
         assert!(max_indices >= 4, "a piece of {max_indices} indices cannot advance");
-        // An even number of triangles in a piece keeps the parity of the next.
+        // An even number of triangles per piece keeps the parity of the next piece.
         let advance = (max_indices - 2) & !1;
         let mut out = Self::new();
         for group in 0..self.group_count() {
@@ -152,7 +154,7 @@ impl StripSet {
     }
 }
 
-/// Checks that offsets rise (or rest) from 0 to `limit`.
+/// Checks that offsets start at 0, never decrease and end at `limit`.
 pub(crate) fn check_offsets(what: &'static str, offsets: &[u32], limit: usize) -> Result<(), StripSetError> {
     let error = |index, found, previous| StripSetError::Offset { what, index, found, previous, limit };
     let mut previous = 0;
@@ -168,7 +170,7 @@ pub(crate) fn check_offsets(what: &'static str, offsets: &[u32], limit: usize) -
     Ok(())
 }
 
-/// The triangles of one strip with their winding, degenerate ones left out.
+/// The triangles of a strip with their winding, without degenerate ones.
 pub fn strip_triangles(strip: &[u32]) -> impl Iterator<Item = [u32; 3]> {
     strip.windows(3).enumerate().filter_map(|(i, w)| {
         let is_degenerate = w[0] == w[1] || w[1] == w[2] || w[2] == w[0];
@@ -181,13 +183,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn odd_triangles_are_swapped_and_degenerate_ones_left_out() {
+    fn odd_triangles_are_swapped_and_degenerate_ones_are_left_out() {
         let triangles: Vec<_> = strip_triangles(&[0, 1, 2, 3, 2, 4]).collect();
         assert_eq!(triangles, vec![[0, 1, 2], [2, 1, 3], [2, 3, 4]]);
     }
 
     #[test]
-    fn a_cut_keeps_every_triangle_and_its_winding() {
+    fn cutting_keeps_every_triangle_and_its_winding() {
         let mut set = StripSet::new();
         set.push(&(0..23).collect::<Vec<u32>>());
         set.end_group();
@@ -205,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn offsets_have_to_rise_to_the_end() {
+    fn invalid_offsets_are_rejected() {
         assert!(StripSet::from_parts(vec![0, 1, 2], vec![0, 3], vec![0, 1]).is_ok());
         for (offsets, groups) in [
             (vec![], vec![0]),

@@ -1,9 +1,9 @@
-//! From solid links to strips: which end a strip begins at, and in which order strips come.
+//! Conversion of solid links to strips: the direction of each strip and the order of the strips.
 //!
-//! A strip of `n` triangles takes `n + 2` indices and one more for every swap. Written from one end, its
-//! first turn may fall on the wrong winding, which costs one index again; it is written from the
-//! other end where that one is free. The next strip is one that touches where the last one ended, so that
-//! vertices are used again while a cache holds them. Linear in time; five bytes a triangle.
+//! A strip of `n` triangles takes `n + 2` indices plus one for every swap. Depending on its direction, its
+//! first turn may not match the winding, which costs one more index; if the other direction avoids that,
+//! the strip is reversed. The next strip is one next to the end of the last strip, so that vertices are
+//! reused while they are in the cache. Linear time; five bytes per triangle.
 
 use std::ops::Range;
 
@@ -11,20 +11,21 @@ use super::StripSet;
 use super::links::{StripLinks, Turn, next_side, prev_side};
 use crate::mesh::{NO_TWIN, is_proper};
 
-/// A strip that is not yet indices: the sides by which its triangles are left, from one end to the other.
+/// A strip as a path through the dual graph: the sides through which its triangles are left, from one end
+/// to the other.
 #[derive(Clone, Debug, Default)]
 pub struct StripPath {
-    /// The triangle that it begins with.
+    /// The first triangle.
     pub first: u32,
-    /// The side by which each triangle but the last is left.
+    /// The side through which each triangle but the last is left.
     pub exits: Vec<u32>,
 }
 
 impl StripPath {
-    /// Becomes the strip that ends in this triangle, followed to its other end.
+    /// Sets the path to the strip that ends in triangle `end`, followed to its other end.
     ///
     /// # Panics
-    /// In debug builds, if no strip ends there.
+    /// In debug builds, if `end` is not the end of a strip.
     #[inline]
     pub fn follow(&mut self, links: &StripLinks<'_>, end: u32) {
         debug_assert!(links.solid_degree(end) < 2, "triangle {end} is inside a strip");
@@ -37,7 +38,7 @@ impl StripPath {
         }
     }
 
-    /// The same strip from its other end.
+    /// Reverses the path, so that it starts at its other end.
     #[inline]
     pub fn reverse(&mut self, links: &StripLinks<'_>) {
         if let Some(&last) = self.exits.last() {
@@ -49,26 +50,27 @@ impl StripPath {
         }
     }
 
-    /// Whether its first turn needs no index more when the first triangle stands at an even place.
+    /// Whether the first turn needs no extra index if the first triangle is at an even position.
     #[inline]
     pub fn begins_well(&self, links: &StripLinks<'_>) -> bool {
         self.exits.first().is_none_or(|&exit| links.turn(links.twins()[exit as usize]) != Turn::Next)
     }
 
-    /// What [`Self::begins_well`] says, seen from the other end.
+    /// Whether [`Self::begins_well`] would return true for the reversed path.
     #[inline]
     pub fn ends_well(&self, links: &StripLinks<'_>) -> bool {
         self.exits.last().is_none_or(|&exit| links.turn(exit) != Turn::Next)
     }
 
-    /// Triangles from the first to the last.
+    /// Triangles from first to last.
     #[inline]
     pub fn triangles(&self, links: &StripLinks<'_>) -> impl Iterator<Item = u32> {
         let twins = links.twins();
         std::iter::once(self.first).chain(self.exits.iter().map(|&exit| twins[exit as usize] / 3))
     }
 
-    /// Appends its indices; the first triangle stands at an even place of its draw unless `is_odd`.
+    /// Appends the indices of the strip; `is_odd` is whether its first triangle is at an odd position of
+    /// its draw call.
     #[inline]
     pub fn write(&self, triangles: &[[u32; 3]], links: &StripLinks<'_>, is_odd: bool, out: &mut Vec<u32>) {
         let corner = |side: u32| triangles[side as usize / 3][side as usize % 3];
@@ -79,8 +81,8 @@ impl StripPath {
         }
         out.extend([corner(prev_side(exit)), older, newer]);
         for (i, &exit) in self.exits.iter().enumerate() {
-            let entered = links.twins()[exit as usize];
-            let apex = corner(prev_side(entered));
+            let enter = links.twins()[exit as usize];
+            let apex = corner(prev_side(enter));
             if let Some(&exit) = self.exits.get(i + 1) {
                 if corner(exit) != newer && corner(next_side(exit)) != newer {
                     out.push(older);
@@ -94,9 +96,10 @@ impl StripPath {
     }
 }
 
-/// Appends the strips of all groups, each group a range of triangles.
+/// Appends the strips of all groups, each of which is a range of triangles.
 ///
-/// Degenerate triangles are left out; a loop would be too: [`StripLinks::cut_loops`] opens them.
+/// Degenerate triangles are left out. Loops would be left out too; open them with [`StripLinks::cut_loops`]
+/// first.
 pub fn write_strips(
     triangles: &[[u32; 3]],
     links: &StripLinks<'_>,
@@ -117,17 +120,17 @@ pub fn write_strips(
     }
 }
 
-/// Visits every strip once, neighbors after each other.
+/// Visits every strip once, neighboring strips one after another.
 #[derive(Clone, Debug)]
 pub struct StripOrder {
     is_done: Vec<bool>,
-    /// Triangles beside strips that were visited, the last ones first.
+    /// Triangles next to visited strips, the latest last.
     waiting: Vec<u32>,
     path: StripPath,
 }
 
 impl StripOrder {
-    /// No strip visited yet; degenerate triangles belong to none.
+    /// Starts with no strip visited; degenerate triangles belong to no strip.
     pub fn new(triangles: &[[u32; 3]]) -> Self {
         let is_done = triangles.iter().map(|corners| !is_proper(corners)).collect();
         Self { is_done, waiting: Vec::new(), path: StripPath::default() }
@@ -154,9 +157,9 @@ impl StripOrder {
                 }
                 for triangle in self.path.triangles(links) {
                     let sides = 3 * triangle as usize..3 * triangle as usize + 3;
-                    let beside = links.twins()[sides].iter().filter(|&&twin| twin != NO_TWIN);
+                    let neighbors = links.twins()[sides].iter().filter(|&&twin| twin != NO_TWIN);
                     let is_done = &self.is_done;
-                    self.waiting.extend(beside.map(|&twin| twin / 3).filter(|&t| !is_done[t as usize]));
+                    self.waiting.extend(neighbors.map(|&twin| twin / 3).filter(|&t| !is_done[t as usize]));
                 }
             }
         }

@@ -1,52 +1,53 @@
-//! A camera: what of a sphere can be on the screen, and how large an error is there.
+//! A perspective camera: visibility of bounding spheres and projection of errors to pixels.
 
 use glam::DVec3;
 
 use super::Sphere;
 
-/// A camera cannot look.
+/// Why a camera cannot be created.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CameraError {
-    /// The eye is where it looks, or `up` is along its sight, or one of them is no number.
-    #[error("the eye, what it looks at and what is up give no direction")]
+    /// The eye equals the target, `up` is parallel to the view direction, or a coordinate is not finite.
+    #[error("the eye, target and up vectors do not define a view direction")]
     NoDirection,
-    /// The field of view is empty, or half the world or more.
-    #[error("a field of view with a half of {tan} a unit away cannot be projected")]
+    /// The field of view is empty, or 180 degrees or more.
+    #[error("cannot project a field of view whose half angle has the tangent {tan}")]
     FieldOfView {
-        /// Tangent of half the angle from the lower to the upper side.
+        /// Tangent of half the vertical field of view.
         tan: f64,
     },
     /// The screen has no pixels.
-    #[error("the screen has {width} x {height} pixels")]
+    #[error("the screen has {width} x {height} pixels, but needs at least 1 x 1")]
     Screen {
-        /// Its width.
+        /// Width in pixels.
         width: u32,
-        /// Its height.
+        /// Height in pixels.
         height: u32,
     },
 }
 
-/// An eye with a screen: a perspective projection without a near or a far side.
+/// A perspective camera without near and far planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     pub(super) eye: DVec3,
     pub(super) forward: DVec3,
     pub(super) right: DVec3,
     pub(super) up: DVec3,
-    /// Half the screen's width and height, one unit away.
+    /// Half the width and height of the screen at unit distance.
     pub(super) half: [f64; 2],
-    /// Pixels that a unit takes, one unit away.
+    /// Pixels per unit of length at unit distance.
     pub(super) pixels: f64,
 }
 
 impl Camera {
-    /// A camera at `eye` that looks at `target`, `up` upwards on its screen of `[width, height]` pixels.
+    /// Creates a camera at `eye` that looks at `target`, with `up` pointing upwards on its screen of
+    /// `[width, height]` pixels.
     ///
-    /// `tan_half_fov` is the tangent of half the angle of view from the lower to the upper side: 0.577 for 60 degrees.
+    /// `tan_half_fov` is the tangent of half the vertical field of view: 0.577 for 60 degrees.
     ///
     /// # Errors
-    /// [`CameraError`] where the directions, the field of view or the screen make no picture.
+    /// [`CameraError`] if the directions, the field of view or the screen are invalid.
     pub fn new(
         eye: [f32; 3],
         target: [f32; 3],
@@ -74,53 +75,56 @@ impl Camera {
         })
     }
 
-    /// Where it is.
+    /// Position of the camera.
     pub fn eye(&self) -> [f32; 3] {
         self.eye.as_vec3().into()
     }
 
-    /// Whether anything in a sphere can be on the screen.
+    /// Whether any part of a sphere can be on the screen.
     pub fn may_see(&self, sphere: &Sphere) -> bool {
-        let to = self.to(sphere);
+        let to = self.offset_to(sphere);
         let radius = f64::from(sphere.radius);
         let [depth, x, y] = [self.forward, self.right, self.up].map(|axis| to.dot(axis));
         let slack = 1e-9 * (to.length() + radius);
-        // A side of the picture leans by its half: a point is beyond it by so much, times the side's length.
+        // `across - half * depth` is the distance to the side plane, times the length of the plane's normal.
         let is_within = |across: f64, half: f64| {
             across.abs() - half * depth <= (radius + slack) * (1.0 + half * half).sqrt()
         };
         depth >= -(radius + slack) && is_within(x, self.half[0]) && is_within(y, self.half[1])
     }
 
-    /// The most pixels by which a point of a sphere can move on the screen where it is off by an error, mesh units, which is
-    /// small against its distance; infinite where the eye is in the sphere.
+    /// Upper bound, in pixels, for the error on the screen of a sphere whose points are off by `error` mesh
+    /// units.
     ///
-    /// On a flat screen a point off the sight moves more than one as far away on it: by the square of the cosine of the
-    /// angle between, once for the screen that leans and once for the depth that is less.
+    /// `error` must be small compared with the distance. The bound is infinite if the eye is inside the
+    /// sphere. On a flat screen, an offset appears larger away from the view axis: by one over the squared
+    /// cosine of the angle, once because the screen is inclined and once because the depth is smaller than
+    /// the distance.
     pub fn error_px(&self, error: f32, sphere: &Sphere) -> f32 {
-        let (to, radius) = (self.to(sphere), f64::from(sphere.radius));
+        let (to, radius) = (self.offset_to(sphere), f64::from(sphere.radius));
         let distance = to.length();
         if distance <= radius {
             return f32::INFINITY;
         }
-        // No point of the sphere lies farther off the sight than this, and none on the screen beyond its corner.
+        // No point of the sphere is farther from the view axis than this, and no visible point is beyond
+        // the screen's corner.
         let cos = ((to.dot(self.forward) - radius) / (distance + radius)).max(self.corner_cos());
         (f64::from(error) * self.pixels / ((distance - radius) * cos * cos)) as f32
     }
 
-    /// Cosine of the angle between the sight and a corner of the screen.
+    /// Cosine of the angle between the view axis and a corner of the screen.
     pub(super) fn corner_cos(&self) -> f64 {
         1.0 / (1.0 + self.half[0].powi(2) + self.half[1].powi(2)).sqrt()
     }
 
-    fn to(&self, sphere: &Sphere) -> DVec3 {
+    fn offset_to(&self, sphere: &Sphere) -> DVec3 {
         DVec3::from(sphere.center.map(f64::from)) - self.eye
     }
 
-    /// Where a point is on the screen, from -1 to 1 each way; `None` behind the eye.
+    /// Position of a point on the screen, from -1 to 1 in both directions; `None` if it is behind the eye.
     #[cfg(test)]
     fn project(&self, point: [f32; 3]) -> Option<[f64; 2]> {
-        let to = self.to(&Sphere::point(point));
+        let to = self.offset_to(&Sphere::point(point));
         let depth = to.dot(self.forward);
         (depth > 0.0)
             .then(|| [to.dot(self.right) / (depth * self.half[0]), to.dot(self.up) / (depth * self.half[1])])
@@ -141,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_on_the_screen_is_never_called_invisible() {
+    fn visible_points_are_never_culled() {
         let (camera, mut random) = (camera(), Random::new(4));
         let mut unseen = 0;
         for _ in 0..20_000 {
@@ -152,11 +156,11 @@ mod tests {
             assert!(!on_screen || camera.may_see(&sphere), "{inside:?} in {sphere:?}");
             unseen += usize::from(!camera.may_see(&sphere));
         }
-        assert!(unseen > 10_000, "only {unseen} of 20,000 are told to be unseen");
+        assert!(unseen > 10_000, "only {unseen} of 20,000 are culled");
     }
 
     #[test]
-    fn an_error_is_never_told_too_small() {
+    fn errors_in_pixels_are_upper_bounds() {
         let (camera, mut random) = (camera(), Random::new(5));
         let (mut seen, mut tight) = (0, 0.0f64);
         for _ in 0..40_000 {
@@ -171,18 +175,18 @@ mod tests {
             }
             seen += 1;
             let pixels = ((a[0] - b[0]) * 800.0).hypot((a[1] - b[1]) * 450.0);
-            let told = f64::from(camera.error_px(1e-3, &sphere));
-            // The error is small against the distance, but not nothing, and its ends are rounded.
-            assert!(pixels <= told * 1.01 + 1e-3, "{pixels} px, but told {told}");
-            tight = tight.max(pixels / told);
+            let bound = f64::from(camera.error_px(1e-3, &sphere));
+            // The error is not infinitely small compared with the distance, and positions are rounded.
+            assert!(pixels <= bound * 1.01 + 1e-3, "{pixels} px, above the bound of {bound}");
+            tight = tight.max(pixels / bound);
         }
-        assert!(seen > 1000 && tight > 0.8, "{seen} seen, the nearest at {tight} of what is told");
+        assert!(seen > 1000 && tight > 0.8, "{seen} seen, the tightest at {tight} of the bound");
         let around = Sphere { center: [3.0, -5.0, 2.1], radius: 0.2 };
         assert_eq!(camera.error_px(1e-9, &around), f32::INFINITY);
     }
 
     #[test]
-    fn a_camera_that_cannot_look_is_refused() {
+    fn invalid_cameras_are_rejected() {
         let make = |target: [f32; 3], tan: f64, screen: [u32; 2]| {
             Camera::new([0.0; 3], target, [0.0, 0.0, 1.0], tan, screen)
         };

@@ -1,32 +1,34 @@
-//! Cones of normals: which way a part of a surface faces, as one direction and how far from it.
+//! Cones of normals: the directions in which a part of a surface faces, as an axis and an angle.
 
 use glam::DVec3;
 
 use super::Sphere;
 
-/// Cosines lose less than this to rounding when a cone is made or told as `f32`.
+/// Upper bound on the rounding error of cosines when a cone is built and stored as `f32`.
 const SLACK: f64 = 1e-6;
 
 /// All directions within some angle of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalCone {
-    /// The axis, not longer than 1; anything where the cone holds every direction.
+    /// Axis, of length at most 1; arbitrary if the cone contains every direction.
     pub axis: [f32; 3],
-    /// Cosine of the angle between the axis and the farthest direction; -1 where it holds every direction.
+    /// Cosine of the angle between the axis and the farthest direction; -1 if the cone contains every
+    /// direction.
     pub cos: f32,
 }
 
 impl NormalCone {
-    /// Every direction.
+    /// The cone of all directions.
     pub const ALL: Self = Self { axis: [0.0, 0.0, 1.0], cos: -1.0 };
 
-    /// One direction, of any length; every direction if it has none.
+    /// The cone of a single direction, of any length; [`ALL`](Self::ALL) if the direction is zero.
     pub fn around(direction: [f64; 3]) -> Self {
         DVec3::from(direction).try_normalize().map_or(Self::ALL, |axis| Self::rounded(axis, 1.0))
     }
 
-    /// The normals of triangles, corners in counter-clockwise order seen from where they face. Triangles without area have
-    /// none and are passed over; of none at all the cone is [`ALL`](Self::ALL).
+    /// The cone of the normals of triangles, whose corners are in counter-clockwise order.
+    ///
+    /// Triangles without area are ignored; if no others exist, the result is [`ALL`](Self::ALL).
     pub fn of_triangles(triangles: impl Iterator<Item = [[f32; 3]; 3]> + Clone) -> Self {
         let normals = || triangles.clone().filter_map(|corners| normal(&corners));
         let sum: DVec3 = normals().sum();
@@ -35,91 +37,92 @@ impl NormalCone {
         Self::rounded(axis, cos)
     }
 
-    /// The cone of unit normals; [`ALL`](Self::ALL) for none.
+    /// The cone of unit normals; [`ALL`](Self::ALL) if there are none.
     pub fn of_normals(normals: impl Iterator<Item = [f64; 3]> + Clone) -> Self {
         let normals = || normals.clone().map(DVec3::from);
         let Some(axis) = normals().sum::<DVec3>().try_normalize() else { return Self::ALL };
         Self::rounded(axis, normals().map(|normal| normal.dot(axis)).fold(1.0, f64::min))
     }
 
-    /// The cone of the same axis that also holds another.
+    /// Enlarges the cone to contain another cone, keeping its axis.
     #[must_use]
     pub fn with_cone(self, other: &Self) -> Self {
         if self.cos <= -1.0 || other.cos <= -1.0 {
             return Self::ALL;
         }
-        let between = turn_of(self.axis, other.axis);
-        match between.plus(Turn::of_cos(f64::from(other.cos))) {
+        let between = angle_between_f32(self.axis, other.axis);
+        match between.plus(Angle::of_cos(f64::from(other.cos))) {
             Some(reach) if reach.cos >= f64::from(self.cos) => self,
             Some(reach) => Self::rounded(direction(self.axis), reach.cos),
             None => Self::ALL,
         }
     }
 
-    /// Whether a direction of any length lies in it.
+    /// Whether the cone contains a direction, which may have any length.
     pub fn holds(&self, towards: [f32; 3]) -> bool {
         let Some(towards) = direction_of(towards) else { return false };
         self.cos <= -1.0 || towards.dot(direction(self.axis)) >= f64::from(self.cos)
     }
 
-    /// Whether no triangle in the sphere with a normal in the cone can be seen from its front by an eye.
+    /// Whether every triangle inside the sphere with a normal in the cone shows its back to the eye.
     pub fn is_turned_away(&self, sphere: &Sphere, eye: [f32; 3]) -> bool {
-        let sight = direction_f64(sphere.center) - direction_f64(eye);
-        let (distance, radius) = (sight.length(), f64::from(sphere.radius));
+        let eye_to_center = direction_f64(sphere.center) - direction_f64(eye);
+        let (distance, radius) = (eye_to_center.length(), f64::from(sphere.radius));
         if self.cos <= 0.0 || distance <= radius {
             return false;
         }
-        // From where the eye sees it the part may lie beside its center by this much, and its normals beside the axis.
-        let aside = Turn::of_sin(radius / distance);
-        let facing = turn_between(sight / distance, direction(self.axis));
-        let turned = facing.plus(Turn::of_cos(f64::from(self.cos))).and_then(|turn| turn.plus(aside));
-        turned.is_some_and(|turn| turn.cos > SLACK)
+        // Seen from the eye, the part can extend this far from its center, and its normals this far from
+        // the axis.
+        let spread = Angle::of_sin(radius / distance);
+        let facing = angle_between(eye_to_center / distance, direction(self.axis));
+        let turned = facing.plus(Angle::of_cos(f64::from(self.cos))).and_then(|angle| angle.plus(spread));
+        turned.is_some_and(|angle| angle.cos > SLACK)
     }
 
-    /// The cone as it is stored: never smaller than asked for.
+    /// Rounds the cone to its stored form, which is never smaller.
     fn rounded(axis: DVec3, cos: f64) -> Self {
         let cos = (cos - SLACK).max(-1.0) as f32;
         Self { axis: axis.as_vec3().into(), cos }
     }
 }
 
-/// An angle from 0 to half a turn, by its cosine and sine.
+/// An angle from 0 to 180 degrees, given by its cosine and sine.
 #[derive(Clone, Copy, Debug)]
-struct Turn {
+struct Angle {
     cos: f64,
     sin: f64,
 }
 
-impl Turn {
+impl Angle {
     fn of_cos(cos: f64) -> Self {
         let cos = cos.clamp(-1.0, 1.0);
         Self { cos, sin: (1.0 - cos * cos).sqrt() }
     }
 
-    /// Of an angle up to a quarter turn.
+    /// The angle with this sine, up to 90 degrees.
     fn of_sin(sin: f64) -> Self {
         let sin = sin.clamp(0.0, 1.0);
         Self { cos: (1.0 - sin * sin).sqrt(), sin }
     }
 
-    /// Both angles together; `None` beyond half a turn.
+    /// Sum of both angles; `None` above 180 degrees.
     fn plus(self, other: Self) -> Option<Self> {
         let sin = self.sin * other.cos + self.cos * other.sin;
         let cos = self.cos * other.cos - self.sin * other.sin;
-        // The sine of more than half a turn is negative.
+        // The sine of more than 180 degrees is negative.
         (sin >= 0.0).then_some(Self { cos, sin })
     }
 }
 
-fn turn_of(a: [f32; 3], b: [f32; 3]) -> Turn {
-    turn_between(direction(a), direction(b))
+fn angle_between_f32(a: [f32; 3], b: [f32; 3]) -> Angle {
+    angle_between(direction(a), direction(b))
 }
 
-fn turn_between(a: DVec3, b: DVec3) -> Turn {
-    Turn::of_cos(a.dot(b))
+fn angle_between(a: DVec3, b: DVec3) -> Angle {
+    Angle::of_cos(a.dot(b))
 }
 
-/// A direction that has been one already, made exact again.
+/// Normalizes a direction that has been rounded.
 fn direction(towards: [f32; 3]) -> DVec3 {
     direction_of(towards).unwrap_or(DVec3::Z)
 }
@@ -132,7 +135,7 @@ fn direction_f64([x, y, z]: [f32; 3]) -> DVec3 {
     DVec3::new(x.into(), y.into(), z.into())
 }
 
-/// The unit normal of a triangle; none if it has no area.
+/// Unit normal of a triangle; `None` if it has no area.
 fn normal(corners: &[[f32; 3]; 3]) -> Option<DVec3> {
     let [a, b, c] = corners.map(direction_f64);
     (b - a).cross(c - a).try_normalize()
@@ -166,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cone_holds_the_normals_of_its_triangles_and_of_other_cones() {
+    fn cones_contain_the_normals_of_their_triangles_and_of_added_cones() {
         let mut random = Random::new(2);
         for round in 0..200 {
             let bend = [0.01, 0.2, 1.0][round % 3];
@@ -187,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_turned_away_shows_no_triangle_its_front() {
+    fn parts_turned_away_show_no_front_face() {
         let mut random = Random::new(3);
         let mut away = 0;
         for round in 0..3000 {
@@ -209,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn more_than_half_a_turn_is_every_direction() {
+    fn angles_above_180_degrees_give_the_cone_of_all_directions() {
         let cone = |cos: f32| NormalCone { axis: [0.0, 0.0, 1.0], cos };
         let down = NormalCone { axis: [0.0, 0.0, -1.0], cos: 0.5 };
         assert_eq!(cone(0.9).with_cone(&down), NormalCone::ALL);

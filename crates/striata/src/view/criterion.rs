@@ -1,60 +1,67 @@
-//! What decides where a mesh is refined: a question that is asked of parts of its surface.
+//! The interface between models and refinement criteria: which parts of a surface should be refined?
 //!
-//! Models know parts: a step and all that cannot be there without it, as a sphere, a cone of normals and an error. A criterion
-//! knows the view. It weighs a part, and parts that weigh more than 1 are refined. Parts lie within each other,
-//! and what is true of the whole has to be true of the part, or a model would have to look below what it leaves coarse.
+//! A model describes its surface as parts: a step together with all steps that depend on it, given by a
+//! bounding sphere, a cone of normals and an error. A criterion knows the view. It assigns each part a
+//! weight, and parts with a weight above 1 are refined. Parts are nested, and a part must weigh at least as
+//! much as the parts inside it; otherwise, models would have to look below every part that they leave coarse.
 
 use super::{NormalCone, Sphere};
 
-/// A part of a surface that can be left out or put in.
+/// A part of a surface that a model can leave coarse or refine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
-    /// Holds whatever changes when the part is left out.
+    /// Contains everything that changes when the part is refined.
     pub sphere: Sphere,
-    /// Holds the normals of all triangles that then go or come.
+    /// Contains the normals of all triangles that refining the part adds or removes.
     pub cone: NormalCone,
-    /// How far the surface may be from where it should be while the part is left out, mesh units.
+    /// Maximum distance to the original surface while the part is not refined, in mesh units.
     pub error: f32,
 }
 
-/// What a criterion says of a part.
+/// A criterion's decision about a part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// How many times what is allowed the part's error is: it is refined above 1. 0 where nothing of it can be seen.
+    /// Ratio of the part's error to the error allowed; the part is refined above 1. It is 0 if the part is
+    /// invisible.
     pub weight: f32,
-    /// Whether the weight is above 1 stays the same until the view has moved by more than this; see
-    /// [`Criterion::motion_since`]. Never negative.
+    /// Safety margin: the decision stays the same until the view has moved by more than this, as measured
+    /// by [`Criterion::motion_since`]. Never negative.
     pub lasts: f32,
 }
 
 impl Verdict {
-    /// A weight that has to be asked for again whenever anything moves.
+    /// A decision that has to be evaluated again whenever anything moves.
     pub fn now(weight: f32) -> Self {
         Self { weight, lasts: 0.0 }
     }
 
-    /// Whether the part is to be refined.
+    /// Whether the part should be refined.
     pub fn is_wanted(&self) -> bool {
         self.weight > 1.0
     }
 }
 
-/// Decides what is refined. Any function that weighs a part is a criterion.
+/// Decides which parts of a surface are refined. Any function from a part to its weight is a criterion.
 ///
-/// A part must not weigh less than one that lies within it: whose sphere and cone are held by its own, and whose error is no
-/// larger. Models take a part that is not wanted to hold none that is, and do not ask. Where that is not so nothing cracks; but what is
-/// shown may then lack such a part, or keep one for as long as its last verdict lasts.
+/// A part must weigh at least as much as every part inside it, that is, one whose sphere and cone are
+/// contained in its own and whose error is not larger. Models assume that a part that is not refined
+/// contains no part to refine, and do not evaluate those. If a criterion violates this, the surface still
+/// has no cracks, but parts inside a coarse part may not be refined, or may stay refined until their last
+/// decision expires.
 pub trait Criterion {
-    /// Weighs a part.
+    /// Evaluates a part.
     fn weigh(&self, part: &Part) -> Verdict;
 
-    /// Weighs several parts at once, and appends a verdict for each: the same that [`weigh`](Self::weigh) gives.
+    /// Evaluates several parts and appends a verdict for each, equal to the one that [`weigh`](Self::weigh)
+    /// returns.
     fn weigh_all(&self, parts: &[Part], verdicts: &mut Vec<Verdict>) {
         verdicts.extend(parts.iter().map(|part| self.weigh(part)));
     }
 
-    /// How far the view has moved from an earlier one, in the unit of [`Verdict::lasts`]; infinite where verdicts of the earlier
-    /// one say nothing of this one. Motions add up: a verdict lasts while their sum does not exceed it.
+    /// How far the view has moved since an earlier one, in the unit of [`Verdict::lasts`]; infinite if
+    /// verdicts of the earlier view say nothing about this one.
+    ///
+    /// Motions add up: a verdict is valid as long as their sum does not exceed its margin.
     fn motion_since(&self, _earlier: &Self) -> f32
     where
         Self: Sized,

@@ -1,17 +1,17 @@
-//! Detail by place: all of it inside a box, little outside.
+//! A criterion that refines the inside of a box.
 
 use super::{Criterion, Part, Verdict};
 
-/// A criterion of places: full detail inside a box, an error at most outside.
+/// Full detail inside a box, and a limit on the error outside.
 ///
-/// Whatever reaches into the box is inside. It weighs parts, so it can be asked of every model that follows views.
+/// Parts that only reach into the box count as inside. This works with every model that supports views.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DetailBox {
-    /// The least coordinates of the box.
+    /// Smallest coordinates of the box.
     pub min: [f32; 3],
-    /// The greatest coordinates of the box.
+    /// Largest coordinates of the box.
     pub max: [f32; 3],
-    /// The error that is allowed outside, mesh units; infinite for the base.
+    /// Largest error allowed outside the box, in mesh units; infinite for the base mesh.
     pub error_outside: f32,
 }
 
@@ -22,7 +22,7 @@ impl Criterion for DetailBox {
             (min - at).max(at - max).max(0.0)
         };
         let [x, y, z] = [outside(0), outside(1), outside(2)];
-        // Numbers that are no numbers are inside: nothing is left out for them.
+        // The comparisons are written so that parts with NaN coordinates count as inside: no detail is lost.
         let is_outside = (x * x + y * y + z * z).sqrt() > f64::from(part.sphere.radius);
         let is_wanted = !(is_outside && part.error <= self.error_outside);
         Verdict { weight: if is_wanted { f32::INFINITY } else { 0.0 }, lasts: f32::INFINITY }
@@ -39,25 +39,25 @@ mod tests {
     use crate::view::{NormalCone, Sphere};
 
     #[test]
-    fn what_reaches_into_the_box_is_wanted_and_what_is_far_off() {
+    fn parts_in_the_box_or_with_large_errors_are_refined() {
         let detail = DetailBox { min: [0.0; 3], max: [1.0, 2.0, 3.0], error_outside: 0.1 };
         let is_wanted = |center, radius, error| {
             let part = Part { sphere: Sphere { center, radius }, cone: NormalCone::ALL, error };
             detail.weigh(&part).is_wanted()
         };
-        assert!(is_wanted([0.5, 1.9, 0.1], 0.0, 0.0), "within");
+        assert!(is_wanted([0.5, 1.9, 0.1], 0.0, 0.0), "inside");
         assert!(is_wanted([2.0, 1.0, 1.0], 1.0, 0.0), "reaches it");
-        assert!(!is_wanted([2.0, 1.0, 1.0], 0.99, 0.1), "does not");
-        assert!(!is_wanted([2.0, 3.0, 4.0], 1.7, 0.1), "nor at a corner");
-        assert!(is_wanted([2.0, 3.0, 4.0], 1.7, 0.11), "too far off");
-        assert!(is_wanted([f32::NAN; 3], 1.0, 0.0), "nobody knows where");
-        assert!(is_wanted([2.0, 3.0, 4.0], 1.7, f32::NAN), "nobody knows how far off");
-        assert!(is_wanted([2e30, 0.0, 0.0], 3e30, 0.0), "reaches it from afar");
-        assert!(!is_wanted([2e30, 0.0, 0.0], 1e30, 0.0), "afar");
+        assert!(!is_wanted([2.0, 1.0, 1.0], 0.99, 0.1), "just outside");
+        assert!(!is_wanted([2.0, 3.0, 4.0], 1.7, 0.1), "outside, near a corner");
+        assert!(is_wanted([2.0, 3.0, 4.0], 1.7, 0.11), "error too large");
+        assert!(is_wanted([f32::NAN; 3], 1.0, 0.0), "unknown position");
+        assert!(is_wanted([2.0, 3.0, 4.0], 1.7, f32::NAN), "unknown error");
+        assert!(is_wanted([2e30, 0.0, 0.0], 3e30, 0.0), "huge but reaches the box");
+        assert!(!is_wanted([2e30, 0.0, 0.0], 1e30, 0.0), "huge and outside");
     }
 
     #[test]
-    fn a_box_of_no_numbers_leaves_nothing_out() {
+    fn a_box_with_nan_refines_everything() {
         let part = Part {
             sphere: Sphere { center: [5.0; 3], radius: 1.0 },
             cone: NormalCone::ALL,

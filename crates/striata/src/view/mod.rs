@@ -1,14 +1,15 @@
-//! What a viewer sees: bounds of parts of a mesh, and a camera that says of them what matters on its screen.
+//! View-dependent refinement: bounds of parts of a mesh, and criteria such as a camera's screen-space error.
 //!
-//! Everything here errs on one side. A bound holds all that it bounds, rounding included; a part is called invisible only if
-//! nothing of it can be seen, and its error on the screen is never told too small. No angle is ever computed: sines and
-//! cosines are put together with square roots, which are the same on every machine.
+//! All tests are conservative. A bound contains everything that it bounds, rounding included; a part is
+//! only called invisible if nothing of it can be seen, and its screen-space error is never underestimated.
+//! Angles are never computed: sines and cosines are combined by square roots, which give the same results
+//! on every machine.
 //!
 //! ```
 //! use striata::view::{Camera, ScreenError};
 //!
 //! let camera = Camera::new([0.0, 0.0, 3.0], [0.0; 3], [0.0, 1.0, 0.0], 0.577, [1920, 1080])?;
-//! let error = ScreenError::new(camera, 1.0).with_silhouettes(0.5); // a criterion: 1 pixel, half a pixel at outlines
+//! let error = ScreenError::new(camera, 1.0).with_silhouettes(0.5); // 1 pixel, half a pixel at silhouettes
 //! # Ok::<(), striata::view::CameraError>(())
 //! ```
 
@@ -27,5 +28,5 @@ pub use detail_box::DetailBox;
 pub use screen_error::{Fovea, ScreenError};
 pub use sphere::Sphere;
 
-/// More than rounding can take away from a sum of a few products of numbers around 1.
+/// Upper bound on the rounding error of a sum of a few products of numbers around 1.
 const SLACK: f32 = 1e-5;

@@ -1,42 +1,46 @@
-//! The criterion of a camera: errors in pixels, of what is on the screen and does not turn its back.
+//! Screen-space error: the refinement criterion of a camera.
 //!
-//! A part is refined if it can be seen and its error takes more pixels than allowed. All that is asked of it, how deep it lies
-//! in the picture, how far it is turned away and how near it is, changes no faster than the eye moves; so each answer comes with how
-//! far it is from the next one, and most parts need not be asked again for many frames \[Hop97\].
+//! A part is refined if it is visible and its error covers more pixels than allowed. Everything that this
+//! depends on (the part's position in the view frustum, its orientation and its distance) changes no faster
+//! than the eye moves. Each verdict therefore comes with a margin, the motion after which it may change, so
+//! most parts need not be evaluated again for many frames \[Hop97\].
 //!
-//! Differs: \[Hop97\] looks at directions of errors, here an error is a distance in any direction; how the flat screen
-//! stretches what is off its middle is counted.
+//! Differs: \[Hop97\] considers the directions of errors, while here an error is a distance in any
+//! direction. The stretching of a flat screen towards its corners is taken into account.
 
 use glam::{DMat3, Vec3};
 
 use super::{Camera, Criterion, Part, Sphere, Verdict};
 
-/// Parts that are weighed together.
+/// Number of parts evaluated together.
 pub(super) const LANES: usize = 8;
 
-/// Motion of the eye in the model counts so many times less than motion of the model in the view: the eye is mostly
-/// farther from the model than that is large.
+/// Weight of eye motion in the model compared with motion of the model in the view. It is less than 1
+/// because the eye is usually farther from the model than the model is large.
 pub(super) const EYE_SHARE: f32 = 0.55;
 
-/// Where the eye looks at, and how fast it stops to care aside of that.
+/// The point of the screen that the viewer looks at, and how fast the error tolerance grows around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fovea {
-    /// Place on the screen, from -1 to 1 each way, upwards and to the right.
+    /// Position on the screen, from -1 to 1 in both directions, to the right and upwards.
     pub at: [f32; 2],
-    /// Half the angle that is seen sharp, radians.
+    /// Half the angle of sharp vision, in radians.
     pub radius: f32,
-    /// What is allowed grows by so many times what it is in the middle for each radian beyond.
+    /// Growth of the tolerance beyond that angle, per radian, as a multiple of the tolerance at the center.
     pub falloff: f32,
 }
 
-/// Refines the parts that are inside the frustum, face the camera, and whose stored error exceeds the pixel tolerance; with
-/// [`of_model`](Self::of_model) each verdict says for how much motion of the camera it lasts \[Hop97\].
+/// Refines the parts that are inside the frustum, face the camera, and exceed the pixel tolerance.
+///
+/// With [`of_model`](Self::of_model), each verdict states for how much camera motion it remains valid
+/// \[Hop97\].
 ///
 /// Stored errors are estimates unless they were certified for any state
-/// ([`certify_collapses_in_any_state`](crate::simplify::certify_collapses_in_any_state)), so what is really on the screen can be
-/// off by more than the tolerance: by up to 46 % on the measured meshes.
+/// ([`certify_collapses_in_any_state`](crate::simplify::certify_collapses_in_any_state)), so the actual
+/// error on the screen can exceed the tolerance: by up to 46 % on the measured meshes.
 ///
-/// Errors are distances in any direction, as a flat screen shows them. Coordinates may lie between 1e-18 and 1e18.
+/// Errors are distances in any direction, projected to a flat screen. Coordinates must be between 1e-18 and
+/// 1e18.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScreenError {
     camera: Camera,
@@ -45,24 +49,31 @@ pub struct ScreenError {
     pub(super) right: Vec3,
     pub(super) up: Vec3,
     pub(super) forward: Vec3,
-    /// Lean of the sides of the picture, and what makes distances of them.
+    /// Half the width and height of the screen at unit distance.
     pub(super) half: [f32; 2],
+    /// Inverse lengths of the side planes' normals, which turn offsets from a plane into distances.
     pub(super) across: [f32; 2],
+    /// Cosine of the angle between the view axis and a corner of the screen.
     pub(super) corner: f32,
-    /// What is nearer than this weighs no more.
+    /// Effective distances are clamped to this minimum.
     pub(super) nearest: f32,
-    /// Pixels of a unit one unit away, and pixels allowed.
+    /// Pixels per unit of length at unit distance.
     pub(super) scale: f32,
+    /// Tolerance, in pixels.
     pub(super) pixels: f32,
+    /// Tolerance on silhouettes, in pixels.
     pub(super) silhouette: Option<f32>,
+    /// A region and the tolerance inside it, in pixels.
     pub(super) region: Option<(Sphere, f32)>,
+    /// The fovea and the direction of the gaze, relative to the camera.
     pub(super) fovea: Option<(Fovea, Vec3)>,
 }
 
 impl ScreenError {
-    /// Allows errors of so many pixels on a camera's screen; none at all where that is no number above 0.
+    /// Allows errors of up to `pixels` pixels on the screen of a camera; anything but a positive number
+    /// allows none.
     ///
-    /// Squares of distances have to be numbers: coordinates and the sizes of models may be from 1e-18 to 1e18.
+    /// Coordinates and sizes of models must be between 1e-18 and 1e18, so that f32 can represent their squares.
     pub fn new(camera: Camera, pixels: f32) -> Self {
         let half = camera.half.map(|half| half as f32);
         Self {
@@ -84,28 +95,28 @@ impl ScreenError {
         }
     }
 
-    /// The same, with a sphere that holds all parts that will be asked for: without one nothing is known of how far they
-    /// move in the view, and every verdict lasts for one view only.
+    /// Sets a bounding sphere of all parts that will be evaluated. Without it, the motion between two views
+    /// is unknown, and every verdict is valid for one view only.
     #[must_use]
     pub fn of_model(self, model: Sphere) -> Self {
         let nearest = (model.radius * 1e-6).max(f32::MIN_POSITIVE);
         Self { model: Some(model), nearest, ..self }
     }
 
-    /// The same, with another number of pixels allowed where the surface can turn from the eye: outlines show errors as
-    /// steps against the background, where a surface that faces the eye hides them in its shading.
+    /// Sets a stricter tolerance for parts that may be on the silhouette. Errors there are visible as steps
+    /// against the background, while surfaces that face the eye hide them in their shading.
     #[must_use]
     pub fn with_silhouettes(self, pixels: f32) -> Self {
         Self { silhouette: Some(pixels), ..self }
     }
 
-    /// The same, with another number of pixels allowed in a region of interest. What is allowed elsewhere may be infinite.
+    /// Sets a stricter tolerance inside a region of interest. The tolerance elsewhere may be infinite.
     #[must_use]
     pub fn with_region(self, region: Sphere, pixels: f32) -> Self {
         Self { region: Some((region, pixels)), ..self }
     }
 
-    /// The same for an eye that looks at one place of the screen.
+    /// Relaxes the tolerance away from the point of the screen that the viewer looks at.
     #[must_use]
     pub fn with_fovea(self, fovea: Fovea) -> Self {
         let [x, y] = [0, 1].map(|i| fovea.at[i] * self.half[i]);
@@ -118,7 +129,7 @@ impl ScreenError {
         &self.camera
     }
 
-    /// Pixels allowed where nothing else is said.
+    /// Tolerance in pixels outside silhouettes, region and fovea.
     pub fn pixels(&self) -> f32 {
         self.pixels
     }
@@ -140,21 +151,22 @@ impl Criterion for ScreenError {
     }
 
     fn motion_since(&self, earlier: &Self) -> f32 {
-        let (Some(model), Some(of_earlier)) = (&self.model, &earlier.model) else { return f32::INFINITY };
+        let (Some(model), Some(earlier_model)) = (&self.model, &earlier.model) else { return f32::INFINITY };
         let rest = |s: &Self| (s.half, s.scale, s.pixels, s.silhouette, s.region, s.fovea);
-        if model != of_earlier || rest(self) != rest(earlier) {
+        if model != earlier_model || rest(self) != rest(earlier) {
             return f32::INFINITY;
         }
-        let place = |s: &Self| {
+        let placement = |s: &Self| {
             let camera = &s.camera;
-            let turn = DMat3::from_cols(camera.right, camera.up, camera.forward).transpose();
-            (turn, turn * (glam::DVec3::from(model.center.map(f64::from)) - camera.eye))
+            let rotation = DMat3::from_cols(camera.right, camera.up, camera.forward).transpose();
+            (rotation, rotation * (glam::DVec3::from(model.center.map(f64::from)) - camera.eye))
         };
-        let ((turn, center), (turn_before, center_before)) = (place(self), place(earlier));
-        // What a turn moves a point of the unit sphere by at most: its difference has two equal singular values.
-        let squares = (turn - turn_before).to_cols_array().iter().map(|x| x * x).sum::<f64>();
-        let turned = (squares / 2.0).sqrt();
-        let moved = center.distance(center_before) + turned * f64::from(model.radius);
+        let ((rotation, center), (rotation_before, center_before)) = (placement(self), placement(earlier));
+        // Bounds how far the rotation moves a point of the unit sphere: the difference of two rotations has
+        // two equal singular values.
+        let squares = (rotation - rotation_before).to_cols_array().iter().map(|x| x * x).sum::<f64>();
+        let rotated = (squares / 2.0).sqrt();
+        let moved = center.distance(center_before) + rotated * f64::from(model.radius);
         let eye = self.camera.eye.distance(earlier.camera.eye) * f64::from(EYE_SHARE);
         (moved.max(eye) * (1.0 + 1e-5)) as f32
     }
@@ -166,9 +178,9 @@ mod tests {
     use crate::mesh::Random;
     use crate::view::NormalCone;
 
-    struct Draw(Random);
+    struct RandomInput(Random);
 
-    impl Draw {
+    impl RandomInput {
         fn number(&mut self, spread: f32) -> f32 {
             (self.0.unit() as f32 - 0.5) * spread
         }
@@ -202,19 +214,19 @@ mod tests {
     }
 
     #[test]
-    fn a_verdict_lasts_as_long_as_it_says() {
-        let mut draw = Draw(Random::new(11));
+    fn verdicts_hold_within_their_margins() {
+        let mut input = RandomInput(Random::new(11));
         let (mut lasted, mut changed) = (0, 0);
         for round in 0..120_000 {
             let kind = round % 4;
-            // From afar the eye moves much where the picture moves little.
+            // From a distance, large motions of the eye cause only small motions in the picture.
             let far = [1.0, 1.0, 8.0][round % 3];
-            let eye = draw.point(9.0 * far);
-            let before = draw.criterion(eye, kind);
+            let eye = input.point(9.0 * far);
+            let before = input.criterion(eye, kind);
             let size = [0.02, 0.1, 0.5, 1.0, 2.0][round % 5] * far;
-            let aside = draw.point(size);
-            let after = draw.criterion([0, 1, 2].map(|i| eye[i] + aside[i]), kind);
-            let part = draw.part();
+            let offset = input.point(size);
+            let after = input.criterion([0, 1, 2].map(|i| eye[i] + offset[i]), kind);
+            let part = input.part();
             let part = Part { error: part.error * far, ..part };
             let (first, second) = (before.weigh(&part), after.weigh(&part));
             let motion = after.motion_since(&before);
@@ -230,38 +242,39 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_within_never_weighs_more() {
-        let mut draw = Draw(Random::new(12));
-        let mut unlike = 0;
+    fn parts_never_weigh_more_than_the_parts_around_them() {
+        let mut input = RandomInput(Random::new(12));
+        let mut different_count = 0;
         for round in 0..20_000 {
-            let (eye, part) = (draw.point(9.0), draw.part());
-            let criterion = draw.criterion(eye, round % 4);
-            let aside = Vec3::from(draw.point(0.5));
-            let sphere = Sphere { center: (Vec3::from(part.sphere.center) + aside).into(), ..part.sphere };
+            let (eye, part) = (input.point(9.0), input.part());
+            let criterion = input.criterion(eye, round % 4);
+            let offset = Vec3::from(input.point(0.5));
+            let sphere = Sphere { center: (Vec3::from(part.sphere.center) + offset).into(), ..part.sphere };
             let whole = Part { sphere: sphere.with_sphere(&part.sphere), error: part.error * 1.1, ..part };
             let [inner, outer] = [&part, &whole].map(|part| criterion.weigh(part).weight);
-            // Spheres that touch the same side of the picture differ by rounding.
+            // Spheres that touch the same side of the frustum differ by rounding.
             assert!(
                 inner <= outer * 1.0001 || outer == 0.0 && criterion.weigh(&whole).lasts < 1e-4,
                 "{inner}, {outer}"
             );
-            unlike += usize::from(inner < outer);
+            different_count += usize::from(inner < outer);
         }
-        assert!(unlike > 3000);
+        assert!(different_count > 3000);
     }
 
     #[test]
-    fn weights_are_errors_in_pixels_over_what_is_allowed() {
-        let mut draw = Draw(Random::new(13));
+    fn weights_are_errors_in_pixels_over_the_tolerance() {
+        let mut input = RandomInput(Random::new(13));
         let mut compared = 0;
         for _ in 0..20_000 {
-            let (eye, part) = (draw.point(9.0), draw.part());
-            let criterion = draw.criterion(eye, 0);
+            let (eye, part) = (input.point(9.0), input.part());
+            let criterion = input.criterion(eye, 0);
             let weight = criterion.weigh(&part).weight;
             let camera = criterion.camera();
             let is_hidden =
                 !camera.may_see(&part.sphere) || part.cone.is_turned_away(&part.sphere, camera.eye());
-            // The camera looks at a sphere as a whole, the criterion at its center and then at its radius.
+            // The camera bounds the error over the whole sphere; the criterion uses the center first and
+            // then the radius.
             let middle = camera.error_px(part.error, &Sphere::point(part.sphere.center));
             if weight > 0.0 {
                 assert!(!is_hidden || criterion.weigh(&part).lasts < 1e-3);
@@ -274,8 +287,8 @@ mod tests {
     }
 
     #[test]
-    fn silhouettes_regions_and_gaze_change_what_is_allowed() {
-        let criterion = |kind| Draw(Random::new(1)).criterion([0.0, 0.0, 5.0], kind);
+    fn silhouettes_regions_and_gaze_change_the_tolerance() {
+        let criterion = |kind| RandomInput(Random::new(1)).criterion([0.0, 0.0, 5.0], kind);
         let part = |center: [f32; 3], axis: [f32; 3]| Part {
             sphere: Sphere { center, radius: 0.05 },
             cone: NormalCone { axis, cos: 0.98 },

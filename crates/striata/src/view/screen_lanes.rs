@@ -1,4 +1,4 @@
-//! Weighs eight parts at a time: screen errors are asked for by the ten thousand.
+//! SIMD evaluation of screen-space errors, eight parts at a time: a frame may evaluate tens of thousands.
 
 use glam::Vec3;
 use wide::f32x8;
@@ -6,17 +6,18 @@ use wide::f32x8;
 use super::screen_error::{EYE_SHARE, LANES};
 use super::{Part, ScreenError, Verdict};
 
-/// The most that a place in the view, once it has moved by one, changes the distance that errors are divided by: that
-/// distance is `d cos^2 a`, `a` off the sight, and its slope `cos a sqrt(4 - 3 cos^2 a)`.
+/// Maximum change of the effective distance, by which errors are divided, when a point moves by 1 in the
+/// view. The effective distance is `d cos^2 a` at an angle `a` from the view axis, and its slope is `cos a
+/// sqrt(4 - 3 cos^2 a)`.
 const STRETCH: f32 = 1.16;
 
-/// More than rounding can do to a length here, in parts of it.
+/// Upper bound on the relative rounding error of a length here.
 const SLACK: f32 = 4e-6;
 
-/// More than rounding can do to the square of a length here and to that of its part along an axis, in parts of them.
+/// Upper bound on the relative rounding error of a squared length and its squared component along an axis.
 const ALONG_SLACK: f32 = 1e-6;
 
-/// Parts with each of their numbers in lanes.
+/// Up to eight parts, transposed to one vector per number.
 struct Lanes {
     center: [f32x8; 3],
     axis: [f32x8; 3],
@@ -25,24 +26,24 @@ struct Lanes {
     error: f32x8,
 }
 
-/// Where parts lie in the view.
-struct Places {
-    /// To the right, upwards and into the picture.
+/// Positions of parts relative to the view.
+struct ViewPositions {
+    /// Coordinates to the right, upwards and into the picture.
     view: [f32x8; 3],
-    sight: [f32x8; 3],
+    eye_to_center: [f32x8; 3],
     square: f32x8,
     distance: f32x8,
-    /// A little more than that of the parts.
+    /// Radius of the parts, enlarged to cover rounding.
     radius: f32x8,
 }
 
-/// What is allowed aside of where the eye looks.
-struct Aside {
-    /// How many times more.
-    times: f32x8,
-    /// The most by which motion changes what errors are divided by through that.
+/// Relaxed tolerance away from the fovea.
+struct FoveaRelaxation {
+    /// Factor on the tolerance.
+    factor: f32x8,
+    /// Maximum change of the effective distance per unit of motion caused by this factor.
     slope: f32x8,
-    /// How long that is true.
+    /// Motion up to which `slope` holds.
     lasts: f32x8,
 }
 
@@ -83,26 +84,27 @@ fn splat3(v: Vec3) -> [f32x8; 3] {
 }
 
 impl ScreenError {
-    /// Weighs up to eight parts.
+    /// Evaluates up to eight parts.
     #[inline]
     pub(super) fn weigh_lanes(&self, parts: &[Part], verdicts: &mut [Verdict; LANES]) {
         let lanes = Lanes::new(parts);
-        let places = self.places(&lanes);
-        let seen = self.seen(&places);
-        let [away, faces] = facing(&lanes, &places);
+        let positions = self.positions(&lanes);
+        let seen = self.seen(&positions);
+        let [away, faces] = facing(&lanes, &positions);
         let (allowed, allowed_lasts) = self.allowed(&lanes, faces);
-        let Aside { times, slope: times_slope, lasts: times_last } = self.aside(&places);
+        let FoveaRelaxation { factor, slope: factor_slope, lasts: factor_lasts } =
+            self.fovea_relaxation(&positions);
 
-        // All that decides changes no faster than the view moves, and is no larger for what lies within.
-        let cos = (places.view[2] / places.distance).fast_max(splat(self.corner));
-        let near = (places.distance * cos * cos - splat(STRETCH) * places.radius) * times;
-        // Where the eye may touch a part nothing is small enough; but errors still tell what comes first.
+        // All quantities change no faster than the view moves, and are no larger for parts inside a part.
+        let cos = (positions.view[2] / positions.distance).fast_max(splat(self.corner));
+        let near = (positions.distance * cos * cos - splat(STRETCH) * positions.radius) * factor;
+        // If the eye may touch a part, no error is small enough; errors still determine the order.
         let nearest = splat(self.nearest);
         let touched = near.simd_le(nearest).bitselect(splat(2.0), splat(0.0));
         let needed = (lanes.error * splat(self.scale) / allowed).fast_min(splat(f32::MAX));
-        let slope = splat(STRETCH) * times + times_slope;
+        let slope = splat(STRETCH) * factor + factor_slope;
         let change = (near - needed).abs().fast_min((near - nearest).abs());
-        let error_lasts = (change / slope).fast_min(allowed_lasts).fast_min(times_last);
+        let error_lasts = (change / slope).fast_min(allowed_lasts).fast_min(factor_lasts);
 
         let weight =
             needed / near.fast_max(nearest) + needed.simd_gt(splat(0.0)).bitselect(touched, splat(0.0));
@@ -121,32 +123,33 @@ impl ScreenError {
     }
 
     #[inline]
-    fn places(&self, lanes: &Lanes) -> Places {
-        let sight = minus(lanes.center, self.eye);
-        let square = dot(sight, sight);
-        // An eye at the very center sees it in no direction, which is as good as any.
+    fn positions(&self, lanes: &Lanes) -> ViewPositions {
+        let eye_to_center = minus(lanes.center, self.eye);
+        let square = dot(eye_to_center, eye_to_center);
+        // A part whose center is at the eye lies in no direction; any direction will do.
         let distance = square.sqrt() + splat(f32::MIN_POSITIVE);
-        Places {
-            view: [self.right, self.up, self.forward].map(|axis| dot(sight, splat3(axis))),
-            sight,
+        ViewPositions {
+            view: [self.right, self.up, self.forward].map(|axis| dot(eye_to_center, splat3(axis))),
+            eye_to_center,
             square,
             distance,
             radius: lanes.radius + (lanes.radius + distance) * splat(SLACK),
         }
     }
 
-    /// How deep spheres reach into the picture.
+    /// How far spheres reach into the view frustum; negative if they are outside.
     #[inline]
-    fn seen(&self, places: &Places) -> f32x8 {
-        let side =
-            |i: usize| (splat(self.half[i]) * places.view[2] - places.view[i].abs()) * splat(self.across[i]);
-        side(0).fast_min(side(1)).fast_min(places.view[2]) + places.radius
+    fn seen(&self, positions: &ViewPositions) -> f32x8 {
+        let side = |i: usize| {
+            (splat(self.half[i]) * positions.view[2] - positions.view[i].abs()) * splat(self.across[i])
+        };
+        side(0).fast_min(side(1)).fast_min(positions.view[2]) + positions.radius
     }
 
-    /// Pixels allowed for parts that face the eye, or may not, and how long that lasts.
+    /// Tolerance in pixels, depending on whether parts face the eye, and the motion up to which it holds.
     #[inline]
     fn allowed(&self, lanes: &Lanes, faces: f32x8) -> (f32x8, f32x8) {
-        // What is no number allows nothing, on every machine.
+        // NaN allows nothing, on every machine.
         let at_least = |pixels: f32| splat(pixels.max(f32::MIN_POSITIVE));
         let (mut allowed, mut lasts) = (at_least(self.pixels), splat(f32::MAX));
         if let Some(pixels) = self.silhouette {
@@ -163,38 +166,42 @@ impl ScreenError {
         (allowed, lasts)
     }
 
-    /// What is allowed aside of where the eye looks.
+    /// Relaxation of the tolerance for parts away from the fovea.
     #[inline]
-    fn aside(&self, places: &Places) -> Aside {
+    fn fovea_relaxation(&self, positions: &ViewPositions) -> FoveaRelaxation {
         let Some((fovea, gaze)) = &self.fovea else {
-            return Aside { times: splat(1.0), slope: splat(0.0), lasts: splat(f32::MAX) };
+            return FoveaRelaxation { factor: splat(1.0), slope: splat(0.0), lasts: splat(f32::MAX) };
         };
-        let towards = places.view.map(|x| x / places.distance);
+        let towards = positions.view.map(|x| x / positions.distance);
         let chord = minus(towards, *gaze);
-        // No point of the sphere is seen farther aside than this, and an angle is no less than its chord.
-        let spread = splat(2.0) * places.radius / places.distance;
-        let aside = dot(chord, chord).sqrt() - spread - splat(fovea.radius);
-        let times = splat(1.0) + splat(fovea.falloff) * aside.fast_max(splat(0.0));
-        // Chord and spread change by 3 / d at most; while no more than half the distance is moved, by twice that, where the
-        // distance itself is 1.5 times what it was at most, and `times` by no more than 3 times the falloff.
-        Aside { times, slope: splat(16.0 * fovea.falloff), lasts: splat(0.5) * places.distance }
+        // No point of the sphere is seen farther from the gaze than this; an angle is at least as large as
+        // its chord.
+        let spread = splat(2.0) * positions.radius / positions.distance;
+        let off_gaze = dot(chord, chord).sqrt() - spread - splat(fovea.radius);
+        let factor = splat(1.0) + splat(fovea.falloff) * off_gaze.fast_max(splat(0.0));
+        // Chord and spread change by at most 3 / d. While the motion is at most half the distance, by at
+        // most twice that; the distance is then at most 1.5 times its old value, and `factor` changes by at
+        // most 3 times the falloff.
+        FoveaRelaxation { factor, slope: splat(16.0 * fovea.falloff), lasts: splat(0.5) * positions.distance }
     }
 }
 
-/// How far parts are turned away from the eye, and how far they face it: over 0 where all of them do.
+/// How far parts are turned away from the eye, and how far they face it; positive if that holds for the
+/// whole part.
 ///
-/// The least that a normal within an angle `a` of the axis, at a point within `r` of the center, looks along the sight is
-/// `d cos(b + a) - r` where the sight is an angle `b` off the axis: that is exact, so what lies within is turned as far.
+/// For a normal within an angle `a` of the axis, at a point within `r` of the center, the smallest
+/// component along the line of sight is `d cos(b + a) - r`, where `b` is the angle between the line of
+/// sight and the axis. That is exact, so parts inside a part are turned at least as far.
 #[inline]
-fn facing(lanes: &Lanes, places: &Places) -> [f32x8; 2] {
-    let along = dot(places.sight, lanes.axis);
-    // Where the sight is along the axis, rounding may leave less of it than there is.
-    let beside = (places.square * splat(1.0 + ALONG_SLACK) - along * along).fast_max(splat(0.0)).sqrt();
+fn facing(lanes: &Lanes, positions: &ViewPositions) -> [f32x8; 2] {
+    let along = dot(positions.eye_to_center, lanes.axis);
+    // If the line of sight is almost parallel to the axis, rounding may make this component too small.
+    let off_axis = (positions.square * splat(1.0 + ALONG_SLACK) - along * along).fast_max(splat(0.0)).sqrt();
     let sin = (splat(1.0) - lanes.cos * lanes.cos).fast_max(splat(0.0)).sqrt();
-    let lean = beside * sin + places.radius;
+    let lean = off_axis * sin + positions.radius;
     let along = along * lanes.cos;
     let is_narrow = lanes.cos.simd_gt(splat(0.0));
-    let wide = -(places.distance + places.radius);
+    let wide = -(positions.distance + positions.radius);
     [along, -along].map(|along| is_narrow.bitselect(along - lean, wide))
 }
 
@@ -227,27 +234,28 @@ mod tests {
                 compared += 1;
             }
         }
-        assert!(compared > 10_000 && tight > 0.98, "{compared} compared, {tight} of what is told");
+        assert!(compared > 10_000 && tight > 0.98, "{compared} compared, {tight} of the bound");
     }
 
     #[test]
-    fn an_eye_along_the_axis_hides_nothing_that_faces_it() {
+    fn parts_that_face_an_eye_on_their_axis_are_not_hidden() {
         let mut random = Random::new(22);
         for _ in 0..20_000 {
             let axis = direction(&mut random);
-            let aside = axis.cross(direction(&mut random)).normalize() * (random.unit() as f32 * 6e-4);
-            let center = (axis + aside) * (1.0 + 4.0 * random.unit() as f32);
+            let offset = axis.cross(direction(&mut random)).normalize() * (random.unit() as f32 * 6e-4);
+            let center = (axis + offset) * (1.0 + 4.0 * random.unit() as f32);
             let cos = 0.02 + 0.3 * random.unit() as f32;
-            // In f64, of the numbers as they are: how far the part would be turned away if it were a point.
-            let [sight, axis_f64] = [center, axis].map(|v| v.as_dvec3());
-            let (along, cos_f64) = (sight.dot(axis_f64), f64::from(cos));
-            let beside = (sight - axis_f64 * along / axis_f64.length_squared()).length();
-            let away = along * cos_f64 - beside * (1.0 - cos_f64 * cos_f64).sqrt();
+            // Reference in f64, from the exact f32 inputs: how far the part would be turned away if it were
+            // a point.
+            let [eye_to_center, axis_f64] = [center, axis].map(|v| v.as_dvec3());
+            let (along, cos_f64) = (eye_to_center.dot(axis_f64), f64::from(cos));
+            let off_axis = (eye_to_center - axis_f64 * along / axis_f64.length_squared()).length();
+            let away = along * cos_f64 - off_axis * (1.0 - cos_f64 * cos_f64).sqrt();
             let sphere = Sphere { center: center.into(), radius: (away * (1.0 + 2e-6)) as f32 };
             let part = Part { sphere, cone: NormalCone { axis: axis.into(), cos }, error: 1.0 };
             let camera = Camera::new([0.0; 3], axis.into(), [0.3, 0.5, 0.7], 1.0, [100, 100]).unwrap();
             let weight = ScreenError::new(camera, 1.0).weigh(&part).weight;
-            assert!(weight > 0.0, "{part:?} is hidden, {beside} beside");
+            assert!(weight > 0.0, "{part:?} is hidden, {off_axis} off the axis");
         }
     }
 }

@@ -1,45 +1,45 @@
-//! Bounding spheres that keep their center.
+//! Bounding spheres that grow around a fixed center.
 
 use glam::Vec3;
 
 use super::SLACK;
 
-/// A ball that holds what it has been grown to.
+/// A bounding sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Its center, mesh units.
+    /// Center, in mesh units.
     pub center: [f32; 3],
-    /// Its radius, mesh units; not negative.
+    /// Radius, in mesh units; not negative.
     pub radius: f32,
 }
 
 impl Sphere {
-    /// A point.
+    /// Creates a sphere of radius 0.
     pub fn point(center: [f32; 3]) -> Self {
         Self { center, radius: 0.0 }
     }
 
-    /// The sphere of the same center that also holds a point.
+    /// Enlarges the sphere to contain a point, keeping its center.
     #[must_use]
     pub fn with_point(self, point: [f32; 3]) -> Self {
         self.with_sphere(&Self::point(point))
     }
 
-    /// The sphere of the same center that also holds another.
+    /// Enlarges the sphere to contain another sphere, keeping its center.
     #[must_use]
     pub fn with_sphere(self, other: &Self) -> Self {
         let reach = distance(self.center, other.center) + other.radius;
-        // What rounding took from the distance is given back.
+        // Compensates for the rounding of the distance.
         Self { radius: self.radius.max(reach * (1.0 + SLACK)), ..self }
     }
 
-    /// Whether a point lies in it.
+    /// Whether the sphere contains a point.
     pub fn holds(&self, point: [f32; 3]) -> bool {
         distance(self.center, point) <= self.radius
     }
 }
 
-/// Distance of two points, also where its square leaves the range of numbers.
+/// Distance between two points, computed in f64 so that its square cannot overflow.
 fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
     let d = Vec3::from(a).as_dvec3() - Vec3::from(b).as_dvec3();
     d.length() as f32
@@ -51,7 +51,7 @@ mod tests {
     use crate::mesh::Random;
 
     #[test]
-    fn a_sphere_holds_all_that_it_was_grown_to() {
+    fn spheres_contain_everything_added_to_them() {
         let mut random = Random::new(1);
         let mut point = |scale: f32| [(); 3].map(|()| (random.unit() as f32 - 0.5) * scale);
         for scale in [1e-7, 1.0, 1e7, 1e25] {
@@ -60,7 +60,7 @@ mod tests {
             assert!(points.iter().all(|&p| inner.holds(p)), "{inner:?}");
             let outer = Sphere::point(point(scale)).with_sphere(&inner);
             assert!(points.iter().all(|&p| outer.holds(p)), "{outer:?}");
-            assert!(outer.with_sphere(&inner) == outer, "what it holds changes nothing");
+            assert!(outer.with_sphere(&inner) == outer, "adding a contained sphere changes nothing");
         }
     }
 }

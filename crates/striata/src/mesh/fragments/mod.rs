@@ -1,105 +1,108 @@
-//! Steps that replace a few triangles by fewer, whatever made them: the sequence that fragments of a
-//! Multi-Triangulation \[Pup96\] and patterns \[KG98\] are built from.
+//! Refinement sequences whose steps replace a few triangles by others, however those were made.
 //!
-//! Each step removes one position. The triangles around it are the step's **ceiling**; what fills the hole is its
-//! **floor**. A collapse is one way to fill a hole, any other triangulation will do as well, so a
-//! [`CollapseSequence`](super::CollapseSequence) is a special case. Numbering and levels are the same: vertices in refinement
-//! order, level `s` shows the base and what the first `s` steps restore.
+//! Multi-Triangulations \[Pup96\] and patterns \[KG98\] are built from such sequences. Each step removes
+//! one position. The triangles around it are the step's **ceiling**; the triangles that fill the hole are
+//! its **floor**. A collapse is one way to fill the hole, but any other triangulation works as well, so a
+//! [`CollapseSequence`](super::CollapseSequence) is a special case. Vertex order and levels are the same:
+//! vertices are in refinement order, and level `s` contains the base mesh and what the first `s` steps
+//! restore.
 //!
-//! Each triangle that any level shows is a **face** with a number of its own: the base's first, then the ceilings' by step. A
-//! face is made by one step (or is of the base) and leaves by at most one, whose floor names it. As the youngest of its corners is
-//! what its step restores, the corners of a face tell which step makes it.
+//! Each triangle that appears in any level is a **face**, identified by its index: first the faces of the
+//! base mesh, then those of the ceilings by step. A face belongs to the base mesh or is created by one
+//! step; it is removed by at most one step, whose floor contains it. The youngest corner of a face is a
+//! vertex that its step restores, so the corners of a face determine the step that creates it.
 
 mod from_collapses;
-mod replay;
+mod replay_fragments;
 
-pub use replay::{fragment_faces, replay_fragments};
+pub use replay_fragments::{fragment_faces, replay_fragments};
 
 use super::sequence_error::check_length;
 use super::{IndexedMesh, Levels, PositionIndex, SequenceError, canonical_triangle};
 
-/// A triangle that some levels show.
+/// A triangle that appears in some levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Face {
-    /// Its vertices, counterclockwise.
+    /// Vertices, in counter-clockwise order.
     pub corners: [u32; 3],
-    /// The group of triangles that it belongs to; 0 in a mesh without groups.
+    /// Index of the triangle group; 0 in a mesh without groups.
     pub group: u32,
 }
 
 impl Face {
-    /// Turned so that the smallest corner comes first: equal faces are then equal.
+    /// Rotates the corners so that the smallest one comes first, which makes equal faces compare equal.
     fn canonical(self) -> Self {
         Self { corners: canonical_triangle(self.corners), ..self }
     }
 }
 
-/// What makes the parts of a fragment sequence inconsistent.
+/// Why the parts of a fragment sequence are inconsistent.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FragmentError {
-    /// Lengths or errors do not fit.
+    /// Lengths or errors are inconsistent.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
-    /// A face of a ceiling or of the base has corners that it cannot have.
+    /// A face of a ceiling or of the base mesh has corners that are not allowed there.
     #[error(
-        "step {step:?} (none: the base) makes the triangle {corners:?}, whose youngest corner is not its own"
+        "step {step:?} (none: the base) creates the triangle {corners:?}, whose youngest corner belongs to \
+         another step"
     )]
     Ceiling {
-        /// The step; none for the base.
+        /// The step; `None` for the base mesh.
         step: Option<u32>,
-        /// The face's corners.
+        /// Corners of the face.
         corners: [u32; 3],
     },
-    /// A face of a ceiling or of the base has a corner twice.
-    #[error("step {step:?} (none: the base) makes the triangle {corners:?}, which has a corner twice")]
+    /// Two corners of a face of a ceiling or of the base mesh are the same vertex.
+    #[error("step {step:?} (none: the base) creates the triangle {corners:?}, which has a repeated corner")]
     Degenerate {
-        /// The step; none for the base.
+        /// The step; `None` for the base mesh.
         step: Option<u32>,
-        /// The face's corners.
+        /// Corners of the face.
         corners: [u32; 3],
     },
-    /// A face of a floor is not there when its step is taken.
-    #[error("step {step} replaces the triangle {corners:?}, which is not there")]
+    /// A face of a floor does not exist when its step is applied.
+    #[error("step {step} replaces the triangle {corners:?}, which does not exist at that point")]
     Floor {
         /// The step.
         step: u32,
-        /// The face's corners.
+        /// Corners of the face.
         corners: [u32; 3],
     },
 }
 
-/// What one step replaces; see the module.
+/// The triangles that one step exchanges.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fragment {
     /// Triangles around the position that the step restores.
     pub ceiling: Vec<Face>,
-    /// Triangles that fill the hole without it.
+    /// Triangles that fill the hole without that position.
     pub floor: Vec<Face>,
-    /// How far the surface that the floor's triangles stand for may be from them, mesh units.
+    /// Maximum distance between the floor and the original surface that it represents, in mesh units.
     pub error: f32,
 }
 
-/// Fragments in refinement order, with all faces numbered.
+/// Fragments in refinement order, with an index for every face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FragmentSequence {
     levels: Levels,
-    /// The base's, then the ceilings'.
+    /// Faces of the base mesh, then those of the ceilings.
     faces: Vec<Face>,
-    /// First face of each step's ceiling, closed by the number of faces.
+    /// Index of the first face of each step's ceiling, followed by the number of faces.
     first_ceiling: Vec<u32>,
-    /// Faces of the floors.
+    /// Indices of the faces of all floors.
     floors: Vec<u32>,
-    /// First entry of each step's floor, closed by their number.
+    /// Start of each step's floor in `floors`, followed by the length of `floors`.
     first_floor: Vec<u32>,
     floor_errors: Vec<f32>,
 }
 
 impl FragmentSequence {
-    /// Numbers the faces of fragments in refinement order and checks that each floor finds its faces.
+    /// Assigns indices to the faces of fragments in refinement order and resolves the faces of their floors.
     ///
     /// # Errors
-    /// [`FragmentError`] naming the first step that does not fit.
+    /// [`FragmentError`] for the first step that is inconsistent.
     pub fn from_fragments(
         positions: PositionIndex,
         base: Vec<Face>,
@@ -110,12 +113,12 @@ impl FragmentSequence {
             let (found, expected) = (step_count, positions.position_count());
             return Err(SequenceError::Length { what: "fragments", found, expected }.into());
         };
-        let mut builder = Builder::new(&positions, base, base_position_count)?;
+        let mut resolver = FaceResolver::new(&positions, base, base_position_count)?;
         for (step, fragment) in fragments.enumerate() {
-            builder.push(step as u32, &fragment)?;
+            resolver.push(step as u32, &fragment)?;
         }
-        let Builder { faces, first_ceiling, floors, first_floor, triangle_counts, floor_errors, .. } =
-            builder;
+        let FaceResolver { faces, first_ceiling, floors, first_floor, triangle_counts, floor_errors, .. } =
+            resolver;
         let mut errors = floor_errors.clone();
         for step in (1..errors.len()).rev() {
             errors[step - 1] = errors[step - 1].max(errors[step]);
@@ -124,56 +127,59 @@ impl FragmentSequence {
         Ok(Self { levels, faces, first_ceiling, floors, first_floor, floor_errors })
     }
 
-    /// How large each level is, and how far off: the error of a level is the largest of the steps that it lacks.
+    /// Sizes and errors of the levels; the error of a level is the largest floor error of the steps that
+    /// are not applied.
     pub fn levels(&self) -> &Levels {
         &self.levels
     }
 
-    /// Steps from the base mesh to the full mesh.
+    /// Number of steps from the base mesh to the full mesh.
     pub fn step_count(&self) -> usize {
         self.levels.step_count()
     }
 
-    /// All faces: the base's, then the ceilings' by step.
+    /// All faces: those of the base mesh, then those of the ceilings by step.
     pub fn faces(&self) -> &[Face] {
         &self.faces
     }
 
-    /// Faces of the base: the first so many.
+    /// Number of faces of the base mesh; they come first.
     pub fn base_face_count(&self) -> usize {
         self.first_ceiling[0] as usize
     }
 
-    /// Numbers of the faces that a step makes.
+    /// Indices of the faces that a step creates.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     #[inline]
     pub fn ceiling(&self, step: u32) -> std::ops::Range<u32> {
         self.first_ceiling[step as usize]..self.first_ceiling[step as usize + 1]
     }
 
-    /// Numbers of the faces that a step replaces.
+    /// Indices of the faces that a step replaces.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     #[inline]
     pub fn floor(&self, step: u32) -> &[u32] {
         &self.floors[self.first_floor[step as usize] as usize..self.first_floor[step as usize + 1] as usize]
     }
 
-    /// How far the surface that a step's floor stands for may be from it, mesh units.
+    /// Maximum distance between the floor of a step and the original surface that it represents, in mesh
+    /// units.
     ///
     /// # Panics
-    /// If there is no such step.
+    /// If the step does not exist.
     pub fn floor_error(&self, step: u32) -> f32 {
         self.floor_errors[step as usize]
     }
 
-    /// The same steps with other errors of their floors.
+    /// Returns a copy of the sequence with other floor errors.
     ///
     /// # Errors
-    /// [`SequenceError`] where there are more or fewer, or one is no number or negative.
+    /// [`SequenceError`] if the number of errors is not the step count, or if an error is not finite or is
+    /// negative.
     pub fn with_floor_errors(&self, floor_errors: Vec<f32>) -> Result<Self, SequenceError> {
         check_length("errors", floor_errors.len(), self.step_count())?;
         let mut errors = floor_errors.clone();
@@ -185,14 +191,14 @@ impl FragmentSequence {
         Ok(Self { levels: Levels::new(positions, base, counts, errors)?, floor_errors, ..self.clone() })
     }
 
-    /// The step that makes a face; none for one of the base.
+    /// The step that creates a face; `None` for a face of the base mesh.
     #[inline]
     pub fn maker(&self, face: u32) -> Option<u32> {
         let [a, b, c] = self.faces[face as usize].corners;
         self.levels.step_of(a.max(b).max(c))
     }
 
-    /// For each face the step that replaces it; [`NO_STEP`](Self::NO_STEP) where the full mesh shows it.
+    /// The step that replaces each face; [`NO_STEP`](Self::NO_STEP) for faces of the full mesh.
     pub fn replaced_by(&self) -> Vec<u32> {
         let mut out = vec![Self::NO_STEP; self.faces.len()];
         for step in 0..self.step_count() as u32 {
@@ -203,27 +209,28 @@ impl FragmentSequence {
         out
     }
 
-    /// Stands for no step.
+    /// Value that stands for "no step".
     pub const NO_STEP: u32 = u32::MAX;
 }
 
-/// A mesh in refinement order with fragments: all levels of detail at once, uniform or not.
+/// A mesh in refinement order with its fragments, from which every level, uniform or not, can be derived.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FragmentedMesh {
-    /// The full mesh, vertices in refinement order, no unused vertices, no degenerate triangles.
+    /// The full mesh: vertices in refinement order, no unused vertices, no degenerate triangles.
     pub mesh: IndexedMesh,
-    /// How it is simplified.
+    /// How the mesh is simplified.
     pub fragments: FragmentSequence,
 }
 
-/// Numbers faces step by step, coarse to fine, and finds those of the floors.
-struct Builder<'a> {
+/// Assigns indices to faces step by step, coarse to fine, and resolves the faces of the floors.
+struct FaceResolver<'a> {
     positions: &'a PositionIndex,
     base_position_count: u32,
     faces: Vec<Face>,
-    /// Numbers of faces, those of the base and those of each ceiling sorted by what they are.
+    /// Face indices: the base mesh and each ceiling form a run that is sorted by the faces' corners and
+    /// group.
     sorted: Vec<u32>,
-    /// Faces that are replaced, at the first among `sorted` of those that are equal.
+    /// Number of faces already replaced among equal ones, stored at the first of them in `sorted`.
     replaced_counts: Vec<u32>,
     first_ceiling: Vec<u32>,
     floors: Vec<u32>,
@@ -232,13 +239,13 @@ struct Builder<'a> {
     floor_errors: Vec<f32>,
 }
 
-impl<'a> Builder<'a> {
+impl<'a> FaceResolver<'a> {
     fn new(positions: &'a PositionIndex, base: Vec<Face>, base_count: usize) -> Result<Self, FragmentError> {
         let limit = positions.first_vertices()[base_count];
         if let Some(face) = base.iter().find(|face| face.corners.iter().any(|&v| v >= limit)) {
             return Err(FragmentError::Ceiling { step: None, corners: face.corners });
         }
-        let mut builder = Self {
+        let mut resolver = Self {
             positions,
             base_position_count: base_count as u32,
             faces: Vec::new(),
@@ -250,14 +257,14 @@ impl<'a> Builder<'a> {
             first_floor: vec![0],
             floor_errors: Vec::new(),
         };
-        builder.add(None, &base)?;
-        Ok(builder)
+        resolver.add(None, &base)?;
+        Ok(resolver)
     }
 
-    /// Numbers the faces of the base or of a ceiling.
+    /// Adds the faces of the base mesh or of a ceiling.
     fn add(&mut self, step: Option<u32>, faces: &[Face]) -> Result<(), FragmentError> {
-        let has_equal = |&[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
-        if let Some(corners) = faces.iter().map(|face| face.corners).find(has_equal) {
+        let has_repeated_corner = |&[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
+        if let Some(corners) = faces.iter().map(|face| face.corners).find(has_repeated_corner) {
             return Err(FragmentError::Degenerate { step, corners });
         }
         let first = self.faces.len();
@@ -277,9 +284,9 @@ impl<'a> Builder<'a> {
             }
         }
         for &face in &fragment.floor {
-            let found = self.take(step, face);
-            let missing = FragmentError::Floor { step, corners: face.corners };
-            self.floors.push(found.ok_or(missing)?);
+            let found = self.replace_face(step, face);
+            let not_found = FragmentError::Floor { step, corners: face.corners };
+            self.floors.push(found.ok_or(not_found)?);
         }
         self.first_floor.push(self.floors.len() as u32);
         self.add(Some(step), &fragment.ceiling)?;
@@ -290,27 +297,28 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// The first face of an earlier step, or of the base, with these corners that is still there; replaces it.
-    fn take(&mut self, step: u32, face: Face) -> Option<u32> {
+    /// Finds the first remaining face with these corners, from an earlier step or the base mesh, and marks
+    /// it as replaced.
+    fn replace_face(&mut self, step: u32, face: Face) -> Option<u32> {
         let [a, b, c] = face.corners;
         let youngest = a.max(b).max(c);
         if youngest as usize >= self.positions.vertex_count() {
             return None;
         }
-        let made = match self.positions.position_of(youngest).checked_sub(self.base_position_count) {
+        let created = match self.positions.position_of(youngest).checked_sub(self.base_position_count) {
             None => 0..self.first_ceiling[0],
-            Some(maker) if maker < step => {
-                self.first_ceiling[maker as usize]..self.first_ceiling[maker as usize + 1]
+            Some(creator) if creator < step => {
+                self.first_ceiling[creator as usize]..self.first_ceiling[creator as usize + 1]
             }
             Some(_) => return None,
         };
-        let (first, end) = (made.start as usize, made.end as usize);
-        let (wanted, faces) = (face.canonical(), &self.faces);
-        let made = &self.sorted[first..end];
-        let at = made.partition_point(|&other| faces[other as usize].canonical() < wanted);
+        let (first, end) = (created.start as usize, created.end as usize);
+        let (canonical, faces) = (face.canonical(), &self.faces);
+        let candidates = &self.sorted[first..end];
+        let at = candidates.partition_point(|&other| faces[other as usize].canonical() < canonical);
         let replaced = self.replaced_counts[first..end].get_mut(at)?;
-        let found = *made.get(at + *replaced as usize)?;
-        if faces[found as usize].canonical() != wanted {
+        let found = *candidates.get(at + *replaced as usize)?;
+        if faces[found as usize].canonical() != canonical {
             return None;
         }
         *replaced += 1;

@@ -1,13 +1,14 @@
 //! Shapes with attributes: seams, hard edges and materials.
 
-use super::turn::sin_cos_of_turn;
+use super::sin_cos::sin_cos_of_turn;
 use super::{cube, uv_sphere};
 use crate::mesh::{AttributeLayer, IndexedMesh, Material, Semantic, TriangleGroup};
 
-/// An open cylinder of radius 1 around the z axis, with normals and texture coordinates.
+/// Open cylinder of radius 1 around the z axis, with normals and texture coordinates.
 ///
-/// The column of vertices where the texture meets itself stands there twice: a seam of `rings` edges. Has
-/// `(segments + 1) * (rings + 1)` vertices, `2 * segments * rings` triangles; at least 3 segments, 1 ring.
+/// The column of vertices at which the texture wraps around is duplicated: a seam of `rings` edges. It has
+/// `(segments + 1) * (rings + 1)` vertices and `2 * segments * rings` triangles; at least 3 segments and 1
+/// ring.
 pub fn uv_cylinder(segments: u32, rings: u32) -> IndexedMesh {
     let (segments, rings) = (segments.max(3), rings.max(1));
     let mut mesh = IndexedMesh::default();
@@ -35,12 +36,12 @@ pub fn uv_cylinder(segments: u32, rings: u32) -> IndexedMesh {
     mesh
 }
 
-/// The cube from -1 to 1 with a normal per side: 24 vertices over 8 positions, every edge hard.
+/// Cube from -1 to 1 with one normal per side: 24 vertices at 8 positions; every edge is hard.
 pub fn hard_cube() -> IndexedMesh {
     let soft = cube();
     let mut mesh = IndexedMesh::default();
     let mut normals = Vec::new();
-    // Two triangles after each other make a side; the first has corners 0, 1, 2, the second brings corner 3.
+    // Two consecutive triangles form a side: the first has corners 0, 1, 2, and the second adds corner 3.
     for side in soft.triangles.chunks_exact(2) {
         let first = mesh.positions.len() as u32;
         let corners = [side[0][0], side[0][1], side[0][2], side[1][2]].map(|v| soft.positions[v as usize]);
@@ -54,7 +55,7 @@ pub fn hard_cube() -> IndexedMesh {
     mesh
 }
 
-/// A sphere whose northern triangles have one material and whose southern ones another, over shared vertices.
+/// Sphere whose northern half has one material and whose southern half another, over shared vertices.
 pub fn two_material_sphere(rings: u32, segments: u32) -> IndexedMesh {
     let mut mesh = uv_sphere(rings, segments, 1.0);
     let half = mesh.triangles.len() as u32 / 2;
@@ -77,7 +78,7 @@ mod tests {
     use crate::mesh::weld;
 
     #[test]
-    fn wedges_are_where_they_should_be() {
+    fn welding_keeps_seams_hard_edges_and_material_borders() {
         let counts = |mesh: IndexedMesh| {
             mesh.check().unwrap();
             let welded = weld(&mesh).unwrap();
@@ -85,7 +86,7 @@ mod tests {
         };
         assert_eq!(counts(uv_cylinder(8, 2)), (27, 24));
         assert_eq!(counts(hard_cube()), (24, 8));
-        // Three rings of 8: the middle ring has a wedge for each material.
+        // Three rings of 8: every vertex of the middle ring has one wedge per material.
         assert_eq!(counts(two_material_sphere(3, 8)), (34, 26));
     }
 }

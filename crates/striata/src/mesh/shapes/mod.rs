@@ -1,14 +1,15 @@
-//! Generated meshes: known shapes, shapes with attributes, and everything that breaks algorithms.
+//! Generated meshes: known shapes, shapes with attributes, and meshes that break algorithms.
 //!
-//! Examples, tests and benchmarks need meshes that no file has to be found for and whose counts, areas and
-//! topology are known in advance. All shapes are deterministic, noise is seeded; counts below what a shape
-//! needs are raised to it. [`nasty`] lists one small mesh per thing that can be wrong with a mesh.
+//! Examples, tests and benchmarks need meshes that require no files and whose counts, areas and topology
+//! are known in advance. All shapes are deterministic, and noise is seeded. Parameters below the minimum of
+//! a shape are raised to that minimum. [`nasty`] returns one small mesh for each thing that can be wrong
+//! with a mesh.
 
 mod attributed;
 mod nasty;
+mod sin_cos;
 mod solids;
 mod surfaces;
-mod turn;
 
 pub use attributed::{hard_cube, two_material_sphere, uv_cylinder};
 pub use nasty::{book, bow_tie, many_components, nasty, needle, random_soup};

@@ -1,4 +1,4 @@
-//! Meshes that break algorithms, one for each thing that can be wrong.
+//! Meshes that break algorithms: one for each thing that can be wrong with a mesh.
 
 use super::{
     closed_fan, cube, hard_cube, klein_bottle, moebius_strip, tetrahedron, torus, triangle_fan,
@@ -6,7 +6,7 @@ use super::{
 };
 use crate::mesh::{AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup};
 
-/// `count` triangles that share the edge from vertex 0 to vertex 1, like pages.
+/// `count` triangles that share the edge from vertex 0 to vertex 1, like the pages of a book.
 pub fn book(count: u32) -> IndexedMesh {
     let mut mesh = IndexedMesh::new(vec![[0., 0., 0.], [0., 0., 1.]], Vec::new());
     for page in 0..count {
@@ -17,19 +17,20 @@ pub fn book(count: u32) -> IndexedMesh {
     mesh
 }
 
-/// Two triangles that share one vertex and nothing else.
+/// Two triangles that share a single vertex.
 pub fn bow_tie() -> IndexedMesh {
     let positions = vec![[0., 0., 0.], [1., 1., 0.], [1., -1., 0.], [-1., 1., 0.], [-1., -1., 0.]];
     IndexedMesh::new(positions, vec![[0, 2, 1], [0, 3, 4]])
 }
 
-/// A needle: two triangles 1 long and 1e-6 wide.
+/// Two needle-shaped triangles, 1 long and 1e-6 wide.
 pub fn needle() -> IndexedMesh {
     let positions = vec![[0., 0., 0.], [1., 0., 0.], [0.5, 1e-6, 0.], [0.5, -1e-6, 0.]];
     IndexedMesh::new(positions, vec![[0, 1, 2], [1, 0, 3]])
 }
 
-/// `triangle_count` triangles over as many random vertices: edges of any valence, duplicates, degenerates.
+/// `triangle_count` triangles over half as many random vertices: edges of any valence, duplicates,
+/// degenerates.
 pub fn random_soup(triangle_count: u32, seed: u64) -> IndexedMesh {
     let mut random = Random::new(seed);
     let vertex_count = triangle_count.max(3) / 2 + 2;
@@ -38,27 +39,27 @@ pub fn random_soup(triangle_count: u32, seed: u64) -> IndexedMesh {
     IndexedMesh::new(positions, triangles)
 }
 
-/// `count` small tetrahedra in a row of rows, each a component of its own.
+/// `count` small tetrahedra in rows of 100, each a separate component.
 pub fn many_components(count: u32) -> IndexedMesh {
     let one = tetrahedron();
     let mut mesh = IndexedMesh::default();
     for i in 0..count {
-        let place = [(i % 100) as f32, (i / 100) as f32, 0.0];
-        let move_to = |p: &[f32; 3]| std::array::from_fn(|axis| 0.1 * p[axis] + place[axis]);
+        let offset = [(i % 100) as f32, (i / 100) as f32, 0.0];
+        let move_to = |p: &[f32; 3]| std::array::from_fn(|axis| 0.1 * p[axis] + offset[axis]);
         mesh.positions.extend(one.positions.iter().map(move_to));
         mesh.triangles.extend(one.triangles.iter().map(|t| t.map(|v| v + 4 * i)));
     }
     mesh
 }
 
-/// One small mesh for each thing that can be wrong with a mesh, by name.
+/// One small mesh for each thing that can be wrong with a mesh, with a description.
 ///
-/// Meshes come first whose parts fit together, however odd they are; those for which
-/// [`IndexedMesh::check`] fails come last. Nothing may panic on either.
+/// Consistent meshes come first, however odd they are, followed by those for which [`IndexedMesh::check`]
+/// fails. No function of this library may panic on any of them.
 pub fn nasty() -> Vec<(&'static str, IndexedMesh)> {
-    let mut list = too_little();
-    list.extend(badly_joined());
-    list.extend(badly_placed());
+    let mut list = nearly_empty();
+    list.extend(badly_connected());
+    list.extend(badly_positioned());
     list.extend(with_attributes());
     list.extend(inconsistent());
     list
@@ -70,7 +71,7 @@ fn square(triangles: &[[u32; 3]]) -> IndexedMesh {
     IndexedMesh::new(SQUARE.to_vec(), triangles.to_vec())
 }
 
-fn too_little() -> Vec<(&'static str, IndexedMesh)> {
+fn nearly_empty() -> Vec<(&'static str, IndexedMesh)> {
     vec![
         ("empty", IndexedMesh::default()),
         ("vertices without triangles", square(&[])),
@@ -84,11 +85,11 @@ fn too_little() -> Vec<(&'static str, IndexedMesh)> {
     ]
 }
 
-fn badly_joined() -> Vec<(&'static str, IndexedMesh)> {
+fn badly_connected() -> Vec<(&'static str, IndexedMesh)> {
     let mut reversed = cube();
     reversed.triangles[5].swap(0, 1);
     let mut pinched = torus(6, 5, 2.0, 1.0);
-    // Two far vertices become one: a bow-tie on a closed surface.
+    // Two distant vertices become one: a bow-tie on a closed surface.
     for v in pinched.triangles.iter_mut().flatten().filter(|v| **v == 17) {
         *v = 2;
     }
@@ -110,7 +111,7 @@ fn badly_joined() -> Vec<(&'static str, IndexedMesh)> {
     ]
 }
 
-fn badly_placed() -> Vec<(&'static str, IndexedMesh)> {
+fn badly_positioned() -> Vec<(&'static str, IndexedMesh)> {
     let moved = |mesh: IndexedMesh, scale: f32, offset: f32| IndexedMesh {
         positions: mesh.positions.iter().map(|p| p.map(|x| x * scale + offset)).collect(),
         ..mesh

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::turn::sin_cos_of_turn;
+use super::sin_cos::sin_cos_of_turn;
 use crate::mesh::IndexedMesh;
 
-/// A regular tetrahedron in the unit sphere: 4 vertices, 4 triangles.
+/// Regular tetrahedron inscribed in the unit sphere: 4 vertices, 4 triangles.
 pub fn tetrahedron() -> IndexedMesh {
     let corner = |x: f64, y: f64, z: f64| on_sphere(DVec3::new(x, y, z), 1.0);
     let positions =
@@ -15,7 +15,7 @@ pub fn tetrahedron() -> IndexedMesh {
     IndexedMesh::new(positions, vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])
 }
 
-/// The cube from -1 to 1 with shared corners: 8 vertices, 12 triangles.
+/// Cube from -1 to 1 with shared corners: 8 vertices, 12 triangles.
 pub fn cube() -> IndexedMesh {
     let coordinate = |v: u32, axis: u32| if v >> axis & 1 == 0 { -1.0 } else { 1.0 };
     let positions = (0..8).map(|v| [0, 1, 2].map(|axis| coordinate(v, axis))).collect();
@@ -23,13 +23,13 @@ pub fn cube() -> IndexedMesh {
     IndexedMesh::new(positions, quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect())
 }
 
-/// The sphere that the strip papers measure: 15,314 vertices, 30,624 triangles, radius 1.
+/// The sphere used in the papers on strips: 15,314 vertices, 30,624 triangles, radius 1.
 pub fn paper_sphere() -> IndexedMesh {
-    // 87 * 176 + 2 = 15,314, and 88 steps from pole to pole are as long as 176 around the equator.
+    // 87 * 176 + 2 = 15,314; the 88 steps from pole to pole are as long as the 176 steps around the equator.
     uv_sphere(87, 176, 1.0)
 }
 
-/// A sphere of `rings` circles of `segments` vertices and two poles: `rings * segments + 2` vertices and
+/// Sphere of `rings` circles of `segments` vertices each, plus two poles: `rings * segments + 2` vertices,
 /// `2 * rings * segments` triangles; at least 1 ring and 3 segments.
 pub fn uv_sphere(rings: u32, segments: u32, radius: f32) -> IndexedMesh {
     let (rings, segments) = (rings.max(1), segments.max(3));
@@ -63,18 +63,18 @@ pub fn uv_sphere(rings: u32, segments: u32, radius: f32) -> IndexedMesh {
     mesh
 }
 
-/// An icosahedron whose triangles are quartered `subdivisions` times onto the sphere:
-/// `10 * 4^s + 2` vertices, `20 * 4^s` triangles, all nearly alike.
+/// Sphere made from an icosahedron by splitting every triangle into four, `subdivisions` times: `10 * 4^s +
+/// 2` vertices and `20 * 4^s` triangles of nearly equal shape.
 pub fn icosphere(subdivisions: u32, radius: f32) -> IndexedMesh {
     let radius = f64::from(radius);
     let mut points = icosahedron_corners();
     let mut triangles = ICOSAHEDRON.to_vec();
     for _ in 0..subdivisions {
-        let mut middle_of: HashMap<(u32, u32), u32> = HashMap::new();
+        let mut midpoint_of: HashMap<(u32, u32), u32> = HashMap::new();
         let mut finer = Vec::with_capacity(4 * triangles.len());
         for [a, b, c] in triangles {
             let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(v, w)| {
-                *middle_of.entry((v.min(w), v.max(w))).or_insert_with(|| {
+                *midpoint_of.entry((v.min(w), v.max(w))).or_insert_with(|| {
                     points.push((points[v as usize] + points[w as usize]).normalize());
                     points.len() as u32 - 1
                 })
@@ -95,7 +95,7 @@ fn icosahedron_corners() -> Vec<DVec3> {
     corners
 }
 
-/// Twenty triangles over [`icosahedron_corners`], counter-clockwise from outside.
+/// Twenty triangles over [`icosahedron_corners`], counter-clockwise seen from outside.
 const ICOSAHEDRON: [[u32; 3]; 20] = [
     [0, 1, 2],
     [0, 4, 1],
@@ -119,9 +119,11 @@ const ICOSAHEDRON: [[u32; 3]; 20] = [
     [9, 11, 10],
 ];
 
-/// A torus around the z axis: `rings * segments` vertices, twice as many triangles; at least 3 of each.
+/// Torus around the z axis: `rings * segments` vertices, twice as many triangles; at least 3 rings and 3
+/// segments.
 ///
-/// `rings` go around the axis at distance `major`, `segments` around the tube of radius `minor`.
+/// `rings` counts the steps around the axis at distance `major`, `segments` those around the tube of radius
+/// `minor`.
 pub fn torus(rings: u32, segments: u32, major: f32, minor: f32) -> IndexedMesh {
     let (rings, segments) = (rings.max(3), segments.max(3));
     let (major, minor) = (f64::from(major), f64::from(minor));
@@ -154,14 +156,14 @@ fn on_sphere(direction: DVec3, radius: f64) -> [f32; 3] {
 mod tests {
     use super::*;
 
-    /// The volume; right only where every triangle faces outwards.
+    /// Volume of a mesh; correct only if every triangle faces outwards.
     fn volume(mesh: &IndexedMesh) -> f64 {
         let corner = |v: u32| DVec3::from_array(mesh.positions[v as usize].map(f64::from));
         mesh.triangles.iter().map(|t| t.map(corner)).map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()
     }
 
     #[test]
-    fn volumes_show_outward_triangles() {
+    fn all_triangles_face_outwards() {
         let pi = std::f64::consts::PI;
         assert!((volume(&cube()) - 8.0).abs() < 1e-12);
         assert!((volume(&tetrahedron()) - 8.0 / 9.0 / 3f64.sqrt()).abs() < 1e-6);
@@ -171,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn counts_are_as_promised() {
+    fn vertex_and_triangle_counts_match_the_documentation() {
         let counts = |mesh: IndexedMesh| (mesh.vertex_count(), mesh.triangle_count());
         assert_eq!(counts(paper_sphere()), (15_314, 30_624));
         assert_eq!(counts(uv_sphere(0, 0, 1.0)), (5, 6));

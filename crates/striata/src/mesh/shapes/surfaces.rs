@@ -1,16 +1,17 @@
-//! Surfaces with a boundary, and surfaces without two sides.
+//! Surfaces with a boundary, and one-sided surfaces.
 
 use glam::DVec3;
 
-use super::turn::sin_cos_of_turn;
+use super::sin_cos::sin_cos_of_turn;
 use crate::mesh::{IndexedMesh, Random};
 
-/// A flat grid of `columns * rows` unit squares, two triangles each, in the plane z = 0; at least 1 of each.
+/// Flat grid of `columns * rows` unit squares in the plane z = 0, two triangles each; at least 1 column and
+/// 1 row.
 pub fn grid(columns: u32, rows: u32) -> IndexedMesh {
     height_field(columns, rows, |_, _| 0.0)
 }
 
-/// A grid whose vertex at column `x` and row `y` has the height that `height(x, y)` says.
+/// Grid whose vertex in column `x` and row `y` has the height `height(x, y)`.
 pub fn height_field(columns: u32, rows: u32, mut height: impl FnMut(u32, u32) -> f32) -> IndexedMesh {
     let (columns, rows) = (columns.max(1), rows.max(1));
     let mut mesh = IndexedMesh::default();
@@ -28,7 +29,8 @@ pub fn height_field(columns: u32, rows: u32, mut height: impl FnMut(u32, u32) ->
     mesh
 }
 
-/// A hilly `size * size` grid: value noise over octaves, about a tenth of its width high.
+/// Hilly grid of `size * size` squares: several octaves of value noise, with heights of about a tenth of
+/// the width.
 pub fn terrain(size: u32, seed: u64) -> IndexedMesh {
     let size = size.max(1);
     height_field(size, size, |x, y| {
@@ -43,7 +45,7 @@ pub fn terrain(size: u32, seed: u64) -> IndexedMesh {
     })
 }
 
-/// Smoothly blended random values on a lattice of squares `cell` wide, in 0..1.
+/// Value noise in 0..1: random values on a square lattice of width `cell`, smoothly interpolated.
 fn value_noise(seed: u64, point: [u32; 2], cell: u32) -> f64 {
     let [x, y] = point.map(|p| p / cell);
     let [u, v] = point.map(|p| {
@@ -59,7 +61,7 @@ fn value_noise(seed: u64, point: [u32; 2], cell: u32) -> f64 {
     row(y) * (1.0 - v) + row(y + 1) * v
 }
 
-/// `count` triangles around vertex 0 over a quarter circle: an open fan.
+/// Open fan of `count` triangles around vertex 0, over a quarter circle.
 pub fn triangle_fan(count: u32) -> IndexedMesh {
     let count = count.max(1);
     let mut mesh = IndexedMesh::new(vec![[0.0; 3]], (1..=count).map(|v| [0, v, v + 1]).collect());
@@ -70,7 +72,7 @@ pub fn triangle_fan(count: u32) -> IndexedMesh {
     mesh
 }
 
-/// `count` triangles all around vertex 0, which stands up a little: a closed fan, at least 3 triangles.
+/// Closed fan of `count` triangles around vertex 0, which is slightly raised; at least 3 triangles.
 pub fn closed_fan(count: u32) -> IndexedMesh {
     let count = count.max(3);
     let triangles = (0..count).map(|v| [0, 1 + v, 1 + (v + 1) % count]).collect();
@@ -82,9 +84,9 @@ pub fn closed_fan(count: u32) -> IndexedMesh {
     mesh
 }
 
-/// A strip of `segments` squares joined with half a twist: one side, one boundary loop; at least 3 squares.
+/// Moebius strip of `segments` squares: one side, one boundary loop; at least 3 squares.
 ///
-/// Orientation must break somewhere: it does so at the last square's end.
+/// Its orientation has to break somewhere; it does so at the end of the last square.
 pub fn moebius_strip(segments: u32) -> IndexedMesh {
     let segments = segments.max(3);
     let mut mesh = IndexedMesh::default();
@@ -101,8 +103,8 @@ pub fn moebius_strip(segments: u32) -> IndexedMesh {
     mesh
 }
 
-/// A Klein bottle in its figure-eight form, closed and one-sided: `rings * segments` vertices, twice as many
-/// triangles; at least 3 of each. Orientation breaks along the last ring.
+/// Klein bottle in figure-eight form, closed and one-sided: `rings * segments` vertices, twice as many
+/// triangles; at least 3 rings and 3 segments. Its orientation breaks along the last ring.
 pub fn klein_bottle(rings: u32, segments: u32) -> IndexedMesh {
     let (rings, segments) = (rings.max(3), segments.max(3));
     let mut mesh = IndexedMesh::default();
@@ -136,7 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn terrain_is_rough_smooth_and_repeatable() {
+    fn terrain_is_hilly_smooth_and_repeatable() {
         let mesh = terrain(64, 5);
         assert_eq!(mesh, terrain(64, 5));
         assert_ne!(mesh, terrain(64, 6));
@@ -149,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn counts_are_as_promised() {
+    fn vertex_and_triangle_counts_match_the_documentation() {
         let counts = |mesh: IndexedMesh| (mesh.vertex_count(), mesh.triangle_count());
         assert_eq!(counts(grid(3, 2)), (12, 12));
         assert_eq!(counts(grid(0, 0)), (4, 2));

@@ -1,4 +1,4 @@
-//! Files with a stream, whole or cut off.
+//! Reading of files with a stream, complete or truncated.
 
 use super::super::container::{Container, Ending};
 use super::super::{DecodeError, SectionKind, StreamCodec, StreamHead, StreamMesh, Verify};
@@ -6,27 +6,29 @@ use super::StriataFile;
 use crate::mesh::{IndexedMesh, RefinableMesh, replay};
 
 impl<'a> StriataFile<'a> {
-    /// Reads a file that may be cut off within its stream: header, table and all sections before it must be there.
+    /// Reads a file that may be truncated within its stream; the header, the table and all other sections
+    /// must be present.
     ///
-    /// A file that is whole is read as by [`parse`](Self::parse). Of one that is cut off the last bytes of the stream are
-    /// taken as they stand, since their checksum is of bytes that are missing.
+    /// A complete file is read as by [`parse`](Self::parse). In a truncated file, the checksum of the
+    /// stream cannot be verified, since it covers bytes that are missing.
     ///
     /// # Errors
-    /// As [`parse`](Self::parse).
+    /// [`DecodeError`] under the conditions of [`parse`](Self::parse).
     pub fn parse_cut(bytes: &'a [u8]) -> Result<Self, DecodeError> {
         Self::of_container(Container::parse(bytes, Verify::WhenRead, Ending::Cut)?)
     }
 
-    /// A stream alone, whole or cut off, as if it were all that a file has. Its bounds are not known before it is decoded.
+    /// Treats a bare stream, complete or truncated, as a file that contains nothing else. Its bounds are
+    /// unknown until it is decoded.
     ///
     /// # Errors
-    /// As [`StreamCodec::head`].
+    /// [`DecodeError`] under the conditions of [`StreamCodec::head`].
     pub fn from_stream(bytes: &'a [u8], codec: &'static dyn StreamCodec) -> Result<Self, DecodeError> {
         let StreamHead { stream_bytes, summary } = codec.head(bytes)?;
         Ok(Self::of_parts(Container::of_stream(bytes, stream_bytes), summary).with_codec(codec))
     }
 
-    /// Decodes the mesh with a codec, if it is in a stream alone.
+    /// Sets the codec that decodes the mesh of a file that contains only a stream.
     pub fn with_codec(self, codec: &'static dyn StreamCodec) -> Self {
         Self { codec: Some(codec), ..self }
     }
@@ -35,22 +37,23 @@ impl<'a> StriataFile<'a> {
         self.codec.ok_or(DecodeError::NoStreamCodec)
     }
 
-    /// Whether the file ends before its stream does.
+    /// Whether the file is truncated within its stream.
     pub fn is_cut(&self) -> bool {
         self.container.is_cut()
     }
 
-    /// The bytes of the progressive stream, if the file has one; where the file is cut off, those that are there.
+    /// Bytes of the progressive stream, if the file has one; if the file is truncated, those that are
+    /// present.
     pub fn stream(&self) -> Option<Result<&'a [u8], DecodeError>> {
         self.container.find(SectionKind::STREAM).transpose()
     }
 
-    /// Whether mesh and levels are in a stream, and nowhere else.
+    /// Whether the mesh and its levels are stored only as a stream.
     pub fn is_stream_only(&self) -> bool {
         self.has(SectionKind::STREAM) && !self.has(SectionKind::POSITIONS)
     }
 
-    /// The texts in the head of a stream that is all that the file has.
+    /// The metadata in the head of a stream, if the file contains only a stream.
     pub(super) fn metadata_of_stream(&self) -> Result<Vec<(String, String)>, DecodeError> {
         if !self.is_stream_only() {
             return Ok(Vec::new());
@@ -58,7 +61,7 @@ impl<'a> StriataFile<'a> {
         self.codec()?.metadata(self.container.get(SectionKind::STREAM)?)
     }
 
-    /// What the stream tells, where the file has nothing else.
+    /// The decoded mesh of the stream, if the file contains only a stream.
     pub(super) fn mesh_of_stream(&self) -> Result<Option<&RefinableMesh>, DecodeError> {
         if !self.is_stream_only() {
             return Ok(None);
@@ -97,8 +100,10 @@ impl<'a> StriataFile<'a> {
     }
 }
 
+/// Extracts a level of a decoded stream.
+///
 /// # Errors
-/// Where there is no such level, or not yet.
+/// [`DecodeError::SplitCount`] if the level does not exist or has not been received yet.
 pub(super) fn level(refinable: &RefinableMesh, split_count: usize) -> Result<IndexedMesh, DecodeError> {
     let step_count = refinable.sequence.step_count();
     if split_count > step_count {

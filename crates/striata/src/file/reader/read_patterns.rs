@@ -1,4 +1,4 @@
-//! Patterns and fragments of a file, and the levels that only they know.
+//! Reading of patterns and fragments, including the levels of files that have no collapses.
 
 use super::StriataFile;
 use crate::file::{DecodeError, SectionKind};
@@ -7,8 +7,8 @@ use crate::model::patterns::PatternsParts;
 use crate::model::{LodModel, ModelKind, Patterns};
 
 impl StriataFile<'_> {
-    /// The patterns with the bounds of their fragments, if the file has them: in memory of their own and checked once, so that no
-    /// move can fail.
+    /// The patterns and the bounds of their fragments, if the file has them; copied out of the file and
+    /// validated once, so that no move can fail.
     pub fn patterns(&self) -> Option<Result<Patterns, DecodeError>> {
         self.has(SectionKind::PATTERN_RECORDS).then(|| self.read_patterns())
     }
@@ -54,11 +54,13 @@ impl StriataFile<'_> {
         Ok(levels)
     }
 
-    /// The whole mesh with fragments, checked and in memory of its own: those of the patterns, or of the collapses. The error of
-    /// a floor is that of the level without it.
+    /// The whole mesh with its fragments, validated and copied out of the file.
+    ///
+    /// The fragments come from the patterns if the file has them, otherwise from the collapses. The error
+    /// of a floor is the error of the level without its fragment.
     ///
     /// # Errors
-    /// [`DecodeError`] where any part is unsound or parts do not fit together.
+    /// [`DecodeError`] if any part is invalid or inconsistent with the others.
     pub fn fragmented_mesh(&self) -> Result<FragmentedMesh, DecodeError> {
         let Some(patterns) = self.patterns() else {
             return Ok(FragmentedMesh::from_collapses(&self.refinable_mesh()?));
