@@ -1,14 +1,17 @@
-//! Who answers for what vanishes: a step whose floor is empty has no triangle to give its pieces to.
+//! Finds substitute faces for a step whose floor is empty, which has no triangle to assign its pieces
+//! to.
 //!
-//! An ear (a triangle that hangs on by one side) or an island goes, and nothing comes. A triangle `g` nearby takes its pieces. In the
-//! levels that the steps lead through that is all. But a state that lacks the step may still show more than `g`: those who would
-//! answer for the pieces are not there yet. Then what `g` answers for, orphans like these apart, is served by triangles from before
-//! `g`, none farther off than the largest bound by now, and each piece is within some *reach* of a part of it: the sum of both holds.
+//! An ear (a triangle attached by only one side) or an island vanishes without a replacement. A
+//! triangle `g` nearby takes over its pieces. For the levels of the sequence that is sufficient. But
+//! another state that lacks the step may still be finer around `g`: the faces that would get the pieces
+//! do not exist there yet. The pieces that `g` had, except for those taken over in this way, are then
+//! represented by finer triangles, none of them farther away than the largest bound so far, and each
+//! new piece is within some *reach* of one of them. The sum of both distances is a valid bound.
 //!
 //! ```text
-//!    \   /g\          The step removes v with the ear (u, v, w), and g takes its pieces. It is sure to be there, or something
-//!     \ /   \         coarser, where it is an original triangle or was made together with the ear. Then its own distance holds.
-//!  ----u-----w----
+//!    \   /g\          The step removes v with the ear (u, v, w), and g takes over its pieces. If g is an
+//!     \ /   \         original triangle, or is replaced in the same step as the ear, g or something coarser
+//!  ----u-----w----    is guaranteed to be active. Then its own distance is a valid bound.
 //!       \   /
 //!         v
 //! ```
@@ -18,21 +21,21 @@ use glam::{DVec3, Vec3, Vec3A};
 use crate::mesh::{AxisBox, BoxTree, FragmentSequence};
 use crate::simplify::collapse::fan::distance_squared;
 
-/// Points of an island that look for the nearest face, at most.
+/// Maximum number of points of an island for which the nearest face is searched.
 const MAX_POINTS: usize = 24;
 
-/// Finds the faces nearby that take over.
+/// Finds nearby faces that take over the pieces of a step.
 pub(super) struct Adopters {
-    /// For each face the step that replaces it.
+    /// For each face, the step that replaces it.
     replaced_by: Vec<u32>,
-    /// Faces of all levels by position: first entry of each, closed by the number of entries.
+    /// First entry in `around` of each position, followed by the number of entries; faces of all levels.
     first_around: Vec<u32>,
     around: Vec<u32>,
-    /// Made when the first island vanishes.
+    /// Created when the first island vanishes.
     nearby: Option<Nearby>,
 }
 
-/// The faces of all levels in a tree of boxes, in a frame where the mesh spans about 1.
+/// Box tree over the faces of all levels, in coordinates in which the mesh has an extent of about 1.
 struct Nearby {
     middle: DVec3,
     scale: f64,
@@ -59,7 +62,8 @@ impl Adopters {
         Self { replaced_by: fragments.replaced_by(), first_around, around, nearby: None }
     }
 
-    /// Faces that are there without `step` and touch its ceiling; those nearest to it if none does.
+    /// Returns the faces that exist just before `step` is applied and touch its ceiling; if there are
+    /// none, those nearest to it.
     pub(super) fn find(&mut self, mesh: (&FragmentSequence, &[[f32; 3]]), step: u32) -> Vec<u32> {
         let fragments = mesh.0;
         let positions = fragments.levels().positions();
@@ -81,7 +85,7 @@ impl Adopters {
         found
     }
 
-    /// True where each state that lacks `step` shows the face or something coarser.
+    /// Whether every state that lacks `step` contains the face or something coarser.
     pub(super) fn is_sure(&self, fragments: &FragmentSequence, face: u32, step: u32) -> bool {
         let above = self.replaced_by[face as usize];
         let with_it = || fragments.ceiling(step).any(|own| self.replaced_by[own as usize] == above);
@@ -90,11 +94,11 @@ impl Adopters {
 
     fn is_there(&self, fragments: &FragmentSequence, face: u32, step: u32) -> bool {
         let is_made = fragments.maker(face).is_none_or(|maker| maker < step);
-        // `NO_STEP` is larger than all steps.
+        // `NO_STEP` is larger than all step indices.
         is_made && self.replaced_by[face as usize] > step
     }
 
-    /// The faces nearest to corners and middles of those that the step takes away.
+    /// Returns the faces nearest to the corners and centroids of the faces that the step removes.
     fn nearest(&mut self, (fragments, points): (&FragmentSequence, &[[f32; 3]]), step: u32) -> Vec<u32> {
         let nearby = self.nearby.take().unwrap_or_else(|| Nearby::new(fragments, points));
         let place = |v: u32| nearby.place(points[v as usize]);

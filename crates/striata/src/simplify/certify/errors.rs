@@ -1,4 +1,4 @@
-//! Errors that hold, for a sequence that exists.
+//! Certified errors of finished sequences.
 
 use crate::mesh::{CollapseSequence, Face, FragmentSequence, FragmentedMesh, RefinableMesh, SequenceParts};
 use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
@@ -9,11 +9,13 @@ use super::adopt::Adopters;
 /// Steps between two calls of the progress callback.
 const STEPS_PER_REPORT: usize = 1 << 10;
 
-/// The same fragments with errors that hold: the original surface is nowhere farther from what a state shows than the largest
-/// error of the floors whose faces it shows, nor than the error of the level if it is one.
+/// Returns the fragments with certified errors.
 ///
-/// All points of the original surface count, not its vertices alone; of the simplified surface nothing is said. A step that is not
-/// taken and whose floor is empty counts as well. Where nothing is left at all, its error is the diagonal of the mesh's bounds.
+/// In any state of selective refinement, the distance of the original surface from the active faces is
+/// at most the largest error of the floors to which they belong; at a level, it is at most the error of
+/// the level. This holds for all points of the original surface, not only its vertices, but says
+/// nothing about the opposite distance. An unapplied step with an empty floor counts as well. If
+/// nothing is left at all, the error is the diagonal of the mesh's bounds.
 ///
 /// # Example
 /// ```
@@ -32,10 +34,10 @@ pub fn certify(mesh: &FragmentedMesh) -> FragmentedMesh {
     certify_with_progress(mesh, &mut ignore_progress).expect("nobody cancels")
 }
 
-/// Does as [`certify`] and reports its progress; the callback can cancel.
+/// Does what [`certify`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// [`Cancelled`] if the callback asks for it.
+/// [`Cancelled`] if the callback cancels.
 pub fn certify_with_progress(
     mesh: &FragmentedMesh,
     progress: &mut ProgressFn<'_>,
@@ -45,18 +47,19 @@ pub fn certify_with_progress(
     Ok(FragmentedMesh { mesh: mesh.mesh.clone(), fragments })
 }
 
-/// The same collapses with errors that hold: the original surface is nowhere farther from a level than the level's error.
+/// Returns the collapse sequence with certified errors for its levels: the distance of the original
+/// surface from a level is at most the level's error.
 ///
-/// Levels only, not what selective refinement makes of the steps: so the errors may be lower than those of [`certify`] and of
-/// [`certify_collapses_in_any_state`].
+/// The errors hold for levels only, not for other states of selective refinement. They may therefore be
+/// lower than those of [`certify`] and [`certify_collapses_in_any_state`].
 pub fn certify_collapses(refinable: &RefinableMesh) -> RefinableMesh {
     certify_collapses_with_progress(refinable, &mut ignore_progress).expect("nobody cancels")
 }
 
-/// Does as [`certify_collapses`] and reports its progress; the callback can cancel.
+/// Does what [`certify_collapses`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// [`Cancelled`] if the callback asks for it.
+/// [`Cancelled`] if the callback cancels.
 pub fn certify_collapses_with_progress(
     refinable: &RefinableMesh,
     progress: &mut ProgressFn<'_>,
@@ -64,17 +67,19 @@ pub fn certify_collapses_with_progress(
     certified_collapses(refinable, Scope::Levels, progress)
 }
 
-/// The same collapses with errors that hold in any state, as those of [`certify`] do: for models that follow views.
+/// Returns the collapse sequence with errors certified for any state of selective refinement, as those
+/// of [`certify`] are: for view-dependent models.
 ///
-/// What a state shows is nowhere farther from the original surface than the error of the coarsest step that it lacks.
+/// The distance of the original surface from the active triangles is at most the error of the coarsest
+/// step that is not applied.
 pub fn certify_collapses_in_any_state(refinable: &RefinableMesh) -> RefinableMesh {
     certify_collapses_in_any_state_with_progress(refinable, &mut ignore_progress).expect("nobody cancels")
 }
 
-/// Does as [`certify_collapses_in_any_state`] and reports its progress; the callback can cancel.
+/// Does what [`certify_collapses_in_any_state`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// [`Cancelled`] if the callback asks for it.
+/// [`Cancelled`] if the callback cancels.
 pub fn certify_collapses_in_any_state_with_progress(
     refinable: &RefinableMesh,
     progress: &mut ProgressFn<'_>,
@@ -107,18 +112,19 @@ fn certified_collapses(
     Ok(RefinableMesh { mesh: refinable.mesh.clone(), sequence })
 }
 
-/// Where a step raises the error of the levels by more than this, a way round is looked for: a triangle that folds over its
-/// neighbor leaves what it stood for to that neighbor, which is not of the step's floor.
+/// If a step raises the error of the levels by more than this factor, nearby faces are searched as
+/// well: if a triangle folds over its neighbor, its pieces are best assigned to that neighbor, which
+/// does not belong to the step's floor.
 const WORTH_A_LOOK: f64 = 1.02;
 
-/// For which states errors are to hold.
+/// The states for which errors are certified.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Scope {
     Levels,
     All,
 }
 
-/// The bound of each step's floor, rounded up.
+/// Returns the bound of each step's floor, rounded up.
 fn floor_errors(
     mesh: &FragmentedMesh,
     scope: Scope,
@@ -140,27 +146,27 @@ fn floor_errors(
     Ok(errors)
 }
 
-/// The least f32 that is not below.
+/// Returns the smallest f32 that is not less than `x`.
 fn rounded_up(x: f64) -> f32 {
     let nearest = x as f32;
     let up = if f64::from(nearest) < x { nearest.next_up() } else { nearest };
     up.min(f32::MAX)
 }
 
-/// From the full mesh to the base, with the cover of each state.
+/// Walks from the full mesh to the base and updates the assignment of pieces.
 struct Walk<'a> {
     positions: &'a [[f32; 3]],
     fragments: &'a FragmentSequence,
     cover: Cover,
-    /// For each face its number in the cover, where those of faces that are gone are used again.
+    /// For each face its index in the cover; indices of replaced faces are reused.
     slots: Vec<u32>,
     slot_count: u32,
     scope: Scope,
-    /// The largest bound so far of pieces and the faces that got them.
+    /// The largest bound so far between pieces and their faces.
     largest: f64,
     ceiling: Vec<u32>,
     floor: Vec<(u32, [[f64; 3]; 3])>,
-    /// Made when the first floor is empty.
+    /// Created when the first step needs it.
     adopters: Option<Adopters>,
 }
 
@@ -189,7 +195,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Undoes a step; returns how far what its floor stands for may be off.
+    /// Undoes a step; returns a bound on the distance between its floor and the pieces assigned to it.
     fn undo(&mut self, step: u32) -> f64 {
         let fragments = self.fragments;
         let Self { slots, slot_count, ceiling, .. } = self;
@@ -213,7 +219,8 @@ impl<'a> Walk<'a> {
         bound
     }
 
-    /// Gives the pieces of the ceiling to the floor or, where that would raise the error and it is better, to triangles around as well.
+    /// Assigns the pieces of the ceiling to the floor. If that would raise the error, also tries nearby
+    /// faces and uses them if the bound is smaller.
     fn replace_or_look_around(&mut self, step: u32) -> f64 {
         let mut bound = self.cover.propose(&self.ceiling, &self.floor);
         if bound > self.largest * WORTH_A_LOOK {
@@ -233,7 +240,7 @@ impl<'a> Walk<'a> {
         bound
     }
 
-    /// A step without a floor: others take what its ceiling answered for.
+    /// Undoes a step without a floor: other faces get the pieces of its ceiling.
     fn undo_to_nothing(&mut self, step: u32) -> f64 {
         let fragments = self.fragments;
         let adopters = self.adopters.get_or_insert_with(|| Adopters::new(fragments));

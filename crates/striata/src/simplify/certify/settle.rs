@@ -1,10 +1,11 @@
-//! Gives a piece to the triangles of a floor: whole where one triangle serves it well, else cut where the nearest changes.
+//! Assigns a piece to the triangles of a floor: whole if one triangle is close enough, otherwise cut
+//! where the nearest changes.
 //!
 //! ```text
-//!        c                 Of the piece's corners a and b are nearer to A, c to B. On two of its sides there is a point as
-//!       / \      B         near to one as to the other: the cut runs from one to the other, and both parts go on
-//!   ---x---x---            on their own. Distances at x are then those to the surface, not to the wrong triangle.
-//!     /     \    A
+//!        c                 Of the piece's corners, a and b are nearer to A, and c to B. On two of its
+//!       / \      B         sides there is a point x that is equally far from both: the cut connects them,
+//!   ---x---x---            and both parts are processed further. Distances at x are then those to the
+//!     /     \    A         surface, not to the wrong triangle.
 //!    a-------b
 //! ```
 
@@ -14,25 +15,27 @@ use wide::f64x4;
 use super::floor::Floor;
 use super::polygon::{MAX_CORNERS, Polygon};
 
-/// Cuts that one piece may have, and as many more for each triangle of the floor as it may cross.
+/// Maximum number of cuts per piece, plus a number for each triangle of the floor that it may cross.
 const CUTS: usize = 16;
 const CUTS_PER_FACE: usize = 4;
 
-/// A face is nearer only if its squared distance is below this share of the other's: what rounds is no reason for a cut.
+/// A face is nearer only if its squared distance is below this share of the other's: rounding must not
+/// cause cuts.
 const NEARER: f64 = 1.0 - 1e-5;
 
-/// Trials for a point where two triangles are equally near.
+/// Maximum number of trials to find a point that is equally far from two triangles.
 const MAX_TRIALS: usize = 8;
 
-/// A piece may be given away whole if that makes its bound larger than the step's own error by no more than this share.
+/// A piece may be assigned whole if that makes its bound exceed the step's own error by no more than
+/// this share.
 pub(super) const SLACK: f64 = 0.03;
 
-/// Points of the surface with their squared distances from the floor's triangles.
+/// Points of the original surface with their squared distances from the floor's triangles.
 #[derive(Default)]
 pub(super) struct Points {
     at: Vec<DVec3>,
     squared: Vec<f64x4>,
-    /// The largest squared distance of any from the nearest triangle.
+    /// The largest squared distance of any point from its nearest triangle.
     farthest: f64,
 }
 
@@ -61,7 +64,8 @@ impl Points {
         self.row(point)[face / 4].to_array()[face % 4]
     }
 
-    /// The face from which the farthest of some points is least far, and its squared distance.
+    /// Returns the face whose largest squared distance from any of the given points is smallest, and
+    /// that distance.
     #[inline]
     pub(super) fn best(&self, points: &[u32], count: usize) -> (usize, f64) {
         let lanes = self.squared.len() / self.at.len();
@@ -81,7 +85,7 @@ impl Points {
     }
 }
 
-/// A piece with its corners among the points.
+/// A piece during cutting: its corners and their indices among the measured points.
 #[derive(Clone, Copy)]
 pub(super) struct Shape {
     count: usize,
@@ -114,7 +118,7 @@ impl Shape {
     }
 }
 
-/// Where a point of a piece lies in space.
+/// The plane of an original triangle, which maps its own coordinates to space.
 #[derive(Clone, Copy)]
 pub(super) struct Plane {
     pub(super) first: DVec3,
@@ -140,7 +144,7 @@ pub(super) struct Settler {
 }
 
 impl Settler {
-    /// With the squared distance below which nothing is cut.
+    /// Creates an assigner with the squared distance below which nothing is cut.
     pub(super) fn new(negligible: f64) -> Self {
         Self { negligible, ..Self::default() }
     }
@@ -151,14 +155,15 @@ impl Settler {
         (self.points.farthest * ((1.0 + SLACK) * (1.0 + SLACK))).max(self.negligible)
     }
 
-    /// The face that serves all points well enough, and its squared bound.
+    /// Returns the face that is close enough to all points, if there is one, and its squared bound.
     #[inline]
     pub(super) fn one_for_all(&self, points: &[u32]) -> Option<(usize, f64)> {
         let (face, squared) = self.points.best(points, self.floor.count());
         (squared <= self.allowed()).then_some((face, squared))
     }
 
-    /// Cuts a piece until each part has a face that serves it, and hands out the parts; returns the largest squared bound.
+    /// Cuts a piece until each part has a face that is close enough, and passes each part to `out`;
+    /// returns the largest squared bound.
     pub(super) fn settle(&mut self, shape: Shape, plane: &Plane, mut out: impl FnMut(usize, &Shape)) -> f64 {
         let mut largest: f64 = 0.0;
         let mut cuts_left = CUTS + CUTS_PER_FACE * self.floor.count();
@@ -179,7 +184,7 @@ impl Settler {
         largest
     }
 
-    /// Takes a part up, in two where it has a corner too many.
+    /// Queues a part, split in two if it has one corner too many.
     fn push_job(&mut self, part: Shape) {
         if part.count <= MAX_CORNERS {
             self.jobs.push(part);
@@ -192,7 +197,7 @@ impl Settler {
         self.jobs.extend([near, far]);
     }
 
-    /// Cuts off what is nearer to another face around the corner that is farthest from `face`.
+    /// Cuts off the region around the corner farthest from `face` that is nearer to another face.
     fn cut(&mut self, shape: &Shape, plane: &Plane, face: usize) -> Option<[Shape; 2]> {
         let farther = |&i: &usize, &j: &usize| {
             let squared = |i: usize| self.points.squared(shape.points[i], face);
@@ -213,8 +218,9 @@ impl Settler {
 }
 
 impl Settler {
-    /// The face to cut off towards a point: of those that share a side with `face` the nearest, if it is nearer; else the nearest of
-    /// all. Across a shared side distances change at the side, so the cut follows it.
+    /// Returns the face to which the region around a point is cut off: the nearest face that shares a
+    /// side with `face`, if it is nearer than that, or else the nearest of all. Across a shared side
+    /// the nearest face changes at the side, so the cut follows it.
     fn other(&mut self, face: usize, point: u32) -> Option<usize> {
         let own = self.points.squared(point, face);
         let points = &self.points;
@@ -235,14 +241,14 @@ struct Cutter<'a> {
     shape: &'a Shape,
     plane: &'a Plane,
     faces: [usize; 2],
-    /// Where they share a side: a point of the plane that is as near to one as to the other, and its normal.
+    /// If the faces share a side: a point of the plane of equal distances, and the plane's normal.
     border: Option<(DVec3, DVec3)>,
-    /// A point is as near to one as to the other if its distances differ by no more.
+    /// Two distances that differ by no more than this are considered equal.
     even: f64,
 }
 
 impl Cutter<'_> {
-    /// How much nearer a point is to the second face than to the first.
+    /// Returns how much nearer a point is to the second face than to the first.
     fn lead(&self, point: u32) -> f64 {
         let points = &self.settler.points;
         points.squared(point, self.faces[0]).sqrt() - points.squared(point, self.faces[1]).sqrt()
@@ -255,7 +261,7 @@ impl Cutter<'_> {
             *lead = self.lead(point);
         }
         let is_first = |i: usize| leads[i % count] < -self.even;
-        // The corners on either side of the worst that are the first face's.
+        // The nearest corners on either side of the worst that are closer to the first face.
         let after = (worst + 1..worst + count).find(|&i| is_first(i))?;
         let before = (after..worst + count).rev().find(|&i| is_first(i))?;
         let end = self.crossing((after + count - 1) % count, after % count, &leads);
@@ -275,7 +281,8 @@ impl Cutter<'_> {
         Some([off, rest])
     }
 
-    /// The point between two corners that is as near to one face as to the other: `from` leads to the second face or is even.
+    /// Finds the point between two corners that is equally far from both faces. `from` is nearer to the
+    /// second face, or equally far from both.
     fn crossing(&mut self, from: usize, to: usize, leads: &[f64; MAX_CORNERS + 1]) -> ([f64; 2], u32) {
         let (mut lead_from, mut lead_to) = (leads[from], leads[to]);
         if lead_from <= self.even {
@@ -301,7 +308,7 @@ impl Cutter<'_> {
             if lead.abs() <= self.even || trial == MAX_TRIALS {
                 return (corner, point);
             }
-            // A side that stays twice counts half, so that both ends close in.
+            // The end that stays twice counts half (Illinois method), so that both ends converge.
             if lead > 0.0 {
                 (low, lead_from, lead_to) = (share, lead, 0.5 * lead_to);
             } else {

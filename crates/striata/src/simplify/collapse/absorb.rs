@@ -1,7 +1,8 @@
-//! Foliage: a leaf that vanishes is made up for by its neighbor.
+//! Foliage: when a leaf vanishes, a neighbor grows to make up for its area.
 //!
-//! A cloud of small parts that loses them one by one loses its area with them, and a tree becomes bare. If small parts make up most of the mesh,
-//! a corner of the part that stands in for a vanishing one is therefore contracted with one of its corners first:
+//! A cloud of small parts that loses them one by one also loses their area, and a tree becomes bare. If
+//! small parts make up most of the mesh, a corner of the nearest part is therefore first contracted
+//! with a corner of the vanishing one:
 //!
 //! ```text
 //!  a---b   v---x          a--------v---x          a--------v
@@ -9,8 +10,9 @@
 //!  c---h   y---u          c-------`u---y          c------u
 //! ```
 //!
-//! The neighbor grows by about the area that the part stood for, and the part's own triangles then lie close to it, so that they go
-//! next (compare the stochastic simplification of aggregate detail, \[CHPR07\], which enlarges what remains; here no vertex is invented).
+//! The neighbor grows by about the area that the part covered. The part's own triangles then lie close
+//! to it, so that they vanish next. Compare stochastic simplification of aggregate detail \[CHPR07\],
+//! which enlarges the remaining elements; here no vertex is invented.
 
 use glam::Vec3;
 
@@ -20,14 +22,14 @@ use super::links::LinkEdge;
 use super::parts::Estate;
 use super::whole::MAX_LEAF;
 
-/// Cosine of the angle by which a grown triangle may turn.
+/// Least cosine of the angle by which a grown triangle may turn.
 const LEAST_COSINE: f32 = 0.3;
-/// Weight of the square of the longest edge against the area that is missing or too much.
+/// Weight of the squared longest edge against the missing or excess area.
 const LENGTH_WEIGHT: f32 = 0.1;
 
 impl Judge<'_> {
-    /// The contraction that makes up for the part of the edge between `v` and `u`, which vanishes with it: a corner of the part
-    /// nearest to it, and the choice to collapse that to `v` or `u`.
+    /// Returns the contraction that makes up for the vanishing part with the edge from `v` to `u`: a
+    /// corner of the nearest part, and the choice to collapse it to `v` or `u`.
     pub(in crate::simplify) fn absorber(&mut self, v: u32, u: u32) -> Option<(u32, Choice)> {
         let relaxed = self.relaxed.as_ref().filter(|relaxed| relaxed.is_foliage)?;
         let Estate { cover, host, is_covered } = relaxed.parts.estate(relaxed.parts.part_of(v))?;
@@ -70,7 +72,7 @@ impl Judge<'_> {
         Some((h, choice))
     }
 
-    /// The area of the triangles between some positions and their neighbors, those of several positions once.
+    /// Area of the triangles around some positions; triangles shared by several of them count once.
     fn area_around(&self, corners: &[u32]) -> f32 {
         let mut sum = 0.0;
         let mut edges: Vec<LinkEdge> = Vec::new();
@@ -85,8 +87,8 @@ impl Judge<'_> {
         sum
     }
 
-    /// How badly the triangles of `h` with these opposite edges would fit if `h` moved to `to` and they were to gain an area; `None`
-    /// if they would turn or shrink.
+    /// Penalty for moving `h`, whose triangles have these opposite edges, to `to` if the part should
+    /// gain the area `gain`; `None` if a triangle would turn or the area would shrink.
     fn growth(&self, (h, to): (u32, u32), edges: &[LinkEdge], gain: f32) -> Option<f32> {
         let (mut before, mut after, mut longest) = (0.0, 0.0, 0.0f32);
         let [from, to_at] = [h, to].map(|p| self.at(p));

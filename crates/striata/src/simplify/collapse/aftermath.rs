@@ -1,5 +1,5 @@
-//! What follows a collapse that may have changed the topology: who has lost everything, what stands in for it, and how far the new
-//! surface lies from the original.
+//! Consequences of a collapse that may change the topology: which positions lose their last triangle,
+//! what replaces them, and how far the new surface is from the original.
 
 use glam::Vec3;
 
@@ -11,45 +11,48 @@ use super::parts::Surroundings;
 use super::walk::Standing;
 use super::whole::find;
 
-/// Positions that have come together at one are measured again one by one, up to this many of them.
+/// Maximum number of merged positions that are measured again individually.
 const MAX_FOLLOWERS: usize = 24;
 
-/// What vanishes with a position that loses all its triangles, and what is left to stand in for it.
+/// Positions that lose their last triangle in a collapse, and the position that replaces them.
 pub(in crate::simplify) struct Departure {
-    /// Where what stood at the lost positions is from now on; none if nothing is left.
+    /// Remaining position that the lost positions are merged into; `None` if nothing is left.
     pub(in crate::simplify) place: Option<u32>,
     /// Positions that have no triangles any more, besides the collapsed one.
     pub(in crate::simplify) lost: Vec<u32>,
-    /// Points of a part that has vanished.
+    /// Sample points of a part that has vanished.
     pub(in crate::simplify) points: Vec<Vec3>,
 }
 
 impl Judge<'_> {
-    /// Notes that a relaxed collapse has been carried out.
+    /// Records that a relaxed collapse has been applied.
     pub(in crate::simplify) fn note_relaxed(&mut self) {
         if let Some(relaxed) = &mut self.relaxed {
             relaxed.has_relaxed = true;
         }
     }
 
-    /// True if steps are measured against the original mesh: with seams, or once a relaxed collapse has been carried out.
-    /// Closed scans do without, which would take a third of their time.
+    /// Whether steps are also measured from the new surface to the original mesh: if there are seams,
+    /// or once a relaxed collapse has been applied. Closed scans skip this, which would take a third of
+    /// their time.
     pub(in crate::simplify) fn is_measured_outward(&self) -> bool {
         let Some(relaxed) = &self.relaxed else { return false };
         self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.is_tail)
     }
 
-    /// True if what would raise the error is looked for in all of the mesh: with seams, or once a relaxed collapse has been carried out.
+    /// Whether nearest points are searched in the whole mesh: if there are seams, or once a relaxed
+    /// collapse has been applied.
     pub(in crate::simplify) fn looks_everywhere(&self) -> bool {
         self.relaxed.is_some() && (self.wedges.is_some() || self.has_relaxed())
     }
 
-    /// True once a relaxed collapse has been carried out.
+    /// Whether a relaxed collapse has been applied.
     pub(in crate::simplify) fn has_relaxed(&self) -> bool {
         self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_relaxed)
     }
 
-    /// Some of the positions that have come together at `u`, if they are at least so many, evenly spread over all of them.
+    /// Collects positions that were merged into `u`, evenly spread, if there are at least `least` of
+    /// them.
     pub(in crate::simplify) fn followers_into(&self, u: u32, least: usize, out: &mut Vec<u32>) {
         out.clear();
         let Some(relaxed) = &self.relaxed else { return };
@@ -67,7 +70,7 @@ impl Judge<'_> {
         }
     }
 
-    /// Looks for what stands nearest to a point that may have lost what stood for it: see [`Relaxed::standing`].
+    /// Finds the surface nearest to a point whose own triangles may be gone; see [`Relaxed::standing`].
     pub(in crate::simplify) fn standing(&mut self, from: Vec3, known: Standing, enough: f32) -> Standing {
         if !self.looks_everywhere() {
             return known;
@@ -80,8 +83,8 @@ impl Judge<'_> {
         relaxed.standing((links, positions), from, (known, enough), |_| true)
     }
 
-    /// The distance from the original mesh of the triangles that the collapse of `v` to its neighbor `u` would leave, if they
-    /// may stick out farther than anything so far; `worst` is the largest squared error.
+    /// Distance from the original mesh of the triangles that collapsing `v` to its neighbor `u` would
+    /// leave, if it may exceed the largest error so far; `worst` is the square of that error.
     pub(in crate::simplify) fn outward_ahead(
         &mut self,
         (v, u): (u32, u32),
@@ -98,7 +101,8 @@ impl Judge<'_> {
         Some(relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst))
     }
 
-    /// Notes how far what the collapse of `v` to `u` has left sticks out of the original, at most.
+    /// Updates the bounds for the distance of the new fan, left by the collapse of `v` to `u`, from the
+    /// original mesh.
     pub(in crate::simplify) fn note_outward(
         &mut self,
         (v, u): (u32, u32),
@@ -114,8 +118,8 @@ impl Judge<'_> {
         relaxed.outward.note(u, ring, bound);
     }
 
-    /// The largest distance from the original mesh of the triangles around `u` after the collapse of `v` to it, if they may stick
-    /// out farther than anything so far; `worst` is the square of that.
+    /// Largest distance from the original mesh of the triangles around `u` after `v` was collapsed to
+    /// it, if it may exceed the largest error so far; `worst` is the square of that error.
     pub(in crate::simplify) fn outward_behind(
         &mut self,
         (v, u): (u32, u32),
@@ -131,7 +135,8 @@ impl Judge<'_> {
         Some(relaxed.outward.measure((relaxed.welded, positions), (u, &relaxed.edges), worst))
     }
 
-    /// Notes a collapse that has been carried out, `ring` being the neighbors that `v` had; says who lost everything by it.
+    /// Updates the global state after a collapse and returns the positions that lost all triangles;
+    /// `ring` contains the former neighbors of `v`.
     pub(in crate::simplify) fn note_departure(
         &mut self,
         v: u32,
@@ -159,7 +164,7 @@ impl Judge<'_> {
             }
         }
         if departure.place.is_none_or(|p| self.links.kind(p) == LinkKind::Empty) {
-            // The part has come apart before, or what stood in for it has gone with it.
+            // The part fell apart before, or its replacement vanished with it.
             let (distance_squared, place) = self.standing(point(&self.positions, u), (f32::INFINITY, u), 0.0);
             departure.place = (distance_squared < f32::INFINITY).then_some(place);
         }
@@ -169,7 +174,7 @@ impl Judge<'_> {
         Some(departure)
     }
 
-    /// Notes that a part has vanished.
+    /// Records that a part has vanished.
     fn note_end(&mut self, part: u32, departure: &mut Departure) {
         self.fate(part);
         let Self { relaxed: Some(relaxed), positions, attributes, .. } = self else { return };
@@ -186,7 +191,7 @@ impl Judge<'_> {
         }
     }
 
-    /// Takes back the scratch of a departure.
+    /// Returns the buffers of the result for reuse.
     pub(in crate::simplify) fn forget(&mut self, departure: Departure) {
         if let Some(relaxed) = &mut self.relaxed {
             relaxed.lost = departure.lost;

@@ -1,25 +1,27 @@
-//! Whether texture coordinates form an atlas: charts side by side in one copy of the texture, each part of which is used once or
-//! a few times.
+//! Detects texture atlases: charts next to each other in one copy of the texture, each part of which is
+//! used once or a few times.
 //!
-//! An error of an atlas shows a foreign part of the texture; tiled coordinates show the same pattern elsewhere.
+//! Wrong atlas coordinates show an unrelated part of the texture; wrong tiled coordinates show the same
+//! pattern, shifted.
 
 use glam::{DVec2, Vec3};
 
 use crate::mesh::{AttributeLayer, IndexedMesh, Welded};
 
-/// Cells of the square along each side.
+/// Cells along each side of the unit square of texture coordinates.
 const CELL_COUNT: usize = 512;
-/// So many cells are more than may be covered with that.
+/// A material that covers more cells than this uses the texture several times over.
 const MAX_CELLS: u64 = 3 * (CELL_COUNT * CELL_COUNT) as u64;
-/// Most that the coordinates may extend along each axis: charts are let out of the unit square a little.
+/// Maximum extent of the coordinates along each axis: charts may extend slightly beyond the unit
+/// square.
 const MAX_EXTENT: f32 = 1.25;
 /// Share of the covered cells that may be covered twice.
 const MAX_OVERLAP: f64 = 0.6;
 
-/// For each vertex the length on the surface, in diagonals, of a unit of its texture coordinates, if its material uses `layer` as an
-/// atlas; 0 if not.
+/// Returns for each vertex the length on the surface of one unit of its texture coordinates, as a share
+/// of the mesh's diagonal, if its material uses `layer` as an atlas; otherwise 0.
 ///
-/// O(n) time for n triangles, and that of painting them into a square of 512 by 512 cells.
+/// Takes O(n) time for n triangles, plus the time to rasterize them into 512 by 512 cells.
 pub(in crate::simplify) fn atlas_lengths(welded: &Welded, layer: &AttributeLayer) -> Vec<f32> {
     let mesh = &welded.mesh;
     let mut lengths = vec![0.0; mesh.vertex_count()];
@@ -40,7 +42,7 @@ pub(in crate::simplify) fn atlas_lengths(welded: &Welded, layer: &AttributeLayer
     lengths
 }
 
-/// The triangles of each material, in one or more lists.
+/// Returns the triangles of each material, in one or more slices.
 fn by_material(mesh: &IndexedMesh) -> Vec<Vec<&[[u32; 3]]>> {
     if mesh.groups.is_empty() {
         return vec![vec![&mesh.triangles]];
@@ -55,7 +57,7 @@ fn by_material(mesh: &IndexedMesh) -> Vec<Vec<&[[u32; 3]]>> {
     materials.into_iter().map(of).collect()
 }
 
-/// Length on the surface of a unit of texture coordinates.
+/// Returns the length on the surface of one unit of texture coordinates.
 fn unit_length(mesh: &IndexedMesh, lists: &[&[[u32; 3]]], layer: &AttributeLayer) -> f64 {
     let (mut surface, mut texture) = (0.0, 0.0);
     for t in lists.iter().copied().flatten() {
@@ -67,9 +69,9 @@ fn unit_length(mesh: &IndexedMesh, lists: &[&[[u32; 3]]], layer: &AttributeLayer
     (surface / texture).sqrt()
 }
 
-/// Cells whose middles triangles cover.
+/// Counts the cells whose centers are covered by triangles.
 struct Cover {
-    /// The last list of triangles that covered each cell.
+    /// Index of the last material that covered each cell.
     owner: Vec<u32>,
     number: u32,
     cells: u64,
@@ -77,14 +79,14 @@ struct Cover {
 }
 
 impl Cover {
-    /// Whether the triangles use each part of the texture once.
+    /// Whether the triangles use each part of the texture about once.
     fn is_atlas(&mut self, lists: &[&[[u32; 3]]], layer: &AttributeLayer) -> bool {
         let corners = || lists.iter().flat_map(|list| list.as_flattened());
         for axis in 0..2 {
             let values = || corners().map(|&v| layer.get(v as usize, axis));
             let low = values().fold(f32::INFINITY, f32::min);
             let high = values().fold(f32::NEG_INFINITY, f32::max);
-            // Neither if there are none, or some that are no numbers.
+            // The extent is not finite if there are no values, or if one is NaN.
             if (high - low).is_nan() || high - low > MAX_EXTENT {
                 return false;
             }
@@ -114,7 +116,8 @@ impl Cover {
             for column in left..=right {
                 let (x, y) = (column as f32, row as f32);
                 let sides = [side(a, b, x, y), side(b, c, x, y), side(c, a, x, y)];
-                // On one side of all three edges; a shared edge counts once, but for rounding.
+                // Inside if on the same side of all three edges; points on a shared edge count once, up
+                // to rounding.
                 if sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0) {
                     let [row, column] = [row, column].map(|i| i.rem_euclid(CELL_COUNT as i64) as usize);
                     let owner = &mut self.owner[row * CELL_COUNT + column];
@@ -132,7 +135,8 @@ mod tests {
     use super::*;
     use crate::mesh::{LayerData, Semantic, weld};
 
-    /// A row of squares, each with its own part of the texture, `repeat` times as large as it should be.
+    /// A row of squares, each with its own part of the texture; `repeat` scales the texture
+    /// coordinates.
     fn lengths(count: usize, repeat: f32, overlap: bool) -> Vec<f32> {
         let (mut positions, mut triangles, mut uvs) = (Vec::new(), Vec::new(), Vec::new());
         for i in 0..count {
@@ -159,7 +163,7 @@ mod tests {
     #[test]
     fn charts_side_by_side_are_an_atlas() {
         let found = lengths(4, 1.0, false);
-        // A square of side 1 covers 0.9 / 4 of the texture; the diagonal is that of a row of 7 by 1.
+        // A square of side 1 covers 0.9 / 4 of the texture; the bounds of the row are 7 by 1.
         let expected = (4.0 / 0.9) / 50.0f32.sqrt();
         assert!(found.iter().all(|length| (length - expected).abs() < 1e-4), "{found:?}");
     }

@@ -1,41 +1,41 @@
-//! What is decided for a position: where it collapses to, and what that does.
+//! The collapse chosen for a position: its target, kind, cost and distances.
 
-/// What a collapse does to the surface.
+/// Effect of a collapse on the surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::simplify) enum Tier {
-    /// It keeps what the surface is.
+    /// Preserves the topology and flips no triangle.
     #[default]
     Strict,
-    /// It breaks the link condition or leaves a border.
+    /// Breaks the link condition or moves a vertex off its border.
     Link,
-    /// It flips triangles.
+    /// Flips triangles.
     Fold,
-    /// It takes all triangles of the position, but not of the target.
+    /// Removes all triangles of the position, but not all of the target.
     Fin,
-    /// It takes all triangles of both; others of the part stay.
+    /// Removes all triangles of both ends; the connected part keeps others.
     Remnant,
-    /// It takes the last triangles of a part.
+    /// Removes the last triangles of a connected part.
     Vanish,
 }
 
-/// A collapse that was judged in full.
+/// A collapse whose cost has been evaluated in full.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::simplify) struct Choice {
     pub(in crate::simplify) tier: Tier,
     pub(in crate::simplify) cost: f32,
     pub(in crate::simplify) target: u32,
-    /// Squared distance of the vertex from its new fan.
+    /// Squared distance of the vertex from its new fan, scaled units.
     pub(in crate::simplify) distance_squared: f32,
-    /// Squared distance of the fan's new edges from the old star.
+    /// Squared distance of the fan's new edges from the old star, scaled units.
     pub(in crate::simplify) protrusion_squared: f32,
-    /// Distance of the fan from the original mesh, if it has been measured.
+    /// Distance of the fan from the original mesh, scaled units, if it has been measured.
     pub(in crate::simplify) outward: Option<f32>,
 }
 
 impl Choice {
-    /// How far, squared, what it leaves sticks out of what it replaces, at most.
+    /// Returns an upper bound of the squared distance by which the new fan sticks out of the old star.
     pub(in crate::simplify) fn sticks_out_squared(&self) -> f32 {
-        // A fold moves its triangles by the whole edge.
+        // A fold moves its triangles by the length of the edge.
         let moved = if self.tier == Tier::Fold { self.distance_squared } else { 0.0 };
         self.protrusion_squared.max(moved)
     }

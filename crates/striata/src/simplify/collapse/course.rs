@@ -1,4 +1,4 @@
-//! Carrying out a collapse: links, wedges and what the cost remembers follow it, and it is written down with its error.
+//! Applies a collapse to links, wedges and cost history, and records it with its error.
 
 use glam::Vec3;
 
@@ -11,33 +11,33 @@ use super::judge::{Judge, Memory};
 use super::links::LinkKind;
 use super::witness::Witnesses;
 
-/// Squared protrusions under this share of the squared edge are what single precision leaves of flat places.
+/// Protrusions below this share of the edge, both squared, are single-precision noise on flat surfaces.
 const PROTRUSION_NOISE: f32 = 1e-5;
 
-/// Once so many positions have come together at one, one witness is not enough.
+/// Once this many positions have been merged into one, a single witness is not enough.
 const LEAST_FOLLOWERS: usize = 16;
 
-/// The collapses so far.
+/// Applies collapses and records them.
 #[derive(Debug)]
 pub(in crate::simplify) struct Course {
-    /// Mesh units of one scaled unit.
+    /// Mesh units per scaled unit.
     scale: f64,
     witnesses: Witnesses,
-    /// The neighbors that the position removed last had, each once.
+    /// Neighbors of the position removed last, each once.
     pub(in crate::simplify) ring: Vec<u32>,
-    /// Triangles that are left.
+    /// Number of triangles left.
     pub(in crate::simplify) triangle_count: usize,
-    /// Steps before the last collapse.
+    /// Number of steps recorded before the last collapse.
     last: usize,
-    /// Scratch: positions without triangles, and points of triangles that go.
+    /// Scratch: positions without triangles, and sample points of removed triangles.
     gone: Vec<u32>,
     points: Vec<Vec3>,
-    /// What was collapsed; errors are the caller's to add.
+    /// Record of the collapses; the caller appends the errors.
     pub(in crate::simplify) record: Record,
 }
 
 impl Course {
-    /// Nothing has been collapsed yet in what the judge sees.
+    /// Creates an executor for a mesh on which nothing has been collapsed yet.
     pub(in crate::simplify) fn new(welded: &Welded, judge: &Judge<'_>) -> Self {
         Self {
             scale: judge.scale,
@@ -51,13 +51,14 @@ impl Course {
         }
     }
 
-    /// The largest squared error so far.
+    /// Largest squared error so far, scaled units.
     pub(in crate::simplify) fn worst(&self) -> f32 {
         self.witnesses.worst()
     }
 
-    /// The squared distance of the witness of `v` from the fan that its collapse to the neighbor `u` would leave, if it may be
-    /// farther away than anything so far; `own` is that of `v` itself.
+    /// Squared distance of the witness of `v` from the fan that collapsing `v` to the neighbor `u`
+    /// would leave; `None` if it cannot exceed the largest error so far. `own` is the squared distance
+    /// of `v` itself.
     pub(in crate::simplify) fn witness_ahead(
         &self,
         judge: &mut Judge<'_>,
@@ -75,8 +76,8 @@ impl Course {
         distance_squared.is_finite().then_some(distance_squared)
     }
 
-    /// Removes `v` as `choice` says, and with it all positions that lose their last triangle by that; returns the error
-    /// after it, mesh units.
+    /// Collapses `v` as `choice` says and removes all positions that lose their last triangle by it;
+    /// returns the error after it, mesh units.
     pub(in crate::simplify) fn collapse(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice) -> f64 {
         let u = choice.target;
         self.last = self.record.removed.len();
@@ -93,7 +94,7 @@ impl Course {
         }
         let before = links.triangle_count(v) + links.triangle_count(u);
         links.collapse(v, u);
-        // Each vanished triangle stood in both links.
+        // Each removed triangle was in both links.
         let removed = (before - links.triangle_count(u)) / 2;
         self.triangle_count -= removed;
         self.record.removed.push(v);
@@ -114,7 +115,7 @@ impl Course {
         f64::from(worst).sqrt() * self.scale
     }
 
-    /// The squared error after a collapse that leaves the surface what it is.
+    /// Squared error after a collapse that preserves the topology.
     fn settle(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice) -> f32 {
         let own = choice.distance_squared;
         let mut worst = self.witnesses.collapse(judge, (v, choice.target), &self.ring, own);
@@ -130,7 +131,8 @@ impl Course {
         choice.outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
     }
 
-    /// The squared error after a collapse that may have taken more than `v`; writes down what else has gone.
+    /// Squared error after a collapse that may have removed more than `v`; records the other removed
+    /// positions.
     fn depart(&mut self, judge: &mut Judge<'_>, v: u32, choice: &Choice, departure: &Departure) -> f32 {
         let Departure { place, lost, points } = departure;
         let Some(place) = *place else { return 0.0 };
@@ -160,7 +162,7 @@ impl Course {
         outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
     }
 
-    /// Notes points of the triangles around `v` that its collapse takes, or all of them if it folds the surface.
+    /// Collects sample points of the triangles around `v`, which the collapse removes or folds over.
     fn note_points(&mut self, judge: &mut Judge<'_>, v: u32) {
         let Judge { star, links, positions, .. } = judge;
         star.gather(links, positions, v);
@@ -173,14 +175,15 @@ impl Course {
         }
     }
 
-    /// Takes the last collapse off the record; links and wedges stay as they are.
+    /// Removes the last collapse from the record; links and wedges stay collapsed.
     pub(in crate::simplify) fn forget_last(&mut self) {
         self.record.removed.truncate(self.last);
         self.record.removed_triangle_counts.truncate(self.last);
     }
 
-    /// Does what must be done while the star of `v` still stands: targets of its wedges, memory of the cost function.
-    /// Returns the largest squared distance of tracked vertices, where they are tracked between neighbors.
+    /// Does everything that needs the star of `v` before its collapse: writes targets of its wedges,
+    /// updates the cost history. Returns the largest squared distance of the tracked vertices if the
+    /// cost tracks them and `u` is a neighbor.
     fn leave(&mut self, judge: &mut Judge<'_>, v: u32, u: u32) -> Option<f32> {
         let Judge { wedges, memory, pairs, .. } = judge;
         if let Some(pairs) = pairs {
@@ -214,7 +217,7 @@ impl Course {
     }
 }
 
-/// How far the surface that replaces the star of `v` sticks out, squared, unless that may be rounding.
+/// Squared distance by which the new fan of `v` sticks out of its old star, or 0 if it may be rounding.
 fn reported_protrusion(positions: &[[f32; 4]], v: u32, choice: &Choice) -> f32 {
     let [from, to] = [v, choice.target].map(|p| positions[p as usize]);
     let edge_squared: f32 = (0..3).map(|a| (from[a] - to[a]) * (from[a] - to[a])).sum();

@@ -1,12 +1,13 @@
-//! What crossing seams costs in attributes, by itself.
+//! Attribute cost of wedges that cross a seam, without the other attribute costs.
 
 use super::judge::Judge;
 
-/// Mean square of a linear function over a triangle that is 1 at one corner and 0 at the others.
+/// Mean square over a triangle of the linear function that is 1 at one corner and 0 at the others.
 const CORNER_SHARE: f32 = 1.0 / 6.0;
 
 impl Judge<'_> {
-    /// What it costs that wedges of the gathered star cross seams to those of its neighbor `k`; the wedges must be paired.
+    /// Cost of the gathered star's wedges that cross a seam to wedges of neighbor `k`. The wedges must
+    /// be paired.
     pub(in crate::simplify) fn crossing_cost(&self, k: usize) -> f32 {
         let Self { star, wedges: Some(wedges), attributes: Some(attributes), .. } = self else { return 0.0 };
         let mut cost = 0.0;

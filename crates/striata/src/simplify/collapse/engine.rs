@@ -1,15 +1,18 @@
-//! The loop: take the cheapest collapse, do it, look again at what it touched.
+//! The main loop: applies the cheapest collapse and updates the costs around it.
 //!
-//! The queue holds one entry a position, the cost of its best target. After a collapse only the ring of the removed
-//! position changes cost, and each of its members gets a **lower bound** first: the quadratic form alone, without
-//! flip, link and distance tests, times what the full cost nearly always is of it. Those tests are made when a
-//! position reaches the top; if its full cost is higher than the next bound it goes back. The order is therefore strict
-//! but for the rare position whose full cost is less than its bound, for a fraction of the work.
+//! The queue has one entry per position, with the cost of its best target. A collapse changes the cost
+//! of the removed position's ring only, and each member of that ring first gets a **lower bound**: the
+//! quadratic form alone, without the flip, link and distance tests, times the factor by which the full
+//! cost nearly always exceeds it. The tests are done when a position reaches the top; if its full cost
+//! is higher than the next bound, it goes back. The order is therefore by full cost, except for the
+//! rare position whose full cost is below its bound, at a fraction of the work.
 //!
-//! A position that has no **strict** target, one that keeps the topology, gets a relaxed one at its price instead. On a closed
-//! surface of a few parts relaxed collapses begin only after the last strict one.
+//! A position that has no **strict** target, one that preserves the topology, gets a relaxed one at its
+//! cost instead. On a closed surface of a few parts, relaxed collapses begin only after the last strict
+//! one.
 //!
-//! Time O(n log n); 87 to 91 bytes a triangle on top of a large loaded mesh (docs/results.md).
+//! Time O(n log n); memory 87 to 91 bytes per triangle in addition to a large loaded mesh
+//! (docs/results.md).
 
 use crate::mesh::Welded;
 use crate::{Progress, ProgressFn};
@@ -23,14 +26,14 @@ use super::links::LinkKind;
 use super::relaxation::Relaxation;
 use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};
 
-/// No target chosen yet: the key is a lower bound.
+/// No target chosen yet: the key in the heap is a lower bound.
 const UNDECIDED: u32 = u32::MAX;
-/// What a choice leaves is near enough to the original mesh, as far as is known without measuring.
+/// The new fan is known to be close enough to the original mesh without being measured.
 const UNMEASURED: f32 = -1.0;
-/// Collapses between two reports of progress.
+/// Number of collapses between two progress reports.
 const REPORT_INTERVAL: u64 = 4096;
 
-/// All state of one simplification.
+/// Complete state of one simplification.
 pub(in crate::simplify) struct Engine<'a> {
     options: &'a SequenceOptions,
     judge: Judge<'a>,
@@ -39,7 +42,8 @@ pub(in crate::simplify) struct Engine<'a> {
     tier: Vec<Tier>,
     distance_squared: Vec<f32>,
     protrusion_squared: Vec<f32>,
-    /// Distance from the original mesh of what the choice leaves; `UNMEASURED` if it is small, `NAN` if nobody has looked yet.
+    /// Distance of each choice's new fan from the original mesh; `UNMEASURED` if it is known to be
+    /// small, `NAN` if not yet checked.
     outward: Vec<f32>,
     relaxation: Relaxation<'a>,
     course: Course,
@@ -64,7 +68,8 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// Collapses until nothing can be, the base is reached or an error limit forbids to go on.
+    /// Collapses until no collapse is possible, the base size is reached, or the error limit would be
+    /// exceeded.
     pub(in crate::simplify) fn run(
         mut self,
         progress: &mut ProgressFn<'_>,
@@ -74,7 +79,8 @@ impl<'a> Engine<'a> {
             self.judge.lock_boundary();
         }
         if self.judge.pairs.is_some() || (self.relaxation.is_possible() && self.judge.wedges.is_some()) {
-            // Even strict collapses may take whole parts, or move the surface by more than their stars tell.
+            // Even strict collapses may remove whole parts, or move the surface farther than their
+            // stars show.
             self.relax();
         }
         let keys: Vec<f32> = (0..total as u32).map(|v| self.judge.lower_bound(v)).collect();
@@ -93,7 +99,7 @@ impl<'a> Engine<'a> {
             }
             let (mut v, mut u) = (v, self.target[v as usize]);
             if !self.is_still_allowed(v, u) {
-                // The target's surroundings have changed: look for another one.
+                // The neighborhood of the target has changed: look for another target.
                 self.target[v as usize] = UNDECIDED;
                 self.decide(v, key);
                 continue;
@@ -104,11 +110,11 @@ impl<'a> Engine<'a> {
             if self.tier[v as usize] == Tier::Vanish
                 && let Some((corner, choice)) = self.judge.absorber(v, u)
             {
-                // What vanishes next is looked at anew after that.
+                // The vanishing position is evaluated again after this.
                 self.choose(corner, &choice);
                 (v, u) = (corner, choice.target);
             }
-            // As it will be reported, rounded and all, so that the limit holds for what is reported.
+            // Rounded the way it will be reported, so that the limit applies to the reported value.
             let collapse_error = self.collapse(v, u).min(f64::from(f32::MAX)) as f32;
             if f64::from(collapse_error) > limit {
                 self.course.forget_last();
@@ -126,7 +132,8 @@ impl<'a> Engine<'a> {
         Ok((self.course.record, if is_met { StopReason::TargetReached } else { StopReason::BaseReached }))
     }
 
-    /// The position that comes next, and its key; lets relaxed collapses begin if they had to wait for the end.
+    /// Returns the position with the smallest key, and that key; begins relaxed collapses if they had
+    /// to wait for the last strict one.
     fn next(&mut self) -> Option<(f32, u32)> {
         if self.heap.first().is_none() && self.relaxation.is_waiting() {
             self.relax();
@@ -139,13 +146,14 @@ impl<'a> Engine<'a> {
         self.heap.first()
     }
 
-    /// Lets relaxed collapses begin.
+    /// Begins relaxed collapses.
     fn relax(&mut self) {
         let record = &self.course.record;
         self.relaxation.begin(&mut self.judge, (&record.removed, &record.targets));
     }
 
-    /// Judges `v` in full and puts it back with its true cost, or takes it out where no target is allowed.
+    /// Evaluates `v` in full and updates its key to the true cost, or removes `v` from the heap if no
+    /// target is allowed.
     fn decide(&mut self, v: u32, bound: f32) {
         let mut choice = self.judge.best_choice(v);
         if choice.is_none() && self.relaxation.is_possible() {
@@ -168,8 +176,9 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// Puts `v` back with a higher cost if its collapse to `u` is found to lie farther from the original mesh than anything so far:
-    /// its cost has only seen how far it lies from the current one. That happens once for each choice.
+    /// Puts `v` back with a higher cost if its collapse to `u` turns out to lie farther from the
+    /// original mesh than anything so far, and returns whether it did. Its cost only includes the
+    /// distance from the current mesh. This is done once for each choice.
     fn is_postponed(&mut self, v: u32, u: u32, key: f32) -> bool {
         let is_open = self.tier[v as usize] == Tier::Strict && self.outward[v as usize].is_nan();
         if !is_open || !self.judge.is_measured_outward() {
@@ -199,11 +208,11 @@ impl<'a> Engine<'a> {
             return judge.legality.allows(&judge.links, v, u)
                 && (judge.pairs.is_none() || judge.leaves_enough(v, u));
         }
-        // A contraction of two parts only needs both to be there, and still apart.
+        // A contraction of two parts only needs both to exist, and to be still separate.
         judge.pairs.is_some() && judge.links.kind(u) != LinkKind::Empty
     }
 
-    /// Notes what is decided for `v`.
+    /// Stores the choice for `v`.
     fn choose(&mut self, v: u32, choice: &Choice) {
         let v = v as usize;
         self.target[v] = choice.target;
@@ -213,7 +222,7 @@ impl<'a> Engine<'a> {
         self.outward[v] = f32::NAN;
     }
 
-    /// What was decided for `v`.
+    /// Returns the stored choice for `v`.
     fn choice(&self, v: u32) -> Choice {
         let v = v as usize;
         Choice {
@@ -226,7 +235,7 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// Removes `v` into `u` and gives the neighbors new bounds; returns the error after it, mesh units.
+    /// Collapses `v` to `u` and gives the neighbors new bounds; returns the error after it, mesh units.
     fn collapse(&mut self, v: u32, u: u32) -> f64 {
         let choice = self.choice(v);
         let error = self.course.collapse(&mut self.judge, v, &choice);
@@ -235,7 +244,7 @@ impl<'a> Engine<'a> {
         error
     }
 
-    /// New bounds for all whose star or whose target has changed.
+    /// Computes new bounds for all positions whose star or target has changed.
     fn update_neighbors(&mut self, u: u32) {
         let ring = std::mem::take(&mut self.course.ring);
         for &w in &ring {
@@ -245,7 +254,7 @@ impl<'a> Engine<'a> {
         }
         self.course.ring = ring;
         if matches!(self.judge.memory, Memory::Accumulated(_)) {
-            // The quadric of u has grown: collapsing to it now costs more than it seemed.
+            // The quadric of u has grown, so collapsing to it now costs more than the stored cost.
             for &w in self.judge.links.entries(u) {
                 if self.target[w as usize] == u {
                     self.target[w as usize] = UNDECIDED;
@@ -253,7 +262,7 @@ impl<'a> Engine<'a> {
             }
         }
         if !self.course.ring.contains(&u) {
-            // A contraction of two parts: u was no neighbor.
+            // A contraction of two parts: u was not a neighbor of v.
             self.target[u as usize] = UNDECIDED;
             let bound = self.judge.lower_bound(u);
             self.heap.set(u, bound);

@@ -1,28 +1,29 @@
-//! From recorded collapses to a mesh in refinement order.
+//! Renumbers the mesh in refinement order and builds the sequence from the recorded collapses.
 
 use crate::mesh::{CollapseSequence, PositionIndex, RefinableMesh, SequenceError, SequenceParts, Welded};
 
-/// What the collapses leave behind, in the numbering of the welded mesh and the order of removal.
+/// Everything recorded during the collapses, in the numbering of the welded mesh and in order of
+/// removal.
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct Record {
     /// Removed positions.
     pub(in crate::simplify) removed: Vec<u32>,
-    /// Error of the mesh after each removal, mesh units, never falling.
+    /// Error of the mesh after each removal, mesh units, never decreasing.
     pub(in crate::simplify) errors: Vec<f32>,
-    /// Triangles that each removal removes.
+    /// Number of triangles that each removal removes.
     pub(in crate::simplify) removed_triangle_counts: Vec<u8>,
-    /// For every vertex of a removed position, the vertex it collapses to.
+    /// Target vertex of every vertex of a removed position; other entries are unused.
     pub(in crate::simplify) targets: Vec<u32>,
 }
 
-/// How the vertices of a welded mesh are numbered when positions are removed in some order.
+/// Numbering of a welded mesh's vertices for a given order of removed positions.
 pub(in crate::simplify) struct RefinementOrder {
     pub(in crate::simplify) base_position_count: usize,
-    /// First new vertex of every position in refinement order, closed by the vertex count.
+    /// First new vertex of every position in refinement order, followed by the vertex count.
     pub(in crate::simplify) first: Vec<u32>,
-    /// The old vertex of each new one.
+    /// Old index of each new vertex.
     pub(in crate::simplify) vertex_order: Vec<u32>,
-    /// The new vertex of each old one.
+    /// New index of each old vertex.
     pub(in crate::simplify) new_index: Vec<u32>,
 }
 
@@ -49,7 +50,8 @@ impl RefinementOrder {
     }
 }
 
-/// Renumbers the mesh so that every level uses a prefix of its vertices; also gives each vertex's source.
+/// Renumbers the mesh so that every level uses a prefix of its vertices; also returns the source of
+/// each vertex.
 pub(in crate::simplify) fn finish(
     welded: Welded,
     record: Record,

@@ -1,25 +1,25 @@
-//! A priority queue over positions whose keys change: a four-way heap that knows where everything is.
+//! Priority queue over positions with changeable keys: a four-ary heap with an index of its entries.
 
 const ARITY: usize = 4;
 const ABSENT: u32 = u32::MAX;
 
-/// Smallest key first, ties by position number, so that the order depends on nothing else.
+/// Min-heap of positions by key; ties break by position index, so that the order is deterministic.
 #[derive(Debug)]
 pub(in crate::simplify) struct IndexedHeap {
-    /// Key bits above, position below: one comparison orders both.
+    /// Key bits in the high half, position in the low half, so that one comparison orders both.
     items: Vec<u64>,
-    /// Where each position stands in `items`.
+    /// Index of each position in `items`, or `ABSENT`.
     place: Vec<u32>,
 }
 
 #[inline]
 fn pack(key: f32, v: u32) -> u64 {
-    // The bits of non-negative floats are ordered as the floats are; adding zero makes a -0 one of them.
+    // Non-negative floats have the same order as their bits; adding zero turns -0 into 0.
     (u64::from((key + 0.0).to_bits()) << 32) | u64::from(v)
 }
 
 impl IndexedHeap {
-    /// A heap of the positions with a key; `f32::INFINITY` leaves a position out.
+    /// Builds a heap from the key of every position; positions with key `f32::INFINITY` are left out.
     pub(in crate::simplify) fn new(keys: &[f32]) -> Self {
         let items: Vec<u64> = keys
             .iter()
@@ -37,13 +37,13 @@ impl IndexedHeap {
         heap
     }
 
-    /// The smallest key and its position.
+    /// Returns the smallest key and its position.
     #[inline]
     pub(in crate::simplify) fn first(&self) -> Option<(f32, u32)> {
         self.items.first().map(|&item| (f32::from_bits((item >> 32) as u32), item as u32))
     }
 
-    /// Inserts a position or changes its key; `f32::INFINITY` takes it out.
+    /// Inserts a position or changes its key; `f32::INFINITY` removes it.
     #[inline]
     pub(in crate::simplify) fn set(&mut self, v: u32, key: f32) {
         debug_assert!(key >= 0.0, "keys are never negative, nor NaN");
@@ -65,7 +65,7 @@ impl IndexedHeap {
         }
     }
 
-    /// Takes a position out, if it is there.
+    /// Removes a position if it is in the heap.
     pub(in crate::simplify) fn remove(&mut self, v: u32) {
         let place = self.place[v as usize];
         if place == ABSENT {

@@ -1,4 +1,5 @@
-//! What collapsing a position costs: a lower bound quickly, the best target in full.
+//! Evaluates the cost of collapsing a position: a quick lower bound, or the best target with its full
+//! cost.
 
 use glam::DVec3;
 
@@ -17,31 +18,32 @@ use super::wedges::Wedges;
 use super::whole::Relaxed;
 use crate::simplify::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
 
-/// Share of the squared way between two parts that merging them costs, over the area that moves.
+/// Cost of merging two parts: this share of their squared distance, times the area that moves.
 const PAIR_WEIGHT: f32 = 0.1;
 
-/// What a full cost nearly always is of its quadratic part, at least. Raising the bounds by it saves over a quarter of the
-/// time on the bunny, since fewer positions reach the top only to go back. A rare one whose full cost is less comes up
-/// late, by at most this factor in cost: over five meshes that costs 0.3 % of RMS down to 10 % of the triangles, 1.3 % at 2 %.
+/// Factor by which the full cost nearly always exceeds its quadratic part, at least. Scaling the bounds
+/// by it saves over a quarter of the time on the bunny, since fewer positions reach the top only to go
+/// back. A rare position whose full cost is less is collapsed late, by at most this factor in cost:
+/// over five meshes that costs 0.3 % of RMS down to 10 % of the triangles, and 1.3 % at 2 %.
 const BOUND_FACTOR: f32 = 2.0;
 
-/// What a cost function remembers of the past.
+/// Data about removed geometry that a cost function keeps.
 pub(in crate::simplify) enum Memory {
-    /// Nothing: the current mesh decides.
+    /// None: only the current mesh counts.
     Memoryless,
-    /// The planes of all triangles that were.
+    /// The planes of all original triangles, summed up at each position.
     Accumulated(Vec<Quadric>),
-    /// The vertices that were.
+    /// The removed vertices.
     Tracked(Tracker),
 }
 
-/// How far a candidate has been judged.
+/// How far the cost of a candidate has been evaluated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Stage {
-    /// Its quadratic cost is known, which the full cost can only exceed.
+    /// Only the quadratic cost, a lower bound of the full cost.
     #[default]
     Bound,
-    /// It is allowed, and the distance from its fan is in the cost.
+    /// The collapse is allowed, and the cost includes the distance of the vertex from its fan.
     Measured,
     /// The cost is complete.
     Settled,
@@ -55,11 +57,12 @@ struct Candidate {
     protrusion_squared: f32,
 }
 
-/// The mesh as it is, and all that judges it.
+/// The current mesh and everything needed to evaluate collapse costs on it.
 pub(in crate::simplify) struct Judge<'a> {
-    /// Positions about the bounds' center, diagonal 1, padded to a vector register.
+    /// Positions relative to the center of the bounds, with the diagonal scaled to 1, padded to a
+    /// vector register.
     pub(in crate::simplify) positions: Vec<[f32; 4]>,
-    /// Mesh units of one unit of these.
+    /// Mesh units per scaled unit.
     pub(in crate::simplify) scale: f64,
     pub(in crate::simplify) links: Links,
     pub(in crate::simplify) wedges: Option<Wedges<'a>>,
@@ -67,7 +70,7 @@ pub(in crate::simplify) struct Judge<'a> {
     pub(in crate::simplify) pairs: Option<Pairs>,
     pub(in crate::simplify) star: Star,
     pub(in crate::simplify) legality: Legality,
-    /// What relaxed collapses need, once there may be some.
+    /// Global state for relaxed collapses, once there may be some.
     pub(in crate::simplify) relaxed: Option<Relaxed<'a>>,
     pub(in crate::simplify) attributes: Option<AttributeSpace>,
     pub(in crate::simplify) is_locked: Vec<bool>,
@@ -78,7 +81,7 @@ pub(in crate::simplify) struct Judge<'a> {
 }
 
 impl<'a> Judge<'a> {
-    /// The full mesh, with nothing gathered.
+    /// Creates an evaluator for the full mesh.
     pub(in crate::simplify) fn new(welded: &'a Welded, options: &SequenceOptions) -> Self {
         let (positions, scale) = scaled_positions(welded);
         let position_count = positions.len();
@@ -114,7 +117,7 @@ impl<'a> Judge<'a> {
             let is_neighbor = |p: u32, q: u32| judge.links.entries(p).contains(&q);
             judge.pairs = Some(Pairs::new(&judge.positions, threshold, is_neighbor));
             judge.legality.may_merge = true;
-            // Otherwise relaxed collapses let parts vanish, at a price.
+            // With any other rule, relaxed collapses let parts vanish, at a cost.
             judge.legality.may_vanish = options.topology == TopologyRule::Keep;
         }
         judge
@@ -150,19 +153,19 @@ impl<'a> Judge<'a> {
         sum
     }
 
-    /// Fills the star of `v` with the costs of its candidates, as far as they are quadratic.
+    /// Gathers the star of `v` and computes the quadratic costs of its candidates.
     fn load_star(&mut self, v: u32) {
         self.gather(v);
         self.load_costs(v);
     }
 
-    /// Fills in the costs of the gathered star's candidates, as far as they are quadratic.
+    /// Computes the quadratic costs of the gathered star's candidates, including borders.
     pub(in crate::simplify) fn load_costs(&mut self, v: u32) {
         self.fill_costs(v);
         self.apply_borders(v);
     }
 
-    /// Fills in the costs of the gathered star's candidates, as if it lay on no border.
+    /// Computes the quadratic costs of the gathered star's candidates, ignoring borders.
     pub(in crate::simplify) fn fill_costs(&mut self, v: u32) {
         self.star.compute_costs();
         match &self.memory {
@@ -176,7 +179,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Restricts the candidates of the gathered star to the borders that `v` is on.
+    /// Restricts the candidates of the gathered star to the borders on which `v` lies.
     fn apply_borders(&mut self, v: u32) {
         let kind = self.links.kind(v);
         match &self.wedges {
@@ -196,21 +199,21 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Notes which vertices the gathered star of `v` shows there.
+    /// Loads the wedge of `v` in each triangle of the gathered star.
     fn load_wedges(&mut self, v: u32) {
         if let Some(wedges) = &self.wedges {
             wedges.load(&mut self.star, v);
         }
     }
 
-    /// Gathers the star of `v` with the vertices that it shows there.
+    /// Gathers the star of `v`, with the wedge of `v` in each triangle.
     pub(in crate::simplify) fn gather(&mut self, v: u32) {
         self.star.gather(&self.links, &self.positions, v);
         self.load_wedges(v);
     }
 
-    /// Gathers the star of `v` and pairs its wedges with those of its neighbor `u`; gives the neighbor's index in the star, if
-    /// it is one.
+    /// Gathers the star of `v` and pairs its wedges with those of `u`; returns the index of `u` in the
+    /// star if it is a neighbor.
     pub(in crate::simplify) fn gather_and_pair(&mut self, v: u32, u: u32) -> Option<usize> {
         self.gather(v);
         let k = self.star.ids.iter().position(|&w| w == u)?;
@@ -218,7 +221,8 @@ impl<'a> Judge<'a> {
         Some(k)
     }
 
-    /// Pairs the wedges of `v` with those of neighbor `k` of its star; false if the rule for seams or a conflict forbids it.
+    /// Pairs the wedges of `v` with those of neighbor `k` of its star; returns false if the seam rule
+    /// or a conflict forbids it.
     pub(in crate::simplify) fn pair(&mut self, v: u32, k: usize) -> bool {
         let Self { wedges: Some(wedges), attributes, star, .. } = self else { return true };
         match self.seams {
@@ -229,27 +233,29 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Locks every position that is on a boundary at present, if the options lock boundaries: relaxed collapses may close them.
+    /// Locks every position that is on a boundary now, if the options lock boundaries: relaxed
+    /// collapses may close boundaries later.
     pub(in crate::simplify) fn lock_boundary(&mut self) {
         for v in (0..self.positions.len() as u32).filter(|_| self.locks_boundary) {
             self.is_locked[v as usize] |= self.links.is_boundary(v);
         }
     }
 
-    /// True if the surface has no border of any kind, and no seam.
+    /// Whether the surface has no seam and no border of any kind.
     pub(in crate::simplify) fn is_closed_scan(&self) -> bool {
         let is_closed = |p: u32| matches!(self.links.kind(p), LinkKind::Closed | LinkKind::Empty);
         self.wedges.is_none() && (0..self.positions.len() as u32).all(is_closed)
     }
 
-    /// True where the options or the lack of a triangle forbid to remove `v`.
+    /// Whether `v` may not be removed because it is locked or has no triangles.
     pub(in crate::simplify) fn is_fixed(&self, v: u32) -> bool {
         self.is_locked[v as usize]
             || self.links.kind(v) == LinkKind::Empty
             || (self.locks_boundary && self.links.is_boundary(v))
     }
 
-    /// What collapsing `v` costs at least, as a rule; infinite where it may not be collapsed at all.
+    /// Lower bound (nearly always) of the cost of collapsing `v`; infinite if `v` may not be collapsed
+    /// at all.
     pub(in crate::simplify) fn lower_bound(&mut self, v: u32) -> f32 {
         if self.is_fixed(v) {
             return f32::INFINITY;
@@ -260,7 +266,7 @@ impl<'a> Judge<'a> {
         }
         let least = self.star.costs.iter().copied().fold(f32::INFINITY, f32::min);
         if least > 0.0 && self.is_nearly_gone(v) {
-            // Its part may vanish at once, at a price that nobody knows yet.
+            // The whole part may vanish in one collapse, at a cost that is not known yet.
             return 0.0;
         }
         if matches!(self.memory, Memory::Accumulated(_)) { least } else { BOUND_FACTOR * least }
@@ -272,16 +278,17 @@ impl<'a> Judge<'a> {
         !self.partners.is_empty()
     }
 
-    /// The cheapest allowed target of `v`.
+    /// Returns the cheapest allowed target of `v`.
     ///
-    /// Costs are refined best first: whichever candidate looks cheapest gets its next, dearer test, until the
-    /// cheapest one has passed them all.
+    /// Evaluation is best first: the candidate that looks cheapest gets its next, more expensive test,
+    /// until the cheapest one has passed all tests.
     pub(in crate::simplify) fn best_choice(&mut self, v: u32) -> Option<Choice> {
         self.best_choice_with(v, |_, _| {})
     }
 
-    /// The same with `adjust` called before any candidate is tested: it may raise the costs in the star, which count as part of
-    /// the quadratic cost from then on, or set them to infinity for targets that are out of the question.
+    /// Does what [`Self::best_choice`] does, but calls `adjust` before any candidate is tested.
+    /// `adjust` may raise the costs in the star, which then count as part of the quadratic cost, or set
+    /// them to infinity to exclude targets.
     pub(in crate::simplify) fn best_choice_with(
         &mut self,
         v: u32,
@@ -316,7 +323,8 @@ impl<'a> Judge<'a> {
         if self.pairs.is_some() { self.best_pair(v, best) } else { best }
     }
 
-    /// Whether neighbor `k` may be the target, and its cost with the distance of `v` from the fan.
+    /// Tests whether neighbor `k` may be the target, and returns its cost with the distance of `v` from
+    /// the fan.
     fn measure(&mut self, v: u32, k: usize) -> Option<f32> {
         let u = self.star.ids[k];
         if !self.legality.allows(&self.links, v, u) || (self.pairs.is_some() && !self.leaves_enough(v, u)) {
@@ -327,7 +335,7 @@ impl<'a> Judge<'a> {
         }
         let distance_squared = match self.star.fan_distance_squared(k) {
             Some(distance_squared) => distance_squared,
-            // Parts that may merge may also fold and vanish, at the price of the whole way.
+            // Parts that may merge may also fold and vanish, at the cost of the whole edge.
             None if self.pairs.is_some() => self.star.offset(k).length_squared(),
             None => return None,
         };
@@ -341,7 +349,7 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// The full cost of neighbor `k` as the target.
+    /// Returns the full cost of neighbor `k` as the target.
     fn settle(&mut self, v: u32, k: usize) -> Option<f32> {
         self.candidates[k].stage = Stage::Settled;
         let Candidate { quadratic, distance_squared, .. } = self.candidates[k];
@@ -363,20 +371,21 @@ impl<'a> Judge<'a> {
         Some(cost + self.attribute_cost(v, k))
     }
 
-    /// What the collapse of `v` to neighbor `k` costs in attributes; the wedges must be paired.
+    /// Attribute cost of collapsing `v` to neighbor `k`; the wedges must be paired.
     pub(in crate::simplify) fn attribute_cost(&self, v: u32, k: usize) -> f32 {
         let attributes = self.attributes.as_ref();
         attributes.map_or(0.0, |space| space.cost(&self.star, self.wedges.as_ref(), v, k))
     }
 
-    /// What a squared distance of the star of `v` costs; gathers the star.
+    /// Cost of a squared distance over the star of `v`; gathers the star.
     pub(in crate::simplify) fn distance_cost(&mut self, v: u32, squared: f32) -> f32 {
         self.star.gather(&self.links, &self.positions, v);
         self.star.compute_costs();
         self.memoryless_share() * self.star.distance_cost(squared)
     }
 
-    /// The cheapest contraction of `v` with a partner, if it beats `best`.
+    /// Returns the cheapest contraction of `v` with a partner if it is cheaper than `best`, otherwise
+    /// `best`.
     fn best_pair(&mut self, v: u32, mut best: Option<Choice>) -> Option<Choice> {
         if !self.has_partner(v) {
             return best;
@@ -408,7 +417,7 @@ impl<'a> Judge<'a> {
         best
     }
 
-    /// Sends all wedges of `v`, which no triangle shows, to the first vertex of `u`.
+    /// Maps all wedges of `v`, which no triangle uses, to the first vertex of `u`.
     pub(in crate::simplify) fn write_single_target(&self, v: u32, u: u32, targets: &mut [u32]) {
         match &self.wedges {
             Some(wedges) => wedges.write_single_target(v, u, targets),
@@ -416,7 +425,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Pairs each wedge of `v` with the wedge of `u` nearest to it in attributes: for parts that merge.
+    /// Pairs each wedge of `v` with the wedge of `u` nearest to it in attributes, for parts that merge.
     pub(in crate::simplify) fn pair_wedges(&mut self, v: u32, u: u32) {
         let Some(wedges) = &mut self.wedges else { return };
         let attributes = &self.attributes;
@@ -431,7 +440,8 @@ fn accumulated_cost(quadrics: &[Quadric], positions: &[[f32; 4]], v: u32, u: u32
     (quadrics[v as usize].at(at) + quadrics[u as usize].at(at)) as f32
 }
 
-/// Which positions must stay: those of locked vertices, and those on locked borders between groups.
+/// Returns which positions must stay: those of locked vertices and those on locked borders between
+/// groups.
 pub(in crate::simplify) fn locked_positions(
     welded: &Welded,
     locked_vertices: &[u32],
@@ -450,7 +460,7 @@ pub(in crate::simplify) fn locked_positions(
     is_locked
 }
 
-/// Locks every position that triangles of more than one group use.
+/// Locks every position that is used by triangles of more than one group.
 fn lock_group_borders(welded: &Welded, is_locked: &mut [bool]) {
     const UNSEEN: u32 = u32::MAX;
     let mut group_of_position = vec![UNSEEN; is_locked.len()];
@@ -465,7 +475,8 @@ fn lock_group_borders(welded: &Welded, is_locked: &mut [bool]) {
     }
 }
 
-/// One entry a position, about the center of the bounds and with their diagonal as unit, and that unit.
+/// Returns the position of every position index relative to the center of the bounds, in units of the
+/// bounds' diagonal, and that unit.
 fn scaled_positions(welded: &Welded) -> (Vec<[f32; 4]>, f64) {
     let Some(bounds) = welded.mesh.bounds() else { return (Vec::new(), 1.0) };
     let scale = if bounds.diagonal() > 0.0 { bounds.diagonal() } else { 1.0 };

@@ -1,9 +1,10 @@
-//! How far the surface sticks out of the original mesh.
+//! Distances of the simplified surface from the original mesh.
 //!
-//! Witnesses see what the original has lost; a triangle that bridges a valley or leaves a sheet lies far from the original,
-//! though every original vertex may be near it. Each position carries an upper bound for the triangles around it. A collapse
-//! adds to it how far its new edges stick out of the star that they replace, and only if that bound exceeds the largest error
-//! so far are the triangles themselves measured.
+//! Witnesses measure original vertices only. A triangle that bridges a valley or leaves a sheet may lie
+//! far from the original although every original vertex is near it. Each position therefore has an
+//! upper bound for the triangles around it. A collapse adds to it how far its new edges stick out of
+//! the star that they replace, and the triangles themselves are measured only if the bound exceeds the
+//! largest error so far.
 
 use glam::Vec3;
 
@@ -14,11 +15,11 @@ use super::fan::point;
 use super::links::LinkEdge;
 use super::rest::{Rest, RestTriangle};
 
-/// Share of the largest error so far below which distances are not told apart: a smaller share takes longer, and triangles that
-/// have been measured are measured again later.
+/// Distances below this share of the largest error so far are not distinguished: a smaller share takes
+/// longer, and measured triangles are measured again later.
 const MEASURED_SHARE: f32 = 0.5;
 
-/// Barycentric coordinates of the points at which triangles are measured.
+/// Barycentric coordinates of the sample points on each triangle.
 const SAMPLES: [[f32; 3]; 9] = [
     [0.5, 0.5, 0.0],
     [0.5, 0.0, 0.5],
@@ -35,13 +36,14 @@ const SAMPLES: [[f32; 3]; 9] = [
 #[derive(Default)]
 pub(in crate::simplify) struct Outward {
     origin: Option<Rest>,
-    /// Largest distance of the triangles around each position from the original; empty until the first question.
+    /// Largest distance of the triangles around each position from the original; empty until first
+    /// queried.
     bounds: Vec<f32>,
 }
 
 impl Outward {
-    /// A bound for the triangles around `v` once some that stick out of them by `protrusion_squared` replace them; `worst` is
-    /// the largest squared error so far.
+    /// Returns a bound for the triangles that replace those around `v` and stick out of them by
+    /// `protrusion_squared`; `worst` is the largest squared error so far.
     pub(in crate::simplify) fn bound_after(
         &mut self,
         v: u32,
@@ -49,13 +51,13 @@ impl Outward {
         (worst, position_count): (f32, usize),
     ) -> f32 {
         if self.bounds.is_empty() {
-            // What happened before was within the error.
+            // All earlier collapses stayed within the error so far.
             self.bounds.resize(position_count, worst.sqrt());
         }
         self.bounds[v as usize] + protrusion_squared.sqrt()
     }
 
-    /// Notes that the triangles around `u`, which the `ring` shares, stay within a distance.
+    /// Raises the bounds of `u` and its `ring` to at least `bound`.
     pub(in crate::simplify) fn note(&mut self, u: u32, ring: &[u32], bound: f32) {
         for &p in ring.iter().chain([&u]) {
             if let Some(there) = self.bounds.get_mut(p as usize) {
@@ -64,8 +66,9 @@ impl Outward {
         }
     }
 
-    /// The largest distance of triangles from the original mesh, or a share of the largest error so far if that is more:
-    /// triangles of `u` with the opposite `edges`. `worst` is that error, squared.
+    /// Measures the largest distance from the original mesh of the triangles of `u` with the opposite
+    /// `edges`. Returns at least [`MEASURED_SHARE`] of the largest error so far; `worst` is the square
+    /// of that error.
     pub(in crate::simplify) fn measure(
         &mut self,
         (welded, positions): (&Welded, &[[f32; 4]]),
@@ -78,7 +81,7 @@ impl Outward {
             let corners = [u, e.a, e.b].map(|p| point(positions, p));
             for weights in SAMPLES {
                 let from = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
-                // Corners are vertices of the original: a point is no farther from it than from them.
+                // Corners are vertices of the original, so the nearest corner bounds the distance.
                 let bound = corners.iter().map(|c| c.distance_squared(from)).fold(f32::INFINITY, f32::min);
                 if bound > farthest {
                     farthest =
@@ -98,7 +101,8 @@ fn original(welded: &Welded, positions: &[[f32; 4]]) -> Rest {
     Rest::of_triangles(welded.mesh.triangles.iter().map(of).collect(), positions)
 }
 
-/// Squared distance of a point from the triangles of a tree, at most `known`; once something is within `enough`, that will do.
+/// Squared distance of a point from the tree's triangles, at most `known`; the search stops once it is
+/// within `enough`.
 fn distance_squared_from(
     rest: &Rest,
     positions: &[[f32; 4]],
@@ -120,7 +124,7 @@ mod tests {
     use super::*;
     use crate::mesh::{IndexedMesh, weld};
 
-    /// A valley of two slopes along y, 1 deep and 2 wide.
+    /// A valley with two slopes along y, 1 deep and 2 wide.
     fn valley() -> (Welded, Vec<[f32; 4]>) {
         let corners = [[0., 0., 1.], [1., 0., 0.], [2., 0., 1.], [0., 4., 1.], [1., 4., 0.], [2., 4., 1.]];
         let triangles = vec![[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
@@ -136,7 +140,8 @@ mod tests {
     #[test]
     fn a_bridge_is_as_far_from_the_valley_as_its_slopes_are() {
         let (welded, positions) = valley();
-        // The triangle 0 2 5 lies over the valley; the middle of its edge 0 2 is 1 above the ground, the slopes are nearer.
+        // The triangle 0 2 5 bridges the valley: the midpoint of its edge 0 2 is 1 above the ground,
+        // but nearer to the slopes.
         let [p, a, b] = [[0., 0., 1.], [2., 0., 1.], [2., 4., 1.]].map(|at| corner(&positions, at));
         let edges = [LinkEdge { a, b, triangle: 0 }];
         let found = Outward::default().measure((&welded, &positions), (p, &edges), 0.0);

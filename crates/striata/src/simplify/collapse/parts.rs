@@ -1,11 +1,14 @@
-//! The connected parts of a mesh, and what it costs that one of them vanishes.
+//! Connected parts of a mesh, and the cost of letting one of them vanish.
 //!
-//! A part is there as long as it has a triangle. Its last triangles vanish together, at a price that depends on how far the
-//! *original* part lies from what is left of the others: a screw in its hole costs little, a part in free space as much as its
-//! own extent. Whoever stood in for other parts before is charged for those too: it has inherited their areas, and its **reach** is
-//! the farthest that anything it stands for may lie from it.
+//! A part exists as long as it has a triangle. Its last triangles vanish together, at a cost that
+//! depends on the distance of the *original* part from the remaining surface of the others: a screw in
+//! its hole costs little, a part in free space as much as its own extent. The **hosts** of a vanished
+//! part are the parts that replace it. They inherit its area, and the **reach** of a part is the
+//! largest distance at which anything that it replaces may lie. A host that vanishes later is charged
+//! for both.
 //!
-//! Time: a pass over the mesh to find the parts, and up to 64 distances for each part that is down to its last triangles.
+//! Time: one pass over the mesh to find the parts, and up to 64 distances for each part that is down to
+//! its last triangles.
 
 use glam::Vec3;
 
@@ -15,31 +18,32 @@ use super::attributes::AttributeSpace;
 use super::fan::point;
 use super::rest::{Rest, RestPoint};
 
-/// Triangles of the original part that are measured, at most.
+/// Maximum number of triangles of the original part that are sampled.
 const MAX_SAMPLES: usize = 16;
-/// Triangles of a vanished part whose corners are measured for the error.
+/// Maximum number of triangles of a vanished part whose corners are measured for the error.
 const MAX_CORNER_SAMPLES: usize = 32;
-/// A part nearer to its host than this share of its radius covers what the host covers already.
+/// If a part's distance from its host is below this share of its radius, the host already covers the
+/// same space.
 const COVERED_SHARE: f32 = 0.25;
-/// Points on the edges of a vanished part that look for further hosts, at most.
+/// Maximum number of points on the edges of a vanished part that are used to find further hosts.
 const MAX_HOST_SAMPLES: usize = 48;
-/// Weight of the squared difference of unit normals against squared distances, so that decals and the two sides of a
-/// sheet do not vanish for nothing.
+/// Weight of the squared difference of unit normals against squared distances, so that decals and the
+/// two sides of a sheet do not vanish at no cost.
 const NORMAL_WEIGHT: f32 = 1e-4;
-/// Weight of the squared distance against the area that vanishes, squared once more.
+/// Weight of the squared distance, added to the area that vanishes, in [`vanishing_cost`].
 const EXTENT_WEIGHT: f32 = 1.0;
 
-/// What happens if a part vanishes.
+/// Cost and distance if a part vanishes.
 #[derive(Clone, Debug)]
 pub(in crate::simplify) struct Fate {
     pub(in crate::simplify) cost: f32,
-    /// Largest distance from the part, and from what it stands for, to what stands in for it.
+    /// Largest distance of the part, and of everything it replaces, from its hosts.
     pub(in crate::simplify) distance: f32,
-    /// A corner of the triangle nearest to its first sample.
+    /// A corner of the triangle nearest to the part's first sample.
     pub(in crate::simplify) host: u32,
-    /// The parts that stand in for it.
+    /// The parts that replace it.
     hosts: Vec<u32>,
-    /// The build of the rest that it was measured against.
+    /// Build number of the triangle tree that was used for measuring.
     generation: u32,
 }
 
@@ -49,22 +53,22 @@ impl Fate {
     }
 }
 
-/// What a part leaves behind.
+/// What is lost with a vanishing part, and what could make up for it.
 pub(in crate::simplify) struct Estate {
-    /// The area that it should show.
+    /// The area that the part should cover.
     pub(in crate::simplify) cover: f32,
-    /// A corner of what stands in for it.
+    /// A corner of the host.
     pub(in crate::simplify) host: u32,
-    /// Whether that lies so close that it covers the same places.
+    /// Whether the host is so close that it already covers the same space.
     pub(in crate::simplify) is_covered: bool,
 }
 
 #[derive(Debug, Default)]
 struct Part {
     triangle_count: usize,
-    /// Area of the original part and of those that it has grown for.
+    /// Area of the original part, and of the vanished parts for which it has grown.
     cover: f32,
-    /// Area of the original part and of what it stands for.
+    /// Area of the original part, and of everything that it replaces.
     area: f32,
     reach: f32,
     /// Half the diagonal of its bounds.
@@ -72,35 +76,35 @@ struct Part {
     fate: Option<Fate>,
 }
 
-/// All parts of a mesh.
+/// All connected parts of a mesh.
 #[derive(Debug)]
 pub(in crate::simplify) struct Parts {
     of_position: Vec<u32>,
     parts: Vec<Part>,
-    /// Parts that have grown together.
+    /// The part that each part was merged into, or itself.
     merged: Vec<u32>,
-    /// The original mesh by part, once one of them may vanish.
+    /// Original triangles by part, once a part may vanish.
     members: Option<Members>,
 }
 
-/// Triangles of the original mesh by part, and where those of each part begin.
+/// Original triangles sorted by part, and the first one of each part.
 #[derive(Debug)]
 struct Members {
     triangles: Vec<u32>,
     first: Vec<u32>,
 }
 
-/// What distances are measured in.
+/// Data for measuring distances between parts.
 pub(in crate::simplify) struct Surroundings<'a> {
     pub(in crate::simplify) welded: &'a Welded,
     pub(in crate::simplify) positions: &'a [[f32; 4]],
     pub(in crate::simplify) attributes: Option<&'a AttributeSpace>,
     pub(in crate::simplify) rest: &'a Rest,
-    /// Counts the builds of the rest.
+    /// Build number of the triangle tree.
     pub(in crate::simplify) generation: u32,
 }
 
-/// One point of a part.
+/// Sample point of a part.
 struct Sample {
     at: Vec3,
     normal: Vec3,
@@ -110,7 +114,7 @@ struct Sample {
 }
 
 impl Parts {
-    /// The parts of the original mesh, without any triangle yet: see [`Self::count`].
+    /// Finds the parts of the original mesh. Their triangles are not counted yet; see [`Self::count`].
     pub(in crate::simplify) fn new(welded: &Welded) -> Self {
         let position_count = welded.positions.position_count();
         let of = |t: &[u32; 3]| t.map(|v| welded.positions.position_of(v));
@@ -134,12 +138,12 @@ impl Parts {
         Self { of_position, parts, merged: (0..count).collect(), members: None }
     }
 
-    /// Forgets how many triangles there are.
+    /// Resets all triangle counts to 0.
     pub(in crate::simplify) fn clear_counts(&mut self) {
         self.parts.iter_mut().for_each(|part| part.triangle_count = 0);
     }
 
-    /// Looks at the original mesh: areas and extents of all parts.
+    /// Measures the areas and extents of all parts in the original mesh.
     fn measure(&mut self, welded: &Welded, positions: &[[f32; 4]]) {
         let members = Members::new(welded, &self.of_position, self.parts.len());
         for part in 0..self.parts.len() as u32 {
@@ -164,35 +168,35 @@ impl Parts {
         self.members.as_ref().map_or(&[], |members| members.of(part))
     }
 
-    /// What a part that still has triangles stands for: its area for each of them, and its reach.
+    /// Returns the area that a part replaces, per remaining triangle, and its reach.
     pub(in crate::simplify) fn share(&self, part: u32) -> (f32, f32) {
         let Part { triangle_count, area, reach, .. } = self.parts[part as usize];
         (area / triangle_count.max(1) as f32, reach)
     }
 
-    /// What a part leaves behind if it vanishes, if that is known.
+    /// Returns what is lost if a part vanishes, if the vanishing has been estimated.
     pub(in crate::simplify) fn estate(&self, part: u32) -> Option<Estate> {
         let Part { cover, radius, fate, .. } = &self.parts[part as usize];
         let Fate { host, distance, .. } = fate.as_ref()?;
         Some(Estate { cover: *cover, host: *host, is_covered: *distance < COVERED_SHARE * radius })
     }
 
-    /// The area that a part should show, for itself and for what has vanished beside it.
+    /// Area that a part should cover, for itself and for vanished parts next to it.
     pub(in crate::simplify) fn cover(&self, part: u32) -> f32 {
         self.parts[part as usize].cover
     }
 
-    /// How many parts there were.
+    /// Number of parts of the original mesh.
     pub(in crate::simplify) fn len(&self) -> usize {
         self.parts.len()
     }
 
-    /// The part of a position.
+    /// Returns the part of a position.
     pub(in crate::simplify) fn part_of(&self, position: u32) -> u32 {
         self.root(self.of_position[position as usize])
     }
 
-    /// The part that a part has become.
+    /// Returns the part that a part has been merged into.
     fn root(&self, mut part: u32) -> u32 {
         while self.merged[part as usize] != part {
             part = self.merged[part as usize];
@@ -200,7 +204,7 @@ impl Parts {
         part
     }
 
-    /// Triangles that a part still has.
+    /// Number of triangles that a part still has.
     pub(in crate::simplify) fn triangle_count(&self, part: u32) -> usize {
         self.parts[part as usize].triangle_count
     }
@@ -211,7 +215,7 @@ impl Parts {
         self.parts[part as usize].triangle_count += 1;
     }
 
-    /// Notes that `v` was collapsed to `u` and that `removed` triangles went with it.
+    /// Updates the parts after the collapse of `v` to `u`, which removed `removed` triangles.
     pub(in crate::simplify) fn collapse(&mut self, v: u32, u: u32, removed: usize) {
         let [own, other] = [v, u].map(|p| self.part_of(p));
         if own != other {
@@ -221,7 +225,7 @@ impl Parts {
         self.parts[part as usize].triangle_count -= removed;
     }
 
-    /// Lets two parts be one from now on, known by the samples of the one with more triangles.
+    /// Merges two parts; the result keeps the samples of the one with more triangles.
     fn merge(&mut self, a: u32, b: u32) {
         let is_less = self.parts[a as usize].triangle_count < self.parts[b as usize].triangle_count;
         let (small, large) = if is_less { (a, b) } else { (b, a) };
@@ -237,7 +241,7 @@ impl Parts {
         into.fate = None;
     }
 
-    /// True if the end of a part that was found to lie this far, squared, from the rest is as it was.
+    /// Whether a stored estimate with this squared distance is still valid.
     pub(in crate::simplify) fn knows_fate(&self, part: u32, generation: u32, distance_squared: f32) -> bool {
         let fate = self.parts[part as usize].fate.as_ref();
         self.is_up_to_date(part, generation)
@@ -252,7 +256,7 @@ impl Parts {
         })
     }
 
-    /// What happens if a part vanishes; `None` if there is nothing else.
+    /// Estimates what happens if a part vanishes; `None` if no other part is left.
     pub(in crate::simplify) fn fate(&mut self, part: u32, around: &Surroundings<'_>) -> Option<&Fate> {
         if self.members.is_none() {
             self.measure(around.welded, around.positions);
@@ -270,10 +274,10 @@ impl Parts {
         let (mut sum, mut share_sum, mut farthest) = (0.0, 0.0, 0.0f32);
         let (mut hosts, mut nearest): (Vec<u32>, Option<u32>) = (Vec::new(), None);
         let mut last: Option<(Vec3, f32)> = None;
-        // Triangles share corners.
+        // Triangles share corners, so the same points are queried repeatedly.
         let mut seen: Vec<(Vec3, RestPoint)> = Vec::with_capacity(4 * MAX_SAMPLES);
         for sample in self.samples(part, around) {
-            // The host of the last sample is no farther than this.
+            // The host of the last sample is at most this far away.
             let reachable = last.map_or(f32::INFINITY, |(at, distance)| {
                 let bound = distance + at.distance(sample.at);
                 bound * bound * 1.001 + f32::MIN_POSITIVE
@@ -310,7 +314,7 @@ impl Parts {
         })
     }
 
-    /// Points of the original part: middles and corners of some of its triangles.
+    /// Returns sample points of the original part: centroids and corners of some of its triangles.
     fn samples(&self, part: u32, around: &Surroundings<'_>) -> Vec<Sample> {
         let members = self.members_of(part);
         let count = members.len().min(MAX_SAMPLES);
@@ -321,7 +325,7 @@ impl Parts {
             let corners = vertices.map(|v| point(around.positions, around.welded.positions.position_of(v)));
             let [a, b, c] = corners;
             let doubled = (b - a).cross(c - a);
-            // Triangles without area count a little, so that something does.
+            // Triangles without area get a tiny weight, so that the sum is never zero.
             let area = doubled.length() + 1e-12;
             let normal = doubled.normalize_or_zero();
             let third = 1.0 / 3.0;
@@ -341,7 +345,7 @@ impl Parts {
         samples
     }
 
-    /// Corners of some triangles of the original part, into `out`.
+    /// Appends the corners of some triangles of the original part to `out`.
     pub(in crate::simplify) fn corners_into(
         &self,
         part: u32,
@@ -356,7 +360,7 @@ impl Parts {
         }
     }
 
-    /// Notes that a part has vanished: its hosts stand for it from now on.
+    /// Records that a part has vanished: its hosts replace it from now on.
     pub(in crate::simplify) fn bequeath(&mut self, part: u32, around: &Surroundings<'_>) -> Option<Fate> {
         let Part { area, fate, .. } = std::mem::take(&mut self.parts[part as usize]);
         let mut fate = fate?;
@@ -371,8 +375,9 @@ impl Parts {
         Some(fate)
     }
 
-    /// Adds the hosts between the corners of a part that is longer than it is far from them: all of them stand for it, and a rod
-    /// must not lose one after the other as if each stood for itself alone.
+    /// Adds hosts along the edges of a part that is long compared with its distance from them. All of
+    /// them replace the part; otherwise a rod could lose one host after another as if each replaced
+    /// only itself.
     fn add_hosts_along(&self, part: u32, fate: &mut Fate, around: &Surroundings<'_>) {
         let members = self.members_of(part);
         let count = members.len().min(MAX_SAMPLES);
@@ -402,12 +407,12 @@ impl Parts {
     }
 }
 
-/// What it costs that an area vanishes whose points lie so far, squared, from what is left.
+/// Cost of an area that vanishes at this squared distance from the remaining surface.
 pub(in crate::simplify) fn vanishing_cost(area: f32, squared: f32) -> f32 {
     (area + EXTENT_WEIGHT * squared) * squared
 }
 
-/// Squared difference of attributes and normals between a sample and the point that stands in for it.
+/// Squared difference in attributes and normals between a sample and the point that replaces it.
 fn difference_squared(around: &Surroundings<'_>, sample: &Sample, found: &RestPoint) -> f32 {
     let [a, b, c] = found.triangle.positions.map(|p| point(around.positions, p));
     let normal = (b - a).cross(c - a).normalize_or_zero();
@@ -441,7 +446,7 @@ impl Members {
         Self { triangles, first }
     }
 
-    /// The triangles of a part.
+    /// Returns the triangles of a part.
     fn of(&self, part: u32) -> &[u32] {
         let [from, to] = [part, part + 1].map(|p| self.first[p as usize] as usize);
         &self.triangles[from..to]
@@ -454,7 +459,7 @@ mod tests {
     use crate::mesh::{IndexedMesh, weld};
     use crate::simplify::collapse::links::Links;
 
-    /// A large triangle, and small ones at some heights over it.
+    /// A large triangle, and a small one above it at each height.
     fn with_decals(heights: &[f32]) -> Welded {
         let mut mesh = IndexedMesh::new(vec![[0., 0., 0.], [9., 0., 0.], [0., 9., 0.]], vec![[0, 1, 2]]);
         for &z in heights {

@@ -1,7 +1,8 @@
-//! When relaxed collapses begin.
+//! Decides when relaxed collapses begin.
 //!
-//! A position that has no strict collapse gets a relaxed one at its price. On a closed surface of a few large parts, relaxed
-//! collapses begin only after the last strict one; there, nothing is prepared for them until then.
+//! A position that has no strict collapse gets a relaxed one at its cost. On a closed surface of a few
+//! large parts, relaxed collapses begin only after the last strict one, and nothing is prepared for
+//! them until then.
 
 use crate::mesh::Welded;
 
@@ -10,8 +11,8 @@ use super::links::LinkKind;
 use super::whole::{Relaxed, Removed};
 use crate::simplify::options::TopologyRule;
 
-/// A closed surface of several parts waits with relaxed collapses if its parts have this many triangles on average: strict ones
-/// lead it down to a twenty-fifth by themselves.
+/// On a closed surface of several parts, relaxed collapses are postponed if the parts have at least
+/// this many triangles on average: strict collapses alone reduce them to a twenty-fifth.
 const LEAST_CLOSED_PART: usize = 100;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,17 +20,17 @@ enum State {
     Never,
     /// No position has needed one yet.
     Unknown,
-    /// Once no strict collapse is left anywhere.
+    /// Begin once no strict collapse is left anywhere.
     Later,
     Now,
 }
 
-/// Whether positions without a strict collapse look for relaxed ones.
+/// Schedule of relaxed collapses: whether positions without a strict collapse may have one already.
 pub(in crate::simplify) struct Relaxation<'a> {
     welded: &'a Welded,
     keeps_parts: bool,
     state: State,
-    /// What relaxed collapses will need later.
+    /// State prepared for relaxed collapses that begin later.
     waiting: Option<Relaxed<'a>>,
 }
 
@@ -39,17 +40,17 @@ impl<'a> Relaxation<'a> {
         Self { welded, keeps_parts: rule == TopologyRule::KeepParts, state, waiting: None }
     }
 
-    /// True if there may be relaxed collapses at some time.
+    /// Whether there may ever be relaxed collapses.
     pub(in crate::simplify) fn is_possible(&self) -> bool {
         self.state != State::Never
     }
 
-    /// True if relaxed collapses wait until no strict one is left.
+    /// Whether relaxed collapses are postponed until no strict one is left.
     pub(in crate::simplify) fn is_waiting(&self) -> bool {
         self.state == State::Later
     }
 
-    /// Decides what happens now that a position has no strict collapse.
+    /// Called when a position has no strict collapse: begins relaxed collapses, or postpones them.
     pub(in crate::simplify) fn consider(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
         if self.state != State::Unknown {
             return;
@@ -68,7 +69,7 @@ impl<'a> Relaxation<'a> {
         }
     }
 
-    /// Lets relaxed collapses begin; if there are none, parts and what they have lost are followed all the same.
+    /// Begins relaxed collapses; if they are ruled out, still begins tracking parts and their losses.
     pub(in crate::simplify) fn begin(&mut self, judge: &mut Judge<'a>, removed: Removed<'_>) {
         let mut relaxed = self.waiting.take().unwrap_or_else(|| Relaxed::new(self.welded, self.keeps_parts));
         relaxed.is_tail = self.is_waiting();

@@ -1,15 +1,16 @@
-//! Relaxed collapses: what a position may do if no collapse of it keeps the surface what it is.
+//! Relaxed collapses: the candidates of a position that has no strict collapse.
 //!
-//! All neighbors are candidates then, whatever borders, links and normals say; what is wrong with them is in the cost:
+//! Every neighbor is a candidate, whatever borders, links and normals forbid; violations increase the
+//! cost instead:
 //!
-//! | tier | what happens | cost |
+//! | kind | effect | cost |
 //! | --- | --- | --- |
-//! | link | no triangle flips, but sheets may come to touch or a border may recede | 4 times that of a collapse whose border sweeps the edge's square |
+//! | link | no flips, but sheets may touch or a border recede | 4 times that of sweeping the squared edge |
 //! | fold | a triangle flips | as if the surface moved by the whole edge |
-//! | fin | all triangles of the position go, its target keeps others | distance from those others |
-//! | vanish | all triangles of both ends go | distance of the part from the rest of the mesh |
+//! | fin | all triangles of the position vanish, its target keeps others | distance from those others |
+//! | vanish | all triangles of both ends vanish | distance of the part from the rest of the mesh |
 //!
-//! The last triangles of the mesh stay, and so does a triangle at each locked position.
+//! The last triangles of the mesh stay, and each locked position keeps a triangle.
 
 use glam::Vec3;
 
@@ -21,20 +22,20 @@ use super::links::{LinkEdge, LinkKind, Links};
 use super::parts::{Fate, Surroundings, vanishing_cost};
 use super::tracked::MEMORYLESS_SHARE;
 
-/// How much dearer a collapse is that breaks the link condition or leaves a border.
+/// Cost factor of a collapse that breaks the link condition or moves a vertex off its border.
 const LINK_FACTOR: f32 = 4.0;
-/// Weight of the fourth power of the edge there.
+/// Weight of the fourth power of the edge length in that cost.
 const EDGE_WEIGHT: f32 = 4.0;
-/// Weight of the squared difference of unit normals between a fin and what is left behind.
+/// Weight of the squared difference of unit normals between a fin and the remaining triangles.
 const FIN_NORMAL_WEIGHT: f32 = 1e-4;
-/// Parts of up to this many triangles may vanish although they could lose single triangles.
+/// Parts of up to this many triangles may vanish even if they could lose single triangles.
 const NEARLY_GONE: usize = 4;
-/// Costs stay below this, so that even the worst candidate is one.
+/// Upper limit of all costs, so that even the worst candidate remains finite.
 const MAX_COST: f32 = 1e30;
 
 impl Judge<'_> {
-    /// The cheapest collapse of `v` to any neighbor; for positions that [`Self::best_choice`] finds no target for, right
-    /// after it.
+    /// Returns the cheapest collapse of `v` to any neighbor. Call it for positions without a strict
+    /// target, immediately after [`Self::best_choice`].
     pub(in crate::simplify) fn relaxed_choice(&mut self, v: u32) -> Option<Choice> {
         let mut order = std::mem::take(&mut self.relaxed.as_mut()?.order);
         self.fill_costs(v);
@@ -57,15 +58,16 @@ impl Judge<'_> {
         best
     }
 
-    /// True if the part of `v` is down to so few triangles that one collapse may take all of them.
+    /// Whether the part of `v` has so few triangles left that one collapse may remove all of them.
     pub(in crate::simplify) fn is_nearly_gone(&self, v: u32) -> bool {
         self.relaxed.as_ref().is_some_and(|relaxed| {
             relaxed.is_foliage && relaxed.parts.triangle_count(relaxed.parts.part_of(v)) <= NEARLY_GONE
         })
     }
 
-    /// The collapse of `v` that takes all triangles of its part, if there is one that is cheaper than `limit`; right after
-    /// [`Self::best_choice`]. Cutting a card to a single triangle may be worse than doing without it.
+    /// Returns a collapse of `v` that removes all triangles of its part, if it is cheaper than `limit`.
+    /// Call it immediately after [`Self::best_choice`]. Reducing a foliage card to a single triangle
+    /// may look worse than removing it.
     pub(in crate::simplify) fn ending_choice(&mut self, v: u32, limit: f32) -> Option<Choice> {
         self.fill_costs(v);
         for k in 0..self.star.ids.len() {
@@ -81,7 +83,7 @@ impl Judge<'_> {
         None
     }
 
-    /// True if a relaxed choice that was made before may still be carried out at its cost.
+    /// Whether a stored relaxed choice may still be applied at its cost.
     pub(in crate::simplify) fn relaxed_stands(
         &self,
         v: u32,
@@ -107,13 +109,13 @@ impl Judge<'_> {
         let is_last = relaxed.parts.triangle_count(part) == removed;
         match tier {
             Tier::Remnant => !is_last,
-            // It may have become farther from what is left since.
+            // The remaining surface may be farther away than when the cost was computed.
             Tier::Vanish => is_last && relaxed.parts.knows_fate(part, relaxed.generation, distance_squared),
             Tier::Strict | Tier::Link | Tier::Fold | Tier::Fin => true,
         }
     }
 
-    /// True if a collapse leaves the mesh a triangle, and each locked position as well.
+    /// Whether a collapse leaves a triangle to the mesh and to each locked position.
     pub(in crate::simplify) fn leaves_enough(&self, v: u32, u: u32) -> bool {
         let removed = shared_triangles(&self.links, v, u);
         let kept = self.links.triangle_count(v) + self.links.triangle_count(u) - 2 * removed;
@@ -121,7 +123,7 @@ impl Judge<'_> {
         !is_last && !self.strands_locked(v, u, kept)
     }
 
-    /// True if a locked position would lose its last triangle.
+    /// Whether a locked position would lose its last triangle.
     fn strands_locked(&self, v: u32, u: u32, kept: usize) -> bool {
         if !self.relaxed.as_ref().is_some_and(|relaxed| relaxed.has_locks) {
             return false;
@@ -163,7 +165,8 @@ impl Judge<'_> {
         Some(Choice { cost: (choice.cost + increase).min(MAX_COST), ..choice })
     }
 
-    /// The candidate that leaves a fan, whether or not triangles flip; `None` if it costs at least `limit`.
+    /// Returns the candidate that leaves a fan, whether or not triangles flip; `None` if it costs at
+    /// least `limit`.
     fn moving(&mut self, v: u32, k: usize, limit: f32) -> Option<Choice> {
         let quadratic = self.star.costs[k];
         let length_squared = self.star.offset(k).length_squared();
@@ -202,7 +205,7 @@ impl Judge<'_> {
         if matches!(self.memory, Memory::Tracked(_)) { MEMORYLESS_SHARE } else { 1.0 }
     }
 
-    /// The candidate that takes all triangles of `v` and leaves `u` others.
+    /// Returns the candidate that removes all triangles of `v` and leaves others at `u`.
     fn fin(&mut self, v: u32, k: usize) -> Option<Choice> {
         let u = self.star.ids[k];
         let mut edges = std::mem::take(&mut self.relaxed.as_mut()?.edges);
@@ -233,8 +236,9 @@ impl Judge<'_> {
         })
     }
 
-    /// What stands in best for `v` among the triangles of `u` with these opposite edges: with differences of attributes
-    /// and normals, and the plain squared distance alone.
+    /// Finds the replacement for `v` among the triangles of `u` with these opposite edges. Returns the
+    /// least squared distance including differences of attributes and normals, and the least plain
+    /// squared distance.
     fn fin_distance(&self, v: u32, u: u32, (own, doubled): (u32, Vec3), edges: &[LinkEdge]) -> (f32, f32) {
         let at = |p: u32| point(&self.positions, p) - point(&self.positions, v);
         let normal = doubled.normalize_or_zero();
@@ -258,7 +262,7 @@ impl Judge<'_> {
         (best, least)
     }
 
-    /// The candidate that takes all triangles of both ends.
+    /// Returns the candidate that removes all triangles of both ends.
     fn vanishing(&mut self, v: u32, k: usize, removed: usize) -> Option<Choice> {
         let relaxed = self.relaxed.as_ref()?;
         let part = relaxed.parts.part_of(v);
@@ -284,7 +288,8 @@ impl Judge<'_> {
         })
     }
 
-    /// Cost and squared distance if all triangles of `v` and of a neighbor vanish, but the part keeps others.
+    /// Cost and squared distance if all triangles of `v` and of a neighbor vanish, but the part keeps
+    /// others.
     fn remnant(&mut self, v: u32, part: u32, removed: usize) -> (f32, f32) {
         let longest = self.star.longest_edge_squared();
         let Self { relaxed: Some(relaxed), links, wedges, positions, star, .. } = self else {
@@ -295,7 +300,7 @@ impl Judge<'_> {
             links.triangle_count(star.ids[i]) == count
         });
         if !is_alone {
-            // The third corners stay where they are.
+            // The third corners have other triangles and stay where they are.
             return (vanishing_cost(star.area(), longest), longest);
         }
         relaxed.refresh(links, wedges.as_ref(), positions);
@@ -309,7 +314,7 @@ impl Judge<'_> {
         (vanishing_cost(area, extent * extent), distance_squared)
     }
 
-    /// What happens if a part vanishes.
+    /// Estimates what happens if a part vanishes.
     pub(in crate::simplify) fn fate(&mut self, part: u32) -> Option<&Fate> {
         let Self { relaxed: Some(relaxed), links, wedges, positions, attributes, .. } = self else {
             return None;
@@ -326,7 +331,7 @@ impl Judge<'_> {
     }
 }
 
-/// Triangles that `v` and its neighbor `u` share.
+/// Number of triangles that `v` and its neighbor `u` share.
 fn shared_triangles(links: &Links, v: u32, u: u32) -> usize {
     let entries = links.entries(v);
     match links.kind(v) {

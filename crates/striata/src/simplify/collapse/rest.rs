@@ -1,9 +1,10 @@
-//! The surface at a moment of the past, for finding what lies near a point that loses its own triangles.
+//! Box tree over the triangles of the surface at one moment, for nearest-point queries.
 //!
-//! A part that vanishes is no worse than its distance from whatever stands in for it. To find that, all triangles are
-//! put into a tree, each with its part. The tree is not kept up to date; it is built anew once half of its triangles
-//! are gone, so all builds together cost about two of the first. Between builds, it gives triangles that may have changed
-//! since; their parts are still there, which is what the caller asks for.
+//! The error of a vanished part is its distance from whatever part replaces it. To find that, the
+//! triangles of all parts are put into a tree. Collapses do not update the tree; it is rebuilt once
+//! half of its triangles are gone, so all builds together cost about two of the first. Between builds,
+//! queries return triangles that may have changed since; the parts that they belong to still exist, and
+//! those are what the caller needs.
 
 use glam::{Vec3, Vec3A};
 
@@ -14,14 +15,14 @@ use super::fan::point;
 use super::links::{LinkEdge, Links};
 use super::wedges::Wedges;
 
-/// A triangle of the tree.
+/// Triangle of the tree.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::simplify) struct RestTriangle {
     pub(in crate::simplify) positions: [u32; 3],
     pub(in crate::simplify) vertices: [u32; 3],
 }
 
-/// The point of the rest that is nearest to a point.
+/// Point on the tree's triangles that is nearest to a query point.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::simplify) struct RestPoint {
     pub(in crate::simplify) distance_squared: f32,
@@ -30,7 +31,7 @@ pub(in crate::simplify) struct RestPoint {
     pub(in crate::simplify) weights: [f32; 3],
 }
 
-/// All triangles at the moment of building, in a tree.
+/// Box tree over all triangles that exist when it is built.
 #[derive(Default)]
 pub(in crate::simplify) struct Rest {
     tree: BoxTree,
@@ -38,7 +39,7 @@ pub(in crate::simplify) struct Rest {
 }
 
 impl Rest {
-    /// Builds the tree over the triangles that the links hold.
+    /// Builds the tree over the triangles in the links.
     pub(in crate::simplify) fn new(
         links: &Links,
         wedges: Option<&Wedges<'_>>,
@@ -71,8 +72,8 @@ impl Rest {
         Self { tree: BoxTree::new(&boxes), triangles }
     }
 
-    /// Hands over triangles in boxes that are nearer to a point than a limit, squared, near ones first; `visit` returns the
-    /// limit from then on.
+    /// Visits triangles whose boxes are closer to a point than a squared limit, near ones first;
+    /// `visit` returns the limit to use from then on.
     pub(in crate::simplify) fn visit_near(
         &self,
         from: Vec3,
@@ -82,12 +83,13 @@ impl Rest {
         self.tree.visit_near(Vec3A::from(from), limit, |index| visit(&self.triangles[index]));
     }
 
-    /// Triangles at the moment of building.
+    /// Number of triangles in the tree.
     pub(in crate::simplify) fn triangle_count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// The nearest point on the triangles that `is_host` accepts, if one is within the squared distance `limit`.
+    /// Nearest point on the triangles that `is_host` accepts, if one is within the squared distance
+    /// `limit`.
     pub(in crate::simplify) fn nearest(
         &self,
         positions: &[[f32; 4]],
@@ -108,7 +110,8 @@ impl Rest {
                     best = Some(RestPoint { distance_squared, triangle, weights });
                 }
             }
-            // A box may be as near as its triangle: rounding must not hide it.
+            // The distance of a box may equal that of its triangle; rounding must not exclude the
+            // triangle.
             least * 1.000_01
         });
         best

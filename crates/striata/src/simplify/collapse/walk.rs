@@ -1,4 +1,4 @@
-//! The way from a star to the nearest part of the surface.
+//! Walks over the surface, from star to star, to the point nearest to a given point.
 
 use glam::Vec3;
 
@@ -6,13 +6,14 @@ use super::fan::nearest;
 use super::links::{LinkEdge, Links};
 
 const NONE: u32 = u32::MAX;
-/// Stars that one search may cross; whoever is looked for goes on next time.
+/// Stars that one search may visit; the next search continues from where this one stopped.
 const MAX_WALK: usize = 8;
 
-/// A squared distance from the current surface, and a position near the point that it was measured to.
+/// Squared distance of a point from the current surface, and a position near the nearest surface point.
 pub(in crate::simplify) type Standing = (f32, u32);
 
-/// Walks from the star of `place` from star to star while that leads nearer to a point, given where positions lie relative to it.
+/// Walks from the star of `place` to neighboring stars while that reduces the distance from a query
+/// point; `offset` returns the vector from the query point to a position.
 #[inline]
 pub(in crate::simplify) fn walk(
     links: &Links,
@@ -24,7 +25,7 @@ pub(in crate::simplify) fn walk(
     for _ in 0..MAX_WALK {
         let center = offset(place);
         links.edges_into(place, edges);
-        // Where the nearest point lies on the rim, the star beyond may be nearer still.
+        // If the nearest point is on the rim, the star beyond the rim may be nearer still.
         let mut beyond = NONE;
         let before = least;
         for e in edges.iter() {

@@ -1,4 +1,5 @@
-//! What relaxed collapses need to know of the whole mesh: its parts, where every position has gone, and what is left.
+//! Global state that relaxed collapses need: connected parts, where removed positions went, and a
+//! triangle tree.
 
 use glam::Vec3;
 
@@ -12,38 +13,39 @@ use super::rest::Rest;
 use super::walk::Standing;
 use super::wedges::Wedges;
 
-/// Parts of more triangles than this are not foliage (see `absorb.rs`).
+/// Parts with more triangles than this do not count as foliage (see `foliage.rs`).
 pub(in crate::simplify) const MAX_LEAF: usize = 16;
-/// Share of the triangles that must belong to such parts.
+/// Share of the triangles that must belong to small parts for a mesh to count as foliage.
 const LEAF_SHARE: f32 = 0.5;
 
-/// Positions removed so far, and the target of each vertex of them.
+/// The positions removed so far, and the target of every vertex at them.
 pub(in crate::simplify) type Removed<'r> = (&'r [u32], &'r [u32]);
 
-/// What relaxed collapses need to know of the whole mesh.
+/// Global state of the mesh that relaxed collapses need.
 pub(in crate::simplify) struct Relaxed<'a> {
     pub(in crate::simplify) welded: &'a Welded,
     pub(in crate::simplify) parts: Parts,
-    /// Where each position has gone, with shortcuts.
+    /// The position that each position was merged into, with path compression.
     pub(in crate::simplify) current: Vec<u32>,
-    /// Cycles of positions that have come together, and how many there are in the cycle of each that is still there.
+    /// Next position in the cycle of all positions that were merged together; `follower_count` is the
+    /// length of that cycle for each position that still exists.
     pub(in crate::simplify) next: Vec<u32>,
     pub(in crate::simplify) follower_count: Vec<u32>,
     pub(in crate::simplify) triangle_count: usize,
     pub(in crate::simplify) rest: Rest,
-    /// Counts the builds of `rest`.
+    /// Number of times that `rest` was built.
     pub(in crate::simplify) generation: u32,
     pub(in crate::simplify) outward: Outward,
-    /// The last search that looked at the star of each position.
+    /// Index of the last search that visited the star of each position.
     pub(in crate::simplify) stamps: Vec<u32>,
     pub(in crate::simplify) search: u32,
     pub(in crate::simplify) keeps_parts: bool,
-    /// Whether relaxed collapses only come after all strict ones.
+    /// Whether relaxed collapses begin only after all strict ones.
     pub(in crate::simplify) is_tail: bool,
     /// Whether small parts make up most of the mesh.
     pub(in crate::simplify) is_foliage: bool,
     pub(in crate::simplify) has_locks: bool,
-    /// True once a relaxed collapse has been carried out.
+    /// Whether a relaxed collapse has been applied.
     pub(in crate::simplify) has_relaxed: bool,
     pub(in crate::simplify) edges: Vec<LinkEdge>,
     pub(in crate::simplify) order: Vec<u32>,
@@ -76,7 +78,8 @@ impl<'a> Relaxed<'a> {
         }
     }
 
-    /// Looks at the mesh after the collapses so far: `removed` and `targets` are those of their record.
+    /// Initializes the state from the mesh after the collapses so far, given by `removed` and `targets`
+    /// of their record.
     pub(in crate::simplify) fn begin(
         &mut self,
         links: &Links,
@@ -104,7 +107,7 @@ impl<'a> Relaxed<'a> {
         self.has_locks = is_locked.contains(&true);
     }
 
-    /// True if small open parts make up most of the mesh.
+    /// Whether small open parts make up most of the mesh.
     fn has_many_leaves(&mut self, links: &Links) -> bool {
         let mut count = 0;
         for p in (0..self.current.len() as u32).filter(|&p| links.is_boundary(p)) {
@@ -116,12 +119,12 @@ impl<'a> Relaxed<'a> {
         count as f32 > LEAF_SHARE * self.triangle_count as f32
     }
 
-    /// How many parts the mesh had.
+    /// Number of connected parts of the original mesh.
     pub(in crate::simplify) fn part_count(&self) -> usize {
         self.parts.len()
     }
 
-    /// Where a position is now.
+    /// Returns the position that a position has been merged into.
     pub(in crate::simplify) fn current_of(&self, mut p: u32) -> u32 {
         while self.current[p as usize] != p {
             p = self.current[p as usize];
@@ -129,15 +132,15 @@ impl<'a> Relaxed<'a> {
         p
     }
 
-    /// Notes that what stood at `v` stands at `u` now.
+    /// Records that `v` and everything merged into it are now merged into `u`.
     pub(in crate::simplify) fn follow(&mut self, v: u32, u: u32) {
         self.current[v as usize] = u;
-        // Swapping two links of two cycles makes one of them.
+        // Swapping one link of each of two cycles joins the cycles.
         self.next.swap(v as usize, u as usize);
         self.follower_count[u as usize] += self.follower_count[v as usize];
     }
 
-    /// Builds the tree of the rest anew if half of its triangles are gone.
+    /// Rebuilds the triangle tree if half of its triangles are gone.
     pub(in crate::simplify) fn refresh(
         &mut self,
         links: &Links,
@@ -152,9 +155,10 @@ impl<'a> Relaxed<'a> {
 }
 
 impl Relaxed<'_> {
-    /// Looks for what stands nearest to a point: in the tree of the rest for triangles of the past, and from their corners
-    /// for the stars that they have become, as far as these are counted. Never farther than `known`; stops at a squared distance
-    /// of `enough`.
+    /// Finds the point of the current surface that is nearest to a given point. The tree returns
+    /// triangles of an earlier surface; the stars of the positions that their corners were merged into
+    /// are searched, if `is_counted` accepts those positions. Returns `known` unless something is
+    /// nearer, and stops at a squared distance of `enough`.
     pub(in crate::simplify) fn standing(
         &mut self,
         (links, positions): (&Links, &[[f32; 4]]),
@@ -189,7 +193,7 @@ impl Relaxed<'_> {
     }
 }
 
-/// Where a position is now.
+/// Returns the position that a position has been merged into, and compresses the path to it.
 pub(in crate::simplify) fn find(current: &mut [u32], mut p: u32) -> u32 {
     while current[p as usize] != p {
         let above = current[p as usize];

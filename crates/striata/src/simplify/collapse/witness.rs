@@ -1,10 +1,11 @@
-//! The error that a step reports: how far the worst vertices removed so far lie from the surface.
+//! Error reported by each step: the distance of the worst removed vertex from the surface.
 //!
-//! Every position carries one **witness**: among the removed vertices whose nearest triangle it touches, the one that
-//! was farthest away when last measured. A collapse measures the removed vertex and the witnesses of both ends
-//! anew, walking from star to star while that leads nearer, and each witness settles where it ends. This is an
-//! estimate from vertices: cheap and close to what sampling finds (docs/results.md has the comparison), not a bound. The
-//! engine adds how far each step's new surface sticks out.
+//! Every position has at most one **witness**: among the removed vertices whose nearest triangle it
+//! touches, the one that was farthest away when last measured. A collapse measures the removed vertex
+//! and the witnesses of both ends again, walking from star to star while that leads nearer, and stores
+//! each witness where its walk ends. This is an estimate from vertices, not a bound: cheap, and close
+//! to the error found by sampling (docs/results.md has the comparison). The executor adds how far each
+//! step's new surface sticks out.
 
 use glam::Vec3;
 
@@ -14,7 +15,7 @@ use super::links::LinkEdge;
 use super::walk::{Standing, walk};
 
 const NONE: u32 = u32::MAX;
-/// Most that the surface moves anywhere, in distances of the removed vertex from its fan.
+/// Upper bound on how far the surface moves anywhere, in distances of the removed vertex from its fan.
 const MOVE_FACTOR: f32 = 1.5;
 
 #[derive(Clone, Copy, Debug)]
@@ -25,12 +26,13 @@ struct Witness {
 
 const NOBODY: Witness = Witness { vertex: NONE, distance: 0.0 };
 
-/// One removed vertex for each position, and scratch.
+/// The witness of each position, and scratch.
 #[derive(Debug)]
 pub(in crate::simplify) struct Witnesses {
     of: Vec<Witness>,
     worst: f32,
-    /// Whether witnesses beside a collapse are looked at too; closed scans do without, which saves a quarter of their time.
+    /// Whether witnesses next to a collapse are measured too; closed scans skip them, which saves a
+    /// quarter of their time.
     follows_rings: bool,
     edges: Vec<LinkEdge>,
 }
@@ -40,8 +42,8 @@ impl Witnesses {
         Self { of: vec![NOBODY; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
     }
 
-    /// Called after `v`, whose neighbors were `ring`, was collapsed to `u`, `own` being the squared distance of v from its new fan.
-    /// Returns the largest squared distance among v and the witnesses of all these.
+    /// Updates witnesses after `v`, whose neighbors were `ring`, was collapsed to `u`; `own` is the
+    /// squared distance of `v` from its new fan. Returns the largest squared distance seen so far.
     pub(in crate::simplify) fn collapse(
         &mut self,
         judge: &mut Judge<'_>,
@@ -49,12 +51,12 @@ impl Witnesses {
         ring: &[u32],
         own: f32,
     ) -> f32 {
-        // Both are taken out, and settle anew below.
+        // Both are removed here and stored again below.
         let candidates = [v, u].map(|p| std::mem::replace(&mut self.of[p as usize], NOBODY));
         let (mut own, mut place) = (own, u);
         if own > self.worst {
-            // What raises the reported error is measured exactly: the cost's distances are good to a few
-            // ten-thousandths of the edges only.
+            // Distances that raise the reported error are measured exactly: those in the cost are only
+            // accurate to a few ten-thousandths of the edges.
             (own, place) = self.find(judge, u, point(&judge.positions, v), f32::INFINITY);
         }
         let moved = MOVE_FACTOR * own.sqrt();
@@ -69,14 +71,15 @@ impl Witnesses {
         self.worst
     }
 
-    /// The witness of `v` if it may become the worst by a collapse of v that moves v by the squared distance `own`.
+    /// Returns the witness of `v` if collapsing `v` may make it the worst; `own` is the squared
+    /// distance by which the collapse moves the surface at `v`.
     pub(in crate::simplify) fn suspect(&self, v: u32, own: f32) -> Option<u32> {
         let Witness { vertex, distance } = self.of[v as usize];
         let reach = distance + MOVE_FACTOR * own.sqrt();
         (vertex != NONE && reach * reach > self.worst).then_some(vertex)
     }
 
-    /// Lets the witnesses of a ring follow the surface there, which has moved by a distance.
+    /// Updates the witnesses of a ring around which the surface has moved by a distance.
     fn follow_ring(&mut self, judge: &mut Judge<'_>, ring: &[u32], moved: f32) {
         let limit = self.worst.sqrt();
         for &p in ring {
@@ -92,8 +95,8 @@ impl Witnesses {
         }
     }
 
-    /// Where a witness is to be kept once the surface around `p` has moved by a distance, and how far away it is; it is only
-    /// measured if it may be the worst.
+    /// Updates a witness after the surface around `p` has moved by a distance; returns it with its new
+    /// distance, and the position to store it at. It is measured only if it may be the worst.
     fn follow(&mut self, judge: &mut Judge<'_>, p: u32, candidate: Witness, moved: f32) -> (Witness, u32) {
         let reach = candidate.distance + moved;
         let reach_squared = reach * reach;
@@ -105,9 +108,10 @@ impl Witnesses {
         (Witness { distance: distance_squared.sqrt(), ..candidate }, place)
     }
 
-    /// Called after a relaxed collapse. Everything that the `lost` positions stood for settles anew from `place`, and so do the
-    /// `points` of the triangles that have gone; what that puts above all that was seen before is looked for everywhere.
-    /// Returns the largest squared distance seen so far.
+    /// Updates witnesses after a relaxed collapse. The `lost` positions, their witnesses and the
+    /// `points` of removed triangles are measured again, starting at `place`; distances above the
+    /// largest so far are verified by a search of the whole mesh. Returns the largest squared distance
+    /// seen so far.
     pub(in crate::simplify) fn lose(
         &mut self,
         judge: &mut Judge<'_>,
@@ -129,8 +133,9 @@ impl Witnesses {
         self.worst
     }
 
-    /// Settles a point from `place`, verifies what would raise the worst distance, if relaxed collapses may change what is near
-    /// what, and raises it. What the walk finds beyond a `limit`, squared, has lost its way.
+    /// Measures a point by a walk that starts at `place`. If relaxed collapses may have changed what is
+    /// near, a result that would raise the worst distance is verified in the whole mesh. A walk that
+    /// ends beyond the squared distance `limit` has lost its way.
     fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3, limit: f32) -> Standing {
         let positions = &judge.positions;
         let settled = walk(&judge.links, &mut self.edges, place, |p| point(positions, p) - from);
@@ -138,24 +143,24 @@ impl Witnesses {
         let known = if is_lost { (limit, place) } else { settled };
         let found = judge.standing(from, known, self.worst);
         if !is_lost || judge.looks_everywhere() {
-            // A limit that nobody has measured must not be reported.
+            // A limit that was never measured must not be reported.
             self.worst = self.worst.max(found.0);
         }
         found
     }
 
-    /// The largest squared distance so far.
+    /// Largest squared distance so far.
     pub(in crate::simplify) fn worst(&self) -> f32 {
         self.worst
     }
 
-    /// Raises the worst squared distance, and gives it.
+    /// Raises the worst squared distance to at least this, and returns it.
     pub(in crate::simplify) fn raise(&mut self, distance_squared: f32) -> f32 {
         self.worst = self.worst.max(distance_squared);
         self.worst
     }
 
-    /// Makes `candidate` the witness of `place` if it is worse than the one there.
+    /// Stores `candidate` at `place` if it is farther away than the witness there.
     fn keep(&mut self, place: u32, candidate: Witness) {
         let there = &mut self.of[place as usize];
         if candidate.distance > there.distance || there.vertex == NONE {

@@ -1,23 +1,23 @@
-//! Where the vertex of an edge may lie, and the places to try there.
+//! Where the new vertex of an edge may be placed, and the candidate positions.
 
 use glam::DVec3;
 
 use super::form::EdgeForm;
 
-/// Where the vertex of an edge may lie.
+/// Rule for placing the new vertex of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Course {
     Free,
-    /// At the end that asks.
+    /// At the end from which the edge is evaluated.
     Here,
     /// At the other end.
     There,
-    /// At one of both.
+    /// At either end.
     Ends,
     Nowhere,
 }
 
-/// What the first of `places` costs.
+/// Cost of the first candidate position.
 pub(super) fn first_cost(edge: &EdgeForm, course: Course, tip: DVec3) -> f64 {
     let place = match course {
         Course::Free => edge.keeping_volume().or_else(|| edge.cheapest()).unwrap_or(0.5 * tip),
@@ -29,7 +29,8 @@ pub(super) fn first_cost(edge: &EdgeForm, course: Course, tip: DVec3) -> f64 {
     edge.cost(place)
 }
 
-/// Places for the vertex of an edge seen from its first end, best first, and whether that end is the one kept.
+/// Returns candidate positions for the new vertex, relative to the edge's first end and best first,
+/// each with whether that end is the one kept.
 pub(super) fn places(edge: &EdgeForm, course: Course, tip: DVec3) -> [Option<(DVec3, bool)>; 5] {
     let (here, there) = ((DVec3::ZERO, true), (tip, false));
     let ends = if edge.cost(here.0) <= edge.cost(there.0) { [here, there] } else { [there, here] };

@@ -1,8 +1,9 @@
-//! The error that is reported: how far the worst of some original vertices lie from the surface.
+//! Estimates the error of a step: the distance of the worst original vertices from the surface.
 //!
-//! Every position carries one original vertex, at first its own: of those that came to lie nearest to one of its triangles,
-//! the one that was farthest away when last measured. A collapse measures those of both ends anew, walking from star
-//! to star while that leads nearer. This is an estimate from vertices, one way only, and not a bound.
+//! Every position has one original vertex as its witness, at first its own: of those that came to be
+//! nearest to one of its triangles, the one that was farthest away when last measured. A collapse
+//! measures the witnesses of both ends again, walking from star to star while that leads nearer. This
+//! is an estimate from vertices in one direction, not a bound.
 
 use glam::DVec3;
 
@@ -13,12 +14,12 @@ use crate::simplify::collapse::walk::walk;
 const NONE: u32 = u32::MAX;
 #[derive(Clone, Copy, Debug)]
 struct Witness {
-    /// Position in the original numbering.
+    /// Index of the original position.
     original: u32,
     distance_squared: f32,
 }
 
-/// One original vertex for each position, and scratch.
+/// The witness of each position, and scratch.
 #[derive(Debug)]
 pub(super) struct Drift {
     of: Vec<Witness>,
@@ -32,9 +33,10 @@ impl Drift {
         Self { of: (0..originals.len() as u32).map(own).collect(), originals, edges: Vec::new() }
     }
 
-    /// Called after the triangles of some positions have changed or gone: settles the witnesses of all that are `gone` anew, starting
-    /// at `place`, and with them the originals in `others`. Returns the largest squared distance among them; those above `worst` are
-    /// looked for everywhere.
+    /// Updates witnesses after the triangles of some positions have changed or vanished: measures those
+    /// of all positions in `gone` and the originals in `others` again, by walks that start at `place`.
+    /// Returns the largest squared distance among them; distances above `worst` are verified by a
+    /// search of the whole mesh.
     pub(super) fn settle_all(
         &mut self,
         (judge, positions): (&mut Judge<'_>, &[DVec3]),
@@ -77,7 +79,8 @@ mod tests {
 
     #[test]
     fn witness_of_a_flattened_tip_is_found() {
-        // A closed fan whose center stands up: merged into a rim vertex, its height is the error.
+        // A closed fan with a raised center: when the center is merged into a rim vertex, its height is
+        // the error.
         let welded = weld(&shapes::closed_fan(8)).expect("shapes are sound");
         let number = |v| welded.source_vertex.iter().position(|&source| source == v).map_or(0, |v| v as u32);
         let (tip, rim) = (number(0), number(1));

@@ -1,42 +1,46 @@
-//! What moving a vertex costs, as a quadratic form, and where an edge's new vertex costs least.
+//! Quadratic cost of moving a vertex, and the optimal position of an edge's new vertex.
 //!
-//! The planes of a star all pass through its center, so six numbers hold the squared distances from them, weighted by
-//! area, and the sum of the normals holds the change of volume. Two stars that share an edge add up; with the first end
-//! as origin, the second at `d`, and `s` for the triangles on the edge, which both stars have:
+//! The planes of a star all pass through its center, so six coefficients represent the squared
+//! distances from them, weighted by area, and the sum of the normals gives the change of volume. The
+//! forms of two stars that share an edge are added. With the first end as the origin, the second at
+//! `d`, and `s` for the triangles at the edge, which belong to both stars:
 //!
 //! ```text
 //! cost(x)   = x^T A x - 2 b.x + c        A = Av + Au,       b = Au d,  c = d^T Au d
 //! volume(x) = N.x - h                    N = Nv + Nu - Ns,  h = Nu.d      (6 times the change)
 //! ```
 //!
-//! (`Ns.d` is zero, since the planes on the edge hold both ends.) The place is the least cost among those that keep the
-//! volume; where the normals cancel out and the volume says nothing, its change becomes a penalty. Planes on the
-//! edge count twice, as in [Hop99]: counting them once is 2 to 4 % worse in RMS.
+//! (`Ns.d` is zero, since the planes at the edge contain both ends.) The new position has the least
+//! cost among those that preserve the volume; if the normals cancel out, so that the volume determines
+//! nothing, its change becomes a penalty. Planes at the edge count twice, as in [Hop99]: counting them
+//! once is 2 to 4 % worse in RMS.
 
 use glam::DVec3;
 
-/// Weight of the squared area between the old and the new course of a border.
+/// Weight of the squared area between the old and the new path of a border.
 pub(super) const BORDER_WEIGHT: f64 = 4.0;
-/// Pull to the edge's middle, as a share of the form's trace: decides where the planes do not.
+/// Pull towards the edge's midpoint, as a share of the form's trace, for directions that the planes
+/// leave open.
 const MIDDLE_WEIGHT: f64 = 1e-5;
-/// Length of the summed normals, as a share of the summed lengths, below which the volume says nothing.
+/// Length of the summed normals, as a share of the summed lengths, below which the volume condition is
+/// ignored.
 const LEAST_FLATNESS: f64 = 0.1;
-/// A place this many square roots of the area away from the edge's middle is no place.
+/// Limit on the distance of the new position from the edge's midpoint, in square roots of the area.
 const FARTHEST: f64 = 2.0;
 
-/// The quadratic form of a star about its center; lengths to the fourth at a place.
+/// Quadratic form of a star around its center; its values have the unit length to the fourth power.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Form {
-    /// xx, yy, zz, xy, xz, yz.
+    /// Coefficients xx, yy, zz, xy, xz, yz.
     form: [f64; 6],
-    /// Sum of the triangles' normals, each as long as twice its area.
+    /// Sum of the triangles' normals, each as long as twice the triangle's area.
     normal: DVec3,
     /// Twice the area.
     area_doubled: f64,
 }
 
 impl Form {
-    /// Adds a triangle by its unscaled normal.
+    /// Adds a triangle, given by its unscaled normal.
     pub(super) fn add_triangle(&mut self, normal: DVec3) {
         let length = normal.length();
         self.normal += normal;
@@ -46,7 +50,7 @@ impl Form {
         }
     }
 
-    /// Adds the squared area that leaving the border edge `along` sweeps, times a weight.
+    /// Adds the squared area that is swept by moving off the border edge `along`, times a weight.
     pub(super) fn add_border(&mut self, along: DVec3, weight: f64) {
         let squared = weight * along.length_squared();
         for i in 0..3 {
@@ -63,7 +67,7 @@ impl Form {
         }
     }
 
-    /// The matrix times `x`.
+    /// Returns the product of the matrix and `x`.
     fn times(&self, x: DVec3) -> DVec3 {
         let [xx, yy, zz, xy, xz, yz] = self.form;
         DVec3::new(
@@ -77,7 +81,8 @@ impl Form {
         self.form[0] + self.form[1] + self.form[2]
     }
 
-    /// The sum of two stars, what they share counted once in the volume and twice in the planes.
+    /// Returns the sum of two stars; triangles in both count once for the volume and twice for the
+    /// planes.
     fn united(&self, other: &Self, shared: Shared) -> Self {
         Self {
             form: std::array::from_fn(|i| self.form[i] + other.form[i]),
@@ -86,12 +91,12 @@ impl Form {
         }
     }
 
-    /// The inverse of a positive definite form; `None` where it is singular.
+    /// Returns the inverse of a positive definite form; `None` if it is singular.
     fn inverse(&self) -> Option<Self> {
         let [xx, yy, zz, xy, xz, yz] = self.form;
         let (cxx, cxy, cxz) = (yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy);
         let determinant = xx * cxx + xy * cxy + xz * cxz;
-        // Also false for a determinant that is not a number.
+        // Also false if the determinant is NaN.
         if !(determinant > 0.0 && (1.0 / determinant).is_finite()) {
             return None;
         }
@@ -108,18 +113,18 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    /// Adds a triangle by its unscaled normal.
+    /// Adds a triangle, given by its unscaled normal.
     pub(super) fn add_triangle(&mut self, normal: DVec3) {
         self.normal += normal;
         self.area_doubled += normal.length();
     }
 }
 
-/// One edge to be collapsed: origin the first end.
+/// Quadratic form of an edge collapse, with the first end as the origin.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EdgeForm {
     united: Form,
-    /// The second end.
+    /// Position of the second end.
     tip: DVec3,
     linear: DVec3,
     constant: f64,
@@ -127,7 +132,7 @@ pub(super) struct EdgeForm {
 }
 
 impl EdgeForm {
-    /// The forms of both ends and what they share; `tip` is the second end seen from the first.
+    /// Combines the forms of both ends; `tip` is the second end relative to the first.
     pub(super) fn new(first: &Form, second: &Form, shared: Shared, tip: DVec3) -> Self {
         let linear = second.times(tip);
         Self {
@@ -149,7 +154,7 @@ impl EdgeForm {
         0.5 * self.united.area_doubled
     }
 
-    /// What placing the vertex at `x` costs; never negative.
+    /// Cost of placing the vertex at `x`; never negative.
     pub(super) fn cost(&self, x: DVec3) -> f64 {
         let planes = x.dot(self.united.times(x)) - 2.0 * self.linear.dot(x) + self.constant;
         let change = self.united.normal.dot(x) - self.volume;
@@ -157,12 +162,14 @@ impl EdgeForm {
         (planes + swept).max(0.0)
     }
 
-    /// The squared change of volume over the area, normals and area being doubled.
+    /// Factor that turns the doubled change of volume into its square over the area; normals and area
+    /// are doubled.
     fn volume_weight(&self) -> f64 {
         0.5 / self.united.area_doubled.max(f64::MIN_POSITIVE)
     }
 
-    /// The cheapest place that keeps the volume; `None` where the volume or the planes say too little.
+    /// Returns the cheapest position that preserves the volume; `None` if volume or planes do not
+    /// determine one.
     pub(super) fn keeping_volume(&self) -> Option<DVec3> {
         let normal = self.united.normal;
         if normal.length() <= LEAST_FLATNESS * self.united.area_doubled {
@@ -178,7 +185,8 @@ impl EdgeForm {
         self.near(free + step * ((self.volume - normal.dot(free)) / along))
     }
 
-    /// The cheapest place with the change of volume as a penalty; `None` where that is far away.
+    /// Returns the cheapest position with the change of volume as a penalty; `None` if it is too far
+    /// away.
     pub(super) fn cheapest(&self) -> Option<DVec3> {
         let mut form = self.united;
         form.add_square(self.united.normal, self.volume_weight());
@@ -186,7 +194,8 @@ impl EdgeForm {
         self.near(inverse.times(linear + self.united.normal * (self.volume * self.volume_weight())))
     }
 
-    /// The inverse of a form that is pulled to the middle, and the linear part with it.
+    /// Returns the inverse of a form with the pull towards the midpoint, and the linear part with that
+    /// pull.
     fn regular(&self, mut form: Form) -> Option<(Form, DVec3)> {
         let pull = MIDDLE_WEIGHT * form.trace();
         for i in 0..3 {
@@ -197,7 +206,7 @@ impl EdgeForm {
 
     fn near(&self, x: DVec3) -> Option<DVec3> {
         let away = (x - 0.5 * self.tip).length_squared();
-        // Also false for what is not a number.
+        // Also false if `x` is NaN.
         (away <= FARTHEST * FARTHEST * self.area()).then_some(x)
     }
 }
@@ -220,7 +229,7 @@ mod tests {
         let mut form = Form::default();
         form.add_triangle(DVec3::new(0.0, 0.0, 3.0));
         let edge = EdgeForm::new(&form, &Form::default(), Shared::default(), DVec3::X);
-        // Area 1.5, distance 2, and as much again for the volume.
+        // Area 1.5, squared distance 4, and the same again for the volume.
         assert_eq!(edge.cost(DVec3::new(7.0, 5.0, 2.0)), 12.0);
     }
 
@@ -260,7 +269,8 @@ mod tests {
         shared.add_triangle((right - v).cross(u - v));
         let edge = EdgeForm::new(&first, &second, shared, u - v);
         let place = edge.keeping_volume().unwrap();
-        // The volume over the ground: two ends' pyramids and the wedge between; one apex must be higher.
+        // The volume above the ground consists of two end pyramids and the wedge between them, so a
+        // single apex must be higher.
         assert!(place.z > 0.1 && (place.x - 0.5).abs() < 1e-9 && place.y.abs() < 1e-9, "{place}");
         let change = edge.united.normal.dot(place) - edge.volume;
         assert!(change.abs() < 1e-12, "{change}");

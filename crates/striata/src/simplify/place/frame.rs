@@ -1,10 +1,10 @@
-//! How the loop sees the mesh.
+//! Coordinates scaled to the unit diagonal, in which the simplification works.
 
 use glam::DVec3;
 
 use crate::mesh::IndexedMesh;
 
-/// The center of its bounds and their diagonal.
+/// Space with the center of the mesh's bounds as the origin and their diagonal as the unit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
     center: DVec3,

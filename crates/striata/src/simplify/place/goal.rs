@@ -1,29 +1,29 @@
-//! When to stop: the caller's target in the counts that the loop keeps.
+//! Stop condition of the loop: the caller's target, in terms of the counts that the loop keeps.
 
 use crate::simplify::options::{SimplifyOptions, StopReason, Target};
 
-/// What there is to be simplified.
+/// Size of the mesh before simplification.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counts {
     pub(super) triangles: usize,
     pub(super) vertices: usize,
-    /// Positions that are not locked.
+    /// Number of positions that are not locked.
     pub(super) removable: usize,
 }
 
-/// The target, resolved.
+/// The target in terms of counts and an error limit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Goal {
     triangles: usize,
     vertices: usize,
-    /// Collapses wanted.
+    /// Number of positions to remove.
     pub(super) removals: usize,
     base_triangles: usize,
     /// Largest error allowed, mesh units.
     pub(super) limit: f64,
-    /// What it means that the limit stops.
+    /// Reason to report if the error limit stops the loop.
     pub(super) at_limit: StopReason,
-    /// What it means that nothing is left to collapse.
+    /// Reason to report if no collapse is left.
     pub(super) at_base: StopReason,
     is_above_full: bool,
 }
@@ -70,12 +70,13 @@ impl Goal {
     fn keep_splits(&mut self, kept: usize, counts: Counts) {
         self.removals = counts.removable.saturating_sub(kept);
         if kept == 0 {
-            // How many can go is known only once none can: the base is what was asked for.
+            // The number of removable positions is known only once none is left; the caller asked for
+            // exactly that base mesh.
             (self.removals, self.at_base) = (usize::MAX, StopReason::TargetReached);
         }
     }
 
-    /// Why the loop should end now, if it should.
+    /// Returns the reason to stop now, if there is one.
     pub(super) fn reached(&self, triangles: usize, vertices: usize, removals: usize) -> Option<StopReason> {
         if self.is_above_full {
             return Some(StopReason::FullMesh);

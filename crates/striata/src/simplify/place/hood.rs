@@ -1,42 +1,46 @@
-//! One position with its triangles, gathered in double precision.
+//! The star of one position, gathered in double precision.
 
 use glam::DVec3;
 
 use super::form::{BORDER_WEIGHT, Form, Shared};
 use crate::simplify::collapse::links::{LinkEdge, LinkKind, Links};
 
-/// Squared cosine that the normals of an old and a new triangle must at least have between them.
+/// Least squared cosine between the normals of an old triangle and its replacement.
 const FLIP_COSINE_SQUARED: f64 = 0.04;
-/// A new triangle may not be thinner than this (1 is equilateral), unless the one it replaces was thinner still.
+/// A new triangle must have at least this quality (1 is equilateral), unless the one it replaces was
+/// worse.
 const SLIVER_QUALITY: f64 = 0.01;
-/// Below this the normal of a triangle is noise.
+/// Below this quality, the normal of a triangle is noise.
 const NEEDLE_QUALITY: f64 = 0.02;
-/// Makes the quality of an equilateral triangle 1.
+/// Factor that makes the quality of an equilateral triangle 1.
 const TWICE_ROOT_3: f64 = 3.464_101_615_137_754_6;
 
-/// For two triangles and the edge between them, what leaving the course of the seam there weighs.
+/// Function that returns the weight of leaving the path of a seam, from the two triangles and the edge
+/// vector between them.
 pub(super) type SeamWeight<'a> = &'a dyn Fn([u32; 2], DVec3) -> Option<f64>;
 
-/// Scratch that holds one star at a time; everything is relative to its center.
+/// Scratch for the star of one position at a time; vectors are relative to its center.
 #[derive(Debug, Default)]
 pub(super) struct Hood {
     pub(super) center: DVec3,
     /// Neighbors, each once.
     pub(super) ids: Vec<u32>,
     pub(super) offsets: Vec<DVec3>,
-    /// Corners of each triangle as indices into `ids`, and its number where followed.
+    /// Corners of each triangle as indices into `ids`, and the triangle's index if the links store it.
     pub(super) triangles: Vec<LinkEdge>,
     /// Unscaled normals of the triangles.
     normals: Vec<DVec3>,
-    /// Indices of neighbors across a border of any kind: boundary, seam that must stay, edge with three triangles.
+    /// Indices of neighbors along a border of any kind: boundary, seam that must stay, edge with three
+    /// triangles.
     pub(super) borders: Vec<u32>,
-    /// Indices of neighbors across a seam that may be crossed, and what leaving its course weighs.
+    /// Indices of neighbors along a seam that may be crossed, and the weight of leaving its path.
     seams: Vec<(u32, f64)>,
 }
 
 impl Hood {
-    /// Gathers the star of `v`. `seam_weight(triangles, along)` says what it weighs to leave the course of the edge `along` if both
-    /// triangles on it show `v` different wedges; infinite for seams that must stay.
+    /// Gathers the star of `v`. `seam_weight(triangles, along)` returns the weight of leaving the edge
+    /// `along` if the two triangles at it use different wedges of `v`; infinite for seams that must
+    /// stay.
     pub(super) fn gather(
         &mut self,
         links: &Links,
@@ -108,7 +112,7 @@ impl Hood {
         }
     }
 
-    /// The form of the whole star.
+    /// Returns the quadratic form of the whole star.
     pub(super) fn form(&self) -> Form {
         let mut form = Form::default();
         self.normals.iter().for_each(|&normal| form.add_triangle(normal));
@@ -119,7 +123,7 @@ impl Hood {
         form
     }
 
-    /// What the star shares with that of neighbor `i`.
+    /// Returns the triangles that the star shares with that of neighbor `i`.
     pub(super) fn shared(&self, i: usize) -> Shared {
         let mut shared = Shared::default();
         for (t, &normal) in self.triangles.iter().zip(&self.normals) {
@@ -130,12 +134,12 @@ impl Hood {
         shared
     }
 
-    /// True where the edge to neighbor `i` is a border.
+    /// Whether the edge to neighbor `i` is a border.
     pub(super) fn is_border(&self, i: usize) -> bool {
         self.borders.contains(&(i as u32))
     }
 
-    /// The triangles that stay when the center moves and `other` is merged with it.
+    /// Returns the triangles that are kept when the center moves and `other` is merged with it.
     fn staying(&self, other: u32) -> impl Iterator<Item = Staying> {
         let gone = self.ids.iter().position(|&id| id == other).map_or(u32::MAX, |i| i as u32);
         let stays = move |t: &&LinkEdge| t.a != gone && t.b != gone;
@@ -146,10 +150,11 @@ impl Hood {
         })
     }
 
-    /// True where no triangle that stays flips over or becomes a sliver with the center at `place`.
+    /// Whether all kept triangles stay unflipped and do not become slivers with the center at `place`.
     ///
-    /// `mean` is the summed normal of both stars. A needle faces nowhere in particular, so what follows it must
-    /// agree with the mean, or stay as small; a triangle that was folded over may unfold.
+    /// `mean` is the summed normal of both stars. The normal of a needle is meaningless, so its
+    /// replacement must agree with the mean, or stay as small; a triangle that was folded over may
+    /// unfold.
     pub(super) fn may_move(&self, place: DVec3, other: u32, mean: DVec3) -> bool {
         let x = place - self.center;
         self.staying(other).all(|Staying { a, b, normal: old }| {
@@ -170,7 +175,7 @@ impl Hood {
         })
     }
 
-    /// Squared distance of the center from the triangles that stay, once it has moved to `place`.
+    /// Squared distance of the center from the kept triangles after it has moved to `place`.
     pub(super) fn distance_squared(&self, place: DVec3, other: u32) -> f64 {
         let x = (place - self.center).as_vec3();
         let distances = self.staying(other).map(|Staying { a, b, .. }| {
@@ -180,14 +185,14 @@ impl Hood {
     }
 }
 
-/// A triangle that stays: its corners besides the center, and its normal before.
+/// A kept triangle: its corners besides the center, and its old normal.
 struct Staying {
     a: DVec3,
     b: DVec3,
     normal: DVec3,
 }
 
-/// True where two normals of any length point the same way, clearly.
+/// Whether two normals of any length clearly point the same way.
 fn faces(a: DVec3, b: DVec3) -> bool {
     let along = a.dot(b);
     along > 0.0 && along * along > FLIP_COSINE_SQUARED * a.length_squared() * b.length_squared()

@@ -1,7 +1,8 @@
-//! Half-edge collapses, for stars that cannot be filled freely: at seams, between groups, where sheets meet.
+//! Half-edge collapses for stars that cannot be retriangulated freely: at seams, between groups, where
+//! sheets meet.
 //!
-//! What may be collapsed, along which edges, and what crossing a seam costs is what the collapse simplifier says. If there is no
-//! such collapse either, `judge` tries relaxed ones.
+//! The collapse simplifier determines what may be collapsed, along which edges, and the cost of
+//! crossing a seam. If no such collapse is allowed either, `removal_evaluator` tries relaxed ones.
 
 use crate::simplify::collapse::judge::Judge as CollapseJudge;
 use crate::simplify::collapse::links::LinkKind;
@@ -10,7 +11,7 @@ use super::hole::Features;
 use super::judge::{Filling, Judge, MEMORYLESS_SHARE, Verdict, fan_into};
 
 impl Judge<'_> {
-    /// The best collapse of `v`; its fan is then in `floor`.
+    /// Returns the best collapse of `v` and leaves its fan in `floor`.
     pub(super) fn judge_collapses(&mut self, v: u32) -> Option<Verdict> {
         self.collapses.load_costs(v);
         if !self.keep_to_features(v) {
@@ -31,7 +32,8 @@ impl Judge<'_> {
         best
     }
 
-    /// Leaves only neighbors along the sharp edges of the star; false where those meet in it.
+    /// Restricts the candidates to neighbors along the star's sharp edges; returns false if these meet
+    /// or end at its center.
     fn keep_to_features(&mut self, v: u32) -> bool {
         let kind = self.collapses.links.kind(v);
         let (Some(cosine), LinkKind::Closed | LinkKind::Open) = (self.feature_cosine, kind) else {

@@ -1,4 +1,4 @@
-//! The loop: remove the vertex that costs least, fill its hole, look again at what surrounds it.
+//! The loop: removes the cheapest vertex, fills its hole and updates the costs around it.
 
 use crate::mesh::Welded;
 use crate::simplify::certify::Cover;
@@ -13,19 +13,19 @@ use super::judge::{Depth, Filling, Judge, Reach};
 use super::options::{RemovalOptions, Retriangulation};
 use super::record::{Faces, Outcome, RemovalRecord};
 
-/// Removals between two reports of progress.
+/// Number of removals between two progress reports.
 const REPORT_INTERVAL: u64 = 4096;
 
-/// A cost this much over its key is still taken: looking twice at every vertex would buy next to nothing.
+/// A cost may exceed its key by this factor; evaluating every vertex twice would gain almost nothing.
 const TOLERANCE: f32 = 1.2;
 
-/// All state of one simplification.
+/// Complete state of one simplification.
 pub(super) struct Engine<'a> {
     options: &'a RemovalOptions,
     welded: &'a Welded,
     judge: Judge<'a>,
     relaxation: Relaxation<'a>,
-    /// True once a floor was empty, for which the error is no more than the size of the mesh.
+    /// Whether some floor was empty, for which the error is only bounded by the size of the mesh.
     has_vanished: bool,
     cover: Cover,
     heap: IndexedHeap,
@@ -48,7 +48,7 @@ impl<'a> Engine<'a> {
             options,
             welded,
             judge,
-            // Sharp edges stay, whatever the price.
+            // Sharp edges stay, whatever the cost.
             relaxation: Relaxation::new(welded, topology),
             has_vanished: false,
             cover: Cover::new(&welded.mesh.positions, &welded.mesh.triangles),
@@ -62,7 +62,8 @@ impl<'a> Engine<'a> {
         }
     }
 
-    /// Removes vertices until none can be, the base is reached or the error limit forbids all that are left.
+    /// Removes vertices until none can be removed, the base size is reached, or the error limit forbids
+    /// all that are left.
     pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
         let total = self.judge.collapses.positions.len() as u64;
         if self.relaxation.is_possible() {
@@ -86,7 +87,7 @@ impl<'a> Engine<'a> {
                 return Ok(self.end(StopReason::TargetReached));
             }
             let Some(verdict) = self.judge.judge(v, Depth::Exact) else {
-                // What lies around has changed what is allowed.
+                // Changes nearby have made the removal illegal.
                 self.heap.remove(v);
                 continue;
             };
@@ -100,7 +101,7 @@ impl<'a> Engine<'a> {
                 self.heap.remove(v);
                 continue;
             }
-            // The bound takes the place of what points have seen.
+            // The proven bound replaces the largest distance of the tracked vertices.
             let known = if vanishes { 0.0 } else { self.judge.scaled_squared(error) };
             let bound = known.max(verdict.worst);
             let rise = Judge::spike_cost(bound) - Judge::spike_cost(verdict.worst);
@@ -123,7 +124,8 @@ impl<'a> Engine<'a> {
         Ok(self.end(reason))
     }
 
-    /// The vertex that comes next, and its key; lets more vertices be removed if nothing is left.
+    /// Returns the vertex with the smallest key, and that key; allows more kinds of collapses if none
+    /// is left.
     fn next(&mut self) -> Option<(f32, u32)> {
         while self.heap.first().is_none() && self.relaxation.is_possible() {
             self.judge.reach = match self.judge.reach {
@@ -139,7 +141,8 @@ impl<'a> Engine<'a> {
         self.heap.first()
     }
 
-    /// Puts `v` back where its true cost is well over the key that it came up with; true if others come first then.
+    /// Updates the key of `v` if its true cost is well above the key that it came up with; returns
+    /// whether another vertex comes first then.
     fn has_to_wait(&mut self, v: u32, key: f32, cost: f32) -> bool {
         if cost <= TOLERANCE * key {
             return false;
@@ -158,7 +161,8 @@ impl<'a> Engine<'a> {
         self.judge.judge(v, Depth::Estimate).map_or(f32::INFINITY, |verdict| verdict.cost)
     }
 
-    /// How far the surface that the floor judged last stands for may be from it, mesh units, rounded up.
+    /// Returns a bound, in mesh units and rounded up, on the distance of the surface that the last
+    /// evaluated floor represents.
     fn propose(&mut self, v: u32, filling: Filling) -> f32 {
         let judge = &mut self.judge;
         judge.floor_faces(v, filling, &mut self.floor);

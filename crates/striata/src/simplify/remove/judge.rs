@@ -1,9 +1,10 @@
-//! What removing a vertex costs, and what fills its hole best.
+//! Evaluates the cost of removing a vertex, and finds the best way to fill its hole.
 //!
-//! The cost has three parts. The first is what the removal adds to the squared distances of all vertices removed so far,
-//! weighted by the areas that they stand for: this follows the original surface. The second looks at the current
-//! surface only, at the gap between old and new: one-sided distances of points do not see a surface that sticks out. The third is the
-//! largest distance alone: the Hausdorff distance that orders \[KLS96\], which decides where it stands out.
+//! The cost has three parts. The first is the increase of the squared distances of all vertices removed
+//! so far, weighted by the areas that they represent: it keeps the result close to the original
+//! surface. The second is the gap between the old and the new surface, since one-sided distances of
+//! points do not detect a surface that sticks out. The third is the largest distance alone, the
+//! Hausdorff distance by which \[KLS96\] orders removals; it dominates if it is large.
 
 use crate::mesh::Welded;
 use crate::simplify::collapse::choice::Choice;
@@ -19,40 +20,41 @@ use super::hole::{Features, Hole, RingTriangle};
 use super::options::{RemovalOptions, Retriangulation};
 use super::points::{Points, nearest};
 
-/// Weight of the squared distance of the removed vertex, and of squared gaps, over the area of the star; beside distances of all
-/// that was removed before.
+/// Weight of the squared distance of the removed vertex, and of squared gaps, over the area of the
+/// star, relative to distances of previously removed vertices.
 const STILL_WEIGHT: f32 = 0.1;
-/// Weight of the squared area between the old and the new course of a boundary.
+/// Weight of the squared area between the old and the new path of a boundary.
 const BORDER_WEIGHT: f32 = 0.8;
-/// Weight of the largest squared distance, itself squared, against squared distances over areas. From 30 to 100 maxima fall by
-/// a fifth and RMS rises by one to four hundredths; without it maxima are half as large again.
+/// Weight of the largest squared distance, itself squared, relative to squared distances over areas.
+/// With values from 30 to 100, maxima fall by a fifth and RMS rises by one to four percent; without it,
+/// maxima are half as large again.
 const SPIKE_WEIGHT: f32 = 60.0;
 const NONE: u32 = u32::MAX;
 
-/// More neighbors than this no position gets by a new edge: hubs cost quadratic time.
+/// Limit on the number of neighbors that a position may reach by new edges: hubs cost quadratic time.
 const MAX_VALENCE: usize = 40;
 
-/// Share of the memoryless cost of a collapse beside the distances of what was removed before.
+/// Share of the memoryless cost of a collapse, relative to distances of previously removed vertices.
 pub(super) const MEMORYLESS_SHARE: f32 = 0.2;
 
-/// Relaxed collapses take no more triangles around a vertex than this: indices into a star are bytes.
+/// Maximum number of triangles around a vertex for relaxed collapses: indices into a star are bytes.
 const MAX_HUB: usize = 127;
 
-/// Which collapses are tried for a vertex that no hole can be filled of.
+/// Which collapses are tried for a vertex whose hole cannot be filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Reach {
-    /// Those that keep the topology.
+    /// Those that preserve the topology.
     Strict,
     /// Relaxed ones as well.
     Relaxed,
-    /// Relaxed ones of vertices over the limit of degrees, too.
+    /// Also relaxed ones of vertices above the degree limit.
     Hubs,
 }
 
-/// How closely to look.
+/// How precisely a removal is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Depth {
-    /// For the order of what is far from its turn.
+    /// Approximately, for the order of vertices that are not yet due.
     Estimate,
     Exact,
 }
@@ -60,44 +62,45 @@ pub(super) enum Depth {
 /// How the hole is filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Filling {
-    /// By triangles of the ring.
+    /// With triangles of the ring.
     Free,
-    /// By moving the removed vertex to a neighbor, an index into the star.
+    /// By moving the removed vertex to a neighbor, given as an index into the star.
     Collapse(usize),
-    /// In the same way, but without keeping the topology or the course of borders.
+    /// By moving the removed vertex to a neighbor without preserving the topology or the path of
+    /// borders.
     Relaxed(usize),
 }
 
-/// A removal that may be made; its triangles are with the judge.
+/// A possible removal; its triangles are in the evaluator's `floor`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Verdict {
     pub(super) cost: f32,
     pub(super) filling: Filling,
-    /// Largest squared distance that the cost knows of.
+    /// Largest squared distance that the cost includes.
     pub(super) worst: f32,
 }
 
-/// The mesh as it is, and all that judges it.
+/// The current mesh and everything needed to evaluate removals on it.
 pub(super) struct Judge<'a> {
     pub(super) options: &'a RemovalOptions,
-    /// Positions, links, wedges and the star, and what judges relaxed collapses.
+    /// Positions, links, wedges and the star, and costs of relaxed collapses.
     pub(super) collapses: CollapseJudge<'a>,
-    /// Which collapses are tried where no other removal is allowed.
+    /// Which collapses are tried if no other removal is allowed.
     pub(super) reach: Reach,
     /// Group of each face.
     pub(super) groups: Vec<u32>,
     pub(super) points: Points,
     pub(super) hole: Hole,
-    /// Of the angle between normals from which on an edge is a feature.
+    /// Cosine of the angle between normals beyond which an edge is a feature.
     pub(super) feature_cosine: Option<f32>,
     has_wedges: bool,
-    /// True where the star loaded last shows one vertex at each position and lies in one group.
+    /// Whether the star loaded last has one vertex at each position and lies in one group.
     is_plain: bool,
-    /// Those vertices.
+    /// The vertices of the ring, if `is_plain`.
     shown: Vec<u32>,
-    /// What fills the hole, in indices into the star.
+    /// Triangles that fill the hole, as indices into the star.
     pub(super) floor: Vec<RingTriangle>,
-    /// The same in space, relative to the removed vertex.
+    /// Corners of the floor's triangles, relative to the removed vertex.
     pub(super) floor_corners: Vec<[Vec3; 3]>,
     pub(super) best_floor: Vec<RingTriangle>,
 }
@@ -116,7 +119,7 @@ impl<'a> Judge<'a> {
         let mut collapses = CollapseJudge::new(welded, &rules);
         let position_count = collapses.positions.len();
         if !has_wedges {
-            // Triangles are followed here in any case.
+            // Triangle indices are needed even without wedges.
             collapses.links = Links::new(position_count, &welded.mesh.triangles, true);
             collapses.wedges = Some(Wedges::new(&welded.positions, welded.mesh.triangles.clone()));
         }
@@ -148,7 +151,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// The best filling of the hole that `v` would leave; its triangles are then in `floor`.
+    /// Finds the best way to fill the hole that `v` would leave, and leaves its triangles in `floor`.
     pub(super) fn judge(&mut self, v: u32, depth: Depth) -> Option<Verdict> {
         let degree = self.collapses.links.triangle_count(v);
         if self.collapses.is_fixed(v) || degree == 0 || degree > MAX_HUB {
@@ -170,7 +173,7 @@ impl<'a> Judge<'a> {
         if strict.is_none() && self.reach > Reach::Strict { self.judge_relaxed(v) } else { strict }
     }
 
-    /// The best relaxed collapse of `v`; its fan is then in `floor`.
+    /// Returns the best relaxed collapse of `v` and leaves its fan in `floor`.
     fn judge_relaxed(&mut self, v: u32) -> Option<Verdict> {
         self.is_plain = false;
         self.collapses.gather(v);
@@ -186,13 +189,13 @@ impl<'a> Judge<'a> {
         Some(Verdict { cost, filling: Filling::Relaxed(k), worst })
     }
 
-    /// The square of a distance in mesh units, in scaled units.
+    /// Returns the square of a distance, converted from mesh units to scaled units.
     pub(super) fn scaled_squared(&self, distance: f32) -> f32 {
         let scaled = (f64::from(distance) / self.collapses.scale) as f32;
         scaled * scaled
     }
 
-    /// True where the star, a ring, shows one vertex at each of its positions and lies in one group.
+    /// Whether the star, a ring, has one vertex at each of its positions and lies in one group.
     fn find_shown(&mut self) -> bool {
         let Self { collapses: CollapseJudge { star, wedges: Some(wedges), .. }, shown, groups, .. } = self
         else {
@@ -256,14 +259,15 @@ impl<'a> Judge<'a> {
         Some(Verdict { cost: increase.max(0.0) + still + Self::spike_cost(worst), filling, worst })
     }
 
-    /// Loads the ring of `v` with the new edges that it may get; false where it can have no floor.
+    /// Loads the ring of `v` and the new edges that it may get; returns false if it cannot have a
+    /// floor.
     fn load_hole(&mut self, v: u32) -> bool {
         let CollapseJudge { links, star, .. } = &self.collapses;
         let is_closed = links.kind(v) == LinkKind::Closed;
         let n = star.ids.len();
         self.hole.load((0..n).map(|i| star.offset(i)), is_closed);
         if is_closed && n == 3 {
-            // A tetrahedron would fold flat.
+            // The removal would fold a tetrahedron flat.
             let [a, b, c] = [0, 1, 2].map(|i| star.ids[i]);
             return !self.has_triangle(a, b, c);
         }
@@ -296,7 +300,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Keeps the sharp edges of the star; false where they meet in it.
+    /// Preserves the star's sharp edges; returns false if they meet or end at its center.
     fn keep_features(&mut self) -> bool {
         let Some(cosine) = self.feature_cosine else { return true };
         match self.hole.features(cosine) {
@@ -309,20 +313,20 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Puts the floor into space.
+    /// Updates `floor_corners` from `floor`.
     pub(super) fn place_floor(&mut self) {
         let Self { collapses: CollapseJudge { star, .. }, floor, floor_corners, .. } = self;
         floor_corners.clear();
         floor_corners.extend(floor.iter().map(|t| t.map(|i| star.offset(usize::from(i)))));
     }
 
-    /// The volume between the old and the new surface, squared, over the area.
+    /// Squared volume between the old and the new surface, over the area.
     fn volume_cost(&self) -> f32 {
         let six_volumes: f32 = self.floor_corners.iter().map(|[a, b, c]| a.dot(b.cross(*c))).sum();
         six_volumes * six_volumes / (36.0 * self.hole.area().max(f32::MIN_POSITIVE))
     }
 
-    /// The area between the old and the new course of the boundary, squared.
+    /// Squared area between the old and the new path of the boundary.
     fn border_cost(&self) -> f32 {
         let star = &self.collapses.star;
         let n = star.ids.len();
@@ -332,7 +336,8 @@ impl<'a> Judge<'a> {
         BORDER_WEIGHT * self.hole.at(0).cross(self.hole.at(n - 1)).length_squared()
     }
 
-    /// What the floor at hand adds to the loaded points' weighted squared distances, and the largest of those.
+    /// Returns how much the current floor increases the loaded vertices' weighted squared distances,
+    /// and the largest squared distance.
     pub(super) fn increase(&self) -> (f32, f32) {
         let mut sum = 0.0;
         let mut worst = 0.0f32;
@@ -344,7 +349,8 @@ impl<'a> Judge<'a> {
         (sum, worst)
     }
 
-    /// The same by heights over the triangles that the points lie over, which is quick and seldom more.
+    /// Estimates [`Self::increase`] from heights above the triangles that the vertices lie over: fast,
+    /// and seldom larger.
     fn increase_by_height(&self) -> (f32, f32) {
         let points = &self.points.loaded;
         let before: f32 = points.iter().map(|point| point.weight * point.before).sum();
@@ -352,12 +358,13 @@ impl<'a> Judge<'a> {
         (sum - before, worst)
     }
 
-    /// What the largest squared distance costs, whatever the area: the share that a Hausdorff distance has in the order.
+    /// Cost of the largest squared distance, independent of the area: the part that orders by Hausdorff
+    /// distance.
     pub(super) fn spike_cost(worst: f32) -> f32 {
         SPIKE_WEIGHT * worst * worst
     }
 
-    /// The vertices of the floor's faces and their groups, for a verdict given last.
+    /// Collects the vertices of the floor's faces and their groups, after the last evaluation.
     pub(super) fn floor_faces(&mut self, v: u32, filling: Filling, out: &mut Vec<([u32; 3], u32)>) {
         out.clear();
         let Self { collapses, groups, floor, shown, .. } = self;
@@ -382,17 +389,19 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The triangles that stay if the center of a star moves to its neighbor `k`, as indices into the star.
+/// Collects the triangles that stay if the center of a star moves to its neighbor `k`, as indices into
+/// the star.
 pub(super) fn fan_into(star: &Star, k: usize, floor: &mut Vec<RingTriangle>) {
     floor.clear();
     let kept = (0..star.triangle_count()).map(|t| star.triangle(t)).filter(|pair| !pair.contains(&k));
     floor.extend(kept.map(|[a, b]| [k, a, b].map(|i| i as u8)));
 }
 
-/// The cosine of an angle of at most half a turn: the same bits on every machine, which platform cosines are not.
+/// Cosine of an angle of at most half a turn, with the same bits on every machine, unlike the
+/// platform's cosine.
 fn cosine(angle: f64) -> f64 {
     let angle = angle.min(std::f64::consts::PI);
-    // Twice halved, the series needs few terms.
+    // With the angle halved twice, the series needs few terms.
     let quarter = 0.25 * angle;
     let series =
         |x: f64| (1..10).rev().fold(1.0, |sum, k| 1.0 - sum * x * x / f64::from(2 * k * (2 * k - 1)));

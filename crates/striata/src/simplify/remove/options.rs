@@ -1,4 +1,4 @@
-//! What a caller may ask of the removal of vertices, and what it gives.
+//! Options and result of simplification by vertex removal.
 
 use crate::mesh::{FragmentedMesh, RefinableMesh};
 use crate::setters::setters;
@@ -8,57 +8,63 @@ use crate::simplify::options::{BoundaryRule, SeamRule, SimplifyError, StopReason
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Retriangulation {
-    /// All of them, where attributes and groups allow; half-edge collapses elsewhere.
+    /// All triangulations if attributes and groups allow it; otherwise half-edge collapses.
     #[default]
     Free,
-    /// Those that a half-edge collapse leaves.
+    /// Only triangulations that a half-edge collapse leaves.
     Collapse,
 }
 
-/// Which triangulation of a hole is the best one. What is removed next is decided by distances in any case.
+/// Which triangulation of a hole is the best one. The order of removals depends on distances in any
+/// case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum HoleCriterion {
     /// Nearest to the original surface.
     #[default]
     Distance,
-    /// Turned least against the triangles before.
+    /// Least change of direction relative to the old triangles.
     Flatness,
-    /// Of the roundest triangles.
+    /// Roundest triangles.
     Shape,
 }
 
-/// Largest degree that [`RemovalOptions::degree_limit`] may allow.
+/// Largest value allowed for [`RemovalOptions::degree_limit`].
 pub(super) const MAX_DEGREE: usize = 16;
 
 /// Options of [`build_fragments`](crate::simplify::build_fragments).
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RemovalOptions {
-    /// How holes may be filled; default freely.
+    /// How holes may be filled; default [`Retriangulation::Free`].
     pub retriangulation: Retriangulation,
-    /// Which filling is the best; default by distance. Half-edge collapses always go by distance.
+    /// Which triangulation is the best; default by distance. Half-edge collapses are always compared by
+    /// distance.
     pub criterion: HoleCriterion,
-    /// Most triangles around a vertex that may be removed, 3 to 16; default 8: more make many more patterns and next to no better
-    /// levels. Only collapses that change the topology may exceed it, once nothing else is left.
+    /// Maximum number of triangles around a removed vertex, 3 to 16; default 8: larger limits give many
+    /// more patterns and hardly better levels. Only collapses that change the topology may exceed it,
+    /// once nothing else is left.
     pub degree_limit: usize,
-    /// Stop once no more triangles than this are left; default 0: as far as it goes.
+    /// Stop once no more triangles than this are left; default 0, which simplifies as far as possible.
     pub base_triangle_count: usize,
-    /// Remove no vertex after which some point of the original could be farther than this from what takes its place, mesh units;
-    /// others go on. Default none.
+    /// Reject any removal after which some point of the original could be farther than this from the
+    /// surface that replaces it, in mesh units; other removals go on. Default none.
     pub max_error: Option<f64>,
-    /// What may happen to boundaries; default kept.
+    /// How boundaries are treated; default kept.
     pub boundary: BoundaryRule,
-    /// Edges whose triangles' normals differ by more than this, radians, stay edges: a vertex on two of them goes only along
-    /// them, one on more stays. Default none: distances alone decide.
+    /// Preserve edges at which the triangles' normals differ by more than this angle, in radians: a
+    /// vertex on two of them moves only along them, and a vertex on any other number of them stays.
+    /// Default none: only distances count.
     pub feature_angle: Option<f64>,
-    /// What may happen to borders between triangle groups; default kept. Locked, every vertex whose position is used by more
-    /// than one group stays.
+    /// How borders between triangle groups are treated; default kept. If they are locked, every vertex
+    /// whose position is used by more than one group stays.
     pub group_borders: BoundaryRule,
-    /// What collapses may do at seams, where they are the only way to fill a hole; default cross them.
+    /// How collapses treat seams, at which they are the only way to fill a hole; default
+    /// [`SeamRule::Cross`].
     pub seams: SeamRule,
-    /// Whether a vertex without any removal that keeps the topology may be collapsed all the same; default it may. No
-    /// part vanishes if [`Self::max_error`] is set, and the topology stays if [`Self::feature_angle`] is.
+    /// Whether a vertex without any removal that preserves the topology may be collapsed nevertheless;
+    /// default it may. No part vanishes if [`Self::max_error`] is set, and the topology stays if
+    /// [`Self::feature_angle`] is set.
     pub topology: TopologyRule,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
@@ -83,10 +89,10 @@ impl Default for RemovalOptions {
 }
 
 impl RemovalOptions {
-    /// Checks that every option is in its range.
+    /// Checks that every option is within its range.
     ///
     /// # Errors
-    /// [`SimplifyError::Option`] naming the first that is not.
+    /// [`SimplifyError::Option`] with the first option that is out of range.
     pub fn check(&self) -> Result<(), SimplifyError> {
         let wrong = |option, value: String, expected| Err(SimplifyError::Option { option, value, expected });
         if !(3..=MAX_DEGREE).contains(&self.degree_limit) {
@@ -116,19 +122,19 @@ impl RemovalOptions {
     }
 }
 
-/// What [`build_fragments`](crate::simplify::build_fragments) gives.
+/// Result of [`build_fragments`](crate::simplify::build_fragments).
 #[derive(Clone, Debug)]
 pub struct BuiltFragments {
-    /// The mesh in refinement order, and its steps.
+    /// The mesh in refinement order, with its steps.
     pub fragmented: FragmentedMesh,
-    /// The same as collapses, where every step is one: with [`Retriangulation::Collapse`].
+    /// The sequence as half-edge collapses; only with [`Retriangulation::Collapse`].
     pub refinable: Option<RefinableMesh>,
-    /// For each vertex, the vertex of the input that it was.
+    /// For each vertex, the vertex of the input that it came from.
     pub source_vertex: Vec<u32>,
-    /// Why the sequence ends where it does.
+    /// Why the sequence stops at its base mesh.
     pub stop_reason: StopReason,
-    /// Triangles of the input dropped since two of their corners are at one position.
+    /// Number of input triangles that were dropped because two of their corners share a position.
     pub degenerate_triangle_count: usize,
-    /// Vertices of the input merged into equal ones.
+    /// Number of input vertices that were merged into equal ones.
     pub merged_vertex_count: usize,
 }

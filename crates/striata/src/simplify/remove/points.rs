@@ -1,6 +1,6 @@
-//! All removed vertices, each with the face nearest to it.
+//! Tracks all removed vertices, each with the face nearest to it.
 //!
-//! As [`tracked`](crate::simplify::collapse::tracked), for holes that are filled in any way.
+//! Like [`tracked`](crate::simplify::collapse::tracked), but for holes with any triangulation.
 
 use glam::Vec3;
 
@@ -8,33 +8,33 @@ use crate::simplify::collapse::fan::distance_squared;
 
 const NONE: u32 = u32::MAX;
 
-/// A removed vertex in the star at hand.
+/// A removed vertex near the current star.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
     pub(super) position: u32,
-    /// Relative to the star's center.
+    /// Position relative to the star's center.
     pub(super) at: Vec3,
-    /// Area that it stands for, scaled units.
+    /// Area that it represents, scaled units.
     pub(super) weight: f32,
-    /// Squared distance from the surface so far.
+    /// Squared distance from the current surface.
     pub(super) before: f32,
 }
 
-/// Removed vertices by face.
+/// Removed vertices by face, as linked lists.
 #[derive(Debug)]
 pub(super) struct Points {
     /// First removed vertex of every face.
     head: Vec<u32>,
-    /// The next one of the same face.
+    /// Next removed vertex of the same face.
     next: Vec<u32>,
     weight: Vec<f32>,
     distance_squared: Vec<f32>,
-    /// Those of the star loaded last, its center at the end.
+    /// The vertices of the star loaded last, followed by its center.
     pub(super) loaded: Vec<Point>,
 }
 
 impl Points {
-    /// None yet; `weight` is the area that each position stands for.
+    /// Creates an empty set; `weight` is the area that each position represents.
     pub(super) fn new(face_count: usize, weight: Vec<f32>) -> Self {
         Self {
             head: vec![NONE; face_count],
@@ -45,7 +45,7 @@ impl Points {
         }
     }
 
-    /// Gathers the removed vertices of some faces and `v` itself, relative to it.
+    /// Loads the removed vertices of some faces and `v` itself, relative to `v`.
     pub(super) fn load(&mut self, faces: &[u32], positions: &[[f32; 4]], v: u32) {
         self.loaded.clear();
         let [vx, vy, vz, _] = positions[v as usize];
@@ -67,8 +67,8 @@ impl Points {
         self.loaded.push(Point { position: v, at: Vec3::ZERO, weight, before: 0.0 });
     }
 
-    /// Moves the loaded vertices to the nearest of `corners`, which become the faces from `first_face` on; returns the
-    /// largest squared distance.
+    /// Assigns the loaded vertices to the nearest of the triangles `corners`, which become the faces
+    /// from `first_face` on; returns the largest squared distance.
     pub(super) fn settle(&mut self, first_face: u32, corners: &[[Vec3; 3]]) -> f32 {
         self.head.resize(first_face as usize + corners.len(), NONE);
         let mut worst = 0.0f32;
@@ -84,7 +84,8 @@ impl Points {
     }
 }
 
-/// Squared distance of a point from the nearest of some triangles, and which that is.
+/// Returns the squared distance of a point from the nearest of some triangles, and that triangle's
+/// index.
 #[inline]
 pub(super) fn nearest(corners: &[[Vec3; 3]], at: Vec3) -> Option<(f32, usize)> {
     let mut best = None;

@@ -1,4 +1,4 @@
-//! What was removed, and the mesh and its fragments in refinement order made of it.
+//! Records removals, and builds the mesh and its fragments in refinement order from them.
 
 use crate::ProgressFn;
 use crate::mesh::{Face, Fragment, FragmentSequence, FragmentedMesh, PositionIndex, Welded};
@@ -8,40 +8,40 @@ use crate::simplify::options::{SimplifyError, StopReason};
 
 use super::options::BuiltFragments;
 
-/// The steps in the order of removal, in the numbering of the welded mesh.
+/// The steps in order of removal, in the numbering of the welded mesh.
 #[derive(Debug, Default)]
 pub(super) struct RemovalRecord {
     /// Removed positions.
     pub(super) removed: Vec<u32>,
-    /// Numbers of the faces around each removed position, one step after the other.
+    /// Indices of the faces around each removed position, step by step.
     pub(super) ceilings: Vec<u32>,
-    /// End of each step's part of `ceilings`.
+    /// End of each step's range in `ceilings`.
     pub(super) ceiling_ends: Vec<u32>,
-    /// The faces that each step adds end before this number.
+    /// End of the range of faces that each step adds.
     pub(super) face_ends: Vec<u32>,
     /// Error of each step's floor, mesh units.
     pub(super) errors: Vec<f32>,
-    /// Where each vertex collapses to; only where all steps are collapses.
+    /// The vertex that each vertex collapses to, if all steps are collapses.
     pub(super) targets: Option<Vec<u32>>,
-    /// True if the floor of a step is empty though its ceiling is not.
+    /// Whether some step has an empty floor but a ceiling.
     pub(super) has_vanished: bool,
 }
 
-/// What the loop ends with.
+/// State at the end of the loop.
 pub(super) struct Outcome {
     pub(super) record: RemovalRecord,
     pub(super) faces: Faces,
     pub(super) stop_reason: StopReason,
 }
 
-/// All faces that ever were, by number, in the numbering of the welded mesh.
+/// All faces that ever existed, by index, in the numbering of the welded mesh.
 pub(super) struct Faces {
     pub(super) corners: Vec<[u32; 3]>,
     pub(super) groups: Vec<u32>,
 }
 
 impl Outcome {
-    /// The mesh and its fragments in refinement order.
+    /// Builds the mesh and its fragments in refinement order.
     pub(super) fn finish(
         self,
         welded: Welded,
@@ -95,7 +95,7 @@ impl RemovalRecord {
         let mesh = welded.mesh.gather(&order.vertex_order, &order.new_index);
         let mut fragmented = FragmentedMesh { mesh, fragments };
         if self.has_vanished {
-            // What an empty floor stood for lies nearest to others.
+            // Whatever the empty floor should have represented is nearest to other faces.
             fragmented = certify_with_progress(&fragmented, progress)?;
         }
         let (degenerate_triangle_count, merged_vertex_count) =
@@ -116,7 +116,7 @@ impl RemovalRecord {
                 let removed_triangle_counts = counts.map(|n| n as u8).collect();
                 let record = Record { removed: self.removed, errors, removed_triangle_counts, targets };
                 let refinable = finish(welded, record)?.0;
-                // A sequence of collapses is for its levels alone.
+                // The errors of a collapse sequence only apply to its levels.
                 Some(if self.has_vanished {
                     certify_collapses_with_progress(&refinable, progress)?
                 } else {

@@ -1,12 +1,14 @@
-//! The loop over batches: judge what has changed, take what is cheap and far enough apart, do it.
+//! The loop over batches: evaluates changed positions, then collapses cheap ones that are far enough
+//! apart.
 //!
-//! Every position that may go is judged in full, and its cheapest target kept. A batch changes the stars of its
-//! rings only: they are judged again before the next one. Elsewhere only the link of a target may have changed, so
-//! whether a collapse is allowed is looked at again when it is its turn; a position whose target is taken already, or no
-//! longer allowed, gets its next best one if that is still among the cheap.
+//! Every removable position is evaluated in full, and its cheapest target stored. A batch changes the
+//! stars in its rings only, which are evaluated again before the next batch. Elsewhere only the link of
+//! a target may have changed, so whether a collapse is still allowed is tested again when its turn
+//! comes. If the target has been used in this batch already, or is no longer allowed, the position gets
+//! its next best target, provided that this is still cheap enough.
 //!
-//! A position that no batch of a surface can take, because it is not manifold or each of its collapses would change the topology,
-//! waits for a general batch (`general.rs`).
+//! A position that no surface batch can remove, because it is not manifold or each of its collapses
+//! would change the topology, waits for a general batch (`general.rs`).
 
 use crate::mesh::Welded;
 use crate::simplify::collapse::choice::{Choice, Tier};
@@ -26,36 +28,37 @@ use super::taste::Taste;
 pub(super) struct Outcome {
     /// The collapses, finest first.
     pub(super) record: Record,
-    /// Collapses done when each batch ended.
+    /// Number of collapses applied at the end of each batch.
     pub(super) ends: Vec<u32>,
     pub(super) stop_reason: StopReason,
 }
 
-/// All state of one simplification in batches.
+/// Complete state of one simplification in batches.
 pub(super) struct Engine<'a> {
     pub(super) options: &'a BatchOptions,
     pub(super) judge: Judge<'a>,
     pub(super) course: Course,
     taste: Taste,
     pub(super) relaxation: Relaxation<'a>,
-    /// The best target of each position, where there is one; those of positions to be judged again are out of date.
+    /// The best target of each position, if there is one; entries of changed positions are out of date.
     pub(super) choices: Vec<Option<Choice>>,
-    /// Positions whose choice only a general batch can carry out.
+    /// Positions whose choice only a general batch can apply.
     pub(super) is_general: Vec<bool>,
-    /// Positions that a batch of the surface may remove: manifold after the last general batch, not locked.
+    /// Positions that a surface batch may remove: manifold after the last general batch, and not
+    /// locked.
     pub(super) is_removable: Vec<bool>,
     /// Positions whose stars have changed, each once.
     changed: Vec<u32>,
     is_changed: Vec<bool>,
     candidates: Vec<(f32, u32)>,
-    /// Choices that wait for a general batch and cost no more than those of the last batch.
+    /// Choices that wait for a general batch and cost no more than the last batch's candidates.
     pub(super) waiting: Vec<(f32, u32)>,
-    /// What candidates of the last batch could cost at most.
+    /// Largest cost of the last batch's candidates.
     pub(super) dearest: f32,
-    /// Positions that were left after the last general batch.
+    /// Number of positions left after the last general batch.
     pub(super) left_after_general: usize,
     selection: Selection,
-    /// Whether the last batch met choices that are no longer allowed.
+    /// Whether the last batch found choices that are no longer allowed.
     was_out_of_date: bool,
     ends: Vec<u32>,
     pub(super) error: f32,
@@ -91,8 +94,8 @@ impl<'a> Engine<'a> {
         engine
     }
 
-    /// Batch after batch until nothing can be removed, the base is reached, batches get too small or an error limit forbids
-    /// to go on.
+    /// Runs batch after batch until nothing can be removed, the base size is reached, batches get too
+    /// small, or the error limit would be exceeded.
     pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
         let total = self.choices.len() as u64;
         let stop_reason = loop {
@@ -116,7 +119,7 @@ impl<'a> Engine<'a> {
                 break stop_reason;
             }
             let done = self.course.record.removed.len();
-            // Positions that were found out of date are judged again before that says anything.
+            // Positions that were out of date are evaluated again before a small batch ends the loop.
             if done - before < self.options.least_batch.max(1)
                 && !self.was_out_of_date
                 && !self.relax_at_last()
@@ -128,7 +131,7 @@ impl<'a> Engine<'a> {
         Ok(Outcome { record: self.course.record, ends: self.ends, stop_reason })
     }
 
-    /// Closes a batch that began after so many collapses; gives how many it has.
+    /// Closes a batch that began after `before` collapses; returns its number of collapses.
     fn end_batch(&mut self, before: usize) -> usize {
         let done = self.course.record.removed.len();
         if done > before {
@@ -138,7 +141,8 @@ impl<'a> Engine<'a> {
         done - before
     }
 
-    /// Finds the positions that batches of the surface may remove from now on; those for which that changes are judged again.
+    /// Finds the positions that surface batches may remove from now on; positions that change in this
+    /// are evaluated again.
     fn find_removable(&mut self) {
         for v in 0..self.is_removable.len() as u32 {
             let is_removable = surface::is_manifold(&self.judge.links, v) && !self.judge.is_fixed(v);
@@ -152,7 +156,7 @@ impl<'a> Engine<'a> {
         self.course.triangle_count <= self.options.sequence.base_triangle_count
     }
 
-    /// Finds the best targets of all whose stars have changed.
+    /// Finds the best targets of all positions whose stars have changed.
     pub(super) fn judge_changed(&mut self) {
         let changed = std::mem::take(&mut self.changed);
         for &v in &changed {
@@ -163,14 +167,14 @@ impl<'a> Engine<'a> {
         self.changed.clear();
     }
 
-    /// Judges a position: the best that a batch of the surface can do with it, or else a general one.
+    /// Evaluates a position: its best choice for a surface batch, or otherwise for a general one.
     pub(super) fn choose(&mut self, v: u32) {
         let choice = self.choice_of(v, |_| true);
         self.is_general[v as usize] = choice.is_none();
         self.choices[v as usize] = choice.or_else(|| self.general_choice(v));
     }
 
-    /// The cheapest target of `v` among those that `is_free` admits.
+    /// Returns the cheapest target of `v` among those that `is_free` accepts.
     fn choice_of(&mut self, v: u32, is_free: impl Fn(u32) -> bool) -> Option<Choice> {
         if !self.is_removable[v as usize]
             || surface::valence(&self.judge.links, v) > self.options.max_valence
@@ -192,7 +196,7 @@ impl<'a> Engine<'a> {
         choice
     }
 
-    /// One batch; the reason where it is to be the last one.
+    /// Applies one surface batch; returns the reason if it must be the last one.
     fn do_batch(&mut self) -> Option<StopReason> {
         let mut candidates = std::mem::take(&mut self.candidates);
         candidates.clear();
@@ -216,7 +220,8 @@ impl<'a> Engine<'a> {
         stopped
     }
 
-    /// Removes `v` if nothing of the batch stands against it and it costs no more than the dearest candidate.
+    /// Removes `v` if nothing in the batch conflicts with it and it costs no more than the most
+    /// expensive candidate.
     fn take(&mut self, v: u32) -> Option<StopReason> {
         if !self.selection.is_free(v) {
             return None;
@@ -231,10 +236,11 @@ impl<'a> Engine<'a> {
         self.is_base_reached().then_some(StopReason::TargetReached)
     }
 
-    /// Carries a choice out.
+    /// Applies a choice.
     ///
     /// # Errors
-    /// Where the error would exceed its limit: then it is as if nothing had been done, but for no batch to follow.
+    /// Returns the reason to stop if the error would exceed its limit. The record is then unchanged,
+    /// but no further batch may follow.
     pub(super) fn collapse(&mut self, v: u32, choice: &Choice) -> Result<(), StopReason> {
         let error = self.course.collapse(&mut self.judge, v, choice).min(f64::from(f32::MAX)) as f32;
         if self.options.sequence.max_error.is_some_and(|limit| f64::from(error) > limit) {
@@ -246,8 +252,9 @@ impl<'a> Engine<'a> {
         Ok(())
     }
 
-    /// The choice with how far it lies from the original mesh, if that may be farther than anything so far. Costs know only the
-    /// current mesh, so the choice may become dearer by that; it is kept with its new cost.
+    /// Returns the choice with its distance from the original mesh, if that may exceed the largest
+    /// error so far. Costs only include the distance from the current mesh, so this may raise the cost,
+    /// which is then stored.
     pub(super) fn measured(&mut self, v: u32, mut choice: Choice) -> Option<Choice> {
         if choice.tier != Tier::Strict || choice.outward.is_some() || !self.judge.is_measured_outward() {
             return Some(choice);
@@ -264,7 +271,7 @@ impl<'a> Engine<'a> {
         Some(choice)
     }
 
-    /// The best target of `v` that the batch leaves free.
+    /// Returns the best target of `v` that is still free in this batch.
     fn choice_in_batch(&mut self, v: u32) -> Option<Choice> {
         let choice = self.choices[v as usize]?;
         let judge = &mut self.judge;
@@ -281,7 +288,7 @@ impl<'a> Engine<'a> {
         choice
     }
 
-    /// Notes whose star has changed, and who sees the quadric of `u` grow.
+    /// Marks positions whose stars have changed, and those that the changed quadric of `u` affects.
     pub(super) fn note_changes(&mut self, u: u32) {
         let ring = std::mem::take(&mut self.course.ring);
         ring.iter().for_each(|&w| self.note_change(w));

@@ -1,8 +1,10 @@
-//! Batches of any collapses, done one after another: where the mesh is not manifold, and where its topology changes.
+//! General batches: collapses of any kind, applied one after another, at non-manifold positions and
+//! where the topology changes.
 //!
-//! Choices that no batch of the surface can carry out wait until they are worth a batch of their own: a reader must build its
-//! surface anew after each. So general batches come while a good part of what is cheap waits for one, but never soon after
-//! each other, and whenever the surface has next to nothing left to give.
+//! Choices that no surface batch can apply wait until there are enough of them for a batch, because a
+//! decoder must rebuild its surface after each general batch. A general batch is due when a large part
+//! of the cheap choices waits for one, but never soon after another, and whenever the surface batches
+//! find almost nothing left to remove.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -13,20 +15,23 @@ use crate::simplify::options::StopReason;
 use super::engine::Engine;
 use super::surface;
 
-/// One in so many positions has to wait for a general batch to come.
+/// A general batch needs at least one waiting choice per this many positions.
 const WAITING_SHARE: usize = 32;
-/// Batches of the surface that take less than one in so many positions leave the rest to a general one.
+/// A surface batch that removes less than one in this many positions is small, which makes a general
+/// batch due.
 const SMALL_BATCH: usize = 64;
-/// The share of the positions that may be left after one general batch when the next one comes, in quarters.
+/// A general batch is due once this many quarters of the positions left by the last one remain, or
+/// fewer.
 const LEFT_QUARTERS: usize = 3;
 
-/// The part of its usual share that a batch takes once general ones have come.
+/// Factor on the share of a batch after the first general one.
 const CAUTION: f64 = 0.7;
 
-/// Batches grow towards the full mesh, to twice their share, from where this part of the positions is left.
+/// Share of the positions left above which batches grow, up to twice their share at the full mesh.
 const COARSE_LEFT: f64 = 0.4;
 
-/// A cost in the order of a queue: costs are not negative, so their bits rise with them.
+/// Queue entry, ordered by cost and then by position: costs are not negative, so their bits have the
+/// same order.
 type Entry = Reverse<(u32, u32)>;
 
 fn entry(cost: f32, v: u32) -> Entry {
@@ -34,14 +39,14 @@ fn entry(cost: f32, v: u32) -> Entry {
 }
 
 impl Engine<'_> {
-    /// Gets ready for collapses that change the topology, before the first collapse.
+    /// Prepares for collapses that change the topology; call before the first collapse.
     pub(super) fn prepare_general(&mut self) {
         if !self.options.general || !self.relaxation.is_possible() {
             return;
         }
         self.judge.lock_boundary();
         if self.judge.wedges.is_some() {
-            // With seams, how far steps lie from the original is measured from the first one on.
+            // With seams, distances from the original mesh are measured from the first step on.
             self.relax();
         }
     }
@@ -51,7 +56,7 @@ impl Engine<'_> {
         self.relaxation.begin(&mut self.judge, (&record.removed, &record.targets));
     }
 
-    /// Lets collapses begin that change the topology, if they had to wait for the end; false if there is nothing new.
+    /// Begins postponed collapses that change the topology; returns false if none were postponed.
     pub(super) fn relax_at_last(&mut self) -> bool {
         if !self.relaxation.is_waiting() || self.course.triangle_count <= self.options.general_floor {
             return false;
@@ -61,14 +66,14 @@ impl Engine<'_> {
         true
     }
 
-    /// The cheapest collapse of any kind for a position that no batch of the surface can take.
+    /// Returns the cheapest collapse of any kind for a position that no surface batch can remove.
     pub(super) fn general_choice(&mut self, v: u32) -> Option<Choice> {
         if !self.options.general || self.judge.is_fixed(v) {
             return None;
         }
         let is_manifold = self.is_removable[v as usize] && surface::is_manifold(&self.judge.links, v);
         if is_manifold && surface::valence(&self.judge.links, v) > self.options.max_valence {
-            // It will have fewer triangles.
+            // Wait for a surface batch: it will have fewer triangles later.
             return None;
         }
         let choice = self.judge.best_choice(v);
@@ -85,7 +90,7 @@ impl Engine<'_> {
         }
     }
 
-    /// Whether a general batch comes next, after a batch of the surface that has taken so many positions.
+    /// Whether a general batch is due after a surface batch that has removed `taken` positions.
     pub(super) fn is_general_due(&self, taken: usize) -> bool {
         if self.waiting.is_empty() || self.course.triangle_count <= self.options.general_floor {
             return false;
@@ -96,9 +101,9 @@ impl Engine<'_> {
         is_small || (are_many && 4 * left <= LEFT_QUARTERS * self.left_after_general)
     }
 
-    /// What a batch takes of its usual share: less once general ones have come, since the costs of assets, which need them, differ
-    /// more than those of scans; and more near the full mesh, where few large batches save bits and levels are hardly
-    /// told apart.
+    /// Factor on the share that a batch may select from: smaller after the first general batch, since
+    /// costs vary more in assets, which need those, than in scans; and larger near the full mesh, where
+    /// few large batches save bits and levels are hardly distinguishable.
     pub(super) fn boldness(&self) -> f64 {
         let all = self.choices.len();
         let left = (all - self.course.record.removed.len()) as f64 / all.max(1) as f64;
@@ -106,9 +111,9 @@ impl Engine<'_> {
         bold * if self.left_after_general < all { CAUTION } else { 1.0 }
     }
 
-    /// A general batch; the reason where it is to be the last one.
+    /// Applies one general batch; returns the reason if it must be the last one.
     pub(super) fn general_batch(&mut self) -> Option<StopReason> {
-        // The batch before has changed what is around.
+        // The last batch has changed the neighborhoods.
         self.judge_changed();
         let mut queue = BinaryHeap::new();
         (0..self.choices.len() as u32).for_each(|v| self.enqueue(v, &mut queue));
@@ -148,13 +153,15 @@ impl Engine<'_> {
         stopped
     }
 
-    /// What comes instead of a part that vanishes, where another part grows in its place first.
+    /// Replaces the choice that lets a part vanish by one that lets another part grow in its place, if
+    /// there is one.
     fn with_absorber(&mut self, v: u32, choice: Choice) -> (u32, Choice) {
         let absorber = (choice.tier == Tier::Vanish).then(|| self.judge.absorber(v, choice.target));
         absorber.flatten().unwrap_or((v, choice))
     }
 
-    /// Judges all around the last collapse anew and puts those that wait for a general batch into its queue.
+    /// Evaluates the ring of the last collapse again and queues its members that wait for a general
+    /// batch.
     fn judge_ring(&mut self, queue: &mut BinaryHeap<Entry>) {
         let ring = std::mem::take(&mut self.course.ring);
         for &w in &ring {

@@ -1,4 +1,4 @@
-//! What a caller may ask of batches.
+//! Options of simplification in batches.
 
 use crate::setters::setters;
 use crate::simplify::options::{SequenceOptions, SimplifyError};
@@ -7,32 +7,37 @@ use crate::simplify::options::{SequenceOptions, SimplifyError};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BatchOptions {
-    /// What orders the collapses and what they must respect; `pair_distance` must be none or 0, since parts that do not touch
-    /// cannot be split in batches.
+    /// How collapses are ordered, and what they must respect. `pair_distance` must be none or 0, since
+    /// merges of separate parts cannot be undone in batches.
     pub sequence: SequenceOptions,
-    /// Whether there are general batches as well, whose collapses are done one after another and may be any: where the mesh is not
-    /// manifold, and where the topology changes, as far as `sequence.topology` lets it. Default true; without them, the base of a
-    /// mesh of many parts is large.
+    /// Whether to use general batches as well, whose collapses are applied one after another and may be
+    /// of any kind: at non-manifold positions, and where the topology changes as far as
+    /// `sequence.topology` allows. Default true; without them, a mesh of many parts has a large base.
     pub general: bool,
-    /// No general batch begins once this many triangles are left, since its steps take many bits; default 300.
+    /// No general batch begins once this many triangles are left, since its steps take many bits;
+    /// default 300.
     pub general_floor: usize,
-    /// Each batch takes from the cheapest of the removable positions only: this share of them, over 0 and up to 1; default 0.35. Near the
-    /// full mesh batches take up to twice as much, and once general batches have come 0.7 of it.
-    /// More makes fewer, larger batches, which are coded in fewer bits, and worse levels.
+    /// Each batch selects only from the cheapest removable positions: this share of them, above 0 and
+    /// at most 1; default 0.35. Batches near the full mesh use up to twice as much, and batches after
+    /// the first general one 0.7 of it. A larger share gives fewer and larger batches, which are coded
+    /// in fewer bits, but less accurate levels.
     pub share: f64,
-    /// Short edges go first, as if each brought an error of this over its own square, mesh units: what is left is more
-    /// regular, which a coder foretells better. Default none. One to two steps of the grid that positions will be rounded
-    /// to cost next to no error beside the rounding, on flat parts too, and save a twentieth of a stream.
+    /// Collapse short edges first: each edge costs as much as an error of this size, in mesh units,
+    /// over the square of its length. The remaining mesh is then more regular, which a coder predicts
+    /// better. Default none. One to two steps of the grid to which positions will be rounded cost
+    /// almost no error compared with the rounding, even in flat regions, and save a twentieth of a
+    /// stream.
     pub shape_step: Option<f64>,
-    /// Most triangles around a removed position, those to the middle of a closed hole included, at least 3; default 7.
+    /// Largest valence of a removed position, at least 3; default 7. At a boundary, the virtual
+    /// triangles that close the hole count too.
     pub max_valence: usize,
-    /// Kept positions are discouraged from having more triangles than this; default 6.
+    /// Valence above which kept positions add to the cost of a collapse; default 6.
     pub fair_valence: usize,
-    /// What each triangle beyond [`Self::fair_valence`] adds to the cost of a collapse, as a share of it, at the full mesh;
-    /// the share falls with the positions that are left. Default 1.5, and 0 lets valences be.
+    /// Added cost for each triangle beyond [`Self::fair_valence`], as a share of the cost, at the full
+    /// mesh; the share falls with the number of positions left. Default 1.5; 0 ignores valences.
     pub valence_weight: f64,
-    /// Stop after a batch of fewer steps than this, since tiny batches cost more than they bring; default 4, and 1 goes on
-    /// as far as it goes.
+    /// Stop after a batch with fewer steps than this, since tiny batches cost more than they save;
+    /// default 4. With 1, simplification goes on as far as possible.
     pub least_batch: usize,
 }
 
@@ -53,10 +58,10 @@ impl Default for BatchOptions {
 }
 
 impl BatchOptions {
-    /// Checks that every option is in its range.
+    /// Checks that every option is within its range.
     ///
     /// # Errors
-    /// [`SimplifyError::Option`] naming the first that is not.
+    /// [`SimplifyError::Option`] with the first option that is out of range.
     pub fn check(&self) -> Result<(), SimplifyError> {
         self.sequence.check()?;
         let fail = |option, value: String, expected| Err(SimplifyError::Option { option, value, expected });

@@ -1,25 +1,26 @@
-//! What a closed surface demands of a collapse beyond what [`Legality`] does.
+//! Conditions for collapses on a closed surface, in addition to those of [`Legality`].
 //!
-//! `Legality` looks at positions, where a mesh that is not manifold shares vertices that the coder's copies do not share: it
-//! refuses more. What it does not know is the virtual vertex in each hole. With it a position on a boundary has one
-//! neighbor more, and only an **ear**, one triangle between two boundary edges, can break the link condition there: when its
-//! third edge has no other side, or none that a surface could go on through.
+//! `Legality` tests positions. In a non-manifold mesh these share vertices that are separate in the
+//! coder's manifold copy, so it rejects more than necessary. It does not know the virtual vertices that
+//! close holes. They add a neighbor to each position on a boundary, and only at an **ear**, a triangle
+//! between two boundary edges, can that break the link condition: if the triangle's third edge has no
+//! other side, or is not manifold.
 
 use crate::simplify::collapse::legality::Legality;
 use crate::simplify::collapse::links::{LinkKind, Links};
 
-/// Triangles around `v` on the closed surface, at a position that is manifold.
+/// Number of triangles around the manifold position `v` on the closed surface.
 pub(super) fn valence(links: &Links, v: u32) -> usize {
     let virtual_triangles = if links.kind(v) == LinkKind::Open { 2 } else { 0 };
     links.triangle_count(v) + virtual_triangles
 }
 
-/// True where the triangles around `v` are one fan.
+/// Whether the triangles around `v` form a single fan.
 pub(super) fn is_manifold(links: &Links, v: u32) -> bool {
     matches!(links.kind(v), LinkKind::Closed | LinkKind::Open)
 }
 
-/// Whether the position `v`, which is manifold, may go to its neighbor `u` on the closed surface.
+/// Whether the manifold position `v` may be collapsed to its neighbor `u` on the closed surface.
 pub(super) fn allows(legality: &mut Legality, links: &Links, v: u32, u: u32) -> bool {
     if links.kind(v) == LinkKind::Open {
         let ring = links.entries(v);
@@ -35,7 +36,7 @@ pub(super) fn allows(legality: &mut Legality, links: &Links, v: u32, u: u32) -> 
     legality.allows(links, v, u)
 }
 
-/// True where two triangles of opposite winding meet at the edge of `u` and `w`.
+/// Whether exactly two triangles of opposite winding meet at the edge between `u` and `w`.
 fn is_inner_edge(links: &Links, u: u32, w: u32) -> bool {
     let entries = links.entries(u);
     match links.kind(u) {
@@ -69,7 +70,7 @@ mod tests {
 
     #[test]
     fn boundaries_keep_their_course() {
-        // A fan of three about 0, which is on the boundary with 1 and 4.
+        // A fan of three around 0, which is on the boundary with 1 and 4.
         let fan = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [2, 1, 5], [3, 2, 6], [4, 3, 7]];
         assert!(may_go(&fan, 0, 1) && may_go(&fan, 0, 4));
         assert!(!may_go(&fan, 0, 2) && !may_go(&fan, 0, 3));

@@ -1,9 +1,10 @@
-//! What makes a collapse better or worse for a coder, beyond its error.
+//! Cost bias towards collapses that a progressive coder can predict well.
 //!
-//! A coder foretells what is regular: triangles of even size and kept vertices of few triangles. So long edges and high
-//! valences cost extra. Most of a stream belongs to the finest batches, while the error of a level is made by the
-//! last collapses before it: the extra fades as the mesh shrinks, in proportion to the positions that are left. Over four
-//! meshes that gave 0.1 bits a vertex for the same RMS at a quarter of the triangles, and less of it from there on.
+//! A coder predicts regular meshes best: triangles of even size, and kept vertices with few triangles.
+//! Long edges and high valences therefore cost extra. Most of a stream belongs to the finest batches,
+//! whereas the error of a level depends on the last collapses before it, so the bias fades in
+//! proportion to the positions that are left. Over four meshes this saved 0.1 bits per vertex for the
+//! same RMS at a quarter of the triangles, and less at coarser levels.
 
 use crate::simplify::collapse::links::Links;
 use crate::simplify::collapse::star::Star;
@@ -11,10 +12,10 @@ use crate::simplify::collapse::star::Star;
 use super::options::BatchOptions;
 use super::surface;
 
-/// How much the coder's preferences count at present.
+/// Current strength of the bias.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Taste {
-    /// Square of the shape step in scaled units.
+    /// Square of the shape step, in scaled units.
     shape: f32,
     fair_valence: usize,
     valence_weight: f32,
@@ -23,7 +24,7 @@ pub(super) struct Taste {
 }
 
 impl Taste {
-    /// For a mesh one of whose scaled units is `scale` mesh units.
+    /// Creates the bias for a mesh with `scale` mesh units per scaled unit.
     pub(super) fn new(options: &BatchOptions, scale: f64) -> Self {
         let step = (options.shape_step.unwrap_or(0.0) / scale) as f32;
         Self {
@@ -34,7 +35,7 @@ impl Taste {
         }
     }
 
-    /// Fades the preferences to `left` positions of `all`.
+    /// Fades the bias for `left` remaining positions of `all`.
     pub(super) fn fade(&mut self, left: usize, all: usize) {
         self.left = left as f32 / all.max(1) as f32;
     }
@@ -43,7 +44,7 @@ impl Taste {
     pub(super) fn adjust(self, links: &Links, star: &mut Star, v: u32) {
         let own = surface::valence(links, v);
         for k in 0..star.ids.len() {
-            // Where the target is not manifold this counts its other parts too, which does no harm to a preference.
+            // At a non-manifold target this includes its other fans, which is harmless for a bias.
             let valence = (surface::valence(links, star.ids[k]) + own).saturating_sub(4);
             let excess = valence.saturating_sub(self.fair_valence) as f32;
             let shape = self.left * self.shape * star.offset(k).length_squared();

@@ -1,9 +1,9 @@
-//! Links against triangles whose corners are substituted one by one.
+//! Tests links against triangles whose corners are substituted directly.
 
 use super::*;
 use crate::mesh::canonical_triangles;
 
-/// All triangles that the links imply, each as often as it is seen from its smallest corner.
+/// Returns all triangles in the links, each as often as it appears in the link of its smallest corner.
 fn triangles_of(links: &Links) -> Vec<[u32; 3]> {
     let mut out = Vec::new();
     let mut edges = Vec::new();

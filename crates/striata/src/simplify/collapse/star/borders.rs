@@ -1,24 +1,25 @@
-//! Borders through a star: who may move along which, and what leaving their course costs.
+//! Borders through a star: along which edges the center may move, and the cost of leaving the others.
 
 use super::special::{BORDER_WEIGHT, Border, Special};
 use super::{SeamBetween, Star};
 use crate::simplify::collapse::links::LinkKind;
 
-/// The triangles at the edge to a neighbor.
+/// Triangles at the edge to a neighbor.
 struct Around {
     /// The last one that ends at the neighbor.
     before: Option<usize>,
-    /// The last one that begins there.
+    /// The last one that begins at the neighbor.
     after: Option<usize>,
-    /// How many do either.
+    /// Number of triangles that do either.
     count: usize,
 }
 
 impl Star {
-    /// Restricts the candidates to the special edges of `v` and adds what leaving their course costs.
+    /// Restricts the candidates to the border edges of `v` and adds the cost of leaving the old path of
+    /// a border.
     ///
-    /// `seam_between(i, j)` gives the squared difference of attributes if triangles `i` and `j` show v different wedges; infinite
-    /// if the seam must stay.
+    /// `seam_between(star, i, j)` returns the squared difference of attributes if triangles `i` and `j`
+    /// use different wedges of `v`; infinite if the seam must stay.
     pub(in crate::simplify) fn apply_borders(
         &mut self,
         kind: LinkKind,
@@ -46,7 +47,7 @@ impl Star {
 
     fn charge_borders(&mut self, special: &[Special]) {
         let Some(strongest) = special.iter().map(|s| s.border).max() else { return };
-        // Seams that may be crossed bind nobody to their course.
+        // Seams that may be crossed do not restrict the candidates.
         let binds = strongest > Border::Seam || special.iter().any(|s| s.difference_squared == f32::INFINITY);
         let mut costs = std::mem::take(&mut self.costs);
         for (i, cost) in costs.iter_mut().enumerate() {
@@ -67,7 +68,7 @@ impl Star {
         self.costs = costs;
     }
 
-    /// The edge to neighbor `i`, if it lies on a border.
+    /// Returns the edge to neighbor `i` if it lies on a border.
     fn special_edge(&self, i: usize, seam_between: Option<SeamBetween<'_>>) -> Option<Special> {
         let Around { before, after, count } = self.triangles_at(i);
         let (border, difference_squared) = match (before, after) {

@@ -1,17 +1,17 @@
 //! Edges of a star that lie on a border.
 
-/// Weight of the area between the old and the new course of a border; 1 to 50 differ little in RMS, and small ones lose
-/// thin ears of the boundary early.
+/// Weight of the area between the old and the new path of a border; values from 1 to 50 differ little
+/// in RMS, and small ones remove thin ears of the boundary early.
 pub(super) const BORDER_WEIGHT: f32 = 4.0;
 
-/// What makes an edge special, the weakest first: a vertex moves along the strongest that it is on.
+/// Kinds of border, the weakest first: a vertex moves along the strongest one on which it lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Border {
-    /// Its triangles show different wedges.
+    /// The triangles at the edge use different wedges.
     Seam,
-    /// It has three or more triangles, or two that disagree about its direction.
+    /// The edge has three or more triangles, or two that disagree about its direction.
     Branch,
-    /// It has one triangle.
+    /// The edge has one triangle.
     Boundary,
 }
 
@@ -20,12 +20,13 @@ pub(super) enum Border {
 pub(super) struct Special {
     pub(super) neighbor: u32,
     pub(super) border: Border,
-    /// Squared difference of the attributes on both sides of a seam; infinite for other borders, and for seams that must stay.
+    /// Squared difference of the attributes on both sides of a seam; infinite for other borders and for
+    /// seams that must stay.
     pub(super) difference_squared: f32,
 }
 
 impl Special {
-    /// What it costs that this edge's end moves so that twice the area of `swept_squared`, squared, is swept.
+    /// Cost of moving the edge's end; `swept_squared` is the square of twice the swept area.
     pub(super) fn leave_cost(&self, swept_squared: f32) -> f32 {
         let course = BORDER_WEIGHT * swept_squared;
         if self.difference_squared == f32::INFINITY {
@@ -34,7 +35,7 @@ impl Special {
         course.min(0.5 * swept_squared.sqrt() * self.difference_squared)
     }
 
-    /// What it costs that the border, whose only edge this is, recedes by a squared length.
+    /// Cost of shortening a border that ends here, with this as its only edge, by a squared length.
     pub(super) fn recede_cost(&self, length_squared: f32) -> f32 {
         (length_squared * length_squared).min(length_squared * self.difference_squared)
     }

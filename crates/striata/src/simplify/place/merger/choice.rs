@@ -1,4 +1,4 @@
-//! What is decided for an edge.
+//! The collapse chosen for an edge.
 
 use glam::DVec3;
 
@@ -7,12 +7,12 @@ use crate::simplify::collapse::choice::Tier;
 /// No edge chosen yet: the key is a lower bound.
 pub(super) const UNDECIDED: u32 = u32::MAX;
 
-/// A collapse that was judged in full.
+/// An edge collapse whose cost has been evaluated in full.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Choice {
     pub(super) other: u32,
     pub(super) other_version: u32,
-    /// True where the other end is removed and this one kept.
+    /// Whether the other end is removed and this one kept.
     pub(super) is_kept: bool,
     pub(super) place: DVec3,
     pub(super) tier: Tier,

@@ -1,4 +1,4 @@
-//! Which edge of a position comes first, and where its vertex goes.
+//! Evaluates the edges of a position: their order, and the position of the new vertex.
 
 use glam::DVec3;
 
@@ -12,11 +12,12 @@ use crate::simplify::place::form::EdgeForm;
 use crate::simplify::place::hood::Hood;
 use crate::simplify::place::seams::{Crossings, Merge, seam_weight};
 
-/// Weight of the squared distances of both ends from the new triangles, times the area: 1 % of RMS for maxima that
-/// are a fifth less, since planes alone do not see that a thin spike is lost.
+/// Weight of the squared distances of both ends from the new triangles, times the area. It costs 1 % of
+/// RMS and reduces maxima by a fifth, since planes alone do not detect the loss of a thin spike.
 const DISTANCE_WEIGHT: f64 = 0.1;
-/// Area, in squared distances, that lost ends count for beyond the area of their stars: on meshes of thin parts, RMS falls by a fifth
-/// down to 10 % of the triangles, and on scans hardly anything changes.
+/// Area, as a multiple of the squared distance, that lost ends count for in addition to the area of
+/// their stars. On meshes of thin parts, it reduces RMS by a fifth down to 10 % of the triangles; on
+/// scans it changes almost nothing.
 const SPIKE_WEIGHT: f64 = 32.0;
 
 impl Merger<'_> {
@@ -24,7 +25,7 @@ impl Merger<'_> {
         gather_into(&mut self.hood, &self.judge, &self.positions, self.seams, v);
     }
 
-    /// The least that collapsing an edge of `v` can cost; infinite where none may be collapsed.
+    /// Lower bound of the cost of collapsing an edge of `v`; infinite if no edge may be collapsed.
     pub(super) fn lower_bound(&mut self, v: u32) -> f32 {
         self.gather(v);
         self.fill_costs(v);
@@ -37,7 +38,7 @@ impl Merger<'_> {
         self.judge.star.costs.iter().copied().fold(f32::INFINITY, f32::min)
     }
 
-    /// Costs of all edges of the gathered `v`, by the forms alone.
+    /// Computes the costs of all edges of the gathered `v` from the quadratic forms alone.
     fn fill_costs(&mut self, v: u32) {
         self.costs.clear();
         for i in 0..self.hood.ids.len() {
@@ -54,13 +55,13 @@ impl Merger<'_> {
         EdgeForm::new(&self.known[v as usize].form, other, self.hood.shared(i), self.hood.offsets[i])
     }
 
-    /// Where the edge from the gathered `v` to its neighbor `i` may put its vertex.
+    /// Returns where the edge from the gathered `v` to its neighbor `i` may place its new vertex.
     fn course(&self, v: u32, i: usize) -> Course {
         let u = self.hood.ids[i];
         let borders = [v, u].map(|p| self.known[p as usize].border_count);
         let locked = [v, u].map(|p| self.judge.is_locked[p as usize]);
         let stays = if self.hood.is_border(i) {
-            // Where borders meet or end, the vertex holds them in place.
+            // A vertex at which borders meet or end must stay in place.
             [0, 1].map(|end| locked[end] || borders[end] != 2)
         } else {
             if borders[0] > 0 && borders[1] > 0 {
@@ -73,7 +74,7 @@ impl Merger<'_> {
             ([false, false], _) => Course::Free,
             ([true, false], _) => Course::Here,
             ([false, true], _) => Course::There,
-            // Only an end that is locked must be the one that stays.
+            // On a border, only a locked end must be the one that stays.
             ([true, true], [true, false]) if self.hood.is_border(i) => Course::Here,
             ([true, true], [false, true]) if self.hood.is_border(i) => Course::There,
             ([true, true], [false, false]) => Course::Ends,
@@ -81,7 +82,8 @@ impl Merger<'_> {
         }
     }
 
-    /// Judges the edges of `v` in full and puts it back with its true cost, or takes it out where none is allowed.
+    /// Evaluates the edges of `v` in full and updates its key to the true cost, or removes `v` from the
+    /// heap if no collapse is allowed.
     pub(super) fn decide(&mut self, v: u32, bound: f32) {
         self.gather(v);
         self.fill_costs(v);
@@ -106,7 +108,7 @@ impl Merger<'_> {
         }
     }
 
-    /// The relaxed collapse of `v`, if it may have one now, and its cost.
+    /// Returns the relaxed collapse of `v` and its cost, if `v` may have one now.
     fn relaxed(&mut self, v: u32) -> Option<(f32, Choice)> {
         if self.judge.is_fixed(v) {
             return None;
@@ -118,7 +120,8 @@ impl Merger<'_> {
         Some((cost, Choice { other: target, other_version, is_kept: false, place, tier, distance_squared }))
     }
 
-    /// The first place for the vertex of an edge that passes all tests, or the cheapest if seams are crossed; and its cost.
+    /// Returns the first position for the new vertex that passes all tests, or the cheapest one if
+    /// seams are crossed, and its cost.
     fn judge(&mut self, v: u32, i: usize, limit: f32) -> Option<(f32, Choice)> {
         let course = self.course(v, i);
         let u = self.hood.ids[i];
@@ -130,7 +133,7 @@ impl Merger<'_> {
         let mut best: Option<(f32, Choice)> = None;
         for (local, is_kept) in places(&edge, course, offset).into_iter().flatten() {
             let (removed, kept) = if is_kept { (u, v) } else { (v, u) };
-            // Ends stay where they are, without any rounding.
+            // Ends stay exactly where they are, without rounding.
             let is_end = local == if is_kept { DVec3::ZERO } else { offset };
             let place = if is_end { self.positions[kept as usize] } else { self.hood.center + local };
             let merge = Merge { removed, kept, share: self.share_of(removed, kept, place) };
@@ -167,7 +170,7 @@ impl Merger<'_> {
         best
     }
 
-    /// How far along the edge from `kept` to `removed` the new place lies, 0 to 1.
+    /// Returns where `place` lies along the edge, from 0 at `kept` to 1 at `removed`.
     pub(super) fn share_of(&self, removed: u32, kept: u32, place: DVec3) -> f64 {
         let from = self.positions[kept as usize];
         let along = self.positions[removed as usize] - from;

@@ -1,4 +1,4 @@
-//! The loop: merge the cheapest edge, look again at what it touched.
+//! The loop: collapses the cheapest edge and updates the costs around it.
 
 mod choice;
 mod choose;
@@ -23,16 +23,16 @@ use super::hood::Hood;
 use super::seams::merge_wedges;
 use choice::{Choice, NO_CHOICE, UNDECIDED};
 
-/// What is known of a position and its star.
+/// Data about a position and its star.
 #[derive(Clone, Copy, Debug, Default)]
 struct Known {
     form: Form,
-    /// Rises whenever the star changes.
+    /// Incremented whenever the star changes.
     version: u32,
     border_count: u32,
 }
 
-/// All state of one simplification.
+/// Complete state of one simplification.
 pub(super) struct Merger<'a> {
     welded: &'a Welded,
     pub(super) frame: Frame,
@@ -51,17 +51,17 @@ pub(super) struct Merger<'a> {
     ring: Vec<u32>,
     /// Neighbors of the position removed last, each once.
     removed_ring: Vec<u32>,
-    /// Positions whose witnesses settle anew, and others that do.
+    /// Positions whose witnesses must be measured again, and further originals to measure.
     gone: Vec<u32>,
     followers: Vec<u32>,
     pairs: Vec<(u32, u32)>,
-    /// For every vertex, the one it merged into, or itself.
+    /// The vertex that each vertex was merged into, or itself.
     targets: Vec<u32>,
     layers: Vec<AttributeLayer>,
     triangle_count: usize,
     vertex_count: usize,
     removed: Vec<u32>,
-    /// Positions that are not there any more.
+    /// Number of positions removed so far.
     pub(super) removed_count: usize,
     pub(super) error: f64,
 }
@@ -115,7 +115,7 @@ impl<'a> Merger<'a> {
         }
     }
 
-    /// Collapses the cheapest edge until the goal is reached or nothing is left to do.
+    /// Collapses the cheapest edge until the target is reached or no collapse is left.
     pub(super) fn run(
         &mut self,
         goal: &Goal,
@@ -152,7 +152,8 @@ impl<'a> Merger<'a> {
         Ok(goal.reached(self.triangle_count, self.vertex_count, self.removed_count).unwrap_or(goal.at_base))
     }
 
-    /// The position that comes next, and its key; lets relaxed collapses begin if they had to wait for the end.
+    /// Returns the position with the smallest key, and that key; begins relaxed collapses if they had
+    /// to wait for the last strict one.
     fn next(&mut self) -> Option<(f32, u32)> {
         if self.heap.first().is_none() && self.relaxation.is_waiting() {
             self.relaxation.begin(&mut self.judge, (&self.removed, &self.targets));
@@ -165,7 +166,7 @@ impl<'a> Merger<'a> {
         self.heap.first()
     }
 
-    /// True where `v` has a choice that still stands; else it has none any more.
+    /// Whether `v` has a choice that is still valid; otherwise clears its choice.
     fn is_decided(&mut self, v: u32) -> bool {
         let choice = self.choices[v as usize];
         if choice.other == UNDECIDED {
@@ -173,7 +174,7 @@ impl<'a> Merger<'a> {
         }
         let is_fresh = self.known[choice.other as usize].version == choice.other_version;
         let (removed, kept) = if choice.is_kept { (choice.other, v) } else { (v, choice.other) };
-        // Links beyond the two stars may have changed what is allowed.
+        // Changes in links outside the two stars may have changed what is allowed.
         let Judge { legality, links, .. } = &mut self.judge;
         let stands = is_fresh
             && match choice.tier {
@@ -186,7 +187,7 @@ impl<'a> Merger<'a> {
         stands
     }
 
-    /// Computes the star of `v` anew after a change.
+    /// Recomputes the star of `v` after a change.
     fn renew(&mut self, v: u32) {
         self.gather(v);
         let known = &mut self.known[v as usize];
@@ -196,8 +197,8 @@ impl<'a> Merger<'a> {
         self.choices[v as usize] = NO_CHOICE;
     }
 
-    /// Does what was chosen for `v` and looks again at all around it; false, with nothing done, where
-    /// the error would exceed the limit.
+    /// Applies the choice of `v` and updates the positions around it. If the error would exceed the
+    /// limit, restores positions and targets and returns false.
     fn collapse(&mut self, v: u32, limit: f64) -> bool {
         let Choice { other, is_kept, place, tier, distance_squared, .. } = self.choices[v as usize];
         let (removed, kept) = if is_kept { (other, v) } else { (v, other) };
@@ -219,7 +220,7 @@ impl<'a> Merger<'a> {
         let before = count(&self.judge, removed) + count(&self.judge, kept);
         self.judge.links.collapse(removed, kept);
         self.place(kept, place);
-        // Each vanished triangle stood in both links.
+        // Each removed triangle was in both links.
         let removed_triangles = (before - count(&self.judge, kept)) / 2;
         let worst = self.settle((removed, kept), tier, removed_triangles).max(distance_squared);
         let error = self.error.max(f64::from(worst).sqrt() * self.frame.scale);
@@ -248,8 +249,9 @@ impl<'a> Merger<'a> {
         self.judge.positions[p as usize] = [x, y, z, 0.0];
     }
 
-    /// Settles what stood for the original at the ends of an edge that was collapsed; the largest squared distance. Leaves the
-    /// removed position, the kept one and all that have lost their last triangle in `gone`.
+    /// Measures the witnesses at the ends of a collapsed edge again; returns the largest squared
+    /// distance. Leaves the removed position, the kept one and all that lost their last triangle in
+    /// `gone`.
     fn settle(&mut self, (removed, kept): (u32, u32), tier: Tier, removed_triangles: usize) -> f32 {
         let departure = self.judge.note_departure(removed, kept, removed_triangles, &self.removed_ring);
         self.gone.clear();

@@ -1,10 +1,10 @@
-//! The mesh that is left when the loop ends.
+//! Builds the resulting mesh when the loop ends.
 
 use super::Merger;
 use crate::mesh::IndexedMesh;
 
 impl Merger<'_> {
-    /// The mesh that is left.
+    /// Returns the simplified mesh.
     pub(in crate::simplify::place) fn finish(mut self) -> IndexedMesh {
         let positions = &self.welded.positions;
         for v in 0..self.targets.len() {

@@ -1,13 +1,14 @@
-//! Which points lie over which triangle of the ring.
+//! Determines which points lie over which triangle of the ring.
 //!
-//! Each diagonal has the points on its two sides; a triangle has those that are on its side of all three. Each point is then over
-//! exactly one triangle of any triangulation, so sums over points are sums over triangles.
+//! Each diagonal separates the points; those of a triangle are on its side of all three edges. Each
+//! point is then over exactly one triangle of any triangulation, so sums over points are sums over
+//! triangles.
 
 use super::{Hole, RingTriangle};
 use crate::simplify::remove::points::Point;
 
 impl Hole {
-    /// Notes for each diagonal on which side the points lie.
+    /// Computes on which side of each diagonal the points lie.
     pub(super) fn compute_sides(&mut self, points: &[Point]) {
         self.words = points.len().div_ceil(64);
         self.left.clear();
@@ -50,7 +51,8 @@ impl Hole {
         }
     }
 
-    /// Sum of the weighted squared heights of the points over the triangles of a floor, and the largest squared height.
+    /// Returns the sum of the weighted squared heights of the points over the triangles of a floor, and
+    /// the largest squared height.
     ///
     /// The points must be those of the last search.
     pub(in crate::simplify::remove) fn heights(

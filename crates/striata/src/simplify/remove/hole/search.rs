@@ -1,7 +1,7 @@
-//! The best of all triangulations of a hole.
+//! Finds the best of all triangulations of a hole.
 //!
-//! Parts `i..=j` of the ring are triangulated best first, the short ones before the long ones (dynamic programming over
-//! intervals):
+//! Ranges `i..=j` of the ring are triangulated optimally, short ones before long ones (dynamic
+//! programming over intervals):
 //!
 //! ```text
 //!            k
@@ -10,10 +10,11 @@
 //!        i ----- j
 //! ```
 //!
-//! That is exact as long as costs add up over triangles and new edges. Distances do: each point that is followed lies
-//! over one triangle, and new edges cross the old spokes where old and new surface are farthest apart.
+//! The result is exact if costs add up over triangles and new edges. Distances do: each tracked vertex
+//! lies over one triangle, and old and new surface are farthest apart where new edges cross the old
+//! spokes.
 //!
-//! Time O(n^3) for a ring of n, each triangle looked at once.
+//! Time O(n^3) for a ring of n; each triangle is evaluated once.
 
 use super::{Hole, RingTriangle, edges_squared, quality};
 use crate::simplify::remove::options::HoleCriterion;
@@ -23,7 +24,7 @@ use crate::simplify::remove::points::Point;
 const GAP_WEIGHT: f32 = 0.2;
 
 impl Hole {
-    /// The best triangulation into `floor`; false where there is none.
+    /// Finds the best triangulation and stores it in `floor`; returns false if there is none.
     pub(in crate::simplify::remove) fn triangulate(
         &mut self,
         points: &[Point],
@@ -55,7 +56,7 @@ impl Hole {
         let mut least = f32::INFINITY;
         for k in i + 1..j {
             let parts = self.best[i][k] + self.best[k][j];
-            // No triangle costs less than nothing.
+            // No triangle has a negative cost.
             if parts < least {
                 let cost = parts + self.triangle_cost([i, k, j], points, criterion);
                 if cost < least {
@@ -74,7 +75,7 @@ impl Hole {
         GAP_WEIGHT * self.area * self.gap_squared[i.min(j)][i.max(j)]
     }
 
-    /// What a triangle costs; infinite where it may not be.
+    /// Cost of a triangle; infinite if it is not allowed.
     fn triangle_cost(&self, corners: [usize; 3], points: &[Point], criterion: HoleCriterion) -> f32 {
         let Some(normal) = self.sound_normal(corners) else { return f32::INFINITY };
         match criterion {
@@ -109,7 +110,8 @@ impl Hole {
         self.collect(k, j, floor);
     }
 
-    /// The nearest fan into `floor`, as a half-edge collapse leaves it; the member of the ring that it is around.
+    /// Finds the best fan, as a half-edge collapse leaves it, and stores it in `floor`; returns the
+    /// member of the ring at its center.
     pub(in crate::simplify::remove) fn best_fan(
         &mut self,
         points: &[Point],
@@ -117,7 +119,7 @@ impl Hole {
     ) -> Option<usize> {
         self.compute_sides(points);
         let n = self.n;
-        // On a boundary only along it.
+        // On a boundary, only along it.
         let apexes = (0..n).step_by(if self.is_closed { 1 } else { n - 1 });
         let cost = |apex: usize| {
             let others = (0..n).filter(|&i| i != apex);
@@ -135,7 +137,7 @@ impl Hole {
     }
 }
 
-/// The triangles of the fan around one member of a ring of `n`, corners rising.
+/// Returns the triangles of the fan around one member of a ring of `n`, corners in ascending order.
 fn fan(n: usize, apex: usize) -> impl Iterator<Item = [usize; 3]> {
     (1..n - 1).map(move |step| {
         let mut triangle = [apex, (apex + step) % n, (apex + step + 1) % n];
@@ -171,7 +173,7 @@ mod tests {
         (hole, (0..70).map(&mut point).collect())
     }
 
-    /// The least cost of all triangulations between `i` and `j`, each looked at by itself.
+    /// Least cost of all triangulations between `i` and `j`, by exhaustive search.
     fn least_of_all(hole: &Hole, i: usize, j: usize, points: &[Point], criterion: HoleCriterion) -> f32 {
         if j < i + 2 {
             return 0.0;
@@ -222,7 +224,7 @@ mod tests {
             for triangle in &floor {
                 hole.for_each_over(triangle.map(usize::from), &points, |p| counts[p.position as usize] += 1);
             }
-            // Far from the ring the directions of different diagonals may disagree.
+            // Far from the ring, the directions of different diagonals may disagree.
             let once = counts.iter().filter(|&&count| count == 1).count();
             assert!(once * 20 >= 19 * counts.len(), "{counts:?}");
         }
@@ -243,7 +245,7 @@ mod tests {
 
     #[test]
     fn a_valley_is_not_bridged() {
-        // Four neighbors, two of them low: the new edge lies low, where the removed vertex was.
+        // Four neighbors, two of them low: the new edge must be low, where the removed vertex was.
         let ring = [[1., 0., 0.], [0., 1., 1.], [-1., 0., 0.], [0., -1., 1.]].map(Vec3::from);
         let mut hole = Hole::default();
         hole.load(ring.into_iter(), true);
