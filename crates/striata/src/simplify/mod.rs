@@ -100,10 +100,10 @@ pub fn build_welded_sequence_with_progress(
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltSequence, SimplifyError> {
     options.check()?;
-    let (record, stop_reason) = collapse::engine::Engine::new(&welded, options).run(progress)?;
+    let (record, stop_reason) = collapse::simplifier::Simplifier::new(&welded, options).run(progress)?;
     let degenerate_triangle_count = welded.degenerate_triangle_count;
     let merged_vertex_count = welded.merged_vertex_count;
-    let (refinable, source_vertex) = collapse::finish::finish(welded, record)?;
+    let (refinable, source_vertex) = collapse::refinement_order::build_refinable(welded, record)?;
     Ok(BuiltSequence {
         refinable,
         source_vertex,

@@ -167,7 +167,7 @@ impl SequenceOptions {
     /// # Errors
     /// [`SimplifyError::Option`] with the first option that is out of range.
     pub fn check(&self) -> Result<(), SimplifyError> {
-        let expected = "a number of at least 0";
+        let expected = "a finite number of at least 0";
         let limits = [("max_error", self.max_error), ("pair_distance", self.pair_distance)];
         let weights = &self.attribute_weights;
         let weights = [
@@ -270,10 +270,10 @@ impl SimplifyOptions {
         self.sequence.check()?;
         let number = match self.target {
             Target::Detail(value) => Some(("target", value, "a share from 0 to 1")),
-            Target::Error(value) => Some(("target", value, "a number of at least 0")),
+            Target::Error(value) => Some(("target", value, "a finite number of at least 0")),
             _ => None,
         };
-        let tolerance = self.tolerance.map(|value| ("tolerance", value, "a number of at least 0"));
+        let tolerance = self.tolerance.map(|value| ("tolerance", value, "a finite number of at least 0"));
         for (option, value, expected) in number.into_iter().chain(tolerance) {
             let is_share = matches!(self.target, Target::Detail(_)) && option == "target";
             if !(value >= 0.0 && value.is_finite()) || (is_share && value > 1.0) {
@@ -338,9 +338,9 @@ pub enum SimplifyError {
     #[error(transparent)]
     Cancelled(#[from] crate::Cancelled),
     /// The simplifier broke its own invariant: the sequence is inconsistent.
-    #[error("internal error: the sequence is inconsistent: {0}")]
+    #[error("internal error: the simplifier built an inconsistent sequence: {0}")]
     Sequence(#[from] SequenceError),
     /// The simplifier broke its own invariant: the fragments are inconsistent.
-    #[error("internal error: the fragments are inconsistent: {0}")]
+    #[error("internal error: the simplifier built inconsistent fragments: {0}")]
     Fragments(#[from] FragmentError),
 }

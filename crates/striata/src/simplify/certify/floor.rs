@@ -9,7 +9,7 @@ use wide::f64x4;
 
 /// Four triangles in SIMD lanes, relative to their first corners.
 #[derive(Clone, Copy)]
-struct Four {
+struct FourTriangles {
     first: [f64x4; 3],
     to_second: [f64x4; 3],
     to_third: [f64x4; 3],
@@ -27,7 +27,7 @@ struct Four {
 /// The triangles of one floor.
 #[derive(Default)]
 pub(super) struct Floor {
-    fours: Vec<Four>,
+    batches: Vec<FourTriangles>,
     corners: Vec<[DVec3; 3]>,
 }
 
@@ -36,10 +36,11 @@ impl Floor {
     pub(super) fn set(&mut self, triangles: impl Iterator<Item = [DVec3; 3]>) {
         self.corners.clear();
         self.corners.extend(triangles);
-        self.fours.clear();
+        self.batches.clear();
         for four in self.corners.chunks(4) {
             // Unused lanes repeat the last triangle.
-            self.fours.push(Four::new([0, 1, 2, 3].map(|lane: usize| &four[lane.min(four.len() - 1)])));
+            self.batches
+                .push(FourTriangles::new([0, 1, 2, 3].map(|lane: usize| &four[lane.min(four.len() - 1)])));
         }
     }
 
@@ -49,7 +50,7 @@ impl Floor {
     }
 
     /// Returns the triangles that share a side with a triangle.
-    pub(super) fn beside(&self, triangle: usize) -> impl Iterator<Item = usize> {
+    pub(super) fn adjacent(&self, triangle: usize) -> impl Iterator<Item = usize> {
         let own = &self.corners[triangle];
         let is_beside =
             move |other: &[DVec3; 3]| own.iter().filter(|corner| other.contains(corner)).count() >= 2;
@@ -74,7 +75,7 @@ impl Floor {
     #[inline]
     pub(super) fn push_squared_distances(&self, point: DVec3, out: &mut Vec<f64x4>) -> f64 {
         let mut least = f64x4::splat(f64::INFINITY);
-        for four in &self.fours {
+        for four in &self.batches {
             let squared = four.squared_distances(point);
             least = least.fast_min(squared);
             out.push(squared);
@@ -83,7 +84,7 @@ impl Floor {
     }
 }
 
-impl Four {
+impl FourTriangles {
     fn new(triangles: [&[DVec3; 3]; 4]) -> Self {
         let lanes = |f: &dyn Fn(&[DVec3; 3]) -> DVec3| {
             let at = triangles.map(f);
@@ -167,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn all_regions_of_a_triangle() {
+    fn distances_in_all_regions_of_a_triangle() {
         let at = DVec3::new;
         let t = [at(0.0, 0.0, 0.0), at(4.0, 0.0, 0.0), at(0.0, 3.0, 0.0)];
         let cases = [
@@ -198,7 +199,7 @@ mod tests {
     /// The distance is to a point of the triangle, so it is never below the true one; samples on a fine
     /// grid are hardly farther.
     #[test]
-    fn random_distances_are_those_of_the_nearest_point() {
+    fn distances_match_dense_sampling() {
         let mut random = Random::new(1);
         for _ in 0..300 {
             let mut any = || DVec3::from_array([(); 3].map(|()| random.unit() * 2.0 - 1.0));

@@ -31,24 +31,24 @@
 //! Cost: a step visits each piece around it, so all steps together visit O(n log n) pieces for n
 //! triangles; half a second for the 69,451 triangles of the bunny.
 
-mod adopt;
-mod errors;
+mod assign;
+mod certified_errors;
 mod floor;
 mod pieces;
 mod polygon;
-mod settle;
+mod substitutes;
 
-pub use errors::{
+pub use certified_errors::{
     certify, certify_collapses, certify_collapses_in_any_state, certify_collapses_in_any_state_with_progress,
     certify_collapses_with_progress, certify_with_progress,
 };
 
 use glam::DVec3;
 
+use assign::{CutPiece, MeasuredPoints, PieceAssigner, TrianglePlane};
 use floor::Floor;
 use pieces::{NONE, Pieces};
 use polygon::{Polygon, WHOLE};
-use settle::{Plane, Points, Settler, Shape};
 
 /// Share of the diagonal by which every bound is raised, to account for all rounding in f64.
 const ROUNDING: f64 = 1e-11;
@@ -68,7 +68,7 @@ pub(crate) struct Cover {
     origin: DVec3,
     diagonal: f64,
     pieces: Pieces,
-    settler: Settler,
+    assigner: PieceAssigner,
     /// For each original vertex, its point in the current step, or `NONE`.
     point_of_vertex: Vec<u32>,
     /// For each original triangle, its piece in the current step, or `NONE`.
@@ -117,7 +117,7 @@ impl Cover {
             origin,
             diagonal,
             pieces: Pieces::new(triangles.len()),
-            settler: Settler::new(negligible),
+            assigner: PieceAssigner::new(negligible),
             point_of_vertex: vec![NONE; positions.len()],
             piece_of_triangle: vec![NONE; triangles.len()],
             proposal: Proposal::default(),
@@ -152,8 +152,8 @@ impl Cover {
         }
         let origin = self.origin;
         let corners = |face: &(u32, [[f64; 3]; 3])| face.1.map(|p| DVec3::from_array(p) - origin);
-        self.settler.floor.set(floor.iter().map(corners));
-        self.settle_all().sqrt() + ROUNDING * self.diagonal
+        self.assigner.floor.set(floor.iter().map(corners));
+        self.assign_all().sqrt() + ROUNDING * self.diagonal
     }
 
     /// Returns the largest distance between the proposed pieces and the pieces that their new faces
@@ -164,8 +164,8 @@ impl Cover {
         let mut reach: Option<f64> = None;
         for (index, &face) in floor.iter().enumerate().filter(|&(index, _)| !exempt(index)) {
             let mut known = Floor::default();
-            known.set(self.known_triangles(face).into_iter());
-            let mut points = Points::default();
+            known.set(self.assigned_triangles(face).into_iter());
+            let mut points = MeasuredPoints::default();
             let mut look = |triangle: u32, corners: &[[f64; 2]]| {
                 let plane = plane(&self.positions, self.origin, self.triangles[triangle as usize]);
                 points.clear();
@@ -183,7 +183,7 @@ impl Cover {
     }
 
     /// Returns some of the pieces assigned to a face, as triangles; displaced triangles are left out.
-    fn known_triangles(&self, face: u32) -> Vec<[DVec3; 3]> {
+    fn assigned_triangles(&self, face: u32) -> Vec<[DVec3; 3]> {
         let mut known = Vec::new();
         let mut add = |triangle: u32, corners: &[[f64; 2]]| {
             if self.is_displaced[triangle as usize] {
@@ -271,7 +271,7 @@ impl Cover {
     }
 
     /// Measures and assigns all gathered pieces; returns the largest squared bound.
-    fn settle_all(&mut self) -> f64 {
+    fn assign_all(&mut self) -> f64 {
         self.measure();
         let mut largest: f64 = 0.0;
         let Proposal { gathered, polygons, corner_points, wholes, parts, .. } = &mut self.proposal;
@@ -281,7 +281,7 @@ impl Cover {
                 None => &WHOLE,
             };
             let points = &corner_points[piece.first_corner as usize..][..corners.len()];
-            if let Some((face, squared)) = self.settler.one_for_all(points) {
+            if let Some((face, squared)) = self.assigner.single_face(points) {
                 largest = largest.max(squared);
                 match polygons.get(piece.polygon as usize) {
                     Some(&polygon) => parts.push((piece.triangle, face as u32, polygon)),
@@ -289,21 +289,21 @@ impl Cover {
                 }
                 continue;
             }
-            let mut shape = Shape::new();
+            let mut shape = CutPiece::new();
             corners.iter().zip(points).for_each(|(&corner, &point)| shape.push(corner, point));
             let plane = plane(&self.positions, self.origin, self.triangles[piece.triangle as usize]);
-            let put = |face: usize, shape: &Shape| match shape.polygon() {
+            let put = |face: usize, shape: &CutPiece| match shape.polygon() {
                 polygon if polygon.is_whole() => wholes.push((piece.triangle, face as u32)),
                 polygon => parts.push((piece.triangle, face as u32, polygon)),
             };
-            largest = largest.max(self.settler.settle(shape, &plane, put));
+            largest = largest.max(self.assigner.assign(shape, &plane, put));
         }
         largest
     }
 
     /// Measures the corners of all pieces, those at original vertices only once.
     fn measure(&mut self) {
-        let Self { proposal, settler: Settler { floor, points, .. }, point_of_vertex, .. } = self;
+        let Self { proposal, assigner: PieceAssigner { floor, points, .. }, point_of_vertex, .. } = self;
         let Proposal { gathered, polygons, corner_points, touched_vertices, .. } = proposal;
         points.clear();
         corner_points.clear();
@@ -334,9 +334,9 @@ impl Cover {
 }
 
 #[inline]
-fn plane(positions: &[[f32; 3]], origin: DVec3, triangle: [u32; 3]) -> Plane {
+fn plane(positions: &[[f32; 3]], origin: DVec3, triangle: [u32; 3]) -> TrianglePlane {
     let [a, b, c] = triangle.map(|v| DVec3::from_array(positions[v as usize].map(f64::from)));
-    Plane { first: a - origin, to_second: b - a, to_third: c - a }
+    TrianglePlane { first: a - origin, to_second: b - a, to_third: c - a }
 }
 
 #[cfg(test)]
@@ -344,11 +344,11 @@ mod tests {
     use super::*;
 
     /// Index and corners of a face.
-    type NumberedFace = (u32, [[f64; 3]; 3]);
+    type IndexedFace = (u32, [[f64; 3]; 3]);
 
     /// A square with a raised center, as four triangles, and the two triangles that remain without the
     /// center.
-    fn tent(height: f32) -> (Cover, [NumberedFace; 2]) {
+    fn tent(height: f32) -> (Cover, [IndexedFace; 2]) {
         let points =
             [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.25, 0.0, height]];
         let cover = Cover::new(&points, &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
@@ -357,17 +357,17 @@ mod tests {
     }
 
     #[test]
-    fn the_middle_is_the_farthest_point() {
+    fn bound_is_the_height_of_the_raised_center() {
         for height in [0.0, 0.001, 0.1, 2.0] {
             let (mut cover, floor) = tent(height);
             let bound = cover.replace(&[0, 1, 2, 3], &floor);
             let height = f64::from(height);
-            assert!(bound >= height && bound <= (1.0 + settle::SLACK) * height + 1e-9, "{height}: {bound}");
+            assert!(bound >= height && bound <= (1.0 + assign::SLACK) * height + 1e-9, "{height}: {bound}");
         }
     }
 
     #[test]
-    fn proposals_change_nothing_and_numbers_may_be_used_again() {
+    fn proposals_change_nothing_and_face_indices_may_be_reused() {
         let (mut cover, floor) = tent(0.5);
         let upright = floor.map(|(face, corners)| (face, corners.map(|[x, y, z]| [x, y, z + 3.0])));
         let far = cover.propose(&[0, 1, 2, 3], &upright);
@@ -381,7 +381,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_without_a_floor_is_given_up_once() {
+    fn pieces_without_a_floor_are_dropped_once() {
         let (mut cover, floor) = tent(0.5);
         let bound = cover.replace(&[0, 1], &[]);
         assert!(bound >= 8f64.sqrt() && bound < 2.9, "the diagonal: {bound}");
@@ -391,7 +391,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_meet_again() {
+    fn parts_that_meet_again_are_joined() {
         let (mut cover, floor) = tent(0.0);
         cover.replace(&[0, 1, 2, 3], &floor);
         assert!(cover.pieces.peak()[1] > 0, "the cut along the diagonal goes through two triangles");

@@ -101,7 +101,7 @@ mod tests {
     use crate::mesh::Random;
 
     #[test]
-    fn halves_make_the_whole_again() {
+    fn hull_of_two_halves_is_the_whole_triangle() {
         let (m, n) = ([0.3, 0.0], [0.25, 0.75]);
         let left = Polygon::new(&[[0.0, 0.0], m, n, [0.0, 1.0]]);
         let right = Polygon::new(&[m, [1.0, 0.0], n]);
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn hulls_hold_all_corners_and_turn_left() {
+    fn hulls_contain_all_corners_and_turn_left() {
         let mut random = Random::new(5);
         let mut kept = 0;
         for _ in 0..2_000 {

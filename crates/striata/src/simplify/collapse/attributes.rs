@@ -125,7 +125,7 @@ impl AttributeSpace {
         let is_texcoord = matches!(layer.semantic, Semantic::TexCoord(_));
         if is_texcoord {
             self.texcoords |= bits;
-            lengths = charts::atlas_lengths(welded, layer);
+            lengths = charts::atlas_unit_lengths(welded, layer);
             self.atlases.resize(lengths.len(), 0);
             for (mask, &length) in self.atlases.iter_mut().zip(&lengths) {
                 *mask |= if length > 0.0 { bits } else { 0 };
@@ -252,13 +252,18 @@ impl AttributeSpace {
     ) -> f32 {
         let vertex_at = |t: usize, position: u32| {
             wedges.map_or(position, |w| {
-                if w.is_split(position) { w.shown(star.triangles[t], position) } else { w.first(position) }
+                if w.is_split(position) {
+                    w.vertex_at(star.triangles[t], position)
+                } else {
+                    w.first(position)
+                }
             })
         };
         let u = star.offset(k);
         // For each wedge: its vertex, the least distance to its side of the fan, and the difference
         // there.
-        let mut found: [(u32, f32, f32); MAX_WEDGES] = [(u32::MAX, f32::INFINITY, 0.0); MAX_WEDGES];
+        let mut nearest_by_wedge: [(u32, f32, f32); MAX_WEDGES] =
+            [(u32::MAX, f32::INFINITY, 0.0); MAX_WEDGES];
         let mut crossing = 0.0;
         for t in 0..star.triangle_count() {
             let [i, j] = star.triangle(t);
@@ -279,7 +284,9 @@ impl AttributeSpace {
                 crossing += areas[0].max(areas[1]) * self.crossing_squared(wedge, target);
                 continue;
             }
-            let Some(slot) = found.iter_mut().find(|f| f.0 == wedge || f.0 == u32::MAX) else { continue };
+            let Some(slot) = nearest_by_wedge.iter_mut().find(|f| f.0 == wedge || f.0 == u32::MAX) else {
+                continue;
+            };
             let [x, y, z] = nearest(u, a, b);
             let distance = (u * x + a * y + b * z).length_squared();
             if distance < slot.1 {
@@ -288,7 +295,7 @@ impl AttributeSpace {
                 *slot = (wedge, distance, self.interpolation_error(wedge, corners, [x, y, z]));
             }
         }
-        star.area() * found.iter().map(|f| f.2).sum::<f32>() + CORNER_SHARE * crossing
+        star.area() * nearest_by_wedge.iter().map(|f| f.2).sum::<f32>() + CORNER_SHARE * crossing
     }
 
     /// Squared difference between a vertex's attributes and those at barycentric coordinates in a
@@ -342,7 +349,7 @@ mod tests {
             .zip(0..)
             .map(|(material, first)| TriangleGroup { first, count: 1, material, ..TriangleGroup::default() })
             .collect();
-        weld(&mesh).expect("the mesh is sound")
+        weld(&mesh).expect("the mesh is valid")
     }
 
     /// Squared differences between two vertices of the first triangle and of the second.

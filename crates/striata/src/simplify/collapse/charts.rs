@@ -22,19 +22,24 @@ const MAX_OVERLAP: f64 = 0.6;
 /// of the mesh's diagonal, if its material uses `layer` as an atlas; otherwise 0.
 ///
 /// Takes O(n) time for n triangles, plus the time to rasterize them into 512 by 512 cells.
-pub(in crate::simplify) fn atlas_lengths(welded: &Welded, layer: &AttributeLayer) -> Vec<f32> {
+pub(in crate::simplify) fn atlas_unit_lengths(welded: &Welded, layer: &AttributeLayer) -> Vec<f32> {
     let mesh = &welded.mesh;
     let mut lengths = vec![0.0; mesh.vertex_count()];
     if layer.component_count < 2 {
         return lengths;
     }
     let diagonal = mesh.diagonal();
-    let mut cover = Cover { owner: vec![0; CELL_COUNT * CELL_COUNT], number: 0, cells: 0, doubles: 0 };
-    for lists in by_material(mesh) {
-        if cover.is_atlas(&lists, layer) {
-            let length = unit_length(mesh, &lists, layer) / diagonal;
+    let mut coverage = TextureCoverage {
+        owner: vec![0; CELL_COUNT * CELL_COUNT],
+        stamp: 0,
+        covered_count: 0,
+        repeated_count: 0,
+    };
+    for slices in by_material(mesh) {
+        if coverage.is_atlas(&slices, layer) {
+            let length = unit_length(mesh, &slices, layer) / diagonal;
             let length = if length.is_finite() { length as f32 } else { 0.0 };
-            for &vertex in lists.iter().flat_map(|list| list.as_flattened()) {
+            for &vertex in slices.iter().flat_map(|slice| slice.as_flattened()) {
                 lengths[vertex as usize] = length;
             }
         }
@@ -58,9 +63,9 @@ fn by_material(mesh: &IndexedMesh) -> Vec<Vec<&[[u32; 3]]>> {
 }
 
 /// Returns the length on the surface of one unit of texture coordinates.
-fn unit_length(mesh: &IndexedMesh, lists: &[&[[u32; 3]]], layer: &AttributeLayer) -> f64 {
+fn unit_length(mesh: &IndexedMesh, slices: &[&[[u32; 3]]], layer: &AttributeLayer) -> f64 {
     let (mut surface, mut texture) = (0.0, 0.0);
-    for t in lists.iter().copied().flatten() {
+    for t in slices.iter().copied().flatten() {
         let [a, b, c] = t.map(|v| Vec3::from(mesh.positions[v as usize]).as_dvec3());
         surface += (b - a).cross(c - a).length();
         let [a, b, c] = t.map(|v| [0, 1].map(|k| f64::from(layer.get(v as usize, k)))).map(DVec2::from);
@@ -70,18 +75,18 @@ fn unit_length(mesh: &IndexedMesh, lists: &[&[[u32; 3]]], layer: &AttributeLayer
 }
 
 /// Counts the cells whose centers are covered by triangles.
-struct Cover {
+struct TextureCoverage {
     /// Index of the last material that covered each cell.
     owner: Vec<u32>,
-    number: u32,
-    cells: u64,
-    doubles: u64,
+    stamp: u32,
+    covered_count: u64,
+    repeated_count: u64,
 }
 
-impl Cover {
+impl TextureCoverage {
     /// Whether the triangles use each part of the texture about once.
-    fn is_atlas(&mut self, lists: &[&[[u32; 3]]], layer: &AttributeLayer) -> bool {
-        let corners = || lists.iter().flat_map(|list| list.as_flattened());
+    fn is_atlas(&mut self, slices: &[&[[u32; 3]]], layer: &AttributeLayer) -> bool {
+        let corners = || slices.iter().flat_map(|slice| slice.as_flattened());
         for axis in 0..2 {
             let values = || corners().map(|&v| layer.get(v as usize, axis));
             let low = values().fold(f32::INFINITY, f32::min);
@@ -91,15 +96,15 @@ impl Cover {
                 return false;
             }
         }
-        (self.number, self.cells, self.doubles) = (self.number + 1, 0, 0);
-        for t in lists.iter().copied().flatten() {
-            if self.cells > MAX_CELLS {
+        (self.stamp, self.covered_count, self.repeated_count) = (self.stamp + 1, 0, 0);
+        for t in slices.iter().copied().flatten() {
+            if self.covered_count > MAX_CELLS {
                 // Covered several times over.
                 return false;
             }
             self.paint(t.map(|v| [0, 1].map(|c| layer.get(v as usize, c) * CELL_COUNT as f32 - 0.5)));
         }
-        self.doubles as f64 <= MAX_OVERLAP * self.cells as f64
+        self.repeated_count as f64 <= MAX_OVERLAP * self.covered_count as f64
     }
 
     fn paint(&mut self, [a, b, c]: [[f32; 2]; 3]) {
@@ -121,9 +126,9 @@ impl Cover {
                 if sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0) {
                     let [row, column] = [row, column].map(|i| i.rem_euclid(CELL_COUNT as i64) as usize);
                     let owner = &mut self.owner[row * CELL_COUNT + column];
-                    let is_double = std::mem::replace(owner, self.number) == self.number;
-                    self.cells += 1;
-                    self.doubles += u64::from(is_double);
+                    let is_repeated = std::mem::replace(owner, self.stamp) == self.stamp;
+                    self.covered_count += 1;
+                    self.repeated_count += u64::from(is_repeated);
                 }
             }
         }
@@ -156,12 +161,12 @@ mod tests {
             data: LayerData::F32(uvs),
         };
         mesh.layers.push(layer);
-        let welded = weld(&mesh).expect("it is sound");
-        atlas_lengths(&welded, &welded.mesh.layers[0])
+        let welded = weld(&mesh).expect("the mesh is valid");
+        atlas_unit_lengths(&welded, &welded.mesh.layers[0])
     }
 
     #[test]
-    fn charts_side_by_side_are_an_atlas() {
+    fn adjacent_charts_form_an_atlas() {
         let found = lengths(4, 1.0, false);
         // A square of side 1 covers 0.9 / 4 of the texture; the bounds of the row are 7 by 1.
         let expected = (4.0 / 0.9) / 50.0f32.sqrt();
@@ -169,8 +174,8 @@ mod tests {
     }
 
     #[test]
-    fn tiles_and_stacks_are_none() {
-        assert!(lengths(4, 8.0, false).iter().all(|&length| length == 0.0), "it is repeated");
-        assert!(lengths(8, 8.0, true).iter().all(|&length| length == 0.0), "all show the same");
+    fn tiled_and_overlapping_charts_are_not_an_atlas() {
+        assert!(lengths(4, 8.0, false).iter().all(|&length| length == 0.0), "the texture is repeated");
+        assert!(lengths(8, 8.0, true).iter().all(|&length| length == 0.0), "all charts overlap");
     }
 }

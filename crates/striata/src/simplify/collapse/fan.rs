@@ -150,11 +150,9 @@ impl Products {
         let is_inside = va.simd_gt(zero) & vb.simd_gt(zero) & vc.simd_gt(zero);
         let floor = f32x8::splat(f32::MIN_POSITIVE);
         let above = self.height * self.height / self.normal_squared.fast_max(floor);
-        let sides = beside(from_a, d1, d1 - d3).fast_min(beside(from_a, d2, d2 - d6)).fast_min(beside(
-            from_b,
-            d4 - d3,
-            (d4 - d3) + (d5 - d6),
-        ));
+        let sides = segment_distance_squared(from_a, d1, d1 - d3)
+            .fast_min(segment_distance_squared(from_a, d2, d2 - d6))
+            .fast_min(segment_distance_squared(from_b, d4 - d3, (d4 - d3) + (d5 - d6)));
         is_inside.bitselect(above, sides)
     }
 }
@@ -163,7 +161,7 @@ impl Products {
 /// `along` the dot product of the vector from there to the point with the segment, `length_squared` the
 /// segment's squared length.
 #[inline]
-fn beside(from: f32x8, along: f32x8, length_squared: f32x8) -> f32x8 {
+fn segment_distance_squared(from: f32x8, along: f32x8, length_squared: f32x8) -> f32x8 {
     let share = along / length_squared.fast_max(f32x8::splat(f32::MIN_POSITIVE));
     let share = share.fast_max(f32x8::ZERO).fast_min(f32x8::ONE);
     (from - share * (along + along - share * length_squared)).fast_max(f32x8::ZERO)
@@ -193,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn products_give_the_same_distances() {
+    fn products_match_direct_distances() {
         let [a, b, c] = [[0.1, 0.2, 0.3], [4., 0.5, 0.], [-0.3, 4., 1.]].map(Vec3::from);
         for i in 0..1000i32 {
             let at = |k: i32| ((i * k) % 97) as f32 / 10.0 - 4.0;

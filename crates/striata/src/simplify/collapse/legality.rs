@@ -129,14 +129,14 @@ mod tests {
     }
 
     #[test]
-    fn tetrahedron_and_single_triangle_stay() {
+    fn tetrahedron_and_single_triangle_are_not_collapsed() {
         let tetrahedron = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
         assert!(!allows(&tetrahedron, 0, 1));
         assert!(!allows(&[[0, 1, 2]], 0, 1));
     }
 
     #[test]
-    fn ear_goes_but_leaves_no_lonely_vertex() {
+    fn ear_collapses_unless_a_vertex_would_lose_its_last_triangle() {
         // Position 0 is an ear on the edge 1-2.
         let mesh = [[0, 1, 2], [2, 1, 3], [2, 3, 4]];
         assert!(allows(&mesh, 0, 1));

@@ -15,40 +15,40 @@
 //! | `links/`, `legality.rs` | the link of each position; whether a collapse preserves the surface |
 //! | `star/`, `fan.rs` | the star of one position, its quadratic form, the fan each candidate would leave |
 //! | `wedges.rs`, `attributes.rs`, `seam_cost.rs`, `charts.rs` | pairing of wedges, cost of attributes |
-//! | `choice.rs`, `cost_evaluator.rs` | bound and full cost of a position's candidates |
+//! | `collapse_choice.rs`, `cost_evaluator.rs` | bound and full cost of a position's candidates |
 //! | `quadric.rs`, `tracked.rs`, `pairs.rs` | data of the other two costs; contraction of separate parts |
 //! | `heap.rs`, `simplifier.rs`, `executor.rs`, `refinement_order.rs` | the loop, a step, the numbering |
 //! | `walk.rs`, `witness.rs`, `outward_bounds.rs` | the error that a step reports, in both directions |
-//! | `relaxed_state.rs`, `parts.rs`, `triangle_tree.rs` | global data that relaxed collapses need |
+//! | `relaxed_state.rs`, `parts.rs`, `surface_snapshot.rs` | global data that relaxed collapses need |
 //! | `relaxation_schedule.rs`, `relaxed_candidates.rs` | when relaxed collapses begin and what they cost |
 //! | `lost_positions.rs`, `foliage.rs` | what else relaxed collapses remove, and what replaces it |
 //! | `batches/` | half-edge collapses in batches, for progressive coding |
 
-pub(super) mod absorb;
-pub(super) mod aftermath;
 pub(super) mod attributes;
 pub(super) mod batches;
 pub(super) mod charts;
-pub(super) mod choice;
-pub(super) mod course;
-pub(super) mod crossing;
-pub(super) mod engine;
+pub(super) mod collapse_choice;
+pub(super) mod cost_evaluator;
+pub(super) mod executor;
 pub(super) mod fan;
-pub(super) mod finish;
+pub(super) mod foliage;
 pub(super) mod heap;
-pub(super) mod judge;
 pub(super) mod legality;
 pub(super) mod links;
-pub(super) mod outward;
+pub(super) mod lost_positions;
+pub(super) mod outward_bounds;
 pub(super) mod pairs;
 pub(super) mod parts;
 pub(super) mod quadric;
-pub(super) mod relaxation;
-pub(super) mod relaxed;
-pub(super) mod rest;
+pub(super) mod refinement_order;
+pub(super) mod relaxation_schedule;
+pub(super) mod relaxed_candidates;
+pub(super) mod relaxed_state;
+pub(super) mod seam_cost;
+pub(super) mod simplifier;
 pub(super) mod star;
+pub(super) mod surface_snapshot;
 pub(super) mod tracked;
 pub(super) mod walk;
 pub(super) mod wedges;
-pub(super) mod whole;
 pub(super) mod witness;

@@ -10,21 +10,21 @@ const NONE: u32 = u32::MAX;
 const MAX_WALK: usize = 8;
 
 /// Squared distance of a point from the current surface, and a position near the nearest surface point.
-pub(in crate::simplify) type Standing = (f32, u32);
+pub(in crate::simplify) type NearestStar = (f32, u32);
 
-/// Walks from the star of `place` to neighboring stars while that reduces the distance from a query
+/// Walks from the star of `position` to neighboring stars while that reduces the distance from a query
 /// point; `offset` returns the vector from the query point to a position.
 #[inline]
-pub(in crate::simplify) fn walk(
+pub(in crate::simplify) fn walk_to_nearest(
     links: &Links,
     edges: &mut Vec<LinkEdge>,
-    mut place: u32,
+    mut position: u32,
     offset: impl Fn(u32) -> Vec3,
-) -> Standing {
+) -> NearestStar {
     let mut least = f32::INFINITY;
     for _ in 0..MAX_WALK {
-        let center = offset(place);
-        links.edges_into(place, edges);
+        let center = offset(position);
+        links.edges_into(position, edges);
         // If the nearest point is on the rim, the star beyond the rim may be nearer still.
         let mut beyond = NONE;
         let before = least;
@@ -44,7 +44,7 @@ pub(in crate::simplify) fn walk(
         if beyond == NONE || least >= before {
             break;
         }
-        place = beyond;
+        position = beyond;
     }
-    (least, place)
+    (least, position)
 }

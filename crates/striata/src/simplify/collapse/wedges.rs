@@ -55,15 +55,15 @@ impl<'a> Wedges<'a> {
 
     /// Stores in `star` the vertex of `v` that each of its triangles uses.
     pub(in crate::simplify) fn load(&self, star: &mut Star, v: u32) {
-        let mut shown = std::mem::take(&mut star.shown);
-        shown.clear();
+        let mut center_wedges = std::mem::take(&mut star.center_wedges);
+        center_wedges.clear();
         let count = star.triangle_count();
         if self.is_split(v) {
-            shown.extend(star.triangles[..count].iter().map(|&t| self.shown(t, v)));
+            center_wedges.extend(star.triangles[..count].iter().map(|&t| self.vertex_at(t, v)));
         } else {
-            shown.resize(count, self.first(v));
+            center_wedges.resize(count, self.first(v));
         }
-        star.shown = shown;
+        star.center_wedges = center_wedges;
     }
 
     /// Pairs every wedge of `v` with the wedge of `u` for which `difference` is least. For positions
@@ -108,7 +108,7 @@ impl<'a> Wedges<'a> {
 
     /// Returns the vertex that `triangle` uses at `position`.
     #[inline]
-    pub(in crate::simplify) fn shown(&self, triangle: u32, position: u32) -> u32 {
+    pub(in crate::simplify) fn vertex_at(&self, triangle: u32, position: u32) -> u32 {
         let [a, b, c] = self.corners[triangle as usize];
         if self.positions.position_of(a) == position {
             a
@@ -132,14 +132,14 @@ impl<'a> Wedges<'a> {
         for t in 0..star.triangle_count() {
             if star.triangle(t).contains(&k) {
                 let triangle = star.triangles[t];
-                if !self.join(self.shown(triangle, v), self.shown(triangle, u)) {
+                if !self.join(self.vertex_at(triangle, v), self.vertex_at(triangle, u)) {
                     return false;
                 }
             }
         }
         self.first_crossing = self.map.len();
         (0..star.triangle_count()).all(|t| {
-            let from = self.shown(star.triangles[t], v);
+            let from = self.vertex_at(star.triangles[t], v);
             self.map.iter().any(|(other, _)| *other == from)
         })
     }
@@ -164,14 +164,14 @@ impl<'a> Wedges<'a> {
         }
         for t in 0..star.triangle_count() {
             if star.triangle(t).contains(&k) {
-                let to = if is_split { self.shown(star.triangles[t], u) } else { self.first(u) };
-                if !self.join(star.shown[t], to) {
+                let to = if is_split { self.vertex_at(star.triangles[t], u) } else { self.first(u) };
+                if !self.join(star.center_wedges[t], to) {
                     return false;
                 }
             }
         }
         self.first_crossing = self.map.len();
-        for &from in &star.shown {
+        for &from in &star.center_wedges {
             if self.map.iter().all(|(other, _)| *other != from) {
                 let to = self.nearest_wedge(from, u, &difference);
                 self.map.push((from, to));

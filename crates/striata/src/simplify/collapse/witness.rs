@@ -9,10 +9,10 @@
 
 use glam::Vec3;
 
+use super::cost_evaluator::CostEvaluator;
 use super::fan::point;
-use super::judge::Judge;
 use super::links::LinkEdge;
-use super::walk::{Standing, walk};
+use super::walk::{NearestStar, walk_to_nearest};
 
 const NONE: u32 = u32::MAX;
 /// Upper bound on how far the surface moves anywhere, in distances of the removed vertex from its fan.
@@ -24,7 +24,7 @@ struct Witness {
     distance: f32,
 }
 
-const NOBODY: Witness = Witness { vertex: NONE, distance: 0.0 };
+const NO_WITNESS: Witness = Witness { vertex: NONE, distance: 0.0 };
 
 /// The witness of each position, and scratch.
 #[derive(Debug)]
@@ -39,48 +39,48 @@ pub(in crate::simplify) struct Witnesses {
 
 impl Witnesses {
     pub(in crate::simplify) fn new(position_count: usize, follows_rings: bool) -> Self {
-        Self { of: vec![NOBODY; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
+        Self { of: vec![NO_WITNESS; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
     }
 
     /// Updates witnesses after `v`, whose neighbors were `ring`, was collapsed to `u`; `own` is the
     /// squared distance of `v` from its new fan. Returns the largest squared distance seen so far.
     pub(in crate::simplify) fn collapse(
         &mut self,
-        judge: &mut Judge<'_>,
+        evaluator: &mut CostEvaluator<'_>,
         (v, u): (u32, u32),
         ring: &[u32],
         own: f32,
     ) -> f32 {
         // Both are removed here and stored again below.
-        let candidates = [v, u].map(|p| std::mem::replace(&mut self.of[p as usize], NOBODY));
-        let (mut own, mut place) = (own, u);
+        let candidates = [v, u].map(|p| std::mem::replace(&mut self.of[p as usize], NO_WITNESS));
+        let (mut own, mut position) = (own, u);
         if own > self.worst {
             // Distances that raise the reported error are measured exactly: those in the cost are only
             // accurate to a few ten-thousandths of the edges.
-            (own, place) = self.find(judge, u, point(&judge.positions, v), f32::INFINITY);
+            (own, position) = self.measure(evaluator, u, point(&evaluator.positions, v), f32::INFINITY);
         }
         let moved = MOVE_FACTOR * own.sqrt();
-        self.keep(place, Witness { vertex: v, distance: own.sqrt() });
+        self.store(position, Witness { vertex: v, distance: own.sqrt() });
         for candidate in candidates.into_iter().filter(|w| w.vertex != NONE) {
-            let (candidate, place) = self.follow(judge, u, candidate, moved);
-            self.keep(place, candidate);
+            let (candidate, position) = self.update(evaluator, u, candidate, moved);
+            self.store(position, candidate);
         }
         if self.follows_rings {
-            self.follow_ring(judge, ring, moved);
+            self.update_ring(evaluator, ring, moved);
         }
         self.worst
     }
 
     /// Returns the witness of `v` if collapsing `v` may make it the worst; `own` is the squared
     /// distance by which the collapse moves the surface at `v`.
-    pub(in crate::simplify) fn suspect(&self, v: u32, own: f32) -> Option<u32> {
+    pub(in crate::simplify) fn possible_worst(&self, v: u32, own: f32) -> Option<u32> {
         let Witness { vertex, distance } = self.of[v as usize];
         let reach = distance + MOVE_FACTOR * own.sqrt();
         (vertex != NONE && reach * reach > self.worst).then_some(vertex)
     }
 
     /// Updates the witnesses of a ring around which the surface has moved by a distance.
-    fn follow_ring(&mut self, judge: &mut Judge<'_>, ring: &[u32], moved: f32) {
+    fn update_ring(&mut self, evaluator: &mut CostEvaluator<'_>, ring: &[u32], moved: f32) {
         let limit = self.worst.sqrt();
         for &p in ring {
             let there = &mut self.of[p as usize];
@@ -89,60 +89,74 @@ impl Witnesses {
                 there.distance = reach;
                 continue;
             }
-            let candidate = std::mem::replace(there, NOBODY);
-            let (candidate, place) = self.follow(judge, p, candidate, moved);
-            self.keep(place, candidate);
+            let candidate = std::mem::replace(there, NO_WITNESS);
+            let (candidate, position) = self.update(evaluator, p, candidate, moved);
+            self.store(position, candidate);
         }
     }
 
     /// Updates a witness after the surface around `p` has moved by a distance; returns it with its new
     /// distance, and the position to store it at. It is measured only if it may be the worst.
-    fn follow(&mut self, judge: &mut Judge<'_>, p: u32, candidate: Witness, moved: f32) -> (Witness, u32) {
+    fn update(
+        &mut self,
+        evaluator: &mut CostEvaluator<'_>,
+        p: u32,
+        candidate: Witness,
+        moved: f32,
+    ) -> (Witness, u32) {
         let reach = candidate.distance + moved;
         let reach_squared = reach * reach;
         if reach_squared <= self.worst {
             return (Witness { distance: reach, ..candidate }, p);
         }
-        let from = point(&judge.positions, candidate.vertex);
-        let (distance_squared, place) = self.find(judge, p, from, reach_squared);
-        (Witness { distance: distance_squared.sqrt(), ..candidate }, place)
+        let from = point(&evaluator.positions, candidate.vertex);
+        let (distance_squared, position) = self.measure(evaluator, p, from, reach_squared);
+        (Witness { distance: distance_squared.sqrt(), ..candidate }, position)
     }
 
     /// Updates witnesses after a relaxed collapse. The `lost` positions, their witnesses and the
-    /// `points` of removed triangles are measured again, starting at `place`; distances above the
+    /// `points` of removed triangles are measured again, starting at `position`; distances above the
     /// largest so far are verified by a search of the whole mesh. Returns the largest squared distance
     /// seen so far.
-    pub(in crate::simplify) fn lose(
+    pub(in crate::simplify) fn remeasure(
         &mut self,
-        judge: &mut Judge<'_>,
+        evaluator: &mut CostEvaluator<'_>,
         (lost, points): (&[u32], &[Vec3]),
-        place: u32,
+        position: u32,
     ) -> f32 {
         for &p in lost {
-            let witness = std::mem::replace(&mut self.of[p as usize], NOBODY);
-            for vertex in [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != place)
+            let witness = std::mem::replace(&mut self.of[p as usize], NO_WITNESS);
+            for vertex in
+                [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != position)
             {
                 let (distance_squared, at) =
-                    self.find(judge, place, point(&judge.positions, vertex), f32::INFINITY);
-                self.keep(at, Witness { vertex, distance: distance_squared.sqrt() });
+                    self.measure(evaluator, position, point(&evaluator.positions, vertex), f32::INFINITY);
+                self.store(at, Witness { vertex, distance: distance_squared.sqrt() });
             }
         }
         for &from in points {
-            self.find(judge, place, from, f32::INFINITY);
+            self.measure(evaluator, position, from, f32::INFINITY);
         }
         self.worst
     }
 
-    /// Measures a point by a walk that starts at `place`. If relaxed collapses may have changed what is
+    /// Measures a point by a walk that starts at `position`. If relaxed collapses may have changed what is
     /// near, a result that would raise the worst distance is verified in the whole mesh. A walk that
     /// ends beyond the squared distance `limit` has lost its way.
-    fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3, limit: f32) -> Standing {
-        let positions = &judge.positions;
-        let settled = walk(&judge.links, &mut self.edges, place, |p| point(positions, p) - from);
-        let is_lost = settled.0 > limit;
-        let known = if is_lost { (limit, place) } else { settled };
-        let found = judge.standing(from, known, self.worst);
-        if !is_lost || judge.looks_everywhere() {
+    fn measure(
+        &mut self,
+        evaluator: &mut CostEvaluator<'_>,
+        position: u32,
+        from: Vec3,
+        limit: f32,
+    ) -> NearestStar {
+        let positions = &evaluator.positions;
+        let walked =
+            walk_to_nearest(&evaluator.links, &mut self.edges, position, |p| point(positions, p) - from);
+        let is_lost = walked.0 > limit;
+        let known = if is_lost { (limit, position) } else { walked };
+        let found = evaluator.nearest_star(from, known, self.worst);
+        if !is_lost || evaluator.searches_whole_mesh() {
             // A limit that was never measured must not be reported.
             self.worst = self.worst.max(found.0);
         }
@@ -160,9 +174,9 @@ impl Witnesses {
         self.worst
     }
 
-    /// Stores `candidate` at `place` if it is farther away than the witness there.
-    fn keep(&mut self, place: u32, candidate: Witness) {
-        let there = &mut self.of[place as usize];
+    /// Stores `candidate` at `position` if it is farther away than the witness there.
+    fn store(&mut self, position: u32, candidate: Witness) {
+        let there = &mut self.of[position as usize];
         if candidate.distance > there.distance || there.vertex == NONE {
             *there = candidate;
         }

@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_kind_of_layer_by_its_rule() {
+    fn each_kind_of_layer_is_blended_by_its_rule() {
         let mut layers = vec![
             AttributeLayer::from_f32(Semantic::Normal, 3, vec![1., 0., 0., 0., 1., 0.]),
             AttributeLayer::from_f32(Semantic::TexCoord(0), 2, vec![0., 1., 1., 3.]),

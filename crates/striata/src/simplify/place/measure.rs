@@ -15,14 +15,14 @@ const MAX_CUTS: u32 = 5;
 const LEAST_BUDGET: usize = 60_000;
 
 /// Search for the point of one surface that is farthest from another.
-struct Search {
+struct FarthestPointSearch {
     tree: TriangleTree,
     /// The triangle that was nearest to the last point.
     hint: usize,
     worst: f64,
 }
 
-impl Search {
+impl FarthestPointSearch {
     /// Measures a point; returns whether everything within `radius` of it is no farther than the worst
     /// point so far.
     fn visit(&mut self, point: DVec3, radius: f64) -> bool {
@@ -48,16 +48,16 @@ impl Search {
 }
 
 /// Returns the largest distance from points of `from` to `to`, or `worst` if that is larger.
-fn one_sided(from: &IndexedMesh, to: &IndexedMesh, budget: usize, worst: f64) -> f64 {
+fn one_sided_distance(from: &IndexedMesh, to: &IndexedMesh, budget: usize, worst: f64) -> f64 {
     let Ok(tree) = TriangleTree::new(to) else { return worst };
-    let mut search = Search { tree, hint: 0, worst };
-    let place = |v: u32| DVec3::from(from.positions[v as usize].map(f64::from));
+    let mut search = FarthestPointSearch { tree, hint: 0, worst };
+    let position = |v: u32| DVec3::from(from.positions[v as usize].map(f64::from));
     for v in 0..from.vertex_count() as u32 {
-        search.visit(place(v), 0.0);
+        search.visit(position(v), 0.0);
     }
     let cuts = (budget / from.triangle_count().max(1)).checked_ilog(4).unwrap_or(0).min(MAX_CUTS);
     for t in &from.triangles {
-        search.visit_triangle(t.map(place), cuts);
+        search.visit_triangle(t.map(position), cuts);
     }
     search.worst
 }
@@ -66,8 +66,8 @@ fn one_sided(from: &IndexedMesh, to: &IndexedMesh, budget: usize, worst: f64) ->
 /// not have unused vertices.
 pub(super) fn measured_error(original: &IndexedMesh, level: &IndexedMesh) -> f64 {
     let budget = LEAST_BUDGET.max(2 * original.triangle_count());
-    let outward = one_sided(level, original, budget, 0.0);
-    one_sided(original, level, budget, outward)
+    let outward = one_sided_distance(level, original, budget, 0.0);
+    one_sided_distance(original, level, budget, outward)
 }
 
 #[cfg(test)]

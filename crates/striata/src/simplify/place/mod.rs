@@ -29,7 +29,7 @@
 //! the half-edge collapse that subset placement would choose, with its target unmoved, so that every
 //! target is reached. Both kinds share one queue, since both costs are squared distances over areas.
 //!
-//! Links, wedges and positions are those of a [`Judge`], which represents the current mesh in single
+//! Links, wedges and positions are those of a [`CostEvaluator`], which represents the current mesh in single
 //! precision.
 //!
 //! The loop stops at an error limit by an estimate from tracked vertices (`distance_tracker`). The
@@ -40,22 +40,22 @@
 //! pairs without an edge are never merged. Time O(n log n), about 400 bytes per vertex.
 
 mod blend;
-mod course;
-mod drift;
-mod form;
-mod frame;
-mod goal;
-mod hood;
+mod distance_tracker;
+mod edge_placement;
 mod measure;
 mod merger;
+mod neighborhood;
+mod quadratic_form;
+mod scaled_space;
 mod seams;
+mod stop_criteria;
 
 use crate::ProgressFn;
 use crate::mesh::Welded;
 use crate::simplify::options::{Simplified, SimplifyError, SimplifyOptions};
-use goal::Goal;
 use measure::measured_error;
 use merger::Merger;
+use stop_criteria::StopCriteria;
 
 /// Number of times that a level beyond the error limit is simplified again, each time with a smaller
 /// limit.
@@ -73,26 +73,26 @@ pub(super) fn simplify_optimal(
     progress: &mut ProgressFn<'_>,
 ) -> Result<Simplified, SimplifyError> {
     if let Some(distance) = options.sequence.pair_distance {
-        let expected = "none where vertices are placed freely";
+        let expected = "none with optimal placement";
         return Err(SimplifyError::Option { option: "pair_distance", value: distance.to_string(), expected });
     }
     let mut merger = Merger::new(welded, &options.sequence);
-    let mut goal = Goal::new(options, merger.counts());
-    let limit = goal.limit;
+    let mut criteria = StopCriteria::new(options, merger.counts());
+    let limit = criteria.limit;
     for retry in 0.. {
-        let stop_reason = merger.run(&goal, progress)?;
-        let (estimated, scale, removed_count) = (merger.error, merger.frame.scale, merger.removed_count);
+        let stop_reason = merger.run(&criteria, progress)?;
+        let (estimated, scale, removed_count) = (merger.error, merger.space.scale, merger.removed_count);
         let mesh = merger.finish();
         let error = if removed_count > 0 { measured_error(&welded.mesh, &mesh) } else { 0.0 };
         if error <= limit + NOISE * scale {
             return Ok(Simplified { mesh, error: error.min(limit), stop_reason });
         }
-        if goal.limit == 0.0 {
+        if criteria.limit == 0.0 {
             break;
         }
-        let smaller = estimated.min(goal.limit) * (0.9 * limit / error);
-        goal.limit = if retry < MAX_RETRIES { smaller } else { 0.0 };
+        let smaller = estimated.min(criteria.limit) * (0.9 * limit / error);
+        criteria.limit = if retry < MAX_RETRIES { smaller } else { 0.0 };
         merger = Merger::new(welded, &options.sequence);
     }
-    Ok(Simplified { mesh: welded.mesh.clone(), error: 0.0, stop_reason: goal.at_limit })
+    Ok(Simplified { mesh: welded.mesh.clone(), error: 0.0, stop_reason: criteria.at_limit })
 }

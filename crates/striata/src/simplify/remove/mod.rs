@@ -33,15 +33,15 @@
 //! on every machine. Time O(n log n), most of it for distances of tracked vertices; 22 µs per triangle
 //! on the bunny, including the bound.
 
-mod collapses;
-mod engine;
+mod collapse_candidates;
+mod fragment_builder;
 mod hole;
-mod judge;
-mod options;
-mod points;
-mod record;
+mod removal_evaluator;
+mod removal_options;
+mod removal_record;
+mod tracked_vertices;
 
-pub use options::{BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation};
+pub use removal_options::{BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation};
 
 use crate::mesh::{IndexedMesh, Welded, weld};
 use crate::{ProgressFn, ignore_progress};
@@ -113,5 +113,5 @@ pub fn build_welded_fragments_with_progress(
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltFragments, SimplifyError> {
     options.check()?;
-    engine::Engine::new(&welded, options).run(progress)?.finish(welded, progress)
+    fragment_builder::FragmentBuilder::new(&welded, options).run(progress)?.into_fragments(welded, progress)
 }

@@ -23,19 +23,19 @@
 //! collapse at a time. Time O(n log n), 1.5 times that of one collapse at a time; at the default share,
 //! five or six batches for each factor of e in size.
 
-mod engine;
+mod batch_bias;
+mod batch_options;
+mod batch_simplifier;
+mod closed_surface;
 mod general;
-mod options;
 mod select;
-mod surface;
-mod taste;
 
-pub use options::BatchOptions;
+pub use batch_options::BatchOptions;
 
 use crate::mesh::{IndexedMesh, Welded, weld};
 use crate::{ProgressFn, ignore_progress};
 
-use super::finish::finish;
+use super::refinement_order::build_refinable;
 use crate::simplify::options::{BuiltSequence, SimplifyError};
 
 /// Result of [`build_batches`].
@@ -66,7 +66,8 @@ pub struct BuiltBatches {
 /// let sequence = &built.built.refinable.sequence;
 /// assert_eq!(built.batches.last(), Some(&(sequence.step_count() as u32)));
 /// for steps in built.batches.windows(2) {
-///     println!("{} splits lead to {} triangles", steps[1] - steps[0], sequence.triangle_count_at(steps[1] as usize));
+///     let triangle_count = sequence.triangle_count_at(steps[1] as usize);
+///     println!("{} splits lead to {triangle_count} triangles", steps[1] - steps[0]);
 /// }
 /// # Ok::<(), striata::simplify::SimplifyError>(())
 /// ```
@@ -106,13 +107,13 @@ pub fn build_welded_batches_with_progress(
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltBatches, SimplifyError> {
     options.check()?;
-    let engine::Outcome { record, ends, stop_reason } =
-        engine::Engine::new(&welded, options).run(progress)?;
+    let batch_simplifier::Outcome { record, ends, stop_reason } =
+        batch_simplifier::BatchSimplifier::new(&welded, options).run(progress)?;
     let step_count = record.removed.len() as u32;
     let batches = ends.iter().rev().chain(&[0]).map(|end| step_count - end).collect();
     let degenerate_triangle_count = welded.degenerate_triangle_count;
     let merged_vertex_count = welded.merged_vertex_count;
-    let (refinable, source_vertex) = finish(welded, record)?;
+    let (refinable, source_vertex) = build_refinable(welded, record)?;
     let built = BuiltSequence {
         refinable,
         source_vertex,

@@ -34,7 +34,7 @@ impl Selection {
 
     /// Reorders candidates, which are sorted by cost: the more of its neighbors are candidates, the
     /// farther a candidate moves back.
-    pub(super) fn bring_forward_lonely(&mut self, candidates: &mut [(f32, u32)], links: &Links) {
+    pub(super) fn sort_by_crowding(&mut self, candidates: &mut [(f32, u32)], links: &Links) {
         for &(_, v) in candidates.iter() {
             self.candidate[v as usize] = self.batch;
         }
@@ -65,7 +65,7 @@ impl Selection {
     }
 
     /// Marks the target `u` and the `ring` of a removed position.
-    pub(super) fn take(&mut self, u: u32, ring: &[u32]) {
+    pub(super) fn mark_removed(&mut self, u: u32, ring: &[u32]) {
         for &w in ring {
             self.ring[w as usize] = self.batch;
         }
@@ -100,7 +100,7 @@ mod tests {
         all.sort_by(|a, b| a.partial_cmp(b).expect("costs are numbers"));
         assert_eq!(candidates, all[..30]);
         keep_cheapest(&mut candidates, 0.01);
-        assert_eq!(candidates, all[..LEAST_CANDIDATES], "never next to none");
+        assert_eq!(candidates, all[..LEAST_CANDIDATES], "never fewer than the minimum");
     }
 
     #[test]
@@ -112,12 +112,12 @@ mod tests {
         let mut selection = Selection::new(40);
         selection.begin();
         let mut candidates = vec![(0.5, 2), (0.6, 3), (0.7, 1), (0.8, 39)];
-        selection.bring_forward_lonely(&mut candidates, &links);
+        selection.sort_by_crowding(&mut candidates, &links);
         let order: Vec<u32> = candidates.iter().map(|c| c.1).collect();
-        assert_eq!(order, [2, 3, 1, 39], "a crowd of two weighs less than a place of four");
+        assert_eq!(order, [2, 3, 1, 39], "two crowded neighbors weigh less than one of four ranks");
         let mut many: Vec<(f32, u32)> = (0..40).map(|v| (v as f32, v)).collect();
         selection.begin();
-        selection.bring_forward_lonely(&mut many, &links);
+        selection.sort_by_crowding(&mut many, &links);
         assert_eq!(many[0].1, 0);
         assert!(
             many.iter().position(|c| c.1 == 39) < many.iter().position(|c| c.1 == 37),
@@ -126,10 +126,10 @@ mod tests {
     }
 
     #[test]
-    fn taken_positions_keep_their_neighbors_until_the_next_batch() {
+    fn removed_positions_block_their_neighbors_until_the_next_batch() {
         let mut selection = Selection::new(6);
         selection.begin();
-        selection.take(1, &[1, 2, 3]);
+        selection.mark_removed(1, &[1, 2, 3]);
         assert!((1..4).all(|v| !selection.is_free(v)) && selection.is_free(4));
         assert!(!selection.is_free_target(1) && selection.is_free_target(2));
         selection.begin();

@@ -182,7 +182,7 @@ impl Links {
     }
 
     /// Gives `u` a slab with room for `len` entries: its own, that of the removed `v`, or a new one.
-    fn room(&mut self, u: u32, v: u32, len: usize) -> u32 {
+    fn reserve(&mut self, u: u32, v: u32, len: usize) -> u32 {
         let (sv, su) = (self.slabs[v as usize], self.slabs[u as usize]);
         let slab = &mut self.slabs[u as usize];
         if len > su.capacity as usize {
@@ -220,7 +220,7 @@ impl Links {
                 self.triangles.resize(end, 0);
             }
         }
-        let at = self.room(v, v, len) as usize;
+        let at = self.reserve(v, v, len) as usize;
         self.slabs[v as usize].kind = kind;
         self.entries[at..at + len].copy_from_slice(&chain.entries);
         if self.follows_triangles {

@@ -145,7 +145,7 @@ impl Links {
             }
             debug_assert_eq!(self.ring_triangles.len(), len, "one triangle entry for each ring entry");
         }
-        let at = self.room(u, v, len);
+        let at = self.reserve(u, v, len);
         let (start, end) = (at as usize, at as usize + len);
         if at == su.start {
             // In place: move the tail, then fill the gap.

@@ -1,11 +1,11 @@
 //! Borders through a star: along which edges the center may move, and the cost of leaving the others.
 
-use super::special::{BORDER_WEIGHT, Border, Special};
+use super::border_edge::{BORDER_WEIGHT, BorderEdge, BorderKind};
 use super::{SeamBetween, Star};
 use crate::simplify::collapse::links::LinkKind;
 
 /// Triangles at the edge to a neighbor.
-struct Around {
+struct EdgeTriangles {
     /// The last one that ends at the neighbor.
     before: Option<usize>,
     /// The last one that begins at the neighbor.
@@ -36,31 +36,32 @@ impl Star {
             (self.costs[0], self.costs[last]) = (first_cost, last_cost);
             return;
         }
-        let mut special = std::mem::take(&mut self.special);
-        special.clear();
+        let mut border_edges = std::mem::take(&mut self.border_edges);
+        border_edges.clear();
         for i in 0..self.ids.len() {
-            special.extend(self.special_edge(i, seam_between));
+            border_edges.extend(self.border_edge(i, seam_between));
         }
-        self.charge_borders(&special);
-        self.special = special;
+        self.charge_borders(&border_edges);
+        self.border_edges = border_edges;
     }
 
-    fn charge_borders(&mut self, special: &[Special]) {
-        let Some(strongest) = special.iter().map(|s| s.border).max() else { return };
+    fn charge_borders(&mut self, border_edges: &[BorderEdge]) {
+        let Some(strongest) = border_edges.iter().map(|s| s.kind).max() else { return };
         // Seams that may be crossed do not restrict the candidates.
-        let binds = strongest > Border::Seam || special.iter().any(|s| s.difference_squared == f32::INFINITY);
+        let binds = strongest > BorderKind::Seam
+            || border_edges.iter().any(|s| s.difference_squared == f32::INFINITY);
         let mut costs = std::mem::take(&mut self.costs);
         for (i, cost) in costs.iter_mut().enumerate() {
-            if binds && !special.iter().any(|s| s.neighbor as usize == i && s.border == strongest) {
+            if binds && !border_edges.iter().any(|s| s.neighbor as usize == i && s.kind == strongest) {
                 *cost = f32::INFINITY;
                 continue;
             }
             let u = self.offset(i);
-            let others = special.iter().filter(|s| s.neighbor as usize != i);
+            let others = border_edges.iter().filter(|s| s.neighbor as usize != i);
             let swept =
-                |s: &Special| s.leave_cost(self.offset(s.neighbor as usize).cross(u).length_squared());
+                |s: &BorderEdge| s.leave_cost(self.offset(s.neighbor as usize).cross(u).length_squared());
             *cost += others.map(swept).sum::<f32>();
-            if let [end] = special {
+            if let [end] = border_edges {
                 // The border ends here and would recede.
                 *cost += end.recede_cost(u.length_squared());
             }
@@ -69,24 +70,24 @@ impl Star {
     }
 
     /// Returns the edge to neighbor `i` if it lies on a border.
-    fn special_edge(&self, i: usize, seam_between: Option<SeamBetween<'_>>) -> Option<Special> {
-        let Around { before, after, count } = self.triangles_at(i);
-        let (border, difference_squared) = match (before, after) {
-            _ if count == 1 => (Border::Boundary, f32::INFINITY),
-            (Some(t), Some(s)) if count == 2 => (Border::Seam, seam_between?(self, t, s)?),
-            _ => (Border::Branch, f32::INFINITY),
+    fn border_edge(&self, i: usize, seam_between: Option<SeamBetween<'_>>) -> Option<BorderEdge> {
+        let EdgeTriangles { before, after, count } = self.triangles_at(i);
+        let (kind, difference_squared) = match (before, after) {
+            _ if count == 1 => (BorderKind::Boundary, f32::INFINITY),
+            (Some(t), Some(s)) if count == 2 => (BorderKind::Seam, seam_between?(self, t, s)?),
+            _ => (BorderKind::Branch, f32::INFINITY),
         };
-        Some(Special { neighbor: i as u32, border, difference_squared })
+        Some(BorderEdge { neighbor: i as u32, kind, difference_squared })
     }
 
-    fn triangles_at(&self, i: usize) -> Around {
+    fn triangles_at(&self, i: usize) -> EdgeTriangles {
         if self.pairs.is_empty() {
             let n = self.ids.len();
             let is_closed = self.triangle_count == n;
             let before = if i > 0 { Some(i - 1) } else { is_closed.then_some(n - 1) };
             let after = (i < self.triangle_count).then_some(i);
             let count = usize::from(before.is_some()) + usize::from(after.is_some());
-            return Around { before, after, count };
+            return EdgeTriangles { before, after, count };
         }
         let (mut before, mut after, mut count) = (None, None, 0);
         for (t, pair) in self.pairs.iter().enumerate() {
@@ -100,6 +101,6 @@ impl Star {
                 count += 1;
             }
         }
-        Around { before, after, count }
+        EdgeTriangles { before, after, count }
     }
 }

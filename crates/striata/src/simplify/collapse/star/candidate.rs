@@ -5,7 +5,7 @@ use glam::Vec3;
 use wide::f32x8;
 
 use super::Star;
-use super::lanes::{LANES, NO_TRIANGLE, Vec3x8, grow, lanes, least_of, slices, vectors};
+use super::lanes::{LANES, NO_TRIANGLE, Vec3x8, ensure_len, lane_min, load_lanes, slices, vector_starts};
 use crate::simplify::collapse::fan;
 
 impl Star {
@@ -40,13 +40,13 @@ impl Star {
         let [a, b] = self.corners();
         let normals = slices(&self.normals, 0);
         let mut least = f32x8::splat(f32::INFINITY);
-        for t in vectors(self.triangle_count) {
+        for t in vector_starts(self.triangle_count) {
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
-            let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
+            let vanishes = load_lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
             let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
             let (ua, ub) = (u.dot(a), u.dot(b));
             let old = Vec3x8::load(normals, t);
-            let new = a.minus(u).cross(b.minus(u));
+            let new = a.sub(u).cross(b.sub(u));
             let new_squared = new.dot(new);
             let change = fan::Change {
                 old_length: old.dot(old).sqrt(),
@@ -72,7 +72,7 @@ impl Star {
                 vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
             least = least.fast_min(distance_squared);
         }
-        Some(least_of(least))
+        Some(lane_min(least))
     }
 
     /// Squared distance of the point `p` from the fan of the last [`Self::mark_vanishing`], with
@@ -81,10 +81,10 @@ impl Star {
         let [a, b] = self.corners();
         let (u, p) = (Vec3x8::splat(self.offset(k)), Vec3x8::splat(p));
         let mut least = f32x8::splat(f32::INFINITY);
-        for t in vectors(self.triangle_count) {
+        for t in vector_starts(self.triangle_count) {
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
-            let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
-            let (ua, ub, up, ap, bp) = (a.minus(u), b.minus(u), p.minus(u), p.minus(a), p.minus(b));
+            let vanishes = load_lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
+            let (ua, ub, up, ap, bp) = (a.sub(u), b.sub(u), p.sub(u), p.sub(a), p.sub(b));
             let normal = ua.cross(ub);
             let triangle = fan::Products {
                 d: [ua.dot(up), ub.dot(up), ua.dot(ap), ub.dot(ap), ua.dot(bp), ub.dot(bp)],
@@ -95,13 +95,13 @@ impl Star {
             let squared = vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
             least = least.fast_min(squared);
         }
-        least_of(least)
+        lane_min(least)
     }
 
     /// Marks the triangles that a collapse to neighbor `k` removes.
     pub(in crate::simplify) fn mark_vanishing(&mut self, k: Option<usize>) {
         let padded = self.triangle_count.next_multiple_of(LANES);
-        grow(&mut self.vanishes, padded);
+        ensure_len(&mut self.vanishes, padded);
         let mut vanishes = std::mem::take(&mut self.vanishes);
         let (real, rest) = vanishes[..padded].split_at_mut(self.triangle_count);
         real.fill(0.0);
@@ -147,12 +147,12 @@ impl Star {
         }
         let [a, b] = self.corners();
         let normals = slices(&self.normals, 0);
-        for t in vectors(self.triangle_count) {
+        for t in vector_starts(self.triangle_count) {
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
             let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
             let normal = Vec3x8::load(normals, t);
             let normal_squared = normal.dot(normal);
-            let is_none = lanes(&self.vanishes, t).simd_gt(f32x8::ONE);
+            let is_none = load_lanes(&self.vanishes, t).simd_gt(f32x8::ONE);
             for (middle, least) in &mut middles {
                 // The midpoint against the triangle (v, a, b), with v at the origin.
                 let mm = f32x8::splat(middle.length_squared());
@@ -168,7 +168,7 @@ impl Star {
                     .fast_min(is_none.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared()));
             }
         }
-        let worst = middles.iter().map(|(_, least)| least_of(*least));
+        let worst = middles.iter().map(|(_, least)| lane_min(*least));
         let worst = worst.fold(0.0, f32::max);
         self.middles = middles;
         worst

@@ -19,17 +19,17 @@
 //! Triangles are processed eight at a time; sums are folded in a fixed order, so that results are the
 //! same on every machine.
 
+mod border_edge;
 mod borders;
 mod candidate;
 mod lanes;
-mod special;
 
 use glam::Vec3;
 use wide::{f32x4, f32x8};
 
 use super::links::{LinkEdge, LinkKind, Links};
-use lanes::{Coordinates, LANES, Vec3x8, fold, four, grow, slices, vectors};
-use special::Special;
+use border_edge::BorderEdge;
+use lanes::{Coordinates, LANES, Vec3x8, ensure_len, lane_sum, load_four, slices, vector_starts};
 
 /// Area, as a multiple of the squared distance, that a spike counts for in addition to the area of its
 /// star: thin spikes have almost no area, but are visible.
@@ -69,10 +69,10 @@ pub(in crate::simplify) struct Star {
     /// Midpoints of new edges, and their squared distances from the old triangles.
     middles: Vec<(Vec3, f32x8)>,
     edges: Vec<LinkEdge>,
-    special: Vec<Special>,
+    border_edges: Vec<BorderEdge>,
     /// The vertex of the center that each triangle uses, if
     /// [`Wedges::load`](super::wedges::Wedges::load) was called.
-    pub(in crate::simplify) shown: Vec<u32>,
+    pub(in crate::simplify) center_wedges: Vec<u32>,
 }
 
 impl Star {
@@ -149,8 +149,8 @@ impl Star {
         self.ids.extend(self.edges.iter().flat_map(|e| [e.a, e.b]));
         self.ids.sort_unstable();
         self.ids.dedup();
-        let place = |id: u32| self.ids.binary_search(&id).unwrap_or(0) as u32;
-        self.pairs.extend(self.edges.iter().map(|e| [place(e.a), place(e.b)]));
+        let index_of = |id: u32| self.ids.binary_search(&id).unwrap_or(0) as u32;
+        self.pairs.extend(self.edges.iter().map(|e| [index_of(e.a), index_of(e.b)]));
         self.triangles.clear();
         self.triangles.extend(self.edges.iter().map(|e| e.triangle));
     }
@@ -159,7 +159,7 @@ impl Star {
         let n = self.ids.len();
         // Leaves room for a whole SIMD vector after the repeated first entry.
         let padded = n + 1 + 2 * LANES;
-        self.offsets.iter_mut().for_each(|array| grow(array, padded));
+        self.offsets.iter_mut().for_each(|array| ensure_len(array, padded));
         let [vx, vy, vz, _] = positions[v as usize];
         let [x, y, z] = &mut self.offsets;
         let (x, y, z) = (&mut x[..padded], &mut y[..padded], &mut z[..padded]);
@@ -182,7 +182,7 @@ impl Star {
         let padded = self.triangle_count.next_multiple_of(LANES) + LANES;
         for (side, corners) in self.corners.iter_mut().enumerate() {
             for (offsets, corners) in self.offsets.iter().zip(corners) {
-                grow(corners, padded);
+                ensure_len(corners, padded);
                 for (corner, pair) in corners.iter_mut().zip(&self.pairs) {
                     *corner = offsets[pair[side] as usize];
                 }
@@ -193,9 +193,9 @@ impl Star {
     fn compute_normals(&mut self) {
         let m = self.triangle_count;
         let mut normals = std::mem::take(&mut self.normals);
-        normals.iter_mut().for_each(|array| grow(array, m + 2 * LANES));
+        normals.iter_mut().for_each(|array| ensure_len(array, m + 2 * LANES));
         let [a, b] = self.corners();
-        for t in vectors(m) {
+        for t in vector_starts(m) {
             let normal = Vec3x8::load(a, t).cross(Vec3x8::load(b, t));
             for (array, lanes) in normals.iter_mut().zip([normal.x, normal.y, normal.z]) {
                 array[t..t + LANES].copy_from_slice(&lanes.to_array());
@@ -214,7 +214,7 @@ impl Star {
         let n = self.ids.len();
         self.costs.clear();
         let offsets = slices(&self.offsets, 0);
-        for i in vectors(n) {
+        for i in vector_starts(n) {
             let Vec3x8 { x, y, z } = Vec3x8::load(offsets, i);
             let mixed = xy * x * y + xz * x * z + yz * y * z;
             let form = xx * x * x + yy * y * y + zz * z * z + (mixed + mixed);
@@ -238,7 +238,7 @@ impl Star {
         let mut sums = [f32x4::ZERO; 10];
         for t in (0..self.triangle_count).step_by(4) {
             let [x, y, z] = &self.normals;
-            let (x, y, z) = (four(x, t), four(y, t), four(z, t));
+            let (x, y, z) = (load_four(x, t), load_four(y, t), load_four(z, t));
             let length = (x * x + y * y + z * z).sqrt();
             let weight = f32x4::splat(0.5) / length.fast_max(f32x4::splat(f32::MIN_POSITIVE));
             let (wx, wy, wz) = (weight * x, weight * y, weight * z);
@@ -248,7 +248,7 @@ impl Star {
             }
         }
         let mut folded = [0.0; 10];
-        folded.iter_mut().zip(sums).for_each(|(out, sum)| *out = fold(sum));
+        folded.iter_mut().zip(sums).for_each(|(out, sum)| *out = lane_sum(sum));
         let [xx, yy, zz, xy, xz, yz, nx, ny, nz, area] = folded;
         self.area_doubled = area;
         self.mean_normal = Vec3::new(nx, ny, nz);

@@ -7,12 +7,12 @@
 //!
 //! All coordinates are relative to the removed vertex, which is therefore the origin.
 
-mod over;
+mod point_sides;
 mod search;
 
 use glam::Vec3;
 
-use super::options::MAX_DEGREE;
+use super::removal_options::MAX_DEGREE;
 use crate::simplify::collapse::fan::distance_squared;
 
 /// An open ring has one more position than triangles.
@@ -36,7 +36,7 @@ pub(super) type RingTriangle = [u8; 3];
 pub(super) enum Features {
     None,
     /// One passes through the vertex, to these two members of the ring.
-    Course(usize, usize),
+    Crease(usize, usize),
     /// Several meet or one ends at the vertex.
     Corner,
 }
@@ -50,7 +50,7 @@ pub(super) struct Hole {
     /// Unscaled normals of the old triangles `(v, i, i + 1)`.
     normals: [Vec3; MAX_RING],
     /// Whether the old triangle's normal is unreliable.
-    is_vague: [bool; MAX_RING],
+    is_normal_unreliable: [bool; MAX_RING],
     least_quality: f32,
     area: f32,
     /// Facing direction of the surface around the diagonal between two members of the ring.
@@ -95,14 +95,14 @@ impl Hole {
             let length = normal.length();
             let quality = quality(length, edges_squared([Vec3::ZERO, a, b]));
             self.normals[t] = normal;
-            self.is_vague[t] = quality <= NEEDLE_QUALITY;
+            self.is_normal_unreliable[t] = quality <= NEEDLE_QUALITY;
             self.least_quality = self.least_quality.min(quality);
             self.area += 0.5 * length;
             sum += normal;
         }
         for t in 0..self.triangle_count() {
             // A triangle that was folded over may unfold.
-            self.is_vague[t] |= self.normals[t].dot(sum) <= 0.0;
+            self.is_normal_unreliable[t] |= self.normals[t].dot(sum) <= 0.0;
         }
         self.measure_diagonals(sum);
     }
@@ -160,7 +160,7 @@ impl Hole {
         let mut sharp = (first..self.triangle_count()).filter(is_sharp);
         match (sharp.next(), sharp.next(), sharp.next()) {
             (None, ..) => Features::None,
-            (Some(a), Some(b), None) if self.is_closed => Features::Course(a, b),
+            (Some(a), Some(b), None) if self.is_closed => Features::Crease(a, b),
             _ => Features::Corner,
         }
     }
@@ -247,7 +247,7 @@ impl Hole {
     }
 
     /// Returns the unscaled normal of a new triangle; `None` if it would be flipped or a sliver.
-    fn sound_normal(&self, [i, j, k]: [usize; 3]) -> Option<Vec3> {
+    fn valid_normal(&self, [i, j, k]: [usize; 3]) -> Option<Vec3> {
         let corners @ [a, b, c] = [i, j, k].map(|x| self.ring[x]);
         let normal = (b - a).cross(c - a);
         let length = normal.length();
@@ -259,7 +259,7 @@ impl Hole {
         let follows_facing = normal.dot(facing) > FLIP_COSINE * length * facing.length();
         let follows = |t: usize| {
             let old = self.normals[t];
-            self.is_vague[t] || normal.dot(old) > FLIP_COSINE * length * old.length()
+            self.is_normal_unreliable[t] || normal.dot(old) > FLIP_COSINE * length * old.length()
         };
         let is_sound = follows_facing
             && (j != i + 1 || follows(i))

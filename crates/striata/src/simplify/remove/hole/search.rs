@@ -17,8 +17,8 @@
 //! Time O(n^3) for a ring of n; each triangle is evaluated once.
 
 use super::{Hole, RingTriangle, edges_squared, quality};
-use crate::simplify::remove::options::HoleCriterion;
-use crate::simplify::remove::points::Point;
+use crate::simplify::remove::removal_options::HoleCriterion;
+use crate::simplify::remove::tracked_vertices::TrackedVertex;
 
 /// Cost of a squared gap under a new edge, per area of the star.
 const GAP_WEIGHT: f32 = 0.2;
@@ -27,7 +27,7 @@ impl Hole {
     /// Finds the best triangulation and stores it in `floor`; returns false if there is none.
     pub(in crate::simplify::remove) fn triangulate(
         &mut self,
-        points: &[Point],
+        points: &[TrackedVertex],
         criterion: HoleCriterion,
         floor: &mut Vec<RingTriangle>,
     ) -> bool {
@@ -49,7 +49,13 @@ impl Hole {
         is_found
     }
 
-    fn best_between(&mut self, i: usize, j: usize, points: &[Point], criterion: HoleCriterion) -> f32 {
+    fn best_between(
+        &mut self,
+        i: usize,
+        j: usize,
+        points: &[TrackedVertex],
+        criterion: HoleCriterion,
+    ) -> f32 {
         if self.allowed[i] & 1 << j == 0 {
             return f32::INFINITY;
         }
@@ -76,13 +82,13 @@ impl Hole {
     }
 
     /// Cost of a triangle; infinite if it is not allowed.
-    fn triangle_cost(&self, corners: [usize; 3], points: &[Point], criterion: HoleCriterion) -> f32 {
-        let Some(normal) = self.sound_normal(corners) else { return f32::INFINITY };
+    fn triangle_cost(&self, corners: [usize; 3], points: &[TrackedVertex], criterion: HoleCriterion) -> f32 {
+        let Some(normal) = self.valid_normal(corners) else { return f32::INFINITY };
         match criterion {
             HoleCriterion::Distance => {
                 let level = normal.dot(self.ring[corners[0]]);
                 let mut sum = 0.0;
-                self.for_each_over(corners, points, |point| {
+                self.for_each_point_over(corners, points, |point| {
                     let height = normal.dot(point.at) - level;
                     sum += point.weight * height * height;
                 });
@@ -114,7 +120,7 @@ impl Hole {
     /// member of the ring at its center.
     pub(in crate::simplify::remove) fn best_fan(
         &mut self,
-        points: &[Point],
+        points: &[TrackedVertex],
         floor: &mut Vec<RingTriangle>,
     ) -> Option<usize> {
         self.compute_sides(points);
@@ -154,7 +160,7 @@ mod tests {
     use crate::mesh::Random;
 
     /// A ring around the origin, not flat, and points over it.
-    fn random_hole(n: usize, random: &mut Random) -> (Hole, Vec<Point>) {
+    fn random_hole(n: usize, random: &mut Random) -> (Hole, Vec<TrackedVertex>) {
         let mut hole = Hole::default();
         let ring: Vec<Vec3> = (0..n)
             .map(|i| {
@@ -164,7 +170,7 @@ mod tests {
             })
             .collect();
         hole.load(ring.into_iter(), true);
-        let mut point = |position| Point {
+        let mut point = |position| TrackedVertex {
             position,
             at: Vec3::from([(); 3].map(|()| random.between(-0.4, 0.4))),
             weight: random.between(0.1, 1.0),
@@ -174,7 +180,13 @@ mod tests {
     }
 
     /// Least cost of all triangulations between `i` and `j`, by exhaustive search.
-    fn least_of_all(hole: &Hole, i: usize, j: usize, points: &[Point], criterion: HoleCriterion) -> f32 {
+    fn least_of_all(
+        hole: &Hole,
+        i: usize,
+        j: usize,
+        points: &[TrackedVertex],
+        criterion: HoleCriterion,
+    ) -> f32 {
         if j < i + 2 {
             return 0.0;
         }
@@ -189,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_better_than_the_best() {
+    fn triangulation_cost_matches_exhaustive_search() {
         let mut random = Random::new(5);
         let mut found_count = 0;
         for case in 0..200 {
@@ -222,7 +234,9 @@ mod tests {
             }
             let mut counts = vec![0; points.len()];
             for triangle in &floor {
-                hole.for_each_over(triangle.map(usize::from), &points, |p| counts[p.position as usize] += 1);
+                hole.for_each_point_over(triangle.map(usize::from), &points, |p| {
+                    counts[p.position as usize] += 1
+                });
             }
             // Far from the ring, the directions of different diagonals may disagree.
             let once = counts.iter().filter(|&&count| count == 1).count();
@@ -231,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn the_edge_that_must_stay_is_there() {
+    fn kept_edge_is_in_every_triangulation() {
         let mut random = Random::new(3);
         for _ in 0..50 {
             let (mut hole, points) = random_hole(8, &mut random);
@@ -249,7 +263,7 @@ mod tests {
         let ring = [[1., 0., 0.], [0., 1., 1.], [-1., 0., 0.], [0., -1., 1.]].map(Vec3::from);
         let mut hole = Hole::default();
         hole.load(ring.into_iter(), true);
-        let own = Point { position: 0, at: Vec3::ZERO, weight: 1.0, before: 0.0 };
+        let own = TrackedVertex { position: 0, at: Vec3::ZERO, weight: 1.0, before: 0.0 };
         let mut floor = Vec::new();
         assert!(hole.triangulate(&[own], HoleCriterion::Distance, &mut floor));
         assert_eq!(hole.diagonals(&floor).collect::<Vec<_>>(), [(0, 2)]);
