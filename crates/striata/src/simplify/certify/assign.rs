@@ -15,8 +15,9 @@ use wide::f64x4;
 use super::floor::Floor;
 use super::polygon::{MAX_CORNERS, Polygon};
 
-/// Maximum number of cuts per piece, plus a number for each triangle of the floor that it may cross.
+/// Maximum number of cuts per piece, apart from those for each triangle of the floor.
 const MAX_CUTS: usize = 16;
+/// Additional cuts per piece for each triangle of the floor.
 const MAX_CUTS_PER_FACE: usize = 4;
 
 /// A face is nearer only if its squared distance is below this share of the other's: rounding must not

@@ -158,7 +158,7 @@ impl Cover {
 
     /// Returns the largest distance between the proposed pieces and the pieces that their new faces
     /// have already, ignoring displaced triangles and faces that are `exempt` (by index in the floor).
-    /// `None` if all faces are.
+    /// `None` if every face is exempt.
     fn reach(&self, exempt: impl Fn(usize) -> bool) -> Option<f64> {
         let Proposal { floor, wholes, parts, .. } = &self.proposal;
         let mut reach: Option<f64> = None;

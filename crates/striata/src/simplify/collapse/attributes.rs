@@ -44,7 +44,7 @@ const MAX_EXTENSION: f32 = 3.0;
 /// Multiple of the default weight for the texture coordinates of an atlas, if one unit of them is as
 /// long as the diagonal of the mesh: what the viewer sees is how far the texture slides on the surface.
 const SLIDE_FACTOR: f32 = 3.0;
-/// Limits of that multiple.
+/// Lower and upper limit of that multiple.
 const LEAST_SLIDE: f32 = 0.3;
 const MOST_SLIDE: f32 = 4.0;
 /// Mean square over a triangle of the linear function that is 1 at one corner and 0 at the others.

@@ -55,8 +55,8 @@ impl CollapseExecutor {
     }
 
     /// Largest squared error so far, scaled units.
-    pub(in crate::simplify) fn worst(&self) -> f32 {
-        self.witnesses.worst()
+    pub(in crate::simplify) fn worst_squared(&self) -> f32 {
+        self.witnesses.worst_squared()
     }
 
     /// Squared distance of the witness of `v` from the fan that collapsing `v` to the neighbor `u`
@@ -133,10 +133,10 @@ impl CollapseExecutor {
             worst = self.witnesses.remeasure(evaluator, (&self.gone, &[]), choice.target);
         }
         let protrusion = reported_protrusion(&evaluator.positions, v, choice);
-        if !evaluator.is_measured_outward() {
+        if !evaluator.measures_outward() {
             return worst.max(protrusion);
         }
-        evaluator.note_outward((v, choice.target), &self.ring, choice, worst);
+        evaluator.update_outward_bounds((v, choice.target), &self.ring, choice, worst);
         choice.outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
     }
 
@@ -165,7 +165,7 @@ impl CollapseExecutor {
         self.witnesses.remeasure(evaluator, gone, host);
         evaluator.followers_into(host, 0, &mut self.gone);
         let worst = self.witnesses.remeasure(evaluator, (&self.gone, points), host);
-        if !evaluator.is_measured_outward() {
+        if !evaluator.measures_outward() {
             return worst.max(reported_protrusion(&evaluator.positions, v, choice));
         }
         let outward = match choice.kind {
@@ -177,7 +177,7 @@ impl CollapseExecutor {
             }
         };
         let choice = CollapseChoice { outward, ..*choice };
-        evaluator.note_outward((v, choice.target), &self.ring, &choice, worst);
+        evaluator.update_outward_bounds((v, choice.target), &self.ring, &choice, worst);
         outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
     }
 

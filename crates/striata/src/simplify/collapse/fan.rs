@@ -57,7 +57,7 @@ pub(in crate::simplify) fn nearest(a: Vec3, b: Vec3, c: Vec3) -> [f32; 3] {
     [1.0 - v - w, v, w]
 }
 
-/// Quotient, or 0 if the divisor is 0, as for degenerate triangles.
+/// Quotient, or 0 if the divisor is not positive, as for degenerate triangles.
 #[inline]
 fn ratio(x: f32, y: f32) -> f32 {
     if y > 0.0 { x / y } else { 0.0 }

@@ -37,7 +37,7 @@ impl CostEvaluator<'_> {
     ) -> Option<(u32, CollapseChoice)> {
         let relaxed = self.relaxed.as_ref().filter(|relaxed| relaxed.is_foliage)?;
         let LostCover { cover, host, is_covered } = relaxed.parts.lost_cover(relaxed.parts.part_of(v))?;
-        let host = relaxed.current_of(host);
+        let host = relaxed.find_current(host);
         let part = relaxed.parts.part_of(host);
         if is_covered || relaxed.parts.triangle_count(part) > MAX_LEAF_TRIANGLES {
             return None;

@@ -35,9 +35,9 @@ impl CostEvaluator<'_> {
     /// Whether steps are also measured from the new surface to the original mesh: if there are seams,
     /// or once a relaxed collapse has been applied. Closed scans skip this, which would take a third of
     /// their time.
-    pub(in crate::simplify) fn is_measured_outward(&self) -> bool {
+    pub(in crate::simplify) fn measures_outward(&self) -> bool {
         let Some(relaxed) = &self.relaxed else { return false };
-        self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.is_tail)
+        self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.begins_last)
     }
 
     /// Whether nearest points are searched in the whole mesh: if there are seams, or once a relaxed
@@ -109,7 +109,7 @@ impl CostEvaluator<'_> {
 
     /// Updates the bounds for the distance of the new fan, left by the collapse of `v` to `u`, from the
     /// original mesh.
-    pub(in crate::simplify) fn note_outward(
+    pub(in crate::simplify) fn update_outward_bounds(
         &mut self,
         (v, u): (u32, u32),
         ring: &[u32],

@@ -46,12 +46,12 @@ impl<'a> RelaxationSchedule<'a> {
     }
 
     /// Whether relaxed collapses are postponed until no strict one is left.
-    pub(in crate::simplify) fn is_waiting(&self) -> bool {
+    pub(in crate::simplify) fn is_postponed(&self) -> bool {
         self.state == ScheduleState::AfterStrict
     }
 
     /// Called when a position has no strict collapse: begins relaxed collapses, or postpones them.
-    pub(in crate::simplify) fn consider(
+    pub(in crate::simplify) fn begin_or_postpone(
         &mut self,
         evaluator: &mut CostEvaluator<'a>,
         removed: RemovedPositions<'_>,
@@ -81,7 +81,7 @@ impl<'a> RelaxationSchedule<'a> {
     ) {
         let mut relaxed =
             self.waiting.take().unwrap_or_else(|| RelaxedState::new(self.welded, self.keeps_parts));
-        relaxed.is_tail = self.is_waiting();
+        relaxed.begins_last = self.is_postponed();
         relaxed.begin(&evaluator.links, &evaluator.is_locked, removed);
         evaluator.relaxed = Some(relaxed);
         if self.state != ScheduleState::Never {

@@ -1,5 +1,5 @@
 //! Global state that relaxed collapses need: connected parts, where removed positions went, and a
-//! triangle tree.
+//! snapshot of the surface.
 
 use glam::Vec3;
 
@@ -41,7 +41,7 @@ pub(in crate::simplify) struct RelaxedState<'a> {
     pub(in crate::simplify) search: u32,
     pub(in crate::simplify) keeps_parts: bool,
     /// Whether relaxed collapses begin only after all strict ones.
-    pub(in crate::simplify) is_tail: bool,
+    pub(in crate::simplify) begins_last: bool,
     /// Whether small parts make up most of the mesh.
     pub(in crate::simplify) is_foliage: bool,
     pub(in crate::simplify) has_locks: bool,
@@ -68,7 +68,7 @@ impl<'a> RelaxedState<'a> {
             stamps: Vec::new(),
             search: 0,
             keeps_parts,
-            is_tail: false,
+            begins_last: false,
             is_foliage: false,
             has_locks: false,
             has_relaxed: false,
@@ -125,7 +125,7 @@ impl<'a> RelaxedState<'a> {
     }
 
     /// Returns the position that a position has been merged into.
-    pub(in crate::simplify) fn current_of(&self, mut p: u32) -> u32 {
+    pub(in crate::simplify) fn find_current(&self, mut p: u32) -> u32 {
         while self.current[p as usize] != p {
             p = self.current[p as usize];
         }
@@ -155,7 +155,7 @@ impl<'a> RelaxedState<'a> {
 }
 
 impl RelaxedState<'_> {
-    /// Finds the point of the current surface that is nearest to a given point. The tree returns
+    /// Finds the point of the current surface that is nearest to a given point. The snapshot has
     /// triangles of an earlier surface; the stars of the positions that their corners were merged into
     /// are searched, if `is_counted` accepts those positions. Returns `known` unless something is
     /// nearer, and stops at a squared distance of `enough`.

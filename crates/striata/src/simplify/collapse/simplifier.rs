@@ -136,7 +136,7 @@ impl<'a> Simplifier<'a> {
     /// Returns the position with the smallest key, and that key; begins relaxed collapses if they had
     /// to wait for the last strict one.
     fn peek(&mut self) -> Option<(f32, u32)> {
-        if self.heap.first().is_none() && self.schedule.is_waiting() {
+        if self.heap.first().is_none() && self.schedule.is_postponed() {
             self.begin_relaxed();
             for v in 0..self.target.len() as u32 {
                 self.target[v as usize] = UNDECIDED;
@@ -159,7 +159,7 @@ impl<'a> Simplifier<'a> {
         let mut choice = self.evaluator.best_choice(v);
         if choice.is_none() && self.schedule.is_possible() {
             let record = &self.executor.record;
-            self.schedule.consider(&mut self.evaluator, (&record.removed, &record.targets));
+            self.schedule.begin_or_postpone(&mut self.evaluator, (&record.removed, &record.targets));
             choice = self.evaluator.relaxed_choice(v);
         } else if let Some(strict) = choice
             && self.evaluator.is_nearly_gone(v)
@@ -182,10 +182,10 @@ impl<'a> Simplifier<'a> {
     /// distance from the current mesh. This is done once for each choice.
     fn postpone_if_farther(&mut self, v: u32, u: u32, key: f32) -> bool {
         let is_open = self.kind[v as usize] == CollapseKind::Strict && self.outward[v as usize].is_nan();
-        if !is_open || !self.evaluator.is_measured_outward() {
+        if !is_open || !self.evaluator.measures_outward() {
             return false;
         }
-        let worst = self.executor.worst();
+        let worst = self.executor.worst_squared();
         let protrusion = self.protrusion_squared[v as usize];
         let outward = self.evaluator.outward_distance_before((v, u), protrusion, worst).unwrap_or(UNMEASURED);
         self.outward[v as usize] = outward;

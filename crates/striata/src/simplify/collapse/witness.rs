@@ -29,7 +29,7 @@ const NO_WITNESS: Witness = Witness { vertex: NONE, distance: 0.0 };
 /// The witness of each position, and scratch.
 #[derive(Debug)]
 pub(in crate::simplify) struct Witnesses {
-    of: Vec<Witness>,
+    by_position: Vec<Witness>,
     worst: f32,
     /// Whether witnesses next to a collapse are measured too; closed scans skip them, which saves a
     /// quarter of their time.
@@ -39,7 +39,7 @@ pub(in crate::simplify) struct Witnesses {
 
 impl Witnesses {
     pub(in crate::simplify) fn new(position_count: usize, follows_rings: bool) -> Self {
-        Self { of: vec![NO_WITNESS; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
+        Self { by_position: vec![NO_WITNESS; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
     }
 
     /// Updates witnesses after `v`, whose neighbors were `ring`, was collapsed to `u`; `own` is the
@@ -52,7 +52,7 @@ impl Witnesses {
         own: f32,
     ) -> f32 {
         // Both are removed here and stored again below.
-        let candidates = [v, u].map(|p| std::mem::replace(&mut self.of[p as usize], NO_WITNESS));
+        let candidates = [v, u].map(|p| std::mem::replace(&mut self.by_position[p as usize], NO_WITNESS));
         let (mut own, mut position) = (own, u);
         if own > self.worst {
             // Distances that raise the reported error are measured exactly: those in the cost are only
@@ -74,7 +74,7 @@ impl Witnesses {
     /// Returns the witness of `v` if collapsing `v` may make it the worst; `own` is the squared
     /// distance by which the collapse moves the surface at `v`.
     pub(in crate::simplify) fn possible_worst(&self, v: u32, own: f32) -> Option<u32> {
-        let Witness { vertex, distance } = self.of[v as usize];
+        let Witness { vertex, distance } = self.by_position[v as usize];
         let reach = distance + MOVE_FACTOR * own.sqrt();
         (vertex != NONE && reach * reach > self.worst).then_some(vertex)
     }
@@ -83,7 +83,7 @@ impl Witnesses {
     fn update_ring(&mut self, evaluator: &mut CostEvaluator<'_>, ring: &[u32], moved: f32) {
         let limit = self.worst.sqrt();
         for &p in ring {
-            let there = &mut self.of[p as usize];
+            let there = &mut self.by_position[p as usize];
             let reach = there.distance + moved;
             if there.vertex == NONE || reach <= limit {
                 there.distance = reach;
@@ -125,7 +125,7 @@ impl Witnesses {
         position: u32,
     ) -> f32 {
         for &p in lost {
-            let witness = std::mem::replace(&mut self.of[p as usize], NO_WITNESS);
+            let witness = std::mem::replace(&mut self.by_position[p as usize], NO_WITNESS);
             for vertex in
                 [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != position)
             {
@@ -164,7 +164,7 @@ impl Witnesses {
     }
 
     /// Largest squared distance so far.
-    pub(in crate::simplify) fn worst(&self) -> f32 {
+    pub(in crate::simplify) fn worst_squared(&self) -> f32 {
         self.worst
     }
 
@@ -176,7 +176,7 @@ impl Witnesses {
 
     /// Stores `candidate` at `position` if it is farther away than the witness there.
     fn store(&mut self, position: u32, candidate: Witness) {
-        let there = &mut self.of[position as usize];
+        let there = &mut self.by_position[position as usize];
         if candidate.distance > there.distance || there.vertex == NONE {
             *there = candidate;
         }

@@ -17,8 +17,8 @@
 //!
 //! The queue contains the cheapest edge of each position, by the quadratic form alone; flips, links,
 //! seams and the distance of the old vertices from the new triangles are tested when it reaches the
-//! top. Only the end that was evaluated last knows the current cost of a changed edge. The order is
-//! still by cost, although the other end may have an outdated one.
+//! top. If an edge has changed, the end that was evaluated last has its current cost, so the order is
+//! strictly by cost although the other end may still have an older one.
 //!
 //! Borders (boundaries, edges with three triangles, seams that must stay) are preserved: a vertex on a
 //! border is merged only along it, an inner vertex is merged into it without moving it, and vertices at
@@ -29,8 +29,8 @@
 //! the half-edge collapse that subset placement would choose, with its target unmoved, so that every
 //! target is reached. Both kinds share one queue, since both costs are squared distances over areas.
 //!
-//! Links, wedges and positions are those of a [`CostEvaluator`], which represents the current mesh in single
-//! precision.
+//! Links, wedges and positions are those of a `CostEvaluator`, which represents the current mesh in
+//! single precision.
 //!
 //! The loop stops at an error limit by an estimate from tracked vertices (`distance_tracker`). The
 //! error of the finished level is measured against the original, both ways; if it exceeds the limit,
@@ -60,7 +60,7 @@ use stop_criteria::StopCriteria;
 /// Number of times that a level beyond the error limit is simplified again, each time with a smaller
 /// limit.
 const MAX_RETRIES: usize = 8;
-/// Share of the diagonal by which single precision may turn a distance of 0 into another.
+/// Share of the diagonal that rounding to single precision may add to a distance.
 const NOISE: f64 = 1e-6;
 
 /// Simplifies to one level with freely placed vertices; the options must be in range.

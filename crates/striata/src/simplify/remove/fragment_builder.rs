@@ -67,8 +67,8 @@ impl<'a> FragmentBuilder<'a> {
     pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
         let total = self.evaluator.collapse_evaluator.positions.len() as u64;
         if self.schedule.is_possible() {
-            self.schedule.consider(&mut self.evaluator.collapse_evaluator, (&[], &[]));
-            if self.schedule.is_waiting() {
+            self.schedule.begin_or_postpone(&mut self.evaluator.collapse_evaluator, (&[], &[]));
+            if self.schedule.is_postponed() {
                 self.schedule.begin(&mut self.evaluator.collapse_evaluator, (&[], &[]));
             } else {
                 self.evaluator.phase = CollapsePhase::RelaxedState;

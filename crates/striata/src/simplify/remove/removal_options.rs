@@ -38,8 +38,8 @@ pub(super) const MAX_DEGREE: usize = 16;
 pub struct RemovalOptions {
     /// How holes may be filled; default [`Retriangulation::Free`].
     pub retriangulation: Retriangulation,
-    /// Which triangulation is the best; default by distance. Half-edge collapses are always compared by
-    /// distance.
+    /// Which triangulation is the best; default [`HoleCriterion::Distance`]. Half-edge collapses are
+    /// always compared by distance.
     pub criterion: HoleCriterion,
     /// Maximum number of triangles around a removed vertex, 3 to 16; default 8: larger limits give many
     /// more patterns and hardly better levels. Only collapses that change the topology may exceed it,
@@ -53,8 +53,8 @@ pub struct RemovalOptions {
     /// How boundaries are treated; default kept.
     pub boundary: BoundaryRule,
     /// Preserve edges at which the triangles' normals differ by more than this angle, in radians: a
-    /// vertex on two of them moves only along them, and a vertex on any other number of them stays.
-    /// Default none: only distances count.
+    /// vertex with two such edges moves only along them, and a vertex with one or with more than two
+    /// stays. Default none: only distances count.
     pub feature_angle: Option<f64>,
     /// How borders between triangle groups are treated; default kept. If they are locked, every vertex
     /// whose position is used by more than one group stays.

@@ -263,11 +263,11 @@ impl<'a> BatchSimplifier<'a> {
     ) -> Option<CollapseChoice> {
         if choice.kind != CollapseKind::Strict
             || choice.outward.is_some()
-            || !self.evaluator.is_measured_outward()
+            || !self.evaluator.measures_outward()
         {
             return Some(choice);
         }
-        let worst = self.executor.worst();
+        let worst = self.executor.worst_squared();
         let edge = (v, choice.target);
         choice.outward = self.evaluator.outward_distance_before(edge, choice.protrusion_squared, worst);
         let inward = self

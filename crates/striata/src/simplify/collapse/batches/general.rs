@@ -20,8 +20,8 @@ const DEFERRED_SHARE: usize = 32;
 /// A surface batch that removes less than one in this many positions is small, which makes a general
 /// batch due.
 const SMALL_BATCH: usize = 64;
-/// A general batch is due once this many quarters of the positions left by the last one remain, or
-/// fewer.
+/// A general batch is due only once at most this many quarters of the positions left by the last general
+/// batch remain.
 const LEFT_QUARTERS: usize = 3;
 
 /// Factor on the share of a batch after the first general one.
@@ -58,7 +58,7 @@ impl BatchSimplifier<'_> {
 
     /// Begins postponed collapses that change the topology; returns false if none were postponed.
     pub(super) fn begin_postponed(&mut self) -> bool {
-        if !self.schedule.is_waiting() || self.executor.triangle_count <= self.options.general_floor {
+        if !self.schedule.is_postponed() || self.executor.triangle_count <= self.options.general_floor {
             return false;
         }
         self.begin_relaxed();
@@ -81,7 +81,7 @@ impl BatchSimplifier<'_> {
         match choice {
             None if self.schedule.is_possible() => {
                 let record = &self.executor.record;
-                self.schedule.consider(&mut self.evaluator, (&record.removed, &record.targets));
+                self.schedule.begin_or_postpone(&mut self.evaluator, (&record.removed, &record.targets));
                 self.evaluator.relaxed_choice(v)
             }
             Some(strict) if self.evaluator.is_nearly_gone(v) => {

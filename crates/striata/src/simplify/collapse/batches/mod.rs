@@ -89,7 +89,7 @@ pub fn build_batches_with_progress(
     build_welded_batches_with_progress(weld(mesh)?, options, progress)
 }
 
-/// Simplifies a mesh that is already welded in batches.
+/// Simplifies an already welded mesh in batches.
 ///
 /// # Errors
 /// See [`build_batches`].

@@ -120,7 +120,7 @@ impl Merger<'_> {
         if self.evaluator.is_fixed(v) {
             return None;
         }
-        self.schedule.consider(&mut self.evaluator, (&self.removed, &self.targets));
+        self.schedule.begin_or_postpone(&mut self.evaluator, (&self.removed, &self.targets));
         self.evaluator.gather(v);
         let CollapseChoice { kind, cost, target, distance_squared, .. } = self.evaluator.relaxed_choice(v)?;
         let (position, other_version) =

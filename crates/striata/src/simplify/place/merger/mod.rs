@@ -159,7 +159,7 @@ impl<'a> Merger<'a> {
     /// Returns the position with the smallest key, and that key; begins relaxed collapses if they had
     /// to wait for the last strict one.
     fn next(&mut self) -> Option<(f32, u32)> {
-        if self.heap.first().is_none() && self.schedule.is_waiting() {
+        if self.heap.first().is_none() && self.schedule.is_postponed() {
             self.schedule.begin(&mut self.evaluator, (&self.removed, &self.targets));
             for v in 0..self.positions.len() as u32 {
                 self.choices[v as usize] = NO_CHOICE;
