@@ -22,7 +22,7 @@ const MAX_CUTS_PER_FACE: usize = 4;
 
 /// A face is nearer only if its squared distance is below this share of the other's: rounding must not
 /// cause cuts.
-const NEARER: f64 = 1.0 - 1e-5;
+const NEARER_SHARE: f64 = 1.0 - 1e-5;
 
 /// Maximum number of trials to find a point that is equally far from two triangles.
 const MAX_TRIALS: usize = 8;
@@ -210,15 +210,15 @@ impl PieceAssigner {
             squared(i).total_cmp(&squared(j))
         };
         let worst = (0..shape.count).max_by(farther)?;
-        let other = self.other(face, shape.points[worst])?;
+        let other = self.face_to_cut_towards(face, shape.points[worst])?;
         let mut cutter =
-            Cutter { assigner: self, shape, plane, faces: [face, other], border: None, even: 0.0 };
+            Cutter { assigner: self, shape, plane, faces: [face, other], bisector: None, tie_tolerance: 0.0 };
         let advantage = cutter.advantage(shape.points[worst]);
-        cutter.even = (0.01 * cutter.assigner.allowed().sqrt()).min(0.5 * advantage);
+        cutter.tie_tolerance = (0.01 * cutter.assigner.allowed().sqrt()).min(0.5 * advantage);
         if advantage <= 0.0 {
             return None;
         }
-        cutter.border = cutter.assigner.floor.border(face, other);
+        cutter.bisector = cutter.assigner.floor.bisector_plane(face, other);
         cutter.cut_around(worst)
     }
 }
@@ -227,17 +227,17 @@ impl PieceAssigner {
     /// Returns the face to which the region around a point is cut off: the nearest face that shares a
     /// side with `face`, if it is nearer than that, or else the nearest of all. Across a shared side
     /// the nearest face changes at the side, so the cut follows it.
-    fn other(&mut self, face: usize, point: u32) -> Option<usize> {
+    fn face_to_cut_towards(&mut self, face: usize, point: u32) -> Option<usize> {
         let own = self.points.squared(point, face);
         let points = &self.points;
         let squared = |&other: &usize| points.squared(point, other);
         let nearer = |a: &usize, b: &usize| squared(a).total_cmp(&squared(b));
         let adjacent = self.floor.adjacent(face).min_by(nearer);
-        if let Some(other) = adjacent.filter(|other| squared(other) < NEARER * own) {
+        if let Some(other) = adjacent.filter(|other| squared(other) < NEARER_SHARE * own) {
             return Some(other);
         }
         let (nearest, _) = self.points.best(&[point], self.floor.count());
-        (squared(&nearest) < NEARER * own).then_some(nearest)
+        (squared(&nearest) < NEARER_SHARE * own).then_some(nearest)
     }
 }
 
@@ -248,9 +248,9 @@ struct Cutter<'a> {
     plane: &'a TrianglePlane,
     faces: [usize; 2],
     /// If the faces share a side: a point of the plane of equal distances, and the plane's normal.
-    border: Option<(DVec3, DVec3)>,
+    bisector: Option<(DVec3, DVec3)>,
     /// Two distances that differ by no more than this are considered equal.
-    even: f64,
+    tie_tolerance: f64,
 }
 
 impl Cutter<'_> {
@@ -266,12 +266,12 @@ impl Cutter<'_> {
         for (advantage, &point) in advantages.iter_mut().zip(self.shape.points()) {
             *advantage = self.advantage(point);
         }
-        let is_first = |i: usize| advantages[i % count] < -self.even;
+        let is_first = |i: usize| advantages[i % count] < -self.tie_tolerance;
         // The nearest corners on either side of the worst that are closer to the first face.
         let after = (worst + 1..worst + count).find(|&i| is_first(i))?;
         let before = (after..worst + count).rev().find(|&i| is_first(i))?;
-        let end = self.crossing((after + count - 1) % count, after % count, &advantages);
-        let start = self.crossing((before + 1) % count, before % count, &advantages);
+        let end = self.equidistant_point((after + count - 1) % count, after % count, &advantages);
+        let start = self.equidistant_point((before + 1) % count, before % count, &advantages);
         let (mut off, mut rest) = (CutPiece::new(), CutPiece::new());
         off.push(start.0, start.1);
         for i in before + 1..after + count {
@@ -289,14 +289,19 @@ impl Cutter<'_> {
 
     /// Finds the point between two corners that is equally far from both faces. `from` is nearer to the
     /// second face, or equally far from both.
-    fn crossing(&mut self, from: usize, to: usize, advantages: &[f64; MAX_CORNERS + 1]) -> ([f64; 2], u32) {
+    fn equidistant_point(
+        &mut self,
+        from: usize,
+        to: usize,
+        advantages: &[f64; MAX_CORNERS + 1],
+    ) -> ([f64; 2], u32) {
         let (mut advantage_from, mut advantage_to) = (advantages[from], advantages[to]);
-        if advantage_from <= self.even {
+        if advantage_from <= self.tie_tolerance {
             return (self.shape.corners[from], self.shape.points[from]);
         }
         let [p, q] = [from, to].map(|i| self.shape.corners[i]);
         let (mut low, mut high) = (0.0, 1.0);
-        let mut guess = self.border.and_then(|(at, normal)| {
+        let mut guess = self.bisector.and_then(|(at, normal)| {
             let [height_from, height_to] = [from, to].map(|i| {
                 let point = self.assigner.points.at[self.shape.points[i] as usize];
                 normal.dot(point - at)
@@ -305,13 +310,13 @@ impl Cutter<'_> {
         });
         let mut trial = 0;
         loop {
-            let even = low + (high - low) * (advantage_from / (advantage_from - advantage_to));
-            let share = guess.take().unwrap_or(even);
+            let equal_share = low + (high - low) * (advantage_from / (advantage_from - advantage_to));
+            let share = guess.take().unwrap_or(equal_share);
             let corner = [p[0] + (q[0] - p[0]) * share, p[1] + (q[1] - p[1]) * share];
             let point = self.assigner.points.push(&self.assigner.floor, self.plane.at(corner));
             let advantage = self.advantage(point);
             trial += 1;
-            if advantage.abs() <= self.even || trial == MAX_TRIALS {
+            if advantage.abs() <= self.tie_tolerance || trial == MAX_TRIALS {
                 return (corner, point);
             }
             // The end that stays twice counts half (Illinois method), so that both ends converge.

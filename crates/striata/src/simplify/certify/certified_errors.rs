@@ -231,12 +231,12 @@ impl<'a> CoarseningWalk<'a> {
             let mut faces = substitutes.find((fragments, self.positions), step);
             faces.extend_from_slice(fragments.floor(step));
             self.set_floor(&faces);
-            let together = self.cover.propose(&self.ceiling, &self.floor);
-            if together >= bound {
+            let combined = self.cover.propose(&self.ceiling, &self.floor);
+            if combined >= bound {
                 self.set_floor(fragments.floor(step));
                 self.cover.propose(&self.ceiling, &self.floor);
             }
-            bound = bound.min(together);
+            bound = bound.min(combined);
         }
         self.cover.commit();
         bound
@@ -261,8 +261,8 @@ impl<'a> CoarseningWalk<'a> {
         self.cover.mark_orphans();
         self.cover.commit();
         self.largest = self.largest.max(bound);
-        let behind = reach.map_or(0.0, |reach| reach + self.largest);
-        bound.max(behind.min(self.cover.diagonal()))
+        let displaced_bound = reach.map_or(0.0, |reach| reach + self.largest);
+        bound.max(displaced_bound.min(self.cover.diagonal()))
     }
 
     fn set_floor(&mut self, faces: &[u32]) {

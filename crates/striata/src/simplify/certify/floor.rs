@@ -52,14 +52,14 @@ impl Floor {
     /// Returns the triangles that share a side with a triangle.
     pub(super) fn adjacent(&self, triangle: usize) -> impl Iterator<Item = usize> {
         let own = &self.corners[triangle];
-        let is_beside =
+        let is_adjacent =
             move |other: &[DVec3; 3]| own.iter().filter(|corner| other.contains(corner)).count() >= 2;
-        (0..self.corners.len()).filter(move |&other| other != triangle && is_beside(&self.corners[other]))
+        (0..self.corners.len()).filter(move |&other| other != triangle && is_adjacent(&self.corners[other]))
     }
 
     /// Returns a point and the normal of the plane whose points are equally far from two triangles that
     /// share a side.
-    pub(super) fn border(&self, one: usize, other: usize) -> Option<(DVec3, DVec3)> {
+    pub(super) fn bisector_plane(&self, one: usize, other: usize) -> Option<(DVec3, DVec3)> {
         let (one, other) = (&self.corners[one], &self.corners[other]);
         let [a, b] = [(one, other), (other, one)].map(|(t, u)| t.iter().find(|corner| !u.contains(corner)));
         let mut shared = one.iter().filter(|corner| other.contains(corner));

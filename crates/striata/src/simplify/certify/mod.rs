@@ -58,7 +58,7 @@ const NEGLIGIBLE: f64 = 1e-11;
 
 /// Maximum number of triangles of a face's pieces that are searched for the one nearest to another
 /// piece.
-const MAX_KNOWN: usize = 1 << 10;
+const MAX_ASSIGNED_TRIANGLES: usize = 1 << 10;
 
 /// Assignment of pieces of the original surface to the faces of the current one.
 pub(crate) struct Cover {
@@ -196,7 +196,7 @@ impl Cover {
         };
         self.pieces.for_each_whole(face, |triangle| add(triangle, &WHOLE));
         self.pieces.for_each_part(face, |triangle, polygon| add(triangle, polygon.corners()));
-        let stride = known.len().div_ceil(MAX_KNOWN).max(1);
+        let stride = known.len().div_ceil(MAX_ASSIGNED_TRIANGLES).max(1);
         known.into_iter().step_by(stride).collect()
     }
 

@@ -11,7 +11,7 @@ pub(super) const WHOLE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
 /// A corner closer than this to the line between its neighbors is dropped, in units of the triangle's
 /// sides.
-const FLAT: f64 = 1e-14;
+const FLATNESS_TOLERANCE: f64 = 1e-14;
 
 /// A convex polygon, counterclockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +92,8 @@ fn push_convex(chain: &mut [[f64; 2]], mut length: usize, fixed: usize, p: [f64;
 fn turns_left(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
     let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
     let twice_area = ab[0] * ac[1] - ab[1] * ac[0];
-    twice_area > 0.0 && twice_area * twice_area > FLAT * FLAT * (ac[0] * ac[0] + ac[1] * ac[1])
+    twice_area > 0.0
+        && twice_area * twice_area > FLATNESS_TOLERANCE * FLATNESS_TOLERANCE * (ac[0] * ac[0] + ac[1] * ac[1])
 }
 
 #[cfg(test)]

@@ -45,8 +45,8 @@ const MAX_EXTENSION: f32 = 3.0;
 /// long as the diagonal of the mesh: what the viewer sees is how far the texture slides on the surface.
 const SLIDE_FACTOR: f32 = 3.0;
 /// Lower and upper limit of that multiple.
-const LEAST_SLIDE: f32 = 0.3;
-const MOST_SLIDE: f32 = 4.0;
+const MIN_SLIDE: f32 = 0.3;
+const MAX_SLIDE: f32 = 4.0;
 /// Mean square over a triangle of the linear function that is 1 at one corner and 0 at the others.
 const CORNER_SHARE: f32 = 1.0 / 6.0;
 /// Maximum number of wedges that are distinguished in one star; any more do not add to the cost.
@@ -133,7 +133,7 @@ impl AttributeSpace {
         }
         for vertex in 0..welded.mesh.vertex_count() {
             let slide = match lengths.get(vertex) {
-                Some(&length) if length > 0.0 => (SLIDE_FACTOR * length).clamp(LEAST_SLIDE, MOST_SLIDE),
+                Some(&length) if length > 0.0 => (SLIDE_FACTOR * length).clamp(MIN_SLIDE, MAX_SLIDE),
                 _ => 1.0,
             };
             let factor =

@@ -202,7 +202,7 @@ impl<'a> CostEvaluator<'a> {
     /// Loads the wedge of `v` in each triangle of the gathered star.
     fn load_wedges(&mut self, v: u32) {
         if let Some(wedges) = &self.wedges {
-            wedges.load(&mut self.star, v);
+            wedges.load_center_wedges(&mut self.star, v);
         }
     }
 

@@ -15,7 +15,7 @@ use super::witness::Witnesses;
 const PROTRUSION_NOISE: f32 = 1e-5;
 
 /// Once this many positions have been merged into one, a single witness is not enough.
-const LEAST_FOLLOWERS: usize = 16;
+const MIN_FOLLOWERS: usize = 16;
 
 /// Applies collapses and records them.
 #[derive(Debug)]
@@ -129,7 +129,7 @@ impl CollapseExecutor {
         let own = choice.distance_squared;
         let mut worst = self.witnesses.collapse(evaluator, (v, choice.target), &self.ring, own);
         if evaluator.has_relaxed() {
-            evaluator.followers_into(choice.target, LEAST_FOLLOWERS, &mut self.gone);
+            evaluator.followers_into(choice.target, MIN_FOLLOWERS, &mut self.gone);
             worst = self.witnesses.remeasure(evaluator, (&self.gone, &[]), choice.target);
         }
         let protrusion = reported_protrusion(&evaluator.positions, v, choice);

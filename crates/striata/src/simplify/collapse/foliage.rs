@@ -23,7 +23,7 @@ use super::parts::LostCover;
 use super::relaxed_state::MAX_LEAF_TRIANGLES;
 
 /// Least cosine of the angle by which a grown triangle may turn.
-const LEAST_COSINE: f32 = 0.3;
+const MIN_COSINE: f32 = 0.3;
 /// Weight of the squared longest edge against the missing or excess area.
 const LENGTH_WEIGHT: f32 = 0.1;
 
@@ -42,12 +42,12 @@ impl CostEvaluator<'_> {
         if is_covered || relaxed.parts.triangle_count(part) > MAX_LEAF_TRIANGLES {
             return None;
         }
-        let wanted = cover + relaxed.parts.cover(part);
+        let target_area = cover + relaxed.parts.cover(part);
         let mut corners = self.links.entries(host).to_vec();
         corners.push(host);
         corners.sort_unstable();
         corners.dedup();
-        let gain = wanted - self.area_around(&corners);
+        let gain = target_area - self.area_around(&corners);
         let mut best: Option<(f32, u32, u32)> = None;
         let mut edges: Vec<LinkEdge> = Vec::new();
         for h in corners {
@@ -102,7 +102,7 @@ impl CostEvaluator<'_> {
                 return None;
             }
             let [old, new] = [from, to_at].map(|p| (a - p).cross(b - p));
-            if new.dot(old) < LEAST_COSINE * new.length() * old.length() {
+            if new.dot(old) < MIN_COSINE * new.length() * old.length() {
                 return None;
             }
             before += 0.5 * old.length();

@@ -60,8 +60,8 @@ impl OutwardBounds {
     /// Raises the bounds of `u` and its `ring` to at least `bound`.
     pub(in crate::simplify) fn note(&mut self, u: u32, ring: &[u32], bound: f32) {
         for &p in ring.iter().chain([&u]) {
-            if let Some(there) = self.bounds.get_mut(p as usize) {
-                *there = there.max(bound);
+            if let Some(bound_of_position) = self.bounds.get_mut(p as usize) {
+                *bound_of_position = bound_of_position.max(bound);
             }
         }
     }

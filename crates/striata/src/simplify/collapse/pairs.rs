@@ -11,7 +11,7 @@ use super::fan::point;
 const MAX_PARTNERS: usize = 8;
 /// Maximum number of positions or list entries examined for one position, so that a generous threshold
 /// stays affordable.
-const MAX_LOOKS: usize = 256;
+const MAX_EXAMINED: usize = 256;
 const NONE: u32 = u32::MAX;
 
 /// Candidates for contraction in addition to the neighbors.
@@ -54,7 +54,7 @@ impl Pairs {
                 for y in cy - 1..=cy + 1 {
                     // One range covers the three cells along the last axis.
                     for list in cells.range([x, y, cz - 1]..=[x, y, cz + 1]).map(|(_, list)| list) {
-                        let room = MAX_LOOKS.saturating_sub(near.len());
+                        let room = MAX_EXAMINED.saturating_sub(near.len());
                         near.extend(
                             list.iter()
                                 .filter(|&&q| q != p)
@@ -98,7 +98,7 @@ impl Pairs {
     pub(in crate::simplify) fn partners_into(&mut self, v: u32, out: &mut Vec<u32>) {
         out.clear();
         let mut entry = self.head[v as usize];
-        for _ in 0..MAX_LOOKS {
+        for _ in 0..MAX_EXAMINED {
             if entry == NONE || out.len() == 4 * MAX_PARTNERS {
                 break;
             }

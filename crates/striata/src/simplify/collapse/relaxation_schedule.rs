@@ -13,7 +13,7 @@ use crate::simplify::options::TopologyRule;
 
 /// On a closed surface of several parts, relaxed collapses are postponed if the parts have at least
 /// this many triangles on average: strict collapses alone reduce them to a twenty-fifth.
-const LEAST_CLOSED_PART: usize = 100;
+const MIN_CLOSED_PART_TRIANGLES: usize = 100;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ScheduleState {
@@ -31,13 +31,13 @@ pub(in crate::simplify) struct RelaxationSchedule<'a> {
     keeps_parts: bool,
     state: ScheduleState,
     /// State prepared for relaxed collapses that begin later.
-    waiting: Option<RelaxedState<'a>>,
+    pending: Option<RelaxedState<'a>>,
 }
 
 impl<'a> RelaxationSchedule<'a> {
     pub(in crate::simplify) fn new(welded: &'a Welded, rule: TopologyRule) -> Self {
         let state = if rule == TopologyRule::Keep { ScheduleState::Never } else { ScheduleState::Undecided };
-        Self { welded, keeps_parts: rule == TopologyRule::KeepParts, state, waiting: None }
+        Self { welded, keeps_parts: rule == TopologyRule::KeepParts, state, pending: None }
     }
 
     /// Whether there may ever be relaxed collapses.
@@ -62,11 +62,12 @@ impl<'a> RelaxationSchedule<'a> {
         let relaxed = RelaxedState::new(self.welded, self.keeps_parts);
         let is_closed = |p: u32| matches!(evaluator.links.kind(p), LinkKind::Closed | LinkKind::Empty);
         let part_count = relaxed.part_count();
-        let waits = self.welded.positions.is_identity()
-            && (part_count == 1 || LEAST_CLOSED_PART * part_count <= self.welded.mesh.triangle_count())
+        let is_postponed = self.welded.positions.is_identity()
+            && (part_count == 1
+                || MIN_CLOSED_PART_TRIANGLES * part_count <= self.welded.mesh.triangle_count())
             && (0..evaluator.positions.len() as u32).all(is_closed);
-        self.waiting = Some(relaxed);
-        if waits {
+        self.pending = Some(relaxed);
+        if is_postponed {
             self.state = ScheduleState::AfterStrict;
         } else {
             self.begin(evaluator, removed);
@@ -80,7 +81,7 @@ impl<'a> RelaxationSchedule<'a> {
         removed: RemovedPositions<'_>,
     ) {
         let mut relaxed =
-            self.waiting.take().unwrap_or_else(|| RelaxedState::new(self.welded, self.keeps_parts));
+            self.pending.take().unwrap_or_else(|| RelaxedState::new(self.welded, self.keeps_parts));
         relaxed.begins_last = self.is_postponed();
         relaxed.begin(&evaluator.links, &evaluator.is_locked, removed);
         evaluator.relaxed = Some(relaxed);

@@ -5,7 +5,7 @@
 //!
 //! | kind | effect | cost |
 //! | --- | --- | --- |
-//! | link | no flips, but sheets may touch or a border recede | 4 times, with the squared edge as swept area |
+//! | link | no flip, but sheets may touch or a border recede | 4 times, with the squared edge as swept area |
 //! | fold | a triangle flips | as if the surface moved by the whole edge |
 //! | fin | all triangles of the position vanish, its target keeps others | distance from those others |
 //! | vanish | all triangles of both ends vanish | distance of the part from the rest of the mesh |

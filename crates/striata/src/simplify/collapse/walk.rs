@@ -7,7 +7,7 @@ use super::links::{LinkEdge, Links};
 
 const NONE: u32 = u32::MAX;
 /// Stars that one search may visit; the next search continues from where this one stopped.
-const MAX_WALK: usize = 8;
+const MAX_VISITED_STARS: usize = 8;
 
 /// Squared distance of a point from the current surface, and a position near the nearest surface point.
 pub(in crate::simplify) type NearestStar = (f32, u32);
@@ -22,7 +22,7 @@ pub(in crate::simplify) fn walk_to_nearest(
     offset: impl Fn(u32) -> Vec3,
 ) -> NearestStar {
     let mut least = f32::INFINITY;
-    for _ in 0..MAX_WALK {
+    for _ in 0..MAX_VISITED_STARS {
         let center = offset(position);
         links.edges_into(position, edges);
         // If the nearest point is on the rim, the star beyond the rim may be nearer still.

@@ -54,7 +54,7 @@ impl<'a> Wedges<'a> {
     }
 
     /// Stores in `star` the vertex of `v` that each of its triangles uses.
-    pub(in crate::simplify) fn load(&self, star: &mut Star, v: u32) {
+    pub(in crate::simplify) fn load_center_wedges(&self, star: &mut Star, v: u32) {
         let mut center_wedges = std::mem::take(&mut star.center_wedges);
         center_wedges.clear();
         let count = star.triangle_count();
@@ -146,7 +146,7 @@ impl<'a> Wedges<'a> {
 
     /// Pairs wedges as [`Self::pair`] does, but lets wedges without a partner cross the seam to the
     /// wedge for which `difference` is least; returns false only in a conflict. The star must have been
-    /// loaded by [`Self::load`].
+    /// loaded by [`Self::load_center_wedges`].
     pub(in crate::simplify) fn pair_across(
         &mut self,
         star: &Star,
@@ -236,11 +236,11 @@ mod tests {
     /// ```
     fn loaded(corners: &[[u32; 3]]) -> (PositionIndex, Star) {
         let positions = PositionIndex::from_first(vec![0, 2, 4, 5, 6, 7]);
-        let places =
+        let coordinates =
             [[0., 0., 0., 0.], [1., 1., 0., 0.], [-1., 1., 0., 0.], [-1., -1., 0., 0.], [1., -1., 0., 0.]];
         let triangles: Vec<[u32; 3]> = corners.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
         let mut star = Star::default();
-        star.gather(&Links::new(5, &triangles, true), &places, 0);
+        star.gather(&Links::new(5, &triangles, true), &coordinates, 0);
         (positions, star)
     }
 
@@ -253,7 +253,7 @@ mod tests {
         let corners = [[0, 2, 4], [0, 4, 5], [1, 5, 6], [1, 6, 3]];
         let (positions, mut star) = loaded(&corners);
         let mut wedges = Wedges::new(&positions, corners.to_vec());
-        wedges.load(&mut star, 0);
+        wedges.load_center_wedges(&mut star, 0);
         // Along the seam to position 1, both have partners.
         let along = index_of(&star, 1);
         assert!(wedges.pair(&star, 0, along));
@@ -261,9 +261,9 @@ mod tests {
         assert_eq!([0, 1].map(|w| wedges.paired(w, 1)), [2, 3]);
         assert!(!wedges.crosses(0) && !wedges.crosses(1));
         // Position 2 is on one side of the seam only.
-        let aside = index_of(&star, 2);
-        assert!(!wedges.pair(&star, 0, aside));
-        assert!(wedges.pair_across(&star, 0, aside, |_, _| 1.0));
+        let across = index_of(&star, 2);
+        assert!(!wedges.pair(&star, 0, across));
+        assert!(wedges.pair_across(&star, 0, across, |_, _| 1.0));
         assert_eq!([0, 1].map(|w| wedges.paired(w, 2)), [4, 4]);
         assert!(!wedges.crosses(0) && wedges.crosses(1));
     }
@@ -273,7 +273,7 @@ mod tests {
         let corners = [[0, 2, 4], [0, 4, 5], [0, 5, 6], [0, 6, 3]];
         let (positions, mut star) = loaded(&corners);
         let mut wedges = Wedges::new(&positions, corners.to_vec());
-        wedges.load(&mut star, 0);
+        wedges.load_center_wedges(&mut star, 0);
         let k = index_of(&star, 1);
         assert!(!wedges.pair(&star, 0, k) && !wedges.pair_across(&star, 0, k, |_, _| 0.0));
     }

@@ -83,13 +83,13 @@ impl Witnesses {
     fn update_ring(&mut self, evaluator: &mut CostEvaluator<'_>, ring: &[u32], moved: f32) {
         let limit = self.worst.sqrt();
         for &p in ring {
-            let there = &mut self.by_position[p as usize];
-            let reach = there.distance + moved;
-            if there.vertex == NONE || reach <= limit {
-                there.distance = reach;
+            let current = &mut self.by_position[p as usize];
+            let reach = current.distance + moved;
+            if current.vertex == NONE || reach <= limit {
+                current.distance = reach;
                 continue;
             }
-            let candidate = std::mem::replace(there, NO_WITNESS);
+            let candidate = std::mem::replace(current, NO_WITNESS);
             let (candidate, position) = self.update(evaluator, p, candidate, moved);
             self.store(position, candidate);
         }
@@ -176,9 +176,9 @@ impl Witnesses {
 
     /// Stores `candidate` at `position` if it is farther away than the witness there.
     fn store(&mut self, position: u32, candidate: Witness) {
-        let there = &mut self.by_position[position as usize];
-        if candidate.distance > there.distance || there.vertex == NONE {
-            *there = candidate;
+        let current = &mut self.by_position[position as usize];
+        if candidate.distance > current.distance || current.vertex == NONE {
+            *current = candidate;
         }
     }
 }

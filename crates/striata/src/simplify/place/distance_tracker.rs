@@ -63,9 +63,9 @@ impl DistanceTracker {
                     evaluator.nearest_star(from.as_vec3(), (distance_squared, at), worst.max(found));
             }
             found = found.max(distance_squared);
-            let there = &mut self.witnesses[at as usize];
-            if distance_squared >= there.distance_squared || there.original == NONE {
-                *there = Witness { original, distance_squared };
+            let current = &mut self.witnesses[at as usize];
+            if distance_squared >= current.distance_squared || current.original == NONE {
+                *current = Witness { original, distance_squared };
             }
         }
         found

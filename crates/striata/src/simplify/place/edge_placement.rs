@@ -30,7 +30,7 @@ pub(super) fn first_candidate_cost(edge: &EdgeForm, placement: EdgePlacement, ti
 }
 
 /// Returns candidate positions for the new vertex, relative to the edge's first end and best first,
-/// each with whether that end is the one kept.
+/// each with whether the first end is the one kept.
 pub(super) fn candidate_positions(
     edge: &EdgeForm,
     placement: EdgePlacement,

@@ -12,7 +12,7 @@ use crate::mesh::{IndexedMesh, TriangleTree};
 /// Maximum depth of recursive splits of a triangle.
 const MAX_CUTS: u32 = 5;
 /// Minimum number of points that may be measured.
-const LEAST_BUDGET: usize = 60_000;
+const MIN_BUDGET: usize = 60_000;
 
 /// Search for the point of one surface that is farthest from another.
 struct FarthestPointSearch {
@@ -65,7 +65,7 @@ fn one_sided_distance(from: &IndexedMesh, to: &IndexedMesh, budget: usize, worst
 /// Returns the largest distance from points of either mesh to the other, in mesh units. The meshes must
 /// not have unused vertices.
 pub(super) fn measured_error(original: &IndexedMesh, level: &IndexedMesh) -> f64 {
-    let budget = LEAST_BUDGET.max(2 * original.triangle_count());
+    let budget = MIN_BUDGET.max(2 * original.triangle_count());
     let outward = one_sided_distance(level, original, budget, 0.0);
     one_sided_distance(original, level, budget, outward)
 }

@@ -24,9 +24,9 @@ pub(super) const BORDER_WEIGHT: f64 = 4.0;
 const MIDDLE_WEIGHT: f64 = 1e-5;
 /// Length of the summed normals, as a share of the summed lengths, below which the volume condition is
 /// ignored.
-const LEAST_FLATNESS: f64 = 0.1;
+const MIN_FLATNESS: f64 = 0.1;
 /// Limit on the distance of the new position from the edge's midpoint, in square roots of the area.
-const FARTHEST: f64 = 2.0;
+const MAX_MIDPOINT_DISTANCE: f64 = 2.0;
 
 /// Quadratic form of a star around its center; its values have the unit length to the fourth power.
 #[derive(Clone, Copy, Debug, Default)]
@@ -172,7 +172,7 @@ impl EdgeForm {
     /// determine one.
     pub(super) fn volume_preserving(&self) -> Option<DVec3> {
         let normal = self.united.normal;
-        if normal.length() <= LEAST_FLATNESS * self.united.area_doubled {
+        if normal.length() <= MIN_FLATNESS * self.united.area_doubled {
             return None;
         }
         let (inverse, linear) = self.regular(self.united)?;
@@ -207,7 +207,7 @@ impl EdgeForm {
     fn accept_if_near(&self, x: DVec3) -> Option<DVec3> {
         let away = (x - 0.5 * self.tip).length_squared();
         // Also false if `x` is NaN.
-        (away <= FARTHEST * FARTHEST * self.area()).then_some(x)
+        (away <= MAX_MIDPOINT_DISTANCE * MAX_MIDPOINT_DISTANCE * self.area()).then_some(x)
     }
 }
 

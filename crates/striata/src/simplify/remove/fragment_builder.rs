@@ -206,7 +206,7 @@ impl<'a> FragmentBuilder<'a> {
                 self.filled.push((face_index, corners.map(|c| wedges.position_of(c))));
             }
         }
-        evaluator.points.settle(first, &evaluator.floor_corners);
+        evaluator.points.assign(first, &evaluator.floor_corners);
         self.ring.clear();
         self.ring.extend_from_slice(&star.ids);
         self.record.ceilings.extend_from_slice(&star.triangles);

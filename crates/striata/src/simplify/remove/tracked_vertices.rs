@@ -69,7 +69,7 @@ impl TrackedVertices {
 
     /// Assigns the loaded vertices to the nearest of the triangles `corners`, which become the faces
     /// from `first_face` on; returns the largest squared distance.
-    pub(super) fn settle(&mut self, first_face: u32, corners: &[[Vec3; 3]]) -> f32 {
+    pub(super) fn assign(&mut self, first_face: u32, corners: &[[Vec3; 3]]) -> f32 {
         self.head.resize(first_face as usize + corners.len(), NONE);
         let mut worst = 0.0f32;
         for i in 0..self.loaded.len() {

@@ -75,11 +75,11 @@ impl Selection {
 
 /// Minimum number of positions that a batch selects from, since a share of a few positions would be
 /// almost none.
-const LEAST_CANDIDATES: usize = 24;
+const MIN_CANDIDATES: usize = 24;
 
 /// Keeps the cheapest `share` of the candidates, sorted by cost; ties are sorted by index.
 pub(super) fn keep_cheapest(candidates: &mut Vec<(f32, u32)>, share: f64) {
-    let count = ((share * candidates.len() as f64).ceil() as usize).max(LEAST_CANDIDATES);
+    let count = ((share * candidates.len() as f64).ceil() as usize).max(MIN_CANDIDATES);
     let order = |a: &(f32, u32), b: &(f32, u32)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
     if count < candidates.len() {
         candidates.select_nth_unstable_by(count, order);
@@ -100,7 +100,7 @@ mod tests {
         all.sort_by(|a, b| a.partial_cmp(b).expect("costs are numbers"));
         assert_eq!(candidates, all[..30]);
         keep_cheapest(&mut candidates, 0.01);
-        assert_eq!(candidates, all[..LEAST_CANDIDATES], "never fewer than the minimum");
+        assert_eq!(candidates, all[..MIN_CANDIDATES], "never fewer than the minimum");
     }
 
     #[test]

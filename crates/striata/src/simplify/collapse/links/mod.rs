@@ -188,8 +188,8 @@ impl Links {
         if len > su.capacity as usize {
             if v != u && len <= sv.capacity as usize {
                 (slab.start, slab.capacity) = (sv.start, sv.capacity);
-                let dying = &mut self.slabs[v as usize];
-                (dying.start, dying.capacity) = (su.start, su.capacity);
+                let removed = &mut self.slabs[v as usize];
+                (removed.start, removed.capacity) = (su.start, su.capacity);
             } else {
                 slab.start = self.entries.len() as u32;
                 slab.capacity = len as u32 + 2 * SLACK;

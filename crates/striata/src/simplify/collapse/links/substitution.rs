@@ -124,15 +124,15 @@ impl Links {
             self.ring_triangles.clear();
             self.ring_triangles.extend_from_slice(&own[..j.saturating_sub(1)]);
             if sv.kind == LinkKind::Closed {
-                let mut taken: Vec<u32> = (arc.start - 1..arc.end).map(|i| other[i % n]).collect();
+                let mut moved: Vec<u32> = (arc.start - 1..arc.end).map(|i| other[i % n]).collect();
                 if j == 0 {
                     // The entry before v is the last one of a cycle.
-                    let last = taken.remove(0);
-                    self.ring_triangles.extend_from_slice(&taken);
+                    let last = moved.remove(0);
+                    self.ring_triangles.extend_from_slice(&moved);
                     self.ring_triangles.extend_from_slice(&own[1..m - 1]);
                     self.ring_triangles.push(last);
                 } else {
-                    self.ring_triangles.extend_from_slice(&taken);
+                    self.ring_triangles.extend_from_slice(&moved);
                     self.ring_triangles.extend_from_slice(&own[j + 1..]);
                 }
             } else if arc.start == 2 {

@@ -71,7 +71,7 @@ pub(in crate::simplify) struct Star {
     edges: Vec<LinkEdge>,
     border_edges: Vec<BorderEdge>,
     /// The vertex of the center that each triangle uses, if
-    /// [`Wedges::load`](super::wedges::Wedges::load) was called.
+    /// [`Wedges::load_center_wedges`](super::wedges::Wedges::load_center_wedges) was called.
     pub(in crate::simplify) center_wedges: Vec<u32>,
 }
 

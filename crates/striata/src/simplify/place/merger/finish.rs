@@ -32,17 +32,17 @@ impl Merger<'_> {
             }
         }
         let targets = &self.targets;
-        let left = |t: &[u32; 3]| {
+        let remaining = |t: &[u32; 3]| {
             let corners = t.map(|v| targets[v as usize]);
             let [a, b, c] = corners.map(|v| positions.position_of(v));
             (a != b && b != c && c != a).then_some(corners)
         };
         if source.groups.is_empty() {
-            mesh.triangles.extend(source.triangles.iter().filter_map(left));
+            mesh.triangles.extend(source.triangles.iter().filter_map(remaining));
         }
         for group in &mut mesh.groups {
             let first = mesh.triangles.len();
-            mesh.triangles.extend(source.triangles[group.range()].iter().filter_map(left));
+            mesh.triangles.extend(source.triangles[group.range()].iter().filter_map(remaining));
             (group.first, group.count) = (first as u32, (mesh.triangles.len() - first) as u32);
         }
         mesh.without_unused_vertices()

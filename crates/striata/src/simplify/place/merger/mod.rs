@@ -180,17 +180,17 @@ impl<'a> Merger<'a> {
         let (removed, kept) = if choice.is_kept { (choice.other, v) } else { (v, choice.other) };
         // Changes in links outside the two stars may have changed what is allowed.
         let CostEvaluator { legality, links, .. } = &mut self.evaluator;
-        let stands = is_fresh
+        let is_valid = is_fresh
             && match choice.kind {
                 CollapseKind::Strict => legality.allows(links, removed, kept),
                 kind => {
                     self.evaluator.is_relaxed_choice_valid(removed, kept, (kind, choice.distance_squared))
                 }
             };
-        if !stands {
+        if !is_valid {
             self.choices[v as usize] = NO_CHOICE;
         }
-        stands
+        is_valid
     }
 
     /// Recomputes the star of `v` after a change.
@@ -220,7 +220,7 @@ impl<'a> Merger<'a> {
         }
         self.ring.push(kept);
         let share = self.edge_share(removed, kept, position);
-        let undone = self.positions[kept as usize];
+        let old_position = self.positions[kept as usize];
         merge_wedges(&mut self.evaluator, (removed, kept), &mut self.targets, &mut self.pairs);
         let count = |evaluator: &CostEvaluator<'_>, p| evaluator.links.triangle_count(p);
         let before = count(&self.evaluator, removed) + count(&self.evaluator, kept);
@@ -231,7 +231,7 @@ impl<'a> Merger<'a> {
         let worst = self.measure_witnesses((removed, kept), kind, removed_triangles).max(distance_squared);
         let error = self.error.max(f64::from(worst).sqrt() * self.space.scale);
         if error > limit {
-            self.move_to(kept, undone);
+            self.move_to(kept, old_position);
             self.welded.positions.wedges(removed).for_each(|w| self.targets[w as usize] = w);
             return false;
         }
@@ -243,7 +243,7 @@ impl<'a> Merger<'a> {
             self.heap.remove(p);
         }
         self.removed.push(removed);
-        self.is_moved[kept as usize] |= position != undone;
+        self.is_moved[kept as usize] |= position != old_position;
         self.pairs.iter().for_each(|&(from, to)| blend::blend(&mut self.layers, from, to, share));
         self.update_ring();
         true
