@@ -1,19 +1,20 @@
-//! Which level a target means.
+//! Finds the level of a sequence that a [`Target`] asks for.
 
 use crate::mesh::{CollapseSequence, Levels};
 
 use crate::simplify::options::{StopReason, Target};
 
 impl Target {
-    /// The split count of the level that this target means, and how near it comes.
+    /// Returns the split count of the level that this target selects, and how well that level meets it.
     ///
-    /// The most detailed level that does not exceed the target; where even the base exceeds it, the base, and where the
-    /// full mesh falls short of it, the full mesh. For [`Target::Error`] it is the coarsest level within the error.
+    /// This is the most detailed level that does not exceed the target. If even the base mesh exceeds
+    /// it, the base mesh is selected; if the full mesh falls short of it, the full mesh. For
+    /// [`Target::Error`] it is the coarsest level within the error.
     pub fn resolve(&self, sequence: &CollapseSequence) -> (usize, StopReason) {
         self.resolve_in(sequence.levels())
     }
 
-    /// The same for the levels of any sequence.
+    /// Resolves the target against the levels of any kind of sequence; see [`Self::resolve`].
     pub fn resolve_in(&self, sequence: &Levels) -> (usize, StopReason) {
         let step_count = sequence.step_count();
         let (split_count, is_above_full, is_below_base) = match *self {

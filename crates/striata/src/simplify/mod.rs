@@ -1,4 +1,9 @@
-//! From a mesh to its simplification sequence: half-edge collapses ordered by cost.
+//! Simplification: turns a mesh into one coarser mesh or into a whole sequence of levels.
+//!
+//! [`simplify`] returns a single level. [`build_sequence`] returns every level, as half-edge collapses
+//! in order of cost. [`build_batches`] groups independent collapses for progressive coding, and
+//! [`build_fragments`] removes vertices and retriangulates the holes, for selective refinement.
+//! [`certify`] replaces estimated errors by proven bounds.
 //!
 //! ```
 //! use striata::mesh::shapes;
@@ -37,10 +42,10 @@ pub use remove::{
 use crate::mesh::{IndexedMesh, Welded, replay, weld};
 use crate::{ProgressFn, ignore_progress};
 
-/// Simplifies a mesh as far as it goes and gives every level on the way.
+/// Simplifies a mesh as far as the options allow and returns the sequence of all levels on the way.
 ///
 /// # Errors
-/// [`SimplifyError`] where the mesh does not hang together or an option is out of range.
+/// [`SimplifyError`] if the mesh is invalid or an option is out of range.
 ///
 /// # Example
 /// ```
@@ -60,10 +65,10 @@ pub fn build_sequence(mesh: &IndexedMesh, options: &SequenceOptions) -> Result<B
     build_sequence_with_progress(mesh, options, &mut ignore_progress)
 }
 
-/// Does as [`build_sequence`] and reports its progress; the callback can cancel.
+/// Does what [`build_sequence`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// As [`build_sequence`], and if the callback cancels.
+/// See [`build_sequence`]; also [`SimplifyError::Cancelled`] if the callback cancels.
 pub fn build_sequence_with_progress(
     mesh: &IndexedMesh,
     options: &SequenceOptions,
@@ -74,10 +79,10 @@ pub fn build_sequence_with_progress(
     build_welded_sequence_with_progress(weld(mesh)?, options, progress)
 }
 
-/// The same for a mesh that is welded already.
+/// Simplifies a mesh that is already welded and returns the sequence of all levels.
 ///
 /// # Errors
-/// As [`build_sequence`].
+/// See [`build_sequence`].
 pub fn build_welded_sequence(
     welded: Welded,
     options: &SequenceOptions,
@@ -85,20 +90,20 @@ pub fn build_welded_sequence(
     build_welded_sequence_with_progress(welded, options, &mut ignore_progress)
 }
 
-/// Does as [`build_welded_sequence`] and reports its progress; the callback can cancel.
+/// Does what [`build_welded_sequence`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// As [`build_welded_sequence`], and if the callback cancels.
+/// See [`build_welded_sequence`]; also [`SimplifyError::Cancelled`] if the callback cancels.
 pub fn build_welded_sequence_with_progress(
     welded: Welded,
     options: &SequenceOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltSequence, SimplifyError> {
     options.check()?;
-    let (record, stop_reason) = collapse::engine::Engine::new(&welded, options).run(progress)?;
+    let (record, stop_reason) = collapse::simplifier::Simplifier::new(&welded, options).run(progress)?;
     let degenerate_triangle_count = welded.degenerate_triangle_count;
     let merged_vertex_count = welded.merged_vertex_count;
-    let (refinable, source_vertex) = collapse::finish::finish(welded, record)?;
+    let (refinable, source_vertex) = collapse::refinement_order::build_refinable(welded, record)?;
     Ok(BuiltSequence {
         refinable,
         source_vertex,
@@ -108,18 +113,18 @@ pub fn build_welded_sequence_with_progress(
     })
 }
 
-/// One level of a mesh, without keeping the sequence.
+/// Simplifies a mesh to one level and discards the sequence.
 ///
 /// # Errors
-/// As [`build_sequence`].
+/// See [`build_sequence`].
 pub fn simplify(mesh: &IndexedMesh, options: &SimplifyOptions) -> Result<Simplified, SimplifyError> {
     simplify_with_progress(mesh, options, &mut ignore_progress)
 }
 
-/// Does as [`simplify`] and reports its progress; the callback can cancel.
+/// Does what [`simplify`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// As [`simplify`], and if the callback cancels.
+/// See [`simplify`]; also [`SimplifyError::Cancelled`] if the callback cancels.
 pub fn simplify_with_progress(
     mesh: &IndexedMesh,
     options: &SimplifyOptions,
@@ -133,7 +138,7 @@ pub fn simplify_with_progress(
     }
     let mut sequence_options = options.sequence.clone();
     if let Target::Triangles(n) = options.target {
-        // Nothing beyond the target is needed.
+        // Steps beyond the target are not needed.
         sequence_options.base_triangle_count = sequence_options.base_triangle_count.max(n);
     }
     let limit = |error: f64| options.sequence.max_error.map_or(error, |max| max.min(error));

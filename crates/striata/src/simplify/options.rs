@@ -1,40 +1,41 @@
-//! What a caller may ask of the simplifier, and what it answers besides the mesh.
+//! Options of the simplifier, the results it returns, and its error type.
 
 use crate::mesh::{FragmentError, IndexedMesh, MeshError, RefinableMesh, SequenceError};
 use crate::setters::setters;
 
-/// Which level is wanted.
+/// The level of detail to simplify to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Target {
-    /// At most so many triangles.
+    /// At most this many triangles.
     Triangles(usize),
-    /// At most so many vertices.
+    /// At most this many vertices.
     Vertices(usize),
-    /// `split_count / step_count`: 0 the base, 1 the full mesh.
+    /// Share of the vertex splits that are applied, `split_count / step_count`: 0 is the base mesh, 1
+    /// the full mesh.
     Detail(f64),
-    /// The coarsest level with at most this error, mesh units.
+    /// The coarsest level whose error does not exceed this, in mesh units.
     Error(f64),
-    /// Exactly so many vertex splits above the base.
+    /// Exactly this many vertex splits above the base mesh.
     SplitCount(usize),
 }
 
-/// Why a simplification ended, or how near a level came to what was asked.
+/// Why a simplification stopped, or how well a level meets its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum StopReason {
     /// The target is met exactly, or undercut by less than one step.
     TargetReached,
-    /// No further collapse is possible; the target lies below the base mesh.
+    /// No further collapse is possible: the target lies below the base mesh.
     BaseReached,
     /// The next collapse would exceed the error limit.
     ErrorLimit,
-    /// The target asks for more than the full mesh holds.
+    /// The target asks for more detail than the full mesh has.
     FullMesh,
 }
 
 impl StopReason {
-    /// The reason as the command's JSON spells it.
+    /// Returns the name of the reason in the command's JSON output.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::TargetReached => "target_reached",
@@ -45,77 +46,82 @@ impl StopReason {
     }
 }
 
-/// What decides which vertex goes next.
+/// Cost function that orders the collapses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CollapseCost {
-    /// Memoryless quadrics with volume and distance terms over the current mesh: fast, the best at mild levels.
+    /// Memoryless quadrics with volume and distance terms over the current mesh: fast, and the best at
+    /// mild levels.
     #[default]
     Memoryless,
     /// Accumulated quadrics \[GH97\], the classic.
     Accumulated,
-    /// Distances of all removed vertices to the current mesh: slower, the best at coarse levels.
+    /// Distances of all removed vertices from the current mesh: slower, and the best at coarse levels.
     Tracked,
 }
 
-/// What may happen to boundary edges, or to edges between triangle groups.
+/// How boundary edges, or edges between triangle groups, are treated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BoundaryRule {
-    /// Boundary vertices move along the boundary, with their distance from it in the cost.
+    /// Boundary vertices move along the boundary, and the cost includes their distance from it.
     #[default]
     Kept,
     /// Boundary vertices stay at every level.
     Locked,
 }
 
-/// What collapses may do at seams: edges where the wedges of a position differ, and borders between materials.
+/// How collapses treat seams: edges at which the wedges of a position differ, and borders between
+/// materials.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SeamRule {
-    /// A wedge without a partner takes the most similar wedge of the target, at a price, so that seams stop nothing.
+    /// A wedge without a partner goes to the most similar wedge of the target, at a cost, so that seams
+    /// never block collapses.
     #[default]
     Cross,
-    /// Vertices on a seam move along the seam only; every wedge needs a partner on its own side.
+    /// Vertices on a seam move only along the seam; every wedge needs a partner on its own side.
     Keep,
 }
 
-/// What happens once no collapse is left that keeps the topology.
+/// What happens once no collapse is left that preserves the topology.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TopologyRule {
-    /// Handles close, thin parts fold flat and small parts vanish, in the order of cost, so that every target is reached.
+    /// Handles close, thin parts fold flat and small parts vanish, in order of cost, so that every
+    /// target is reached.
     #[default]
     Change,
     /// The topology may change, but each connected part keeps at least one triangle.
     KeepParts,
-    /// Collapses that would change the topology are refused.
+    /// Collapses that would change the topology are rejected.
     Keep,
 }
 
-/// How much attributes count against distance, per kind of layer.
+/// Weights of attribute differences relative to distance, one for each kind of layer.
 ///
-/// A weight is the distance, as a share of the bounding box's diagonal, that weighs as much as a
-/// difference of 1.0 in the attribute over the same area. 0 ignores the layer.
+/// A weight is a distance, as a share of the bounding box's diagonal. Over equal areas, a difference of
+/// 1.0 in the attribute costs as much as this distance. A weight of 0 ignores the layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AttributeWeights {
-    /// Normals (difference of unit vectors); default 0.007.
+    /// Weight of normals (difference of unit vectors); default 0.007.
     pub normal: f32,
-    /// Every UV set; default 0.02.
+    /// Weight of every UV set; default 0.02.
     pub texcoord: f32,
-    /// Every color set; default 0.003.
+    /// Weight of every color set; default 0.003.
     pub color: f32,
 }
 
 impl Default for AttributeWeights {
     fn default() -> Self {
-        // Normals: less, and the faces of thin parts take the normals of their rims; more, and the shape pays for it.
+        // With a lower weight for normals, the faces of thin parts take the normals of their rims; with
+        // a higher one, the shape suffers.
         Self { normal: 0.007, texcoord: 0.02, color: 0.003 }
     }
 }
 
 impl AttributeWeights {
-    /// Geometry alone decides.
+    /// All weights 0: only geometry counts.
     pub const NONE: Self = Self { normal: 0.0, texcoord: 0.0, color: 0.0 };
 }
 
@@ -123,41 +129,45 @@ impl AttributeWeights {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct SequenceOptions {
-    /// What orders the collapses; default [`CollapseCost::Memoryless`].
+    /// Cost function that orders the collapses; default [`CollapseCost::Memoryless`].
     pub cost: CollapseCost,
-    /// Stop once no more triangles than this are left; default 0: as far as it goes.
+    /// Stop once no more triangles than this are left; default 0, which simplifies as far as possible.
     pub base_triangle_count: usize,
-    /// Stop before a step's error exceeds this, mesh units; default none.
+    /// Stop before a step's error exceeds this, in mesh units; default none.
     pub max_error: Option<f64>,
-    /// How much attributes count; see [`AttributeWeights`].
+    /// Weights of the attributes; see [`AttributeWeights`].
     pub attribute_weights: AttributeWeights,
-    /// For each material, a factor on the weight of texture coordinates, at least 0; default 1 for every material.
+    /// Factor on the weight of texture coordinates for each material, at least 0; default 1 for every
+    /// material.
     ///
-    /// Indices are those of [`TriangleGroup::material`](crate::mesh::TriangleGroup). Materials beyond the end of the list and
-    /// groups without a material have factor 1. Small factors suit textures of low contrast, on which sliding is hardly visible.
+    /// The list is indexed by [`TriangleGroup::material`](crate::mesh::TriangleGroup). Materials beyond
+    /// its end and groups without a material have factor 1. Small factors suit textures of low
+    /// contrast, on which sliding is hardly visible.
     pub texcoord_factors: Vec<f32>,
-    /// What may happen to boundaries; default kept.
+    /// How boundaries are treated; default kept.
     pub boundary: BoundaryRule,
-    /// What may happen to borders between triangle groups; default kept. Locked, every vertex whose position is used by more
-    /// than one group stays.
+    /// How borders between triangle groups are treated; default kept. If they are locked, every vertex
+    /// whose position is used by more than one group stays.
     pub group_borders: BoundaryRule,
-    /// What collapses may do at seams; default cross them.
+    /// How collapses treat seams; default [`SeamRule::Cross`].
     pub seams: SeamRule,
-    /// Whether collapses may change the topology once no others are left; default they may.
+    /// Whether collapses may change the topology once no others are left; default
+    /// [`TopologyRule::Change`].
     pub topology: TopologyRule,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
-    /// Vertices without a common edge may contract when nearer than this, mesh units; default never.
+    /// Also contract pairs of vertices that share no edge but are closer than this, in mesh units;
+    /// default never.
     pub pair_distance: Option<f64>,
 }
 
 impl SequenceOptions {
-    /// Checks that every option is in its range.
+    /// Checks that every option is within its range.
     ///
     /// # Errors
-    /// [`SimplifyError::Option`] naming the first that is not.
+    /// [`SimplifyError::Option`] with the first option that is out of range.
     pub fn check(&self) -> Result<(), SimplifyError> {
-        let expected = "a number of at least 0";
+        let expected = "a finite number of at least 0";
         let limits = [("max_error", self.max_error), ("pair_distance", self.pair_distance)];
         let weights = &self.attribute_weights;
         let weights = [
@@ -177,7 +187,7 @@ impl SequenceOptions {
         }
         Ok(())
     }
-    /// Checks that the locked vertices are vertices of the mesh.
+    /// Checks that all locked vertices are vertices of the mesh.
     pub(super) fn check_locked(&self, vertex_count: usize) -> Result<(), SimplifyError> {
         check_locked(&self.locked_vertices, vertex_count)
     }
@@ -197,7 +207,7 @@ impl SequenceOptions {
     }
 }
 
-/// Checks that locked vertices are vertices of the mesh.
+/// Checks that all locked vertices are vertices of a mesh with `vertex_count` vertices.
 pub(super) fn check_locked(locked_vertices: &[u32], vertex_count: usize) -> Result<(), SimplifyError> {
     match locked_vertices.iter().find(|&&v| v as usize >= vertex_count) {
         None => Ok(()),
@@ -209,31 +219,34 @@ pub(super) fn check_locked(locked_vertices: &[u32], vertex_count: usize) -> Resu
     }
 }
 
-/// Where the vertices of a simplified mesh lie.
+/// Where the vertices of a simplified mesh may lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Placement {
-    /// A subset of the input's vertices, attributes untouched.
+    /// The vertices are a subset of the input's, with their attributes unchanged.
     #[default]
     Subset,
-    /// Anywhere; attributes are interpolated. Nearer to the surface, but one level only. The cost is always memoryless and counts
-    /// attributes at seams only; [`Target::Detail`] and [`Target::SplitCount`] count all vertices that are not locked as
-    /// removable. Collapses that cross a seam or change the topology follow the same rules as in a sequence. The error is
-    /// the largest distance between sampled points of one mesh and the other, both ways.
+    /// Vertices may lie anywhere, and attributes are interpolated: closer to the surface, but for one
+    /// level only.
+    ///
+    /// The cost is always memoryless and counts attributes at seams only. [`Target::Detail`] and
+    /// [`Target::SplitCount`] treat every vertex that is not locked as removable. Collapses that cross
+    /// a seam or change the topology follow the same rules as in a sequence. The error is the largest
+    /// distance between sampled points of one mesh and the other, measured both ways.
     Optimal,
 }
 
-/// Options of [`simplify`](super::simplify): one level, without keeping the sequence.
+/// Options of [`simplify`](super::simplify), which returns one level without the sequence.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SimplifyOptions {
-    /// The level that is wanted; default half the detail.
+    /// Level to simplify to; default half the detail.
     pub target: Target,
-    /// Never exceed this error, mesh units, whatever the target; default none.
+    /// Upper limit of the error, in mesh units, whatever the target; default none.
     pub tolerance: Option<f64>,
-    /// Where vertices may lie; default a subset of the input's.
+    /// Where vertices may lie; default [`Placement::Subset`].
     pub placement: Placement,
-    /// How collapses are ordered and what they must respect.
+    /// How collapses are ordered, and what they must respect.
     pub sequence: SequenceOptions,
 }
 
@@ -249,18 +262,18 @@ impl Default for SimplifyOptions {
 }
 
 impl SimplifyOptions {
-    /// Checks that every option is in its range.
+    /// Checks that every option is within its range.
     ///
     /// # Errors
-    /// [`SimplifyError::Option`] naming the first that is not.
+    /// [`SimplifyError::Option`] with the first option that is out of range.
     pub fn check(&self) -> Result<(), SimplifyError> {
         self.sequence.check()?;
         let number = match self.target {
             Target::Detail(value) => Some(("target", value, "a share from 0 to 1")),
-            Target::Error(value) => Some(("target", value, "a number of at least 0")),
+            Target::Error(value) => Some(("target", value, "a finite number of at least 0")),
             _ => None,
         };
-        let tolerance = self.tolerance.map(|value| ("tolerance", value, "a number of at least 0"));
+        let tolerance = self.tolerance.map(|value| ("tolerance", value, "a finite number of at least 0"));
         for (option, value, expected) in number.into_iter().chain(tolerance) {
             let is_share = matches!(self.target, Target::Detail(_)) && option == "target";
             if !(value >= 0.0 && value.is_finite()) || (is_share && value > 1.0) {
@@ -278,56 +291,56 @@ impl SimplifyOptions {
     }
 }
 
-/// What [`build_sequence`](super::build_sequence) gives.
+/// Result of [`build_sequence`](super::build_sequence).
 #[derive(Clone, Debug)]
 pub struct BuiltSequence {
-    /// The mesh in refinement order, and its steps.
+    /// The mesh in refinement order, with its steps.
     pub refinable: RefinableMesh,
-    /// For each vertex, the vertex of the input that it was.
+    /// For each vertex, the vertex of the input that it came from.
     pub source_vertex: Vec<u32>,
-    /// Why the sequence ends where it does.
+    /// Why the sequence stops at its base mesh.
     pub stop_reason: StopReason,
-    /// Triangles of the input dropped since two of their corners are at one position.
+    /// Number of input triangles that were dropped because two of their corners share a position.
     pub degenerate_triangle_count: usize,
-    /// Vertices of the input merged into equal ones.
+    /// Number of input vertices that were merged into equal ones.
     pub merged_vertex_count: usize,
 }
 
-/// What [`simplify`](super::simplify) gives.
+/// Result of [`simplify`](super::simplify).
 #[derive(Clone, Debug)]
 pub struct Simplified {
-    /// The level.
+    /// The simplified mesh.
     pub mesh: IndexedMesh,
-    /// Its error, mesh units.
+    /// Error of the level, in mesh units.
     pub error: f64,
-    /// How near it came to the target.
+    /// Why the simplification stopped, or how well the level meets the target.
     pub stop_reason: StopReason,
 }
 
-/// Why a simplification gave nothing.
+/// Why a simplification failed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimplifyError {
-    /// The input does not hang together.
+    /// The input mesh is invalid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// An option is out of its range.
+    /// An option is out of range.
     #[error("option {option} is {value}, but must be {expected}")]
     Option {
-        /// Which option.
+        /// Name of the option.
         option: &'static str,
-        /// What it is.
+        /// Value that was passed.
         value: String,
-        /// What it may be.
+        /// Description of the valid values.
         expected: &'static str,
     },
-    /// The caller's callback asked to stop.
+    /// The progress callback cancelled the operation.
     #[error(transparent)]
     Cancelled(#[from] crate::Cancelled),
-    /// The simplifier broke its own invariant.
-    #[error("internal error: the sequence is inconsistent: {0}")]
+    /// The simplifier broke its own invariant: the sequence is inconsistent.
+    #[error("internal error: the simplifier built an inconsistent sequence: {0}")]
     Sequence(#[from] SequenceError),
-    /// The simplifier broke its own invariant.
-    #[error("internal error: the fragments are inconsistent: {0}")]
+    /// The simplifier broke its own invariant: the fragments are inconsistent.
+    #[error("internal error: the simplifier built inconsistent fragments: {0}")]
     Fragments(#[from] FragmentError),
 }

@@ -1,61 +1,65 @@
-//! The triangles that a step puts in place, four of them side by side, and how far points are from each.
+//! Distances of points from the triangles of a step's floor, four triangles at a time.
 //!
-//! Distances are those to a point found on the triangle, so whatever rounding does to the search, none is below the
-//! truth by more than the last subtraction rounds.
+//! Each distance is computed to a point that was found on the triangle. Whatever the search rounds, the
+//! result is therefore less than the true distance by no more than the rounding of the last
+//! subtraction.
 
 use glam::DVec3;
 use wide::f64x4;
 
-/// Four triangles, relative to their first corners.
+/// Four triangles in SIMD lanes, relative to their first corners.
 #[derive(Clone, Copy)]
-struct Four {
+struct FourTriangles {
     first: [f64x4; 3],
     to_second: [f64x4; 3],
     to_third: [f64x4; 3],
-    /// Squares of the two sides and their dot product.
+    /// Squared lengths of the two sides and their dot product.
     second_squared: f64x4,
     third_squared: f64x4,
     product: f64x4,
-    /// 1 over the squares of the sides (first to second, first to third, second to third), 0 for a side without length.
+    /// Inverse squared lengths of the sides (first to second, first to third, second to third), 0 for a
+    /// side without length.
     inverse_sides: [f64x4; 3],
-    /// 1 over the square of twice the area; 0 without area.
+    /// Inverse square of twice the area; 0 without area.
     inverse_area: f64x4,
 }
 
 /// The triangles of one floor.
 #[derive(Default)]
 pub(super) struct Floor {
-    fours: Vec<Four>,
+    batches: Vec<FourTriangles>,
     corners: Vec<[DVec3; 3]>,
 }
 
 impl Floor {
-    /// Takes other triangles.
+    /// Replaces the triangles.
     pub(super) fn set(&mut self, triangles: impl Iterator<Item = [DVec3; 3]>) {
         self.corners.clear();
         self.corners.extend(triangles);
-        self.fours.clear();
+        self.batches.clear();
         for four in self.corners.chunks(4) {
-            // Lanes to spare repeat the last triangle.
-            self.fours.push(Four::new([0, 1, 2, 3].map(|lane: usize| &four[lane.min(four.len() - 1)])));
+            // Unused lanes repeat the last triangle.
+            self.batches
+                .push(FourTriangles::new([0, 1, 2, 3].map(|lane: usize| &four[lane.min(four.len() - 1)])));
         }
     }
 
-    /// How many triangles there are.
+    /// Number of triangles.
     pub(super) fn count(&self) -> usize {
         self.corners.len()
     }
 
-    /// The triangles that share a side with one.
-    pub(super) fn beside(&self, triangle: usize) -> impl Iterator<Item = usize> {
+    /// Returns the triangles that share a side with a triangle.
+    pub(super) fn adjacent(&self, triangle: usize) -> impl Iterator<Item = usize> {
         let own = &self.corners[triangle];
-        let is_beside =
+        let is_adjacent =
             move |other: &[DVec3; 3]| own.iter().filter(|corner| other.contains(corner)).count() >= 2;
-        (0..self.corners.len()).filter(move |&other| other != triangle && is_beside(&self.corners[other]))
+        (0..self.corners.len()).filter(move |&other| other != triangle && is_adjacent(&self.corners[other]))
     }
 
-    /// The plane as near to one triangle as to another with which it shares a side: a point on it, and its normal.
-    pub(super) fn border(&self, one: usize, other: usize) -> Option<(DVec3, DVec3)> {
+    /// Returns a point and the normal of the plane whose points are equally far from two triangles that
+    /// share a side.
+    pub(super) fn bisector_plane(&self, one: usize, other: usize) -> Option<(DVec3, DVec3)> {
         let (one, other) = (&self.corners[one], &self.corners[other]);
         let [a, b] = [(one, other), (other, one)].map(|(t, u)| t.iter().find(|corner| !u.contains(corner)));
         let mut shared = one.iter().filter(|corner| other.contains(corner));
@@ -66,11 +70,12 @@ impl Floor {
         (normal.length_squared() > 1e-6).then_some((start, normal))
     }
 
-    /// Squared distances of a point from all triangles, four to an entry, appended; returns the least.
+    /// Appends the squared distances of a point from all triangles, four per entry; returns the
+    /// smallest.
     #[inline]
     pub(super) fn push_squared_distances(&self, point: DVec3, out: &mut Vec<f64x4>) -> f64 {
         let mut least = f64x4::splat(f64::INFINITY);
-        for four in &self.fours {
+        for four in &self.batches {
             let squared = four.squared_distances(point);
             least = least.fast_min(squared);
             out.push(squared);
@@ -79,7 +84,7 @@ impl Floor {
     }
 }
 
-impl Four {
+impl FourTriangles {
     fn new(triangles: [&[DVec3; 3]; 4]) -> Self {
         let lanes = |f: &dyn Fn(&[DVec3; 3]) -> DVec3| {
             let at = triangles.map(f);
@@ -142,7 +147,7 @@ fn dot(a: [f64x4; 3], b: [f64x4; 3]) -> f64x4 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// 1 over `x`; 0 where it is 0 or less.
+/// Inverse of `x`; 0 if `x` is 0 or less.
 fn inverse(x: f64x4) -> f64x4 {
     f64x4::from(x.to_array().map(|x| if x > 0.0 && x.recip().is_finite() { x.recip() } else { 0.0 }))
 }
@@ -163,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn all_regions_of_a_triangle() {
+    fn distances_in_all_regions_of_a_triangle() {
         let at = DVec3::new;
         let t = [at(0.0, 0.0, 0.0), at(4.0, 0.0, 0.0), at(0.0, 3.0, 0.0)];
         let cases = [
@@ -191,9 +196,10 @@ mod tests {
         assert_eq!(distances(&[], at(3.0, 2.0, 0.0)), [0.0; 0]);
     }
 
-    /// Distances are to points of the triangle, so none is shorter than the true one; a fine grid is hardly longer.
+    /// The distance is to a point of the triangle, so it is never below the true one; samples on a fine
+    /// grid are hardly farther.
     #[test]
-    fn random_distances_are_those_of_the_nearest_point() {
+    fn distances_match_dense_sampling() {
         let mut random = Random::new(1);
         for _ in 0..300 {
             let mut any = || DVec3::from_array([(); 3].map(|()| random.unit() * 2.0 - 1.0));

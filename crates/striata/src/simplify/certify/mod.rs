@@ -1,79 +1,85 @@
-//! A bound on how far the original surface is from the simplified one that holds at every point, not at samples.
+//! Certified errors: a proven bound on the distance of the original surface from the simplified one.
 //!
-//! **Idea.** The original surface is covered by *pieces*: convex polygons, each in one original triangle, each given to one
-//! current triangle. The distance to a triangle is a convex function, so no point of a piece is farther from its triangle than
-//! the farthest of the piece's corners: a few distances bound infinitely many. A step takes the pieces of its ceiling
-//! and gives them to its floor; a piece that no triangle of the floor serves well is cut where the nearest one changes,
-//! and parts of one original triangle that meet again are joined.
+//! **Idea.** The original surface is covered by *pieces*: convex polygons, each inside one original
+//! triangle, each assigned to one current triangle. The distance to a triangle is a convex function, so
+//! no point of a piece is farther from its triangle than the farthest of the piece's corners: a few
+//! distances bound infinitely many. A step assigns the pieces of its ceiling to its floor. If no single
+//! triangle of the floor is close enough to a piece, the piece is cut along the boundary between the
+//! regions of the nearest ones; parts of one original triangle that meet again are joined.
 //!
-//! **Theorem.** Let the pieces of each face be those that it was given when it was made, whatever became of them later. In every state
-//! of selective refinement (every set of steps that holds with each step all that its floor stands on) the pieces of the
-//! faces that are there cover the original surface. *Proof*: by the steps that are not taken, finest first. With all taken each
-//! original triangle is its own piece. Undoing a step takes away its ceiling and brings its floor, and what the pieces of
-//! the ceiling cover those of the floor cover too, since they are made of nothing else. So the original surface is nowhere farther from
-//! the state than the largest bound of the floors whose faces it shows: not in the levels alone that the steps
-//! lead through in order. Nothing is asked of the surface: no manifold, no orientation, no area.
+//! **Theorem.** Let the pieces of each face be those that were assigned to it when it was created,
+//! regardless of later steps. In every state of selective refinement (every set of steps that contains,
+//! with each step, all steps on which its floor depends) the pieces of the active faces cover the
+//! original surface. *Proof*: by induction over the unapplied steps, finest first. If all steps are
+//! applied, each original triangle is its own piece. Undoing a step replaces its ceiling by its floor,
+//! and the pieces of the floor cover everything that those of the ceiling cover, since they are made
+//! from them. So the distance of the original surface from the state never exceeds the largest bound of
+//! the floors whose faces are active, in every state and not only in the levels of the sequence. The
+//! surface may be non-manifold, unoriented or degenerate.
 //!
-//! The one-sided Hausdorff distance that orders the steps of \[KLS96\] and \[KG98\] is this distance taken at samples or
-//! under assumptions on the surface. Differs: the bound is certain. A floor without triangles can serve nothing: what its
-//! ceiling stood for is then given up, at a bound of the diagonal of the mesh's bounds, which no two vertices exceed; `adopt`
-//! finds better for sequences that exist.
+//! The one-sided Hausdorff distance that orders the steps of \[KLS96\] and \[KG98\] is the same
+//! distance, measured at samples or under assumptions on the surface. Differs: the bound is proven.
+//! Nothing can be assigned to a floor without triangles: the pieces of its ceiling are then dropped,
+//! with a bound of the diagonal of the mesh's bounds, which is the largest possible distance of two
+//! vertices; `substitutes` finds better bounds for finished sequences.
 //!
-//! Pieces never leave the fragment, so where a new triangle folds over its neighbor the bound is that to the triangle, not
-//! to the neighbor that hides the hole. Within the fragment it is tight: at most 3 % above the distance of some point from the floor,
-//! as far as cuts find their way, which they nearly always do.
+//! Pieces never leave the fragment, so if a new triangle folds over its neighbor, the bound is the
+//! distance to that triangle and not to the neighbor that hides the hole. Within the fragment the bound
+//! is tight: at most 3 % above the distance of some point from the floor, provided that the cuts
+//! succeed, which they nearly always do.
 //!
-//! Cost: a step looks at each piece around it, so all steps together O(n log n) pieces for n triangles; half a second for the 69,451
-//! triangles of the bunny.
+//! Cost: a step visits each piece around it, so all steps together visit O(n log n) pieces for n
+//! triangles; half a second for the 69,451 triangles of the bunny.
 
-mod adopt;
-mod errors;
+mod assign;
+mod certified_errors;
 mod floor;
 mod pieces;
 mod polygon;
-mod settle;
+mod substitutes;
 
-pub use errors::{
+pub use certified_errors::{
     certify, certify_collapses, certify_collapses_in_any_state, certify_collapses_in_any_state_with_progress,
     certify_collapses_with_progress, certify_with_progress,
 };
 
 use glam::DVec3;
 
+use assign::{CutPiece, MeasuredPoints, PieceAssigner, TrianglePlane};
 use floor::Floor;
 use pieces::{NONE, Pieces};
 use polygon::{Polygon, WHOLE};
-use settle::{Plane, Points, Settler, Shape};
 
-/// Share of the diagonal that every bound is raised by, for all that f64 rounds.
+/// Share of the diagonal by which every bound is raised, to account for all rounding in f64.
 const ROUNDING: f64 = 1e-11;
 
-/// Share of the diagonal below which a distance is not worth a cut.
+/// Share of the diagonal below which a distance does not justify a cut.
 const NEGLIGIBLE: f64 = 1e-11;
 
-/// Triangles of a face's pieces that are tried for the one nearest to another piece.
-const MAX_KNOWN: usize = 1 << 10;
+/// Maximum number of triangles of a face's pieces that are searched for the one nearest to another
+/// piece.
+const MAX_ASSIGNED_TRIANGLES: usize = 1 << 10;
 
-/// Pieces of the original surface on the faces of the current one.
+/// Assignment of pieces of the original surface to the faces of the current one.
 pub(crate) struct Cover {
     positions: Vec<[f32; 3]>,
     triangles: Vec<[u32; 3]>,
-    /// Distances are measured relative to this corner of the bounds.
+    /// Corner of the bounds, relative to which distances are measured.
     origin: DVec3,
     diagonal: f64,
     pieces: Pieces,
-    settler: Settler,
-    /// For each original vertex its point in the step under way, or none.
+    assigner: PieceAssigner,
+    /// For each original vertex, its point in the current step, or `NONE`.
     point_of_vertex: Vec<u32>,
-    /// For each original triangle its piece in the step under way, or none.
+    /// For each original triangle, its piece in the current step, or `NONE`.
     piece_of_triangle: Vec<u32>,
     proposal: Proposal,
-    /// Original triangles of which a face may have more than its ceiling had: parts left without a floor, and what lies between
-    /// parts that were joined.
+    /// Original triangles whose pieces may cover more in a face than in its ceiling: parts left without
+    /// a floor, and the area between parts that were joined.
     is_displaced: Vec<bool>,
 }
 
-/// What a step takes and gives, until it is done.
+/// Pieces that a step takes from its ceiling and assigns to its floor, until it is committed.
 #[derive(Default)]
 struct Proposal {
     ceiling: Vec<u32>,
@@ -83,23 +89,23 @@ struct Proposal {
     /// Points of the corners of all pieces.
     corner_points: Vec<u32>,
     touched_vertices: Vec<u32>,
-    /// Original triangle and the index of its face in the floor.
+    /// Whole triangles: the original triangle and the index of its face in the floor.
     wholes: Vec<(u32, u32)>,
     parts: Vec<(u32, u32, Polygon)>,
 }
 
-/// A piece of the ceiling, parts of one triangle joined as far as they can be.
+/// A piece of the ceiling, after parts of the same triangle have been joined where possible.
 #[derive(Clone, Copy)]
 struct Gathered {
     triangle: u32,
-    /// Its polygon, or none for the whole triangle.
+    /// Index of its polygon, or `NONE` for the whole triangle.
     polygon: u32,
-    /// Its first entry among the points of all corners.
+    /// Index of its first entry in the corner points.
     first_corner: u32,
 }
 
 impl Cover {
-    /// Each triangle of the original mesh on itself: the face with its number.
+    /// Assigns each triangle of the original mesh to itself, as the face with the same index.
     pub(crate) fn new(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Self {
         let at = |&v: &u32| DVec3::from_array(positions[v as usize].map(f64::from));
         let points = || triangles.iter().flatten().map(at);
@@ -111,7 +117,7 @@ impl Cover {
             origin,
             diagonal,
             pieces: Pieces::new(triangles.len()),
-            settler: Settler::new(negligible),
+            assigner: PieceAssigner::new(negligible),
             point_of_vertex: vec![NONE; positions.len()],
             piece_of_triangle: vec![NONE; triangles.len()],
             proposal: Proposal::default(),
@@ -121,15 +127,16 @@ impl Cover {
         }
     }
 
-    /// Gives the pieces of the faces `ceiling` to the faces `floor` (number and corners); returns how far any of them may be from
-    /// its face, mesh units. Numbers may be used again.
+    /// Assigns the pieces of the faces `ceiling` to the faces `floor` (index and corners); returns a
+    /// bound on the distance of any piece from its face, mesh units. Face indices may be reused.
     pub(crate) fn replace(&mut self, ceiling: &[u32], floor: &[(u32, [[f64; 3]; 3])]) -> f64 {
         let bound = self.propose(ceiling, floor);
         self.commit();
         bound
     }
 
-    /// What [`replace`](Self::replace) would return; [`commit`](Self::commit) does it.
+    /// Computes what [`replace`](Self::replace) would do and returns its bound;
+    /// [`commit`](Self::commit) applies it.
     pub(crate) fn propose(&mut self, ceiling: &[u32], floor: &[(u32, [[f64; 3]; 3])]) -> f64 {
         self.gather(ceiling);
         let proposal = &mut self.proposal;
@@ -145,19 +152,20 @@ impl Cover {
         }
         let origin = self.origin;
         let corners = |face: &(u32, [[f64; 3]; 3])| face.1.map(|p| DVec3::from_array(p) - origin);
-        self.settler.floor.set(floor.iter().map(corners));
-        self.settle_all().sqrt() + ROUNDING * self.diagonal
+        self.assigner.floor.set(floor.iter().map(corners));
+        self.assign_all().sqrt() + ROUNDING * self.diagonal
     }
 
-    /// How far the pieces proposed are from what the faces that are to get them answer for already, orphans apart; faces that are
-    /// `exempt` (by index in the floor) left out. None where all are.
+    /// Returns the largest distance between the proposed pieces and the pieces that their new faces
+    /// have already, ignoring displaced triangles and faces that are `exempt` (by index in the floor).
+    /// `None` if every face is exempt.
     fn reach(&self, exempt: impl Fn(usize) -> bool) -> Option<f64> {
         let Proposal { floor, wholes, parts, .. } = &self.proposal;
         let mut reach: Option<f64> = None;
         for (index, &face) in floor.iter().enumerate().filter(|&(index, _)| !exempt(index)) {
             let mut known = Floor::default();
-            known.set(self.known_triangles(face).into_iter());
-            let mut points = Points::default();
+            known.set(self.assigned_triangles(face).into_iter());
+            let mut points = MeasuredPoints::default();
             let mut look = |triangle: u32, corners: &[[f64; 2]]| {
                 let plane = plane(&self.positions, self.origin, self.triangles[triangle as usize]);
                 points.clear();
@@ -174,8 +182,8 @@ impl Cover {
         reach
     }
 
-    /// Some of the pieces that a face answers for, as triangles; no orphans.
-    fn known_triangles(&self, face: u32) -> Vec<[DVec3; 3]> {
+    /// Returns some of the pieces assigned to a face, as triangles; displaced triangles are left out.
+    fn assigned_triangles(&self, face: u32) -> Vec<[DVec3; 3]> {
         let mut known = Vec::new();
         let mut add = |triangle: u32, corners: &[[f64; 2]]| {
             if self.is_displaced[triangle as usize] {
@@ -188,23 +196,23 @@ impl Cover {
         };
         self.pieces.for_each_whole(face, |triangle| add(triangle, &WHOLE));
         self.pieces.for_each_part(face, |triangle, polygon| add(triangle, polygon.corners()));
-        let stride = known.len().div_ceil(MAX_KNOWN).max(1);
+        let stride = known.len().div_ceil(MAX_ASSIGNED_TRIANGLES).max(1);
         known.into_iter().step_by(stride).collect()
     }
 
-    /// Marks what was proposed as left without a floor.
+    /// Marks the proposed pieces as left without a floor.
     fn mark_orphans(&mut self) {
         for piece in &self.proposal.gathered {
             self.is_displaced[piece.triangle as usize] = true;
         }
     }
 
-    /// Diagonal of the bounds of the original mesh: no two points of it are farther apart.
+    /// Diagonal of the bounds of the original mesh: no two points of the mesh are farther apart.
     fn diagonal(&self) -> f64 {
         self.diagonal
     }
 
-    /// Does what was proposed last.
+    /// Applies the last proposal.
     pub(crate) fn commit(&mut self) {
         let Proposal { ceiling, floor, wholes, parts, .. } = &mut self.proposal;
         for face in ceiling.drain(..) {
@@ -262,8 +270,8 @@ impl Cover {
         gathered.iter().for_each(|piece| piece_of_triangle[piece.triangle as usize] = NONE);
     }
 
-    /// Measures all pieces that were gathered and settles them; returns the largest squared bound.
-    fn settle_all(&mut self) -> f64 {
+    /// Measures and assigns all gathered pieces; returns the largest squared bound.
+    fn assign_all(&mut self) -> f64 {
         self.measure();
         let mut largest: f64 = 0.0;
         let Proposal { gathered, polygons, corner_points, wholes, parts, .. } = &mut self.proposal;
@@ -273,7 +281,7 @@ impl Cover {
                 None => &WHOLE,
             };
             let points = &corner_points[piece.first_corner as usize..][..corners.len()];
-            if let Some((face, squared)) = self.settler.one_for_all(points) {
+            if let Some((face, squared)) = self.assigner.single_face(points) {
                 largest = largest.max(squared);
                 match polygons.get(piece.polygon as usize) {
                     Some(&polygon) => parts.push((piece.triangle, face as u32, polygon)),
@@ -281,21 +289,21 @@ impl Cover {
                 }
                 continue;
             }
-            let mut shape = Shape::new();
+            let mut shape = CutPiece::new();
             corners.iter().zip(points).for_each(|(&corner, &point)| shape.push(corner, point));
             let plane = plane(&self.positions, self.origin, self.triangles[piece.triangle as usize]);
-            let put = |face: usize, shape: &Shape| match shape.polygon() {
+            let put = |face: usize, shape: &CutPiece| match shape.polygon() {
                 polygon if polygon.is_whole() => wholes.push((piece.triangle, face as u32)),
                 polygon => parts.push((piece.triangle, face as u32, polygon)),
             };
-            largest = largest.max(self.settler.settle(shape, &plane, put));
+            largest = largest.max(self.assigner.assign(shape, &plane, put));
         }
         largest
     }
 
-    /// Measures the corners of all pieces, those at original vertices once.
+    /// Measures the corners of all pieces, those at original vertices only once.
     fn measure(&mut self) {
-        let Self { proposal, settler: Settler { floor, points, .. }, point_of_vertex, .. } = self;
+        let Self { proposal, assigner: PieceAssigner { floor, points, .. }, point_of_vertex, .. } = self;
         let Proposal { gathered, polygons, corner_points, touched_vertices, .. } = proposal;
         points.clear();
         corner_points.clear();
@@ -326,20 +334,21 @@ impl Cover {
 }
 
 #[inline]
-fn plane(positions: &[[f32; 3]], origin: DVec3, triangle: [u32; 3]) -> Plane {
+fn plane(positions: &[[f32; 3]], origin: DVec3, triangle: [u32; 3]) -> TrianglePlane {
     let [a, b, c] = triangle.map(|v| DVec3::from_array(positions[v as usize].map(f64::from)));
-    Plane { first: a - origin, to_second: b - a, to_third: c - a }
+    TrianglePlane { first: a - origin, to_second: b - a, to_third: c - a }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The number of a face and its corners.
-    type NumberedFace = (u32, [[f64; 3]; 3]);
+    /// Index and corners of a face.
+    type IndexedFace = (u32, [[f64; 3]; 3]);
 
-    /// A square around a raised middle, as four triangles, and the two that are left without it.
-    fn tent(height: f32) -> (Cover, [NumberedFace; 2]) {
+    /// A square with a raised center, as four triangles, and the two triangles that remain without the
+    /// center.
+    fn tent(height: f32) -> (Cover, [IndexedFace; 2]) {
         let points =
             [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.25, 0.0, height]];
         let cover = Cover::new(&points, &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
@@ -348,31 +357,31 @@ mod tests {
     }
 
     #[test]
-    fn the_middle_is_the_farthest_point() {
+    fn bound_is_the_height_of_the_raised_center() {
         for height in [0.0, 0.001, 0.1, 2.0] {
             let (mut cover, floor) = tent(height);
             let bound = cover.replace(&[0, 1, 2, 3], &floor);
             let height = f64::from(height);
-            assert!(bound >= height && bound <= (1.0 + settle::SLACK) * height + 1e-9, "{height}: {bound}");
+            assert!(bound >= height && bound <= (1.0 + assign::SLACK) * height + 1e-9, "{height}: {bound}");
         }
     }
 
     #[test]
-    fn proposals_change_nothing_and_numbers_may_be_used_again() {
+    fn proposals_change_nothing_and_face_indices_may_be_reused() {
         let (mut cover, floor) = tent(0.5);
         let upright = floor.map(|(face, corners)| (face, corners.map(|[x, y, z]| [x, y, z + 3.0])));
         let far = cover.propose(&[0, 1, 2, 3], &upright);
         assert!(far > 2.99 && far < 3.2, "{far}");
         let bound = cover.replace(&[0, 1, 2, 3], &floor);
         assert!(bound < 0.52, "{bound}");
-        // All pieces are on the two now, on nothing else.
+        // All pieces are on the two faces 0 and 9 now.
         assert_eq!(cover.replace(&[1, 2, 3], &[]), 0.0);
         let back = cover.replace(&[0, 9], &upright);
         assert!(back > 2.99 && back < 3.2, "{back}");
     }
 
     #[test]
-    fn what_is_left_without_a_floor_is_given_up_once() {
+    fn pieces_without_a_floor_are_dropped_once() {
         let (mut cover, floor) = tent(0.5);
         let bound = cover.replace(&[0, 1], &[]);
         assert!(bound >= 8f64.sqrt() && bound < 2.9, "the diagonal: {bound}");
@@ -382,7 +391,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_meet_again() {
+    fn parts_that_meet_again_are_joined() {
         let (mut cover, floor) = tent(0.0);
         cover.replace(&[0, 1, 2, 3], &floor);
         assert!(cover.pieces.peak()[1] > 0, "the cut along the diagonal goes through two triangles");

@@ -1,10 +1,10 @@
-//! Which pieces of the original surface each current triangle answers for.
+//! Stores which pieces of the original surface are assigned to each current triangle.
 
 use super::polygon::Polygon;
 
 pub(super) const NONE: u32 = u32::MAX;
 
-/// A list's first whole triangle and first part.
+/// First whole triangle and first part in the lists of a face.
 #[derive(Clone, Copy)]
 struct Head {
     whole: u32,
@@ -13,14 +13,14 @@ struct Head {
 
 const EMPTY: Head = Head { whole: NONE, part: NONE };
 
-/// A record of a list.
+/// Entry of a linked list.
 struct Node<T> {
     triangle: u32,
     next: u32,
     piece: T,
 }
 
-/// Records of all lists, and those to be used again.
+/// Entries of all lists, and a list of free ones.
 struct Pool<T> {
     nodes: Vec<Node<T>>,
     free: u32,
@@ -66,7 +66,7 @@ pub(super) struct Pieces {
 }
 
 impl Pieces {
-    /// Each original triangle on the face with its number.
+    /// Assigns each original triangle to the face with the same index.
     pub(super) fn new(triangle_count: usize) -> Self {
         let node = |triangle| Node { triangle, next: NONE, piece: () };
         Self {
@@ -111,7 +111,7 @@ impl Pieces {
         &mut self.heads[face as usize]
     }
 
-    /// Records in use at some time: whole triangles and parts.
+    /// Largest number of entries ever in use, for whole triangles and for parts.
     #[cfg(test)]
     pub(super) fn peak(&self) -> [usize; 2] {
         [self.wholes.nodes.len(), self.parts.nodes.len()]

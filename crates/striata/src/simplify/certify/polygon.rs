@@ -1,15 +1,17 @@
-//! Convex parts of one triangle, in its own coordinates.
+//! Convex polygons inside one triangle, in the triangle's own coordinates.
 //!
-//! `u` runs towards the triangle's second corner, `v` towards its third. Cuts and hulls lose at most what f64 rounds.
+//! `u` runs towards the triangle's second corner, `v` towards its third. Cuts and hulls lose no more
+//! than f64 rounding.
 
-/// Corners that a part has at most.
+/// Maximum number of corners of a polygon.
 pub(super) const MAX_CORNERS: usize = 8;
 
 /// The three corners of the whole triangle.
 pub(super) const WHOLE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
-/// Corners nearer than this to the line between their neighbors are none, in units of the triangle's sides.
-const FLAT: f64 = 1e-14;
+/// A corner closer than this to the line between its neighbors is dropped, in units of the triangle's
+/// sides.
+const FLATNESS_TOLERANCE: f64 = 1e-14;
 
 /// A convex polygon, counterclockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +21,7 @@ pub(super) struct Polygon {
 }
 
 impl Polygon {
-    /// From its corners; the caller sees to it that they are at most [`MAX_CORNERS`].
+    /// Creates a polygon from its corners, at most [`MAX_CORNERS`].
     pub(super) fn new(corners: &[[f64; 2]]) -> Self {
         let mut all = [[0.0; 2]; MAX_CORNERS];
         all[..corners.len()].copy_from_slice(corners);
@@ -31,12 +33,12 @@ impl Polygon {
         &self.corners[..usize::from(self.count)]
     }
 
-    /// True where nothing of the triangle is missing.
+    /// Whether the polygon is the whole triangle.
     pub(super) fn is_whole(&self) -> bool {
         self.count == 3 && WHOLE.iter().all(|corner| self.corners().contains(corner))
     }
 
-    /// Its area, of which the whole triangle has a half.
+    /// Area in units in which the whole triangle has the area 1/2.
     pub(super) fn area(&self) -> f64 {
         let corners = self.corners();
         let first = corners[0];
@@ -47,7 +49,7 @@ impl Polygon {
         0.5 * corners.windows(2).map(twice).sum::<f64>()
     }
 
-    /// The smallest convex polygon around both; none where it has too many corners.
+    /// Returns the convex hull of both; `None` if it has too many corners.
     pub(super) fn hull(&self, other: &Self) -> Option<Self> {
         let mut points = [[0.0; 2]; 2 * MAX_CORNERS];
         let (first, second) = (self.corners(), other.corners());
@@ -56,7 +58,7 @@ impl Polygon {
         points[first.len()..count].copy_from_slice(second);
         let points = &mut points[..count];
         points.sort_unstable_by(|p, q| p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])));
-        // Below from left to right, then above from right to left, as Andrew's monotone chain does.
+        // The lower hull from left to right, then the upper one back, as in Andrew's monotone chain.
         let mut chain = [[0.0; 2]; 2 * MAX_CORNERS + 1];
         let mut length = 0;
         for &p in &*points {
@@ -71,7 +73,8 @@ impl Polygon {
     }
 }
 
-/// Puts a point at the end of a chain that turns left, of which the first `fixed` stay.
+/// Appends a point to a chain that turns left, removing earlier points except the first `fixed`;
+/// returns the new length.
 #[inline]
 fn push_convex(chain: &mut [[f64; 2]], mut length: usize, fixed: usize, p: [f64; 2]) -> usize {
     while length > fixed && !turns_left(chain[length - 2], chain[length - 1], p) {
@@ -84,12 +87,13 @@ fn push_convex(chain: &mut [[f64; 2]], mut length: usize, fixed: usize, p: [f64;
     length + 1
 }
 
-/// True where `b` stands out on the right of the way from `a` to `c`.
+/// Whether the path from `a` over `b` to `c` clearly turns left.
 #[inline]
 fn turns_left(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
     let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
     let twice_area = ab[0] * ac[1] - ab[1] * ac[0];
-    twice_area > 0.0 && twice_area * twice_area > FLAT * FLAT * (ac[0] * ac[0] + ac[1] * ac[1])
+    twice_area > 0.0
+        && twice_area * twice_area > FLATNESS_TOLERANCE * FLATNESS_TOLERANCE * (ac[0] * ac[0] + ac[1] * ac[1])
 }
 
 #[cfg(test)]
@@ -98,7 +102,7 @@ mod tests {
     use crate::mesh::Random;
 
     #[test]
-    fn halves_make_the_whole_again() {
+    fn hull_of_two_halves_is_the_whole_triangle() {
         let (m, n) = ([0.3, 0.0], [0.25, 0.75]);
         let left = Polygon::new(&[[0.0, 0.0], m, n, [0.0, 1.0]]);
         let right = Polygon::new(&[m, [1.0, 0.0], n]);
@@ -119,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn hulls_hold_all_corners_and_turn_left() {
+    fn hulls_contain_all_corners_and_turn_left() {
         let mut random = Random::new(5);
         let mut kept = 0;
         for _ in 0..2_000 {

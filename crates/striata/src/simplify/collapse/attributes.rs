@@ -1,11 +1,12 @@
-//! What a collapse does to attributes: how far the removed vertex's values lie from those of the new fan.
+//! Attribute cost of a collapse: how far the removed vertex's attributes are from those of the new fan.
 //!
-//! Weighted attributes are further coordinates beside the position (as in [Hop99], though there by quadrics): the
-//! nearest point of the fan is found in space, its attributes by interpolation, and their squared difference
-//! counts over the area of the star like a squared distance.
+//! Weighted attributes are treated as further coordinates of the position (as in [Hop99], which uses
+//! quadrics for them). The nearest point of the fan is found in space, its attributes by interpolation,
+//! and their squared difference counts over the area of the star like a squared distance.
 //!
-//! If a wedge crosses a seam, the triangles that it leaves take over values that do not belong to them. Over each of these
-//! triangles, the difference falls linearly from the crossing corner to the opposite edge; its mean square counts over the area.
+//! If a wedge crosses a seam, its triangles take over values that do not belong to them. Over each of
+//! these triangles, the difference falls linearly from the crossing corner to the opposite edge; its
+//! mean square counts over the triangle's area.
 
 use glam::Vec3;
 
@@ -17,7 +18,7 @@ use super::star::Star;
 use super::wedges::Wedges;
 use crate::simplify::options::AttributeWeights;
 
-/// What coordinates of a kind count where a seam is crossed or receives another course.
+/// Factors on attribute differences at seams that are crossed or whose shape changes.
 #[derive(Clone, Copy, Debug)]
 struct SeamFactors {
     crossing: f32,
@@ -25,46 +26,50 @@ struct SeamFactors {
 }
 
 const PLAIN: SeamFactors = SeamFactors { crossing: 1.0, border: 1.0 };
-/// Tiled texture coordinates, and materials: 6 smears them over their neighbors.
+/// Factors for tiled texture coordinates and for materials; a crossing factor of 6 lets collapses smear
+/// them over their neighbors.
 const TILED: SeamFactors = SeamFactors { crossing: 20.0, border: 1.0 };
-/// Texture coordinates of an atlas, whose charts must not mix: the errors of spot at a tenth of its triangles fall by a quarter
-/// for 1 % more RMS; with 1,000 the shape suffers.
+/// Factors for texture coordinates of an atlas, whose charts must not mix. They reduce the texture
+/// errors of the Spot model at a tenth of its triangles by a quarter, for 1 % more RMS; with a crossing
+/// factor of 1,000 the shape suffers.
 const ATLAS: SeamFactors = SeamFactors { crossing: 60.0, border: 20.0 };
-/// Largest squared distance that smeared attributes count for: a foreign part of a texture is no worse than a dent of a
-/// seventh of the diagonal.
+/// Upper limit of the squared distance that smeared attributes count for: showing a wrong part of the
+/// texture is no worse than a dent of a seventh of the diagonal.
 const MAX_SMEAR: f32 = 0.02;
-/// How much more stretched texture coordinates count than the difference at the removed vertex.
+/// Factor on the difference of stretched texture coordinates, relative to the difference at the removed
+/// vertex.
 const STRETCH_FACTOR: f32 = 5.0;
-/// How far beyond a triangle its texture coordinates are extended, in its edges.
+/// Limit on how far texture coordinates are extrapolated beyond a triangle, in multiples of its edges.
 const MAX_EXTENSION: f32 = 3.0;
-/// Weight of the texture coordinates of an atlas, in their default weight, if a unit of them is as long as the diagonal of the
-/// mesh: what is seen is how far the texture slides on the surface.
+/// Multiple of the default weight for the texture coordinates of an atlas, if one unit of them is as
+/// long as the diagonal of the mesh: what the viewer sees is how far the texture slides on the surface.
 const SLIDE_FACTOR: f32 = 3.0;
-/// That weight is at least and at most this many times the default.
-const LEAST_SLIDE: f32 = 0.3;
-const MOST_SLIDE: f32 = 4.0;
-/// Mean square of a linear function over a triangle that is 1 at one corner and 0 at the others.
+/// Lower and upper limit of that multiple.
+const MIN_SLIDE: f32 = 0.3;
+const MAX_SLIDE: f32 = 4.0;
+/// Mean square over a triangle of the linear function that is 1 at one corner and 0 at the others.
 const CORNER_SHARE: f32 = 1.0 / 6.0;
-/// Wedges of one star that are told apart; further ones count nothing.
+/// Maximum number of wedges that are distinguished in one star; any more do not add to the cost.
 const MAX_WEDGES: usize = 12;
 
-/// Attributes of all vertices as coordinates in scaled units.
+/// Attributes of all vertices as coordinates, in scaled units.
 #[derive(Debug)]
 pub(in crate::simplify) struct AttributeSpace {
     dimension: usize,
     values: Vec<f32>,
-    /// Coordinates that are texture coordinates, one bit each.
+    /// Bit mask of the coordinates that are texture coordinates.
     texcoords: u32,
-    /// For each vertex, its coordinates that belong to an atlas, one bit each; empty if there are none.
+    /// For each vertex, a bit mask of its coordinates that belong to an atlas; empty if there are none.
     atlases: Vec<u32>,
-    /// The material of each vertex; empty if there is only one.
+    /// Material of each vertex; empty if there is only one.
     materials: Vec<u32>,
     /// Squared difference between any two materials.
     material_squared: f32,
 }
 
 impl AttributeSpace {
-    /// The weighted layers of a mesh, texture coordinates with a factor for each material; `None` if no layer has a weight.
+    /// Creates the space of a mesh's weighted layers; `texcoord_factors` has a factor for each
+    /// material. Returns `None` if no layer has a weight.
     pub(in crate::simplify) fn new(
         welded: &Welded,
         weights: &AttributeWeights,
@@ -106,7 +111,7 @@ impl AttributeSpace {
         Some(space)
     }
 
-    /// Fills in the coordinates of a layer, which begin with number `first`.
+    /// Fills in the coordinates of a layer, beginning at coordinate `first`.
     fn fill(
         &mut self,
         welded: &Welded,
@@ -120,7 +125,7 @@ impl AttributeSpace {
         let is_texcoord = matches!(layer.semantic, Semantic::TexCoord(_));
         if is_texcoord {
             self.texcoords |= bits;
-            lengths = charts::atlas_lengths(welded, layer);
+            lengths = charts::atlas_unit_lengths(welded, layer);
             self.atlases.resize(lengths.len(), 0);
             for (mask, &length) in self.atlases.iter_mut().zip(&lengths) {
                 *mask |= if length > 0.0 { bits } else { 0 };
@@ -128,31 +133,31 @@ impl AttributeSpace {
         }
         for vertex in 0..welded.mesh.vertex_count() {
             let slide = match lengths.get(vertex) {
-                Some(&length) if length > 0.0 => (SLIDE_FACTOR * length).clamp(LEAST_SLIDE, MOST_SLIDE),
+                Some(&length) if length > 0.0 => (SLIDE_FACTOR * length).clamp(MIN_SLIDE, MAX_SLIDE),
                 _ => 1.0,
             };
             let factor =
                 if is_texcoord { self.texcoord_factor(welded, vertex, texcoord_factors) } else { 1.0 };
             for c in 0..count {
                 let value = factor * slide * weight * layer.get(vertex, c);
-                // A value that is no number must not decide anything.
+                // A value that is not finite must not affect the cost.
                 self.values[vertex * self.dimension + first + c] =
                     if value.is_finite() { value } else { 0.0 };
             }
         }
     }
 
-    /// The factor of a vertex's material; 1 if it has no material or the list ends before it.
+    /// Factor of a vertex's material; 1 if it has no material or the list is too short.
     fn texcoord_factor(&self, welded: &Welded, vertex: usize, factors: &[f32]) -> f32 {
         let material = match self.materials.get(vertex) {
             Some(&material) => material.checked_sub(1),
-            // All groups share one.
+            // All groups share one material.
             None => welded.mesh.groups.first().and_then(|group| group.material),
         };
         material.and_then(|m| factors.get(m as usize)).copied().unwrap_or(1.0)
     }
 
-    /// What coordinate `d` of a vertex counts at seams.
+    /// Factors of coordinate `d` of a vertex at seams.
     fn factors(&self, vertex: u32, d: usize) -> SeamFactors {
         let is_set = |mask: u32| d < 32 && mask >> d & 1 == 1;
         if !is_set(self.texcoords) {
@@ -165,25 +170,26 @@ impl AttributeSpace {
         &self.values[vertex as usize * self.dimension..][..self.dimension]
     }
 
-    /// True if both vertices belong to one material.
+    /// Whether both vertices belong to the same material.
     fn share_material(&self, a: u32, b: u32) -> bool {
         self.materials.is_empty() || self.materials[a as usize] == self.materials[b as usize]
     }
 
-    /// Squared difference of two vertices' attributes and materials.
+    /// Squared difference of two vertices in attributes and material.
     pub(in crate::simplify) fn difference_squared(&self, a: u32, b: u32) -> f32 {
         let squared: f32 = self.of(a).iter().zip(self.of(b)).map(|(x, y)| (x - y) * (x - y)).sum();
         if self.share_material(a, b) { squared } else { squared + self.material_squared }
     }
 
-    /// Squared difference of the attributes and materials on both sides of a seam that takes another course.
+    /// Squared difference in attributes and material between the two sides of a seam whose shape
+    /// changes.
     pub(in crate::simplify) fn border_squared(&self, a: u32, b: u32) -> f32 {
         let squared = self.weighted_squared(a, b, |factors| factors.border);
         if self.share_material(a, b) { squared } else { squared + self.material_squared }
     }
 
-    /// Squared difference between the texture coordinates that `target` brings to a triangle, whose corners are at the origin, `a`
-    /// and `b`, and those that the triangle would have if it were extended to the new place `u`.
+    /// Squared difference between the texture coordinates of `target` and those that the triangle with
+    /// corners at the origin, `a` and `b` would have at the new position `u` if it were extended to it.
     fn stretch_squared(&self, corners: [u32; 3], target: u32, [u, a, b]: [Vec3; 3]) -> f32 {
         let normal = a.cross(b);
         let area_squared = normal.length_squared().max(f32::MIN_POSITIVE);
@@ -200,7 +206,8 @@ impl AttributeSpace {
         (STRETCH_FACTOR * squared).min(MAX_SMEAR)
     }
 
-    /// Squared difference between two points of triangles, each given by its corners and barycentric coordinates.
+    /// Squared difference between two points on triangles, each given by its corners and barycentric
+    /// coordinates.
     pub(in crate::simplify) fn points_difference_squared(
         &self,
         (corners, weights): ([u32; 3], [f32; 3]),
@@ -220,13 +227,14 @@ impl AttributeSpace {
         }
     }
 
-    /// Squared difference of two vertices' attributes, those of `a` weighted by a factor.
+    /// Squared difference of two vertices' attributes, with a factor that depends on the coordinates of
+    /// `a`.
     fn weighted_squared(&self, a: u32, b: u32, factor: impl Fn(SeamFactors) -> f32) -> f32 {
         let pairs = self.of(a).iter().zip(self.of(b)).enumerate();
         pairs.map(|(d, (x, y))| factor(self.factors(a, d)) * (x - y) * (x - y)).sum()
     }
 
-    /// What it costs over a unit of area that `to` stands for `from` on the other side of a seam.
+    /// Cost per unit of area of replacing `from` by `to` on the other side of a seam.
     pub(in crate::simplify) fn crossing_squared(&self, from: u32, to: u32) -> f32 {
         let squared = self.weighted_squared(from, to, |factors| factors.crossing);
         let material =
@@ -234,7 +242,7 @@ impl AttributeSpace {
         (squared + material).min(MAX_SMEAR)
     }
 
-    /// What collapsing `v` to neighbor `k` of its star costs in attributes; the wedges must be paired already.
+    /// Attribute cost of collapsing `v` to neighbor `k` of its star; the wedges must be paired already.
     pub(in crate::simplify) fn cost(
         &self,
         star: &Star,
@@ -244,12 +252,18 @@ impl AttributeSpace {
     ) -> f32 {
         let vertex_at = |t: usize, position: u32| {
             wedges.map_or(position, |w| {
-                if w.is_split(position) { w.shown(star.triangles[t], position) } else { w.first(position) }
+                if w.is_split(position) {
+                    w.vertex_at(star.triangles[t], position)
+                } else {
+                    w.first(position)
+                }
             })
         };
         let u = star.offset(k);
-        // The wedge in question, the least distance to its side of the fan, and the difference there.
-        let mut found: [(u32, f32, f32); MAX_WEDGES] = [(u32::MAX, f32::INFINITY, 0.0); MAX_WEDGES];
+        // For each wedge: its vertex, the least distance to its side of the fan, and the difference
+        // there.
+        let mut nearest_by_wedge: [(u32, f32, f32); MAX_WEDGES] =
+            [(u32::MAX, f32::INFINITY, 0.0); MAX_WEDGES];
         let mut crossing = 0.0;
         for t in 0..star.triangle_count() {
             let [i, j] = star.triangle(t);
@@ -270,7 +284,9 @@ impl AttributeSpace {
                 crossing += areas[0].max(areas[1]) * self.crossing_squared(wedge, target);
                 continue;
             }
-            let Some(slot) = found.iter_mut().find(|f| f.0 == wedge || f.0 == u32::MAX) else { continue };
+            let Some(slot) = nearest_by_wedge.iter_mut().find(|f| f.0 == wedge || f.0 == u32::MAX) else {
+                continue;
+            };
             let [x, y, z] = nearest(u, a, b);
             let distance = (u * x + a * y + b * z).length_squared();
             if distance < slot.1 {
@@ -279,10 +295,11 @@ impl AttributeSpace {
                 *slot = (wedge, distance, self.interpolation_error(wedge, corners, [x, y, z]));
             }
         }
-        star.area() * found.iter().map(|f| f.2).sum::<f32>() + CORNER_SHARE * crossing
+        star.area() * nearest_by_wedge.iter().map(|f| f.2).sum::<f32>() + CORNER_SHARE * crossing
     }
 
-    /// Squared difference between a vertex and a point of the triangle `corners` with these barycentric coordinates.
+    /// Squared difference between a vertex's attributes and those at barycentric coordinates in a
+    /// triangle.
     pub(in crate::simplify) fn interpolation_error(
         &self,
         wedge: u32,
@@ -298,8 +315,8 @@ impl AttributeSpace {
     }
 }
 
-/// For each vertex, the index of its material plus one, or 0 if it has none; empty if all vertices share one material. Welding
-/// keeps every vertex to one material.
+/// Returns the index of each vertex's material plus one, or 0 if it has none; empty if all vertices
+/// share one material. Welding ensures that every vertex has one material only.
 fn materials_of(welded: &Welded) -> Vec<u32> {
     let groups = &welded.mesh.groups;
     if groups.windows(2).all(|pair| pair[0].material == pair[1].material) {
@@ -320,7 +337,7 @@ mod tests {
 
     use super::*;
 
-    /// Two triangles apart from each other, with texture coordinates that differ at every corner.
+    /// Two separate triangles with texture coordinates that differ at every corner.
     fn two_triangles(materials: [Option<u32>; 2]) -> Welded {
         let positions = (0..6).map(|i| [i as f32, (i * i) as f32, 0.0]).collect();
         let mut mesh = IndexedMesh::new(positions, vec![[0, 1, 2], [3, 4, 5]]);
@@ -332,10 +349,10 @@ mod tests {
             .zip(0..)
             .map(|(material, first)| TriangleGroup { first, count: 1, material, ..TriangleGroup::default() })
             .collect();
-        weld(&mesh).expect("the mesh is sound")
+        weld(&mesh).expect("the mesh is valid")
     }
 
-    /// Squared difference of two vertices of the first triangle, and of the second.
+    /// Squared differences between two vertices of the first triangle and of the second.
     fn differences(welded: &Welded, factors: &[f32]) -> [f32; 2] {
         let space =
             AttributeSpace::new(welded, &AttributeWeights::default(), factors).expect("there are UVs");

@@ -1,38 +1,45 @@
-//! Whether texture coordinates form an atlas: charts side by side in one copy of the texture, each part of which is used once or
-//! a few times.
+//! Detects texture atlases: charts next to each other in one copy of the texture, each part of which is
+//! used once or a few times.
 //!
-//! An error of an atlas shows a foreign part of the texture; tiled coordinates show the same pattern elsewhere.
+//! Wrong atlas coordinates show an unrelated part of the texture; wrong tiled coordinates show the same
+//! pattern, shifted.
 
 use glam::{DVec2, Vec3};
 
 use crate::mesh::{AttributeLayer, IndexedMesh, Welded};
 
-/// Cells of the square along each side.
+/// Cells along each side of the unit square of texture coordinates.
 const CELL_COUNT: usize = 512;
-/// So many cells are more than may be covered with that.
+/// A material that covers more cells than this uses the texture several times over.
 const MAX_CELLS: u64 = 3 * (CELL_COUNT * CELL_COUNT) as u64;
-/// Most that the coordinates may extend along each axis: charts are let out of the unit square a little.
+/// Maximum extent of the coordinates along each axis: charts may extend slightly beyond the unit
+/// square.
 const MAX_EXTENT: f32 = 1.25;
 /// Share of the covered cells that may be covered twice.
 const MAX_OVERLAP: f64 = 0.6;
 
-/// For each vertex the length on the surface, in diagonals, of a unit of its texture coordinates, if its material uses `layer` as an
-/// atlas; 0 if not.
+/// Returns for each vertex the length on the surface of one unit of its texture coordinates, as a share
+/// of the mesh's diagonal, if its material uses `layer` as an atlas; otherwise 0.
 ///
-/// O(n) time for n triangles, and that of painting them into a square of 512 by 512 cells.
-pub(in crate::simplify) fn atlas_lengths(welded: &Welded, layer: &AttributeLayer) -> Vec<f32> {
+/// Takes O(n) time for n triangles, plus the time to rasterize them into 512 by 512 cells.
+pub(in crate::simplify) fn atlas_unit_lengths(welded: &Welded, layer: &AttributeLayer) -> Vec<f32> {
     let mesh = &welded.mesh;
     let mut lengths = vec![0.0; mesh.vertex_count()];
     if layer.component_count < 2 {
         return lengths;
     }
     let diagonal = mesh.diagonal();
-    let mut cover = Cover { owner: vec![0; CELL_COUNT * CELL_COUNT], number: 0, cells: 0, doubles: 0 };
-    for lists in by_material(mesh) {
-        if cover.is_atlas(&lists, layer) {
-            let length = unit_length(mesh, &lists, layer) / diagonal;
+    let mut coverage = TextureCoverage {
+        owner: vec![0; CELL_COUNT * CELL_COUNT],
+        stamp: 0,
+        covered_count: 0,
+        repeated_count: 0,
+    };
+    for slices in by_material(mesh) {
+        if coverage.is_atlas(&slices, layer) {
+            let length = unit_length(mesh, &slices, layer) / diagonal;
             let length = if length.is_finite() { length as f32 } else { 0.0 };
-            for &vertex in lists.iter().flat_map(|list| list.as_flattened()) {
+            for &vertex in slices.iter().flat_map(|slice| slice.as_flattened()) {
                 lengths[vertex as usize] = length;
             }
         }
@@ -40,7 +47,7 @@ pub(in crate::simplify) fn atlas_lengths(welded: &Welded, layer: &AttributeLayer
     lengths
 }
 
-/// The triangles of each material, in one or more lists.
+/// Returns the triangles of each material, in one or more slices.
 fn by_material(mesh: &IndexedMesh) -> Vec<Vec<&[[u32; 3]]>> {
     if mesh.groups.is_empty() {
         return vec![vec![&mesh.triangles]];
@@ -55,10 +62,10 @@ fn by_material(mesh: &IndexedMesh) -> Vec<Vec<&[[u32; 3]]>> {
     materials.into_iter().map(of).collect()
 }
 
-/// Length on the surface of a unit of texture coordinates.
-fn unit_length(mesh: &IndexedMesh, lists: &[&[[u32; 3]]], layer: &AttributeLayer) -> f64 {
+/// Returns the length on the surface of one unit of texture coordinates.
+fn unit_length(mesh: &IndexedMesh, slices: &[&[[u32; 3]]], layer: &AttributeLayer) -> f64 {
     let (mut surface, mut texture) = (0.0, 0.0);
-    for t in lists.iter().copied().flatten() {
+    for t in slices.iter().copied().flatten() {
         let [a, b, c] = t.map(|v| Vec3::from(mesh.positions[v as usize]).as_dvec3());
         surface += (b - a).cross(c - a).length();
         let [a, b, c] = t.map(|v| [0, 1].map(|k| f64::from(layer.get(v as usize, k)))).map(DVec2::from);
@@ -67,37 +74,37 @@ fn unit_length(mesh: &IndexedMesh, lists: &[&[[u32; 3]]], layer: &AttributeLayer
     (surface / texture).sqrt()
 }
 
-/// Cells whose middles triangles cover.
-struct Cover {
-    /// The last list of triangles that covered each cell.
+/// Counts the cells whose centers are covered by triangles.
+struct TextureCoverage {
+    /// Index of the last material that covered each cell.
     owner: Vec<u32>,
-    number: u32,
-    cells: u64,
-    doubles: u64,
+    stamp: u32,
+    covered_count: u64,
+    repeated_count: u64,
 }
 
-impl Cover {
-    /// Whether the triangles use each part of the texture once.
-    fn is_atlas(&mut self, lists: &[&[[u32; 3]]], layer: &AttributeLayer) -> bool {
-        let corners = || lists.iter().flat_map(|list| list.as_flattened());
+impl TextureCoverage {
+    /// Whether the triangles use each part of the texture about once.
+    fn is_atlas(&mut self, slices: &[&[[u32; 3]]], layer: &AttributeLayer) -> bool {
+        let corners = || slices.iter().flat_map(|slice| slice.as_flattened());
         for axis in 0..2 {
             let values = || corners().map(|&v| layer.get(v as usize, axis));
             let low = values().fold(f32::INFINITY, f32::min);
             let high = values().fold(f32::NEG_INFINITY, f32::max);
-            // Neither if there are none, or some that are no numbers.
+            // The extent is not finite if there are no values, or if one is NaN.
             if (high - low).is_nan() || high - low > MAX_EXTENT {
                 return false;
             }
         }
-        (self.number, self.cells, self.doubles) = (self.number + 1, 0, 0);
-        for t in lists.iter().copied().flatten() {
-            if self.cells > MAX_CELLS {
+        (self.stamp, self.covered_count, self.repeated_count) = (self.stamp + 1, 0, 0);
+        for t in slices.iter().copied().flatten() {
+            if self.covered_count > MAX_CELLS {
                 // Covered several times over.
                 return false;
             }
             self.paint(t.map(|v| [0, 1].map(|c| layer.get(v as usize, c) * CELL_COUNT as f32 - 0.5)));
         }
-        self.doubles as f64 <= MAX_OVERLAP * self.cells as f64
+        self.repeated_count as f64 <= MAX_OVERLAP * self.covered_count as f64
     }
 
     fn paint(&mut self, [a, b, c]: [[f32; 2]; 3]) {
@@ -114,13 +121,14 @@ impl Cover {
             for column in left..=right {
                 let (x, y) = (column as f32, row as f32);
                 let sides = [side(a, b, x, y), side(b, c, x, y), side(c, a, x, y)];
-                // On one side of all three edges; a shared edge counts once, but for rounding.
+                // Inside if on the same side of all three edges; points on a shared edge count once, up
+                // to rounding.
                 if sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0) {
                     let [row, column] = [row, column].map(|i| i.rem_euclid(CELL_COUNT as i64) as usize);
                     let owner = &mut self.owner[row * CELL_COUNT + column];
-                    let is_double = std::mem::replace(owner, self.number) == self.number;
-                    self.cells += 1;
-                    self.doubles += u64::from(is_double);
+                    let is_repeated = std::mem::replace(owner, self.stamp) == self.stamp;
+                    self.covered_count += 1;
+                    self.repeated_count += u64::from(is_repeated);
                 }
             }
         }
@@ -132,7 +140,8 @@ mod tests {
     use super::*;
     use crate::mesh::{LayerData, Semantic, weld};
 
-    /// A row of squares, each with its own part of the texture, `repeat` times as large as it should be.
+    /// A row of squares, each with its own part of the texture; `repeat` scales the texture
+    /// coordinates.
     fn lengths(count: usize, repeat: f32, overlap: bool) -> Vec<f32> {
         let (mut positions, mut triangles, mut uvs) = (Vec::new(), Vec::new(), Vec::new());
         for i in 0..count {
@@ -152,21 +161,21 @@ mod tests {
             data: LayerData::F32(uvs),
         };
         mesh.layers.push(layer);
-        let welded = weld(&mesh).expect("it is sound");
-        atlas_lengths(&welded, &welded.mesh.layers[0])
+        let welded = weld(&mesh).expect("the mesh is valid");
+        atlas_unit_lengths(&welded, &welded.mesh.layers[0])
     }
 
     #[test]
-    fn charts_side_by_side_are_an_atlas() {
+    fn adjacent_charts_form_an_atlas() {
         let found = lengths(4, 1.0, false);
-        // A square of side 1 covers 0.9 / 4 of the texture; the diagonal is that of a row of 7 by 1.
+        // A square of side 1 covers 0.9 / 4 of the texture; the bounds of the row are 7 by 1.
         let expected = (4.0 / 0.9) / 50.0f32.sqrt();
         assert!(found.iter().all(|length| (length - expected).abs() < 1e-4), "{found:?}");
     }
 
     #[test]
-    fn tiles_and_stacks_are_none() {
-        assert!(lengths(4, 8.0, false).iter().all(|&length| length == 0.0), "it is repeated");
-        assert!(lengths(8, 8.0, true).iter().all(|&length| length == 0.0), "all show the same");
+    fn tiled_and_overlapping_charts_are_not_an_atlas() {
+        assert!(lengths(4, 8.0, false).iter().all(|&length| length == 0.0), "the texture is repeated");
+        assert!(lengths(8, 8.0, true).iter().all(|&length| length == 0.0), "all charts overlap");
     }
 }

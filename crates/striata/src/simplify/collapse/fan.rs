@@ -1,20 +1,20 @@
-//! What replaces a removed vertex: checks and distances of the new fan of triangles.
+//! Tests and distances of the new triangle fan that replaces a removed vertex.
 //!
-//! Everything is relative to the removed vertex, which is therefore the origin.
+//! All coordinates are relative to the removed vertex, which is therefore the origin.
 
 use glam::Vec3;
 use wide::f32x8;
 
-/// Squared distance of the origin from the triangle `(a, b, c)`, degenerate ones included.
+/// Squared distance of the origin from the triangle `(a, b, c)`, which may be degenerate.
 ///
-/// The regions of the triangle are told apart as in Ericson, Real-Time Collision Detection, 5.1.5.
+/// The regions of the triangle are distinguished as in Ericson, Real-Time Collision Detection, 5.1.5.
 #[inline]
 pub(in crate::simplify) fn distance_squared(a: Vec3, b: Vec3, c: Vec3) -> f32 {
     let [_, v, w] = nearest(a, b, c);
     (a + (b - a) * v + (c - a) * w).length_squared()
 }
 
-/// A position as a vector, without its padding.
+/// Returns a position as a vector, without its padding.
 #[inline]
 pub(in crate::simplify) fn point(positions: &[[f32; 4]], p: u32) -> Vec3 {
     let [x, y, z, _] = positions[p as usize];
@@ -57,20 +57,21 @@ pub(in crate::simplify) fn nearest(a: Vec3, b: Vec3, c: Vec3) -> [f32; 3] {
     [1.0 - v - w, v, w]
 }
 
-/// A quotient that is 0 where nothing is divided by nothing, as degenerate triangles do.
+/// Quotient, or 0 if the divisor is not positive, as for degenerate triangles.
 #[inline]
 fn ratio(x: f32, y: f32) -> f32 {
     if y > 0.0 { x / y } else { 0.0 }
 }
 
-/// Cosine that the normals of an old and a new triangle must at least have between them.
+/// Least cosine allowed between the normals of an old triangle and its replacement.
 const FLIP_COSINE: f32 = 0.2;
-/// A new triangle may not be thinner than this (1 is equilateral), unless the one it replaces was thinner still.
+/// A new triangle must have at least this quality (1 is equilateral), unless the one it replaces was
+/// worse.
 const SLIVER_QUALITY: f32 = 0.01;
-/// Below this the normal of a triangle is noise.
+/// Below this quality, the normal of a triangle is noise.
 const NEEDLE_QUALITY: f32 = 0.02;
 
-/// The sum of the normals of a star.
+/// Length of the sum of a star's normals.
 #[derive(Clone, Copy)]
 pub(in crate::simplify) struct StarNormal {
     length: f32x8,
@@ -83,13 +84,14 @@ impl StarNormal {
     }
 }
 
-/// Eight triangles `(v, a, b)` and the fan triangles `(u, a, b)` that are to replace them.
+/// Eight triangles `(v, a, b)` and the fan triangles `(u, a, b)` that would replace them.
 #[derive(Clone, Copy)]
 pub(in crate::simplify) struct Change {
     /// Lengths of the unscaled normals.
     pub(in crate::simplify) old_length: f32x8,
     pub(in crate::simplify) new_length: f32x8,
-    /// Dot products of the unscaled normals, and with the sum of all normals of the star.
+    /// Dot products of the unscaled normals with each other, and with the sum of all normals of the
+    /// star.
     pub(in crate::simplify) new_on_old: f32x8,
     pub(in crate::simplify) new_on_mean: f32x8,
     pub(in crate::simplify) old_on_mean: f32x8,
@@ -99,10 +101,10 @@ pub(in crate::simplify) struct Change {
 }
 
 impl Change {
-    /// True where the new triangle keeps facing the same way and is no sliver.
+    /// Lane mask of the triangles that keep their orientation and do not become slivers.
     ///
-    /// A needle faces nowhere in particular, so what follows it must agree with the mean of the star, or stay as
-    /// small. Scans are full of needles, and locking them would lock their neighbors.
+    /// The normal of a needle is meaningless, so its replacement must agree with the mean normal of the
+    /// star, or stay as small. Scans are full of needles, and locking them would lock their neighbors.
     #[inline]
     pub(in crate::simplify) fn is_allowed(self, star: StarNormal) -> f32x8 {
         let splat = f32x8::splat;
@@ -121,9 +123,10 @@ impl Change {
     }
 }
 
-/// A point against eight triangles `(A, B, C)`, by dot products alone: stars share most of them.
+/// Distances of a point from eight triangles `(A, B, C)`, by dot products only: the triangles of a star
+/// share most of them.
 ///
-/// With `p` the point: `d` holds AB.Ap, AC.Ap, AB.Bp, AC.Bp, AB.Cp, AC.Cp.
+/// With `p` the point, `d` contains AB.Ap, AC.Ap, AB.Bp, AC.Bp, AB.Cp, AC.Cp.
 #[derive(Clone, Copy)]
 pub(in crate::simplify) struct Products {
     pub(in crate::simplify) d: [f32x8; 6],
@@ -135,8 +138,9 @@ pub(in crate::simplify) struct Products {
 }
 
 impl Products {
-    /// Squared distance of the point from the triangle; exact in the plane's direction, and to a few
-    /// units in the last place of the squared edges beside it. The point of a triangle without area is near its sides.
+    /// Squared distance of the point from the triangle. It is exact perpendicular to the plane, and
+    /// within the plane accurate to a few units in the last place of the squared edges. For a triangle
+    /// without area, it is the distance from its sides.
     #[inline]
     pub(in crate::simplify) fn distance_squared(&self) -> f32x8 {
         let [d1, d2, d3, d4, d5, d6] = self.d;
@@ -146,25 +150,24 @@ impl Products {
         let is_inside = va.simd_gt(zero) & vb.simd_gt(zero) & vc.simd_gt(zero);
         let floor = f32x8::splat(f32::MIN_POSITIVE);
         let above = self.height * self.height / self.normal_squared.fast_max(floor);
-        let sides = beside(from_a, d1, d1 - d3).fast_min(beside(from_a, d2, d2 - d6)).fast_min(beside(
-            from_b,
-            d4 - d3,
-            (d4 - d3) + (d5 - d6),
-        ));
+        let sides = segment_distance_squared(from_a, d1, d1 - d3)
+            .fast_min(segment_distance_squared(from_a, d2, d2 - d6))
+            .fast_min(segment_distance_squared(from_b, d4 - d3, (d4 - d3) + (d5 - d6)));
         is_inside.bitselect(above, sides)
     }
 }
 
-/// Squared distance from a segment that begins at squared distance `from`, `along` being the dot product of the way
-/// to the point with the segment, whose squared length is `length_squared`.
+/// Squared distance of a point from a segment. `from` is the squared distance from the segment's start,
+/// `along` the dot product of the vector from there to the point with the segment, `length_squared` the
+/// segment's squared length.
 #[inline]
-fn beside(from: f32x8, along: f32x8, length_squared: f32x8) -> f32x8 {
+fn segment_distance_squared(from: f32x8, along: f32x8, length_squared: f32x8) -> f32x8 {
     let share = along / length_squared.fast_max(f32x8::splat(f32::MIN_POSITIVE));
     let share = share.fast_max(f32x8::ZERO).fast_min(f32x8::ONE);
     (from - share * (along + along - share * length_squared)).fast_max(f32x8::ZERO)
 }
 
-/// Makes `TWICE_ROOT_3 * |normal| / (sum of squared edges)` 1 for equilateral triangles.
+/// Factor that makes `TWICE_ROOT_3 * |normal| / (sum of squared edges)` 1 for equilateral triangles.
 const TWICE_ROOT_3: f32 = 3.464_101_6;
 
 #[cfg(test)]
@@ -188,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn products_give_the_same_distances() {
+    fn products_match_direct_distances() {
         let [a, b, c] = [[0.1, 0.2, 0.3], [4., 0.5, 0.], [-0.3, 4., 1.]].map(Vec3::from);
         for i in 0..1000i32 {
             let at = |k: i32| ((i * k) % 97) as f32 / 10.0 - 4.0;

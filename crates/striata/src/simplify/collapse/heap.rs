@@ -1,25 +1,25 @@
-//! A priority queue over positions whose keys change: a four-way heap that knows where everything is.
+//! Priority queue over positions with changeable keys: a four-ary heap with an index of its entries.
 
 const ARITY: usize = 4;
 const ABSENT: u32 = u32::MAX;
 
-/// Smallest key first, ties by position number, so that the order depends on nothing else.
+/// Min-heap of positions by key; ties break by position index, so that the order is deterministic.
 #[derive(Debug)]
 pub(in crate::simplify) struct IndexedHeap {
-    /// Key bits above, position below: one comparison orders both.
+    /// Key bits in the high half, position in the low half, so that one comparison orders both.
     items: Vec<u64>,
-    /// Where each position stands in `items`.
-    place: Vec<u32>,
+    /// Index of each position in `items`, or `ABSENT`.
+    slots: Vec<u32>,
 }
 
 #[inline]
 fn pack(key: f32, v: u32) -> u64 {
-    // The bits of non-negative floats are ordered as the floats are; adding zero makes a -0 one of them.
+    // Non-negative floats have the same order as their bits; adding zero turns -0 into 0.
     (u64::from((key + 0.0).to_bits()) << 32) | u64::from(v)
 }
 
 impl IndexedHeap {
-    /// A heap of the positions with a key; `f32::INFINITY` leaves a position out.
+    /// Builds a heap from the key of every position; positions with key `f32::INFINITY` are left out.
     pub(in crate::simplify) fn new(keys: &[f32]) -> Self {
         let items: Vec<u64> = keys
             .iter()
@@ -27,9 +27,9 @@ impl IndexedHeap {
             .filter(|(_, key)| **key < f32::INFINITY)
             .map(|(v, &key)| pack(key, v as u32))
             .collect();
-        let mut heap = Self { items, place: vec![ABSENT; keys.len()] };
+        let mut heap = Self { items, slots: vec![ABSENT; keys.len()] };
         for (i, &item) in heap.items.iter().enumerate() {
-            heap.place[item as u32 as usize] = i as u32;
+            heap.slots[item as u32 as usize] = i as u32;
         }
         for i in (0..heap.items.len().div_ceil(ARITY)).rev() {
             heap.sift_down(i);
@@ -37,25 +37,25 @@ impl IndexedHeap {
         heap
     }
 
-    /// The smallest key and its position.
+    /// Returns the smallest key and its position.
     #[inline]
     pub(in crate::simplify) fn first(&self) -> Option<(f32, u32)> {
         self.items.first().map(|&item| (f32::from_bits((item >> 32) as u32), item as u32))
     }
 
-    /// Inserts a position or changes its key; `f32::INFINITY` takes it out.
+    /// Inserts a position or changes its key; `f32::INFINITY` removes it.
     #[inline]
     pub(in crate::simplify) fn set(&mut self, v: u32, key: f32) {
         debug_assert!(key >= 0.0, "keys are never negative, nor NaN");
-        let place = self.place[v as usize];
+        let slot = self.slots[v as usize];
         if key == f32::INFINITY {
             self.remove(v);
-        } else if place == ABSENT {
+        } else if slot == ABSENT {
             self.items.push(pack(key, v));
-            self.place[v as usize] = self.items.len() as u32 - 1;
+            self.slots[v as usize] = self.items.len() as u32 - 1;
             self.sift_up(self.items.len() - 1);
         } else {
-            let (i, item) = (place as usize, pack(key, v));
+            let (i, item) = (slot as usize, pack(key, v));
             let old = std::mem::replace(&mut self.items[i], item);
             if item < old {
                 self.sift_up(i);
@@ -65,21 +65,21 @@ impl IndexedHeap {
         }
     }
 
-    /// Takes a position out, if it is there.
+    /// Removes a position if it is in the heap.
     pub(in crate::simplify) fn remove(&mut self, v: u32) {
-        let place = self.place[v as usize];
-        if place == ABSENT {
+        let slot = self.slots[v as usize];
+        if slot == ABSENT {
             return;
         }
-        self.place[v as usize] = ABSENT;
-        let i = place as usize;
+        self.slots[v as usize] = ABSENT;
+        let i = slot as usize;
         let last = self.items.len() - 1;
         let moved = self.items.swap_remove(i);
         if i == last {
             return;
         }
         let filler = self.items[i];
-        self.place[filler as u32 as usize] = i as u32;
+        self.slots[filler as u32 as usize] = i as u32;
         if filler < moved {
             self.sift_up(i);
         } else {
@@ -96,11 +96,11 @@ impl IndexedHeap {
                 break;
             }
             self.items[i] = above;
-            self.place[above as u32 as usize] = i as u32;
+            self.slots[above as u32 as usize] = i as u32;
             i = parent;
         }
         self.items[i] = item;
-        self.place[item as u32 as usize] = i as u32;
+        self.slots[item as u32 as usize] = i as u32;
     }
 
     fn sift_down(&mut self, mut i: usize) {
@@ -123,11 +123,11 @@ impl IndexedHeap {
                 break;
             }
             self.items[i] = least;
-            self.place[least as u32 as usize] = i as u32;
+            self.slots[least as u32 as usize] = i as u32;
             i = child;
         }
         self.items[i] = item;
-        self.place[item as u32 as usize] = i as u32;
+        self.slots[item as u32 as usize] = i as u32;
     }
 }
 
@@ -136,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn comes_out_sorted_after_changes() {
+    fn pops_in_order_after_key_changes() {
         let mut keys: Vec<f32> = (0..200u32).map(|i| ((i * 7919) % 211) as f32).collect();
         let mut heap = IndexedHeap::new(&keys);
         for (i, key) in keys.iter_mut().enumerate() {

@@ -1,22 +1,23 @@
-//! Whether a collapse keeps the mesh what it is: the link condition, stated for any kind of link.
+//! Link condition: whether a collapse preserves the topology, for any kind of link.
 //!
-//! On a manifold this is the condition of [DEGN99]: `v` and `u` may share only the neighbors that span a triangle
-//! with both, or the collapse would pinch the surface. The same words hold where three triangles meet at an
-//! edge: what must not arise is a triangle that is there already, or a neighbor without any triangle.
+//! On a manifold this is the condition of [DEGN99]: `v` and `u` may share only neighbors that span a
+//! triangle with both, or the collapse would pinch the surface. The same condition applies at edges
+//! with three or more triangles: a collapse must not create a triangle that exists already, or a
+//! neighbor without any triangle.
 
 use super::links::{LinkEdge, LinkKind, Links};
 
-/// A target may not gather more neighbors than this, unless it had them before: hubs cost quadratic time.
+/// A target may not get more neighbors than this, unless it had them before: hubs cost quadratic time.
 const MAX_VALENCE: usize = 40;
-/// Triangles that one collapse may remove: the sequence counts them in a byte.
+/// Maximum number of triangles that one collapse may remove, since the sequence counts them in a byte.
 pub(in crate::simplify) const MAX_REMOVED: usize = 255;
 
-/// Scratch for checks on links that are no rings.
+/// Rules of the link condition, and scratch for links that are not rings.
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct Legality {
-    /// Parts may merge: what they share then keeps nothing apart.
+    /// Whether separate parts may merge, which disables the tests against pinching.
     pub(in crate::simplify) may_merge: bool,
-    /// Whole parts may vanish, so that a soup of them can shrink.
+    /// Whether whole parts may vanish, so that a soup of parts can shrink.
     pub(in crate::simplify) may_vanish: bool,
     apexes: Vec<u32>,
     edges: Vec<LinkEdge>,
@@ -24,7 +25,7 @@ pub(in crate::simplify) struct Legality {
 }
 
 impl Legality {
-    /// True where `v`, a neighbor of `u`, may be collapsed to it.
+    /// Whether `v` may be collapsed to its neighbor `u`.
     pub(in crate::simplify) fn allows(&mut self, links: &Links, v: u32, u: u32) -> bool {
         let is_ring = |p| matches!(links.kind(p), LinkKind::Closed | LinkKind::Open);
         if is_ring(v) && is_ring(u) {
@@ -53,7 +54,7 @@ impl Legality {
             return false;
         }
         if self.may_merge {
-            // Merged parts are tangled already.
+            // Merged parts are tangled anyway.
             return true;
         }
         let is_apex = |x: u32| self.apexes.binary_search(&x).is_ok();
@@ -62,7 +63,7 @@ impl Legality {
         if neighbors.any(|x| !is_apex(x) && near_u(x)) {
             return false;
         }
-        // Two apexes joined on both sides: a tetrahedron would fold flat.
+        // Two apexes joined on both sides: the collapse would fold a tetrahedron flat.
         let both = |e: &&LinkEdge| is_apex(e.a) && is_apex(e.b);
         let folds = self
             .edges
@@ -75,7 +76,7 @@ impl Legality {
         self.apexes.chunk_by(|a, b| a == b).all(|run| links.triangle_count(run[0]) > run.len())
     }
 
-    /// The same where both links are rings: the usual case, without scratch.
+    /// Link condition if both links are rings: the usual case, which needs no scratch.
     fn rings_allow(&self, links: &Links, v: u32, u: u32) -> bool {
         let (ring, other) = (links.entries(v), links.entries(u));
         let n = ring.len();
@@ -99,7 +100,7 @@ impl Legality {
         if self.may_merge {
             return true;
         }
-        // A boundary path of two has one apex only; a cycle of three joins its two apexes.
+        // A boundary path of two has one apex only; in a cycle of three the two apexes are joined.
         if is_closed && n == 3 && are_joined(links, u, ring[next], ring[last]) {
             return false;
         }
@@ -108,7 +109,7 @@ impl Legality {
     }
 }
 
-/// True where `a` and `b` follow each other in the ring of `u`.
+/// Whether `a` and `b` are adjacent in the ring of `u`.
 fn are_joined(links: &Links, u: u32, a: u32, b: u32) -> bool {
     let ring = links.entries(u);
     let n = ring.len();
@@ -128,15 +129,15 @@ mod tests {
     }
 
     #[test]
-    fn tetrahedron_and_single_triangle_stay() {
+    fn tetrahedron_and_single_triangle_are_not_collapsed() {
         let tetrahedron = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
         assert!(!allows(&tetrahedron, 0, 1));
         assert!(!allows(&[[0, 1, 2]], 0, 1));
     }
 
     #[test]
-    fn ear_goes_but_leaves_no_lonely_vertex() {
-        // 0 is an ear on the edge 1-2.
+    fn ear_collapses_unless_a_vertex_would_lose_its_last_triangle() {
+        // Position 0 is an ear on the edge 1-2.
         let mesh = [[0, 1, 2], [2, 1, 3], [2, 3, 4]];
         assert!(allows(&mesh, 0, 1));
         assert!(!allows(&mesh, 1, 2), "0 would lose its only triangle");
@@ -144,7 +145,8 @@ mod tests {
 
     #[test]
     fn pinching_is_refused() {
-        // A tube of three squares round: 0 1 2 below, 3 4 5 above; collapsing across would pinch it.
+        // A tube with a triangular cross-section: 0 1 2 below, 3 4 5 above; collapsing across would
+        // pinch it.
         let mut tube = Vec::new();
         for i in 0..3u32 {
             let j = (i + 1) % 3;
@@ -155,7 +157,7 @@ mod tests {
 
     #[test]
     fn book_of_three_pages_collapses_along_its_spine() {
-        // Spine 0-1-2, three pages with outer vertices 3.., two triangles each half.
+        // Spine 0-1-2 and three pages of three triangles, with outer vertices from 3.
         let mut book = Vec::new();
         for page in 0..3u32 {
             let outer = 3 + 2 * page;

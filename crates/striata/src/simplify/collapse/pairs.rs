@@ -1,32 +1,34 @@
 //! Pairs of positions that share no edge but lie close together, so that separate parts can merge [GH97].
 //!
-//! Pairs are found once, on a grid of cells as large as the threshold, and follow the collapses: what was
-//! near the removed position is near its target.
+//! Pairs are found once, on a grid whose cell size is the threshold, and follow the collapses: the
+//! partners of a removed position become partners of its target.
 
 use std::collections::BTreeMap;
 
 use super::fan::point;
 
-/// Partners that a position may have at the start, the nearest ones.
+/// Maximum number of partners of a position at the start; the nearest ones are kept.
 const MAX_PARTNERS: usize = 8;
-/// Positions and list entries looked at for one position, so that a generous threshold stays affordable.
-const MAX_LOOKS: usize = 256;
+/// Maximum number of positions or list entries examined for one position, so that a generous threshold
+/// stays affordable.
+const MAX_EXAMINED: usize = 256;
 const NONE: u32 = u32::MAX;
 
-/// Candidates for contraction besides the neighbors.
+/// Candidates for contraction in addition to the neighbors.
 #[derive(Debug)]
 pub(in crate::simplify) struct Pairs {
-    /// First entry of the list of every position.
+    /// First entry in the partner list of every position.
     head: Vec<u32>,
     tail: Vec<u32>,
-    /// Partner and next entry.
+    /// Partner and index of the next entry.
     entries: Vec<(u32, u32)>,
-    /// Where each position has gone, with shortcuts.
+    /// The position that each position was merged into, with path compression.
     current: Vec<u32>,
 }
 
 impl Pairs {
-    /// All pairs nearer than `threshold` (scaled units) that `is_neighbor` does not join already.
+    /// Finds all pairs closer than `threshold` (scaled units) that `is_neighbor` does not connect
+    /// already.
     pub(in crate::simplify) fn new(
         positions: &[[f32; 4]],
         threshold: f32,
@@ -52,7 +54,7 @@ impl Pairs {
                 for y in cy - 1..=cy + 1 {
                     // One range covers the three cells along the last axis.
                     for list in cells.range([x, y, cz - 1]..=[x, y, cz + 1]).map(|(_, list)| list) {
-                        let room = MAX_LOOKS.saturating_sub(near.len());
+                        let room = MAX_EXAMINED.saturating_sub(near.len());
                         near.extend(
                             list.iter()
                                 .filter(|&&q| q != p)
@@ -82,7 +84,7 @@ impl Pairs {
         self.tail[p as usize] = entry;
     }
 
-    /// Where `p` is now.
+    /// Returns the position that `p` has been merged into.
     fn find(&mut self, mut p: u32) -> u32 {
         while self.current[p as usize] != p {
             let above = self.current[p as usize];
@@ -92,11 +94,11 @@ impl Pairs {
         p
     }
 
-    /// The partners of `v` as they are now, each once, into `out`.
+    /// Collects the current partners of `v` into `out`, each once.
     pub(in crate::simplify) fn partners_into(&mut self, v: u32, out: &mut Vec<u32>) {
         out.clear();
         let mut entry = self.head[v as usize];
-        for _ in 0..MAX_LOOKS {
+        for _ in 0..MAX_EXAMINED {
             if entry == NONE || out.len() == 4 * MAX_PARTNERS {
                 break;
             }
@@ -109,7 +111,7 @@ impl Pairs {
         }
     }
 
-    /// `v` has gone to `u`, and its partners with it.
+    /// Merges `v` and its partners into `u`.
     pub(in crate::simplify) fn collapse(&mut self, v: u32, u: u32) {
         self.current[v as usize] = u;
         let (head, tail) = (self.head[v as usize], self.tail[v as usize]);

@@ -1,27 +1,28 @@
-//! Accumulated quadrics [GH97]: every position remembers the planes of all triangles that ever led to it.
+//! Accumulated quadrics [GH97]: every position sums the planes of all triangles that were merged into
+//! it.
 
 use glam::DVec3;
 
-/// A sum of squared, area-weighted distances from planes, as a quadratic function of the point.
+/// Sum of squared, area-weighted distances from planes, as a quadratic function of a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::simplify) struct Quadric {
-    /// xx yy zz xy xz yz of the quadratic part.
+    /// Quadratic part: xx, yy, zz, xy, xz, yz.
     a: [f64; 6],
-    /// The linear part, halved.
+    /// Linear part, halved.
     b: DVec3,
-    /// The constant.
+    /// Constant part.
     c: f64,
 }
 
 impl Quadric {
-    /// Squared distance from the plane of a triangle, times its area.
+    /// Quadric of one triangle: the squared distance from its plane, times its area.
     pub(in crate::simplify) fn of_triangle([p, q, r]: [DVec3; 3]) -> Self {
         let normal = (q - p).cross(r - p);
         let length = normal.length();
         if length == 0.0 {
             return Self::default();
         }
-        // Half the length is the area; two lengths make the normal a unit twice over.
+        // The area is half the length, and the squared length normalizes the normal in both factors.
         let scale = 0.5 / length;
         let d = -normal.dot(p);
         let DVec3 { x, y, z } = normal;
@@ -40,7 +41,7 @@ impl Quadric {
         self.c += other.c;
     }
 
-    /// The value at a point; at least 0, whatever rounding says.
+    /// Value at a point, clamped to 0 against rounding.
     pub(in crate::simplify) fn at(&self, p: DVec3) -> f64 {
         let [xx, yy, zz, xy, xz, yz] = self.a;
         let DVec3 { x, y, z } = p;

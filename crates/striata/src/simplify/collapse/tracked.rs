@@ -1,29 +1,31 @@
-//! All removed vertices, followed: the slower and better cost at coarse levels.
+//! Tracked cost: follows all removed vertices. Slower than the other costs, and better at coarse
+//! levels.
 //!
-//! Each removed vertex stays with the triangle nearest to it, with the area it stood for as its weight. A
-//! collapse pays for what it adds to the weighted squared distances of the vertices around it; a share of the
-//! memoryless cost stays in, since points alone do not see a surface that sticks out.
+//! Each removed vertex belongs to the triangle nearest to it and is weighted by the area that it
+//! represented. The cost of a collapse is the increase of the weighted squared distances of the removed
+//! vertices around it. A share of the memoryless cost is added, since points alone do not detect a
+//! surface that sticks out.
 //!
-//! Memory: 20 bytes a position and 4 a triangle. Time: about five times the memoryless cost.
+//! Memory: 20 bytes per position and 4 per triangle. Time: about five times the memoryless cost.
 
 use glam::Vec3;
 
 use super::fan::distance_squared;
 use super::star::Star;
 
-/// Share of the memoryless cost in the tracked one.
+/// Share of the memoryless cost that is added to the tracked one.
 pub(in crate::simplify) const MEMORYLESS_SHARE: f32 = 0.2;
 
 const NONE: u32 = u32::MAX;
 
-/// Removed vertices by triangle.
+/// Removed vertices by triangle, as linked lists.
 #[derive(Debug)]
 pub(in crate::simplify) struct Tracker {
     /// First removed vertex of every triangle.
     head: Vec<u32>,
-    /// The next one of the same triangle.
+    /// Next removed vertex of the same triangle.
     next: Vec<u32>,
-    /// Area that every position stands for, scaled units.
+    /// Area that every position represents, scaled units.
     weight: Vec<f32>,
     distance_squared: Vec<f32>,
     points: Vec<(u32, Vec3)>,
@@ -40,7 +42,7 @@ impl Tracker {
         }
     }
 
-    /// Gathers the removed vertices of the star of `v`, relative to it.
+    /// Loads the removed vertices of the star of `v`, relative to `v`.
     pub(in crate::simplify) fn load(&mut self, star: &Star, positions: &[[f32; 4]], v: u32) {
         self.points.clear();
         let [vx, vy, vz, _] = positions[v as usize];
@@ -54,19 +56,20 @@ impl Tracker {
         }
     }
 
-    /// What collapsing the star's center `v` to neighbor `k` adds to the loaded vertices' weighted squared distances,
-    /// at least 0; `own` is the squared distance of v from the fan.
+    /// Returns how much collapsing the star's center `v` to neighbor `k` increases the weighted squared
+    /// distances of the loaded vertices, at least 0; `own` is the squared distance of `v` from the fan.
     pub(in crate::simplify) fn increase(&self, star: &Star, k: usize, (v, own): (u32, f32)) -> f32 {
         let to = star.offset(k);
         let grown = |&(p, at): &(u32, Vec3)| {
-            // Where no triangle is left, the target is.
+            // If no triangle is left, the distance to the target counts.
             let now = star.fan_distance_squared_of(k, at).min((to - at).length_squared());
             self.weight[p as usize] * (now - self.distance_squared[p as usize])
         };
         (self.weight[v as usize] * own + self.points.iter().map(grown).sum::<f32>()).max(0.0)
     }
 
-    /// Moves the loaded vertices and `v` itself to the triangles of the fan; returns the largest squared distance.
+    /// Assigns the loaded vertices and `v` itself to the triangles of the fan; returns the largest
+    /// squared distance.
     pub(in crate::simplify) fn collapse(&mut self, star: &Star, v: u32, k: usize) -> f32 {
         for &t in &star.triangles[..star.triangle_count()] {
             self.head[t as usize] = NONE;
@@ -74,11 +77,12 @@ impl Tracker {
         self.points.push((v, Vec3::ZERO));
         let mut worst = 0.0f32;
         for &(p, at) in &self.points {
-            // Where it goes and what is reported are exact; compared are distances of one make, whose rounding cancels.
+            // The assignment and the reported error use exact distances; costs compare distances from
+            // one formula, whose rounding cancels.
             let Some((exact, triangle)) = nearest_exactly(star, k, at) else { continue };
             worst = worst.max(exact);
             if star.triangle(triangle).contains(&k) {
-                // No triangle is left here to follow it with.
+                // No triangle is left here that could keep track of it.
                 continue;
             }
             self.distance_squared[p as usize] = star.fan_distance_squared_of(k, at);
@@ -89,8 +93,9 @@ impl Tracker {
     }
 }
 
-/// Squared distance of a point from the fan around neighbor `k`, and the triangle nearest to it; where none is left, a
-/// vanished one, of which the edge that stays is measured.
+/// Returns the squared distance of a point from the fan around neighbor `k`, and the index of the
+/// nearest triangle. If the fan is empty, measures the vanished triangles, of which the remaining edge
+/// counts.
 fn nearest_exactly(star: &Star, k: usize, at: Vec3) -> Option<(f32, usize)> {
     let distance = |t: usize| {
         let [i, j] = star.triangle(t);

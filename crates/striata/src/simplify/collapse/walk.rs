@@ -1,4 +1,4 @@
-//! The way from a star to the nearest part of the surface.
+//! Walks over the surface, from star to star, to the point nearest to a given point.
 
 use glam::Vec3;
 
@@ -6,25 +6,26 @@ use super::fan::nearest;
 use super::links::{LinkEdge, Links};
 
 const NONE: u32 = u32::MAX;
-/// Stars that one search may cross; whoever is looked for goes on next time.
-const MAX_WALK: usize = 8;
+/// Stars that one search may visit; the next search continues from where this one stopped.
+const MAX_VISITED_STARS: usize = 8;
 
-/// A squared distance from the current surface, and a position near the point that it was measured to.
-pub(in crate::simplify) type Standing = (f32, u32);
+/// Squared distance of a point from the current surface, and a position near the nearest surface point.
+pub(in crate::simplify) type NearestStar = (f32, u32);
 
-/// Walks from the star of `place` from star to star while that leads nearer to a point, given where positions lie relative to it.
+/// Walks from the star of `position` to neighboring stars while that reduces the distance from a query
+/// point; `offset` returns the vector from the query point to a position.
 #[inline]
-pub(in crate::simplify) fn walk(
+pub(in crate::simplify) fn walk_to_nearest(
     links: &Links,
     edges: &mut Vec<LinkEdge>,
-    mut place: u32,
+    mut position: u32,
     offset: impl Fn(u32) -> Vec3,
-) -> Standing {
+) -> NearestStar {
     let mut least = f32::INFINITY;
-    for _ in 0..MAX_WALK {
-        let center = offset(place);
-        links.edges_into(place, edges);
-        // Where the nearest point lies on the rim, the star beyond may be nearer still.
+    for _ in 0..MAX_VISITED_STARS {
+        let center = offset(position);
+        links.edges_into(position, edges);
+        // If the nearest point is on the rim, the star beyond the rim may be nearer still.
         let mut beyond = NONE;
         let before = least;
         for e in edges.iter() {
@@ -43,7 +44,7 @@ pub(in crate::simplify) fn walk(
         if beyond == NONE || least >= before {
             break;
         }
-        place = beyond;
+        position = beyond;
     }
-    (least, place)
+    (least, position)
 }

@@ -1,25 +1,27 @@
-//! Wedges: which vertex of the target stands for which vertex of the removed position.
+//! Pairing of wedges: the vertex of the target position that replaces each vertex of the removed
+//! position.
 //!
-//! A collapse removes a position with all its wedges. The triangles on the collapsing edge show which wedges lie on
-//! the same side of the seam. A wedge without such a partner has to **cross** the seam: it goes to the wedge of the target
-//! that differs least from it. [`Wedges::pair`] refuses that, [`Wedges::pair_across`] allows it.
+//! A collapse removes a position with all its wedges. The triangles at the collapsing edge show which
+//! wedges lie on the same side of the seam. A wedge without such a partner has to **cross** the seam:
+//! it goes to the wedge of the target that differs least from it. [`Wedges::pair`] rejects that,
+//! [`Wedges::pair_across`] allows it.
 //!
-//! Both refuse a **conflict**: one wedge of the removed position that faces two wedges of the target. One of the two
-//! triangles between them would vanish in space, but keep three different vertices.
+//! Both reject a **conflict**: one wedge of the removed position that faces two wedges of the target.
+//! One of the two triangles at the edge would vanish in space, but keep three different vertices.
 
 use crate::mesh::PositionIndex;
 
 use super::star::Star;
 
-/// The vertices (wedges) that the triangles show at present.
+/// Current vertices (wedges) of all triangles, and the pairing found last.
 #[derive(Debug)]
 pub(in crate::simplify) struct Wedges<'a> {
     positions: &'a PositionIndex,
     /// Vertices of every triangle, kept up to date by [`Self::substitute`].
     corners: Vec<[u32; 3]>,
-    /// The pairing found last.
+    /// The pairing found last, as (removed wedge, target wedge).
     map: Vec<(u32, u32)>,
-    /// Pairs of `map` from here on cross a seam.
+    /// Index of the first pair in `map` that crosses a seam.
     first_crossing: usize,
 }
 
@@ -28,44 +30,44 @@ impl<'a> Wedges<'a> {
         Self { positions, corners, map: Vec::new(), first_crossing: 0 }
     }
 
-    /// True where `position` has several vertices.
+    /// Whether `position` has several vertices.
     #[inline]
     pub(in crate::simplify) fn is_split(&self, position: u32) -> bool {
         self.positions.wedges(position).len() > 1
     }
 
-    /// The first vertex of `position`.
+    /// Returns the first vertex of `position`.
     #[inline]
     pub(in crate::simplify) fn first(&self, position: u32) -> u32 {
         self.positions.first_vertex(position)
     }
 
-    /// The partner at `position` that the pairing found last gives to `wedge`.
+    /// Returns the partner at `position` of `wedge` in the pairing found last.
     pub(in crate::simplify) fn paired(&self, wedge: u32, position: u32) -> u32 {
         let pair = self.map.iter().find(|(from, _)| *from == wedge);
         pair.map_or(self.positions.first_vertex(position), |&(_, to)| to)
     }
 
-    /// True if the pairing found last takes `wedge` across a seam.
+    /// Whether `wedge` crosses a seam in the pairing found last.
     pub(in crate::simplify) fn crosses(&self, wedge: u32) -> bool {
         self.map[self.first_crossing..].iter().any(|(from, _)| *from == wedge)
     }
 
-    /// Notes in `star` which vertex of `v` each of its triangles shows.
-    pub(in crate::simplify) fn load(&self, star: &mut Star, v: u32) {
-        let mut shown = std::mem::take(&mut star.shown);
-        shown.clear();
+    /// Stores in `star` the vertex of `v` that each of its triangles uses.
+    pub(in crate::simplify) fn load_center_wedges(&self, star: &mut Star, v: u32) {
+        let mut center_wedges = std::mem::take(&mut star.center_wedges);
+        center_wedges.clear();
         let count = star.triangle_count();
         if self.is_split(v) {
-            shown.extend(star.triangles[..count].iter().map(|&t| self.shown(t, v)));
+            center_wedges.extend(star.triangles[..count].iter().map(|&t| self.vertex_at(t, v)));
         } else {
-            shown.resize(count, self.first(v));
+            center_wedges.resize(count, self.first(v));
         }
-        star.shown = shown;
+        star.center_wedges = center_wedges;
     }
 
-    /// Pairs every wedge of `v` with the wedge of `u` that `difference` finds nearest: for positions without a common
-    /// edge, where no triangle tells.
+    /// Pairs every wedge of `v` with the wedge of `u` for which `difference` is least. For positions
+    /// without a common edge, where no triangle determines the pairing.
     pub(in crate::simplify) fn pair_nearest(&mut self, v: u32, u: u32, difference: impl Fn(u32, u32) -> f32) {
         self.map.clear();
         for from in self.positions.wedges(v) {
@@ -74,39 +76,39 @@ impl<'a> Wedges<'a> {
         self.first_crossing = self.map.len();
     }
 
-    /// The wedge of `u` that differs least from the vertex `from`; the first of equal ones.
+    /// Returns the wedge of `u` that differs least from the vertex `from`; the first one in a tie.
     fn nearest_wedge(&self, from: u32, u: u32, difference: impl Fn(u32, u32) -> f32) -> u32 {
         let wedges = self.positions.wedges(u);
         let nearest = wedges.min_by(|&a, &b| difference(from, a).total_cmp(&difference(from, b)));
         nearest.unwrap_or(self.positions.first_vertex(u))
     }
 
-    /// The vertices of a triangle.
+    /// Returns the vertices of a triangle.
     #[inline]
     pub(in crate::simplify) fn corners(&self, triangle: u32) -> [u32; 3] {
         self.corners[triangle as usize]
     }
 
-    /// The vertices of all triangles.
+    /// Returns the vertices of all triangles.
     pub(in crate::simplify) fn into_corners(self) -> Vec<[u32; 3]> {
         self.corners
     }
 
-    /// The position of a vertex.
+    /// Returns the position of a vertex.
     #[inline]
     pub(in crate::simplify) fn position_of(&self, vertex: u32) -> u32 {
         self.positions.position_of(vertex)
     }
 
-    /// Adds a triangle and numbers it.
+    /// Adds a triangle and returns its index.
     pub(in crate::simplify) fn push(&mut self, corners: [u32; 3]) -> u32 {
         self.corners.push(corners);
         self.corners.len() as u32 - 1
     }
 
-    /// The vertex that `triangle` shows at `position`.
+    /// Returns the vertex that `triangle` uses at `position`.
     #[inline]
-    pub(in crate::simplify) fn shown(&self, triangle: u32, position: u32) -> u32 {
+    pub(in crate::simplify) fn vertex_at(&self, triangle: u32, position: u32) -> u32 {
         let [a, b, c] = self.corners[triangle as usize];
         if self.positions.position_of(a) == position {
             a
@@ -117,8 +119,8 @@ impl<'a> Wedges<'a> {
         }
     }
 
-    /// Pairs the wedges of `v` with those of its neighbor `star.ids[k]`; false if some wedge has no partner on its own
-    /// side of the seam.
+    /// Pairs the wedges of `v` with those of its neighbor `star.ids[k]`; returns false if some wedge
+    /// has no partner on its own side of the seam.
     pub(in crate::simplify) fn pair(&mut self, star: &Star, v: u32, k: usize) -> bool {
         let u = star.ids[k];
         self.map.clear();
@@ -130,20 +132,21 @@ impl<'a> Wedges<'a> {
         for t in 0..star.triangle_count() {
             if star.triangle(t).contains(&k) {
                 let triangle = star.triangles[t];
-                if !self.join(self.shown(triangle, v), self.shown(triangle, u)) {
+                if !self.join(self.vertex_at(triangle, v), self.vertex_at(triangle, u)) {
                     return false;
                 }
             }
         }
         self.first_crossing = self.map.len();
         (0..star.triangle_count()).all(|t| {
-            let from = self.shown(star.triangles[t], v);
+            let from = self.vertex_at(star.triangles[t], v);
             self.map.iter().any(|(other, _)| *other == from)
         })
     }
 
-    /// Pairs like [`Self::pair`], but lets wedges without a partner cross the seam to the wedge that `difference` finds
-    /// nearest; false only in a conflict. The star must be loaded by [`Self::load`].
+    /// Pairs wedges as [`Self::pair`] does, but lets wedges without a partner cross the seam to the
+    /// wedge for which `difference` is least; returns false only in a conflict. The star must have been
+    /// loaded by [`Self::load_center_wedges`].
     pub(in crate::simplify) fn pair_across(
         &mut self,
         star: &Star,
@@ -161,14 +164,14 @@ impl<'a> Wedges<'a> {
         }
         for t in 0..star.triangle_count() {
             if star.triangle(t).contains(&k) {
-                let to = if is_split { self.shown(star.triangles[t], u) } else { self.first(u) };
-                if !self.join(star.shown[t], to) {
+                let to = if is_split { self.vertex_at(star.triangles[t], u) } else { self.first(u) };
+                if !self.join(star.center_wedges[t], to) {
                     return false;
                 }
             }
         }
         self.first_crossing = self.map.len();
-        for &from in &star.shown {
+        for &from in &star.center_wedges {
             if self.map.iter().all(|(other, _)| *other != from) {
                 let to = self.nearest_wedge(from, u, &difference);
                 self.map.push((from, to));
@@ -177,7 +180,7 @@ impl<'a> Wedges<'a> {
         true
     }
 
-    /// Adds a pair; false if its wedge is paired with another one already.
+    /// Adds a pair; returns false if its wedge is paired with another one already.
     fn join(&mut self, from: u32, to: u32) -> bool {
         match self.map.iter().find(|(other, _)| *other == from) {
             Some(&(_, found)) => found == to,
@@ -188,10 +191,10 @@ impl<'a> Wedges<'a> {
         }
     }
 
-    /// Writes the target of every wedge of `v` by the pairing found last, `u` being the target position.
+    /// Writes the targets of all wedges of `v` by the pairing found last; `u` is the target position.
     pub(in crate::simplify) fn write_targets(&self, v: u32, u: u32, targets: &mut [u32]) {
         for wedge in self.positions.wedges(v) {
-            // A wedge that no triangle shows any more goes with the others.
+            // A wedge that no triangle uses any more shares the target of the first pair.
             let paired = self.map.iter().find(|(from, _)| *from == wedge).or(self.map.first());
             targets[wedge as usize] = paired.map_or(self.positions.first_vertex(u), |&(_, to)| to);
         }
@@ -203,7 +206,7 @@ impl<'a> Wedges<'a> {
         self.positions.wedges(v).for_each(|wedge| targets[wedge as usize] = target);
     }
 
-    /// Shows the targets in the triangles around `v`.
+    /// Replaces the wedges of `v` by their targets in the triangles around `v`.
     pub(in crate::simplify) fn substitute(&mut self, star: &Star, v: u32, targets: &[u32]) {
         let wedges = self.positions.wedges(v);
         for &t in &star.triangles[..star.triangle_count()] {
@@ -221,8 +224,8 @@ mod tests {
     use super::*;
     use crate::simplify::collapse::links::Links;
 
-    /// A fan of four about position 0, whose first two triangles show wedge 0 there and the others wedge 1; the rim has
-    /// positions 1 to 4, of which the first has two wedges.
+    /// A fan of four around position 0, whose first two triangles use wedge 0 there and the others
+    /// wedge 1. The rim has positions 1 to 4, of which the first has two wedges.
     ///
     /// ```text
     /// 2 --- 1        wedges 0 1 | 2 3 | 4 | 5 | 6
@@ -233,11 +236,11 @@ mod tests {
     /// ```
     fn loaded(corners: &[[u32; 3]]) -> (PositionIndex, Star) {
         let positions = PositionIndex::from_first(vec![0, 2, 4, 5, 6, 7]);
-        let places =
+        let coordinates =
             [[0., 0., 0., 0.], [1., 1., 0., 0.], [-1., 1., 0., 0.], [-1., -1., 0., 0.], [1., -1., 0., 0.]];
         let triangles: Vec<[u32; 3]> = corners.iter().map(|t| t.map(|v| positions.position_of(v))).collect();
         let mut star = Star::default();
-        star.gather(&Links::new(5, &triangles, true), &places, 0);
+        star.gather(&Links::new(5, &triangles, true), &coordinates, 0);
         (positions, star)
     }
 
@@ -250,17 +253,17 @@ mod tests {
         let corners = [[0, 2, 4], [0, 4, 5], [1, 5, 6], [1, 6, 3]];
         let (positions, mut star) = loaded(&corners);
         let mut wedges = Wedges::new(&positions, corners.to_vec());
-        wedges.load(&mut star, 0);
+        wedges.load_center_wedges(&mut star, 0);
         // Along the seam to position 1, both have partners.
         let along = index_of(&star, 1);
         assert!(wedges.pair(&star, 0, along));
         assert!(wedges.pair_across(&star, 0, along, |_, _| 0.0));
         assert_eq!([0, 1].map(|w| wedges.paired(w, 1)), [2, 3]);
         assert!(!wedges.crosses(0) && !wedges.crosses(1));
-        // Position 2 is on one side of it only.
-        let aside = index_of(&star, 2);
-        assert!(!wedges.pair(&star, 0, aside));
-        assert!(wedges.pair_across(&star, 0, aside, |_, _| 1.0));
+        // Position 2 is on one side of the seam only.
+        let across = index_of(&star, 2);
+        assert!(!wedges.pair(&star, 0, across));
+        assert!(wedges.pair_across(&star, 0, across, |_, _| 1.0));
         assert_eq!([0, 1].map(|w| wedges.paired(w, 2)), [4, 4]);
         assert!(!wedges.crosses(0) && wedges.crosses(1));
     }
@@ -270,7 +273,7 @@ mod tests {
         let corners = [[0, 2, 4], [0, 4, 5], [0, 5, 6], [0, 6, 3]];
         let (positions, mut star) = loaded(&corners);
         let mut wedges = Wedges::new(&positions, corners.to_vec());
-        wedges.load(&mut star, 0);
+        wedges.load_center_wedges(&mut star, 0);
         let k = index_of(&star, 1);
         assert!(!wedges.pair(&star, 0, k) && !wedges.pair_across(&star, 0, k, |_, _| 0.0));
     }

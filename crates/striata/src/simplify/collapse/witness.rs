@@ -1,20 +1,21 @@
-//! The error that a step reports: how far the worst vertices removed so far lie from the surface.
+//! Error reported by each step: the distance of the worst removed vertex from the surface.
 //!
-//! Every position carries one **witness**: among the removed vertices whose nearest triangle it touches, the one that
-//! was farthest away when last measured. A collapse measures the removed vertex and the witnesses of both ends
-//! anew, walking from star to star while that leads nearer, and each witness settles where it ends. This is an
-//! estimate from vertices: cheap and close to what sampling finds (docs/results.md has the comparison), not a bound. The
-//! engine adds how far each step's new surface sticks out.
+//! Every position has at most one **witness**: among the removed vertices whose nearest triangle it
+//! touches, the one that was farthest away when last measured. A collapse measures the removed vertex
+//! and the witnesses of both ends again, walking from star to star while that leads nearer, and stores
+//! each witness where its walk ends. This is an estimate from vertices, not a bound: cheap, and close
+//! to the error found by sampling (docs/results.md has the comparison). The executor adds how far each
+//! step's new surface sticks out.
 
 use glam::Vec3;
 
+use super::cost_evaluator::CostEvaluator;
 use super::fan::point;
-use super::judge::Judge;
 use super::links::LinkEdge;
-use super::walk::{Standing, walk};
+use super::walk::{NearestStar, walk_to_nearest};
 
 const NONE: u32 = u32::MAX;
-/// Most that the surface moves anywhere, in distances of the removed vertex from its fan.
+/// Upper bound on how far the surface moves anywhere, in distances of the removed vertex from its fan.
 const MOVE_FACTOR: f32 = 1.5;
 
 #[derive(Clone, Copy, Debug)]
@@ -23,143 +24,161 @@ struct Witness {
     distance: f32,
 }
 
-const NOBODY: Witness = Witness { vertex: NONE, distance: 0.0 };
+const NO_WITNESS: Witness = Witness { vertex: NONE, distance: 0.0 };
 
-/// One removed vertex for each position, and scratch.
+/// The witness of each position, and scratch.
 #[derive(Debug)]
 pub(in crate::simplify) struct Witnesses {
-    of: Vec<Witness>,
+    by_position: Vec<Witness>,
     worst: f32,
-    /// Whether witnesses beside a collapse are looked at too; closed scans do without, which saves a quarter of their time.
+    /// Whether witnesses next to a collapse are measured too; closed scans skip them, which saves a
+    /// quarter of their time.
     follows_rings: bool,
     edges: Vec<LinkEdge>,
 }
 
 impl Witnesses {
     pub(in crate::simplify) fn new(position_count: usize, follows_rings: bool) -> Self {
-        Self { of: vec![NOBODY; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
+        Self { by_position: vec![NO_WITNESS; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
     }
 
-    /// Called after `v`, whose neighbors were `ring`, was collapsed to `u`, `own` being the squared distance of v from its new fan.
-    /// Returns the largest squared distance among v and the witnesses of all these.
+    /// Updates witnesses after `v`, whose neighbors were `ring`, was collapsed to `u`; `own` is the
+    /// squared distance of `v` from its new fan. Returns the largest squared distance seen so far.
     pub(in crate::simplify) fn collapse(
         &mut self,
-        judge: &mut Judge<'_>,
+        evaluator: &mut CostEvaluator<'_>,
         (v, u): (u32, u32),
         ring: &[u32],
         own: f32,
     ) -> f32 {
-        // Both are taken out, and settle anew below.
-        let candidates = [v, u].map(|p| std::mem::replace(&mut self.of[p as usize], NOBODY));
-        let (mut own, mut place) = (own, u);
+        // Both are removed here and stored again below.
+        let candidates = [v, u].map(|p| std::mem::replace(&mut self.by_position[p as usize], NO_WITNESS));
+        let (mut own, mut position) = (own, u);
         if own > self.worst {
-            // What raises the reported error is measured exactly: the cost's distances are good to a few
-            // ten-thousandths of the edges only.
-            (own, place) = self.find(judge, u, point(&judge.positions, v), f32::INFINITY);
+            // Distances that raise the reported error are measured exactly: those in the cost are only
+            // accurate to a few ten-thousandths of the edges.
+            (own, position) = self.measure(evaluator, u, point(&evaluator.positions, v), f32::INFINITY);
         }
         let moved = MOVE_FACTOR * own.sqrt();
-        self.keep(place, Witness { vertex: v, distance: own.sqrt() });
+        self.store(position, Witness { vertex: v, distance: own.sqrt() });
         for candidate in candidates.into_iter().filter(|w| w.vertex != NONE) {
-            let (candidate, place) = self.follow(judge, u, candidate, moved);
-            self.keep(place, candidate);
+            let (candidate, position) = self.update(evaluator, u, candidate, moved);
+            self.store(position, candidate);
         }
         if self.follows_rings {
-            self.follow_ring(judge, ring, moved);
+            self.update_ring(evaluator, ring, moved);
         }
         self.worst
     }
 
-    /// The witness of `v` if it may become the worst by a collapse of v that moves v by the squared distance `own`.
-    pub(in crate::simplify) fn suspect(&self, v: u32, own: f32) -> Option<u32> {
-        let Witness { vertex, distance } = self.of[v as usize];
+    /// Returns the witness of `v` if collapsing `v` may make it the worst; `own` is the squared
+    /// distance by which the collapse moves the surface at `v`.
+    pub(in crate::simplify) fn possible_worst(&self, v: u32, own: f32) -> Option<u32> {
+        let Witness { vertex, distance } = self.by_position[v as usize];
         let reach = distance + MOVE_FACTOR * own.sqrt();
         (vertex != NONE && reach * reach > self.worst).then_some(vertex)
     }
 
-    /// Lets the witnesses of a ring follow the surface there, which has moved by a distance.
-    fn follow_ring(&mut self, judge: &mut Judge<'_>, ring: &[u32], moved: f32) {
+    /// Updates the witnesses of a ring around which the surface has moved by a distance.
+    fn update_ring(&mut self, evaluator: &mut CostEvaluator<'_>, ring: &[u32], moved: f32) {
         let limit = self.worst.sqrt();
         for &p in ring {
-            let there = &mut self.of[p as usize];
-            let reach = there.distance + moved;
-            if there.vertex == NONE || reach <= limit {
-                there.distance = reach;
+            let current = &mut self.by_position[p as usize];
+            let reach = current.distance + moved;
+            if current.vertex == NONE || reach <= limit {
+                current.distance = reach;
                 continue;
             }
-            let candidate = std::mem::replace(there, NOBODY);
-            let (candidate, place) = self.follow(judge, p, candidate, moved);
-            self.keep(place, candidate);
+            let candidate = std::mem::replace(current, NO_WITNESS);
+            let (candidate, position) = self.update(evaluator, p, candidate, moved);
+            self.store(position, candidate);
         }
     }
 
-    /// Where a witness is to be kept once the surface around `p` has moved by a distance, and how far away it is; it is only
-    /// measured if it may be the worst.
-    fn follow(&mut self, judge: &mut Judge<'_>, p: u32, candidate: Witness, moved: f32) -> (Witness, u32) {
+    /// Updates a witness after the surface around `p` has moved by a distance; returns it with its new
+    /// distance, and the position to store it at. It is measured only if it may be the worst.
+    fn update(
+        &mut self,
+        evaluator: &mut CostEvaluator<'_>,
+        p: u32,
+        candidate: Witness,
+        moved: f32,
+    ) -> (Witness, u32) {
         let reach = candidate.distance + moved;
         let reach_squared = reach * reach;
         if reach_squared <= self.worst {
             return (Witness { distance: reach, ..candidate }, p);
         }
-        let from = point(&judge.positions, candidate.vertex);
-        let (distance_squared, place) = self.find(judge, p, from, reach_squared);
-        (Witness { distance: distance_squared.sqrt(), ..candidate }, place)
+        let from = point(&evaluator.positions, candidate.vertex);
+        let (distance_squared, position) = self.measure(evaluator, p, from, reach_squared);
+        (Witness { distance: distance_squared.sqrt(), ..candidate }, position)
     }
 
-    /// Called after a relaxed collapse. Everything that the `lost` positions stood for settles anew from `place`, and so do the
-    /// `points` of the triangles that have gone; what that puts above all that was seen before is looked for everywhere.
-    /// Returns the largest squared distance seen so far.
-    pub(in crate::simplify) fn lose(
+    /// Updates witnesses after a relaxed collapse. The `lost` positions, their witnesses and the
+    /// `points` of removed triangles are measured again, starting at `position`; distances above the
+    /// largest so far are verified by a search of the whole mesh. Returns the largest squared distance
+    /// seen so far.
+    pub(in crate::simplify) fn remeasure(
         &mut self,
-        judge: &mut Judge<'_>,
+        evaluator: &mut CostEvaluator<'_>,
         (lost, points): (&[u32], &[Vec3]),
-        place: u32,
+        position: u32,
     ) -> f32 {
         for &p in lost {
-            let witness = std::mem::replace(&mut self.of[p as usize], NOBODY);
-            for vertex in [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != place)
+            let witness = std::mem::replace(&mut self.by_position[p as usize], NO_WITNESS);
+            for vertex in
+                [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != position)
             {
                 let (distance_squared, at) =
-                    self.find(judge, place, point(&judge.positions, vertex), f32::INFINITY);
-                self.keep(at, Witness { vertex, distance: distance_squared.sqrt() });
+                    self.measure(evaluator, position, point(&evaluator.positions, vertex), f32::INFINITY);
+                self.store(at, Witness { vertex, distance: distance_squared.sqrt() });
             }
         }
         for &from in points {
-            self.find(judge, place, from, f32::INFINITY);
+            self.measure(evaluator, position, from, f32::INFINITY);
         }
         self.worst
     }
 
-    /// Settles a point from `place`, verifies what would raise the worst distance, if relaxed collapses may change what is near
-    /// what, and raises it. What the walk finds beyond a `limit`, squared, has lost its way.
-    fn find(&mut self, judge: &mut Judge<'_>, place: u32, from: Vec3, limit: f32) -> Standing {
-        let positions = &judge.positions;
-        let settled = walk(&judge.links, &mut self.edges, place, |p| point(positions, p) - from);
-        let is_lost = settled.0 > limit;
-        let known = if is_lost { (limit, place) } else { settled };
-        let found = judge.standing(from, known, self.worst);
-        if !is_lost || judge.looks_everywhere() {
-            // A limit that nobody has measured must not be reported.
+    /// Measures a point by a walk that starts at `position`. If relaxed collapses may have changed what is
+    /// near, a result that would raise the worst distance is verified in the whole mesh. A walk that
+    /// ends beyond the squared distance `limit` has lost its way.
+    fn measure(
+        &mut self,
+        evaluator: &mut CostEvaluator<'_>,
+        position: u32,
+        from: Vec3,
+        limit: f32,
+    ) -> NearestStar {
+        let positions = &evaluator.positions;
+        let walked =
+            walk_to_nearest(&evaluator.links, &mut self.edges, position, |p| point(positions, p) - from);
+        let is_lost = walked.0 > limit;
+        let known = if is_lost { (limit, position) } else { walked };
+        let found = evaluator.nearest_star(from, known, self.worst);
+        if !is_lost || evaluator.searches_whole_mesh() {
+            // A limit that was never measured must not be reported.
             self.worst = self.worst.max(found.0);
         }
         found
     }
 
-    /// The largest squared distance so far.
-    pub(in crate::simplify) fn worst(&self) -> f32 {
+    /// Largest squared distance so far.
+    pub(in crate::simplify) fn worst_squared(&self) -> f32 {
         self.worst
     }
 
-    /// Raises the worst squared distance, and gives it.
+    /// Raises the worst squared distance to at least this, and returns it.
     pub(in crate::simplify) fn raise(&mut self, distance_squared: f32) -> f32 {
         self.worst = self.worst.max(distance_squared);
         self.worst
     }
 
-    /// Makes `candidate` the witness of `place` if it is worse than the one there.
-    fn keep(&mut self, place: u32, candidate: Witness) {
-        let there = &mut self.of[place as usize];
-        if candidate.distance > there.distance || there.vertex == NONE {
-            *there = candidate;
+    /// Stores `candidate` at `position` if it is farther away than the witness there.
+    fn store(&mut self, position: u32, candidate: Witness) {
+        let current = &mut self.by_position[position as usize];
+        if candidate.distance > current.distance || current.vertex == NONE {
+            *current = candidate;
         }
     }
 }

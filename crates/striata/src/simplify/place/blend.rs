@@ -1,15 +1,15 @@
-//! Attributes of a vertex that lies somewhere between two.
+//! Interpolates the attributes of two vertices for a vertex between them.
 
 use crate::mesh::{AttributeLayer, LayerData, Semantic};
 
-/// How a layer is carried over.
+/// How a layer is interpolated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Rule {
-    /// Numbers that mix.
+    /// Linear interpolation.
     Linear,
-    /// Unit vectors, their first three components mixed and brought back to length 1.
+    /// Unit vectors: the first three components are interpolated and normalized.
     Direction,
-    /// Names, and numbers that only make sense with them: those of the nearer vertex.
+    /// Indices, and values that only make sense with them: copied from the nearer vertex.
     Nearer,
 }
 
@@ -24,7 +24,7 @@ fn rule_of(layer: &AttributeLayer) -> Rule {
     }
 }
 
-/// Gives vertex `kept` the attributes at `share` of the way from it to vertex `removed`.
+/// Moves the attributes of vertex `kept` by `share` of the way towards those of vertex `removed`.
 pub(super) fn blend(layers: &mut [AttributeLayer], removed: u32, kept: u32, share: f64) {
     if share == 0.0 {
         return;
@@ -76,7 +76,7 @@ fn mix_direction(data: &mut [f32], n: usize, (from, to): (usize, usize), share: 
     if share > 0.5 {
         data.copy_within(from..from + n, to);
     }
-    // Opposite directions leave none to normalize: the nearer one stays.
+    // Opposite directions cancel out and cannot be normalized: keep the nearer one.
     if length > 1e-6 {
         for (slot, x) in data[to..].iter_mut().zip(mixed) {
             *slot = (f64::from(x) / length) as f32;
@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_kind_of_layer_by_its_rule() {
+    fn each_kind_of_layer_is_blended_by_its_rule() {
         let mut layers = vec![
             AttributeLayer::from_f32(Semantic::Normal, 3, vec![1., 0., 0., 0., 1., 0.]),
             AttributeLayer::from_f32(Semantic::TexCoord(0), 2, vec![0., 1., 1., 3.]),

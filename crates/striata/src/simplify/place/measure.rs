@@ -1,28 +1,30 @@
-//! The error of a finished level: the distance between it and the original mesh, both ways.
+//! Measures the error of a finished level: the distance between it and the original mesh, both ways.
 //!
-//! All vertices are measured, then the middles of all triangles. A triangle is no farther away than its middle and its radius together;
-//! if that exceeds the worst distance so far, the triangle is cut into four and each of them looked at, as often as a number of
-//! points allows that is about twice the number of original triangles.
+//! All vertices are measured, then the centroids of all triangles. No point of a triangle is farther
+//! away than the distance of its centroid plus its radius; if that exceeds the largest distance so far,
+//! the triangle is split into four, recursively, within a budget of about twice as many points as
+//! original triangles.
 
 use glam::DVec3;
 
 use crate::mesh::{IndexedMesh, TriangleTree};
 
-/// Times that a triangle is cut, at most.
+/// Maximum depth of recursive splits of a triangle.
 const MAX_CUTS: u32 = 5;
-/// Points that are measured in any case.
-const LEAST_BUDGET: usize = 60_000;
+/// Minimum number of points that may be measured.
+const MIN_BUDGET: usize = 60_000;
 
-/// A search for the point of a surface that is farthest from another one.
-struct Search {
+/// Search for the point of one surface that is farthest from another.
+struct FarthestPointSearch {
     tree: TriangleTree,
     /// The triangle that was nearest to the last point.
     hint: usize,
     worst: f64,
 }
 
-impl Search {
-    /// Looks at a point; true if nothing within `radius` around it is farther than the worst point so far.
+impl FarthestPointSearch {
+    /// Measures a point; returns whether everything within `radius` of it is no farther than the worst
+    /// point so far.
     fn visit(&mut self, point: DVec3, radius: f64) -> bool {
         let distance = self.tree.distance_within(point, (self.worst - radius).max(0.0), &mut self.hint);
         if distance.is_finite() {
@@ -31,7 +33,7 @@ impl Search {
         distance + radius <= self.worst
     }
 
-    /// Looks at a triangle and at its parts.
+    /// Measures a triangle, and its parts if necessary.
     fn visit_triangle(&mut self, [a, b, c]: [DVec3; 3], cuts: u32) {
         let middle = (a + b + c) / 3.0;
         let radius = [a, b, c].iter().map(|corner| corner.distance(middle)).fold(0.0, f64::max);
@@ -45,26 +47,27 @@ impl Search {
     }
 }
 
-/// The largest distance of points of `from` from `to`, or `worst` if none is farther.
-fn one_sided(from: &IndexedMesh, to: &IndexedMesh, budget: usize, worst: f64) -> f64 {
+/// Returns the largest distance from points of `from` to `to`, or `worst` if that is larger.
+fn one_sided_distance(from: &IndexedMesh, to: &IndexedMesh, budget: usize, worst: f64) -> f64 {
     let Ok(tree) = TriangleTree::new(to) else { return worst };
-    let mut search = Search { tree, hint: 0, worst };
-    let place = |v: u32| DVec3::from(from.positions[v as usize].map(f64::from));
+    let mut search = FarthestPointSearch { tree, hint: 0, worst };
+    let position = |v: u32| DVec3::from(from.positions[v as usize].map(f64::from));
     for v in 0..from.vertex_count() as u32 {
-        search.visit(place(v), 0.0);
+        search.visit(position(v), 0.0);
     }
     let cuts = (budget / from.triangle_count().max(1)).checked_ilog(4).unwrap_or(0).min(MAX_CUTS);
     for t in &from.triangles {
-        search.visit_triangle(t.map(place), cuts);
+        search.visit_triangle(t.map(position), cuts);
     }
     search.worst
 }
 
-/// The largest distance between points of two meshes without unused vertices and the other mesh, mesh units.
+/// Returns the largest distance from points of either mesh to the other, in mesh units. The meshes must
+/// not have unused vertices.
 pub(super) fn measured_error(original: &IndexedMesh, level: &IndexedMesh) -> f64 {
-    let budget = LEAST_BUDGET.max(2 * original.triangle_count());
-    let outward = one_sided(level, original, budget, 0.0);
-    one_sided(original, level, budget, outward)
+    let budget = MIN_BUDGET.max(2 * original.triangle_count());
+    let outward = one_sided_distance(level, original, budget, 0.0);
+    one_sided_distance(original, level, budget, outward)
 }
 
 #[cfg(test)]

@@ -1,10 +1,12 @@
-//! The second simplifier: vertices are removed one by one, and each hole is filled in the best of all ways.
+//! Vertex removal with optimal retriangulation: the simplifier behind every fragment sequence.
 //!
-//! A removal takes away the triangles around a vertex and fills the hole with triangles of its ring, one or two
-//! fewer than there were. Of all fillings the one is chosen that comes nearest to all vertices removed so far (`hole::search`), and of
-//! all removals the cheapest is made, by distances of two kinds: their squares over the surface, and the largest one alone
-//! (`judge`). What a removal really does to the distance of the original surface is then bounded before it is made (`cover`), so
-//! that the error of each step, and the limit that a caller sets, hold for every point of the original.
+//! A removal takes away the triangles around a vertex and fills the hole with triangles of its ring,
+//! one or two fewer than before. Of all triangulations, the one nearest to all vertices removed so far
+//! is chosen (`hole::search`), and of all removals the cheapest is applied. Costs combine two measures
+//! of distance: squared distances over the surface, and the largest distance alone
+//! (`removal_evaluator`). Before a removal is applied, its true effect on the distance from the
+//! original surface is bounded (`Cover`), so that the error of each step, and the caller's error limit,
+//! hold for every point of the original.
 //!
 //! ```text
 //!       r1 ---- r2             r1 ---- r2
@@ -14,42 +16,46 @@
 //!       r5 ---- r4             r5 ---- r4
 //! ```
 //!
-//! After \[KLS96\] and \[KK97\], as \[KG98\] uses them: strict order, one-sided Hausdorff distance, retriangulation of the
-//! hole with an upper limit on its size. Differs: the order is not by that distance alone, which made the RMS of
-//! levels 5 to 30 % larger for maxima that were 10 to 40 % smaller; and what sticks out of the surface counts, which one-sided
-//! distances do not see. The bound is certain, not a sample. A collapse
-//! is one way to fill a hole, and the only one at seams, between groups of triangles and where sheets meet; crossing a seam has a price.
+//! After \[KLS96\] and \[KK97\], as \[KG98\] uses them: strict order, one-sided Hausdorff distance, and
+//! retriangulation of holes up to a size limit. Differs: the order is not by that distance alone, which
+//! made the RMS error of levels 5 to 30 % larger for maxima that were 10 to 40 % smaller. Surface that
+//! sticks out adds to the cost, although one-sided distances do not detect it. The error is a proven
+//! bound, not a sample. A collapse is one way to fill a hole, and the only one at seams, between groups
+//! of triangles and where sheets meet; crossing a seam adds to the cost.
 //!
-//! A vertex that has no such removal gets a **relaxed** collapse, as in the first simplifier: handles close, thin parts fold flat and small
-//! parts vanish, in the order of cost, so that every number of triangles is reached. A part that vanishes leaves a floor without
-//! triangles; the bounds of all steps are then found again by [`certify`](super::certify), which knows what stands in for it. On
-//! closed surfaces of a few large parts relaxed collapses begin when nothing else is left.
+//! A vertex without any such removal gets a **relaxed** collapse, as in the collapse simplifier:
+//! handles close, thin parts fold flat and small parts vanish, in order of cost, so that every triangle
+//! count can be reached. A part that vanishes leaves a floor without triangles; the bounds of all steps
+//! are then computed again by [`certify`](super::certify), which finds the triangles that replace the
+//! part. On closed surfaces of a few large parts, relaxed collapses begin when nothing else is left.
 //!
-//! Order and holes follow rounded distances in single precision, so that they are the same on every machine. Time
-//! O(n log n), most of it distances of followed vertices; 22 µs a triangle on the bunny with the bound.
+//! Order and triangulations depend on distances rounded to single precision, so that they are the same
+//! on every machine. Time O(n log n), most of it for distances of tracked vertices; 22 µs per triangle
+//! on the bunny, including the bound.
 
-mod collapses;
-mod engine;
+mod collapse_candidates;
+mod fragment_builder;
 mod hole;
-mod judge;
-mod options;
-mod points;
-mod record;
+mod removal_evaluator;
+mod removal_options;
+mod removal_record;
+mod tracked_vertices;
 
-pub use options::{BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation};
+pub use removal_options::{BuiltFragments, HoleCriterion, RemovalOptions, Retriangulation};
 
 use crate::mesh::{IndexedMesh, Welded, weld};
 use crate::{ProgressFn, ignore_progress};
 
 use crate::simplify::options::{SimplifyError, check_locked};
 
-/// Removes vertices as far as it goes, and gives every level on the way.
+/// Removes vertices as far as the options allow and returns the sequence of all levels on the way.
 ///
-/// Compared with [`build_sequence`](super::build_sequence): levels nearer to the original, the maximum above all, for twenty
-/// times the time; steps that are no collapses.
+/// Compared with [`build_sequence`](super::build_sequence), levels are closer to the original,
+/// especially in their maximum error, for twenty times the time; the steps are not collapses in
+/// general.
 ///
 /// # Errors
-/// [`SimplifyError`] where the mesh does not hang together or an option is out of range.
+/// [`SimplifyError`] if the mesh is invalid or an option is out of range.
 ///
 /// # Example
 /// ```
@@ -72,10 +78,10 @@ pub fn build_fragments(
     build_fragments_with_progress(mesh, options, &mut ignore_progress)
 }
 
-/// Does as [`build_fragments`] and reports its progress; the callback can cancel.
+/// Does what [`build_fragments`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// As [`build_fragments`], and if the callback cancels.
+/// See [`build_fragments`]; also [`SimplifyError::Cancelled`] if the callback cancels.
 pub fn build_fragments_with_progress(
     mesh: &IndexedMesh,
     options: &RemovalOptions,
@@ -86,10 +92,10 @@ pub fn build_fragments_with_progress(
     build_welded_fragments_with_progress(weld(mesh)?, options, progress)
 }
 
-/// The same for a mesh that is welded already.
+/// Removes vertices of a mesh that is already welded and returns the sequence of all levels.
 ///
 /// # Errors
-/// As [`build_fragments`].
+/// See [`build_fragments`].
 pub fn build_welded_fragments(
     welded: Welded,
     options: &RemovalOptions,
@@ -97,15 +103,15 @@ pub fn build_welded_fragments(
     build_welded_fragments_with_progress(welded, options, &mut ignore_progress)
 }
 
-/// Does as [`build_welded_fragments`] and reports its progress; the callback can cancel.
+/// Does what [`build_welded_fragments`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// As [`build_welded_fragments`], and if the callback cancels.
+/// See [`build_welded_fragments`]; also [`SimplifyError::Cancelled`] if the callback cancels.
 pub fn build_welded_fragments_with_progress(
     welded: Welded,
     options: &RemovalOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltFragments, SimplifyError> {
     options.check()?;
-    engine::Engine::new(&welded, options).run(progress)?.finish(welded, progress)
+    fragment_builder::FragmentBuilder::new(&welded, options).run(progress)?.into_fragments(welded, progress)
 }

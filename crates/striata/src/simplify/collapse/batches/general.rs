@@ -1,115 +1,121 @@
-//! Batches of any collapses, done one after another: where the mesh is not manifold, and where its topology changes.
+//! General batches: collapses of any kind, applied one after another, at non-manifold positions and
+//! where the topology changes.
 //!
-//! Choices that no batch of the surface can carry out wait until they are worth a batch of their own: a reader must build its
-//! surface anew after each. So general batches come while a good part of what is cheap waits for one, but never soon after
-//! each other, and whenever the surface has next to nothing left to give.
+//! Choices that no surface batch can apply wait until there are enough of them for a batch, because a
+//! decoder must rebuild its surface after each general batch. A general batch is due when a large part
+//! of the cheap choices waits for one, but never soon after another, and whenever the surface batches
+//! find almost nothing left to remove.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::simplify::collapse::choice::{Choice, Tier};
+use crate::simplify::collapse::collapse_choice::{CollapseChoice, CollapseKind};
 use crate::simplify::options::StopReason;
 
-use super::engine::Engine;
-use super::surface;
+use super::batch_simplifier::BatchSimplifier;
+use super::closed_surface;
 
-/// One in so many positions has to wait for a general batch to come.
-const WAITING_SHARE: usize = 32;
-/// Batches of the surface that take less than one in so many positions leave the rest to a general one.
+/// A general batch needs at least one waiting choice per this many positions.
+const DEFERRED_SHARE: usize = 32;
+/// A surface batch that removes less than one in this many positions is small, which makes a general
+/// batch due.
 const SMALL_BATCH: usize = 64;
-/// The share of the positions that may be left after one general batch when the next one comes, in quarters.
+/// A general batch is due only once at most this many quarters of the positions left by the last general
+/// batch remain.
 const LEFT_QUARTERS: usize = 3;
 
-/// The part of its usual share that a batch takes once general ones have come.
-const CAUTION: f64 = 0.7;
+/// Factor on the share of a batch after the first general one.
+const GENERAL_SHARE_FACTOR: f64 = 0.7;
 
-/// Batches grow towards the full mesh, to twice their share, from where this part of the positions is left.
-const COARSE_LEFT: f64 = 0.4;
+/// Share of the positions left above which batches grow, up to twice their share at the full mesh.
+const GROWTH_THRESHOLD: f64 = 0.4;
 
-/// A cost in the order of a queue: costs are not negative, so their bits rise with them.
+/// Queue entry, ordered by cost and then by position: costs are not negative, so their bits have the
+/// same order.
 type Entry = Reverse<(u32, u32)>;
 
 fn entry(cost: f32, v: u32) -> Entry {
     Reverse((cost.max(0.0).to_bits(), v))
 }
 
-impl Engine<'_> {
-    /// Gets ready for collapses that change the topology, before the first collapse.
+impl BatchSimplifier<'_> {
+    /// Prepares for collapses that change the topology; call before the first collapse.
     pub(super) fn prepare_general(&mut self) {
-        if !self.options.general || !self.relaxation.is_possible() {
+        if !self.options.general || !self.schedule.is_possible() {
             return;
         }
-        self.judge.lock_boundary();
-        if self.judge.wedges.is_some() {
-            // With seams, how far steps lie from the original is measured from the first one on.
-            self.relax();
+        self.evaluator.lock_boundary();
+        if self.evaluator.wedges.is_some() {
+            // With seams, distances from the original mesh are measured from the first step on.
+            self.begin_relaxed();
         }
     }
 
-    fn relax(&mut self) {
-        let record = &self.course.record;
-        self.relaxation.begin(&mut self.judge, (&record.removed, &record.targets));
+    fn begin_relaxed(&mut self) {
+        let record = &self.executor.record;
+        self.schedule.begin(&mut self.evaluator, (&record.removed, &record.targets));
     }
 
-    /// Lets collapses begin that change the topology, if they had to wait for the end; false if there is nothing new.
-    pub(super) fn relax_at_last(&mut self) -> bool {
-        if !self.relaxation.is_waiting() || self.course.triangle_count <= self.options.general_floor {
+    /// Begins postponed collapses that change the topology; returns false if none were postponed.
+    pub(super) fn begin_postponed(&mut self) -> bool {
+        if !self.schedule.is_postponed() || self.executor.triangle_count <= self.options.general_floor {
             return false;
         }
-        self.relax();
-        (0..self.choices.len() as u32).for_each(|v| self.note_change(v));
+        self.begin_relaxed();
+        (0..self.choices.len() as u32).for_each(|v| self.mark_changed(v));
         true
     }
 
-    /// The cheapest collapse of any kind for a position that no batch of the surface can take.
-    pub(super) fn general_choice(&mut self, v: u32) -> Option<Choice> {
-        if !self.options.general || self.judge.is_fixed(v) {
+    /// Returns the cheapest collapse of any kind for a position that no surface batch can remove.
+    pub(super) fn general_choice(&mut self, v: u32) -> Option<CollapseChoice> {
+        if !self.options.general || self.evaluator.is_fixed(v) {
             return None;
         }
-        let is_manifold = self.is_removable[v as usize] && surface::is_manifold(&self.judge.links, v);
-        if is_manifold && surface::valence(&self.judge.links, v) > self.options.max_valence {
-            // It will have fewer triangles.
+        let is_manifold =
+            self.is_removable[v as usize] && closed_surface::is_manifold(&self.evaluator.links, v);
+        if is_manifold && closed_surface::valence(&self.evaluator.links, v) > self.options.max_valence {
+            // Wait for a surface batch: it will have fewer triangles later.
             return None;
         }
-        let choice = self.judge.best_choice(v);
+        let choice = self.evaluator.best_choice(v);
         match choice {
-            None if self.relaxation.is_possible() => {
-                let record = &self.course.record;
-                self.relaxation.consider(&mut self.judge, (&record.removed, &record.targets));
-                self.judge.relaxed_choice(v)
+            None if self.schedule.is_possible() => {
+                let record = &self.executor.record;
+                self.schedule.begin_or_postpone(&mut self.evaluator, (&record.removed, &record.targets));
+                self.evaluator.relaxed_choice(v)
             }
-            Some(strict) if self.judge.is_nearly_gone(v) => {
-                self.judge.ending_choice(v, strict.cost).or(choice)
+            Some(strict) if self.evaluator.is_nearly_gone(v) => {
+                self.evaluator.ending_choice(v, strict.cost).or(choice)
             }
             _ => choice,
         }
     }
 
-    /// Whether a general batch comes next, after a batch of the surface that has taken so many positions.
-    pub(super) fn is_general_due(&self, taken: usize) -> bool {
-        if self.waiting.is_empty() || self.course.triangle_count <= self.options.general_floor {
+    /// Whether a general batch is due after a surface batch that has removed `removed_count` positions.
+    pub(super) fn is_general_due(&self, removed_count: usize) -> bool {
+        if self.deferred.is_empty() || self.executor.triangle_count <= self.options.general_floor {
             return false;
         }
-        let left = self.choices.len() - self.course.record.removed.len();
-        let is_small = taken < self.options.least_batch.max(left / SMALL_BATCH);
-        let are_many = self.waiting.len() * WAITING_SHARE >= left;
+        let left = self.choices.len() - self.executor.record.removed.len();
+        let is_small = removed_count < self.options.least_batch.max(left / SMALL_BATCH);
+        let are_many = self.deferred.len() * DEFERRED_SHARE >= left;
         is_small || (are_many && 4 * left <= LEFT_QUARTERS * self.left_after_general)
     }
 
-    /// What a batch takes of its usual share: less once general ones have come, since the costs of assets, which need them, differ
-    /// more than those of scans; and more near the full mesh, where few large batches save bits and levels are hardly
-    /// told apart.
-    pub(super) fn boldness(&self) -> f64 {
+    /// Factor on the share that a batch may select from: smaller after the first general batch, since
+    /// costs vary more in assets, which need those, than in scans; and larger near the full mesh, where
+    /// few large batches save bits and levels are hardly distinguishable.
+    pub(super) fn share_factor(&self) -> f64 {
         let all = self.choices.len();
-        let left = (all - self.course.record.removed.len()) as f64 / all.max(1) as f64;
-        let bold = 1.0 + ((left - COARSE_LEFT) / (1.0 - COARSE_LEFT)).max(0.0);
-        bold * if self.left_after_general < all { CAUTION } else { 1.0 }
+        let left = (all - self.executor.record.removed.len()) as f64 / all.max(1) as f64;
+        let factor = 1.0 + ((left - GROWTH_THRESHOLD) / (1.0 - GROWTH_THRESHOLD)).max(0.0);
+        factor * if self.left_after_general < all { GENERAL_SHARE_FACTOR } else { 1.0 }
     }
 
-    /// A general batch; the reason where it is to be the last one.
+    /// Applies one general batch; returns the reason if it must be the last one.
     pub(super) fn general_batch(&mut self) -> Option<StopReason> {
-        // The batch before has changed what is around.
-        self.judge_changed();
+        // The last batch has changed the neighborhoods.
+        self.update_changed();
         let mut queue = BinaryHeap::new();
         (0..self.choices.len() as u32).for_each(|v| self.enqueue(v, &mut queue));
         let mut stopped = None;
@@ -120,64 +126,71 @@ impl Engine<'_> {
             if entry(choice.cost, v) != Reverse((bits, v)) {
                 continue;
             }
-            if !self.still_allows(v, &choice) {
+            if !self.is_still_allowed(v, &choice) {
                 self.choose(v);
                 self.enqueue(v, &mut queue);
                 continue;
             }
-            let Some(choice) = self.measured(v, choice) else { continue };
-            if choice.cost > self.dearest {
+            let Some(choice) = self.with_measured_distance(v, choice) else { continue };
+            if choice.cost > self.max_cost {
                 continue;
             }
-            let (v, choice) = self.with_absorber(v, choice);
+            let (v, choice) = self.with_absorbing_collapse(v, choice);
             if let Err(stop_reason) = self.collapse(v, &choice) {
                 stopped = Some(stop_reason);
                 break;
             }
-            self.note_changes(choice.target);
-            self.judge_ring(&mut queue);
+            self.mark_neighbors_changed(choice.target);
+            self.update_ring(&mut queue);
             if self.is_base_reached() {
                 stopped = Some(StopReason::TargetReached);
                 break;
             }
-            if self.course.triangle_count <= self.options.general_floor {
+            if self.executor.triangle_count <= self.options.general_floor {
                 break;
             }
         }
-        self.left_after_general = self.choices.len() - self.course.record.removed.len();
+        self.left_after_general = self.choices.len() - self.executor.record.removed.len();
         stopped
     }
 
-    /// What comes instead of a part that vanishes, where another part grows in its place first.
-    fn with_absorber(&mut self, v: u32, choice: Choice) -> (u32, Choice) {
-        let absorber = (choice.tier == Tier::Vanish).then(|| self.judge.absorber(v, choice.target));
-        absorber.flatten().unwrap_or((v, choice))
+    /// Replaces the choice that lets a part vanish by one that lets another part grow in its place, if
+    /// there is one.
+    fn with_absorbing_collapse(&mut self, v: u32, choice: CollapseChoice) -> (u32, CollapseChoice) {
+        let absorbing_collapse = (choice.kind == CollapseKind::Vanish)
+            .then(|| self.evaluator.absorbing_collapse(v, choice.target));
+        absorbing_collapse.flatten().unwrap_or((v, choice))
     }
 
-    /// Judges all around the last collapse anew and puts those that wait for a general batch into its queue.
-    fn judge_ring(&mut self, queue: &mut BinaryHeap<Entry>) {
-        let ring = std::mem::take(&mut self.course.ring);
+    /// Evaluates the ring of the last collapse again and queues its members that wait for a general
+    /// batch.
+    fn update_ring(&mut self, queue: &mut BinaryHeap<Entry>) {
+        let ring = std::mem::take(&mut self.executor.ring);
         for &w in &ring {
             self.choose(w);
             self.enqueue(w, queue);
         }
-        self.course.ring = ring;
+        self.executor.ring = ring;
     }
 
     fn enqueue(&self, v: u32, queue: &mut BinaryHeap<Entry>) {
-        if let Some(choice) = self.choices[v as usize].filter(|choice| choice.cost <= self.dearest)
+        if let Some(choice) = self.choices[v as usize].filter(|choice| choice.cost <= self.max_cost)
             && self.is_general[v as usize]
         {
             queue.push(entry(choice.cost, v));
         }
     }
 
-    fn still_allows(&mut self, v: u32, choice: &Choice) -> bool {
-        let judge = &mut self.judge;
-        if choice.tier != Tier::Strict {
-            return judge.relaxed_stands(v, choice.target, (choice.tier, choice.distance_squared));
+    fn is_still_allowed(&mut self, v: u32, choice: &CollapseChoice) -> bool {
+        let evaluator = &mut self.evaluator;
+        if choice.kind != CollapseKind::Strict {
+            return evaluator.is_relaxed_choice_valid(
+                v,
+                choice.target,
+                (choice.kind, choice.distance_squared),
+            );
         }
-        judge.links.entries(v).contains(&choice.target)
-            && judge.legality.allows(&judge.links, v, choice.target)
+        evaluator.links.entries(v).contains(&choice.target)
+            && evaluator.legality.allows(&evaluator.links, v, choice.target)
     }
 }

@@ -1,55 +1,60 @@
-//! The same half-edge collapses in **batches**: what a progressive coder can undo all at once.
+//! Half-edge collapses in **batches**, each of which a progressive decoder can undo in parallel.
 //!
-//! A batch removes positions no two of which are neighbors, each into a target of its own. The stars of the removed
-//! positions are then disjoint and stay as they are while the batch is carried out, so its steps may be undone in any order, and
-//! whether a vertex splits can be read off the coarse mesh, vertex by vertex (independent sets \[CLR99\], batches of splits
-//! \[PR00\]). Each batch takes greedily, in the order of cost, from the cheapest part of the mesh only.
+//! A batch removes positions that are not neighbors of each other, each to a different target. The
+//! stars of the removed positions are then disjoint and unchanged by the rest of the batch, so its
+//! steps may be undone in any order, and whether a vertex splits can be read off the coarse mesh,
+//! vertex by vertex (independent sets \[CLR99\], batches of splits \[PR00\]). Each batch is selected
+//! greedily, in order of cost, from the cheapest part of the mesh only.
 //!
 //! ```text
-//! fine     a --- o --- b --- o --- c      each o goes to the position on its left;
-//! coarse   a --------- b --------- c      b is on the rings of both, and a target: it stays
+//! fine     a --- o --- b --- o --- c      each o is collapsed to the position on its left;
+//! coarse   a --------- b --------- c      b is in the rings of both, and a target: it stays
 //! ```
 //!
-//! What such a batch removes is manifold, and stays so with every boundary closed by a virtual vertex: the link condition holds on
-//! that closed surface, a position of a boundary goes only along it, and of each part a tetrahedron or a triangle stays.
-//! What is not manifold, and collapses that change the topology, wait for a **general batch**, whose collapses are done one after another and
-//! may be any (`general.rs`). Closed scans have none, or a few at their coarse end.
+//! A batch of this kind only removes manifold positions and keeps the mesh manifold even if every
+//! boundary is closed by a virtual vertex: the link condition holds on that closed surface, a position
+//! on a boundary moves only along it, and each part keeps at least a tetrahedron or a triangle.
+//! Non-manifold positions, and collapses that change the topology, wait for a **general batch**, whose
+//! collapses are applied one after another and may be of any kind (`general.rs`). Closed scans need
+//! none, or a few at their coarse end.
 //!
-//! Differs: removed positions must not be neighbors, but their stars may touch, which makes batches twice as large as
-//! disjoint stars do. Levels lie 3 to 8 % farther off in RMS than those of one collapse at a time. Time O(n log n), 1.5 times
-//! that of one at a time; at the default share five or six batches for each factor e in size.
+//! Differs: removed positions must not be neighbors, but their stars may touch, which makes batches
+//! twice as large as with disjoint stars. The RMS error of levels is 3 to 8 % larger than with one
+//! collapse at a time. Time O(n log n), 1.5 times that of one collapse at a time; at the default share,
+//! five or six batches for each factor of e in size.
 
-mod engine;
+mod batch_bias;
+mod batch_options;
+mod batch_simplifier;
+mod closed_surface;
 mod general;
-mod options;
 mod select;
-mod surface;
-mod taste;
 
-pub use options::BatchOptions;
+pub use batch_options::BatchOptions;
 
 use crate::mesh::{IndexedMesh, Welded, weld};
 use crate::{ProgressFn, ignore_progress};
 
-use super::finish::finish;
+use super::refinement_order::build_refinable;
 use crate::simplify::options::{BuiltSequence, SimplifyError};
 
-/// What [`build_batches`] gives.
+/// Result of [`build_batches`].
 #[derive(Clone, Debug)]
 pub struct BuiltBatches {
-    /// The mesh in refinement order with its steps, as any other sequence.
+    /// The mesh in refinement order with its steps, as for any other sequence.
     pub built: BuiltSequence,
-    /// Split counts at which batches begin, from 0, closed by the step count: batch `i`, counted from the base, holds the
-    /// steps `batches[i]..batches[i + 1]`.
+    /// Split counts at which batches begin, starting with 0 and followed by the step count. Batch `i`,
+    /// counted from the base, consists of the steps `batches[i]..batches[i + 1]`.
     pub batches: Vec<u32>,
 }
 
-/// Simplifies a mesh in batches, as far as it goes.
+/// Simplifies a mesh in batches as far as the options allow.
 ///
-/// The error of a level within a batch is that of the batch's coarse end, so steps may change places within a batch.
+/// All levels within a batch have the error of the batch's coarse end, so steps may be reordered within
+/// a batch.
 ///
 /// # Errors
-/// [`SimplifyError`] where the mesh does not hang together or an option is out of range.
+/// [`SimplifyError`] if the mesh is invalid or an option is out of range.
 ///
 /// # Example
 /// ```
@@ -61,7 +66,8 @@ pub struct BuiltBatches {
 /// let sequence = &built.built.refinable.sequence;
 /// assert_eq!(built.batches.last(), Some(&(sequence.step_count() as u32)));
 /// for steps in built.batches.windows(2) {
-///     println!("{} splits lead to {} triangles", steps[1] - steps[0], sequence.triangle_count_at(steps[1] as usize));
+///     let triangle_count = sequence.triangle_count_at(steps[1] as usize);
+///     println!("{} splits lead to {triangle_count} triangles", steps[1] - steps[0]);
 /// }
 /// # Ok::<(), striata::simplify::SimplifyError>(())
 /// ```
@@ -69,10 +75,10 @@ pub fn build_batches(mesh: &IndexedMesh, options: &BatchOptions) -> Result<Built
     build_batches_with_progress(mesh, options, &mut ignore_progress)
 }
 
-/// Does as [`build_batches`] and reports its progress; the callback can cancel.
+/// Does what [`build_batches`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// As [`build_batches`], and if the callback cancels.
+/// See [`build_batches`]; also [`SimplifyError::Cancelled`] if the callback cancels.
 pub fn build_batches_with_progress(
     mesh: &IndexedMesh,
     options: &BatchOptions,
@@ -83,31 +89,31 @@ pub fn build_batches_with_progress(
     build_welded_batches_with_progress(weld(mesh)?, options, progress)
 }
 
-/// The same for a mesh that is welded already.
+/// Simplifies an already welded mesh in batches.
 ///
 /// # Errors
-/// As [`build_batches`].
+/// See [`build_batches`].
 pub fn build_welded_batches(welded: Welded, options: &BatchOptions) -> Result<BuiltBatches, SimplifyError> {
     build_welded_batches_with_progress(welded, options, &mut ignore_progress)
 }
 
-/// Does as [`build_welded_batches`] and reports its progress; the callback can cancel.
+/// Does what [`build_welded_batches`] does and reports progress; the callback can cancel.
 ///
 /// # Errors
-/// As [`build_welded_batches`], and if the callback cancels.
+/// See [`build_welded_batches`]; also [`SimplifyError::Cancelled`] if the callback cancels.
 pub fn build_welded_batches_with_progress(
     welded: Welded,
     options: &BatchOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltBatches, SimplifyError> {
     options.check()?;
-    let engine::Outcome { record, ends, stop_reason } =
-        engine::Engine::new(&welded, options).run(progress)?;
+    let batch_simplifier::Outcome { record, ends, stop_reason } =
+        batch_simplifier::BatchSimplifier::new(&welded, options).run(progress)?;
     let step_count = record.removed.len() as u32;
     let batches = ends.iter().rev().chain(&[0]).map(|end| step_count - end).collect();
     let degenerate_triangle_count = welded.degenerate_triangle_count;
     let merged_vertex_count = welded.merged_vertex_count;
-    let (refinable, source_vertex) = finish(welded, record)?;
+    let (refinable, source_vertex) = build_refinable(welded, record)?;
     let built = BuiltSequence {
         refinable,
         source_vertex,

@@ -1,20 +1,22 @@
-//! Which positions a batch takes: the cheapest share in order, as long as they keep out of each other's way.
+//! Selects the positions of a batch: the cheapest share, in order of cost, without conflicts.
 
 use crate::simplify::collapse::links::Links;
 
-/// Places that each candidate among its neighbors puts a candidate back, as a share of all. It makes batches larger by a few
-/// hundredths, so fewer vertices are asked whether they split; more of it costs error for next to nothing.
+/// How far each neighbor that is also a candidate moves a candidate back, as a share of all candidates.
+/// This makes batches a few percent larger, so that fewer vertices need a split flag; a larger weight
+/// increases the error for almost no gain.
 const CROWD_WEIGHT: f32 = 0.1;
 
-/// What a batch has taken so far.
+/// Positions selected for the current batch.
 #[derive(Debug)]
 pub(super) struct Selection {
     batch: u32,
-    /// The batch in which a position was last on the ring of a removed one, and must therefore stay.
+    /// The batch in which each position was last in the ring of a removed one, and therefore had to
+    /// stay.
     ring: Vec<u32>,
-    /// The batch in which a position was last a target.
+    /// The batch in which each position was last a target.
     target: Vec<u32>,
-    /// The batch in which a position was last a candidate.
+    /// The batch in which each position was last a candidate.
     candidate: Vec<u32>,
     keyed: Vec<(f32, (f32, u32))>,
 }
@@ -25,13 +27,14 @@ impl Selection {
         Self { batch: 0, ring, target, candidate, keyed: Vec::new() }
     }
 
-    /// Forgets what the last batch took.
+    /// Starts a new batch.
     pub(super) fn begin(&mut self) {
         self.batch += 1;
     }
 
-    /// Puts candidates, which come cheapest first, the farther back the more of their neighbors are candidates as well.
-    pub(super) fn bring_forward_lonely(&mut self, candidates: &mut [(f32, u32)], links: &Links) {
+    /// Reorders candidates, which are sorted by cost: the more of its neighbors are candidates, the
+    /// farther a candidate moves back.
+    pub(super) fn sort_by_crowding(&mut self, candidates: &mut [(f32, u32)], links: &Links) {
         for &(_, v) in candidates.iter() {
             self.candidate[v as usize] = self.batch;
         }
@@ -42,27 +45,27 @@ impl Selection {
             let crowd = ring.iter().filter(|&&w| self.candidate[w as usize] == self.batch).count();
             self.keyed.push((rank as f32 / count + CROWD_WEIGHT * crowd as f32, candidate));
         }
-        // Stable: equal keys stay in the order of cost.
+        // Stable: equal keys stay in order of cost.
         self.keyed.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (slot, &(_, candidate)) in candidates.iter_mut().zip(&self.keyed) {
             *slot = candidate;
         }
     }
 
-    /// True where `v` is no neighbor of a position that is already removed, and no target.
+    /// Whether `v` may be removed: it is neither a neighbor of a removed position nor a target.
     #[inline]
     pub(super) fn is_free(&self, v: u32) -> bool {
         self.ring[v as usize] != self.batch
     }
 
-    /// True where no other position of the batch goes to `u`.
+    /// Whether no other position of the batch has been collapsed to `u`.
     #[inline]
     pub(super) fn is_free_target(&self, u: u32) -> bool {
         self.target[u as usize] != self.batch
     }
 
-    /// Takes a position to `u`, one of its neighbors in `ring`.
-    pub(super) fn take(&mut self, u: u32, ring: &[u32]) {
+    /// Marks the target `u` and the `ring` of a removed position.
+    pub(super) fn mark_removed(&mut self, u: u32, ring: &[u32]) {
         for &w in ring {
             self.ring[w as usize] = self.batch;
         }
@@ -70,12 +73,13 @@ impl Selection {
     }
 }
 
-/// Fewest positions that a batch chooses from: a share of a few positions would be next to none.
-const LEAST_CANDIDATES: usize = 24;
+/// Minimum number of positions that a batch selects from, since a share of a few positions would be
+/// almost none.
+const MIN_CANDIDATES: usize = 24;
 
-/// Leaves the cheapest `share` of the candidates, cheapest first; equal costs by number.
+/// Keeps the cheapest `share` of the candidates, sorted by cost; ties are sorted by index.
 pub(super) fn keep_cheapest(candidates: &mut Vec<(f32, u32)>, share: f64) {
-    let count = ((share * candidates.len() as f64).ceil() as usize).max(LEAST_CANDIDATES);
+    let count = ((share * candidates.len() as f64).ceil() as usize).max(MIN_CANDIDATES);
     let order = |a: &(f32, u32), b: &(f32, u32)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
     if count < candidates.len() {
         candidates.select_nth_unstable_by(count, order);
@@ -96,24 +100,24 @@ mod tests {
         all.sort_by(|a, b| a.partial_cmp(b).expect("costs are numbers"));
         assert_eq!(candidates, all[..30]);
         keep_cheapest(&mut candidates, 0.01);
-        assert_eq!(candidates, all[..LEAST_CANDIDATES], "never next to none");
+        assert_eq!(candidates, all[..MIN_CANDIDATES], "never fewer than the minimum");
     }
 
     #[test]
     fn crowded_candidates_come_later() {
-        // A strip 0 1 2 .. 39 where 2 has the neighbors 0 1 3 4.
+        // A strip 0 1 2 .. 39, in which 2 has the neighbors 0 1 3 4.
         let strip: Vec<[u32; 3]> =
             (0..38).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] }).collect();
         let links = Links::new(40, &strip, false);
         let mut selection = Selection::new(40);
         selection.begin();
         let mut candidates = vec![(0.5, 2), (0.6, 3), (0.7, 1), (0.8, 39)];
-        selection.bring_forward_lonely(&mut candidates, &links);
+        selection.sort_by_crowding(&mut candidates, &links);
         let order: Vec<u32> = candidates.iter().map(|c| c.1).collect();
-        assert_eq!(order, [2, 3, 1, 39], "a crowd of two weighs less than a place of four");
+        assert_eq!(order, [2, 3, 1, 39], "two crowded neighbors weigh less than one of four ranks");
         let mut many: Vec<(f32, u32)> = (0..40).map(|v| (v as f32, v)).collect();
         selection.begin();
-        selection.bring_forward_lonely(&mut many, &links);
+        selection.sort_by_crowding(&mut many, &links);
         assert_eq!(many[0].1, 0);
         assert!(
             many.iter().position(|c| c.1 == 39) < many.iter().position(|c| c.1 == 37),
@@ -122,10 +126,10 @@ mod tests {
     }
 
     #[test]
-    fn taken_positions_keep_their_neighbors_until_the_next_batch() {
+    fn removed_positions_block_their_neighbors_until_the_next_batch() {
         let mut selection = Selection::new(6);
         selection.begin();
-        selection.take(1, &[1, 2, 3]);
+        selection.mark_removed(1, &[1, 2, 3]);
         assert!((1..4).all(|v| !selection.is_free(v)) && selection.is_free(4));
         assert!(!selection.is_free_target(1) && selection.is_free_target(2));
         selection.begin();

@@ -1,8 +1,8 @@
-//! Puts the edges of a link in order: a ring if they are one cycle or one path.
+//! Orders the edges of a link into a ring, if they form one cycle or one path.
 
 use super::edge::{LinkEdge, LinkKind};
 
-/// Scratch for putting link edges in order.
+/// Scratch for ordering link edges, and the result.
 #[derive(Debug, Default)]
 pub(super) struct Chain {
     pub(super) entries: Vec<u32>,
@@ -11,7 +11,8 @@ pub(super) struct Chain {
 }
 
 impl Chain {
-    /// Orders the edges head to tail; an edge list where that gives no single cycle or path.
+    /// Orders the edges head to tail; falls back to an edge list if that does not give a single cycle
+    /// or path.
     pub(super) fn order(&mut self, edges: &[LinkEdge]) -> LinkKind {
         self.entries.clear();
         self.triangles.clear();
@@ -30,7 +31,7 @@ impl Chain {
         kind
     }
 
-    /// Quadratic search: the usual six edges need no map.
+    /// Orders few edges by quadratic search: the usual six need no map.
     fn order_few(&mut self, edges: &[LinkEdge]) -> LinkKind {
         let n = edges.len();
         let mut start = 0;
@@ -38,7 +39,7 @@ impl Chain {
         for (i, e) in edges.iter().enumerate() {
             let mut has_predecessor = false;
             for (j, f) in edges.iter().enumerate() {
-                // Two edges may not leave, nor enter, the same neighbor.
+                // Two edges may not leave the same neighbor, nor enter it.
                 if i != j && (e.a == f.a || e.b == f.b) {
                     return LinkKind::Edges;
                 }
@@ -60,7 +61,7 @@ impl Chain {
                 Some(f) => e = *f,
                 None => break,
             }
-            // Back too early: there is a second cycle.
+            // Back at the start too early: there is a second cycle.
             if e == edges[start] {
                 break;
             }
@@ -68,7 +69,7 @@ impl Chain {
         self.close(n, start_count, edges[start], e)
     }
 
-    /// The same with a sorted order of the edges' tails, for the hubs of large fans.
+    /// Orders many edges by a sorted list of their tails, for the hubs of large fans.
     fn order_many(&mut self, edges: &[LinkEdge]) -> LinkKind {
         self.order.clear();
         self.order.extend(0..edges.len() as u32);
@@ -113,7 +114,7 @@ impl Chain {
             self.triangles.push(last.triangle);
             return LinkKind::Open;
         }
-        // A cycle of two is a triangle and its reverse: no ring to walk.
+        // A cycle of two is a triangle and its reverse, not a ring.
         if n < 3 || last != first { LinkKind::Edges } else { LinkKind::Closed }
     }
 }

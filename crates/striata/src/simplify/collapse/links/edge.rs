@@ -1,4 +1,4 @@
-//! What links consist of.
+//! Types that describe the link of a position.
 
 /// How the link of a position is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -8,13 +8,13 @@ pub(in crate::simplify) enum LinkKind {
     Empty,
     /// A cycle: entry `i` and its successor, cyclically, span a triangle.
     Closed,
-    /// A path: the same, but the last entry has no successor.
+    /// A path: like a cycle, but the last entry has no successor.
     Open,
-    /// Pairs of entries, one a triangle.
+    /// Pairs of entries, one per triangle.
     Edges,
 }
 
-/// One edge of a link: the triangle `(v, a, b)`, with its number where triangles are followed.
+/// One edge of a link: the triangle `(v, a, b)`, with its index if triangles are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::simplify) struct LinkEdge {
     pub(in crate::simplify) a: u32,

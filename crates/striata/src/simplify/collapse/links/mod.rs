@@ -1,9 +1,9 @@
-//! The link of every position: what surrounds it, kept up to date while collapses eat the mesh.
+//! The link of every position, kept up to date during collapses.
 //!
-//! The link of `v` is the set of edges opposite to `v` in its triangles. On a manifold it is one cycle or, at
-//! a boundary, one path, and is stored as the ordered **ring** of neighbors; no triangle needs to be stored
-//! at all. Anywhere else it is stored as a plain list of edges, so that bow-ties, books and repeated triangles
-//! work too. A half-edge collapse is then substitution in the links around it:
+//! The link of `v` is the set of edges opposite to `v` in its triangles. On a manifold it is one cycle
+//! or, at a boundary, one path, and is stored as the ordered **ring** of neighbors; no triangles need
+//! to be stored. Anywhere else it is stored as a plain list of edges, so that bow-ties, books and
+//! repeated triangles work too. A half-edge collapse is then a substitution in the links around it:
 //!
 //! ```text
 //!        r1 --- r2                r1 --- r2       ring(u) = .. r1 [v] r5 ..
@@ -13,7 +13,8 @@
 //!        r5 --- r4                r5 --- r4
 //! ```
 //!
-//! Memory: 4 bytes per entry plus slack, 16 bytes a position. Cost of a collapse: the sizes of the links it touches.
+//! Memory: 4 bytes per entry plus slack, and 16 bytes per position. Time of a collapse: the sizes of
+//! the links it touches.
 
 mod chain;
 mod edge;
@@ -38,7 +39,7 @@ struct Slab {
 pub(in crate::simplify) struct Links {
     slabs: Vec<Slab>,
     entries: Vec<u32>,
-    /// Beside `entries`: the triangle that the entry begins. Empty unless triangles are followed.
+    /// For each of `entries`, the triangle that begins with it. Empty unless triangles are followed.
     triangles: Vec<u32>,
     follows_triangles: bool,
     ring: Vec<u32>,
@@ -47,11 +48,11 @@ pub(in crate::simplify) struct Links {
     chain: Chain,
 }
 
-/// Room that a new slab gets beyond its content.
+/// Number of entries that a new slab can grow by.
 const SLACK: u32 = 2;
 
 impl Links {
-    /// Links of `position_count` positions from triangles of positions.
+    /// Builds the links of `position_count` positions from triangles of positions.
     pub(in crate::simplify) fn new(
         position_count: usize,
         triangles: &[[u32; 3]],
@@ -102,12 +103,12 @@ impl Links {
         links
     }
 
-    /// True where links know the numbers of their triangles.
+    /// Whether the links store triangle indices.
     pub(in crate::simplify) fn follows_triangles(&self) -> bool {
         self.follows_triangles
     }
 
-    /// Whether a position lies on an edge of one triangle.
+    /// Whether a position lies on an edge with only one triangle.
     pub(in crate::simplify) fn is_boundary(&self, v: u32) -> bool {
         match self.kind(v) {
             LinkKind::Open => true,
@@ -119,27 +120,27 @@ impl Links {
         }
     }
 
-    /// How the link of `v` is stored.
+    /// Returns how the link of `v` is stored.
     #[inline]
     pub(in crate::simplify) fn kind(&self, v: u32) -> LinkKind {
         self.slabs[v as usize].kind
     }
 
-    /// The entries of the link of `v`, as its kind reads them.
+    /// Returns the entries of the link of `v`; their meaning depends on the kind.
     #[inline]
     pub(in crate::simplify) fn entries(&self, v: u32) -> &[u32] {
         let slab = self.slabs[v as usize];
         &self.entries[slab.start as usize..][..slab.len as usize]
     }
 
-    /// The triangles that the entries of `v` begin; only where triangles are followed.
+    /// Returns the triangles that begin with the entries of `v`; only if triangles are followed.
     #[inline]
     pub(in crate::simplify) fn entry_triangles(&self, v: u32) -> &[u32] {
         let slab = self.slabs[v as usize];
         &self.triangles[slab.start as usize..][..slab.len as usize]
     }
 
-    /// Triangles around `v`.
+    /// Number of triangles around `v`.
     #[inline]
     pub(in crate::simplify) fn triangle_count(&self, v: u32) -> usize {
         let slab = self.slabs[v as usize];
@@ -151,7 +152,7 @@ impl Links {
         }
     }
 
-    /// The link of `v` edge by edge, into `out`.
+    /// Collects the edges of the link of `v` into `out`.
     pub(in crate::simplify) fn edges_into(&self, v: u32, out: &mut Vec<LinkEdge>) {
         out.clear();
         let slab = self.slabs[v as usize];
@@ -180,15 +181,15 @@ impl Links {
         }
     }
 
-    /// Gives `u` a slab for `len` entries: its own, the dying `v`'s, or a new one.
-    fn room(&mut self, u: u32, v: u32, len: usize) -> u32 {
+    /// Gives `u` a slab with room for `len` entries: its own, that of the removed `v`, or a new one.
+    fn reserve(&mut self, u: u32, v: u32, len: usize) -> u32 {
         let (sv, su) = (self.slabs[v as usize], self.slabs[u as usize]);
         let slab = &mut self.slabs[u as usize];
         if len > su.capacity as usize {
             if v != u && len <= sv.capacity as usize {
                 (slab.start, slab.capacity) = (sv.start, sv.capacity);
-                let dying = &mut self.slabs[v as usize];
-                (dying.start, dying.capacity) = (su.start, su.capacity);
+                let removed = &mut self.slabs[v as usize];
+                (removed.start, removed.capacity) = (su.start, su.capacity);
             } else {
                 slab.start = self.entries.len() as u32;
                 slab.capacity = len as u32 + 2 * SLACK;
@@ -204,7 +205,7 @@ impl Links {
         slab.start
     }
 
-    /// Stores a link, as a ring if it is one.
+    /// Stores a link, as a ring if possible.
     fn set(&mut self, v: u32, edges: &[LinkEdge]) {
         let mut chain = std::mem::take(&mut self.chain);
         let kind = chain.order(edges);
@@ -219,7 +220,7 @@ impl Links {
                 self.triangles.resize(end, 0);
             }
         }
-        let at = self.room(v, v, len) as usize;
+        let at = self.reserve(v, v, len) as usize;
         self.slabs[v as usize].kind = kind;
         self.entries[at..at + len].copy_from_slice(&chain.entries);
         if self.follows_triangles {

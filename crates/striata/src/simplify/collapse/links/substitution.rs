@@ -1,4 +1,4 @@
-//! What becomes of links when a position goes: substitution where it collapses, new edges where its hole is filled.
+//! Updates links when a position is removed, by a collapse or by filling its hole.
 
 use std::ops::Range;
 
@@ -6,14 +6,16 @@ use super::Links;
 use super::edge::{LinkEdge, LinkKind};
 
 impl Links {
-    /// Replaces `v` by `u` in every link and drops the triangles that lose a corner; the link of `v` ends empty.
+    /// Replaces `v` by `u` in every link and drops the triangles that lose a corner; the link of `v`
+    /// becomes empty.
     ///
-    /// Legal for any two positions, neighbors or not: what is sensible is the caller's business.
+    /// Works for any two positions, neighbors or not; the caller decides whether the collapse makes
+    /// sense.
     pub(in crate::simplify) fn collapse(&mut self, v: u32, u: u32) {
         if !self.splice(v, u) {
             self.merge(v, u);
         }
-        // `ring` now holds the neighbors of v, each at least once.
+        // `ring` now contains the neighbors of v, each at least once.
         let ring = std::mem::take(&mut self.ring);
         for (i, &w) in ring.iter().enumerate() {
             // Rings name each neighbor once; only edge lists repeat them.
@@ -27,8 +29,8 @@ impl Links {
         slab.len = 0;
     }
 
-    /// Takes out `v` with the triangles around it and puts in `floor` instead: numbers and corners of triangles that
-    /// have neighbors of `v` at their corners.
+    /// Removes `v` with the triangles around it and inserts the triangles of `floor` instead: their
+    /// indices, and their corners, which must be neighbors of `v`.
     pub(in crate::simplify) fn fill(&mut self, v: u32, floor: &[(u32, [u32; 3])]) {
         let mut edges = std::mem::take(&mut self.edges);
         let mut ring = std::mem::take(&mut self.ring);
@@ -54,8 +56,8 @@ impl Links {
         (self.edges, self.ring) = (edges, ring);
     }
 
-    /// The link of `u` after the collapse, where both links are rings; false where they are not, or
-    /// where the result is no ring. Leaves the neighbors of `v` in `self.ring`.
+    /// Updates the link of `u` for the collapse if both links are rings; returns false if they are not,
+    /// or if the result is not a ring. Leaves the neighbors of `v` in `self.ring`.
     fn splice(&mut self, v: u32, u: u32) -> bool {
         let (sv, su) = (self.slabs[v as usize], self.slabs[u as usize]);
         let is_ring = |kind| matches!(kind, LinkKind::Closed | LinkKind::Open);
@@ -71,10 +73,10 @@ impl Links {
         else {
             return false;
         };
-        // The part of v's ring that u takes over, and where it enters u's ring.
+        // The part of v's ring that replaces v in u's ring.
         let arc: Range<usize>;
         if sv.kind == LinkKind::Closed {
-            // u must see v between the same two neighbors.
+            // u must have v between the same two neighbors.
             let interior = su.kind == LinkKind::Closed || (j > 0 && j + 1 < m);
             if !interior || n < 3 || m < 3 {
                 return false;
@@ -96,12 +98,12 @@ impl Links {
                 return false;
             }
         }
-        // What is left may be too small for a ring.
+        // The remaining entries may be too few for a ring.
         let least = if su.kind == LinkKind::Closed { 3 } else { 2 };
         if m - 1 + arc.len() < least {
             return false;
         }
-        // A neighbor that both rings name outside the shared triangles would stand twice.
+        // A neighbor that both rings contain outside the shared triangles would appear twice.
         if arc.clone().any(|i| old.contains(&self.ring[i % n])) {
             return false;
         }
@@ -109,28 +111,28 @@ impl Links {
         true
     }
 
-    /// Writes u's ring with entry `j` (that is, v) replaced by the arc of v's ring.
+    /// Writes u's ring with entry `j` (which is v) replaced by the arc of v's ring.
     fn write_splice(&mut self, v: u32, u: u32, j: usize, arc: Range<usize>) {
         let (sv, su) = (self.slabs[v as usize], self.slabs[u as usize]);
         let (n, m) = (sv.len as usize, su.len as usize);
         let len = m - 1 + arc.len();
         if self.follows_triangles {
-            // Entry i of the new ring begins the triangle with entry i + 1: the triangles of v follow the
-            // arc, shifted by one since the entry before the arc begins the arc's first triangle.
+            // Entry i of the new ring begins the triangle with entry i + 1: the triangles of v follow
+            // the arc, shifted by one since the entry before the arc begins the arc's first triangle.
             let own = &self.triangles[su.start as usize..][..m];
             let other = &self.triangles[sv.start as usize..][..n];
             self.ring_triangles.clear();
             self.ring_triangles.extend_from_slice(&own[..j.saturating_sub(1)]);
             if sv.kind == LinkKind::Closed {
-                let mut taken: Vec<u32> = (arc.start - 1..arc.end).map(|i| other[i % n]).collect();
+                let mut moved: Vec<u32> = (arc.start - 1..arc.end).map(|i| other[i % n]).collect();
                 if j == 0 {
                     // The entry before v is the last one of a cycle.
-                    let last = taken.remove(0);
-                    self.ring_triangles.extend_from_slice(&taken);
+                    let last = moved.remove(0);
+                    self.ring_triangles.extend_from_slice(&moved);
                     self.ring_triangles.extend_from_slice(&own[1..m - 1]);
                     self.ring_triangles.push(last);
                 } else {
-                    self.ring_triangles.extend_from_slice(&taken);
+                    self.ring_triangles.extend_from_slice(&moved);
                     self.ring_triangles.extend_from_slice(&own[j + 1..]);
                 }
             } else if arc.start == 2 {
@@ -143,7 +145,7 @@ impl Links {
             }
             debug_assert_eq!(self.ring_triangles.len(), len, "one triangle entry for each ring entry");
         }
-        let at = self.room(u, v, len);
+        let at = self.reserve(u, v, len);
         let (start, end) = (at as usize, at as usize + len);
         if at == su.start {
             // In place: move the tail, then fill the gap.
@@ -160,7 +162,7 @@ impl Links {
         }
     }
 
-    /// The link of `u` after the collapse, for links of any kind.
+    /// Updates the link of `u` for the collapse, for links of any kind.
     fn merge(&mut self, v: u32, u: u32) {
         let mut edges = std::mem::take(&mut self.edges);
         let mut all = Vec::new();
@@ -172,7 +174,7 @@ impl Links {
         self.edges = edges;
     }
 
-    /// Reads `u` for `v` in the link of `w`, a neighbor of v.
+    /// Replaces `v` by `u` in the link of `w`, a neighbor of v.
     fn substitute(&mut self, w: u32, v: u32, u: u32) {
         let slab = self.slabs[w as usize];
         let (start, n) = (slab.start as usize, slab.len as usize);
@@ -192,7 +194,8 @@ impl Links {
                 ring.copy_within(i + 1.., i);
                 self.slabs[w as usize].len -= 1;
                 if self.follows_triangles {
-                    // The triangle between v and u vanishes; where u comes first, it takes over v's other one.
+                    // The triangle between v and u vanishes; if u comes first, it gets v's other
+                    // triangle.
                     let triangles = &mut self.triangles[start..start + n];
                     if precedes {
                         triangles[last] = triangles[i];

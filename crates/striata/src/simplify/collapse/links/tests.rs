@@ -1,9 +1,9 @@
-//! Links against triangles whose corners are substituted one by one.
+//! Tests links against triangles whose corners are substituted directly.
 
 use super::*;
 use crate::mesh::canonical_triangles;
 
-/// All triangles that the links imply, each as often as it is seen from its smallest corner.
+/// Returns all triangles in the links, each as often as it appears in the link of its smallest corner.
 fn triangles_of(links: &Links) -> Vec<[u32; 3]> {
     let mut out = Vec::new();
     let mut edges = Vec::new();
@@ -15,7 +15,7 @@ fn triangles_of(links: &Links) -> Vec<[u32; 3]> {
 }
 
 #[test]
-fn filled_holes_are_what_is_left_of_a_collapse() {
+fn filling_a_hole_with_a_fan_equals_a_collapse() {
     // A strip, a book of three pages and a tetrahedron on one of them.
     let triangles = [
         [0, 1, 2],
@@ -45,8 +45,8 @@ fn filled_holes_are_what_is_left_of_a_collapse() {
             assert_eq!(triangles_of(&filled), triangles_of(&collapsed), "{v} -> {u}");
             assert_eq!(filled.kind(v), LinkKind::Empty);
             filled.edges_into(u, &mut edges);
-            let numbers: Vec<u32> = edges.iter().map(|e| e.triangle).filter(|&t| t >= 20).collect();
-            assert_eq!(numbers.len(), floor.len(), "{v} -> {u}: numbers of new triangles");
+            let new_triangles: Vec<u32> = edges.iter().map(|e| e.triangle).filter(|&t| t >= 20).collect();
+            assert_eq!(new_triangles.len(), floor.len(), "{v} -> {u}: new_triangles of new triangles");
         }
     }
 }
@@ -76,7 +76,7 @@ fn check_against_substitution(triangles: &[[u32; 3]], count: usize, collapses: &
 
 fn check_one(mut triangles: Vec<[u32; 3]>, count: usize, collapses: &[(u32, u32)], follows: bool) {
     let mut links = Links::new(count, &triangles, follows);
-    let numbered = triangles.clone();
+    let input = triangles.clone();
     let mut alive: Vec<usize> = (0..triangles.len()).collect();
     for &(v, u) in collapses.iter().filter(|(v, u)| v != u) {
         links.collapse(v, u);
@@ -88,13 +88,13 @@ fn check_one(mut triangles: Vec<[u32; 3]>, count: usize, collapses: &[(u32, u32)
             a != b && b != c && c != a
         });
         let expected: Vec<_> = alive.iter().map(|&t| triangles[t]).collect();
-        assert_eq!(triangles_of(&links), canonical_triangles(&expected), "after {v} -> {u} of {numbered:?}");
+        assert_eq!(triangles_of(&links), canonical_triangles(&expected), "after {v} -> {u} of {input:?}");
         let mut edges = Vec::new();
         for w in (0..count as u32).filter(|_| follows) {
             links.edges_into(w, &mut edges);
             for e in &edges {
                 let found = canonical_triangles(&[[w, e.a, e.b]]);
-                assert_eq!(found, canonical_triangles(&[triangles[e.triangle as usize]]), "triangle numbers");
+                assert_eq!(found, canonical_triangles(&[triangles[e.triangle as usize]]), "triangle indices");
             }
         }
     }
@@ -133,7 +133,7 @@ fn rings_of_a_grid_equal_substitution() {
 }
 
 #[test]
-fn bow_tie_of_equal_cycles_is_no_ring() {
+fn bow_tie_of_equal_cycles_is_not_a_ring() {
     for n in [3u32, 30] {
         let cone = |base: u32| (0..n).map(move |i| [0, base + i, base + (i + 1) % n]);
         let both: Vec<[u32; 3]> = cone(1).chain(cone(1 + n)).collect();

@@ -1,24 +1,25 @@
-//! Borders through a star: who may move along which, and what leaving their course costs.
+//! Borders through a star: along which edges the center may move, and the cost of leaving the others.
 
-use super::special::{BORDER_WEIGHT, Border, Special};
+use super::border_edge::{BORDER_WEIGHT, BorderEdge, BorderKind};
 use super::{SeamBetween, Star};
 use crate::simplify::collapse::links::LinkKind;
 
-/// The triangles at the edge to a neighbor.
-struct Around {
+/// Triangles at the edge to a neighbor.
+struct EdgeTriangles {
     /// The last one that ends at the neighbor.
     before: Option<usize>,
-    /// The last one that begins there.
+    /// The last one that begins at the neighbor.
     after: Option<usize>,
-    /// How many do either.
+    /// Number of triangles that do either.
     count: usize,
 }
 
 impl Star {
-    /// Restricts the candidates to the special edges of `v` and adds what leaving their course costs.
+    /// Restricts the candidates to the border edges of `v` and adds the cost of leaving the old path of
+    /// a border.
     ///
-    /// `seam_between(i, j)` gives the squared difference of attributes if triangles `i` and `j` show v different wedges; infinite
-    /// if the seam must stay.
+    /// `seam_between(star, i, j)` returns the squared difference of attributes if triangles `i` and `j`
+    /// use different wedges of `v`; infinite if the seam must stay.
     pub(in crate::simplify) fn apply_borders(
         &mut self,
         kind: LinkKind,
@@ -35,31 +36,32 @@ impl Star {
             (self.costs[0], self.costs[last]) = (first_cost, last_cost);
             return;
         }
-        let mut special = std::mem::take(&mut self.special);
-        special.clear();
+        let mut border_edges = std::mem::take(&mut self.border_edges);
+        border_edges.clear();
         for i in 0..self.ids.len() {
-            special.extend(self.special_edge(i, seam_between));
+            border_edges.extend(self.border_edge(i, seam_between));
         }
-        self.charge_borders(&special);
-        self.special = special;
+        self.charge_borders(&border_edges);
+        self.border_edges = border_edges;
     }
 
-    fn charge_borders(&mut self, special: &[Special]) {
-        let Some(strongest) = special.iter().map(|s| s.border).max() else { return };
-        // Seams that may be crossed bind nobody to their course.
-        let binds = strongest > Border::Seam || special.iter().any(|s| s.difference_squared == f32::INFINITY);
+    fn charge_borders(&mut self, border_edges: &[BorderEdge]) {
+        let Some(strongest) = border_edges.iter().map(|s| s.kind).max() else { return };
+        // Seams that may be crossed do not restrict the candidates.
+        let binds = strongest > BorderKind::Seam
+            || border_edges.iter().any(|s| s.difference_squared == f32::INFINITY);
         let mut costs = std::mem::take(&mut self.costs);
         for (i, cost) in costs.iter_mut().enumerate() {
-            if binds && !special.iter().any(|s| s.neighbor as usize == i && s.border == strongest) {
+            if binds && !border_edges.iter().any(|s| s.neighbor as usize == i && s.kind == strongest) {
                 *cost = f32::INFINITY;
                 continue;
             }
             let u = self.offset(i);
-            let others = special.iter().filter(|s| s.neighbor as usize != i);
+            let others = border_edges.iter().filter(|s| s.neighbor as usize != i);
             let swept =
-                |s: &Special| s.leave_cost(self.offset(s.neighbor as usize).cross(u).length_squared());
+                |s: &BorderEdge| s.leave_cost(self.offset(s.neighbor as usize).cross(u).length_squared());
             *cost += others.map(swept).sum::<f32>();
-            if let [end] = special {
+            if let [end] = border_edges {
                 // The border ends here and would recede.
                 *cost += end.recede_cost(u.length_squared());
             }
@@ -67,25 +69,25 @@ impl Star {
         self.costs = costs;
     }
 
-    /// The edge to neighbor `i`, if it lies on a border.
-    fn special_edge(&self, i: usize, seam_between: Option<SeamBetween<'_>>) -> Option<Special> {
-        let Around { before, after, count } = self.triangles_at(i);
-        let (border, difference_squared) = match (before, after) {
-            _ if count == 1 => (Border::Boundary, f32::INFINITY),
-            (Some(t), Some(s)) if count == 2 => (Border::Seam, seam_between?(self, t, s)?),
-            _ => (Border::Branch, f32::INFINITY),
+    /// Returns the edge to neighbor `i` if it lies on a border.
+    fn border_edge(&self, i: usize, seam_between: Option<SeamBetween<'_>>) -> Option<BorderEdge> {
+        let EdgeTriangles { before, after, count } = self.triangles_at(i);
+        let (kind, difference_squared) = match (before, after) {
+            _ if count == 1 => (BorderKind::Boundary, f32::INFINITY),
+            (Some(t), Some(s)) if count == 2 => (BorderKind::Seam, seam_between?(self, t, s)?),
+            _ => (BorderKind::Branch, f32::INFINITY),
         };
-        Some(Special { neighbor: i as u32, border, difference_squared })
+        Some(BorderEdge { neighbor: i as u32, kind, difference_squared })
     }
 
-    fn triangles_at(&self, i: usize) -> Around {
+    fn triangles_at(&self, i: usize) -> EdgeTriangles {
         if self.pairs.is_empty() {
             let n = self.ids.len();
             let is_closed = self.triangle_count == n;
             let before = if i > 0 { Some(i - 1) } else { is_closed.then_some(n - 1) };
             let after = (i < self.triangle_count).then_some(i);
             let count = usize::from(before.is_some()) + usize::from(after.is_some());
-            return Around { before, after, count };
+            return EdgeTriangles { before, after, count };
         }
         let (mut before, mut after, mut count) = (None, None, 0);
         for (t, pair) in self.pairs.iter().enumerate() {
@@ -99,6 +101,6 @@ impl Star {
                 count += 1;
             }
         }
-        Around { before, after, count }
+        EdgeTriangles { before, after, count }
     }
 }

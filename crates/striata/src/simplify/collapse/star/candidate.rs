@@ -1,22 +1,24 @@
-//! What one candidate would leave of a star: whether its fan is sound, and how far old and new surface are from each other.
+//! Geometric tests of one candidate: whether its fan is valid, and how far the old and new surface are
+//! apart.
 
 use glam::Vec3;
 use wide::f32x8;
 
 use super::Star;
-use super::lanes::{LANES, NO_TRIANGLE, Vec3x8, grow, lanes, least_of, slices, vectors};
+use super::lanes::{LANES, NO_TRIANGLE, Vec3x8, ensure_len, lane_min, load_lanes, slices, vector_starts};
 use crate::simplify::collapse::fan;
 
 impl Star {
-    /// Squared distance of v from the fan that neighbor `k` as the target would leave; `None` where a triangle would
-    /// flip or become a sliver.
+    /// Squared distance of `v` from the fan that neighbor `k` as the target would leave; `None` if a
+    /// triangle would flip or become a sliver.
     pub(in crate::simplify) fn fan_distance_squared(&mut self, k: usize) -> Option<f32> {
         self.mark_vanishing(Some(k));
         let distance_squared = self.distance_squared_from(self.offset(k))?;
         if distance_squared < f32::INFINITY {
             return Some(distance_squared);
         }
-        // No triangle is left (the last one of a border): the edges of the old ones are what remains.
+        // No triangle is left (the last one of a border): measure the edges that remain of the old
+        // triangles.
         let edge = |t: usize| {
             let [a, b] = self.triangle(t).map(|i| self.offset(i));
             fan::distance_squared(self.offset(k), a, b)
@@ -24,7 +26,8 @@ impl Star {
         Some((0..self.triangle_count).map(edge).fold(f32::INFINITY, f32::min))
     }
 
-    /// The same for a target that is no neighbor: all triangles stay.
+    /// Squared distance of `v` from its star moved to `to`, which is not a neighbor, so that all
+    /// triangles stay; `None` if a triangle would flip or become a sliver.
     pub(in crate::simplify) fn moved_distance_squared(&mut self, to: Vec3) -> Option<f32> {
         self.mark_vanishing(None);
         self.distance_squared_from(to)
@@ -37,13 +40,13 @@ impl Star {
         let [a, b] = self.corners();
         let normals = slices(&self.normals, 0);
         let mut least = f32x8::splat(f32::INFINITY);
-        for t in vectors(self.triangle_count) {
+        for t in vector_starts(self.triangle_count) {
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
-            let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
+            let vanishes = load_lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
             let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
             let (ua, ub) = (u.dot(a), u.dot(b));
             let old = Vec3x8::load(normals, t);
-            let new = a.minus(u).cross(b.minus(u));
+            let new = a.sub(u).cross(b.sub(u));
             let new_squared = new.dot(new);
             let change = fan::Change {
                 old_length: old.dot(old).sqrt(),
@@ -57,7 +60,8 @@ impl Star {
             if !(change.is_allowed(star) | vanishes).all() {
                 return None;
             }
-            // The origin against the triangle (u, a, b); its height over all of them comes from the old normal.
+            // The origin against the triangle (u, a, b); u dot the old normal is the height for all of
+            // them.
             let triangle = fan::Products {
                 d: [uu - ua, uu - ub, ua - aa, ua - ab, ub - ab, ub - bb],
                 corners: [uu, aa, bb],
@@ -68,19 +72,19 @@ impl Star {
                 vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
             least = least.fast_min(distance_squared);
         }
-        Some(least_of(least))
+        Some(lane_min(least))
     }
 
-    /// Squared distance of the point `p` from the fan that was judged last, neighbor `k` being the target; infinite
-    /// where no triangle is left.
+    /// Squared distance of the point `p` from the fan of the last [`Self::mark_vanishing`], with
+    /// neighbor `k` as the target; infinite if no triangle is left.
     pub(in crate::simplify) fn fan_distance_squared_of(&self, k: usize, p: Vec3) -> f32 {
         let [a, b] = self.corners();
         let (u, p) = (Vec3x8::splat(self.offset(k)), Vec3x8::splat(p));
         let mut least = f32x8::splat(f32::INFINITY);
-        for t in vectors(self.triangle_count) {
+        for t in vector_starts(self.triangle_count) {
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
-            let vanishes = lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
-            let (ua, ub, up, ap, bp) = (a.minus(u), b.minus(u), p.minus(u), p.minus(a), p.minus(b));
+            let vanishes = load_lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
+            let (ua, ub, up, ap, bp) = (a.sub(u), b.sub(u), p.sub(u), p.sub(a), p.sub(b));
             let normal = ua.cross(ub);
             let triangle = fan::Products {
                 d: [ua.dot(up), ub.dot(up), ua.dot(ap), ub.dot(ap), ua.dot(bp), ub.dot(bp)],
@@ -91,13 +95,13 @@ impl Star {
             let squared = vanishes.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared());
             least = least.fast_min(squared);
         }
-        least_of(least)
+        lane_min(least)
     }
 
-    /// Notes which triangles a collapse to neighbor `k` removes.
+    /// Marks the triangles that a collapse to neighbor `k` removes.
     pub(in crate::simplify) fn mark_vanishing(&mut self, k: Option<usize>) {
         let padded = self.triangle_count.next_multiple_of(LANES);
-        grow(&mut self.vanishes, padded);
+        ensure_len(&mut self.vanishes, padded);
         let mut vanishes = std::mem::take(&mut self.vanishes);
         let (real, rest) = vanishes[..padded].split_at_mut(self.triangle_count);
         real.fill(0.0);
@@ -105,7 +109,7 @@ impl Star {
         match k {
             None => {}
             Some(k) if self.pairs.is_empty() => {
-                // Triangle k begins at the neighbor, the one before ends there.
+                // Triangle k begins at the neighbor, the one before ends at it.
                 let before = if k == 0 { self.ids.len() - 1 } else { k - 1 };
                 for t in [k, before] {
                     if let Some(lane) = real.get_mut(t) {
@@ -124,11 +128,12 @@ impl Star {
         self.vanishes = vanishes;
     }
 
-    /// How far the fan's new edges stick out: the largest squared distance of their midpoints from the old star.
+    /// Largest squared distance of the new edges' midpoints from the old star: how far the fan sticks
+    /// out.
     ///
-    /// The distance of v alone does not see a fan that bridges a valley.
+    /// The distance of `v` alone does not detect a fan that bridges a valley.
     pub(in crate::simplify) fn protrusion_squared(&mut self, k: usize) -> f32 {
-        // A ring of three has no new edge; where sheets meet there can be one among fewer.
+        // A ring of three gets no new edge; non-manifold stars can get one with fewer triangles.
         if self.pairs.is_empty() && self.triangle_count < 4 {
             return 0.0;
         }
@@ -142,14 +147,14 @@ impl Star {
         }
         let [a, b] = self.corners();
         let normals = slices(&self.normals, 0);
-        for t in vectors(self.triangle_count) {
+        for t in vector_starts(self.triangle_count) {
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
             let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
             let normal = Vec3x8::load(normals, t);
             let normal_squared = normal.dot(normal);
-            let is_none = lanes(&self.vanishes, t).simd_gt(f32x8::ONE);
+            let is_none = load_lanes(&self.vanishes, t).simd_gt(f32x8::ONE);
             for (middle, least) in &mut middles {
-                // The midpoint against the triangle (v, a, b), v being the origin.
+                // The midpoint against the triangle (v, a, b), with v at the origin.
                 let mm = f32x8::splat(middle.length_squared());
                 let middle = Vec3x8::splat(*middle);
                 let (ma, mb) = (middle.dot(a), middle.dot(b));
@@ -163,13 +168,13 @@ impl Star {
                     .fast_min(is_none.bitselect(f32x8::splat(f32::INFINITY), triangle.distance_squared()));
             }
         }
-        let worst = middles.iter().map(|(_, least)| least_of(*least));
+        let worst = middles.iter().map(|(_, least)| lane_min(*least));
         let worst = worst.fold(0.0, f32::max);
         self.middles = middles;
         worst
     }
 
-    /// True where neighbors `i` and `k` span a triangle with v.
+    /// Whether neighbors `i` and `k` span a triangle with `v`.
     fn is_edge(&self, i: usize, k: usize) -> bool {
         if self.pairs.is_empty() {
             let (low, high) = (i.min(k), i.max(k));

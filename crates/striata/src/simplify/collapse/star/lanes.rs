@@ -1,49 +1,49 @@
-//! Eight triangles at a time.
+//! SIMD helpers that process eight triangles at a time.
 
 use glam::Vec3;
 use wide::{f32x4, f32x8};
 
-/// Triangles in one vector.
+/// Number of triangles in one SIMD vector.
 pub(super) const LANES: usize = 8;
 
 /// Marks lanes past the last triangle.
 pub(super) const NO_TRIANGLE: f32 = 2.0;
 
-/// Three coordinates of many points.
+/// x, y and z coordinates of many points, as separate arrays.
 pub(super) type Coordinates = [Vec<f32>; 3];
 
-/// Where the vectors begin that hold `count` entries.
+/// Returns the start index of each SIMD vector that covers `count` entries.
 #[inline]
-pub(super) fn vectors(count: usize) -> impl Iterator<Item = usize> {
+pub(super) fn vector_starts(count: usize) -> impl Iterator<Item = usize> {
     (0..count).step_by(LANES)
 }
 
-/// The least of all lanes.
+/// Minimum over all lanes.
 #[inline]
-pub(super) fn least_of(lanes: f32x8) -> f32 {
+pub(super) fn lane_min(lanes: f32x8) -> f32 {
     lanes.to_array().into_iter().fold(f32::INFINITY, f32::min)
 }
 
-/// Eight floats from `index` on; every array is padded so that they are there.
+/// Loads eight floats from `index` on; every array is padded to allow that.
 #[inline]
-pub(super) fn lanes(array: &[f32], index: usize) -> f32x8 {
+pub(super) fn load_lanes(array: &[f32], index: usize) -> f32x8 {
     f32x8::new(array[index..].first_chunk().copied().unwrap_or([0.0; LANES]))
 }
 
-/// The same with four.
+/// Loads four floats from `index` on.
 #[inline]
-pub(super) fn four(array: &[f32], index: usize) -> f32x4 {
+pub(super) fn load_four(array: &[f32], index: usize) -> f32x4 {
     f32x4::new(array[index..].first_chunk().copied().unwrap_or([0.0; 4]))
 }
 
-/// Sum in a fixed order.
+/// Sum of all lanes, in a fixed order.
 #[inline]
-pub(super) fn fold(sums: f32x4) -> f32 {
+pub(super) fn lane_sum(sums: f32x4) -> f32 {
     let [a, b, c, d] = sums.to_array();
     (a + c) + (b + d)
 }
 
-/// Three vectors at once.
+/// Eight 3D vectors.
 #[derive(Clone, Copy)]
 pub(super) struct Vec3x8 {
     pub(super) x: f32x8,
@@ -54,7 +54,7 @@ pub(super) struct Vec3x8 {
 impl Vec3x8 {
     #[inline]
     pub(super) fn load([x, y, z]: [&[f32]; 3], index: usize) -> Self {
-        Self { x: lanes(x, index), y: lanes(y, index), z: lanes(z, index) }
+        Self { x: load_lanes(x, index), y: load_lanes(y, index), z: load_lanes(z, index) }
     }
 
     #[inline]
@@ -77,19 +77,19 @@ impl Vec3x8 {
     }
 
     #[inline]
-    pub(super) fn minus(self, o: Self) -> Self {
+    pub(super) fn sub(self, o: Self) -> Self {
         Self { x: self.x - o.x, y: self.y - o.y, z: self.z - o.z }
     }
 }
 
-/// Slices of three arrays from `first` on.
+/// Slices of the three coordinate arrays from `first` on.
 #[inline]
 pub(super) fn slices(arrays: &Coordinates, first: usize) -> [&[f32]; 3] {
     [&arrays[0][first..], &arrays[1][first..], &arrays[2][first..]]
 }
 
-/// Makes room for `len` entries; what is there stays, what is new is zero.
-pub(super) fn grow(array: &mut Vec<f32>, len: usize) {
+/// Makes the array at least `len` long; existing entries stay, new ones are zero.
+pub(super) fn ensure_len(array: &mut Vec<f32>, len: usize) {
     if array.len() < len {
         array.resize(2 * len, 0.0);
     }

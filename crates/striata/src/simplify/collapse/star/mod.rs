@@ -1,9 +1,9 @@
-//! The star of one position, gathered once and judged against all its possible targets.
+//! The star of one position, gathered once and evaluated for all its possible targets.
 //!
-//! The cost of moving the origin `v` to a neighbor `u` is a quadratic form of `u`: the squared distances from the
-//! planes of the triangles around v, weighted by area, plus the squared change of volume over the area, all of the
-//! *current* mesh (memoryless [LT98], [Hop99]). A plane through v gives no linear part, so six numbers hold
-//! the whole form:
+//! The cost of moving the origin `v` to a neighbor `u` is a quadratic form of `u`: the squared
+//! distances from the planes of the triangles around `v`, weighted by area, plus the squared change of
+//! volume over the area, all of the *current* mesh (memoryless [LT98], [Hop99]). Planes through `v`
+//! give no linear part, so the whole form has six coefficients:
 //!
 //! ```text
 //! c_i = (a_i - v) x (b_i - v)       twice the area of triangle i times its normal
@@ -11,67 +11,72 @@
 //! cost(u) = (u - v)^T Q (u - v)     [length^4]
 //! ```
 //!
-//! Borders of any kind (boundaries, edges with three triangles, seams) are **special** edges: a vertex on some may only
-//! move along one of the strongest kind, and pays the squared area between the old and the new course of all.
+//! Borders of any kind (boundaries, edges with three triangles, seams) restrict the candidates: a
+//! vertex on some may only move along an edge of the strongest kind, and the cost includes the squared
+//! area between the old and the new path of every border.
 //!
-//! A candidate that survives pays for the distances of the fan that it leaves (see [`Star::distance_cost`]). Triangles
-//! are worked on eight at a time; sums are folded in a fixed order, so results are the same on every machine.
+//! The full cost of a candidate includes the distances of its fan (see [`Star::distance_cost`]).
+//! Triangles are processed eight at a time; sums are folded in a fixed order, so that results are the
+//! same on every machine.
 
+mod border_edge;
 mod borders;
 mod candidate;
 mod lanes;
-mod special;
 
 use glam::Vec3;
 use wide::{f32x4, f32x8};
 
 use super::links::{LinkEdge, LinkKind, Links};
-use lanes::{Coordinates, LANES, Vec3x8, fold, four, grow, slices, vectors};
-use special::Special;
+use border_edge::BorderEdge;
+use lanes::{Coordinates, LANES, Vec3x8, ensure_len, lane_sum, load_four, slices, vector_starts};
 
-/// Area, in squared distances, that a spike counts for beyond the area of its star: thin spikes have next to none,
-/// but they are seen.
+/// Area, as a multiple of the squared distance, that a spike counts for in addition to the area of its
+/// star: thin spikes have almost no area, but are visible.
 const SPIKE_WEIGHT: f32 = 32.0;
 
-/// For two triangles of a star, the squared difference of attributes if they show the center as different wedges.
+/// Function that returns the squared difference of attributes between two triangles of a star if they
+/// use different wedges of the center.
 pub(in crate::simplify) type SeamBetween<'a> = &'a dyn Fn(&Star, usize, usize) -> Option<f32>;
 
-/// Scratch that holds one star at a time.
+/// Scratch for the star of one position at a time.
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct Star {
     /// Neighbors, each once; candidates for the target.
     pub(in crate::simplify) ids: Vec<u32>,
-    /// Neighbors relative to v; one more for the ring's wrap, then zeros up to whole lanes.
+    /// Neighbors relative to `v`, then the first one again for rings, then zeros up to whole lanes.
     offsets: Coordinates,
     /// Corners of each triangle as indices into `ids`; empty for rings, whose triangle i is (i, i + 1).
     pairs: Vec<[u32; 2]>,
-    /// Both corners of each triangle where `pairs` is in use.
+    /// Both corners of each triangle if `pairs` is used.
     corners: [Coordinates; 2],
-    /// Unscaled normals of the triangles, zeros up to whole lanes.
+    /// Unscaled normals of the triangles, then zeros up to whole lanes.
     normals: Coordinates,
-    /// Cost of each neighbor as the target; infinite where it may not be.
+    /// Cost of each neighbor as the target; infinite if it is not allowed.
     pub(in crate::simplify) costs: Vec<f32>,
-    /// Triangle numbers, where followed.
+    /// Triangle indices, if the links store them.
     pub(in crate::simplify) triangles: Vec<u32>,
     triangle_count: usize,
-    /// The quadratic form: xx, yy, zz, xy, xz, yz.
+    /// Coefficients of the quadratic form: xx, yy, zz, xy, xz, yz.
     form: [f32; 6],
-    /// Area of all triangles, doubled.
+    /// Doubled area of all triangles.
     area_doubled: f32,
-    /// Sum of the normals: the normal of any surface with this border.
+    /// Sum of the normals, which is the same for any surface with this border.
     mean_normal: Vec3,
-    /// 1 in the lanes of triangles that a candidate makes vanish, `NO_TRIANGLE` past the last one.
+    /// 1 for triangles that a candidate removes, `NO_TRIANGLE` in lanes past the last triangle,
+    /// otherwise 0.
     vanishes: Vec<f32>,
     /// Midpoints of new edges, and their squared distances from the old triangles.
     middles: Vec<(Vec3, f32x8)>,
     edges: Vec<LinkEdge>,
-    special: Vec<Special>,
-    /// The vertex of the center that each triangle shows, if [`Wedges::load`](super::wedges::Wedges::load) was called.
-    pub(in crate::simplify) shown: Vec<u32>,
+    border_edges: Vec<BorderEdge>,
+    /// The vertex of the center that each triangle uses, if
+    /// [`Wedges::load_center_wedges`](super::wedges::Wedges::load_center_wedges) was called.
+    pub(in crate::simplify) center_wedges: Vec<u32>,
 }
 
 impl Star {
-    /// Triangles.
+    /// Number of triangles.
     pub(in crate::simplify) fn triangle_count(&self) -> usize {
         self.triangle_count
     }
@@ -81,7 +86,7 @@ impl Star {
         0.5 * self.area_doubled
     }
 
-    /// Squared length of the longest edge of all triangles.
+    /// Squared length of the longest edge of the star.
     pub(in crate::simplify) fn longest_edge_squared(&self) -> f32 {
         let spokes = (0..self.ids.len()).map(|i| self.offset(i).length_squared());
         let rim = (0..self.triangle_count).map(|t| {
@@ -91,14 +96,14 @@ impl Star {
         spokes.chain(rim).fold(0.0, f32::max)
     }
 
-    /// Neighbor `i` relative to the center.
+    /// Position of neighbor `i` relative to the center.
     #[inline]
     pub(in crate::simplify) fn offset(&self, i: usize) -> Vec3 {
         let [x, y, z] = &self.offsets;
         Vec3::new(x[i], y[i], z[i])
     }
 
-    /// The two neighbors that span triangle `t`.
+    /// Returns the two neighbors that span triangle `t`.
     #[inline]
     pub(in crate::simplify) fn triangle(&self, t: usize) -> [usize; 2] {
         if self.pairs.is_empty() {
@@ -108,7 +113,7 @@ impl Star {
         }
     }
 
-    /// First and second corners of all triangles.
+    /// Returns the first and second corners of all triangles.
     #[inline]
     fn corners(&self) -> [[&[f32]; 3]; 2] {
         if self.pairs.is_empty() {
@@ -118,7 +123,7 @@ impl Star {
         }
     }
 
-    /// Gathers the star of `v`, triangle numbers included where links follow them.
+    /// Gathers the star of `v`, with triangle indices if the links store them.
     pub(in crate::simplify) fn gather(&mut self, links: &Links, positions: &[[f32; 4]], v: u32) {
         self.pairs.clear();
         match links.kind(v) {
@@ -144,17 +149,17 @@ impl Star {
         self.ids.extend(self.edges.iter().flat_map(|e| [e.a, e.b]));
         self.ids.sort_unstable();
         self.ids.dedup();
-        let place = |id: u32| self.ids.binary_search(&id).unwrap_or(0) as u32;
-        self.pairs.extend(self.edges.iter().map(|e| [place(e.a), place(e.b)]));
+        let index_of = |id: u32| self.ids.binary_search(&id).unwrap_or(0) as u32;
+        self.pairs.extend(self.edges.iter().map(|e| [index_of(e.a), index_of(e.b)]));
         self.triangles.clear();
         self.triangles.extend(self.edges.iter().map(|e| e.triangle));
     }
 
     fn load_offsets(&mut self, positions: &[[f32; 4]], v: u32) {
         let n = self.ids.len();
-        // Room for a whole vector past the wrap.
+        // Leaves room for a whole SIMD vector after the repeated first entry.
         let padded = n + 1 + 2 * LANES;
-        self.offsets.iter_mut().for_each(|array| grow(array, padded));
+        self.offsets.iter_mut().for_each(|array| ensure_len(array, padded));
         let [vx, vy, vz, _] = positions[v as usize];
         let [x, y, z] = &mut self.offsets;
         let (x, y, z) = (&mut x[..padded], &mut y[..padded], &mut z[..padded]);
@@ -177,7 +182,7 @@ impl Star {
         let padded = self.triangle_count.next_multiple_of(LANES) + LANES;
         for (side, corners) in self.corners.iter_mut().enumerate() {
             for (offsets, corners) in self.offsets.iter().zip(corners) {
-                grow(corners, padded);
+                ensure_len(corners, padded);
                 for (corner, pair) in corners.iter_mut().zip(&self.pairs) {
                     *corner = offsets[pair[side] as usize];
                 }
@@ -188,9 +193,9 @@ impl Star {
     fn compute_normals(&mut self) {
         let m = self.triangle_count;
         let mut normals = std::mem::take(&mut self.normals);
-        normals.iter_mut().for_each(|array| grow(array, m + 2 * LANES));
+        normals.iter_mut().for_each(|array| ensure_len(array, m + 2 * LANES));
         let [a, b] = self.corners();
-        for t in vectors(m) {
+        for t in vector_starts(m) {
             let normal = Vec3x8::load(a, t).cross(Vec3x8::load(b, t));
             for (array, lanes) in normals.iter_mut().zip([normal.x, normal.y, normal.z]) {
                 array[t..t + LANES].copy_from_slice(&lanes.to_array());
@@ -202,24 +207,24 @@ impl Star {
         self.normals = normals;
     }
 
-    /// Fills `costs` with the quadratic form at every neighbor.
+    /// Fills `costs` with the value of the quadratic form at every neighbor.
     pub(in crate::simplify) fn compute_costs(&mut self) {
         self.form = self.quadric();
         let [xx, yy, zz, xy, xz, yz] = self.form.map(f32x8::splat);
         let n = self.ids.len();
         self.costs.clear();
         let offsets = slices(&self.offsets, 0);
-        for i in vectors(n) {
+        for i in vector_starts(n) {
             let Vec3x8 { x, y, z } = Vec3x8::load(offsets, i);
             let mixed = xy * x * y + xz * x * z + yz * y * z;
             let form = xx * x * x + yy * y * y + zz * z * z + (mixed + mixed);
-            // Rounding may leave a tiny negative number where the form is zero.
+            // Rounding may give a tiny negative number if the form is zero.
             self.costs.extend(form.fast_max(f32x8::ZERO).to_array());
         }
         self.costs.truncate(n);
     }
 
-    /// The quadratic form at a place that need not be a neighbor.
+    /// Value of the quadratic form at a position that need not be a neighbor.
     pub(in crate::simplify) fn cost_at(&self, at: Vec3) -> f32 {
         let [xx, yy, zz, xy, xz, yz] = self.form;
         let Vec3 { x, y, z } = at;
@@ -227,13 +232,13 @@ impl Star {
         (xx * x * x + yy * y * y + zz * z * z + (mixed + mixed)).max(0.0)
     }
 
-    /// The form of this module's header: xx, yy, zz, xy, xz, yz.
+    /// Returns the quadratic form of the module header: xx, yy, zz, xy, xz, yz.
     fn quadric(&mut self) -> [f32; 6] {
-        // xx yy zz xy xz yz | nx ny nz | area
+        // Sums: xx yy zz xy xz yz | nx ny nz | area.
         let mut sums = [f32x4::ZERO; 10];
         for t in (0..self.triangle_count).step_by(4) {
             let [x, y, z] = &self.normals;
-            let (x, y, z) = (four(x, t), four(y, t), four(z, t));
+            let (x, y, z) = (load_four(x, t), load_four(y, t), load_four(z, t));
             let length = (x * x + y * y + z * z).sqrt();
             let weight = f32x4::splat(0.5) / length.fast_max(f32x4::splat(f32::MIN_POSITIVE));
             let (wx, wy, wz) = (weight * x, weight * y, weight * z);
@@ -243,11 +248,11 @@ impl Star {
             }
         }
         let mut folded = [0.0; 10];
-        folded.iter_mut().zip(sums).for_each(|(out, sum)| *out = fold(sum));
+        folded.iter_mut().zip(sums).for_each(|(out, sum)| *out = lane_sum(sum));
         let [xx, yy, zz, xy, xz, yz, nx, ny, nz, area] = folded;
         self.area_doubled = area;
         self.mean_normal = Vec3::new(nx, ny, nz);
-        // N and A are both doubled: half of the doubled quotient is left.
+        // N and A are both doubled, so half of the doubled quotient remains.
         let weight = 0.5 / area.max(f32::MIN_POSITIVE);
         [
             xx + weight * nx * nx,
@@ -259,12 +264,12 @@ impl Star {
         ]
     }
 
-    /// The cost of a squared distance from v over the area of the star.
+    /// Cost of a squared distance from `v` over the area of the star.
     pub(in crate::simplify) fn distance_cost(&self, squared: f32) -> f32 {
         (self.area() + SPIKE_WEIGHT * squared) * squared
     }
 
-    /// The candidate that looks cheapest at present; the first of equal ones.
+    /// Returns the candidate with the least cost so far; the first one in a tie.
     pub(in crate::simplify) fn cheapest(&self) -> Option<(usize, f32)> {
         let mut best = None;
         let mut least = f32::INFINITY;

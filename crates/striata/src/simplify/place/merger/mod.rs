@@ -1,67 +1,67 @@
-//! The loop: merge the cheapest edge, look again at what it touched.
+//! The loop: collapses the cheapest edge and updates the costs around it.
 
-mod choice;
-mod choose;
-mod rest;
+mod edge_choice;
+mod edge_evaluation;
+mod finish;
 
 use glam::DVec3;
 
 use crate::mesh::{AttributeLayer, Welded};
-use crate::simplify::collapse::choice::Tier;
+use crate::simplify::collapse::collapse_choice::CollapseKind;
+use crate::simplify::collapse::cost_evaluator::CostEvaluator;
 use crate::simplify::collapse::heap::IndexedHeap;
-use crate::simplify::collapse::judge::Judge;
-use crate::simplify::collapse::relaxation::Relaxation;
+use crate::simplify::collapse::relaxation_schedule::RelaxationSchedule;
 use crate::simplify::options::{CollapseCost, SeamRule, SequenceOptions, SimplifyError, StopReason};
 use crate::{Progress, ProgressFn};
 
 use super::blend;
-use super::drift::Drift;
-use super::form::Form;
-use super::frame::Frame;
-use super::goal::{Counts, Goal};
-use super::hood::Hood;
+use super::distance_tracker::DistanceTracker;
+use super::neighborhood::Neighborhood;
+use super::quadratic_form::StarForm;
+use super::scaled_space::ScaledSpace;
 use super::seams::merge_wedges;
-use choice::{Choice, NO_CHOICE, UNDECIDED};
+use super::stop_criteria::{Counts, StopCriteria};
+use edge_choice::{EdgeChoice, NO_CHOICE, UNDECIDED};
 
-/// What is known of a position and its star.
+/// Data about a position and its star.
 #[derive(Clone, Copy, Debug, Default)]
-struct Known {
-    form: Form,
-    /// Rises whenever the star changes.
+struct StarData {
+    form: StarForm,
+    /// Incremented whenever the star changes.
     version: u32,
     border_count: u32,
 }
 
-/// All state of one simplification.
+/// Complete state of one simplification.
 pub(super) struct Merger<'a> {
     welded: &'a Welded,
-    pub(super) frame: Frame,
+    pub(super) space: ScaledSpace,
     positions: Vec<DVec3>,
     is_moved: Vec<bool>,
-    judge: Judge<'a>,
+    evaluator: CostEvaluator<'a>,
     seams: SeamRule,
-    relaxation: Relaxation<'a>,
-    known: Vec<Known>,
-    choices: Vec<Choice>,
+    schedule: RelaxationSchedule<'a>,
+    stars: Vec<StarData>,
+    choices: Vec<EdgeChoice>,
     heap: IndexedHeap,
-    drift: Drift,
-    hood: Hood,
-    other_hood: Hood,
+    tracker: DistanceTracker,
+    neighborhood: Neighborhood,
+    other_neighborhood: Neighborhood,
     costs: Vec<f32>,
     ring: Vec<u32>,
     /// Neighbors of the position removed last, each once.
     removed_ring: Vec<u32>,
-    /// Positions whose witnesses settle anew, and others that do.
+    /// Positions whose witnesses must be measured again, and further originals to measure.
     gone: Vec<u32>,
     followers: Vec<u32>,
     pairs: Vec<(u32, u32)>,
-    /// For every vertex, the one it merged into, or itself.
+    /// The vertex that each vertex was merged into, or itself.
     targets: Vec<u32>,
     layers: Vec<AttributeLayer>,
     triangle_count: usize,
     vertex_count: usize,
     removed: Vec<u32>,
-    /// Positions that are not there any more.
+    /// Number of positions removed so far.
     pub(super) removed_count: usize,
     pub(super) error: f64,
 }
@@ -69,28 +69,28 @@ pub(super) struct Merger<'a> {
 impl<'a> Merger<'a> {
     pub(super) fn new(welded: &'a Welded, options: &SequenceOptions) -> Self {
         let mesh = &welded.mesh;
-        let frame = Frame::of(mesh);
+        let space = ScaledSpace::of(mesh);
         let position_count = welded.positions.position_count();
-        let place = |p| frame.enter(mesh.positions[welded.positions.first_vertex(p) as usize]);
-        let positions: Vec<DVec3> = (0..position_count as u32).map(place).collect();
+        let position = |p| space.to_scaled(mesh.positions[welded.positions.first_vertex(p) as usize]);
+        let positions: Vec<DVec3> = (0..position_count as u32).map(position).collect();
         let options =
             SequenceOptions { cost: CollapseCost::Memoryless, pair_distance: None, ..options.clone() };
-        let mut judge = Judge::new(welded, &options);
-        judge.lock_boundary();
+        let mut evaluator = CostEvaluator::new(welded, &options);
+        evaluator.lock_boundary();
         Self {
             welded,
-            frame,
+            space,
             is_moved: vec![false; position_count],
-            judge,
+            evaluator,
             seams: options.seams,
-            relaxation: Relaxation::new(welded, options.topology),
-            known: vec![Known::default(); position_count],
+            schedule: RelaxationSchedule::new(welded, options.topology),
+            stars: vec![StarData::default(); position_count],
             choices: vec![NO_CHOICE; position_count],
             heap: IndexedHeap::new(&[]),
-            drift: Drift::new(positions.clone()),
+            tracker: DistanceTracker::new(positions.clone()),
             positions,
-            hood: Hood::default(),
-            other_hood: Hood::default(),
+            neighborhood: Neighborhood::default(),
+            other_neighborhood: Neighborhood::default(),
             costs: Vec::new(),
             ring: Vec::new(),
             removed_ring: Vec::new(),
@@ -111,51 +111,56 @@ impl<'a> Merger<'a> {
         Counts {
             triangles: self.triangle_count,
             vertices: self.vertex_count,
-            removable: self.judge.is_locked.iter().filter(|is_locked| !**is_locked).count(),
+            removable: self.evaluator.is_locked.iter().filter(|is_locked| !**is_locked).count(),
         }
     }
 
-    /// Collapses the cheapest edge until the goal is reached or nothing is left to do.
+    /// Collapses the cheapest edge until the target is reached or no collapse is left.
     pub(super) fn run(
         &mut self,
-        goal: &Goal,
+        criteria: &StopCriteria,
         progress: &mut ProgressFn<'_>,
     ) -> Result<StopReason, SimplifyError> {
-        if let Some(reason) = goal.reached(self.triangle_count, self.vertex_count, 0) {
+        if let Some(reason) = criteria.stop_reason(self.triangle_count, self.vertex_count, 0) {
             return Ok(reason);
         }
-        if self.relaxation.is_possible() && self.judge.wedges.is_some() {
-            self.relaxation.begin(&mut self.judge, (&self.removed, &self.targets));
+        if self.schedule.is_possible() && self.evaluator.wedges.is_some() {
+            self.schedule.begin(&mut self.evaluator, (&self.removed, &self.targets));
         }
         let position_count = self.positions.len() as u32;
-        (0..position_count).for_each(|v| self.renew(v));
+        (0..position_count).for_each(|v| self.update_star(v));
         let keys: Vec<f32> = (0..position_count).map(|v| self.lower_bound(v)).collect();
         self.heap = IndexedHeap::new(&keys);
         drop(keys);
-        let total = goal.removals.min(self.positions.len()) as u64;
+        let total = criteria.removals.min(self.positions.len()) as u64;
         while let Some((key, v)) = self.next() {
-            if let Some(reason) = goal.reached(self.triangle_count, self.vertex_count, self.removed_count) {
+            if let Some(reason) =
+                criteria.stop_reason(self.triangle_count, self.vertex_count, self.removed_count)
+            {
                 return Ok(reason);
             }
-            if !self.is_decided(v) {
+            if !self.has_valid_choice(v) {
                 self.decide(v, key);
                 continue;
             }
-            if !self.collapse(v, goal.limit) {
-                return Ok(goal.at_limit);
+            if !self.collapse(v, criteria.limit) {
+                return Ok(criteria.at_limit);
             }
             let done = self.removed_count as u64;
             if done.is_multiple_of(4096) {
                 Progress { phase: "simplify", done, total }.report(progress)?;
             }
         }
-        Ok(goal.reached(self.triangle_count, self.vertex_count, self.removed_count).unwrap_or(goal.at_base))
+        Ok(criteria
+            .stop_reason(self.triangle_count, self.vertex_count, self.removed_count)
+            .unwrap_or(criteria.at_base))
     }
 
-    /// The position that comes next, and its key; lets relaxed collapses begin if they had to wait for the end.
+    /// Returns the position with the smallest key, and that key; begins relaxed collapses if they had
+    /// to wait for the last strict one.
     fn next(&mut self) -> Option<(f32, u32)> {
-        if self.heap.first().is_none() && self.relaxation.is_waiting() {
-            self.relaxation.begin(&mut self.judge, (&self.removed, &self.targets));
+        if self.heap.first().is_none() && self.schedule.is_postponed() {
+            self.schedule.begin(&mut self.evaluator, (&self.removed, &self.targets));
             for v in 0..self.positions.len() as u32 {
                 self.choices[v as usize] = NO_CHOICE;
                 let bound = self.lower_bound(v);
@@ -165,117 +170,126 @@ impl<'a> Merger<'a> {
         self.heap.first()
     }
 
-    /// True where `v` has a choice that still stands; else it has none any more.
-    fn is_decided(&mut self, v: u32) -> bool {
+    /// Whether `v` has a choice that is still valid; otherwise clears its choice.
+    fn has_valid_choice(&mut self, v: u32) -> bool {
         let choice = self.choices[v as usize];
         if choice.other == UNDECIDED {
             return false;
         }
-        let is_fresh = self.known[choice.other as usize].version == choice.other_version;
+        let is_fresh = self.stars[choice.other as usize].version == choice.other_version;
         let (removed, kept) = if choice.is_kept { (choice.other, v) } else { (v, choice.other) };
-        // Links beyond the two stars may have changed what is allowed.
-        let Judge { legality, links, .. } = &mut self.judge;
-        let stands = is_fresh
-            && match choice.tier {
-                Tier::Strict => legality.allows(links, removed, kept),
-                tier => self.judge.relaxed_stands(removed, kept, (tier, choice.distance_squared)),
+        // Changes in links outside the two stars may have changed what is allowed.
+        let CostEvaluator { legality, links, .. } = &mut self.evaluator;
+        let is_valid = is_fresh
+            && match choice.kind {
+                CollapseKind::Strict => legality.allows(links, removed, kept),
+                kind => {
+                    self.evaluator.is_relaxed_choice_valid(removed, kept, (kind, choice.distance_squared))
+                }
             };
-        if !stands {
+        if !is_valid {
             self.choices[v as usize] = NO_CHOICE;
         }
-        stands
+        is_valid
     }
 
-    /// Computes the star of `v` anew after a change.
-    fn renew(&mut self, v: u32) {
+    /// Recomputes the star of `v` after a change.
+    fn update_star(&mut self, v: u32) {
         self.gather(v);
-        let known = &mut self.known[v as usize];
-        known.form = self.hood.form();
-        known.border_count = self.hood.borders.len() as u32;
-        known.version += 1;
+        let star = &mut self.stars[v as usize];
+        star.form = self.neighborhood.form();
+        star.border_count = self.neighborhood.borders.len() as u32;
+        star.version += 1;
         self.choices[v as usize] = NO_CHOICE;
     }
 
-    /// Does what was chosen for `v` and looks again at all around it; false, with nothing done, where
-    /// the error would exceed the limit.
+    /// Applies the choice of `v` and updates the positions around it. If the error would exceed the
+    /// limit, restores positions and targets and returns false.
     fn collapse(&mut self, v: u32, limit: f64) -> bool {
-        let Choice { other, is_kept, place, tier, distance_squared, .. } = self.choices[v as usize];
+        let EdgeChoice { other, is_kept, position, kind, distance_squared, .. } = self.choices[v as usize];
         let (removed, kept) = if is_kept { (other, v) } else { (v, other) };
         self.removed_ring.clear();
-        self.removed_ring.extend_from_slice(self.judge.links.entries(removed));
+        self.removed_ring.extend_from_slice(self.evaluator.links.entries(removed));
         self.ring.clear();
         for p in [removed, kept] {
-            self.ring.extend(self.judge.links.entries(p).iter().filter(|&&w| w != removed && w != kept));
+            self.ring.extend(self.evaluator.links.entries(p).iter().filter(|&&w| w != removed && w != kept));
         }
         for ring in [&mut self.ring, &mut self.removed_ring] {
             ring.sort_unstable();
             ring.dedup();
         }
         self.ring.push(kept);
-        let share = self.share_of(removed, kept, place);
-        let undone = self.positions[kept as usize];
-        merge_wedges(&mut self.judge, (removed, kept), &mut self.targets, &mut self.pairs);
-        let count = |judge: &Judge<'_>, p| judge.links.triangle_count(p);
-        let before = count(&self.judge, removed) + count(&self.judge, kept);
-        self.judge.links.collapse(removed, kept);
-        self.place(kept, place);
-        // Each vanished triangle stood in both links.
-        let removed_triangles = (before - count(&self.judge, kept)) / 2;
-        let worst = self.settle((removed, kept), tier, removed_triangles).max(distance_squared);
-        let error = self.error.max(f64::from(worst).sqrt() * self.frame.scale);
+        let share = self.edge_share(removed, kept, position);
+        let old_position = self.positions[kept as usize];
+        merge_wedges(&mut self.evaluator, (removed, kept), &mut self.targets, &mut self.pairs);
+        let count = |evaluator: &CostEvaluator<'_>, p| evaluator.links.triangle_count(p);
+        let before = count(&self.evaluator, removed) + count(&self.evaluator, kept);
+        self.evaluator.links.collapse(removed, kept);
+        self.move_to(kept, position);
+        // Each removed triangle was in both links.
+        let removed_triangles = (before - count(&self.evaluator, kept)) / 2;
+        let worst = self.measure_witnesses((removed, kept), kind, removed_triangles).max(distance_squared);
+        let error = self.error.max(f64::from(worst).sqrt() * self.space.scale);
         if error > limit {
-            self.place(kept, undone);
+            self.move_to(kept, old_position);
             self.welded.positions.wedges(removed).for_each(|w| self.targets[w as usize] = w);
             return false;
         }
         self.error = error;
         self.triangle_count -= removed_triangles;
-        for &p in self.gone.iter().filter(|&&p| p != kept || self.judge.links.triangle_count(kept) == 0) {
+        for &p in self.gone.iter().filter(|&&p| p != kept || self.evaluator.links.triangle_count(kept) == 0) {
             self.vertex_count -= self.welded.positions.wedges(p).len();
             self.removed_count += 1;
             self.heap.remove(p);
         }
         self.removed.push(removed);
-        self.is_moved[kept as usize] |= place != undone;
+        self.is_moved[kept as usize] |= position != old_position;
         self.pairs.iter().for_each(|&(from, to)| blend::blend(&mut self.layers, from, to, share));
-        self.look_again();
+        self.update_ring();
         true
     }
 
-    fn place(&mut self, p: u32, place: DVec3) {
-        self.positions[p as usize] = place;
-        let [x, y, z] = place.as_vec3().to_array();
-        self.judge.positions[p as usize] = [x, y, z, 0.0];
+    fn move_to(&mut self, p: u32, position: DVec3) {
+        self.positions[p as usize] = position;
+        let [x, y, z] = position.as_vec3().to_array();
+        self.evaluator.positions[p as usize] = [x, y, z, 0.0];
     }
 
-    /// Settles what stood for the original at the ends of an edge that was collapsed; the largest squared distance. Leaves the
-    /// removed position, the kept one and all that have lost their last triangle in `gone`.
-    fn settle(&mut self, (removed, kept): (u32, u32), tier: Tier, removed_triangles: usize) -> f32 {
-        let departure = self.judge.note_departure(removed, kept, removed_triangles, &self.removed_ring);
+    /// Measures the witnesses at the ends of a collapsed edge again; returns the largest squared
+    /// distance. Leaves the removed position, the kept one and all that lost their last triangle in
+    /// `gone`.
+    fn measure_witnesses(
+        &mut self,
+        (removed, kept): (u32, u32),
+        kind: CollapseKind,
+        removed_triangles: usize,
+    ) -> f32 {
+        let lost_positions =
+            self.evaluator.note_collapse(removed, kept, removed_triangles, &self.removed_ring);
         self.gone.clear();
         self.gone.extend([removed, kept]);
         self.followers.clear();
-        let mut place = kept;
-        let mut is_plain = tier == Tier::Strict;
-        if let Some(departure) = departure {
-            self.gone.extend(departure.lost.iter().filter(|&&p| p != kept));
-            is_plain &= departure.lost.is_empty();
-            place = departure.place.unwrap_or(kept);
-            self.judge.forget(departure);
+        let mut host = kept;
+        let mut is_plain = kind == CollapseKind::Strict;
+        if let Some(lost_positions) = lost_positions {
+            self.gone.extend(lost_positions.positions.iter().filter(|&&p| p != kept));
+            is_plain &= lost_positions.positions.is_empty();
+            host = lost_positions.host.unwrap_or(kept);
+            self.evaluator.recycle(lost_positions);
         }
         if !is_plain {
-            self.judge.note_relaxed();
-            self.judge.followers_into(place, 0, &mut self.followers);
+            self.evaluator.mark_relaxed();
+            self.evaluator.followers_into(host, 0, &mut self.followers);
             self.followers.extend_from_slice(&self.gone);
         }
-        let worst = (self.error / self.frame.scale).powi(2) as f32;
-        let around = (&mut self.judge, self.positions.as_slice());
-        self.drift.settle_all(around, (&self.gone, &self.followers), place, worst)
+        let worst = (self.error / self.space.scale).powi(2) as f32;
+        let around = (&mut self.evaluator, self.positions.as_slice());
+        self.tracker.remeasure(around, (&self.gone, &self.followers), host, worst)
     }
 
-    fn look_again(&mut self) {
+    fn update_ring(&mut self) {
         let ring = std::mem::take(&mut self.ring);
-        ring.iter().for_each(|&w| self.renew(w));
+        ring.iter().for_each(|&w| self.update_star(w));
         for &w in &ring {
             let bound = self.lower_bound(w);
             self.heap.set(w, bound);

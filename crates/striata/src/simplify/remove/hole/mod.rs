@@ -1,46 +1,47 @@
-//! The hole that a removed vertex leaves: its ring in space, and what new edges and triangles in it are worth.
+//! The hole that a removed vertex leaves: its ring in space, and properties of its possible diagonals
+//! and triangles.
 //!
-//! A star that is sharply bent has no plane to look at it from. Each diagonal of the ring therefore has a direction of its
-//! own that the surface faces there, half from the old triangles on its one side and half from those on the
-//! other; "over", "left of" and "flipped" are meant along it.
+//! A star that is sharply bent cannot be projected to a single plane. Each diagonal of the ring
+//! therefore has its own facing direction, half of it from the old triangles on one side of the
+//! diagonal and half from those on the other; "over", "left of" and "flipped" refer to that direction.
 //!
-//! Everything is relative to the removed vertex, which is therefore the origin.
+//! All coordinates are relative to the removed vertex, which is therefore the origin.
 
-mod over;
+mod point_sides;
 mod search;
 
 use glam::Vec3;
 
-use super::options::MAX_DEGREE;
+use super::removal_options::MAX_DEGREE;
 use crate::simplify::collapse::fan::distance_squared;
 
-/// An open ring has one position more than triangles.
+/// An open ring has one more position than triangles.
 const MAX_RING: usize = MAX_DEGREE + 1;
-/// Cosine that the normals of a new triangle and of an old one at the same edge must at least have between them.
+/// Least cosine between the normals of a new triangle and of an old one at the same edge.
 const FLIP_COSINE: f32 = 0.2;
-/// A new triangle may not be thinner than this (1 is equilateral), unless an old one was thinner still.
+/// A new triangle must have at least this quality (1 is equilateral), unless an old one was worse.
 const SLIVER_QUALITY: f32 = 0.01;
-/// Below this the normal of a triangle is noise.
+/// Below this quality, the normal of a triangle is noise.
 const NEEDLE_QUALITY: f32 = 0.02;
-/// Squared gaps under this share of the squared edge are what single precision leaves of flat places.
+/// Gaps below this share of the edge, both squared, are single-precision noise on flat surfaces.
 const GAP_NOISE: f32 = 1e-11;
-/// Makes `TWICE_ROOT_3 * |normal| / (sum of squared edges)` 1 for equilateral triangles.
+/// Factor that makes `TWICE_ROOT_3 * |normal| / (sum of squared edges)` 1 for equilateral triangles.
 const TWICE_ROOT_3: f32 = 3.464_101_6;
 
-/// Three indices into the ring, rising, which is counterclockwise.
+/// Three indices into the ring in ascending order, which is counterclockwise.
 pub(super) type RingTriangle = [u8; 3];
 
 /// Sharp edges at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Features {
     None,
-    /// One passes through, to these two members of the ring.
-    Course(usize, usize),
-    /// They meet or end here.
+    /// One passes through the vertex, to these two members of the ring.
+    Crease(usize, usize),
+    /// Several meet or one ends at the vertex.
     Corner,
 }
 
-/// One hole, prepared for the search; scratch.
+/// One hole, prepared for the search; reused as scratch.
 #[derive(Debug, Default)]
 pub(super) struct Hole {
     n: usize,
@@ -48,25 +49,26 @@ pub(super) struct Hole {
     ring: [Vec3; MAX_RING],
     /// Unscaled normals of the old triangles `(v, i, i + 1)`.
     normals: [Vec3; MAX_RING],
-    /// True where the old triangle's normal says nothing.
-    is_vague: [bool; MAX_RING],
+    /// Whether the old triangle's normal is unreliable.
+    is_normal_unreliable: [bool; MAX_RING],
     least_quality: f32,
     area: f32,
-    /// What the surface faces around the diagonal between two members of the ring.
+    /// Facing direction of the surface around the diagonal between two members of the ring.
     facing: [[Vec3; MAX_RING]; MAX_RING],
     /// Largest squared gap between a diagonal and the old spokes that it crosses.
     gap_squared: [[f32; MAX_RING]; MAX_RING],
-    /// Bit `j` of entry `i`: the edge `i`-`j` may be there.
+    /// Bit `j` of entry `i`: whether the edge `i`-`j` is allowed.
     allowed: [u32; MAX_RING],
-    /// Of the search: the least cost between two members of the ring, and the triangle there.
+    /// Search state: the least cost between two members of the ring, and the apex of the triangle
+    /// there.
     best: [[f32; MAX_RING]; MAX_RING],
     apex: [[u8; MAX_RING]; MAX_RING],
-    /// For each diagonal, which points lie to its left: `words` words.
+    /// For each diagonal, a bit mask of the points to its left, in `words` words.
     left: Vec<u64>,
     words: usize,
 }
 
-/// 1 for an equilateral triangle, 0 for one without area.
+/// Quality of a triangle: 1 if equilateral, 0 without area.
 fn quality(normal_length: f32, edges_squared: f32) -> f32 {
     TWICE_ROOT_3 * normal_length / edges_squared.max(f32::MIN_POSITIVE)
 }
@@ -76,7 +78,7 @@ fn edges_squared([a, b, c]: [Vec3; 3]) -> f32 {
 }
 
 impl Hole {
-    /// Takes the ring relative to the removed vertex, counterclockwise.
+    /// Loads the ring, counterclockwise and relative to the removed vertex.
     pub(super) fn load(&mut self, ring: impl ExactSizeIterator<Item = Vec3>, is_closed: bool) {
         self.n = ring.len();
         self.is_closed = is_closed;
@@ -93,19 +95,19 @@ impl Hole {
             let length = normal.length();
             let quality = quality(length, edges_squared([Vec3::ZERO, a, b]));
             self.normals[t] = normal;
-            self.is_vague[t] = quality <= NEEDLE_QUALITY;
+            self.is_normal_unreliable[t] = quality <= NEEDLE_QUALITY;
             self.least_quality = self.least_quality.min(quality);
             self.area += 0.5 * length;
             sum += normal;
         }
         for t in 0..self.triangle_count() {
             // A triangle that was folded over may unfold.
-            self.is_vague[t] |= self.normals[t].dot(sum) <= 0.0;
+            self.is_normal_unreliable[t] |= self.normals[t].dot(sum) <= 0.0;
         }
         self.measure_diagonals(sum);
     }
 
-    /// Old triangles.
+    /// Number of old triangles.
     fn triangle_count(&self) -> usize {
         self.n - usize::from(!self.is_closed)
     }
@@ -115,7 +117,7 @@ impl Hole {
         self.area
     }
 
-    /// A member of the ring relative to the removed vertex.
+    /// Returns a member of the ring relative to the removed vertex.
     pub(super) fn at(&self, i: usize) -> Vec3 {
         self.ring[i]
     }
@@ -124,7 +126,7 @@ impl Hole {
         if i + 1 == self.n { 0 } else { i + 1 }
     }
 
-    /// True where `i < j` follow each other in the ring, or are its last and first.
+    /// Whether `i < j` are adjacent in the ring, or its first and last member.
     fn is_side(&self, i: usize, j: usize) -> bool {
         j == i + 1 || (i == 0 && j + 1 == self.n)
     }
@@ -135,7 +137,8 @@ impl Hole {
         self.allowed[j] &= !(1 << i);
     }
 
-    /// Forbids all new edges that would cross the one between `i` and `j`, so that this one must be there.
+    /// Forbids all new edges that would cross the one between `i` and `j`, so that every triangulation
+    /// contains it.
     pub(super) fn keep_edge(&mut self, i: usize, j: usize) {
         let (i, j) = (i.min(j), i.max(j));
         for a in i + 1..j {
@@ -145,7 +148,8 @@ impl Hole {
         }
     }
 
-    /// The sharp spokes: the normals on both sides have less than this cosine between them.
+    /// Finds the sharp spokes, at which the cosine between the normals on both sides is less than
+    /// `cosine`.
     pub(super) fn features(&self, cosine: f32) -> Features {
         let first = usize::from(!self.is_closed);
         let is_sharp = |i: &usize| {
@@ -156,7 +160,7 @@ impl Hole {
         let mut sharp = (first..self.triangle_count()).filter(is_sharp);
         match (sharp.next(), sharp.next(), sharp.next()) {
             (None, ..) => Features::None,
-            (Some(a), Some(b), None) if self.is_closed => Features::Course(a, b),
+            (Some(a), Some(b), None) if self.is_closed => Features::Crease(a, b),
             _ => Features::Corner,
         }
     }
@@ -182,7 +186,8 @@ impl Hole {
         }
     }
 
-    /// Largest squared distance from the line `i`-`j` of where it crosses old spokes, seen along `facing`.
+    /// Largest squared distance between the line `i`-`j` and the old spokes that it crosses, seen along
+    /// `facing`.
     fn gap_squared_along(&self, i: usize, j: usize, facing: Vec3) -> f32 {
         let (from, along) = (self.ring[i], self.ring[j] - self.ring[i]);
         let across = facing.cross(along);
@@ -205,7 +210,7 @@ impl Hole {
             (j + 1..self.n).chain(0..i).for_each(&mut look);
         }
         if !is_crossed {
-            // The star is no hat over its ring here: the line has left it.
+            // The line crosses no spoke here, so it leaves the area that the star covers.
             worst = self.distance_squared_from_star(from + 0.5 * along);
         }
         if worst > GAP_NOISE * length_squared { worst } else { 0.0 }
@@ -217,19 +222,21 @@ impl Hole {
         (0..self.triangle_count()).map(triangle).fold(f32::INFINITY, f32::min)
     }
 
-    /// The new edges of a triangulation, each once: a triangle lies over the one between its first and last corner.
+    /// Returns the new edges of a triangulation, each once: every triangle is adjacent to the one
+    /// between its first and last corner.
     fn diagonals(&self, floor: &[RingTriangle]) -> impl Iterator<Item = (usize, usize)> {
         let over = floor.iter().map(|&[i, _, j]| (usize::from(i), usize::from(j)));
         over.filter(|&(i, j)| !self.is_side(i, j))
     }
 
-    /// Sum of the squared gaps under the new edges of a triangulation, and the largest.
+    /// Returns the sum of the squared gaps under the new edges of a triangulation, and the largest one.
     pub(super) fn gaps_squared(&self, floor: &[RingTriangle]) -> (f32, f32) {
         let gaps = self.diagonals(floor).map(|(i, j)| self.gap_squared[i][j]);
         gaps.fold((0.0, 0.0), |(sum, worst), gap| (sum + gap, f32::max(worst, gap)))
     }
 
-    /// Largest squared distance of the middles of new edges from the old triangles, unless that may be rounding.
+    /// Largest squared distance of the new edges' midpoints from the old triangles, or 0 if it may be
+    /// rounding.
     pub(super) fn protrusion_squared(&self, floor: &[RingTriangle]) -> f32 {
         let of = |(i, j): (usize, usize)| {
             let (from, along) = (self.ring[i], self.ring[j] - self.ring[i]);
@@ -239,8 +246,8 @@ impl Hole {
         self.diagonals(floor).map(of).fold(0.0, f32::max)
     }
 
-    /// Normal of a new triangle, unscaled; `None` where it would be flipped or a sliver.
-    fn sound_normal(&self, [i, j, k]: [usize; 3]) -> Option<Vec3> {
+    /// Returns the unscaled normal of a new triangle; `None` if it would be flipped or a sliver.
+    fn valid_normal(&self, [i, j, k]: [usize; 3]) -> Option<Vec3> {
         let corners @ [a, b, c] = [i, j, k].map(|x| self.ring[x]);
         let normal = (b - a).cross(c - a);
         let length = normal.length();
@@ -252,7 +259,7 @@ impl Hole {
         let follows_facing = normal.dot(facing) > FLIP_COSINE * length * facing.length();
         let follows = |t: usize| {
             let old = self.normals[t];
-            self.is_vague[t] || normal.dot(old) > FLIP_COSINE * length * old.length()
+            self.is_normal_unreliable[t] || normal.dot(old) > FLIP_COSINE * length * old.length()
         };
         let is_sound = follows_facing
             && (j != i + 1 || follows(i))

@@ -1,7 +1,7 @@
-//! The best of all triangulations of a hole.
+//! Finds the best of all triangulations of a hole.
 //!
-//! Parts `i..=j` of the ring are triangulated best first, the short ones before the long ones (dynamic programming over
-//! intervals):
+//! Ranges `i..=j` of the ring are triangulated optimally, short ones before long ones (dynamic
+//! programming over intervals):
 //!
 //! ```text
 //!            k
@@ -10,23 +10,24 @@
 //!        i ----- j
 //! ```
 //!
-//! That is exact as long as costs add up over triangles and new edges. Distances do: each point that is followed lies
-//! over one triangle, and new edges cross the old spokes where old and new surface are farthest apart.
+//! The result is exact if costs add up over triangles and new edges. Distances do: each tracked vertex
+//! lies over one triangle, and old and new surface are farthest apart where new edges cross the old
+//! spokes.
 //!
-//! Time O(n^3) for a ring of n, each triangle looked at once.
+//! Time O(n^3) for a ring of n; each triangle is evaluated once.
 
 use super::{Hole, RingTriangle, edges_squared, quality};
-use crate::simplify::remove::options::HoleCriterion;
-use crate::simplify::remove::points::Point;
+use crate::simplify::remove::removal_options::HoleCriterion;
+use crate::simplify::remove::tracked_vertices::TrackedVertex;
 
 /// Cost of a squared gap under a new edge, per area of the star.
 const GAP_WEIGHT: f32 = 0.2;
 
 impl Hole {
-    /// The best triangulation into `floor`; false where there is none.
+    /// Finds the best triangulation and stores it in `floor`; returns false if there is none.
     pub(in crate::simplify::remove) fn triangulate(
         &mut self,
-        points: &[Point],
+        points: &[TrackedVertex],
         criterion: HoleCriterion,
         floor: &mut Vec<RingTriangle>,
     ) -> bool {
@@ -48,14 +49,20 @@ impl Hole {
         is_found
     }
 
-    fn best_between(&mut self, i: usize, j: usize, points: &[Point], criterion: HoleCriterion) -> f32 {
+    fn best_between(
+        &mut self,
+        i: usize,
+        j: usize,
+        points: &[TrackedVertex],
+        criterion: HoleCriterion,
+    ) -> f32 {
         if self.allowed[i] & 1 << j == 0 {
             return f32::INFINITY;
         }
         let mut least = f32::INFINITY;
         for k in i + 1..j {
             let parts = self.best[i][k] + self.best[k][j];
-            // No triangle costs less than nothing.
+            // No triangle has a negative cost.
             if parts < least {
                 let cost = parts + self.triangle_cost([i, k, j], points, criterion);
                 if cost < least {
@@ -74,14 +81,14 @@ impl Hole {
         GAP_WEIGHT * self.area * self.gap_squared[i.min(j)][i.max(j)]
     }
 
-    /// What a triangle costs; infinite where it may not be.
-    fn triangle_cost(&self, corners: [usize; 3], points: &[Point], criterion: HoleCriterion) -> f32 {
-        let Some(normal) = self.sound_normal(corners) else { return f32::INFINITY };
+    /// Cost of a triangle; infinite if it is not allowed.
+    fn triangle_cost(&self, corners: [usize; 3], points: &[TrackedVertex], criterion: HoleCriterion) -> f32 {
+        let Some(normal) = self.valid_normal(corners) else { return f32::INFINITY };
         match criterion {
             HoleCriterion::Distance => {
                 let level = normal.dot(self.ring[corners[0]]);
                 let mut sum = 0.0;
-                self.for_each_over(corners, points, |point| {
+                self.for_each_point_over(corners, points, |point| {
                     let height = normal.dot(point.at) - level;
                     sum += point.weight * height * height;
                 });
@@ -109,15 +116,16 @@ impl Hole {
         self.collect(k, j, floor);
     }
 
-    /// The nearest fan into `floor`, as a half-edge collapse leaves it; the member of the ring that it is around.
+    /// Finds the best fan, as a half-edge collapse leaves it, and stores it in `floor`; returns the
+    /// member of the ring at its center.
     pub(in crate::simplify::remove) fn best_fan(
         &mut self,
-        points: &[Point],
+        points: &[TrackedVertex],
         floor: &mut Vec<RingTriangle>,
     ) -> Option<usize> {
         self.compute_sides(points);
         let n = self.n;
-        // On a boundary only along it.
+        // On a boundary, only along it.
         let apexes = (0..n).step_by(if self.is_closed { 1 } else { n - 1 });
         let cost = |apex: usize| {
             let others = (0..n).filter(|&i| i != apex);
@@ -135,7 +143,7 @@ impl Hole {
     }
 }
 
-/// The triangles of the fan around one member of a ring of `n`, corners rising.
+/// Returns the triangles of the fan around one member of a ring of `n`, corners in ascending order.
 fn fan(n: usize, apex: usize) -> impl Iterator<Item = [usize; 3]> {
     (1..n - 1).map(move |step| {
         let mut triangle = [apex, (apex + step) % n, (apex + step + 1) % n];
@@ -152,7 +160,7 @@ mod tests {
     use crate::mesh::Random;
 
     /// A ring around the origin, not flat, and points over it.
-    fn random_hole(n: usize, random: &mut Random) -> (Hole, Vec<Point>) {
+    fn random_hole(n: usize, random: &mut Random) -> (Hole, Vec<TrackedVertex>) {
         let mut hole = Hole::default();
         let ring: Vec<Vec3> = (0..n)
             .map(|i| {
@@ -162,7 +170,7 @@ mod tests {
             })
             .collect();
         hole.load(ring.into_iter(), true);
-        let mut point = |position| Point {
+        let mut point = |position| TrackedVertex {
             position,
             at: Vec3::from([(); 3].map(|()| random.between(-0.4, 0.4))),
             weight: random.between(0.1, 1.0),
@@ -171,8 +179,14 @@ mod tests {
         (hole, (0..70).map(&mut point).collect())
     }
 
-    /// The least cost of all triangulations between `i` and `j`, each looked at by itself.
-    fn least_of_all(hole: &Hole, i: usize, j: usize, points: &[Point], criterion: HoleCriterion) -> f32 {
+    /// Least cost of all triangulations between `i` and `j`, by exhaustive search.
+    fn least_of_all(
+        hole: &Hole,
+        i: usize,
+        j: usize,
+        points: &[TrackedVertex],
+        criterion: HoleCriterion,
+    ) -> f32 {
         if j < i + 2 {
             return 0.0;
         }
@@ -187,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_better_than_the_best() {
+    fn triangulation_cost_matches_exhaustive_search() {
         let mut random = Random::new(5);
         let mut found_count = 0;
         for case in 0..200 {
@@ -220,16 +234,18 @@ mod tests {
             }
             let mut counts = vec![0; points.len()];
             for triangle in &floor {
-                hole.for_each_over(triangle.map(usize::from), &points, |p| counts[p.position as usize] += 1);
+                hole.for_each_point_over(triangle.map(usize::from), &points, |p| {
+                    counts[p.position as usize] += 1
+                });
             }
-            // Far from the ring the directions of different diagonals may disagree.
+            // Far from the ring, the directions of different diagonals may disagree.
             let once = counts.iter().filter(|&&count| count == 1).count();
             assert!(once * 20 >= 19 * counts.len(), "{counts:?}");
         }
     }
 
     #[test]
-    fn the_edge_that_must_stay_is_there() {
+    fn kept_edge_is_in_every_triangulation() {
         let mut random = Random::new(3);
         for _ in 0..50 {
             let (mut hole, points) = random_hole(8, &mut random);
@@ -243,11 +259,11 @@ mod tests {
 
     #[test]
     fn a_valley_is_not_bridged() {
-        // Four neighbors, two of them low: the new edge lies low, where the removed vertex was.
+        // Four neighbors, two of them low: the new edge must be low, where the removed vertex was.
         let ring = [[1., 0., 0.], [0., 1., 1.], [-1., 0., 0.], [0., -1., 1.]].map(Vec3::from);
         let mut hole = Hole::default();
         hole.load(ring.into_iter(), true);
-        let own = Point { position: 0, at: Vec3::ZERO, weight: 1.0, before: 0.0 };
+        let own = TrackedVertex { position: 0, at: Vec3::ZERO, weight: 1.0, before: 0.0 };
         let mut floor = Vec::new();
         assert!(hole.triangulate(&[own], HoleCriterion::Distance, &mut floor));
         assert_eq!(hole.diagonals(&floor).collect::<Vec<_>>(), [(0, 2)]);

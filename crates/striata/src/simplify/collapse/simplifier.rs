@@ -1,0 +1,272 @@
+//! The main loop: applies the cheapest collapse and updates the costs around it.
+//!
+//! The queue has one entry per position, with the cost of its best target. A collapse changes the cost
+//! of the removed position's ring only, and each member of that ring first gets a **lower bound**: the
+//! quadratic form alone, without the flip, link and distance tests, times the factor by which the full
+//! cost nearly always exceeds it. The tests are done when a position reaches the top; if its full cost
+//! is higher than the next bound, it goes back. The order is therefore by full cost, except for the
+//! rare position whose full cost is below its bound, at a fraction of the work.
+//!
+//! A position that has no **strict** target, one that preserves the topology, gets a relaxed one at its
+//! cost instead. On a closed surface of a few parts, relaxed collapses begin only after the last strict
+//! one.
+//!
+//! Time O(n log n); memory 87 to 91 bytes per triangle in addition to a large loaded mesh
+//! (docs/results.md).
+
+use crate::mesh::Welded;
+use crate::{Progress, ProgressFn};
+
+use super::collapse_choice::{CollapseChoice, CollapseKind};
+use super::cost_evaluator::{CostEvaluator, CostHistory};
+use super::executor::CollapseExecutor;
+use super::heap::IndexedHeap;
+use super::links::LinkKind;
+use super::refinement_order::CollapseRecord;
+use super::relaxation_schedule::RelaxationSchedule;
+use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};
+
+/// No target chosen yet: the key in the heap is a lower bound.
+const UNDECIDED: u32 = u32::MAX;
+/// The new fan is known to be close enough to the original mesh without being measured.
+const UNMEASURED: f32 = -1.0;
+/// Number of collapses between two progress reports.
+const REPORT_INTERVAL: u64 = 4096;
+
+/// Complete state of one simplification.
+pub(in crate::simplify) struct Simplifier<'a> {
+    options: &'a SequenceOptions,
+    evaluator: CostEvaluator<'a>,
+    heap: IndexedHeap,
+    target: Vec<u32>,
+    kind: Vec<CollapseKind>,
+    distance_squared: Vec<f32>,
+    protrusion_squared: Vec<f32>,
+    /// Distance of each choice's new fan from the original mesh; `UNMEASURED` if it is known to be
+    /// small, `NAN` if not yet checked.
+    outward: Vec<f32>,
+    schedule: RelaxationSchedule<'a>,
+    executor: CollapseExecutor,
+}
+
+impl<'a> Simplifier<'a> {
+    pub(in crate::simplify) fn new(welded: &'a Welded, options: &'a SequenceOptions) -> Self {
+        let evaluator = CostEvaluator::new(welded, options);
+        let position_count = evaluator.positions.len();
+        let executor = CollapseExecutor::new(welded, &evaluator);
+        Self {
+            options,
+            evaluator,
+            heap: IndexedHeap::new(&[]),
+            target: vec![UNDECIDED; position_count],
+            kind: vec![CollapseKind::Strict; position_count],
+            distance_squared: vec![0.0; position_count],
+            protrusion_squared: vec![0.0; position_count],
+            outward: vec![f32::NAN; position_count],
+            schedule: RelaxationSchedule::new(welded, options.topology),
+            executor,
+        }
+    }
+
+    /// Collapses until no collapse is possible, the base size is reached, or the error limit would be
+    /// exceeded.
+    pub(in crate::simplify) fn run(
+        mut self,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<(CollapseRecord, StopReason), SimplifyError> {
+        let total = self.target.len() as u64;
+        if self.schedule.is_possible() || self.evaluator.pairs.is_some() {
+            self.evaluator.lock_boundary();
+        }
+        if self.evaluator.pairs.is_some() || (self.schedule.is_possible() && self.evaluator.wedges.is_some())
+        {
+            // Even strict collapses may remove whole parts, or move the surface farther than their
+            // stars show.
+            self.begin_relaxed();
+        }
+        let keys: Vec<f32> = (0..total as u32).map(|v| self.evaluator.lower_bound(v)).collect();
+        self.heap = IndexedHeap::new(&keys);
+        drop(keys);
+        let limit = self.options.max_error.unwrap_or(f64::INFINITY);
+        let mut error = 0.0f32;
+        let mut collapse_count = 0u64;
+        while let Some((key, v)) = self.peek() {
+            if self.executor.triangle_count <= self.options.base_triangle_count {
+                return Ok((self.executor.record, StopReason::TargetReached));
+            }
+            if self.target[v as usize] == UNDECIDED {
+                self.decide(v, key);
+                continue;
+            }
+            let (mut v, mut u) = (v, self.target[v as usize]);
+            if !self.is_still_allowed(v, u) {
+                // The neighborhood of the target has changed: look for another target.
+                self.target[v as usize] = UNDECIDED;
+                self.decide(v, key);
+                continue;
+            }
+            if self.postpone_if_farther(v, u, key) {
+                continue;
+            }
+            if self.kind[v as usize] == CollapseKind::Vanish
+                && let Some((corner, choice)) = self.evaluator.absorbing_collapse(v, u)
+            {
+                // The vanishing position is evaluated again after this.
+                self.choose(corner, &choice);
+                (v, u) = (corner, choice.target);
+            }
+            // Rounded the way it will be reported, so that the limit applies to the reported value.
+            let collapse_error = self.collapse(v, u).min(f64::from(f32::MAX)) as f32;
+            if f64::from(collapse_error) > limit {
+                self.executor.drop_last();
+                return Ok((self.executor.record, StopReason::ErrorLimit));
+            }
+            error = error.max(collapse_error);
+            let done = self.executor.record.removed.len();
+            self.executor.record.errors.resize(done, error);
+            collapse_count += 1;
+            if collapse_count.is_multiple_of(REPORT_INTERVAL) {
+                Progress { phase: "simplify", done: done as u64, total }.report(progress)?;
+            }
+        }
+        let is_met = self.executor.triangle_count <= self.options.base_triangle_count;
+        Ok((self.executor.record, if is_met { StopReason::TargetReached } else { StopReason::BaseReached }))
+    }
+
+    /// Returns the position with the smallest key, and that key; begins relaxed collapses if they had
+    /// to wait for the last strict one.
+    fn peek(&mut self) -> Option<(f32, u32)> {
+        if self.heap.first().is_none() && self.schedule.is_postponed() {
+            self.begin_relaxed();
+            for v in 0..self.target.len() as u32 {
+                self.target[v as usize] = UNDECIDED;
+                let bound = self.evaluator.lower_bound(v);
+                self.heap.set(v, bound);
+            }
+        }
+        self.heap.first()
+    }
+
+    /// Begins relaxed collapses.
+    fn begin_relaxed(&mut self) {
+        let record = &self.executor.record;
+        self.schedule.begin(&mut self.evaluator, (&record.removed, &record.targets));
+    }
+
+    /// Evaluates `v` in full and updates its key to the true cost, or removes `v` from the heap if no
+    /// target is allowed.
+    fn decide(&mut self, v: u32, bound: f32) {
+        let mut choice = self.evaluator.best_choice(v);
+        if choice.is_none() && self.schedule.is_possible() {
+            let record = &self.executor.record;
+            self.schedule.begin_or_postpone(&mut self.evaluator, (&record.removed, &record.targets));
+            choice = self.evaluator.relaxed_choice(v);
+        } else if let Some(strict) = choice
+            && self.evaluator.is_nearly_gone(v)
+        {
+            choice = self.evaluator.ending_choice(v, strict.cost).or(choice);
+        }
+        match choice {
+            None => self.heap.remove(v),
+            Some(choice) => {
+                self.choose(v, &choice);
+                if choice.cost > bound {
+                    self.heap.set(v, choice.cost);
+                }
+            }
+        }
+    }
+
+    /// Puts `v` back with a higher cost if its collapse to `u` turns out to lie farther from the
+    /// original mesh than anything so far, and returns whether it did. Its cost only includes the
+    /// distance from the current mesh. This is done once for each choice.
+    fn postpone_if_farther(&mut self, v: u32, u: u32, key: f32) -> bool {
+        let is_open = self.kind[v as usize] == CollapseKind::Strict && self.outward[v as usize].is_nan();
+        if !is_open || !self.evaluator.measures_outward() {
+            return false;
+        }
+        let worst = self.executor.worst_squared();
+        let protrusion = self.protrusion_squared[v as usize];
+        let outward = self.evaluator.outward_distance_before((v, u), protrusion, worst).unwrap_or(UNMEASURED);
+        self.outward[v as usize] = outward;
+        let own = self.distance_squared[v as usize];
+        let inward = self.executor.witness_distance_before(&mut self.evaluator, (v, u), own).unwrap_or(0.0);
+        let ahead = inward.max(outward.max(0.0) * outward);
+        if ahead > worst {
+            self.heap.set(v, key + self.evaluator.distance_cost(v, ahead));
+        }
+        ahead > worst
+    }
+
+    fn is_still_allowed(&mut self, v: u32, u: u32) -> bool {
+        let choice = self.choice(v);
+        let kind = choice.kind;
+        let evaluator = &mut self.evaluator;
+        if kind != CollapseKind::Strict {
+            return evaluator.is_relaxed_choice_valid(v, u, (kind, choice.distance_squared));
+        }
+        if evaluator.links.entries(v).contains(&u) {
+            return evaluator.legality.allows(&evaluator.links, v, u)
+                && (evaluator.pairs.is_none() || evaluator.leaves_enough(v, u));
+        }
+        // A contraction of two parts only needs both to exist, and to be still separate.
+        evaluator.pairs.is_some() && evaluator.links.kind(u) != LinkKind::Empty
+    }
+
+    /// Stores the choice for `v`.
+    fn choose(&mut self, v: u32, choice: &CollapseChoice) {
+        let v = v as usize;
+        self.target[v] = choice.target;
+        self.kind[v] = choice.kind;
+        self.distance_squared[v] = choice.distance_squared;
+        self.protrusion_squared[v] = choice.protrusion_squared;
+        self.outward[v] = f32::NAN;
+    }
+
+    /// Returns the stored choice for `v`.
+    fn choice(&self, v: u32) -> CollapseChoice {
+        let v = v as usize;
+        CollapseChoice {
+            cost: 0.0,
+            target: self.target[v],
+            kind: self.kind[v],
+            distance_squared: self.distance_squared[v],
+            protrusion_squared: self.protrusion_squared[v],
+            outward: Some(self.outward[v]).filter(|&outward| outward >= 0.0),
+        }
+    }
+
+    /// Collapses `v` to `u` and gives the neighbors new bounds; returns the error after it, mesh units.
+    fn collapse(&mut self, v: u32, u: u32) -> f64 {
+        let choice = self.choice(v);
+        let error = self.executor.collapse(&mut self.evaluator, v, &choice);
+        self.heap.remove(v);
+        self.update_neighbors(u);
+        error
+    }
+
+    /// Computes new bounds for all positions whose star or target has changed.
+    fn update_neighbors(&mut self, u: u32) {
+        let ring = std::mem::take(&mut self.executor.ring);
+        for &w in &ring {
+            self.target[w as usize] = UNDECIDED;
+            let bound = self.evaluator.lower_bound(w);
+            self.heap.set(w, bound);
+        }
+        self.executor.ring = ring;
+        if matches!(self.evaluator.history, CostHistory::Accumulated(_)) {
+            // The quadric of u has grown, so collapsing to it now costs more than the stored cost.
+            for &w in self.evaluator.links.entries(u) {
+                if self.target[w as usize] == u {
+                    self.target[w as usize] = UNDECIDED;
+                }
+            }
+        }
+        if !self.executor.ring.contains(&u) {
+            // A contraction of two parts: u was not a neighbor of v.
+            self.target[u as usize] = UNDECIDED;
+            let bound = self.evaluator.lower_bound(u);
+            self.heap.set(u, bound);
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! The star of one position, gathered in double precision.
+
+use glam::DVec3;
+
+use super::quadratic_form::{BORDER_WEIGHT, SharedTriangles, StarForm};
+use crate::simplify::collapse::links::{LinkEdge, LinkKind, Links};
+
+/// Least squared cosine between the normals of an old triangle and its replacement.
+const FLIP_COSINE_SQUARED: f64 = 0.04;
+/// A new triangle must have at least this quality (1 is equilateral), unless the one it replaces was
+/// worse.
+const SLIVER_QUALITY: f64 = 0.01;
+/// Below this quality, the normal of a triangle is noise.
+const NEEDLE_QUALITY: f64 = 0.02;
+/// Factor that makes the quality of an equilateral triangle 1.
+const TWICE_ROOT_3: f64 = 3.464_101_615_137_754_6;
+
+/// Function that returns the weight of leaving the path of a seam, from the two triangles and the edge
+/// vector between them.
+pub(super) type SeamWeight<'a> = &'a dyn Fn([u32; 2], DVec3) -> Option<f64>;
+
+/// Scratch for the star of one position at a time; vectors are relative to its center.
+#[derive(Debug, Default)]
+pub(super) struct Neighborhood {
+    pub(super) center: DVec3,
+    /// Neighbors, each once.
+    pub(super) ids: Vec<u32>,
+    pub(super) offsets: Vec<DVec3>,
+    /// Corners of each triangle as indices into `ids`, and the triangle's index if the links store it.
+    pub(super) triangles: Vec<LinkEdge>,
+    /// Unscaled normals of the triangles.
+    normals: Vec<DVec3>,
+    /// Indices of neighbors along a border of any kind: boundary, seam that must stay, edge with three
+    /// triangles.
+    pub(super) borders: Vec<u32>,
+    /// Indices of neighbors along a seam that may be crossed, and the weight of leaving its path.
+    seams: Vec<(u32, f64)>,
+}
+
+impl Neighborhood {
+    /// Gathers the star of `v`. `seam_weight(triangles, along)` returns the weight of leaving the edge
+    /// `along` if the two triangles at it use different wedges of `v`; infinite for seams that must
+    /// stay.
+    pub(super) fn gather(
+        &mut self,
+        links: &Links,
+        positions: &[DVec3],
+        v: u32,
+        seam_weight: Option<SeamWeight<'_>>,
+    ) {
+        links.edges_into(v, &mut self.triangles);
+        self.ids.clear();
+        self.borders.clear();
+        self.seams.clear();
+        let kind = links.kind(v);
+        match kind {
+            LinkKind::Empty => {}
+            LinkKind::Closed | LinkKind::Open => self.index_ring(links.entries(v)),
+            LinkKind::Edges => self.index_edges(),
+        }
+        self.center = positions[v as usize];
+        self.offsets.clear();
+        self.offsets.extend(self.ids.iter().map(|&id| positions[id as usize] - self.center));
+        let offsets = &self.offsets;
+        self.normals.clear();
+        self.normals
+            .extend(self.triangles.iter().map(|t| offsets[t.a as usize].cross(offsets[t.b as usize])));
+        match kind {
+            LinkKind::Empty => {}
+            LinkKind::Closed if seam_weight.is_none() => {}
+            LinkKind::Open if seam_weight.is_none() => self.borders.extend([0, self.ids.len() as u32 - 1]),
+            _ => self.find_borders(seam_weight),
+        }
+    }
+
+    fn index_ring(&mut self, ring: &[u32]) {
+        self.ids.extend_from_slice(ring);
+        let n = ring.len();
+        for (i, t) in self.triangles.iter_mut().enumerate() {
+            (t.a, t.b) = (i as u32, if i + 1 == n { 0 } else { i as u32 + 1 });
+        }
+    }
+
+    fn index_edges(&mut self) {
+        self.ids.extend(self.triangles.iter().flat_map(|t| [t.a, t.b]));
+        self.ids.sort_unstable();
+        self.ids.dedup();
+        for t in &mut self.triangles {
+            let index_of = |id: u32| self.ids.binary_search(&id).unwrap_or(0) as u32;
+            (t.a, t.b) = (index_of(t.a), index_of(t.b));
+        }
+    }
+
+    fn find_borders(&mut self, seam_weight: Option<SeamWeight<'_>>) {
+        for i in 0..self.ids.len() as u32 {
+            let mut after = self.triangles.iter().filter(|t| t.a == i);
+            let mut before = self.triangles.iter().filter(|t| t.b == i);
+            let is_inner = match (after.next(), before.next(), after.next(), before.next()) {
+                (Some(s), Some(t), None, None) => {
+                    let along = self.offsets[i as usize];
+                    let weight = seam_weight.and_then(|f| f([s.triangle, t.triangle], along));
+                    if let Some(weight) = weight.filter(|weight| weight.is_finite()) {
+                        self.seams.push((i, weight));
+                    }
+                    weight.is_none_or(f64::is_finite)
+                }
+                _ => false,
+            };
+            if !is_inner {
+                self.borders.push(i);
+            }
+        }
+    }
+
+    /// Returns the quadratic form of the whole star.
+    pub(super) fn form(&self) -> StarForm {
+        let mut form = StarForm::default();
+        self.normals.iter().for_each(|&normal| form.add_triangle(normal));
+        self.borders.iter().for_each(|&i| form.add_border(self.offsets[i as usize], BORDER_WEIGHT));
+        for &(i, weight) in &self.seams {
+            form.add_border(self.offsets[i as usize], weight.min(BORDER_WEIGHT));
+        }
+        form
+    }
+
+    /// Returns the triangles that the star shares with that of neighbor `i`.
+    pub(super) fn shared(&self, i: usize) -> SharedTriangles {
+        let mut shared = SharedTriangles::default();
+        for (t, &normal) in self.triangles.iter().zip(&self.normals) {
+            if t.a as usize == i || t.b as usize == i {
+                shared.add_triangle(normal);
+            }
+        }
+        shared
+    }
+
+    /// Whether the edge to neighbor `i` is a border.
+    pub(super) fn is_border(&self, i: usize) -> bool {
+        self.borders.contains(&(i as u32))
+    }
+
+    /// Returns the triangles that are kept when the center moves and `other` is merged with it.
+    fn kept_triangles(&self, other: u32) -> impl Iterator<Item = KeptTriangle> {
+        let gone = self.ids.iter().position(|&id| id == other).map_or(u32::MAX, |i| i as u32);
+        let stays = move |t: &&LinkEdge| t.a != gone && t.b != gone;
+        self.triangles.iter().zip(&self.normals).filter(move |(t, _)| stays(t)).map(|(t, &normal)| {
+            KeptTriangle { a: self.offsets[t.a as usize], b: self.offsets[t.b as usize], normal }
+        })
+    }
+
+    /// Whether all kept triangles stay unflipped and do not become slivers with the center at `position`.
+    ///
+    /// `mean` is the summed normal of both stars. The normal of a needle is meaningless, so its
+    /// replacement must agree with the mean, or stay as small; a triangle that was folded over may
+    /// unfold.
+    pub(super) fn may_move(&self, position: DVec3, other: u32, mean: DVec3) -> bool {
+        let x = position - self.center;
+        self.kept_triangles(other).all(|KeptTriangle { a, b, normal: old }| {
+            let new = (a - x).cross(b - x);
+            let (old_squared, new_squared) = (old.length_squared(), new.length_squared());
+            let side = (b - a).length_squared();
+            let old_sides = a.length_squared() + b.length_squared() + side;
+            let new_sides = (a - x).length_squared() + (b - x).length_squared() + side;
+            let (old_length, new_length) = (old_squared.sqrt(), new_squared.sqrt());
+            if TWICE_ROOT_3 * old_length <= NEEDLE_QUALITY * old_sides {
+                return new.dot(mean) > 0.0 || new_length <= 2.0 * old_length;
+            }
+            if !faces(new, old) {
+                return old.dot(mean) <= 0.0 && faces(new, mean);
+            }
+            TWICE_ROOT_3 * new_length >= SLIVER_QUALITY * new_sides
+                || new_length * old_sides >= old_length * new_sides
+        })
+    }
+
+    /// Squared distance of the center from the kept triangles after it has moved to `position`.
+    pub(super) fn distance_squared(&self, position: DVec3, other: u32) -> f64 {
+        let x = (position - self.center).as_vec3();
+        let distances = self.kept_triangles(other).map(|KeptTriangle { a, b, .. }| {
+            crate::simplify::collapse::fan::distance_squared(x, a.as_vec3(), b.as_vec3())
+        });
+        f64::from(distances.fold(x.length_squared(), f32::min))
+    }
+}
+
+/// A kept triangle: its corners besides the center, and its old normal.
+struct KeptTriangle {
+    a: DVec3,
+    b: DVec3,
+    normal: DVec3,
+}
+
+/// Whether two normals of any length clearly point the same way.
+fn faces(a: DVec3, b: DVec3) -> bool {
+    let along = a.dot(b);
+    along > 0.0 && along * along > FLIP_COSINE_SQUARED * a.length_squared() * b.length_squared()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes;
+
+    fn neighborhood_of(v: u32) -> Neighborhood {
+        let mesh = shapes::grid(2, 2);
+        let positions: Vec<DVec3> = mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+        let mut neighborhood = Neighborhood::default();
+        neighborhood.gather(&Links::new(9, &mesh.triangles, false), &positions, v, None);
+        neighborhood
+    }
+
+    #[test]
+    fn borders_of_a_grid() {
+        assert!(neighborhood_of(4).borders.is_empty());
+        let edge = neighborhood_of(1);
+        let mut across: Vec<u32> = edge.borders.iter().map(|&i| edge.ids[i as usize]).collect();
+        across.sort_unstable();
+        assert_eq!(across, [0, 2]);
+    }
+
+    #[test]
+    fn center_may_move_inside_its_ring_only() {
+        let neighborhood = neighborhood_of(4);
+        let at = |x: f64, y: f64| neighborhood.may_move(DVec3::new(x, y, 0.0), u32::MAX, DVec3::Z);
+        assert!(at(1.0, 1.0) && at(1.2, 0.9));
+        assert!(!at(2.5, 1.0) && !at(1.0, -0.5));
+    }
+
+    #[test]
+    fn distance_is_from_the_new_triangles() {
+        let neighborhood = neighborhood_of(4);
+        let squared = neighborhood.distance_squared(DVec3::new(1.0, 1.0, 0.5), u32::MAX);
+        assert!(squared > 0.1 && squared < 0.25, "{squared}");
+        assert!(neighborhood.distance_squared(DVec3::new(1.1, 0.9, 0.0), u32::MAX) < 1e-12);
+    }
+}
