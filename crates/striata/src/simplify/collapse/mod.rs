@@ -8,7 +8,28 @@
 //! its cost exceeds the next bound. A **strict** collapse preserves the topology. A position without
 //! one takes its cheapest **relaxed** collapse, so that every target is reached.
 //!
-//! In reading order:
+//! # Cost
+//!
+//! Over the triangles around `v` in the current mesh, the cost adds the squared distances of `u` from
+//! their planes by area, the squared change of volume over the area, and the area times the squared
+//! distance of `v` from the new fan. It also adds how far the new edges of the fan stick out of the old
+//! star, which the distance of `v` does not measure; that reduced the largest distances by a fifth from
+//! 25 % of the triangles on. Thin spikes count for more than their area, because they are visible.
+//!
+//! After a collapse, each neighbor gets the least of its quadratic costs, doubled, as its bound: a full
+//! cost is nearly always more than twice its quadratic part. A position whose full cost is below its
+//! bound comes up late, by at most that factor. Compared with bounds that are never too high, this adds
+//! 0.3 % to the RMS down to 10 % of the triangles and 1.3 % at 2 %, and saves over a quarter of the time.
+//!
+//! Seams are crossed at the price of the attributes that end up in the wrong chart. Relaxed collapses
+//! compete with all others in one queue, at a cost that says how far the surface moves; closed surfaces
+//! of a few parts wait until no strict collapse is left, so their levels are as good as without them. A
+//! position that loses its last triangle becomes a step that removes none, so base meshes have no
+//! unused vertices. On meshes with seams or relaxed collapses, errors are measured in both directions:
+//! a collapse that would exceed the largest error so far is measured first, and goes back into the
+//! queue with the measured cost. Otherwise levels would report early peaks that disappear later.
+//!
+//! # Files
 //!
 //! | files | what they do |
 //! | --- | --- |

@@ -12,7 +12,7 @@
 //! one.
 //!
 //! Time O(n log n); memory 87 to 91 bytes per triangle in addition to a large loaded mesh
-//! (docs/results.md).
+//! (docs/results/simplification.md).
 
 use crate::mesh::Welded;
 use crate::{Progress, ProgressFn};
