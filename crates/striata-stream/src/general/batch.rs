@@ -75,7 +75,7 @@ impl Refiner {
     ) -> Result<Ended, StreamDefect> {
         let General { model, wedges: wedge_model, complex, places, .. } = general;
         coder.part(Part::Connectivity);
-        step.split = model.split(coder, complex.position_count() as u32, known);
+        step.split = model.code_split(coder, complex.position_count() as u32, known);
         model.moved(coder, complex, (known, &mut *step));
         model.born(coder, complex, (known, &mut *step));
         let ring = complex.corners(step.split).count() as u64;
