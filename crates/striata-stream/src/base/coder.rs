@@ -132,7 +132,7 @@ pub(crate) fn code_base<C: Coder>(
 }
 
 impl<C: Coder> BaseCoder<'_, C> {
-    /// Codes a connected code_component, starting at the writer's corner `seed`.
+    /// Codes a connected component, starting at the writer's corner `seed`.
     fn code_component(&mut self, seed: u32, max_triangles: usize) -> Result<(), SurfaceDefect> {
         let mut corners = [0; 3];
         for (i, original) in [seed, seed + 1, seed + 2].into_iter().enumerate() {
@@ -224,7 +224,7 @@ impl<C: Coder> BaseCoder<'_, C> {
         true
     }
 
-    /// Codes a vertex: the one across `gate`, or one of the first triangle of a code_component. A writer passes
+    /// Codes a vertex: the one across `gate`, or one of the first triangle of a component. A writer passes
     /// it as `actual`.
     fn vertex(&mut self, actual: u32, gate: Option<u32>) -> Result<u32, SurfaceDefect> {
         let actual_index = self.index_of_vertex.get(actual as usize).copied().unwrap_or(NONE);

@@ -35,7 +35,8 @@ pub enum GridError {
     },
     /// Even the finest grid exceeds the tolerance.
     #[error(
-        "a tolerance of {tolerance} requested, but the finest grid is off by up to {least}: use exact positions instead"
+        "a tolerance of {tolerance} requested, but even the finest grid is off by up to {least}; \
+         use exact positions instead"
     )]
     Tolerance {
         /// The requested tolerance, mesh units.

@@ -23,10 +23,12 @@ pub(super) const ALL_UP_TO: u32 = 1 << 31;
 ///
 /// let built = build_batches(&shapes::torus(32, 16, 1.0, 0.4), &BatchOptions::default())?;
 /// let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default())?;
-/// let (mut decoder, mut hierarchy, mut cut) = (StreamDecoder::new(), GrowingHierarchy::new(), HierarchyCut::new());
+/// let (mut decoder, mut hierarchy) = (StreamDecoder::new(), GrowingHierarchy::new());
+/// let mut cut = HierarchyCut::new();
 /// for piece in stream.bytes.chunks(500) {
 ///     let update = decoder.push(piece)?;
-///     hierarchy.grow(&decoder.prefix(), &update.changed_triangles, |step| decoder.error_at(step).unwrap_or(0.0));
+///     let error = |step| decoder.error_at(step).unwrap_or(0.0);
+///     hierarchy.grow(&decoder.prefix(), &update.changed_triangles, error);
 ///     let is_near = |part: &Part| if part.sphere.center[0] + part.sphere.radius > 0.5 { 2.0 } else { 0.0 };
 ///     let shown = cut.refine(&hierarchy, &is_near, usize::MAX);
 ///     println!("{} triangles", shown.triangle_count);
