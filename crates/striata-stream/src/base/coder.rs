@@ -50,7 +50,7 @@ struct BaseCoder<'a, C: Coder> {
     index_of_position: Vec<u32>,
     coded: Vec<CodedVertex>,
     positions: Vec<u32>,
-    places: Vec<[i32; 3]>,
+    grid_points: Vec<[i32; 3]>,
     triangles: Vec<[u32; 3]>,
     opposite: Vec<u32>,
     corners: Vec<u32>,
@@ -102,7 +102,7 @@ pub(crate) fn code_base<C: Coder>(
         index_of_position: vec![NONE; original.places.len()],
         coded: Vec::new(),
         positions: Vec::new(),
-        places: Vec::new(),
+        grid_points: Vec::new(),
         triangles: Vec::new(),
         opposite: Vec::new(),
         corners: Vec::new(),
@@ -186,8 +186,8 @@ impl<C: Coder> BaseCoder<'_, C> {
         self.triangles.push(corners);
         self.corners.push(original);
         self.opposite.extend([NONE; 3]);
-        if let Some(place) = self.new_first_corner.get_mut(original as usize / 3) {
-            *place = first + (3 - original % 3) % 3;
+        if let Some(slot) = self.new_first_corner.get_mut(original as usize / 3) {
+            *slot = first + (3 - original % 3) % 3;
         }
         for corner in first..first + 3 {
             let edge = (self.vertex_at(next(corner)), self.vertex_at(previous(corner)));
@@ -213,13 +213,13 @@ impl<C: Coder> BaseCoder<'_, C> {
         let Some(open) = self.open.get(&edge).filter(|open| !open.is_empty()) else { return false };
         let first = self.new_first_corner.get(across as usize / 3).copied().unwrap_or(NONE);
         let actual = if first == NONE { NONE } else { first / 3 * 3 + (first % 3 + across % 3) % 3 };
-        let place = open.iter().position(|&c| c == actual);
+        let index = open.iter().position(|&c| c == actual);
         let bit = &mut self.bits.is_linked[usize::from(open.len() > 1)];
-        if !bit.code(self.coder, place.is_some()) {
+        if !bit.code(self.coder, index.is_some()) {
             return false;
         }
-        let place = code_uniform(self.coder, open.len() as u32, place.unwrap_or(0) as u32);
-        let partner = open[place as usize];
+        let index = code_uniform(self.coder, open.len() as u32, index.unwrap_or(0) as u32);
+        let partner = open[index as usize];
         self.link(gate, partner);
         true
     }
@@ -233,8 +233,8 @@ impl<C: Coder> BaseCoder<'_, C> {
         }
         let is_virtual = self.bits.is_virtual.code(self.coder, actual < self.original.virtual_count);
         let position = if is_virtual { NONE } else { self.position(actual, gate)? };
-        if let Some(place) = self.index_of_vertex.get_mut(actual as usize) {
-            *place = self.coded.len() as u32;
+        if let Some(slot) = self.index_of_vertex.get_mut(actual as usize) {
+            *slot = self.coded.len() as u32;
         }
         self.coded.push(CodedVertex { position, original: actual });
         Ok(self.coded.len() as u32 - 1)
@@ -283,7 +283,7 @@ impl<C: Coder> BaseCoder<'_, C> {
         }
         let (guess, context) = self.predict(gate);
         let coordinates = self.original.places.get(original as usize).copied().unwrap_or(guess);
-        let place = [0, 1, 2].map(|a| {
+        let grid_point = [0, 1, 2].map(|a| {
             let residual = coordinates[a].wrapping_sub(guess[a]);
             guess[a].wrapping_add(self.residuals.signed(self.coder, context, residual))
         });
@@ -291,20 +291,20 @@ impl<C: Coder> BaseCoder<'_, C> {
             *at = count;
         }
         self.positions.push(original);
-        self.places.push(place);
+        self.grid_points.push(grid_point);
         Ok(count)
     }
 
     /// Predicts the coordinates of the vertex across a gate by the parallelogram rule, and returns the
     /// context of the residual.
     fn predict(&self, gate: Option<u32>) -> ([i32; 3], usize) {
-        let place = |corner: u32| {
+        let grid_point = |corner: u32| {
             let position = self.coded[self.vertex_at(corner) as usize].position;
-            (position != NONE).then(|| self.places[position as usize])
+            (position != NONE).then(|| self.grid_points[position as usize])
         };
-        let last = self.places.last().copied().unwrap_or([0; 3]);
+        let last = self.grid_points.last().copied().unwrap_or([0; 3]);
         let Some(gate) = gate else { return (last, 0) };
-        match [next(gate), previous(gate), gate].map(place) {
+        match [next(gate), previous(gate), gate].map(grid_point) {
             [Some(a), Some(b), Some(c)] => {
                 (std::array::from_fn(|i| a[i].wrapping_add(b[i]).wrapping_sub(c[i])), 1)
             }
@@ -333,7 +333,7 @@ impl<C: Coder> BaseCoder<'_, C> {
             position_of_copy: rest.iter().map(|coded| coded.position).collect(),
             triangles: self.triangles.iter().map(|t| t.map(|v| new_indices[v as usize])).collect(),
             opposite: self.opposite,
-            places: self.places,
+            places: self.grid_points,
             ..Base::default()
         };
         let vertices = first.iter().chain(&rest).map(|coded| coded.original).collect();

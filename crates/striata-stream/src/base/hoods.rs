@@ -50,15 +50,20 @@ impl<'a> BaseHoods<'a> {
         self.base.shown[corner as usize / 3][corner as usize % 3]
     }
 
-    fn place(&self, corner: u32) -> [i32; 3] {
+    fn grid_point(&self, corner: u32) -> [i32; 3] {
         self.base.place(self.base.triangles[corner as usize / 3][corner as usize % 3])
     }
 
     /// Gathers the already coded neighbors of a vertex and their grid coordinates; returns the sum of the
     /// area-weighted normals of its triangles.
-    pub(crate) fn gather(&self, vertex: u32, ring: &mut Vec<u32>, places: &mut Vec<[i32; 3]>) -> [i64; 3] {
+    pub(crate) fn gather(
+        &self,
+        vertex: u32,
+        ring: &mut Vec<u32>,
+        grid_points: &mut Vec<[i32; 3]>,
+    ) -> [i64; 3] {
         ring.clear();
-        places.clear();
+        grid_points.clear();
         let range =
             self.first_corner[vertex as usize] as usize..self.first_corner[vertex as usize + 1] as usize;
         let corners = &self.corners[range];
@@ -67,14 +72,14 @@ impl<'a> BaseHoods<'a> {
             let other = self.shown(corner);
             if other < vertex && ring.len() < MAX_NEIGHBORS && !ring.contains(&other) {
                 ring.push(other);
-                places.push(self.place(corner));
+                grid_points.push(self.grid_point(corner));
             }
         };
         for &corner in corners.iter().take(MAX_TRIANGLES) {
             let [next, previous] = [next(corner), previous(corner)];
             add(next);
             add(previous);
-            let scaled = scaled_normal([corner, next, previous].map(|c| self.place(c)));
+            let scaled = scaled_normal([corner, next, previous].map(|c| self.grid_point(c)));
             (0..3).for_each(|axis| normal[axis] += scaled[axis]);
         }
         // Vertices across edges come last, since those that share a triangle are nearer.
@@ -128,13 +133,13 @@ mod tests {
         // Only the two corners opposite to the diagonal matter here: they face each other.
         base.opposite[2] = 5;
         base.opposite[5] = 2;
-        let hoods = BaseHoods::new(&base);
-        let (mut ring, mut places) = (Vec::new(), Vec::new());
-        let normal = hoods.gather(3, &mut ring, &mut places);
+        let neighborhoods = BaseHoods::new(&base);
+        let (mut ring, mut grid_points) = (Vec::new(), Vec::new());
+        let normal = neighborhoods.gather(3, &mut ring, &mut grid_points);
         assert_eq!(ring, [1, 0, 2]);
-        assert_eq!(places, [[9, 9, 0], [0, 0, 0], [0, 9, 0]]);
+        assert_eq!(grid_points, [[9, 9, 0], [0, 0, 0], [0, 9, 0]]);
         assert_eq!(normal, [0, 0, 81]);
-        hoods.gather(0, &mut ring, &mut places);
-        assert!(ring.is_empty() && places.is_empty());
+        neighborhoods.gather(0, &mut ring, &mut grid_points);
+        assert!(ring.is_empty() && grid_points.is_empty());
     }
 }

@@ -56,8 +56,8 @@ impl Base {
 
     /// Returns the grid coordinates of each surface vertex; zeros for virtual ones.
     pub(crate) fn surface_places(&self) -> Vec<[i32; 3]> {
-        let virtual_places = std::iter::repeat_n([0; 3], self.virtual_count as usize);
-        virtual_places.chain(self.position_of_copy.iter().map(|&p| self.places[p as usize])).collect()
+        let virtual_points = std::iter::repeat_n([0; 3], self.virtual_count as usize);
+        virtual_points.chain(self.position_of_copy.iter().map(|&p| self.places[p as usize])).collect()
     }
 
     /// Returns the grid coordinates of a surface vertex that is not virtual.

@@ -7,10 +7,10 @@ use crate::topology::rings::Neighbor;
 use crate::topology::surface::{Cut, NONE, triangle_of};
 
 /// Number of lengths and ranks that have their own probabilities.
-const MOST: usize = 16;
+const MAX_CODED: usize = 16;
 
 /// Up to this many steps, runs are summed triangle by triangle; beyond it, by prefix sums.
-const MOST_STEPS: usize = 4096;
+const MAX_STEPS: usize = 4096;
 
 /// Model of cuts around vertices with any number of triangles.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ pub(super) struct Edges<'a> {
     /// Far ends of its edges.
     pub(super) neighbors: &'a [Neighbor],
     /// Grid coordinates of the vertex.
-    pub(super) kept: [i32; 3],
+    pub(super) position: [i32; 3],
 }
 
 /// An edge from the split vertex, and the triangle counter-clockwise of it.
@@ -48,8 +48,8 @@ impl ChainCuts {
     pub(super) fn new() -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
         Self {
-            lengths: vec![bit; MOST * MOST],
-            ranks: vec![bit; MOST * MOST * MOST],
+            lengths: vec![bit; MAX_CODED * MAX_CODED],
+            ranks: vec![bit; MAX_CODED * MAX_CODED * MAX_CODED],
             spokes: Vec::new(),
             starts: Vec::new(),
         }
@@ -64,25 +64,25 @@ impl ChainCuts {
         actual: Option<Cut>,
     ) -> Option<(usize, usize)> {
         let n = edges.corners.len();
-        let most = (scene.max_patch as usize).min(n - 1);
-        let meant = actual.map_or(0, |cut| cut.length as usize);
+        let max_length = (scene.max_patch as usize).min(n - 1);
+        let actual_length = actual.map_or(0, |cut| cut.length as usize);
         let mut length = 1;
-        while length < most {
-            let bit = &mut self.lengths[n.min(MOST - 1) * MOST + length.min(MOST - 1)];
-            if !bit.code(coder, meant > length) {
+        while length < max_length {
+            let bit = &mut self.lengths[n.min(MAX_CODED - 1) * MAX_CODED + length.min(MAX_CODED - 1)];
+            if !bit.code(coder, actual_length > length) {
                 break;
             }
             length += 1;
         }
         self.find_starts(scene, edges, length);
-        let meant = actual.map_or(NONE, |cut| cut.first);
-        let key = (n.min(MOST - 1) * MOST + length.min(MOST - 1)) * MOST;
+        let actual_first = actual.map_or(NONE, |cut| cut.first);
+        let key = (n.min(MAX_CODED - 1) * MAX_CODED + length.min(MAX_CODED - 1)) * MAX_CODED;
         let mut rank = 0;
         let start = loop {
-            let start = self.next_start(n * length > MOST_STEPS)?;
-            let is_meant = edges.corners[start as usize] == meant;
+            let start = self.next_start(n * length > MAX_STEPS)?;
+            let is_actual = edges.corners[start as usize] == actual_first;
             let is_last = self.starts.is_empty();
-            if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, is_meant) {
+            if is_last || self.ranks[key + rank.min(MAX_CODED - 1)].code(coder, is_actual) {
                 break start as usize;
             }
             rank += 1;
@@ -92,13 +92,13 @@ impl ChainCuts {
 
     /// Lists where a run of free triangles can start, with its score.
     fn find_starts(&mut self, scene: &Scene<'_>, edges: Edges<'_>, length: usize) {
-        let Edges { corners, neighbors, kept } = edges;
+        let Edges { corners, neighbors, position } = edges;
         let n = corners.len();
         self.spokes.clear();
         self.spokes.extend(corners.iter().zip(neighbors).map(|(&corner, neighbor)| {
             let is_virtual = scene.surface.is_virtual(neighbor.vertex);
-            let place = neighbor.place;
-            let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum::<i64>();
+            let end = neighbor.place;
+            let square = (0..3).map(|a| (i64::from(end[a]) - i64::from(position[a])).pow(2)).sum::<i64>();
             Spoke {
                 square: if is_virtual { 0 } else { square },
                 is_virtual,
@@ -106,8 +106,8 @@ impl ChainCuts {
             }
         }));
         self.starts.clear();
-        if n * length > MOST_STEPS {
-            self.find_far_starts(n, length);
+        if n * length > MAX_STEPS {
+            self.find_starts_by_prefix_sums(n, length);
             return;
         }
         'starts: for start in 0..n {
@@ -128,8 +128,8 @@ impl ChainCuts {
     }
 
     /// Removes and returns the start with the highest score; `is_sorted` says whether the list is sorted.
-    fn next_start(&mut self, in_order: bool) -> Option<u32> {
-        if in_order {
+    fn next_start(&mut self, is_sorted: bool) -> Option<u32> {
+        if is_sorted {
             return self.starts.pop().map(|(_, start)| start);
         }
         let best = (0..self.starts.len()).max_by_key(|&at| self.starts[at])?;
@@ -137,7 +137,7 @@ impl ChainCuts {
     }
 
     /// Does the work of `find_starts` by prefix sums, for rings and runs with many triangles.
-    fn find_far_starts(&mut self, n: usize, length: usize) {
+    fn find_starts_by_prefix_sums(&mut self, n: usize, length: usize) {
         let mut sums = Vec::with_capacity(2 * n + 1);
         let mut sum = (0i64, 0u32, 0u32);
         sums.push(sum);

@@ -15,7 +15,7 @@ impl Ring {
         (vertex, corners): (u32, &[u32]),
     ) {
         let here = scene.places[vertex as usize];
-        self.reach = 0;
+        self.magnitudes = 0;
         self.spokes.clear();
         self.states = [0; 4];
         self.young = 0;
@@ -43,7 +43,7 @@ impl Ring {
                 // neighbors.
                 let place = scene.places.get(vertex as usize).copied().unwrap_or(here);
                 spoke.step = std::array::from_fn(|a| place[a].wrapping_sub(here[a]));
-                self.reach |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());
+                self.magnitudes |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());
                 self.states[usize::from(spoke.state & 3)] += 1;
                 self.young += usize::from(spoke.age == 1);
                 if matches!(state, Fate::Stays | Fate::Splits) {

@@ -156,8 +156,9 @@ impl LearnedCuts {
     /// Computes the keys of all edges and triangles; returns the mean height.
     fn compute_keys(&mut self, spokes: &mut [Spoke]) -> i32 {
         let n = spokes.len();
-        let reach = spokes.iter().flat_map(|spoke| spoke.step).fold(0, |reach, x| reach | x.unsigned_abs());
-        let shift = (32 - STEP_BITS - reach.leading_zeros() as i32).max(0);
+        let magnitudes =
+            spokes.iter().flat_map(|spoke| spoke.step).fold(0, |magnitudes, x| magnitudes | x.unsigned_abs());
+        let shift = (32 - STEP_BITS - magnitudes.leading_zeros() as i32).max(0);
         let (mut normals, mut lengths, mut areas) = ([[0; 3]; MAX_RING], [0; MAX_RING], [0; MAX_RING]);
         let mut tangents = [0; MAX_RING];
         let mut is_obtuse = [false; MAX_RING];
@@ -390,10 +391,10 @@ mod tests {
     use crate::entropy::{RangeReader, RangeWriter};
 
     fn random_spokes(random: &mut Random) -> Vec<Spoke> {
-        let reach = 1 << random.below(24);
+        let max_component = 1 << random.below(24);
         let spoke = |random: &mut Random| {
             let is_virtual = random.below(12) == 0;
-            let step = [(); 3].map(|()| random.below(2 * reach) as i32 - reach as i32);
+            let step = [(); 3].map(|()| random.below(2 * max_component) as i32 - max_component as i32);
             Spoke {
                 step: if is_virtual { [0; 3] } else { step },
                 valence: random.below(256) as u8,
@@ -430,14 +431,14 @@ mod tests {
         while message.len() < 2000 {
             let spokes = random_spokes(&mut random);
             let Some(cut) = learnable_cut(&spokes, &mut random) else { continue };
-            let known = (random.below(20) as usize, 3 + random.below(20) as usize);
-            assert_eq!(cuts.code(&mut writer, &mut spokes.clone(), known, cut), Some(cut));
-            message.push((spokes, known, cut));
+            let limits = (random.below(20) as usize, 3 + random.below(20) as usize);
+            assert_eq!(cuts.code(&mut writer, &mut spokes.clone(), limits, cut), Some(cut));
+            message.push((spokes, limits, cut));
         }
         let bytes = writer.finish().0;
         let (mut reader, mut cuts) = (RangeReader::new(&bytes, true), LearnedCuts::new());
-        for (mut spokes, known, cut) in message {
-            assert_eq!(cuts.code(&mut reader, &mut spokes, known, (0, 1)), Some(cut));
+        for (mut spokes, limits, cut) in message {
+            assert_eq!(cuts.code(&mut reader, &mut spokes, limits, (0, 1)), Some(cut));
         }
     }
 

@@ -195,8 +195,11 @@ impl QuickModel {
             Cuts::Learned(_) if is_short => self.learned_run(coder, scene, (split, actual)),
             _ => {
                 let kept = scene.places[self.splits[split] as usize];
-                let edges =
-                    Edges { corners: self.rings.of(split), neighbors: self.rings.neighbors(split), kept };
+                let edges = Edges {
+                    corners: self.rings.of(split),
+                    neighbors: self.rings.neighbors(split),
+                    position: kept,
+                };
                 self.chains.code(coder, scene, edges, actual)
             }
         };
@@ -265,9 +268,9 @@ impl QuickModel {
                 }
             };
         }
-        let known = (usize::from(self.records[vertex as usize].triangle_count), scene.max_patch as usize);
+        let limits = (usize::from(self.records[vertex as usize].triangle_count), scene.max_patch as usize);
         let Cuts::Learned(cuts) = &mut self.cuts else { return None };
-        cuts.code(coder, &mut spokes[..ring.len()], known, run_in_ring(actual, ring))
+        cuts.code(coder, &mut spokes[..ring.len()], limits, run_in_ring(actual, ring))
     }
 
     /// Returns four times the age of a vertex in batches, up to 3, plus its state: not visited, stays,

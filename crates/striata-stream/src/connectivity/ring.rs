@@ -60,7 +60,7 @@ pub(super) struct Ring {
     /// Mean of the heights.
     pub(super) height: i32,
     /// Bitwise or of the magnitudes of all vector components, before the shift.
-    pub(super) reach: u32,
+    pub(super) magnitudes: u32,
     /// Number of bits by which the vectors were shifted down.
     shift: i32,
 }
@@ -115,7 +115,7 @@ pub(super) fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
 impl Ring {
     /// Measures the ring that [`gather`](Self::gather) has filled in.
     pub(super) fn measure(&mut self) {
-        self.shift = (32 - STEP_BITS - self.reach.leading_zeros() as i32).max(0);
+        self.shift = (32 - STEP_BITS - self.magnitudes.leading_zeros() as i32).max(0);
         if self.shift > 0 {
             let shift = self.shift;
             self.spokes.iter_mut().for_each(|spoke| spoke.step = spoke.step.map(|x| x >> shift));

@@ -25,7 +25,7 @@ static EXPONENTIALS: [u32; STEPS] = {
     table
 };
 
-/// Returns `exp(-below)` in 1/2^20, for a score `below` the best one; never 0.
+/// Returns the exponential of a score that is lower than the best one by `below`, in 1/2^20; never 0.
 #[inline]
 pub(super) fn exponential(below: i32) -> u32 {
     let at = (below.max(0) >> 10) as usize;

@@ -47,11 +47,11 @@ impl TestRefiner {
             let scene = Scene { surface, places, walk, max_patch: MAX_PATCH };
             let actual = choose(&scene, vertex);
             self.corners = self.surface.ring(vertex).collect();
-            let known = (vertex, self.corners.as_slice());
+            let ring = (vertex, self.corners.as_slice());
             let cut = if self.model.is_thorough() {
-                self.model.code(coder, &scene, known, actual)
+                self.model.code(coder, &scene, ring, actual)
             } else if self.model.flag(coder, vertex, actual.is_some()) {
-                self.model.cut(coder, &scene, known, actual)
+                self.model.cut(coder, &scene, ring, actual)
             } else {
                 None
             };
@@ -71,9 +71,9 @@ impl TestRefiner {
             let made = self.surface.triangle_count() as u32;
             (made - 2..made).for_each(|t| self.surface.set_mark(t, self.walk.batch()));
             // Coordinates between two of its neighbors.
-            let known = |w: &u32| *w < v && !self.surface.is_virtual(*w);
+            let is_known = |w: &u32| *w < v && !self.surface.is_virtual(*w);
             let ring: Vec<u32> =
-                self.surface.ring(v).map(|c| self.surface.vertex(next(c))).filter(known).collect();
+                self.surface.ring(v).map(|c| self.surface.vertex(next(c))).filter(is_known).collect();
             let [a, b] = [0, ring.len() / 2].map(|i| self.places.get(ring[i] as usize).copied());
             let (a, b) = (a.unwrap_or_default(), b.unwrap_or_default());
             self.places

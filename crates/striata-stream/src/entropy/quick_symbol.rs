@@ -109,10 +109,10 @@ pub(crate) fn code_by_two<C: Coder>(
     symbol
 }
 
-/// Returns the last symbol whose cumulative share is at most `place`.
+/// Returns the last symbol whose cumulative share is at most `value`.
 #[inline]
-pub(super) fn symbol_at(shares: &QuickShares, place: i16) -> usize {
-    let [low, high] = halves(shares).map(|begins| begins.simd_gt(i16x8::splat(place)).to_bitmask());
+pub(super) fn symbol_at(shares: &QuickShares, value: i16) -> usize {
+    let [low, high] = halves(shares).map(|begins| begins.simd_gt(i16x8::splat(value)).to_bitmask());
     let above = low | high << 8 | 1 << SYMBOLS;
     (above.trailing_zeros() as usize).saturating_sub(1)
 }
@@ -166,9 +166,9 @@ mod tests {
                 .learn(if round % 100 < 90 { 15 * (round / 1000 % 2) } else { random.below(16) as usize }, 5);
             let shares = with_uniform_share(model.begins);
             assert!(shares[0] == 0 && shares.windows(2).all(|w| w[0] < w[1]), "{shares:?}");
-            for place in [0, 1, shares[7] - 1, shares[7], i16::MAX] {
-                let expected = shares.iter().rposition(|&begin| begin <= place);
-                assert_eq!(Some(symbol_at(&shares, place)), expected);
+            for value in [0, 1, shares[7] - 1, shares[7], i16::MAX] {
+                let expected = shares.iter().rposition(|&begin| begin <= value);
+                assert_eq!(Some(symbol_at(&shares, value)), expected);
             }
         }
     }

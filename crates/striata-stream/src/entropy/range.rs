@@ -287,8 +287,8 @@ impl Coder for RangeReader<'_> {
     fn symbol(&mut self, _: usize, begins: &Shares) -> usize {
         let unit = self.range >> 16;
         // The remainder that rounding leaves at the top belongs to the last symbol.
-        let place = (self.value / unit).min(65_535) as i32;
-        let above = begins.iter().map(|&begin| i32::from(begin <= place)).sum::<i32>() as usize;
+        let value = (self.value / unit).min(65_535) as i32;
+        let above = begins.iter().map(|&begin| i32::from(begin <= value)).sum::<i32>() as usize;
         let symbol = above.saturating_sub(1);
         let end = begins.get(symbol + 1).map(|&end| end as u64);
         self.narrow(unit, (begins[symbol] as u64, end));

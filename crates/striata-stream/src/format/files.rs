@@ -20,7 +20,7 @@ struct Codec;
 /// Reads a `.striata` file like [`StriataFile::parse`] and attaches a decoder for its stream.
 ///
 /// # Errors
-/// As [`StriataFile::parse`].
+/// The errors of [`StriataFile::parse`].
 pub fn open(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
     open_with(bytes, Verify::WhenRead)
 }
@@ -28,7 +28,7 @@ pub fn open(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
 /// Reads a `.striata` file like [`open`]; `verify` says when checksums are compared.
 ///
 /// # Errors
-/// As [`StriataFile::parse_with`].
+/// The errors of [`StriataFile::parse_with`].
 pub fn open_with(bytes: &[u8], verify: Verify) -> Result<StriataFile<'_>, file::DecodeError> {
     Ok(StriataFile::parse_with(bytes, verify)?.with_codec(&Codec))
 }
@@ -37,7 +37,7 @@ pub fn open_with(bytes: &[u8], verify: Verify) -> Result<StriataFile<'_>, file::
 /// decoder.
 ///
 /// # Errors
-/// As [`StriataFile::parse_cut`].
+/// The errors of [`StriataFile::parse_cut`].
 pub fn open_cut(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
     Ok(StriataFile::parse_cut(bytes)?.with_codec(&Codec))
 }

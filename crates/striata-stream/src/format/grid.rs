@@ -65,16 +65,16 @@ pub(crate) struct Axis {
 
 impl Axis {
     /// Returns the grid coordinate nearest to a position, clamped to `0..=limit`; 0 for NaN.
-    pub(crate) fn quantize(self, place: f32, limit: i32) -> i32 {
-        let q = ((f64::from(place) - f64::from(self.origin)) / self.step + 0.5).floor();
+    pub(crate) fn quantize(self, position: f32, limit: i32) -> i32 {
+        let q = ((f64::from(position) - f64::from(self.origin)) / self.step + 0.5).floor();
         // The cast maps NaN to 0.
         (q.clamp(0.0, f64::from(limit))) as i32
     }
 
     /// Returns the position of a grid coordinate; always finite.
     pub(crate) fn place(self, q: i32) -> f32 {
-        let place = f64::from(self.origin) + f64::from(q) * self.step;
-        place.clamp(f64::from(-f32::MAX), f64::from(f32::MAX)) as f32
+        let position = f64::from(self.origin) + f64::from(q) * self.step;
+        position.clamp(f64::from(-f32::MAX), f64::from(f32::MAX)) as f32
     }
 
     /// Makes axes over ranges of finite numbers, all with the same step, and the number of bits that
@@ -308,12 +308,15 @@ mod tests {
                 for &p in cloud {
                     let q = grid.quantize(p);
                     assert!(q.iter().all(|&x| (0..1i64 << grid.bits).contains(&i64::from(x))));
-                    let place = grid.place(q);
-                    assert_eq!(grid.quantize(place), q, "cloud {index}, {bits} bits, {p:?}, {grid:?}");
+                    let position = grid.place(q);
+                    assert_eq!(grid.quantize(position), q, "cloud {index}, {bits} bits, {p:?}, {grid:?}");
                     let largest = grid.largest_distance(
                         bounds.min.iter().chain(&bounds.max).fold(0.0, |m, x| x.abs().max(m)),
                     );
-                    assert!(distance(place, p) <= largest * (1.0 + 1e-9), "cloud {index}: {p:?} {place:?}");
+                    assert!(
+                        distance(position, p) <= largest * (1.0 + 1e-9),
+                        "cloud {index}: {p:?} {position:?}"
+                    );
                 }
             }
         }

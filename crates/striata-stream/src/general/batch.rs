@@ -38,18 +38,18 @@ impl Refiner {
         Ok(true)
     }
 
-    /// Codes up to `most` steps of the current general batch.
+    /// Codes up to `max_steps` steps of the current general batch.
     pub(crate) fn general_stretch<C: Coder>(
         &mut self,
         coder: &mut C,
         source: &mut impl Source,
-        most: usize,
+        max_steps: usize,
     ) -> Result<Ended, StreamDefect> {
-        for _ in 0..most {
+        for _ in 0..max_steps {
             let Some(mut general) = self.models.general.take() else { break };
-            let known = source.follower().map(|follower| follower.general_step());
+            let actual = source.follower().map(|follower| follower.general_step());
             let mut step = std::mem::take(&mut general.step);
-            let ended = self.general_step(coder, (source, known.as_ref()), (&mut general, &mut step));
+            let ended = self.general_step(coder, (source, actual.as_ref()), (&mut general, &mut step));
             general.step = step;
             general.steps_left -= 1;
             let is_last = general.steps_left == 0;
@@ -70,23 +70,23 @@ impl Refiner {
     fn general_step<C: Coder>(
         &mut self,
         coder: &mut C,
-        (source, known): (&mut impl Source, Option<&KnownStep>),
+        (source, actual): (&mut impl Source, Option<&KnownStep>),
         (general, step): (&mut General, &mut CodedStep),
     ) -> Result<Ended, StreamDefect> {
         let General { model, wedges: wedge_model, complex, places, .. } = general;
         coder.part(Part::Connectivity);
-        step.split = model.code_split(coder, complex.position_count() as u32, known);
-        model.moved(coder, complex, (known, &mut *step));
-        model.born(coder, complex, (known, &mut *step));
+        step.split = model.code_split(coder, complex.position_count() as u32, actual);
+        model.moved(coder, complex, (actual, &mut *step));
+        model.born(coder, complex, (actual, &mut *step));
         let ring = complex.corners(step.split).count() as u64;
         self.spend_visits((1 + ring) * (1 + step.born.len() as u64))?;
         coder.part(Part::Positions);
-        model.place(coder, (complex, places), (known, &mut *step));
+        model.place(coder, (complex, places), (actual, &mut *step));
         if !self.level.grid.holds(step.place) {
             let position = self.level.growth.first_vertex.len() - 1;
             return if coder.overran() { Ok(Ended::Short) } else { Err(StreamDefect::Place { position }) };
         }
-        let exact = known.map_or([0.0; 3], |step| step.exact);
+        let exact = actual.map_or([0.0; 3], |step| step.exact);
         let position = match &mut self.models.corrections {
             Some(model) => model.code(coder, &self.level.grid, step.place, exact),
             None => self.level.grid.place(step.place),
@@ -96,7 +96,7 @@ impl Refiner {
         if let Some(wedges) = &mut self.models.wedges {
             let max_extra_wedges = self.limits.most_wedges.saturating_sub(extra_wedges);
             let level_before = LevelBefore { complex, growth: &self.level.growth, max_extra_wedges };
-            wedge_model.code(coder, level_before, (known, &mut *step), wedges);
+            wedge_model.code(coder, level_before, (actual, &mut *step), wedges);
             if let Some(follower) = source.follower() {
                 follower.name(&step.named);
             }
@@ -104,7 +104,7 @@ impl Refiner {
             step.show_positions();
         }
         places.push(step.place);
-        self.general_layers(coder, source.plan(), (known, &*step), (complex, places));
+        self.general_layers(coder, source.plan(), (actual, &*step), (complex, places));
         let is_full = extra_wedges + step.targets.len() as u64 > self.limits.most_wedges + 1;
         let is_degenerate = step.born.iter().any(|born| born.third == step.split);
         if coder.overran() || is_full || is_degenerate {
@@ -137,7 +137,7 @@ impl Refiner {
         &mut self,
         coder: &mut C,
         plan: Option<&dyn Plan>,
-        (known, step): (Option<&KnownStep>, &CodedStep),
+        (actual, step): (Option<&KnownStep>, &CodedStep),
         (complex, places): (&Complex, &[[i32; 3]]),
     ) {
         let Some(attributes) = &mut self.models.attributes else { return };
@@ -161,7 +161,7 @@ impl Refiner {
             add(wedge, step.others[at][1], step.born[at].third);
         }
         let has_wedges = self.models.wedges.is_some();
-        let first = known.map_or(NONE, |step| step.wedges.start);
+        let first = actual.map_or(NONE, |step| step.wedges.start);
         attributes.general_position(coder, step.place, &vertices, |wedge| {
             actual_layers(plan, |_| if has_wedges { step.named[wedge] } else { first })
         });

@@ -175,8 +175,8 @@ impl GeneralModel {
             self.new_triangle_count.unsigned(coder, context, remaining.len() as u32).min(MAX_NEW_TRIANGLES);
         let others = complex.position_count() as u32;
         for at in 0..count as usize {
-            let known = remaining.get(at).copied();
-            let actual = known.and_then(|known| Some(actual?.born[known].born)).unwrap_or_default();
+            let actual_index = remaining.get(at).copied();
+            let actual = actual_index.and_then(|index| Some(actual?.born[index].born)).unwrap_or_default();
             let actual_rank = rank_of(&self.thirds, actual.third).unwrap_or(self.thirds.len());
             let class = usize::from(self.thirds.first().map_or(2, |third| third.0)).min(2);
             let rank = self.rank.unsigned(coder, class, actual_rank as u32) as usize;
@@ -192,7 +192,7 @@ impl GeneralModel {
             // winding itself.
             let agrees = self.is_forward[context].code(coder, actual.is_forward == (context != 1));
             out.born.push(Born { third, is_forward: agrees == (context != 1) });
-            out.known.push(known.unwrap_or(0));
+            out.known.push(actual_index.unwrap_or(0));
         }
     }
 

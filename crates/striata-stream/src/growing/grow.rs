@@ -129,10 +129,10 @@ impl BoundsBuilder {
     // The corners are unrolled: passing them through arrays in memory costs half of the time of growing.
     #[inline(always)]
     fn add(&mut self, positions: &[[f32; 3]], [a, b, c]: [u32; 3]) {
-        let center = place(self.center);
-        let a = place(positions[a as usize]) - center;
-        let b = place(positions[b as usize]) - center;
-        let c = place(positions[c as usize]) - center;
+        let center = to_dvec3(self.center);
+        let a = to_dvec3(positions[a as usize]) - center;
+        let b = to_dvec3(positions[b as usize]) - center;
+        let c = to_dvec3(positions[c as usize]) - center;
         self.radius_squared =
             self.radius_squared.max(a.length_squared()).max(b.length_squared()).max(c.length_squared());
         self.normals.extend((b - a).cross(c - a).try_normalize());
@@ -149,7 +149,7 @@ impl BoundsBuilder {
 }
 
 #[inline(always)]
-fn place([x, y, z]: [f32; 3]) -> DVec3 {
+fn to_dvec3([x, y, z]: [f32; 3]) -> DVec3 {
     DVec3::new(x.into(), y.into(), z.into())
 }
 
