@@ -39,8 +39,7 @@ impl Ring {
                 };
                 spoke.age = history.age(vertex);
                 spoke.valence = vertex_history.valence;
-                // Vertices created in this stretch have no coordinates yet; the walk does not reach their
-                // neighbors.
+                // Vertices created in this stretch have no coordinates yet, but do not occur in its rings.
                 let place = scene.places.get(vertex as usize).copied().unwrap_or(here);
                 spoke.step = std::array::from_fn(|a| place[a].wrapping_sub(here[a]));
                 self.magnitudes |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());

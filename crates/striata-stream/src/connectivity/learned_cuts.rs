@@ -1,5 +1,5 @@
 //! [`LearnedCuts`]: cuts around vertices with few triangles, for the default effort. A faster form of the
-//! log-linear model of `cuts.rs`.
+//! log-linear model of `cut_model.rs`.
 //!
 //! Scores are sums over the edges and triangles of a run, so each is the sum of a term for the start of the
 //! run, one for its end and one for its length. A run is coded as two symbols, its length and then its

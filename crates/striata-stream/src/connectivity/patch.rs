@@ -110,8 +110,8 @@ impl Patch {
         if dot_wide(self.normal, across) >= 0 { width } else { 30 - width }
     }
 
-    /// For runs of one or two triangles, returns how many of the other vertices that could have claimed
-    /// such a patch were visited and do not split.
+    /// Returns a feature of runs of one or two triangles: how many of the other vertices that could have
+    /// claimed such a patch were visited but do not split.
     fn other_claims(&self, ring: &Ring) -> usize {
         let stays = |i: usize| usize::from(ring.spokes[i].state == 1);
         match self.length {

@@ -17,7 +17,7 @@ const MIN_PROBABILITY: u32 = 24;
 /// Initial and final learning rate of a set of weights.
 const FIRST_RATE: i32 = 30 * 32;
 const LAST_RATE: i32 = 4 * 32;
-/// With each update, the learning rate moves towards its final value by 2 to the power of minus this.
+/// With each update, the learning rate covers 1 / 2^`RATE_DECAY_SHIFT` of the distance to its final value.
 const RATE_DECAY_SHIFT: u32 = 8;
 
 /// A set of weights and its learning rate.

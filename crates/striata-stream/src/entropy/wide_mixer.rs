@@ -10,7 +10,7 @@ use super::logistic::{LOG_ODDS_LIMIT, probability};
 /// Initial and final learning rate of a set of weights.
 const FIRST_RATE: i32 = 30 << 8;
 const LAST_RATE: i32 = 4 << 8;
-/// With each update, the learning rate moves towards its final value by 2 to the power of minus this.
+/// With each update, the learning rate covers 1 / 2^`RATE_DECAY_SHIFT` of the distance to its final value.
 const RATE_DECAY_SHIFT: u32 = 8;
 
 #[derive(Clone, Copy, Debug)]

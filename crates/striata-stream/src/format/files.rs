@@ -9,8 +9,8 @@ use crate::format::error::{DecodeError, StreamDefect};
 use crate::format::facts::StreamFacts;
 use crate::reader::decode::StreamDecoder;
 
-/// Size of the pieces passed to a decoder. Smaller pieces cost less, as pending bytes are moved after each
-/// chunk.
+/// Number of bytes passed to a decoder at a time. The decoder moves pending bytes after each chunk, so
+/// large pieces would be slow.
 const PIECE_BYTES: usize = 1 << 16;
 
 /// Decodes the streams inside a [`StriataFile`].

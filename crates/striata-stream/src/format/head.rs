@@ -25,14 +25,14 @@ const NEWEST_VERSION: u8 = 2;
 pub(crate) const FIXED_BYTES: usize = 16;
 const EXACT_FLAG: u16 = 1;
 const GENERAL_FLAG: u16 = 2;
-/// Maximum number of splits per byte of a chunk, which counts as one byte longer than it is. A writer that
-/// needs fewer bytes appends zeros.
+/// A chunk of `n` bytes contains at most `n + 1` times this number of splits. A writer that needs fewer
+/// bytes appends zeros.
 const MAX_SPLITS_PER_BYTE: u64 = 256;
-/// Maximum number of base triangles per byte of the first chunk.
+/// A first chunk of `n` bytes contains at most `n + 1` times this number of base triangles.
 const MAX_BASE_TRIANGLES_PER_BYTE: u32 = 256;
 
-/// Maximum number of additional wedges, beyond one per position, per byte of a chunk and all chunks before
-/// it.
+/// The first `n` bytes of all chunks together create at most `n + 1` times this number of vertices beyond
+/// one per position.
 const MAX_EXTRA_WEDGES_PER_BYTE: u64 = 256;
 
 /// Maximum number of components per vertex in all layers together: each of them has its own models.
