@@ -1,4 +1,6 @@
-//! A mesh as a stream, drawn while it arrives: `cargo run --release -p striata-stream --example stream -- bunny.ply`
+//! Encodes a mesh as a progressive stream, then decodes it in pieces as if it arrived over a network.
+//!
+//! `cargo run --release -p striata-stream --example stream -- bunny.ply`
 
 use std::error::Error;
 
@@ -15,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (piece, bytes) in stream.bytes.chunks(10_000).enumerate() {
         let update = decoder.push(bytes)?;
         eprintln!(
-            "after {} kB: {} triangles over {} vertices; {} older ones changed",
+            "after {} kB: {} triangles and {} vertices; {} earlier triangles changed",
             (10_000 * piece + bytes.len()) / 1000,
             decoder.triangles().len(),
             decoder.positions().len(),

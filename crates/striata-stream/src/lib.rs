@@ -1,32 +1,37 @@
-//! The progressive stream: one compressed bitstream, coarse to fine, whose every prefix is a mesh.
+//! Progressive mesh streams: one compressed bitstream, ordered coarse to fine; every prefix decodes to a
+//! mesh.
 //!
-//! A base mesh is followed by vertex splits in batches. In each batch both sides walk the surface; a flag says whether a
-//! vertex splits, a cut which of its triangles go to the new vertex; then the new vertices' places and attributes
-//! are told relative to what is around them. The idea of sending fragments coarse to fine is that of \[KG98\] (3.1), with
-//! the batches of \[PR00\]; connectivity is not stored by rules but predicted from the geometry that is there.
+//! A stream begins with a base mesh, followed by batches of vertex splits. In each batch, writer and reader
+//! traverse the surface in the same order. A flag per vertex says whether it splits; if it does, a *cut*
+//! says which of its triangles move to the new vertex. The positions and attributes of the new vertices are
+//! then coded as differences from a prediction by their neighborhood. Sending fragments coarse to fine is
+//! the idea of \[KG98\] (3.1), the batches follow \[PR00\]; connectivity is not stored as rules but
+//! predicted from the geometry decoded so far.
 //!
-//! [`encode_stream`] writes a stream and [`StreamDecoder`] reads it in pieces of any size. [`GrowingHierarchy`] shows views of what
-//! has come. [`open`] reads `.striata` files whose mesh is a stream, and [`file_model`] stores a stream in such a file.
+//! [`encode_stream`] writes a stream and [`StreamDecoder`] reads it in pieces of any size.
+//! [`GrowingHierarchy`] makes view-dependent cuts of what has been decoded so far. [`open`] reads
+//! `.striata` files whose mesh is a stream, and [`file_model`] prepares a stream for storage in such a
+//! file.
 //!
 //! # Reading order
 //!
-//! The folders follow what happens to a mesh.
+//! The folders, in the order in which a mesh passes through them:
 //!
 //! | folder | what it does |
 //! | --- | --- |
-//! | `format` | what a stream is made of: versions, head, grid, errors, files |
-//! | `entropy` | bits: the range coder and the models that learn |
-//! | `topology` | closed surfaces, and any triangles cut into one |
-//! | `writer` | the way down from the full mesh, and the stream that is written on the way up |
-//! | `reader` | a stream that comes in pieces, and the mesh that each prefix is |
-//! | `refine` | the loop that both of them run, over a base and batches of splits |
-//! | `base` | the mesh that the splits begin with |
-//! | `connectivity` | which vertices split, and which triangles go to the new ones |
-//! | `positions` | where new vertices are |
-//! | `wedges` | which vertices the corners of new triangles show |
-//! | `layers` | the attributes of new vertices |
-//! | `general` | batches of steps that are no splits of a surface |
-//! | `growing` | views of what has come so far |
+//! | `format` | the container: versions, header, position grid, errors, `.striata` files |
+//! | `entropy` | the range coder and its adaptive models |
+//! | `topology` | closed surfaces, and cutting arbitrary triangles into one |
+//! | `writer` | coarsens the full mesh to the base, then writes the stream while refining it again |
+//! | `reader` | decodes a stream that arrives in pieces, and exposes the mesh of each prefix |
+//! | `refine` | the loop that writer and reader share: a base mesh, then batches of splits |
+//! | `base` | the base mesh that the splits refine |
+//! | `connectivity` | which vertices split, and which triangles move to the new vertices |
+//! | `positions` | positions of new vertices |
+//! | `wedges` | which wedge each corner of the changed triangles uses |
+//! | `layers` | attributes of new vertices |
+//! | `general` | batches of steps that are not splits of a surface |
+//! | `growing` | view-dependent cuts of what has been decoded so far |
 //!
 //! # Example
 //! ```
@@ -78,7 +83,7 @@ pub use writer::encode::{
     EncodedStream, Precision, SHAPE_STEPS, StreamError, StreamOptions, StreamSizes, encode_stream,
 };
 
-/// The examples of both readmes, compiled with the documentation's tests.
+/// Compiles the README's example with the documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,9 +1,10 @@
-//! Coding the base mesh: its triangles one across an edge of another, so that most of them cost a bit or two.
+//! Codes the base mesh: grows over its triangles edge by edge, so that most triangles cost a bit or two.
 //!
-//! A queue holds the edges of triangles behind which nothing is known yet. The first is taken: behind it is another
-//! triangle that is there already, or a new one, whose third vertex is new or known. So closed surfaces of any kind
-//! come back with their very adjacency, also where two vertices have several edges in common. Vertices are numbered as
-//! they are met; a vertex is virtual, a new position, or another copy of one.
+//! A queue contains the edges (gates) whose far side is not yet known. For each gate in turn, the triangle
+//! across is either one that has already been coded, or a new one whose third vertex is new or known.
+//! Closed surfaces of any kind thus come back with exactly the same adjacency, even if two vertices share
+//! several edges. Vertices are numbered in the order in which they are first coded; each is virtual, a new
+//! position, or another copy of a coded position.
 
 use std::collections::HashMap;
 
@@ -11,60 +12,60 @@ use crate::base::mesh::Base;
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
 use crate::topology::surface::{NONE, SurfaceDefect};
 
-/// Which parts of a writer's base are where in what a reader gets.
+/// Maps the decoded base, as renumbered by coding, back to the writer's base.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BaseOrder {
-    /// The writer's position of each new one.
+    /// The writer's index of each position.
     pub(crate) positions: Vec<u32>,
-    /// The writer's vertex of each new one, virtual ones first.
+    /// The writer's index of each surface vertex, virtual ones first.
     pub(crate) vertices: Vec<u32>,
-    /// For each new triangle the writer's corner, three a triangle, that is its first.
+    /// For each triangle, the writer's corner (three per triangle) that is now its first corner.
     pub(crate) corners: Vec<u32>,
 }
 
-/// What a base may be at most.
+/// Upper bounds on the size of a base mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BaseLimits {
     pub(crate) position_count: u32,
     pub(crate) triangle_count: u32,
-    /// Vertices beyond one a position.
+    /// Number of vertices beyond one per position.
     pub(crate) wedges_beyond: u32,
 }
 
-/// A vertex that has been met.
+/// A surface vertex that has been coded.
 #[derive(Clone, Copy, Debug)]
-struct Met {
-    /// Its position; none if it is virtual.
+struct CodedVertex {
+    /// Index of its position, or `NONE` if it is virtual.
     position: u32,
-    /// The writer's number.
-    known: u32,
+    /// Index in the writer's base.
+    original: u32,
 }
 
 struct BaseCoder<'a, C: Coder> {
     coder: &'a mut C,
-    known: &'a Base,
+    original: &'a Base,
     limits: BaseLimits,
-    /// The new number of each of the writer's vertices and positions.
-    met_of: Vec<u32>,
-    position_of: Vec<u32>,
-    met: Vec<Met>,
+    /// New index of each of the writer's vertices and positions, or `NONE` if not yet coded.
+    index_of_vertex: Vec<u32>,
+    index_of_position: Vec<u32>,
+    coded: Vec<CodedVertex>,
     positions: Vec<u32>,
-    places: Vec<[i32; 3]>,
+    grid_points: Vec<[i32; 3]>,
     triangles: Vec<[u32; 3]>,
     opposite: Vec<u32>,
     corners: Vec<u32>,
-    /// The writer's triangles that have been coded, as first corners here.
-    first_corner: Vec<u32>,
+    /// For each of the writer's triangles, the new index of its first corner, or `NONE` if not yet coded.
+    new_first_corner: Vec<u32>,
     open: HashMap<(u32, u32), Vec<u32>>,
     queue: std::collections::VecDeque<u32>,
-    bits: Bits,
+    bits: BaseBits,
     residuals: AdaptiveNumber,
 }
 
-struct Bits {
-    joins: [AdaptiveBit; 2],
+struct BaseBits {
+    is_linked: [AdaptiveBit; 2],
     is_new: AdaptiveBit,
-    is_guess: [AdaptiveBit; 2],
+    is_open_end: [AdaptiveBit; 2],
     is_virtual: AdaptiveBit,
     is_copy: AdaptiveBit,
 }
@@ -77,45 +78,52 @@ fn previous(c: u32) -> u32 {
     if c.is_multiple_of(3) { c + 2 } else { c - 1 }
 }
 
-/// Codes a base: the writer's `known`, nothing for a reader. What comes back is numbered anew on both sides.
+/// Codes a base mesh and returns it renumbered, on both sides. A writer passes its base as `original`, a
+/// reader an empty one.
 ///
 /// # Errors
-/// Where a reader gets more than the limits allow, or too little.
+/// [`SurfaceDefect`] if a reader decodes more than the limits allow, or too little.
 pub(crate) fn code_base<C: Coder>(
     coder: &mut C,
-    known: &Base,
+    original: &Base,
     limits: BaseLimits,
 ) -> Result<(Base, BaseOrder), SurfaceDefect> {
     let bit = AdaptiveBit::new(Rate::Steady);
     let triangle_count =
-        AdaptiveNumber::new(1, Rate::Steady).unsigned(coder, 0, known.triangles.len() as u32);
+        AdaptiveNumber::new(1, Rate::Steady).unsigned(coder, 0, original.triangles.len() as u32);
     if triangle_count > limits.triangle_count {
         return Err(SurfaceDefect::Corners(limits.triangle_count));
     }
     let mut state = BaseCoder {
         coder,
-        known,
+        original,
         limits,
-        met_of: vec![NONE; known.vertex_count()],
-        position_of: vec![NONE; known.places.len()],
-        met: Vec::new(),
+        index_of_vertex: vec![NONE; original.vertex_count()],
+        index_of_position: vec![NONE; original.places.len()],
+        coded: Vec::new(),
         positions: Vec::new(),
-        places: Vec::new(),
+        grid_points: Vec::new(),
         triangles: Vec::new(),
         opposite: Vec::new(),
         corners: Vec::new(),
-        first_corner: vec![NONE; known.triangles.len()],
+        new_first_corner: vec![NONE; original.triangles.len()],
         open: HashMap::new(),
         queue: std::collections::VecDeque::new(),
-        bits: Bits { joins: [bit; 2], is_new: bit, is_guess: [bit; 2], is_virtual: bit, is_copy: bit },
+        bits: BaseBits {
+            is_linked: [bit; 2],
+            is_new: bit,
+            is_open_end: [bit; 2],
+            is_virtual: bit,
+            is_copy: bit,
+        },
         residuals: AdaptiveNumber::new(2, Rate::Quick),
     };
     let mut seed = 0;
     while state.triangles.len() < triangle_count as usize {
-        while state.first_corner.get(seed).is_some_and(|&c| c != NONE) {
+        while state.new_first_corner.get(seed).is_some_and(|&c| c != NONE) {
             seed += 1;
         }
-        state.component(3 * seed as u32, triangle_count as usize)?;
+        state.code_component(3 * seed as u32, triangle_count as usize)?;
     }
     if state.positions.len() != limits.position_count as usize {
         return Err(SurfaceDefect::Position(state.positions.len() as u32));
@@ -124,29 +132,30 @@ pub(crate) fn code_base<C: Coder>(
 }
 
 impl<C: Coder> BaseCoder<'_, C> {
-    /// A component, from the writer's corner on.
-    fn component(&mut self, seed: u32, most: usize) -> Result<(), SurfaceDefect> {
+    /// Codes a connected component, starting at the writer's corner `seed`.
+    fn code_component(&mut self, seed: u32, max_triangles: usize) -> Result<(), SurfaceDefect> {
         let mut corners = [0; 3];
-        for (i, known) in [seed, seed + 1, seed + 2].into_iter().enumerate() {
-            let meant = self.known_vertex(known);
-            corners[i] = self.vertex(meant, None)?;
+        for (i, original) in [seed, seed + 1, seed + 2].into_iter().enumerate() {
+            let actual = self.original_vertex(original);
+            corners[i] = self.vertex(actual, None)?;
         }
         self.push(corners, seed);
         while let Some(gate) = self.queue.pop_front() {
             if self.opposite[gate as usize] != NONE {
                 continue;
             }
-            let across = self.known_across(gate);
-            if self.join(gate, across) {
+            let across = self.original_across(gate);
+            if self.code_link(gate, across) {
                 continue;
             }
-            if self.triangles.len() >= most {
+            if self.triangles.len() >= max_triangles {
                 return Err(SurfaceDefect::Edge(gate / 3));
             }
-            let meant = self.known_vertex(across);
-            let apex = self.vertex(meant, Some(gate))?;
+            let actual = self.original_vertex(across);
+            let apex = self.vertex(actual, Some(gate))?;
             let [a, b] = [next(gate), previous(gate)].map(|c| self.vertex_at(c));
-            // The edge runs the other way in the new triangle; its first corner faces the edge.
+            // The new triangle runs along the edge in the opposite direction; its first corner faces the
+            // edge.
             let first = 3 * self.triangles.len() as u32;
             self.push([apex, b, a], across);
             self.link(gate, first);
@@ -158,27 +167,27 @@ impl<C: Coder> BaseCoder<'_, C> {
         self.triangles[corner as usize / 3][corner as usize % 3]
     }
 
-    fn known_vertex(&self, known: u32) -> u32 {
-        self.known.triangles.get(known as usize / 3).map_or(NONE, |t| t[known as usize % 3])
+    fn original_vertex(&self, original: u32) -> u32 {
+        self.original.triangles.get(original as usize / 3).map_or(NONE, |t| t[original as usize % 3])
     }
 
-    /// The writer's corner across the edge that a corner faces.
-    fn known_across(&self, corner: u32) -> u32 {
+    /// Returns the writer's corner across the edge that a corner faces.
+    fn original_across(&self, corner: u32) -> u32 {
         if C::READS {
             return NONE;
         }
         let first = self.corners[corner as usize / 3];
-        let known = first / 3 * 3 + (first % 3 + corner % 3) % 3;
-        self.known.opposite.get(known as usize).copied().unwrap_or(NONE)
+        let original = first / 3 * 3 + (first % 3 + corner % 3) % 3;
+        self.original.opposite.get(original as usize).copied().unwrap_or(NONE)
     }
 
-    fn push(&mut self, corners: [u32; 3], known: u32) {
+    fn push(&mut self, corners: [u32; 3], original: u32) {
         let first = 3 * self.triangles.len() as u32;
         self.triangles.push(corners);
-        self.corners.push(known);
+        self.corners.push(original);
         self.opposite.extend([NONE; 3]);
-        if let Some(place) = self.first_corner.get_mut(known as usize / 3) {
-            *place = first + (3 - known % 3) % 3;
+        if let Some(slot) = self.new_first_corner.get_mut(original as usize / 3) {
+            *slot = first + (3 - original % 3) % 3;
         }
         for corner in first..first + 3 {
             let edge = (self.vertex_at(next(corner)), self.vertex_at(previous(corner)));
@@ -198,51 +207,53 @@ impl<C: Coder> BaseCoder<'_, C> {
         }
     }
 
-    /// Codes whether a triangle that is there already lies behind an edge, and joins it.
-    fn join(&mut self, gate: u32, across: u32) -> bool {
+    /// Codes whether the triangle across a gate has already been coded, and links it if so.
+    fn code_link(&mut self, gate: u32, across: u32) -> bool {
         let edge = (self.vertex_at(previous(gate)), self.vertex_at(next(gate)));
         let Some(open) = self.open.get(&edge).filter(|open| !open.is_empty()) else { return false };
-        let first = self.first_corner.get(across as usize / 3).copied().unwrap_or(NONE);
-        let meant = if first == NONE { NONE } else { first / 3 * 3 + (first % 3 + across % 3) % 3 };
-        let place = open.iter().position(|&c| c == meant);
-        let bit = &mut self.bits.joins[usize::from(open.len() > 1)];
-        if !bit.code(self.coder, place.is_some()) {
+        let first = self.new_first_corner.get(across as usize / 3).copied().unwrap_or(NONE);
+        let actual = if first == NONE { NONE } else { first / 3 * 3 + (first % 3 + across % 3) % 3 };
+        let index = open.iter().position(|&c| c == actual);
+        let bit = &mut self.bits.is_linked[usize::from(open.len() > 1)];
+        if !bit.code(self.coder, index.is_some()) {
             return false;
         }
-        let place = code_uniform(self.coder, open.len() as u32, place.unwrap_or(0) as u32);
-        let partner = open[place as usize];
+        let index = code_uniform(self.coder, open.len() as u32, index.unwrap_or(0) as u32);
+        let partner = open[index as usize];
         self.link(gate, partner);
         true
     }
 
-    /// Codes a vertex, which is `meant` for a writer: behind an edge, or at the beginning of a component.
-    fn vertex(&mut self, meant: u32, gate: Option<u32>) -> Result<u32, SurfaceDefect> {
-        let meant_met = self.met_of.get(meant as usize).copied().unwrap_or(NONE);
-        if !self.met.is_empty() && !self.bits.is_new.code(self.coder, meant_met == NONE) {
-            return Ok(self.known_vertex_here(meant_met, gate));
+    /// Codes a vertex: the one across `gate`, or one of the first triangle of a component. A writer passes
+    /// it as `actual`.
+    fn vertex(&mut self, actual: u32, gate: Option<u32>) -> Result<u32, SurfaceDefect> {
+        let actual_index = self.index_of_vertex.get(actual as usize).copied().unwrap_or(NONE);
+        if !self.coded.is_empty() && !self.bits.is_new.code(self.coder, actual_index == NONE) {
+            return Ok(self.code_earlier_vertex(actual_index, gate));
         }
-        let is_virtual = self.bits.is_virtual.code(self.coder, meant < self.known.virtual_count);
-        let position = if is_virtual { NONE } else { self.position(meant, gate)? };
-        if let Some(place) = self.met_of.get_mut(meant as usize) {
-            *place = self.met.len() as u32;
+        let is_virtual = self.bits.is_virtual.code(self.coder, actual < self.original.virtual_count);
+        let position = if is_virtual { NONE } else { self.position(actual, gate)? };
+        if let Some(slot) = self.index_of_vertex.get_mut(actual as usize) {
+            *slot = self.coded.len() as u32;
         }
-        self.met.push(Met { position, known: meant });
-        Ok(self.met.len() as u32 - 1)
+        self.coded.push(CodedVertex { position, original: actual });
+        Ok(self.coded.len() as u32 - 1)
     }
 
-    /// Codes which of the vertices that have been met it is: perhaps one at the next open edges.
-    fn known_vertex_here(&mut self, meant: u32, gate: Option<u32>) -> u32 {
-        let guesses = gate.map_or([NONE; 2], |gate| [self.open_end(gate, true), self.open_end(gate, false)]);
-        for (i, guess) in guesses.into_iter().enumerate() {
-            let is_tried = guess == NONE || (i == 1 && guess == guesses[0]);
-            if !is_tried && self.bits.is_guess[i].code(self.coder, guess == meant) {
+    /// Codes which of the vertices coded so far it is: often one at the next open edges.
+    fn code_earlier_vertex(&mut self, actual: u32, gate: Option<u32>) -> u32 {
+        let open_ends =
+            gate.map_or([NONE; 2], |gate| [self.open_end(gate, true), self.open_end(gate, false)]);
+        for (i, guess) in open_ends.into_iter().enumerate() {
+            let is_excluded = guess == NONE || (i == 1 && guess == open_ends[0]);
+            if !is_excluded && self.bits.is_open_end[i].code(self.coder, guess == actual) {
                 return guess;
             }
         }
-        code_uniform(self.coder, self.met.len() as u32, meant)
+        code_uniform(self.coder, self.coded.len() as u32, actual)
     }
 
-    /// The far end of the next open edge around one end of a gate.
+    /// Returns the far end of the next open edge, turning around one end of a gate.
     fn open_end(&self, gate: u32, is_forward: bool) -> u32 {
         let mut corner = gate;
         for _ in 0..64 {
@@ -258,41 +269,42 @@ impl<C: Coder> BaseCoder<'_, C> {
         NONE
     }
 
-    /// Codes the position of a new vertex: that of another copy, or a new one with its place.
-    fn position(&mut self, meant: u32, gate: Option<u32>) -> Result<u32, SurfaceDefect> {
-        let known = meant.wrapping_sub(self.known.virtual_count);
-        let known = self.known.position_of_copy.get(known as usize).copied().unwrap_or(NONE);
-        let meant_position = self.position_of.get(known as usize).copied().unwrap_or(NONE);
+    /// Codes the position of a new vertex: the position of another copy, or a new one with its coordinates.
+    fn position(&mut self, actual: u32, gate: Option<u32>) -> Result<u32, SurfaceDefect> {
+        let original = actual.wrapping_sub(self.original.virtual_count);
+        let original = self.original.position_of_copy.get(original as usize).copied().unwrap_or(NONE);
+        let actual_index = self.index_of_position.get(original as usize).copied().unwrap_or(NONE);
         let count = self.positions.len() as u32;
-        if count > 0 && self.bits.is_copy.code(self.coder, meant_position != NONE) {
-            return Ok(code_uniform(self.coder, count, meant_position));
+        if count > 0 && self.bits.is_copy.code(self.coder, actual_index != NONE) {
+            return Ok(code_uniform(self.coder, count, actual_index));
         }
         if count == self.limits.position_count {
             return Err(SurfaceDefect::Position(count));
         }
-        let (guess, context) = self.guess_place(gate);
-        let actual = self.known.places.get(known as usize).copied().unwrap_or(guess);
-        let place = [0, 1, 2].map(|a| {
-            let residual = actual[a].wrapping_sub(guess[a]);
+        let (guess, context) = self.predict(gate);
+        let coordinates = self.original.places.get(original as usize).copied().unwrap_or(guess);
+        let grid_point = [0, 1, 2].map(|a| {
+            let residual = coordinates[a].wrapping_sub(guess[a]);
             guess[a].wrapping_add(self.residuals.signed(self.coder, context, residual))
         });
-        if let Some(at) = self.position_of.get_mut(known as usize) {
+        if let Some(at) = self.index_of_position.get_mut(original as usize) {
             *at = count;
         }
-        self.positions.push(known);
-        self.places.push(place);
+        self.positions.push(original);
+        self.grid_points.push(grid_point);
         Ok(count)
     }
 
-    /// Where a vertex behind an edge may be: where it would make a parallelogram.
-    fn guess_place(&self, gate: Option<u32>) -> ([i32; 3], usize) {
-        let place = |corner: u32| {
-            let position = self.met[self.vertex_at(corner) as usize].position;
-            (position != NONE).then(|| self.places[position as usize])
+    /// Predicts the coordinates of the vertex across a gate by the parallelogram rule, and returns the
+    /// context of the residual.
+    fn predict(&self, gate: Option<u32>) -> ([i32; 3], usize) {
+        let grid_point = |corner: u32| {
+            let position = self.coded[self.vertex_at(corner) as usize].position;
+            (position != NONE).then(|| self.grid_points[position as usize])
         };
-        let last = self.places.last().copied().unwrap_or([0; 3]);
+        let last = self.grid_points.last().copied().unwrap_or([0; 3]);
         let Some(gate) = gate else { return (last, 0) };
-        match [next(gate), previous(gate), gate].map(place) {
+        match [next(gate), previous(gate), gate].map(grid_point) {
             [Some(a), Some(b), Some(c)] => {
                 (std::array::from_fn(|i| a[i].wrapping_add(b[i]).wrapping_sub(c[i])), 1)
             }
@@ -301,30 +313,30 @@ impl<C: Coder> BaseCoder<'_, C> {
         }
     }
 
-    /// The base with virtual vertices first.
+    /// Renumbers the vertices so that virtual ones come first.
     fn finish(self) -> (Base, BaseOrder) {
-        let is_virtual = |met: &&Met| met.position == NONE;
-        let virtual_count = self.met.iter().filter(is_virtual).count() as u32;
-        let (mut virtuals, mut copies) = (0, virtual_count);
-        let numbers: Vec<u32> = self
-            .met
+        let is_virtual = |coded: &&CodedVertex| coded.position == NONE;
+        let virtual_count = self.coded.iter().filter(is_virtual).count() as u32;
+        let (mut next_virtual, mut next_copy) = (0, virtual_count);
+        let new_indices: Vec<u32> = self
+            .coded
             .iter()
-            .map(|met| {
-                let counter = if is_virtual(&met) { &mut virtuals } else { &mut copies };
+            .map(|coded| {
+                let counter = if is_virtual(&coded) { &mut next_virtual } else { &mut next_copy };
                 *counter += 1;
                 *counter - 1
             })
             .collect();
-        let (first, rest): (Vec<&Met>, Vec<&Met>) = self.met.iter().partition(is_virtual);
+        let (first, rest): (Vec<&CodedVertex>, Vec<&CodedVertex>) = self.coded.iter().partition(is_virtual);
         let base = Base {
             virtual_count,
-            position_of_copy: rest.iter().map(|met| met.position).collect(),
-            triangles: self.triangles.iter().map(|t| t.map(|v| numbers[v as usize])).collect(),
+            position_of_copy: rest.iter().map(|coded| coded.position).collect(),
+            triangles: self.triangles.iter().map(|t| t.map(|v| new_indices[v as usize])).collect(),
             opposite: self.opposite,
-            places: self.places,
+            places: self.grid_points,
             ..Base::default()
         };
-        let vertices = first.iter().chain(&rest).map(|met| met.known).collect();
+        let vertices = first.iter().chain(&rest).map(|coded| coded.original).collect();
         (base, BaseOrder { positions: self.positions, vertices, corners: self.corners })
     }
 }

@@ -1,42 +1,46 @@
-//! The base mesh that the splits begin with.
+//! [`Base`]: the base mesh that the splits refine.
 
 use crate::topology::surface::{NONE, Surface, SurfaceDefect};
 
-/// A closed surface of few triangles, its vertices numbered as on both sides: virtual ones, then copies of positions.
+/// A small closed surface. Its vertices are numbered alike on both sides: virtual ones first, then copies
+/// of positions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Base {
-    /// Vertices that stand for boundary loops.
+    /// Number of virtual vertices, each of which closes a boundary loop.
     pub(crate) virtual_count: u32,
-    /// The position of each vertex that is not virtual; positions are met in order.
+    /// Position of each vertex that is not virtual; positions are numbered by first use.
     pub(crate) position_of_copy: Vec<u32>,
-    /// Triangles over virtual vertices and copies.
+    /// Triangles over surface vertices, virtual or not.
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// The corner across the edge that each corner faces, three a triangle.
+    /// For each corner (three per triangle), the corner across the edge that it faces.
     pub(crate) opposite: Vec<u32>,
     /// Grid coordinates of each position.
     pub(crate) places: Vec<[i32; 3]>,
-    /// First vertex of the mesh of each position, closed by their number.
+    /// First mesh vertex (wedge) of each position, followed by the number of mesh vertices.
     pub(crate) first_vertex: Vec<u32>,
-    /// The vertices of the mesh that the corners of each triangle show; none in virtual triangles.
+    /// Mesh vertices of each triangle's corners; `NONE` in virtual triangles.
     pub(crate) shown: Vec<[u32; 3]>,
-    /// The group of each triangle.
+    /// Group of each triangle.
     pub(crate) groups: Vec<u32>,
 }
 
 impl Base {
-    /// Vertices of the surface.
+    /// Returns the number of surface vertices.
     pub(crate) fn vertex_count(&self) -> usize {
         self.virtual_count as usize + self.position_of_copy.len()
     }
 
-    /// The surface, or what is wrong with the triangles.
+    /// Builds the surface.
+    ///
+    /// # Errors
+    /// [`SurfaceDefect`] if the triangles do not form a closed surface.
     pub(crate) fn surface(&self) -> Result<Surface, SurfaceDefect> {
         let vertex_count = self.vertex_count() as u32;
         for (t, triangle) in self.triangles.iter().enumerate() {
             let is_vertex = triangle.iter().all(|&v| v < vertex_count);
             let [a, b, c] = triangle.map(|v| self.position_of(v));
-            // Two virtual corners count as one position as well: no boundary loops meet at an edge, and around a vertex
-            // there are at least two triangles then.
+            // Two virtual corners count as one position, too. So no two boundary loops meet at an edge, and
+            // every vertex has at least two triangles.
             if !is_vertex || a == b || b == c || c == a {
                 return Err(SurfaceDefect::Corners(t as u32));
             }
@@ -44,27 +48,27 @@ impl Base {
         Surface::from_closed(&self.triangles, &self.opposite, vertex_count as usize, self.virtual_count)
     }
 
-    /// The position of a vertex of the surface; none of virtual ones.
+    /// Returns the position of a surface vertex, or `NONE` if it is virtual.
     pub(crate) fn position_of(&self, vertex: u32) -> u32 {
         let copy = vertex.checked_sub(self.virtual_count);
         copy.and_then(|copy| self.position_of_copy.get(copy as usize)).copied().unwrap_or(NONE)
     }
 
-    /// Grid coordinates by vertex of the surface; zeros for virtual ones.
+    /// Returns the grid coordinates of each surface vertex; zeros for virtual ones.
     pub(crate) fn surface_places(&self) -> Vec<[i32; 3]> {
-        let virtual_places = std::iter::repeat_n([0; 3], self.virtual_count as usize);
-        virtual_places.chain(self.position_of_copy.iter().map(|&p| self.places[p as usize])).collect()
+        let virtual_points = std::iter::repeat_n([0; 3], self.virtual_count as usize);
+        virtual_points.chain(self.position_of_copy.iter().map(|&p| self.places[p as usize])).collect()
     }
 
-    /// Grid coordinates of a vertex of the surface that is not virtual.
+    /// Returns the grid coordinates of a surface vertex that is not virtual.
     pub(crate) fn place(&self, vertex: u32) -> [i32; 3] {
         self.places[self.position_of_copy[(vertex - self.virtual_count) as usize] as usize]
     }
 
-    /// Some vertex of the surface for each position.
+    /// Returns one surface vertex for each position.
     ///
     /// # Errors
-    /// Where positions and vertices do not fit together.
+    /// [`SurfaceDefect::Position`] if a vertex has an unknown position, or a position has no vertex.
     pub(crate) fn vertex_of_position(&self) -> Result<Vec<u32>, SurfaceDefect> {
         let mut vertices = vec![NONE; self.places.len()];
         for (copy, &position) in self.position_of_copy.iter().enumerate().rev() {
@@ -77,7 +81,7 @@ impl Base {
         }
     }
 
-    /// What corners show where each position is one vertex and there are no groups.
+    /// Fills in one mesh vertex per position and a single group, for meshes without seams or groups.
     pub(crate) fn show_positions(&mut self) {
         self.first_vertex = (0..=self.places.len() as u32).collect();
         self.groups = vec![0; self.triangles.len()];
@@ -94,8 +98,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_virtual_corners_of_a_triangle_are_no_surface() {
-        // Two cones over an edge from the virtual vertex to itself: one triangle around each tip.
+    fn triangles_with_two_virtual_corners_are_rejected() {
+        // Two cones over an edge from the virtual vertex to itself: a single triangle around each tip.
         let cones = Base {
             virtual_count: 1,
             position_of_copy: vec![0, 1],

@@ -1,13 +1,13 @@
-//! The mesh that the splits begin with.
+//! The base mesh: the coarsest level, coded as a whole before any split.
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `mesh.rs` | the base, and the surface that it is |
-//! | `coder.rs` | its triangles, one across an edge of another |
-//! | `shown.rs` | what its corners show |
-//! | `hoods.rs` | what lies around its positions, for attributes |
+//! | `mesh.rs` | [`Base`](mesh::Base): the base mesh and its surface |
+//! | `coder.rs` | coding of its triangles and positions |
+//! | `wedges.rs` | coding of its wedges and groups |
+//! | `hoods.rs` | neighborhoods of its vertices, for predicting attributes |
 
 pub(crate) mod coder;
 pub(crate) mod hoods;
 pub(crate) mod mesh;
-mod shown;
+mod wedges;

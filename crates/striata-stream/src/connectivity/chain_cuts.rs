@@ -1,60 +1,61 @@
-//! Cuts as chains of decisions: the length, then which of the free runs of that length, those with the longest edges first.
+//! Cuts coded as sequences of binary decisions: the length, then the rank of the run among the free runs of
+//! that length, in falling order of edge lengths.
 
 use super::scene::Scene;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 use crate::topology::rings::Neighbor;
 use crate::topology::surface::{Cut, NONE, triangle_of};
 
-/// Lengths and ranks that have probabilities of their own.
-const MOST: usize = 16;
+/// Number of lengths and ranks that have their own probabilities.
+const MAX_CODED: usize = 16;
 
-/// Runs are looked at triangle by triangle as long as that takes no more steps.
-const MOST_STEPS: usize = 4096;
+/// Up to this many steps, runs are summed triangle by triangle; beyond it, by prefix sums.
+const MAX_STEPS: usize = 4096;
 
-/// A model of cuts around vertices of any number of triangles.
+/// Model of cuts around vertices with any number of triangles.
 #[derive(Clone, Debug)]
 pub(super) struct ChainCuts {
     lengths: Vec<AdaptiveBit>,
     ranks: Vec<AdaptiveBit>,
     spokes: Vec<Spoke>,
-    /// Where runs can begin, and how long their edges are.
+    /// Score and start of each candidate run; the score grows with the lengths of its edges.
     starts: Vec<(i64, u32)>,
 }
 
-/// The edges from a vertex that splits.
+/// The ring of a vertex that splits.
 #[derive(Clone, Copy)]
 pub(super) struct Edges<'a> {
-    /// The corners around it.
+    /// Corners around it.
     pub(super) corners: &'a [u32],
-    /// The other ends.
+    /// Far ends of its edges.
     pub(super) neighbors: &'a [Neighbor],
-    /// Where it is.
-    pub(super) kept: [i32; 3],
+    /// Grid coordinates of the vertex.
+    pub(super) position: [i32; 3],
 }
 
-/// An edge from a vertex that splits, and the triangle behind it.
+/// An edge from the split vertex, and the triangle counter-clockwise of it.
 #[derive(Clone, Copy, Debug)]
 struct Spoke {
-    /// Its squared length.
+    /// Squared length of the edge.
     square: i64,
     is_virtual: bool,
-    /// Whether the triangle counter-clockwise of it is free.
+    /// Whether the triangle may move to the new vertex.
     is_free: bool,
 }
 
 impl ChainCuts {
-    /// Nothing learned.
+    /// Creates an untrained model.
     pub(super) fn new() -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
         Self {
-            lengths: vec![bit; MOST * MOST],
-            ranks: vec![bit; MOST * MOST * MOST],
+            lengths: vec![bit; MAX_CODED * MAX_CODED],
+            ranks: vec![bit; MAX_CODED * MAX_CODED * MAX_CODED],
             spokes: Vec::new(),
             starts: Vec::new(),
         }
     }
 
-    /// Codes a cut around any vertex: where it begins in the ring, and its length.
+    /// Codes a cut; returns its start in the ring and its length, or `None` if no run is free.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -63,25 +64,25 @@ impl ChainCuts {
         actual: Option<Cut>,
     ) -> Option<(usize, usize)> {
         let n = edges.corners.len();
-        let most = (scene.max_patch as usize).min(n - 1);
-        let meant = actual.map_or(0, |cut| cut.length as usize);
+        let max_length = (scene.max_patch as usize).min(n - 1);
+        let actual_length = actual.map_or(0, |cut| cut.length as usize);
         let mut length = 1;
-        while length < most {
-            let bit = &mut self.lengths[n.min(MOST - 1) * MOST + length.min(MOST - 1)];
-            if !bit.code(coder, meant > length) {
+        while length < max_length {
+            let bit = &mut self.lengths[n.min(MAX_CODED - 1) * MAX_CODED + length.min(MAX_CODED - 1)];
+            if !bit.code(coder, actual_length > length) {
                 break;
             }
             length += 1;
         }
         self.find_starts(scene, edges, length);
-        let meant = actual.map_or(NONE, |cut| cut.first);
-        let key = (n.min(MOST - 1) * MOST + length.min(MOST - 1)) * MOST;
+        let actual_first = actual.map_or(NONE, |cut| cut.first);
+        let key = (n.min(MAX_CODED - 1) * MAX_CODED + length.min(MAX_CODED - 1)) * MAX_CODED;
         let mut rank = 0;
         let start = loop {
-            let start = self.next_start(n * length > MOST_STEPS)?;
-            let is_meant = edges.corners[start as usize] == meant;
+            let start = self.next_start(n * length > MAX_STEPS)?;
+            let is_actual = edges.corners[start as usize] == actual_first;
             let is_last = self.starts.is_empty();
-            if is_last || self.ranks[key + rank.min(MOST - 1)].code(coder, is_meant) {
+            if is_last || self.ranks[key + rank.min(MAX_CODED - 1)].code(coder, is_actual) {
                 break start as usize;
             }
             rank += 1;
@@ -89,24 +90,24 @@ impl ChainCuts {
         Some((start, length))
     }
 
-    /// Where in a ring a run of free triangles can begin, and how long its edges are.
+    /// Lists where a run of free triangles can start, with its score.
     fn find_starts(&mut self, scene: &Scene<'_>, edges: Edges<'_>, length: usize) {
-        let Edges { corners, neighbors, kept } = edges;
+        let Edges { corners, neighbors, position } = edges;
         let n = corners.len();
         self.spokes.clear();
         self.spokes.extend(corners.iter().zip(neighbors).map(|(&corner, neighbor)| {
             let is_virtual = scene.surface.is_virtual(neighbor.vertex);
-            let place = neighbor.place;
-            let square = (0..3).map(|a| (i64::from(place[a]) - i64::from(kept[a])).pow(2)).sum::<i64>();
+            let end = neighbor.place;
+            let square = (0..3).map(|a| (i64::from(end[a]) - i64::from(position[a])).pow(2)).sum::<i64>();
             Spoke {
                 square: if is_virtual { 0 } else { square },
                 is_virtual,
-                is_free: !scene.is_taken(triangle_of(corner)),
+                is_free: !scene.is_claimed(triangle_of(corner)),
             }
         }));
         self.starts.clear();
-        if n * length > MOST_STEPS {
-            self.find_far_starts(n, length);
+        if n * length > MAX_STEPS {
+            self.find_starts_by_prefix_sums(n, length);
             return;
         }
         'starts: for start in 0..n {
@@ -116,7 +117,7 @@ impl ChainCuts {
                 let is_free = self.spokes[at].is_free;
                 at = if at + 1 == n { 0 } else { at + 1 };
                 let spoke = self.spokes[at];
-                // What is inside the run leaves the vertex: it counts twice, and is no boundary.
+                // Inner edges move to the new vertex: they count twice and must not be boundaries.
                 if !is_free || (left > 0 && spoke.is_virtual) {
                     continue 'starts;
                 }
@@ -126,17 +127,17 @@ impl ChainCuts {
         }
     }
 
-    /// The start with the longest edges of those that are left, which are perhaps in order.
-    fn next_start(&mut self, in_order: bool) -> Option<u32> {
-        if in_order {
+    /// Removes and returns the start with the highest score; `is_sorted` says whether the list is sorted.
+    fn next_start(&mut self, is_sorted: bool) -> Option<u32> {
+        if is_sorted {
             return self.starts.pop().map(|(_, start)| start);
         }
         let best = (0..self.starts.len()).max_by_key(|&at| self.starts[at])?;
         Some(self.starts.swap_remove(best).1)
     }
 
-    /// The same where runs are so long, or so many, that each had better be the difference of two sums.
-    fn find_far_starts(&mut self, n: usize, length: usize) {
+    /// Does the work of `find_starts` by prefix sums, for rings and runs with many triangles.
+    fn find_starts_by_prefix_sums(&mut self, n: usize, length: usize) {
         let mut sums = Vec::with_capacity(2 * n + 1);
         let mut sum = (0i64, 0u32, 0u32);
         sums.push(sum);

@@ -1,30 +1,30 @@
-//! Whether a vertex splits: many small contexts, mixed.
+//! [`FlagModel`]: codes whether a vertex splits, by mixing the predictions of many small contexts.
 
 use crate::entropy::{AdaptiveBit, Coder, Mixer, Rate, Refiner, log_odds};
 
-/// Contexts are below this.
+/// Number of values of each context.
 const CONTEXT_SIZE: usize = 1024;
-/// Sets of weights, and contexts of what is refined in the end.
+/// Number of weight sets of the mixer, and of contexts of the final refinement.
 const WEIGHT_SETS: usize = 32;
-const REFINED_SETS: usize = 64;
-/// One in weights of a mixer.
+const REFINER_CONTEXTS: usize = 64;
+/// The weight 1 of a mixer.
 const WEIGHT_ONE: i32 = 1 << 16;
-/// Log-odds that are given stay within this.
-const LOG_ODDS_REACH: i32 = 2047;
+/// Limit on the magnitude of the additional log-odds.
+const LOG_ODDS_LIMIT: i32 = 2047;
 
-/// What is known when a flag is asked for.
-pub(super) struct Question<const N: usize> {
-    /// Contexts, the last one unused.
+/// What is known when a flag is coded.
+pub(super) struct FlagContext<const N: usize> {
+    /// Values of the contexts; the last one is unused.
     pub(super) contexts: [usize; N],
-    /// What else there is to say, in its place.
+    /// An additional prediction, mixed in place of the last context.
     pub(super) log_odds: i32,
-    /// Which weights mix the opinions, below 32.
-    pub(super) weights: usize,
-    /// In which context the result is refined, below 64.
-    pub(super) refined: usize,
+    /// Weight set of the mixer, below 32.
+    pub(super) weight_set: usize,
+    /// Context in which the mixed result is refined, below 64.
+    pub(super) refiner_context: usize,
 }
 
-/// Mixes the opinions of `N - 1` contexts and one more.
+/// Mixes the predictions of `N - 1` contexts and an additional one.
 #[derive(Clone, Debug)]
 pub(super) struct FlagModel<const N: usize> {
     bits: Vec<AdaptiveBit>,
@@ -33,32 +33,32 @@ pub(super) struct FlagModel<const N: usize> {
 }
 
 impl<const N: usize> FlagModel<N> {
-    /// Nothing learned.
+    /// Creates an untrained model.
     pub(super) fn new() -> Self {
         let mut first = [3 * WEIGHT_ONE / N as i32; N];
         first[N - 1] = 0;
         Self {
             bits: vec![AdaptiveBit::new(Rate::Steady); (N - 1) * CONTEXT_SIZE],
             mixer: Mixer::new(WEIGHT_SETS, first),
-            refiner: Refiner::new(REFINED_SETS),
+            refiner: Refiner::new(REFINER_CONTEXTS),
         }
     }
 
-    /// Codes the flag, and learns.
+    /// Codes a flag and learns it.
     #[inline]
-    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, question: &Question<N>, actual: bool) -> bool {
+    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, context: &FlagContext<N>, actual: bool) -> bool {
         let mut inputs = [0; N];
         let tables = self.bits.chunks_exact(CONTEXT_SIZE);
-        for ((input, table), &context) in inputs.iter_mut().zip(tables).zip(&question.contexts) {
+        for ((input, table), &context) in inputs.iter_mut().zip(tables).zip(&context.contexts) {
             *input = log_odds(table[context].p_one());
         }
-        inputs[N - 1] = question.log_odds.clamp(-LOG_ODDS_REACH, LOG_ODDS_REACH);
-        let mixed = self.mixer.mix(&inputs, question.weights);
-        let p_one = self.refiner.refine(mixed, question.refined);
+        inputs[N - 1] = context.log_odds.clamp(-LOG_ODDS_LIMIT, LOG_ODDS_LIMIT);
+        let mixed = self.mixer.mix(&inputs, context.weight_set);
+        let p_one = self.refiner.refine(mixed, context.refiner_context);
         let flag = coder.bit(actual, p_one);
         self.mixer.update(flag);
         self.refiner.update(flag);
-        for (table, &context) in self.bits.chunks_exact_mut(CONTEXT_SIZE).zip(&question.contexts) {
+        for (table, &context) in self.bits.chunks_exact_mut(CONTEXT_SIZE).zip(&context.contexts) {
             table[context].update(flag);
         }
         flag

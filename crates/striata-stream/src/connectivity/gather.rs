@@ -1,53 +1,58 @@
-//! Who is around a vertex, what has become of them, and where they are.
+//! Gathers the ring of a vertex: its neighbors, their state and history, and their positions.
 
-use super::memory::Memory;
 use super::ring::{Ring, Spoke, mean};
 use super::scene::Scene;
+use super::vertex_history::VertexHistories;
 use crate::refine::walk::Fate;
 use crate::topology::surface::{next, triangle_of};
 
 impl Ring {
-    /// Looks who is around a vertex, and where: all that has to be waited for, in one go.
-    pub(super) fn gather(&mut self, scene: &Scene<'_>, memory: &Memory, (vertex, corners): (u32, &[u32])) {
+    /// Gathers the ring of a vertex. All accesses to scattered memory are made here, in one pass.
+    pub(super) fn gather(
+        &mut self,
+        scene: &Scene<'_>,
+        history: &VertexHistories,
+        (vertex, corners): (u32, &[u32]),
+    ) {
         let here = scene.places[vertex as usize];
-        self.reach = 0;
+        self.magnitudes = 0;
         self.spokes.clear();
-        self.fates = [0; 4];
+        self.states = [0; 4];
         self.young = 0;
         self.free = 0;
         let mut density = 0;
         for &corner in corners {
             let vertex = scene.surface.vertex(next(corner));
-            let is_taken = scene.is_taken(triangle_of(corner));
-            self.free += usize::from(!is_taken);
-            let mut spoke = Spoke { vertex, is_taken, ..Spoke::default() };
+            let is_claimed = scene.is_claimed(triangle_of(corner));
+            self.free += usize::from(!is_claimed);
+            let mut spoke = Spoke { vertex, is_claimed, ..Spoke::default() };
             if scene.surface.is_virtual(vertex) {
-                (spoke.is_virtual, spoke.fate, spoke.age, spoke.valence) = (true, 1, 3, 9);
+                (spoke.is_virtual, spoke.state, spoke.age, spoke.valence) = (true, 1, 3, 9);
             } else {
-                let fate = scene.walk.fate(vertex);
-                let trace = memory.trace(vertex);
-                spoke.fate = match fate {
+                let state = scene.walk.fate(vertex);
+                let vertex_history = history.of(vertex);
+                spoke.state = match state {
                     Fate::Open => 0,
                     Fate::Stays => 1,
                     Fate::Splits => 2,
                     Fate::New => 3,
                 };
-                spoke.age = memory.age(vertex);
-                spoke.valence = trace.valence;
-                // Vertices made in this stretch have no place yet, and are not met.
+                spoke.age = history.age(vertex);
+                spoke.valence = vertex_history.valence;
+                // Vertices created in this stretch have no coordinates yet, but do not occur in its rings.
                 let place = scene.places.get(vertex as usize).copied().unwrap_or(here);
                 spoke.step = std::array::from_fn(|a| place[a].wrapping_sub(here[a]));
-                self.reach |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());
-                self.fates[usize::from(spoke.fate & 3)] += 1;
+                self.magnitudes |= spoke.step.iter().fold(0, |m, s| m | s.unsigned_abs());
+                self.states[usize::from(spoke.state & 3)] += 1;
                 self.young += usize::from(spoke.age == 1);
-                if matches!(fate, Fate::Stays | Fate::Splits) {
-                    density += i64::from(trace.density);
+                if matches!(state, Fate::Stays | Fate::Splits) {
+                    density += i64::from(vertex_history.density);
                 }
             }
             self.spokes.push(spoke);
         }
-        let asked = self.fates[1] + self.fates[2];
-        self.density = if asked == 0 { memory.share() } else { mean(density, asked) };
+        let visited_count = self.states[1] + self.states[2];
+        self.density = if visited_count == 0 { history.split_share() } else { mean(density, visited_count) };
         self.free_run = self.longest_free_run();
     }
 
@@ -57,7 +62,7 @@ impl Ring {
         }
         let (mut longest, mut run, mut first) = (0, 0, None);
         for spoke in &self.spokes {
-            if spoke.is_taken {
+            if spoke.is_claimed {
                 longest = longest.max(run);
                 first = first.or(Some(run));
                 run = 0;
@@ -65,7 +70,7 @@ impl Ring {
                 run += 1;
             }
         }
-        // The last run goes on in the first.
+        // The last run continues in the first one.
         longest.max(run + first.unwrap_or(0))
     }
 }

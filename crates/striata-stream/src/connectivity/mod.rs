@@ -1,121 +1,127 @@
-//! Which vertices split, and which triangles go to the new vertex.
+//! Connectivity of splits: which vertices split, and which triangles move to the new vertex.
 //!
-//! Whether a vertex splits is mixed from many small contexts: what became of its neighbors in this batch and the last ones,
-//! how many of its triangles are left, how long its edges are and how bent it is against the others. Which run of its triangles
-//! goes to the new vertex is chosen among all that can, by a log-linear model that learns as it goes. Where
-//! time matters more, a vertex that does not split is told by what is remembered of it; for the smallest streams its ring is
-//! looked at and its runs are scored, since a vertex that can split well is likely to.
+//! Whether a vertex splits is predicted by mixing many small contexts: whether its neighbors split in this
+//! batch and the previous ones, how many of its triangles are still free, and how long its edges and how
+//! curved its surroundings are compared with the average. Which run of its triangles moves to the new
+//! vertex is chosen among all possible runs by a log-linear model that learns online. If speed matters,
+//! flags depend only on the history stored with a vertex. For the smallest streams, the ring is examined
+//! and its runs are scored first, since a vertex that can split well is likely to.
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `memory.rs` | [`Memory`]: what is kept with a vertex from batch to batch |
-//! | `quick.rs` | [`quick::QuickModel`]: flags and cuts where time matters most |
-//! | `chain_cuts.rs` | cuts as chains of decisions |
-//! | `quick_cuts.rs` | cuts as two symbols |
-//! | `scene.rs` | [`Scene`]: what both sides know when a vertex is asked |
-//! | `ring.rs` | [`Ring`]: what is measured around a vertex |
-//! | `gather.rs` | who is around it |
-//! | `patch.rs` | what is seen of a run of triangles as a whole |
-//! | `cuts.rs` | [`CutModel`]: scores of runs, and how they are learned |
-//! | `learned.rs` | [`LearnedCuts`]: the same in less time, for effort default of the second version |
+//! | `vertex_history.rs` | [`VertexHistories`]: what is stored with each vertex from batch to batch |
+//! | `quick.rs` | [`quick::QuickModel`]: flags and cuts for the fast and default efforts |
+//! | `chain_cuts.rs` | cuts as sequences of binary decisions |
+//! | `ranked_cuts.rs` | cuts as two symbols, by rank |
+//! | `scene.rs` | [`Scene`]: what both sides know when a vertex is coded |
+//! | `ring.rs` | [`Ring`]: measures of a vertex's ring |
+//! | `gather.rs` | gathers a ring from surface, walk and history |
+//! | `patch.rs` | features of a run of triangles as a whole |
+//! | `cut_model.rs` | [`CutModel`]: scores of runs, and how they are learned |
+//! | `learned_cuts.rs` | a faster form of that model, for the default effort from version 2 on |
 //! | `softmax.rs` | from scores to probabilities to decisions |
-//! | `flags.rs` | [`FlagModel`]: contexts, mixed |
+//! | `flags.rs` | [`FlagModel`]: mixes the contexts of a flag |
 //!
-//! All models hold integers, and look only at what has been decoded.
+//! All models use integers only, and depend only on what has been decoded.
 
 mod chain_cuts;
-mod cuts;
+mod cut_model;
 mod flags;
 mod gather;
-mod learned;
-mod memory;
+mod learned_cuts;
 mod patch;
 pub(crate) mod quick;
-mod quick_cuts;
+mod ranked_cuts;
 mod ring;
 mod scene;
 mod softmax;
+mod vertex_history;
 
 #[cfg(test)]
 mod tests;
 
-use cuts::{CutModel, LONGEST};
-use flags::{FlagModel, Question};
+use cut_model::{CutModel, MAX_RUN};
+use flags::{FlagContext, FlagModel};
 
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 use crate::format::form::Effort;
 use crate::topology::surface::{Cut, Surface, next, triangle_of};
-use memory::{Memory, Trace};
 use ring::Ring;
 pub(crate) use scene::Scene;
+use vertex_history::{VertexHistories, VertexHistory};
 
-/// Contexts of flags that are read off what is remembered, and off the ring; one more input is no context.
-const REMEMBERED: usize = 7;
-const SEEN: usize = 9;
+/// Number of mixer inputs for flags coded from the history, and from the ring; the last input is not a
+/// context.
+const HISTORY_INPUTS: usize = 7;
+const RING_INPUTS: usize = 9;
 
-/// Contexts of whether a vertex is worth a look, and the probability, in 1/65536, of a split below which it is not.
-const GATES: usize = 8 * 8 * 4 * 4 * 4;
-const HARDLY: u32 = 1500;
+/// Number of contexts of the prefilter, and the probability of a split, in 1/65536, below which a ring is
+/// not examined.
+const PREFILTER_CONTEXTS: usize = 8 * 8 * 4 * 4 * 4;
+const MIN_PROBABILITY: u32 = 1500;
 
-/// Adaptive models of flags and cuts.
+/// Adaptive models of flags and cuts that examine rings.
 #[derive(Clone, Debug)]
 pub(super) struct ConnectivityModel {
-    /// Every ring is looked at, and runs are judged as wholes.
+    /// Whether every ring is examined before its flag is coded, and runs are scored by whole-run features
+    /// too.
     is_thorough: bool,
-    memory: Memory,
+    history: VertexHistories,
     ring: Ring,
     cuts: CutModel,
-    remembered: FlagModel<REMEMBERED>,
-    seen: FlagModel<SEEN>,
-    gates: Vec<AdaptiveBit>,
+    history_flags: FlagModel<HISTORY_INPUTS>,
+    ring_flags: FlagModel<RING_INPUTS>,
+    prefilter: Vec<AdaptiveBit>,
     is_long: AdaptiveBit,
-    /// Mean length and height around vertices that were asked, on the scale of what is looked at.
+    /// Running means of length and height around visited vertices, in the scale of whichever flag model is
+    /// in use.
     length: i32,
     height: i32,
-    /// Whether the last vertices split, a bit each.
-    history: usize,
+    /// Flags of the last visited vertices, one bit each.
+    recent_flags: usize,
 }
 
 impl ConnectivityModel {
     pub(super) fn new(effort: Effort) -> Self {
         Self {
             is_thorough: effort == Effort::Small,
-            memory: Memory::default(),
+            history: VertexHistories::default(),
             ring: Ring::default(),
             cuts: CutModel::new(),
-            remembered: FlagModel::new(),
-            seen: FlagModel::new(),
-            gates: vec![AdaptiveBit::new(Rate::Steady); GATES],
+            history_flags: FlagModel::new(),
+            ring_flags: FlagModel::new(),
+            prefilter: vec![AdaptiveBit::new(Rate::Steady); PREFILTER_CONTEXTS],
             is_long: AdaptiveBit::new(Rate::Steady),
             length: 0,
             height: 0,
-            history: 0,
+            recent_flags: 0,
         }
     }
 
-    /// A batch begins; all vertices have places.
+    /// Starts a batch; all vertices have coordinates.
     pub(super) fn begin_batch(&mut self, surface: &Surface) {
-        self.memory.begin_batch(surface);
+        self.history.begin_batch(surface);
     }
 
-    /// Makes room for so many vertices in all.
+    /// Reserves memory for `vertex_count` vertices in total.
     pub(super) fn reserve(&mut self, vertex_count: usize) {
-        self.memory.reserve(vertex_count);
+        self.history.reserve(vertex_count);
     }
 
-    /// The surface has been built anew between two batches: here is the old number of each vertex, or
-    /// [`NONE`](crate::topology::surface::NONE).
+    /// Renumbers what is stored per vertex after the surface has been rebuilt; gives the old index of each
+    /// vertex, or [`NONE`](crate::topology::surface::NONE) for new ones.
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
-        self.memory.renumber(old_of_new);
+        self.history.renumber(old_of_new);
     }
 
-    /// Whether every ring is looked at: then [`code`](Self::code) tells all of a vertex at once; else flags come first,
-    /// by [`flag`](Self::flag), and [`cut`](Self::cut) tells how those vertices split.
+    /// Whether rings are examined before flags are coded. If so, [`code`](Self::code) codes flag and cut of
+    /// a vertex together; otherwise, flags come first, by [`flag`](Self::flag), and [`cut`](Self::cut)
+    /// codes the cuts later.
     pub(super) fn is_thorough(&self) -> bool {
         self.is_thorough
     }
 
-    /// Codes whether a vertex splits, and how; `corners` are those around it, counter-clockwise.
+    /// Codes whether a vertex splits, and its cut if so; `corners` are those around it, counter-clockwise.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -123,40 +129,44 @@ impl ConnectivityModel {
         (vertex, corners): (u32, &[u32]),
         actual: Option<Cut>,
     ) -> Option<Cut> {
-        let trace = self.memory.trace(vertex);
-        let gate = self.gate_of(vertex, trace);
-        let p_one = self.gates[gate].p_one();
-        if p_one < HARDLY {
-            // Not worth a look.
+        let vertex_history = self.history.of(vertex);
+        let filter = self.prefilter_context(vertex, vertex_history);
+        let p_one = self.prefilter[filter].p_one();
+        if p_one < MIN_PROBABILITY {
+            // Too unlikely to split: the flag is coded without examining the ring.
             let splits = coder.bit(actual.is_some(), p_one);
-            self.gates[gate].update(splits);
-            self.history = self.history << 1 | usize::from(splits);
-            self.memory.settle(vertex, i32::from(trace.density), splits);
+            self.prefilter[filter].update(splits);
+            self.recent_flags = self.recent_flags << 1 | usize::from(splits);
+            self.history.record_flag(vertex, i32::from(vertex_history.density), splits);
             return if splits { self.cut(coder, scene, (vertex, corners), actual) } else { None };
         }
-        self.look(scene, vertex, corners, trace);
-        let splits = self.cuts.run_count() > 0 && self.flag_seen(coder, vertex, trace, actual.is_some());
-        self.gates[gate].update(splits);
-        self.memory.settle(vertex, self.ring.density, splits);
-        splits.then(|| self.told(coder, scene, (vertex, corners), actual)).flatten()
+        self.examine(scene, vertex, corners, vertex_history);
+        let splits = self.cuts.run_count() > 0
+            && self.code_flag_from_ring(coder, vertex, vertex_history, actual.is_some());
+        self.prefilter[filter].update(splits);
+        self.history.record_flag(vertex, self.ring.density, splits);
+        splits.then(|| self.code_examined_cut(coder, scene, (vertex, corners), actual)).flatten()
     }
 
-    /// Codes whether a vertex splits by what is remembered of it.
+    /// Codes whether a vertex splits from its history.
     pub(super) fn flag<C: Coder>(&mut self, coder: &mut C, vertex: u32, actual: bool) -> bool {
-        let trace = self.memory.trace(vertex);
-        let splits = self.flag_remembered(coder, vertex, trace, actual);
-        self.memory.settle(vertex, i32::from(trace.density), splits);
+        let vertex_history = self.history.of(vertex);
+        let splits = self.code_flag_from_history(coder, vertex, vertex_history, actual);
+        self.history.record_flag(vertex, i32::from(vertex_history.density), splits);
         splits
     }
 
-    /// The context of whether a vertex is worth a look.
-    fn gate_of(&self, vertex: u32, trace: Trace) -> usize {
-        let [free, splits, rest] = [trace.free.min(7), trace.splits.min(3), trace.rest].map(usize::from);
-        let age = usize::from(self.memory.age(vertex));
-        (((usize::from(trace.density >> 5) * 8 + free) * 4 + splits) * 4 + rest) * 4 + age
+    /// Returns the prefilter context of a vertex.
+    fn prefilter_context(&self, vertex: u32, vertex_history: VertexHistory) -> usize {
+        let [free, splits, since_split] =
+            [vertex_history.free.min(7), vertex_history.neighbor_splits.min(3), vertex_history.since_split]
+                .map(usize::from);
+        let age = usize::from(self.history.age(vertex));
+        (((usize::from(vertex_history.density >> 5) * 8 + free) * 4 + splits) * 4 + since_split) * 4 + age
     }
 
-    /// Codes how a vertex splits that is said to; none where a damaged stream says so of one that cannot.
+    /// Codes the cut of a vertex whose flag is set; returns `None` if a damaged stream sets it for one that
+    /// cannot split.
     pub(super) fn cut<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -164,35 +174,35 @@ impl ConnectivityModel {
         (vertex, corners): (u32, &[u32]),
         actual: Option<Cut>,
     ) -> Option<Cut> {
-        self.look(scene, vertex, corners, self.memory.trace(vertex));
-        self.told(coder, scene, (vertex, corners), actual)
+        self.examine(scene, vertex, corners, self.history.of(vertex));
+        self.code_examined_cut(coder, scene, (vertex, corners), actual)
     }
 
-    /// Codes how a vertex splits that has been looked at.
-    fn told<C: Coder>(
+    /// Codes the cut of a vertex whose ring has been examined.
+    fn code_examined_cut<C: Coder>(
         &mut self,
         coder: &mut C,
         scene: &Scene<'_>,
         (vertex, corners): (u32, &[u32]),
         actual: Option<Cut>,
     ) -> Option<Cut> {
-        let (first, length) = self.run(coder, scene, corners, actual)?;
+        let (first, length) = self.code_run(coder, scene, corners, actual)?;
         let cut = Cut { first: corners[first], length: length as u32 };
-        self.memory.split(vertex, &self.ring, (first, length));
+        self.history.record_split(vertex, &self.ring, (first, length));
         Some(cut)
     }
 
-    /// Looks around a vertex and scores its runs.
-    fn look(&mut self, scene: &Scene<'_>, vertex: u32, corners: &[u32], trace: Trace) {
-        self.ring.gather(scene, &self.memory, (vertex, corners));
+    /// Gathers and measures the ring of a vertex, and scores its runs.
+    fn examine(&mut self, scene: &Scene<'_>, vertex: u32, corners: &[u32], vertex_history: VertexHistory) {
+        self.ring.gather(scene, &self.history, (vertex, corners));
         if self.ring.free > 0 {
             self.ring.measure();
         }
-        self.cuts.score(&self.ring, trace.valence.into(), scene.max_patch as usize);
+        self.cuts.score(&self.ring, vertex_history.valence.into(), scene.max_patch as usize);
     }
 
-    /// Codes the first corner, by index, and the length of a cut; a reader of a damaged stream may find none.
-    fn run<C: Coder>(
+    /// Codes a cut as the index of its first corner and its length; returns `None` only for a damaged stream.
+    fn code_run<C: Coder>(
         &mut self,
         coder: &mut C,
         scene: &Scene<'_>,
@@ -204,55 +214,67 @@ impl ConnectivityModel {
             debug_assert!(first.is_some(), "a cut begins with a corner of its vertex");
             (first.unwrap_or(0), cut.length as usize)
         });
-        let may_be_long = (scene.max_patch as usize).min(corners.len().saturating_sub(1)) > LONGEST;
-        if may_be_long && self.is_long.code(coder, actual.is_some_and(|(_, length)| length > LONGEST)) {
-            return long_run(coder, scene, corners, actual.unwrap_or((0, 0)));
+        let can_be_long = (scene.max_patch as usize).min(corners.len().saturating_sub(1)) > MAX_RUN;
+        if can_be_long && self.is_long.code(coder, actual.is_some_and(|(_, length)| length > MAX_RUN)) {
+            return code_long_run(coder, scene, corners, actual.unwrap_or((0, 0)));
         }
         (self.cuts.run_count() > 0).then(|| self.cuts.code(coder, &self.ring, actual, self.is_thorough))
     }
 
-    /// Codes whether a vertex splits by what is remembered of it.
-    fn flag_remembered<C: Coder>(&mut self, coder: &mut C, vertex: u32, trace: Trace, actual: bool) -> bool {
-        let [valence, free, splits, last_splits, rest] = [
-            trace.valence.min(15),
-            trace.free.min(7),
-            trace.splits.min(7),
-            trace.last_splits.min(7),
-            trace.rest,
+    /// Codes whether a vertex splits from its history.
+    fn code_flag_from_history<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        vertex: u32,
+        vertex_history: VertexHistory,
+        actual: bool,
+    ) -> bool {
+        let [valence, free, splits, last_splits, since_split] = [
+            vertex_history.valence.min(15),
+            vertex_history.free.min(7),
+            vertex_history.neighbor_splits.min(7),
+            vertex_history.last_neighbor_splits.min(7),
+            vertex_history.since_split,
         ]
         .map(usize::from);
-        let age = usize::from(self.memory.age(vertex));
-        let around = usize::from(trace.density >> 4);
-        let [length, height] = [trace.length, trace.height].map(i32::from);
+        let age = usize::from(self.history.age(vertex));
+        let around = usize::from(vertex_history.density >> 4);
+        let [length, height] = [vertex_history.length, vertex_history.height].map(i32::from);
         let length_step = ((length - (self.length >> 8)) / 4 + 16).clamp(0, 31) as usize;
         let height_step = ((height - (self.height >> 8)) / 10 + 16).clamp(0, 31) as usize;
         self.length += ((length << 8) - self.length) >> 7;
         self.height += ((height << 8) - self.height) >> 7;
-        let question = Question {
+        let context = FlagContext {
             contexts: [
                 valence * 64 + free * 8 + splits,
                 around * 64 + last_splits * 8 + splits,
-                age * 256 + rest * 64 + last_splits * 8 + free,
+                age * 256 + since_split * 64 + last_splits * 8 + free,
                 length_step * 32 + height_step,
                 length_step * 32 + valence.min(7) * 4 + splits.min(3),
-                (self.history & 31) * 32 + free * 4 + age,
+                (self.recent_flags & 31) * 32 + free * 4 + age,
                 0,
             ],
             log_odds: 256,
-            weights: free * 4 + splits.min(3),
-            refined: around * 4 + age,
+            weight_set: free * 4 + splits.min(3),
+            refiner_context: around * 4 + age,
         };
-        let does = self.remembered.code(coder, &question, actual);
-        self.history = self.history << 1 | usize::from(does);
-        does
+        let splits_now = self.history_flags.code(coder, &context, actual);
+        self.recent_flags = self.recent_flags << 1 | usize::from(splits_now);
+        splits_now
     }
 
-    /// Codes whether a vertex splits by what is seen around it.
-    fn flag_seen<C: Coder>(&mut self, coder: &mut C, vertex: u32, trace: Trace, actual: bool) -> bool {
+    /// Codes whether a vertex splits from its ring.
+    fn code_flag_from_ring<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        vertex: u32,
+        vertex_history: VertexHistory,
+        actual: bool,
+    ) -> bool {
         let ring = &self.ring;
         let n = ring.spokes.len();
-        let taken = n - ring.free;
-        let [open, stays, splits, _] = ring.fates;
+        let claimed = n - ring.free;
+        let [open, stays, splits, _] = ring.states;
         let log_sum = self.cuts.log_sum();
         let sum_step = ((log_sum >> 6) + 32).clamp(0, 63) as usize;
         let length_step = ((ring.grid_length() - self.length) / 48 + 16).clamp(0, 31) as usize;
@@ -261,31 +283,34 @@ impl ConnectivityModel {
         self.height += (ring.height - self.height) >> 7;
         let around = (ring.density >> 4).clamp(0, 15) as usize;
         let run = ring.free_run.min(7);
-        let age = usize::from(self.memory.age(vertex));
-        let question = Question {
+        let age = usize::from(self.history.age(vertex));
+        let context = FlagContext {
             contexts: [
-                n.min(15) * 64 + taken.min(7) * 8 + run,
+                n.min(15) * 64 + claimed.min(7) * 8 + run,
                 splits.min(4) * 64 + stays.min(7) * 8 + open.min(7),
                 length_step * 16 + around,
                 height_step * 16 + around,
-                age * 128 + usize::from(trace.rest) * 32 + ring.young.min(7) * 4 + splits.min(3),
+                age * 128
+                    + usize::from(vertex_history.since_split) * 32
+                    + ring.young.min(7) * 4
+                    + splits.min(3),
                 sum_step * 16 + around,
                 length_step * 32 + height_step,
-                (self.history & 31) * 8 + run,
+                (self.recent_flags & 31) * 8 + run,
                 0,
             ],
             log_odds: log_sum,
-            weights: run * 4 + splits.min(3),
-            refined: around * 4 + taken.min(3),
+            weight_set: run * 4 + splits.min(3),
+            refiner_context: around * 4 + claimed.min(3),
         };
-        let does = self.seen.code(coder, &question, actual);
-        self.history = self.history << 1 | usize::from(does);
-        does
+        let splits_now = self.ring_flags.code(coder, &context, actual);
+        self.recent_flags = self.recent_flags << 1 | usize::from(splits_now);
+        splits_now
     }
 }
 
-/// Codes a run of more triangles than the model of cuts knows: rare, and only where the encoder was given such steps.
-fn long_run<C: Coder>(
+/// Codes a run that is too long for the cut model: rare, and only if the encoder was given such steps.
+fn code_long_run<C: Coder>(
     coder: &mut C,
     scene: &Scene<'_>,
     corners: &[u32],
@@ -295,11 +320,11 @@ fn long_run<C: Coder>(
     let bits = (usize::BITS - n.leading_zeros()).min(24);
     let first = (coder.raw(first as u32, bits) as usize).min(n - 1);
     let length = (coder.raw(length as u32, bits) as usize).min(n - 1).min(scene.max_patch as usize);
-    // A run ends at the latest where the vertex has no free triangle more.
+    // A run ends where the free triangles end.
     let is_free = |k: &usize| {
         let corner = corners[(first + k) % n];
         let is_outside = scene.surface.is_virtual(scene.surface.vertex(next(corner)));
-        !scene.is_taken(triangle_of(corner)) && (*k == 0 || !is_outside)
+        !scene.is_claimed(triangle_of(corner)) && (*k == 0 || !is_outside)
     };
     let length = (0..length).take_while(is_free).count();
     (length > 0).then_some((first, length))

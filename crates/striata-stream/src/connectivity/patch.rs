@@ -1,44 +1,44 @@
-//! What is seen of a run of triangles as a whole.
+//! Features of a run of triangles as a whole.
 
 use super::ring::{Ring, Spoke, cross, dot, dot_wide, log2_wide};
 
-/// As many features of a whole run as are looked at.
+/// Number of features of a run.
 pub(super) const FEATURES: usize = 6;
-/// Values of a feature: 16 for each class of lengths.
+/// Number of values of a feature: 16 for each class of lengths.
 pub(super) const VALUES: usize = 16 * LENGTH_CLASSES;
 const LENGTH_CLASSES: usize = 8;
-/// Values that say: one end is virtual.
-const OPEN: i32 = 15;
-const OPEN_WIDTH: i32 = 31;
+/// Values that mark a run with a virtual end.
+const VIRTUAL_END: i32 = 15;
+const VIRTUAL_END_WIDTH: i32 = 31;
 
-/// A run as it grows.
+/// A run of triangles, extended one by one.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Patch {
     first: usize,
     end: usize,
     length: usize,
-    /// Sum of the steps to the ends of its edges.
+    /// Sum of the edge vectors.
     steps: [i32; 3],
-    /// Sum of their squares.
+    /// Sum of the squared edge lengths.
     squares: u32,
-    /// Sum of its triangles' areas.
+    /// Sum of the area vectors of its triangles.
     normal: [i64; 3],
 }
 
-/// The class of a length, as the beginning of its values.
+/// Returns the first value of a length's class.
 #[inline]
 pub(super) fn class_of(length: usize) -> usize {
     length.min(LENGTH_CLASSES - 1) * 16
 }
 
 impl Patch {
-    /// A run of no triangles yet.
+    /// Creates a run without triangles that starts at edge `first`.
     pub(super) fn begin(ring: &Ring, first: usize) -> Self {
         let step = ring.spokes[first].step;
         Self { first, end: first, length: 0, steps: step, squares: dot(step, step) as u32, normal: [0; 3] }
     }
 
-    /// Takes in the next triangle.
+    /// Extends the run by the next triangle.
     pub(super) fn grow(&mut self, ring: &Ring) {
         let last = &ring.spokes[self.end];
         self.end = if self.end + 1 < ring.spokes.len() { self.end + 1 } else { 0 };
@@ -49,11 +49,13 @@ impl Patch {
         self.squares = self.squares.saturating_add(dot(step, step) as u32);
     }
 
-    /// What is seen of it, each below [`VALUES`]; `whole` is the sum of the areas of all triangles around the vertex.
+    /// Returns the features, each below [`VALUES`]; `whole` is the sum of the area vectors of all triangles
+    /// around the vertex.
     pub(super) fn features(&self, ring: &Ring, whole: [i64; 3]) -> [usize; FEATURES] {
         let class = class_of(self.length);
         let size_log = log2_wide(self.length as u64 + 2);
-        let (mut center, mut distance, mut width, mut nearer) = (OPEN, OPEN, OPEN_WIDTH, OPEN);
+        let (mut center, mut distance, mut width, mut nearer_count) =
+            (VIRTUAL_END, VIRTUAL_END, VIRTUAL_END_WIDTH, VIRTUAL_END);
         let [first, end] = [self.first, self.end].map(|i| &ring.spokes[i]);
         if !first.is_virtual && !end.is_virtual {
             let steps = self.steps.map(i64::from);
@@ -61,21 +63,22 @@ impl Patch {
             center = ((square - size_log - log2_wide(self.squares.into()) + 15 * 64) >> 6).clamp(0, 14);
             distance = ((square - 2 * size_log - ring.length + 10 * 96) / 96).clamp(0, 14);
             width = self.width(first, end);
-            nearer = self.nearer(ring);
+            nearer_count = self.nearer_count(ring);
         }
         let n = ring.spokes.len();
-        let left = (n + 2 - self.length).clamp(3, 6) - 3;
+        let remaining = (n + 2 - self.length).clamp(3, 6) - 3;
         [
             class + center as usize,
             class + self.share(n, whole, size_log) as usize,
             class + distance as usize,
-            left * 32 + width as usize,
-            class + nearer as usize,
-            self.owners(ring),
+            remaining * 32 + width as usize,
+            class + nearer_count as usize,
+            self.other_claims(ring),
         ]
     }
 
-    /// The area that each of the new triangles will have, against those that stay.
+    /// Returns the class of the mean area of the new vertex's triangles relative to that of the remaining
+    /// ones.
     fn share(&self, n: usize, whole: [i64; 3], size_log: i32) -> i32 {
         let rest: [i64; 3] = std::array::from_fn(|a| whole[a] - self.normal[a]);
         let outside = (n - self.length.min(n - 1)) as u64;
@@ -85,8 +88,8 @@ impl Patch {
         ((share + 8 * 96) / 96).clamp(0, 15)
     }
 
-    /// How many of the vertices around the new one are nearer to their middle than the one that splits.
-    fn nearer(&self, ring: &Ring) -> i32 {
+    /// Returns how many of the run's edge ends are closer to their mean than to the split vertex.
+    fn nearer_count(&self, ring: &Ring) -> i32 {
         let (n, size) = (ring.spokes.len(), self.length as i64 + 2);
         let steps = self.steps.map(i64::from);
         // |size e - sum|^2 < |sum|^2, divided by size.
@@ -96,7 +99,7 @@ impl Patch {
         edges.filter(|&step| is_nearer(step)).count() as i32
     }
 
-    /// The angle between the end edges, in steps of about 11 degrees, up to 360 degrees.
+    /// Returns the angle between the end edges, in steps of about 11 degrees, up to 360 degrees.
     fn width(&self, first: &Spoke, end: &Spoke) -> i32 {
         const COSINES: [i32; 7] = [-20, -52, -106, -192, -326, -550, -1000];
         let cosine = dot(first.step, end.step);
@@ -107,9 +110,10 @@ impl Patch {
         if dot_wide(self.normal, across) >= 0 { width } else { 30 - width }
     }
 
-    /// How many of the other vertices that might have had a patch of one or two triangles were asked, and had nothing.
-    fn owners(&self, ring: &Ring) -> usize {
-        let stays = |i: usize| usize::from(ring.spokes[i].fate == 1);
+    /// Returns a feature of runs of one or two triangles: how many of the other vertices that could have
+    /// claimed such a patch were visited but do not split.
+    fn other_claims(&self, ring: &Ring) -> usize {
+        let stays = |i: usize| usize::from(ring.spokes[i].state == 1);
         match self.length {
             1 => 1 + stays(self.first) + stays(self.end),
             2 => 4 + stays(if self.end > 0 { self.end - 1 } else { ring.spokes.len() - 1 }),

@@ -1,55 +1,57 @@
-//! What is seen around a vertex that may split: its neighbors and their history, then lengths, angles, areas and bends.
+//! [`Ring`]: the ring of a vertex that may split: its neighbors and their history, and its lengths, angles,
+//! areas and curvature.
 //!
-//! Measures are logarithms to base 2 in 1/256, of squares, since roots and quotients are then free. Steps to neighbors are
-//! shifted down to 13 bits where they are longer, so that products stay small.
+//! Measures are binary logarithms of squares, in 1/256, since roots and quotients then cost nothing.
+//! Vectors to neighbors are shifted down to 13 bits if they are longer, so that products stay small.
 
 use crate::entropy::log2_q8;
 
-/// An edge from the vertex, and the triangle behind it, counter-clockwise.
+/// An edge from the vertex, and the triangle counter-clockwise of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Spoke {
-    /// The other end.
+    /// Far end of the edge.
     pub(super) vertex: u32,
-    /// The other end stands for a boundary loop.
+    /// Whether the far end is virtual, which closes a boundary loop.
     pub(super) is_virtual: bool,
-    /// The triangle cannot go to a new vertex any more.
-    pub(super) is_taken: bool,
-    /// The angle of the triangle is over 90 degrees.
-    pub(super) is_blunt: bool,
-    /// What became of the other end: not asked, stays, splits, new.
-    pub(super) fate: u8,
-    /// Its age in batches, up to 3.
+    /// Whether another split has claimed the triangle.
+    pub(super) is_claimed: bool,
+    /// Whether the triangle's angle at the vertex is obtuse.
+    pub(super) is_obtuse: bool,
+    /// State of the far end in this batch: 0 not visited, 1 stays, 2 splits, 3 new.
+    pub(super) state: u8,
+    /// Age of the far end in batches, up to 3.
     pub(super) age: u8,
-    /// Triangles around it, with all splits that are known.
+    /// Number of triangles around the far end after all splits known so far.
     pub(super) valence: u8,
-    /// To the other end; zeros where that is virtual.
+    /// Vector to the far end; zeros if that is virtual.
     pub(super) step: [i32; 3],
-    /// Twice the area of the triangle as a vector; zeros where the triangle is virtual.
+    /// Area vector of the triangle, twice its area long; zeros if the triangle is virtual.
     pub(super) normal: [i32; 3],
-    /// The length.
+    /// Length of the edge.
     pub(super) length: i32,
     /// Twice the area of the triangle.
     pub(super) area: i32,
-    /// How far the next edge's end lies from the plane of the triangle before this edge.
+    /// Distance of the next edge's far end from the plane of the triangle before this edge: a measure of
+    /// curvature.
     pub(super) height: i32,
-    /// The tangent of the triangle's angle.
+    /// Tangent of the triangle's angle at the vertex.
     pub(super) tangent: i32,
 }
 
-/// A vertex and what is around it.
+/// The ring of a vertex and its measures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ring {
     /// Edges and triangles, counter-clockwise.
     pub(super) spokes: Vec<Spoke>,
-    /// Neighbors by what became of them.
-    pub(super) fates: [usize; 4],
-    /// Neighbors made in the last batch.
+    /// Number of neighbors in each state.
+    pub(super) states: [usize; 4],
+    /// Number of neighbors created in the previous batch.
     pub(super) young: usize,
-    /// Triangles that may go to a new vertex.
+    /// Number of triangles that may move to a new vertex.
     pub(super) free: usize,
-    /// The most of them in a row.
+    /// Maximum number of these in a row.
     pub(super) free_run: usize,
-    /// The share of splits that the neighbors asked before saw, in 1/256.
+    /// Mean of the share of splits around the neighbors that have been visited, in 1/256.
     pub(super) density: i32,
     /// Mean of the lengths.
     pub(super) length: i32,
@@ -57,18 +59,18 @@ pub(super) struct Ring {
     pub(super) area: i32,
     /// Mean of the heights.
     pub(super) height: i32,
-    /// All bits of the steps, as long as they are not shifted.
-    pub(super) reach: u32,
-    /// Bits by which steps were shifted down.
+    /// Bitwise or of the magnitudes of all vector components, before the shift.
+    pub(super) magnitudes: u32,
+    /// Number of bits by which the vectors were shifted down.
     shift: i32,
 }
 
-/// Bits of a step.
+/// Number of bits of a vector's components.
 const STEP_BITS: i32 = 13;
-/// Heights below this are noise of the grid.
-const LEAST_HEIGHT: i32 = -512;
+/// Heights below this are noise from the grid.
+const MIN_HEIGHT: i32 = -512;
 
-/// The logarithm to base 2 in 1/256.
+/// Returns the binary logarithm, in 1/256.
 #[inline]
 pub(super) fn log2_wide(number: u64) -> i32 {
     let spare = (64 - number.leading_zeros()).saturating_sub(32);
@@ -86,7 +88,7 @@ const INVERSES: [i64; 16] = {
     table
 };
 
-/// A sum over a count, rounded down, about; 0 for none.
+/// Returns the mean, approximately rounded down; 0 if `count` is 0.
 #[inline]
 pub(super) fn mean(sum: i64, count: usize) -> i32 {
     match INVERSES.get(count) {
@@ -111,9 +113,9 @@ pub(super) fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
 }
 
 impl Ring {
-    /// Measures what [`gather`](Self::gather) found.
+    /// Measures the ring that [`gather`](Self::gather) has filled in.
     pub(super) fn measure(&mut self) {
-        self.shift = (32 - STEP_BITS - self.reach.leading_zeros() as i32).max(0);
+        self.shift = (32 - STEP_BITS - self.magnitudes.leading_zeros() as i32).max(0);
         if self.shift > 0 {
             let shift = self.shift;
             self.spokes.iter_mut().for_each(|spoke| spoke.step = spoke.step.map(|x| x >> shift));
@@ -126,8 +128,8 @@ impl Ring {
         let n = self.spokes.len();
         let (mut lengths, mut areas, mut edge_count, mut triangle_count) = (0, 0, 0, 0);
         for i in 0..n {
-            let behind = &self.spokes[if i + 1 < n { i + 1 } else { 0 }];
-            let (next_step, is_open) = (behind.step, behind.is_virtual);
+            let after = &self.spokes[if i + 1 < n { i + 1 } else { 0 }];
+            let (next_step, is_open) = (after.step, after.is_virtual);
             let spoke = &mut self.spokes[i];
             if spoke.is_virtual {
                 continue;
@@ -143,7 +145,7 @@ impl Ring {
             spoke.area = log2_wide(dot_wide(normal, normal) as u64);
             let cosine = dot(spoke.step, next_step);
             spoke.tangent = spoke.area - 2 * log2_q8(cosine.unsigned_abs());
-            spoke.is_blunt = cosine < 0;
+            spoke.is_obtuse = cosine < 0;
             areas += i64::from(spoke.area);
             triangle_count += 1;
         }
@@ -156,13 +158,13 @@ impl Ring {
         let (mut heights, mut count) = (0, 0);
         for i in 0..n {
             let before = &self.spokes[if i > 0 { i - 1 } else { n - 1 }];
-            let behind = &self.spokes[if i + 1 < n { i + 1 } else { 0 }];
-            if before.is_virtual || behind.is_virtual || self.spokes[i].is_virtual {
+            let after = &self.spokes[if i + 1 < n { i + 1 } else { 0 }];
+            if before.is_virtual || after.is_virtual || self.spokes[i].is_virtual {
                 continue;
             }
-            let volume = dot_wide(before.normal.map(i64::from), behind.step.map(i64::from));
+            let volume = dot_wide(before.normal.map(i64::from), after.step.map(i64::from));
             let height = 2 * log2_wide(volume.unsigned_abs()) - before.area + 512 * self.shift;
-            let height = height.max(LEAST_HEIGHT);
+            let height = height.max(MIN_HEIGHT);
             heights += i64::from(height);
             count += 1;
             self.spokes[i].height = height;
@@ -170,7 +172,7 @@ impl Ring {
         self.height = mean(heights, count);
     }
 
-    /// The mean length in steps of the grid.
+    /// Returns the mean length in grid units.
     pub(super) fn grid_length(&self) -> i32 {
         self.length + 512 * self.shift
     }
@@ -178,15 +180,15 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
-    use super::super::memory::Memory;
     use super::super::scene::Scene;
     use super::super::tests::surface_of;
+    use super::super::vertex_history::VertexHistories;
     use super::*;
     use crate::refine::walk::{Walk, WalkOrder};
     use crate::topology::surface::triangle_of;
 
     #[test]
-    fn a_flat_hexagon_is_seen_as_one() {
+    fn a_flat_hexagon_has_equal_measures() {
         // Vertex 0 is virtual and closes the hexagon around vertex 1.
         let rim = |i: u32| 2 + i % 6;
         let triangles: Vec<[u32; 3]> =
@@ -198,25 +200,25 @@ mod tests {
             [[0; 3], [70, 80, 90]].into_iter().chain(hexagon.map(|[x, y]| [70 + x, 80 + y, 90])).collect();
         let mut walk = Walk::new(WalkOrder::Near);
         walk.begin(&surface);
-        let mut memory = Memory::default();
-        memory.begin_batch(&surface);
+        let mut history = VertexHistories::default();
+        history.begin_batch(&surface);
         let corners: Vec<u32> = surface.ring(1).collect();
         surface.set_mark(triangle_of(corners[2]), walk.batch());
         let scene = Scene { surface: &surface, places: &places, walk: &walk, max_patch: 5 };
         let mut ring = Ring::default();
-        ring.gather(&scene, &memory, (1, &corners));
+        ring.gather(&scene, &history, (1, &corners));
         ring.measure();
-        assert_eq!((ring.free, ring.free_run, ring.fates), (5, 5, [6, 0, 0, 0]));
-        assert!((ring.height - LEAST_HEIGHT).abs() <= 1);
+        assert_eq!((ring.free, ring.free_run, ring.states), (5, 5, [6, 0, 0, 0]));
+        assert!((ring.height - MIN_HEIGHT).abs() <= 1);
         assert!((ring.grid_length() - 5102).abs() < 4, "{}", ring.grid_length());
         for spoke in &ring.spokes {
             assert!((spoke.length - ring.length).abs() < 4 && (spoke.area - ring.area).abs() < 4);
             // The squared tangent of 60 degrees is 3.
-            assert!((spoke.tangent - 406).abs() < 4 && !spoke.is_blunt && spoke.valence == 4);
+            assert!((spoke.tangent - 406).abs() < 4 && !spoke.is_obtuse && spoke.valence == 4);
         }
-        // From the rim, the hole is no place.
+        // Around a vertex of the rim, the hole counts as virtual.
         let corners: Vec<u32> = surface.ring(2).collect();
-        ring.gather(&scene, &memory, (2, &corners));
+        ring.gather(&scene, &history, (2, &corners));
         ring.measure();
         let open: Vec<_> = ring.spokes.iter().filter(|s| s.is_virtual).collect();
         assert!(open.len() == 1 && open[0].step == [0; 3] && open[0].area == 0);

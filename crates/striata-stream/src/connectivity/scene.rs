@@ -1,25 +1,25 @@
-//! What both sides know when a vertex is asked.
+//! [`Scene`]: what both sides know when the flag or cut of a vertex is coded.
 
 use crate::refine::walk::Walk;
 use crate::topology::surface::Surface;
 
-/// What both sides know when a vertex is asked whether it splits.
+/// What both sides know when the flag or cut of a vertex is coded.
 pub(crate) struct Scene<'a> {
-    /// The surface, with the splits of earlier stretches done. Triangles that no other split of the batch may have are
-    /// marked with the batch.
+    /// The surface after the splits of earlier stretches. Triangles that no other split of the batch may
+    /// move are marked with the batch.
     pub(crate) surface: &'a Surface,
-    /// Grid coordinates of all vertices but virtual ones.
+    /// Grid coordinates of all vertices; meaningless for virtual ones.
     pub(crate) places: &'a [[i32; 3]],
-    /// What has become of other vertices in this batch.
+    /// Which vertices of the batch have been visited, and which of these split.
     pub(crate) walk: &'a Walk,
-    /// Most triangles that a new vertex takes over.
+    /// Maximum number of triangles that move to a new vertex.
     pub(crate) max_patch: u32,
 }
 
 impl Scene<'_> {
-    /// True where a triangle cannot go to a new vertex any more in this batch.
+    /// Whether another split of this batch has claimed a triangle, so that it cannot move any more.
     #[inline]
-    pub(crate) fn is_taken(&self, triangle: u32) -> bool {
+    pub(crate) fn is_claimed(&self, triangle: u32) -> bool {
         self.surface.mark(triangle) == self.walk.batch()
     }
 }

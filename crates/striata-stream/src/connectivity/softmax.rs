@@ -1,18 +1,18 @@
-//! Choosing one of many: weights from scores, and the choice as a chain of decisions.
+//! Softmax: turns scores into probabilities, and codes one of many candidates by these.
 //!
-//! Scores are natural logarithms in 1/65536. Their exponentials come from a table that is made by integer arithmetic
-//! when the library is compiled.
+//! Scores are natural logarithms in 1/65536. Their exponentials come from a table that is computed at
+//! compile time by integer arithmetic.
 
 use crate::entropy::{Coder, Refiner, log_odds, log2_q8};
 
-/// One in scores.
+/// The score 1.
 pub(super) const SCORE_ONE: i32 = 1 << 16;
 
 /// `exp(-1/64)` in 1/2^62.
 const DECAY: u128 = 4_540_188_453_729_421_604;
 const STEPS: usize = 12 * 64;
 
-/// Exponentials of 0 down to -12 in steps of 1/64, in 1/2^20.
+/// Exponentials from 0 down to -12 in steps of 1/64, in 1/2^20.
 static EXPONENTIALS: [u32; STEPS] = {
     let mut table = [0; STEPS];
     let mut decay: u128 = 1 << 62;
@@ -25,14 +25,14 @@ static EXPONENTIALS: [u32; STEPS] = {
     table
 };
 
-/// The exponential of a score below another one by `below`, in 1/2^20; never 0.
+/// Returns the exponential of a score that is lower than the best one by `below`, in 1/2^20; never 0.
 #[inline]
 pub(super) fn exponential(below: i32) -> u32 {
     let at = (below.max(0) >> 10) as usize;
     EXPONENTIALS[at.min(STEPS - 1)]
 }
 
-/// The natural logarithm of a sum of exponentials, in 1/256.
+/// Returns the natural logarithm of a sum of exponentials, in 1/256.
 #[inline]
 pub(super) fn log_sum(sum: u64) -> i32 {
     let spare = (64 - sum.leading_zeros()).saturating_sub(32);
@@ -41,40 +41,40 @@ pub(super) fn log_sum(sum: u64) -> i32 {
     (log2 * 45_426) >> 16
 }
 
-/// How often the likeliest is asked for by itself before the rest is halved.
-const GUESSES: usize = 3;
+/// Maximum number of candidates that are coded one by one, most likely first, before the rest is bisected.
+const MAX_GUESSES: usize = 3;
 
-/// Codes which of several was meant.
+/// Codes one of several candidates.
 #[derive(Clone, Debug)]
-pub(super) struct Choice {
+pub(super) struct ChoiceModel {
     refiner: Refiner,
 }
 
-/// What there is to choose from.
-pub(super) struct Offer<'a> {
-    /// How likely each index is.
+/// The candidates to choose from.
+pub(super) struct Candidates<'a> {
+    /// Weight of each candidate, proportional to its probability.
     pub(super) weights: &'a mut [u32],
-    /// The sum of these.
+    /// Sum of the weights.
     pub(super) total: u64,
-    /// How many of the likeliest are asked for first.
+    /// Number of candidates that are coded one by one.
     pub(super) guesses: usize,
 }
 
-impl Choice {
-    /// Nothing learned.
+impl ChoiceModel {
+    /// Creates an untrained model.
     pub(super) fn new() -> Self {
-        Self { refiner: Refiner::new(GUESSES * 3) }
+        Self { refiner: Refiner::new(MAX_GUESSES * 3) }
     }
 
-    /// Codes an index into weights, which are the same in the end.
+    /// Codes the index of a candidate. The weights are modified temporarily and then restored.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        Offer { weights, total, guesses }: Offer<'_>,
+        Candidates { weights, total, guesses }: Candidates<'_>,
         actual: usize,
     ) -> usize {
         let mut left = total;
-        let mut asked = [(0, 0); GUESSES];
+        let mut tried = [(0, 0); MAX_GUESSES];
         let mut count = 0;
         let mut found = None;
         let size = match weights.len() {
@@ -82,29 +82,29 @@ impl Choice {
             10..20 => 1,
             _ => 2,
         };
-        while count < guesses.min(GUESSES) && count + 1 < weights.len() && found.is_none() {
-            let (best, weight) = likeliest(weights);
-            let p_one = share(u64::from(weight), left);
+        while count < guesses.min(MAX_GUESSES) && count + 1 < weights.len() && found.is_none() {
+            let (best, weight) = most_likely(weights);
+            let p_one = probability(u64::from(weight), left);
             let p_one = self.refiner.refine(log_odds(p_one), count * 3 + size);
-            let is_it = coder.bit(actual == best, p_one);
-            self.refiner.update(is_it);
-            asked[count] = (best, weight);
+            let is_hit = coder.bit(actual == best, p_one);
+            self.refiner.update(is_hit);
+            tried[count] = (best, weight);
             count += 1;
-            if is_it {
+            if is_hit {
                 found = Some(best);
             }
             left -= u64::from(weight);
             weights[best] = 0;
         }
-        let found = found.unwrap_or_else(|| halve(coder, weights, left, actual));
-        for &(at, weight) in &asked[..count] {
+        let found = found.unwrap_or_else(|| bisect(coder, weights, left, actual));
+        for &(at, weight) in &tried[..count] {
             weights[at] = weight;
         }
         found
     }
 }
 
-fn likeliest(weights: &[u32]) -> (usize, u32) {
+fn most_likely(weights: &[u32]) -> (usize, u32) {
     let mut best = (0, 0);
     for (at, &weight) in weights.iter().enumerate() {
         if weight > best.1 {
@@ -114,15 +114,15 @@ fn likeliest(weights: &[u32]) -> (usize, u32) {
     best
 }
 
-/// A part of a whole in 1/65536, never quite none or all of it.
+/// Returns the ratio in 1/65536, kept away from 0 and 1.
 #[inline]
-fn share(part: u64, whole: u64) -> u32 {
-    let share = (part << 16) / whole.max(1);
-    (share as u32).clamp(32, 65536 - 32)
+fn probability(part: u64, whole: u64) -> u32 {
+    let probability = (part << 16) / whole.max(1);
+    (probability as u32).clamp(32, 65536 - 32)
 }
 
-/// Codes an index into weights by halves; indices of no weight are passed over by a reader as well.
-fn halve<C: Coder>(coder: &mut C, weights: &[u32], total: u64, actual: usize) -> usize {
+/// Codes an index by bisection; halves without weight are skipped on both sides.
+fn bisect<C: Coder>(coder: &mut C, weights: &[u32], total: u64, actual: usize) -> usize {
     let (mut low, mut high, mut left) = (0, weights.len(), total);
     while low + 1 < high {
         let middle = low.midpoint(high);
@@ -135,7 +135,7 @@ fn halve<C: Coder>(coder: &mut C, weights: &[u32], total: u64, actual: usize) ->
             }
             continue;
         }
-        if coder.bit(actual >= middle, share(upper, left)) {
+        if coder.bit(actual >= middle, probability(upper, left)) {
             low = middle;
             left = upper;
         } else {
@@ -154,7 +154,7 @@ mod tests {
     use crate::entropy::{RangeReader, RangeWriter};
 
     #[test]
-    fn exponentials_and_logarithms_are_right() {
+    fn exponentials_and_logarithms_are_accurate() {
         for below in (0..11 * SCORE_ONE).step_by(997) {
             let expected = (-f64::from(below >> 10) / 64.0).exp() * f64::from(1 << 20);
             assert!((f64::from(exponential(below)) - expected).abs() < 0.6, "{below}");
@@ -167,10 +167,10 @@ mod tests {
     }
 
     #[test]
-    fn choices_come_back_for_little_more_than_their_information() {
+    fn choices_round_trip_and_cost_little_more_than_their_information() {
         let mut random = Random::new(5);
-        for guesses in 0..=GUESSES {
-            let (mut writer, mut choice) = (RangeWriter::new(), Choice::new());
+        for guesses in 0..=MAX_GUESSES {
+            let (mut writer, mut choice) = (RangeWriter::new(), ChoiceModel::new());
             let (mut message, mut information) = (Vec::new(), 0.0);
             for _ in 0..4000 {
                 let count = 1 + random.below(30);
@@ -187,7 +187,7 @@ mod tests {
                 information -= (f64::from(weights[chosen]) / total as f64).log2();
                 let mut changing = weights.clone();
                 assert_eq!(
-                    choice.code(&mut writer, Offer { weights: &mut changing, total, guesses }, chosen),
+                    choice.code(&mut writer, Candidates { weights: &mut changing, total, guesses }, chosen),
                     chosen
                 );
                 assert_eq!(changing, weights);
@@ -195,10 +195,10 @@ mod tests {
             }
             let bytes = writer.finish().0;
             assert!((bytes.len() as f64 * 8.0) < information * 1.01, "{} for {information}", bytes.len() * 8);
-            let (mut reader, mut choice) = (RangeReader::new(&bytes, true), Choice::new());
+            let (mut reader, mut choice) = (RangeReader::new(&bytes, true), ChoiceModel::new());
             for (mut weights, total, chosen) in message {
                 assert_eq!(
-                    choice.code(&mut reader, Offer { weights: &mut weights, total, guesses }, 0),
+                    choice.code(&mut reader, Candidates { weights: &mut weights, total, guesses }, 0),
                     chosen
                 );
             }

@@ -1,4 +1,4 @@
-//! Splits chosen at random, written and read with the same models.
+//! Random splits, written and read with the same models.
 
 use striata::mesh::{IndexedMesh, Random, shapes};
 
@@ -9,24 +9,25 @@ use crate::topology::surface::{Surface, previous};
 
 const MAX_PATCH: u32 = 15;
 
-/// What the refiner does, with places made up.
-struct World {
+/// A minimal refiner with made-up coordinates.
+struct TestRefiner {
     surface: Surface,
     places: Vec<[i32; 3]>,
     walk: Walk,
     model: ConnectivityModel,
     corners: Vec<u32>,
-    asked: usize,
+    visited_count: usize,
 }
 
-impl World {
+impl TestRefiner {
     fn new(surface: Surface, places: Vec<[i32; 3]>, effort: Effort) -> Self {
         let walk = Walk::new(if effort == Effort::Small { WalkOrder::Near } else { WalkOrder::Numbers });
         let model = ConnectivityModel::new(effort);
-        Self { surface, places, walk, model, corners: Vec::new(), asked: 0 }
+        Self { surface, places, walk, model, corners: Vec::new(), visited_count: 0 }
     }
 
-    /// One batch in which `choose` says who splits; the splits as they came out, done two by two.
+    /// Codes one batch in which `choose` selects the splits. Returns the decoded splits; they are applied
+    /// in pairs.
     fn batch<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -46,16 +47,16 @@ impl World {
             let scene = Scene { surface, places, walk, max_patch: MAX_PATCH };
             let actual = choose(&scene, vertex);
             self.corners = self.surface.ring(vertex).collect();
-            let known = (vertex, self.corners.as_slice());
+            let ring = (vertex, self.corners.as_slice());
             let cut = if self.model.is_thorough() {
-                self.model.code(coder, &scene, known, actual)
+                self.model.code(coder, &scene, ring, actual)
             } else if self.model.flag(coder, vertex, actual.is_some()) {
-                self.model.cut(coder, &scene, known, actual)
+                self.model.cut(coder, &scene, ring, actual)
             } else {
                 None
             };
             self.walk.settle(&self.surface, vertex, &self.corners, cut.is_some());
-            self.asked += 1;
+            self.visited_count += 1;
             for corner in cut.into_iter().flat_map(|cut| run(&self.surface, cut)).collect::<Vec<_>>() {
                 self.surface.set_mark(triangle_of(corner), self.walk.batch());
             }
@@ -69,10 +70,10 @@ impl World {
             let v = self.surface.split(&patch);
             let made = self.surface.triangle_count() as u32;
             (made - 2..made).for_each(|t| self.surface.set_mark(t, self.walk.batch()));
-            // Somewhere between two of its neighbors.
-            let known = |w: &u32| *w < v && !self.surface.is_virtual(*w);
+            // Coordinates between two of its neighbors.
+            let is_known = |w: &u32| *w < v && !self.surface.is_virtual(*w);
             let ring: Vec<u32> =
-                self.surface.ring(v).map(|c| self.surface.vertex(next(c))).filter(known).collect();
+                self.surface.ring(v).map(|c| self.surface.vertex(next(c))).filter(is_known).collect();
             let [a, b] = [0, ring.len() / 2].map(|i| self.places.get(ring[i] as usize).copied());
             let (a, b) = (a.unwrap_or_default(), b.unwrap_or_default());
             self.places
@@ -81,7 +82,7 @@ impl World {
     }
 }
 
-/// A closed surface, given by its triangles.
+/// Builds a closed surface from its triangles.
 pub(super) fn surface_of(triangles: &[[u32; 3]], vertex_count: usize, virtual_count: u32) -> Surface {
     let edge = |c: usize| [1, 2].map(|i| triangles[c / 3][(c % 3 + i) % 3]);
     let corners = 0..3 * triangles.len();
@@ -90,13 +91,14 @@ pub(super) fn surface_of(triangles: &[[u32; 3]], vertex_count: usize, virtual_co
     Surface::from_closed(triangles, &opposite, vertex_count, virtual_count).unwrap()
 }
 
-/// The corners of a cut.
+/// Returns the corners of a cut.
 fn run(surface: &Surface, cut: Cut) -> Vec<u32> {
     let corners = std::iter::successors(Some(cut.first), |&c| Some(surface.swing(c)));
     corners.take(cut.length as usize).collect()
 }
 
-/// A cut that can be made around a vertex, sometimes a long one; none where the one that was thought of cannot.
+/// Returns a random cut around a vertex, sometimes a long one; `None` for some vertices, or if the cut is
+/// not free.
 fn random_cut(scene: &Scene<'_>, vertex: u32, random: &mut Random) -> Option<Cut> {
     let corners: Vec<u32> = scene.surface.ring(vertex).collect();
     let n = corners.len();
@@ -104,16 +106,16 @@ fn random_cut(scene: &Scene<'_>, vertex: u32, random: &mut Random) -> Option<Cut
         return None;
     }
     let most = (MAX_PATCH as usize).min(n - 1);
-    let shortest = if most > LONGEST { LONGEST } else { 0 };
+    let shortest = if most > MAX_RUN { MAX_RUN } else { 0 };
     let length = 1 + shortest as u32 + random.below(most.min(shortest + 4) as u32 - shortest as u32);
     let cut = Cut { first: corners[random.below(n as u32) as usize], length };
     let run = run(scene.surface, cut);
-    let is_free = run.iter().all(|&c| !scene.is_taken(triangle_of(c)));
+    let is_free = run.iter().all(|&c| !scene.is_claimed(triangle_of(c)));
     let is_virtual = |&c: &u32| scene.surface.is_virtual(scene.surface.vertex(next(c)));
     (is_free && !run[1..].iter().any(is_virtual)).then_some(cut)
 }
 
-/// Two vertices with many triangles each.
+/// Makes a mesh in which two vertices have many triangles each.
 fn double_cone(side_count: u32) -> IndexedMesh {
     let rim = (0..side_count).map(|i| [(i as f32 - 9.5).abs() - 5.0, (i as f32 - 4.5).abs() - 5.0, 0.0]);
     let positions = [[0.0, 0.0, 4.0], [0.0, 0.0, -4.0]].into_iter().chain(rim).collect();
@@ -130,74 +132,74 @@ fn closed(mesh: &IndexedMesh) -> (Surface, Vec<[i32; 3]>) {
     (closed.surface, places)
 }
 
-/// What a writer made of random splits.
-struct Written {
+/// Result of writing random splits.
+struct EncodedSplits {
     bytes: Vec<u8>,
     batches: Vec<Vec<Cut>>,
-    world: World,
+    refiner: TestRefiner,
 }
 
-fn write(surface: &Surface, places: &[[i32; 3]], effort: Effort, seed: u64) -> Written {
+fn write(surface: &Surface, places: &[[i32; 3]], effort: Effort, seed: u64) -> EncodedSplits {
     let mut random = Random::new(seed);
-    let mut world = World::new(surface.clone(), places.to_vec(), effort);
+    let mut refiner = TestRefiner::new(surface.clone(), places.to_vec(), effort);
     let mut writer = RangeWriter::new();
     let batches = (0..7)
-        .map(|_| world.batch(&mut writer, |scene, vertex| random_cut(scene, vertex, &mut random)))
+        .map(|_| refiner.batch(&mut writer, |scene, vertex| random_cut(scene, vertex, &mut random)))
         .collect();
-    Written { bytes: writer.finish().0, batches, world }
+    EncodedSplits { bytes: writer.finish().0, batches, refiner }
 }
 
 #[test]
-fn random_splits_come_back() {
+fn random_splits_round_trip() {
     let meshes =
         [double_cone(20), shapes::torus(9, 6, 1.0, 0.4), shapes::grid(6, 5), shapes::icosphere(1, 1.0)];
     for (seed, mesh) in meshes.iter().enumerate() {
         let (surface, places) = closed(mesh);
         for effort in [Effort::Default, Effort::Small] {
-            let Written { bytes, batches, world } = write(&surface, &places, effort, seed as u64);
-            assert!(batches.iter().all(|batch| batch.len() > 2), "next to nothing splits");
-            assert!(batches.iter().flatten().any(|cut| cut.length as usize > LONGEST) || seed > 0);
+            let EncodedSplits { bytes, batches, refiner } = write(&surface, &places, effort, seed as u64);
+            assert!(batches.iter().all(|batch| batch.len() > 2), "almost no vertex splits");
+            assert!(batches.iter().flatten().any(|cut| cut.length as usize > MAX_RUN) || seed > 0);
             let mut reader = RangeReader::new(&bytes, true);
-            let mut other = World::new(surface.clone(), places.clone(), effort);
+            let mut other = TestRefiner::new(surface.clone(), places.clone(), effort);
             for batch in &batches {
                 assert_eq!(&other.batch(&mut reader, |_, _| None), batch, "{effort:?}");
             }
-            assert_eq!(other.asked, world.asked);
+            assert_eq!(other.visited_count, refiner.visited_count);
         }
     }
 }
 
 #[test]
-fn memory_knows_what_is_around() {
+fn histories_match_the_surface() {
     let (surface, places) = closed(&shapes::grid(6, 5));
     for effort in [Effort::Default, Effort::Small] {
-        let Written { world, .. } = write(&surface, &places, effort, 8);
-        for vertex in world.surface.virtual_count()..world.surface.vertex_count() as u32 {
-            let valence = world.surface.ring(vertex).count();
-            let free = world.surface.ring(vertex);
-            let free = free.filter(|&c| world.surface.mark(triangle_of(c)) != world.walk.batch()).count();
-            let trace = world.model.memory.trace(vertex);
-            assert_eq!(usize::from(trace.valence), valence, "valence of {vertex}");
-            // Of vertices that split, nothing more is asked in the batch.
-            if trace.rest > 0 {
-                assert_eq!(usize::from(trace.free), free, "free triangles of {vertex}");
+        let EncodedSplits { refiner, .. } = write(&surface, &places, effort, 8);
+        for vertex in refiner.surface.virtual_count()..refiner.surface.vertex_count() as u32 {
+            let valence = refiner.surface.ring(vertex).count();
+            let free = refiner.surface.ring(vertex);
+            let free = free.filter(|&c| refiner.surface.mark(triangle_of(c)) != refiner.walk.batch()).count();
+            let vertex_history = refiner.model.history.of(vertex);
+            assert_eq!(usize::from(vertex_history.valence), valence, "valence of {vertex}");
+            // The free triangles of vertices that split are not tracked any more in the batch.
+            if vertex_history.since_split > 0 {
+                assert_eq!(usize::from(vertex_history.free), free, "free triangles of {vertex}");
             }
         }
     }
 }
 
 #[test]
-fn streams_are_the_same_everywhere() {
+fn streams_are_the_same_on_every_machine() {
     let (surface, places) = closed(&shapes::grid(9, 7));
     let found = [Effort::Default, Effort::Small].map(|effort| {
-        let Written { bytes, .. } = write(&surface, &places, effort, 3);
+        let EncodedSplits { bytes, .. } = write(&surface, &places, effort, 3);
         (bytes.len(), crc32fast::hash(&bytes))
     });
     assert_eq!(found, [(217, 131_253_625), (204, 4_022_687_919)]);
 }
 
 #[test]
-fn any_bytes_split_any_surface() {
+fn arbitrary_bytes_split_any_surface() {
     let pillow = surface_of(&[[0, 1, 2], [0, 2, 1]], 3, 0);
     let holes = surface_of(&[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]], 4, 2);
     let (grid, places) = closed(&shapes::grid(4, 4));
@@ -213,9 +215,9 @@ fn any_bytes_split_any_surface() {
                     places = (0..surface.vertex_count()).map(|_| [number(), number(), number()]).collect();
                 }
                 let mut reader = RangeReader::new(&bytes, true);
-                let mut world = World::new(surface.clone(), places, effort);
+                let mut refiner = TestRefiner::new(surface.clone(), places, effort);
                 for _ in 0..6 {
-                    for cut in world.batch(&mut reader, |_, _| None) {
+                    for cut in refiner.batch(&mut reader, |_, _| None) {
                         assert!((1..=MAX_PATCH).contains(&cut.length));
                     }
                 }
@@ -226,11 +228,11 @@ fn any_bytes_split_any_surface() {
 
 #[test]
 fn regular_splits_become_cheap() {
-    // Every vertex of even number loses the two triangles that begin with its longest edges.
+    // Every vertex with an even index loses the two triangles at its longest edge.
     let (surface, places) = closed(&shapes::torus(40, 20, 1.0, 0.4));
-    let mut world = World::new(surface, places, Effort::Small);
+    let mut refiner = TestRefiner::new(surface, places, Effort::Small);
     let mut writer = RangeWriter::new();
-    let cuts = world.batch(&mut writer, |scene, vertex| {
+    let cuts = refiner.batch(&mut writer, |scene, vertex| {
         let corners: Vec<u32> = scene.surface.ring(vertex).collect();
         let square = |c: u32| {
             let [a, b] = [vertex, scene.surface.vertex(next(c))].map(|v| scene.places[v as usize]);
@@ -238,24 +240,24 @@ fn regular_splits_become_cheap() {
         };
         let longest = corners.iter().copied().max_by_key(|&c| (square(c), c))?;
         let cut = Cut { first: previous(scene.surface.opposite(previous(longest))), length: 2 };
-        let is_free = run(scene.surface, cut).iter().all(|&c| !scene.is_taken(triangle_of(c)));
+        let is_free = run(scene.surface, cut).iter().all(|&c| !scene.is_claimed(triangle_of(c)));
         (is_free && vertex.is_multiple_of(2)).then_some(cut)
     });
     let bits = writer.finish().0.len() as f64 * 8.0;
     assert!(cuts.len() > 100, "{} splits", cuts.len());
-    // Without a model: one of some twenty runs, and a flag for each vertex.
+    // Without a model: one of about twenty runs, and a flag for each vertex.
     assert!(bits / cuts.len() as f64 <= 6.5, "{} bits a split", bits / cuts.len() as f64);
 }
 
 #[test]
-fn traces_follow_their_vertices_to_new_numbers() {
+fn histories_follow_renumbered_vertices() {
     let (surface, places) = closed(&shapes::grid(6, 5));
-    let Written { mut world, .. } = write(&surface, &places, Effort::Default, 8);
-    let count = world.surface.vertex_count() as u32;
-    let memory = &mut world.model.memory;
-    memory.begin_batch(&world.surface);
-    let densities: Vec<u8> = (0..count).map(|v| memory.trace(v).density).collect();
-    // As if the surface had been built anew with vertices 3 and 5 in each other's place and vertex 4 as a new one.
+    let EncodedSplits { mut refiner, .. } = write(&surface, &places, Effort::Default, 8);
+    let count = refiner.surface.vertex_count() as u32;
+    let history = &mut refiner.model.history;
+    history.begin_batch(&refiner.surface);
+    let densities: Vec<u8> = (0..count).map(|v| history.of(v).density).collect();
+    // As if the rebuilt surface had vertices 3 and 5 swapped, and a new vertex 4.
     let old_of_new: Vec<u32> = (0..count)
         .map(|v| match v {
             3 => 5,
@@ -264,13 +266,13 @@ fn traces_follow_their_vertices_to_new_numbers() {
             _ => v,
         })
         .collect();
-    memory.renumber(&old_of_new);
-    memory.begin_batch(&world.surface);
+    history.renumber(&old_of_new);
+    history.begin_batch(&refiner.surface);
     for vertex in 0..count {
-        let trace = memory.trace(vertex);
-        assert_eq!(usize::from(trace.valence), world.surface.ring(vertex).count());
+        let vertex_history = history.of(vertex);
+        assert_eq!(usize::from(vertex_history.valence), refiner.surface.ring(vertex).count());
         let old = old_of_new[vertex as usize];
-        assert_eq!(trace.density, densities.get(old as usize).copied().unwrap_or(40));
-        assert_eq!(memory.age(vertex), 3);
+        assert_eq!(vertex_history.density, densities.get(old as usize).copied().unwrap_or(40));
+        assert_eq!(history.age(vertex), 3);
     }
 }

@@ -1,61 +1,61 @@
-//! The probability of one decision, learned from how it went before.
+//! [`AdaptiveBit`]: the probability of one decision, learned from its earlier outcomes.
 //!
-//! The first decisions count as in a plain average (the second weighs a half, the third a third, ...), so that a
-//! model is of use after a handful of them; then the weight settles and old decisions fade. Small meshes live in
-//! the first phase: a fixed rate would cost them several percent.
+//! The first outcomes count as in a plain average (the second weighs a half, the third a third, ...), so
+//! that a model is useful after a handful of decisions; then the weight becomes constant and old outcomes
+//! fade. Small meshes never leave the first phase: a fixed rate would cost them several percent.
 
 use super::coder::Coder;
 
-/// How long a probability remembers.
+/// How quickly a probability adapts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Rate {
-    /// Some 30 decisions: for what changes over the mesh.
+    /// Averages about 30 decisions: for statistics that vary over the mesh.
     Quick,
-    /// Some 250 decisions: for what stays.
+    /// Averages about 250 decisions: for statistics that are stable.
     Steady,
 }
 
-/// The bits of the state that count decisions; the probability is above them.
+/// Number of low bits of the state for rate and count; the probability is in the bits above them.
 const COUNT_BITS: u32 = 10;
-/// Set in the state of a quick probability; the count is below.
+/// Flag in the state of a quick probability; the count is in the bits below.
 const QUICK: u32 = 1 << (COUNT_BITS - 1);
 const COUNT_MASK: u32 = QUICK - 1;
 const QUICK_LIMIT: u32 = 30;
 const STEADY_LIMIT: u32 = 250;
 
-/// The weight of the next decision after so many, in 1/65536.
+/// Weight of the next outcome by the number of earlier ones, in 1/65536.
 const WEIGHTS: [u32; STEADY_LIMIT as usize + 1] = {
     let mut weights = [0; STEADY_LIMIT as usize + 1];
     let mut count = 0;
     while count < weights.len() {
-        // As if one decision of each kind had been seen in halves: 1 / (count + 1.6).
+        // As if a fraction of each outcome had already been seen: 1 / (count + 1.6).
         weights[count] = 655_360 / (10 * count as u32 + 16);
         count += 1;
     }
     weights
 };
 
-/// A probability that follows the decisions made with it.
+/// A probability that adapts to the decisions coded with it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AdaptiveBit {
-    /// 22 bits of probability, the rate, 9 bits of count.
+    /// 22 bits of probability, one bit for the rate, 9 bits of count.
     state: u32,
 }
 
 impl AdaptiveBit {
-    /// Even odds, nothing seen.
+    /// Creates an untrained model: even odds.
     pub(crate) const fn new(rate: Rate) -> Self {
         let quick = if matches!(rate, Rate::Quick) { QUICK } else { 0 };
         Self { state: 1 << 31 | quick }
     }
 
-    /// The probability of true, in 1/65536: 16 to 65520.
+    /// Returns the probability of `true`, in 1/65536: 16 to 65520.
     #[inline]
     pub(crate) fn p_one(self) -> u32 {
         (self.state >> 16).clamp(16, 65520)
     }
 
-    /// Learns how the decision went.
+    /// Learns the outcome of a decision.
     #[inline]
     pub(crate) fn update(&mut self, bit: bool) {
         let count = self.state & COUNT_MASK;
@@ -68,7 +68,7 @@ impl AdaptiveBit {
         self.state = moved << COUNT_BITS | self.state & QUICK | (count + 1).min(limit);
     }
 
-    /// Codes one decision and learns from it.
+    /// Codes a decision and learns its outcome.
     #[inline]
     pub(crate) fn code<C: Coder>(&mut self, coder: &mut C, bit: bool) -> bool {
         let bit = coder.bit(bit, self.p_one());
@@ -85,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn first_decisions_count_most() {
+    fn first_outcomes_count_most() {
         for rate in [Rate::Quick, Rate::Steady] {
             let mut bit = AdaptiveBit::new(rate);
             let seen = [(); 4].map(|()| {
@@ -97,19 +97,19 @@ mod tests {
     }
 
     #[test]
-    fn memory_settles_at_the_rate() {
-        let settled = [Rate::Quick, Rate::Steady].map(|rate| {
+    fn adaptation_converges_to_the_rate() {
+        let converged = [Rate::Quick, Rate::Steady].map(|rate| {
             let mut bit = AdaptiveBit::new(rate);
             (0..2000).for_each(|_| bit.update(true));
             let before = bit.p_one();
             bit.update(false);
             (before, before - bit.p_one())
         });
-        assert_eq!(settled, [(65520, 2058), (65520, 248)]);
+        assert_eq!(converged, [(65520, 2058), (65520, 248)]);
     }
 
     #[test]
-    fn a_skewed_source_takes_little_more_than_its_entropy() {
+    fn a_skewed_source_costs_little_more_than_its_entropy() {
         let mut random = Random::new(4);
         let message: Vec<bool> = (0..20_000).map(|_| random.below(100) < 7).collect();
         let share = message.iter().filter(|&&bit| bit).count() as f64 / 20_000.0;

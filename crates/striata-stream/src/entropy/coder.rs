@@ -1,20 +1,22 @@
-//! What the writer and the reader have in common.
+//! [`Coder`]: the interface that the range writer and the range reader share.
 
-/// Symbols of an alphabet.
+/// Number of symbols in an alphabet.
 pub(crate) const SYMBOLS: usize = 16;
-/// Where each symbol's share begins, of 65536; the first at 0.
+/// Cumulative shares of the symbols, in 1/65536: entry `i` is where the share of symbol `i` begins; the
+/// first is 0.
 pub(crate) type Shares = [i32; SYMBOLS];
-/// Where each symbol's share begins, of 32768; the first at 0.
+/// Cumulative shares of the symbols, in 1/32768: entry `i` is where the share of symbol `i` begins; the
+/// first is 0.
 pub(crate) type QuickShares = [i16; SYMBOLS];
 
-/// What a bit belongs to, for statistics of the writer.
+/// What a bit describes, for the writer's statistics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
-    /// Which vertices split, and where.
+    /// Flags and cuts: which vertices split, and where.
     Connectivity,
     /// Coordinates of new vertices.
     Positions,
-    /// Which vertices corners show, and groups.
+    /// Wedges of corners, and groups of triangles.
     Wedges,
     /// Normals of vertices.
     Normals,
@@ -26,30 +28,30 @@ pub(crate) enum Part {
     Base,
 }
 
-/// How many kinds of [`Part`] there are.
+/// Number of kinds of [`Part`].
 pub(crate) const PART_COUNT: usize = Part::Base as usize + 1;
 
-/// The writer or the reader of a chain of decisions.
+/// A writer or a reader of a sequence of decisions.
 pub(crate) trait Coder {
-    /// Whether decisions come from a stream; a writer's come from the caller.
+    /// Whether this is a reader. Readers ignore the values that callers pass.
     const READS: bool;
 
-    /// Codes one decision whose probability of being true is `p_one` / 65536 (1 to 65535). The writer passes what
-    /// it means; a reader ignores `bit`. Returns the decision.
+    /// Codes and returns one decision; its probability of being true is `p_one` / 65536 (`p_one` from 1 to
+    /// 65535).
     fn bit(&mut self, bit: bool, p_one: u32) -> bool;
 
-    /// Codes `bits` (at most 24) equally likely bits, the lowest of `value`.
+    /// Codes and returns the lowest `bits` (at most 24) bits of `value`, each with even odds.
     fn raw(&mut self, value: u32, bits: u32) -> u32;
 
-    /// Codes one of sixteen symbols by where their shares begin, in rising order.
-    fn symbol(&mut self, meant: usize, begins: &Shares) -> usize;
+    /// Codes and returns one of sixteen symbols; `begins` are the cumulative shares.
+    fn symbol(&mut self, actual: usize, begins: &Shares) -> usize;
 
-    /// Codes one of sixteen symbols by where their shares begin, in rising order.
-    fn quick_symbol(&mut self, meant: usize, begins: &QuickShares) -> usize;
+    /// Codes and returns one of sixteen symbols; `begins` are the cumulative shares.
+    fn quick_symbol(&mut self, actual: usize, begins: &QuickShares) -> usize;
 
-    /// True where a reader needed bytes beyond the end: what it returned last means nothing.
+    /// Whether a reader needed bytes beyond the end, so that the value returned last is meaningless.
     fn overran(&self) -> bool;
 
-    /// What the next bits belong to: for the statistics of a writer, nothing to a reader.
+    /// Attributes the following bits to a part, for the writer's statistics; a reader ignores it.
     fn part(&mut self, part: Part);
 }

@@ -1,11 +1,12 @@
-//! Probabilities as log-odds and back, and logarithms, all in 1/256.
+//! Integer tables for probabilities, log-odds and logarithms.
 //!
-//! Opinions about a decision add up as log-odds, `ln(p / (1 - p))`: that is the scale on which [`super::Mixer`]
-//! weighs them. The tables are made when the library is compiled, by integer arithmetic alone.
+//! Predictions of a decision are combined as log-odds, `ln(p / (1 - p))`, the scale on which
+//! [`super::Mixer`] adds them. Log-odds and logarithms are in units of 1/256. The tables are computed at
+//! compile time, by integer arithmetic only.
 
-/// One in log-odds.
+/// Log-odds of 1, in 1/256.
 pub(crate) const LOG_ODDS_ONE: i32 = 256;
-/// Log-odds beyond this are cut off: odds of 162754 to 1.
+/// Limit on the magnitude of log-odds: odds of 162754 to 1.
 pub(crate) const LOG_ODDS_LIMIT: i32 = 12 * LOG_ODDS_ONE - 1;
 
 const SPAN: usize = 12 * LOG_ODDS_ONE as usize;
@@ -13,7 +14,7 @@ const SPAN: usize = 12 * LOG_ODDS_ONE as usize;
 /// `exp(-1/256)` in 1/2^62.
 const DECAY: u128 = 4_593_706_758_521_714_574;
 
-/// The probability, in 1/65536, of log-odds from -12 to 12.
+/// Probability, in 1/65536, for log-odds from -12 to 12.
 static PROBABILITIES: [u16; 2 * SPAN] = {
     let mut table = [0; 2 * SPAN];
     let mut decay: u128 = 1 << 62;
@@ -30,7 +31,7 @@ static PROBABILITIES: [u16; 2 * SPAN] = {
     table
 };
 
-/// The log-odds of each probability in 1/4096, taken in the middle.
+/// Log-odds for each probability in 1/4096, evaluated at the middle of the interval.
 static LOG_ODDS: [i16; 4096] = {
     let mut table = [0; 4096];
     let mut at = 0;
@@ -45,25 +46,25 @@ static LOG_ODDS: [i16; 4096] = {
     table
 };
 
-/// The probability, in 1/65536, of log-odds in 1/256: 1 to 65535.
+/// Returns the probability, in 1/65536, for log-odds in 1/256: 1 to 65535.
 #[inline]
 pub(crate) fn probability(log_odds: i32) -> u32 {
     let at = log_odds.clamp(-LOG_ODDS_LIMIT, LOG_ODDS_LIMIT) + SPAN as i32;
     u32::from(PROBABILITIES[at as usize])
 }
 
-/// The log-odds, in 1/256, of a probability in 1/65536.
+/// Returns the log-odds, in 1/256, of a probability in 1/65536.
 #[inline]
 pub(crate) fn log_odds(p_one: u32) -> i32 {
     i32::from(LOG_ODDS[(p_one as usize >> 4) & 4095])
 }
 
-/// The fractions of logarithms to base 2, in 1/256, of 1 to 2 in steps of 1/256.
+/// Fractions of binary logarithms, in 1/256, for mantissas from 1 to 2 in steps of 1/256.
 static FRACTIONS: [u8; 256] = {
     let mut table = [0; 256];
     let mut at = 0;
     while at < 256 {
-        // In the middle of the step, so that errors even out.
+        // The middle of the step, so that errors cancel on average.
         let mut mantissa = ((256 + at as u64) * 2 + 1) << 22;
         let mut fraction = 0u16;
         let mut bit = 0;
@@ -81,7 +82,7 @@ static FRACTIONS: [u8; 256] = {
     table
 };
 
-/// The logarithm to base 2 of a number, in 1/256; 0 for 0.
+/// Returns the binary logarithm of an integer, in 1/256; 0 for 0.
 #[inline]
 pub(crate) fn log2_q8(number: u32) -> i32 {
     let number = number.max(1);
@@ -90,7 +91,7 @@ pub(crate) fn log2_q8(number: u32) -> i32 {
     (whole << 8) as i32 + i32::from(FRACTIONS[mantissa as usize & 255])
 }
 
-/// The logarithm to base 2 of a number above 0, in 1/65536, by squaring.
+/// Returns the binary logarithm of a positive integer, in 1/65536, by repeated squaring.
 pub(crate) const fn log2_q16(number: u64) -> u32 {
     let whole = number.ilog2();
     let mut mantissa = (number << (63 - whole)) as u128;
@@ -130,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn logarithms_are_right() {
+    fn logarithms_are_accurate() {
         for number in (1..5000).chain([1 << 20, u32::MAX, 123_456_789]) {
             let expected = f64::from(number).log2() * 256.0;
             assert!((f64::from(log2_q8(number)) - expected).abs() < 1.6, "{number}");
@@ -139,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn fine_logarithms_are_right() {
+    fn fine_logarithms_are_accurate() {
         for number in [1, 2, 3, 1000, u64::MAX, 1 << 63, (1 << 40) + 12345] {
             assert!(
                 (f64::from(log2_q16(number)) / 65536.0 - (number as f64).log2()).abs() < 2e-5,
@@ -149,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn tables_are_the_same_everywhere() {
+    fn tables_are_the_same_on_every_machine() {
         let bytes = |table: &[u16]| table.iter().flat_map(|p| p.to_le_bytes()).collect::<Vec<u8>>();
         let odds: Vec<u8> = LOG_ODDS.iter().flat_map(|p| p.to_le_bytes()).collect();
         let found = [&bytes(&PROBABILITIES), &odds, &FRACTIONS[..]].map(crc32fast::hash);

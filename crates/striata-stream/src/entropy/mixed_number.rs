@@ -1,56 +1,58 @@
-//! Integers under several contexts at once: what each has learned of a decision is mixed.
+//! Adaptive coding of integers by several contexts, whose predictions are mixed.
 //!
-//! The decisions are those of [`AdaptiveNumber`](crate::entropy::AdaptiveNumber): zero, sign, doubling buckets, two bits below the first. Each context has
-//! probabilities of its own, and a mixer weighs them \[Mah05\], so a context that tells nothing costs nothing. Some four
-//! times the work of one context.
+//! The decisions are those of [`AdaptiveNumber`](crate::entropy::AdaptiveNumber): zero, sign, doubling
+//! buckets, two bits below the leading one. Each context has its own probabilities, and a mixer weighs them
+//! \[Mah05\], so a context without information costs nothing. Takes about four times as long as a single
+//! context.
 
 use super::adaptive::{AdaptiveBit, Rate};
 use super::coder::Coder;
 use super::logistic::log_odds;
 use super::mixer::Mixer;
-use super::number::{Decisions, NODES, code_signed};
+use super::number::{NODE_COUNT, NodeCoder, code_signed};
 
-/// A context of each kind, and the set of weights that they are mixed with.
+/// One context of each kind, and the set of weights to mix them with.
 pub(crate) type Contexts<const N: usize> = ([usize; N], usize);
 
-/// Codes integers of up to 32 bits under `N` contexts.
+/// Codes integers of up to 32 bits by `N` kinds of contexts.
 #[derive(Clone, Debug)]
 pub(crate) struct MixedNumber<const N: usize> {
-    /// For each of the kinds of contexts, as many as there are, all nodes.
+    /// For each kind, the probabilities of all nodes in each of its contexts.
     bits: [Vec<AdaptiveBit>; N],
     mixer: Mixer<N>,
 }
 
 impl<const N: usize> MixedNumber<N> {
-    /// Nothing learned; so many contexts of each kind, and sets of weights.
+    /// Creates an untrained model, given the number of contexts of each kind and the number of sets of
+    /// weights.
     pub(crate) fn new(context_counts: [usize; N], set_count: usize) -> Self {
-        let bits = context_counts.map(|count| vec![AdaptiveBit::new(Rate::Steady); count * NODES]);
-        Self { bits, mixer: Mixer::new(set_count * NODES, [(1 << 16) * 5 / (4 * N as i32); N]) }
+        let bits = context_counts.map(|count| vec![AdaptiveBit::new(Rate::Steady); count * NODE_COUNT]);
+        Self { bits, mixer: Mixer::new(set_count * NODE_COUNT, [(1 << 16) * 5 / (4 * N as i32); N]) }
     }
 
-    /// Codes a number of either sign.
+    /// Codes a signed integer.
     pub(crate) fn signed<C: Coder>(&mut self, coder: &mut C, contexts: Contexts<N>, value: i32) -> i32 {
-        code_signed(coder, &mut InContexts { number: self, contexts }, value)
+        code_signed(coder, &mut MixedNodes { number: self, contexts }, value)
     }
 }
 
-/// A number that is coded under certain contexts.
-struct InContexts<'a, const N: usize> {
+/// The decisions of one integer in its contexts.
+struct MixedNodes<'a, const N: usize> {
     number: &'a mut MixedNumber<N>,
     contexts: Contexts<N>,
 }
 
-impl<const N: usize> Decisions for InContexts<'_, N> {
+impl<const N: usize> NodeCoder for MixedNodes<'_, N> {
     #[inline]
-    fn decide<C: Coder>(&mut self, coder: &mut C, node: usize, bit: bool) -> bool {
+    fn code_node<C: Coder>(&mut self, coder: &mut C, node: usize, bit: bool) -> bool {
         let MixedNumber { bits, mixer } = &mut *self.number;
         let (contexts, set) = &self.contexts;
-        let inputs = std::array::from_fn(|i| log_odds(bits[i][contexts[i] * NODES + node].p_one()));
-        mixer.mix(&inputs, set * NODES + node);
+        let inputs = std::array::from_fn(|i| log_odds(bits[i][contexts[i] * NODE_COUNT + node].p_one()));
+        mixer.mix(&inputs, set * NODE_COUNT + node);
         let bit = coder.bit(bit, mixer.p_one());
         mixer.update(bit);
         for (bits, context) in bits.iter_mut().zip(contexts) {
-            bits[context * NODES + node].update(bit);
+            bits[context * NODE_COUNT + node].update(bit);
         }
         bit
     }
@@ -64,7 +66,7 @@ mod tests {
     use crate::entropy::{AdaptiveNumber, RangeReader, RangeWriter};
 
     #[test]
-    fn numbers_of_all_sizes_come_back() {
+    fn integers_of_all_sizes_round_trip() {
         let mut random = Random::new(11);
         let mut numbers = vec![0, 1, -1, 2, -2, 3, 4, 7, 8, i32::MAX, i32::MIN, i32::MIN + 1, i32::MAX - 1];
         numbers.extend((0..4000).map(|_| (random.next_u64() as i32) >> random.below(32)));
@@ -82,9 +84,9 @@ mod tests {
     }
 
     #[test]
-    fn the_context_that_tells_is_found() {
+    fn mixer_finds_the_informative_context() {
         let mut random = Random::new(2);
-        // The second context says how many bits a number has, the first nothing.
+        // The second context gives the number of bits; the first carries no information.
         let numbers: Vec<(usize, i32)> = (0..20_000)
             .map(|_| {
                 let bits = random.below(8);

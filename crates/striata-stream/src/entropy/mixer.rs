@@ -1,32 +1,33 @@
-//! Many opinions about one decision, weighted by how well they did.
+//! Logistic mixing: combines several predictions of one decision, weighted by how good they have been.
 //!
-//! Each opinion is given as log-odds. Their weighted sum is the mixer's own log-odds, and after the decision each
-//! weight moves along what would have lowered its cost \[Mah05\]. A small context selects among sets of weights,
-//! each of which learns quickly at first. [`Refiner`] then maps what the mixer said to what came of it, for each value of
-//! another small context: it takes out what a weighted sum cannot see.
+//! Each prediction is given as log-odds. Their weighted sum is the log-odds of the mixed prediction; after
+//! the decision, each weight moves along the gradient that lowers its coding cost \[Mah05\]. A small
+//! context selects among sets of weights, each of which learns quickly at first. [`Refiner`] then corrects
+//! the mixed probability by what has actually followed similar predictions in another small context, which
+//! a weighted sum cannot express.
 
 use super::logistic::{LOG_ODDS_LIMIT, LOG_ODDS_ONE, probability};
 
-/// One in weights.
+/// The weight 1.
 const WEIGHT_ONE: i32 = 1 << 16;
-/// Weights stay within this.
+/// Limit on the magnitude of weights.
 const WEIGHT_LIMIT: i32 = 8 * WEIGHT_ONE;
-/// Probabilities stay this far from certainty, in 1/65536.
-const CAUTION: u32 = 24;
-/// How fast a set of weights learns at first, and how fast in the end; a decision moves from the one to the other.
+/// Minimum distance of mixed probabilities from 0 and 1, in 1/65536.
+const MIN_PROBABILITY: u32 = 24;
+/// Initial and final learning rate of a set of weights.
 const FIRST_RATE: i32 = 30 * 32;
 const LAST_RATE: i32 = 4 * 32;
-/// A set's rate falls by one part in 2 to this each time.
-const RATE_FALL: u32 = 8;
+/// With each update, the learning rate covers 1 / 2^`RATE_DECAY_SHIFT` of the distance to its final value.
+const RATE_DECAY_SHIFT: u32 = 8;
 
-/// A set of weights.
+/// A set of weights and its learning rate.
 #[derive(Clone, Copy, Debug)]
 struct Weights<const N: usize> {
     weights: [i32; N],
     rate: i32,
 }
 
-/// Mixes `N` opinions.
+/// Mixes `N` predictions.
 #[derive(Clone, Debug)]
 pub(crate) struct Mixer<const N: usize> {
     sets: Vec<Weights<N>>,
@@ -36,14 +37,14 @@ pub(crate) struct Mixer<const N: usize> {
 }
 
 impl<const N: usize> Mixer<N> {
-    /// As many sets of weights as contexts, each beginning with `first` (in 1/65536).
+    /// Creates `set_count` sets of weights, all starting at `first` (in 1/65536).
     pub(crate) fn new(set_count: usize, first: [i32; N]) -> Self {
         let sets = vec![Weights { weights: first, rate: FIRST_RATE }; set_count.max(1)];
         Self { sets, inputs: [0; N], selected: 0, p_one: 1 << 15 }
     }
 
-    /// The log-odds, in 1/256, of the decision under the weights of a context, and to be told by [`update`](Self::update)
-    /// how it went.
+    /// Mixes predictions with the weights of a context; returns the log-odds of the decision, in 1/256.
+    /// Pass the outcome to [`update`](Self::update).
     #[inline]
     pub(crate) fn mix(&mut self, inputs: &[i32; N], context: usize) -> i32 {
         debug_assert!(context < self.sets.len(), "context {context} of {}", self.sets.len());
@@ -57,13 +58,13 @@ impl<const N: usize> Mixer<N> {
         log_odds
     }
 
-    /// The probability of what was mixed last, in 1/65536, never quite certain.
+    /// Returns the probability mixed last, in 1/65536; never 0 or 1.
     #[inline]
     pub(crate) fn p_one(&self) -> u32 {
-        self.p_one.clamp(CAUTION, 65536 - CAUTION)
+        self.p_one.clamp(MIN_PROBABILITY, 65536 - MIN_PROBABILITY)
     }
 
-    /// Learns how the decision mixed last went.
+    /// Learns the outcome of the decision mixed last.
     #[inline]
     pub(crate) fn update(&mut self, bit: bool) {
         let set = &mut self.sets[self.selected];
@@ -73,51 +74,52 @@ impl<const N: usize> Mixer<N> {
             let step = (i64::from(input) * i64::from(push) + (1 << 13)) >> 14;
             *weight = (*weight + step as i32).clamp(-WEIGHT_LIMIT, WEIGHT_LIMIT);
         }
-        set.rate -= (set.rate - LAST_RATE + (1 << RATE_FALL) - 1) >> RATE_FALL;
+        set.rate -= (set.rate - LAST_RATE + (1 << RATE_DECAY_SHIFT) - 1) >> RATE_DECAY_SHIFT;
     }
 }
 
-const STEPS: usize = 24;
-/// Width of a step of log-odds.
-const STEP: i32 = LOG_ODDS_ONE / 2;
+const INTERVALS: usize = 24;
+/// Width of an interval of log-odds.
+const INTERVAL_WIDTH: i32 = LOG_ODDS_ONE / 2;
 
-/// Maps probabilities to what came of them, in small contexts.
+/// Maps predicted probabilities to observed ones, per context (an adaptive probability map).
 #[derive(Clone, Debug)]
 pub(crate) struct Refiner {
-    /// For each context, the probability at each step of log-odds, in 1/65536.
-    steps: Vec<[u16; STEPS + 1]>,
-    /// Context and lower step of the last decision, and how far it lay above that step.
+    /// For each context, the observed probability at each interval boundary of log-odds, in 1/65536.
+    steps: Vec<[u16; INTERVALS + 1]>,
+    /// Context and lower boundary of the last decision, and its distance above that boundary.
     context: usize,
     low: usize,
     above: i32,
 }
 
 impl Refiner {
-    /// Changes nothing at first.
+    /// Starts with the identity in every context.
     pub(crate) fn new(context_count: usize) -> Self {
-        let middle = STEPS as i32 / 2;
-        let straight = std::array::from_fn(|at| probability((at as i32 - middle) * STEP) as u16);
-        Self { steps: vec![straight; context_count.max(1)], context: 0, low: 0, above: 0 }
+        let middle = INTERVALS as i32 / 2;
+        let identity = std::array::from_fn(|at| probability((at as i32 - middle) * INTERVAL_WIDTH) as u16);
+        Self { steps: vec![identity; context_count.max(1)], context: 0, low: 0, above: 0 }
     }
 
-    /// What log-odds (in 1/256) came to in this context, averaged with what they say: a probability in 1/65536.
+    /// Returns the mean of the predicted probability and the one observed in this context, in 1/65536; the
+    /// prediction is given as log-odds in 1/256.
     #[inline]
     pub(crate) fn refine(&mut self, log_odds: i32, context: usize) -> u32 {
-        let reach = STEPS as i32 / 2 * STEP;
-        let place = log_odds.clamp(-reach, reach - 1) + reach;
+        let limit = INTERVALS as i32 / 2 * INTERVAL_WIDTH;
+        let offset = log_odds.clamp(-limit, limit - 1) + limit;
         self.context = context;
-        self.low = (place / STEP) as usize;
-        self.above = place % STEP;
+        self.low = (offset / INTERVAL_WIDTH) as usize;
+        self.above = offset % INTERVAL_WIDTH;
         let steps = &self.steps[context];
         let [low, high] = [steps[self.low], steps[self.low + 1]].map(i32::from);
-        let refined = (low * (STEP - self.above) + high * self.above) / STEP;
-        ((refined as u32 + probability(log_odds)) / 2).clamp(CAUTION, 65536 - CAUTION)
+        let refined = (low * (INTERVAL_WIDTH - self.above) + high * self.above) / INTERVAL_WIDTH;
+        ((refined as u32 + probability(log_odds)) / 2).clamp(MIN_PROBABILITY, 65536 - MIN_PROBABILITY)
     }
 
-    /// Learns how the decision refined last went.
+    /// Learns the outcome of the decision refined last.
     #[inline]
     pub(crate) fn update(&mut self, bit: bool) {
-        let nearer = self.low + usize::from(self.above >= STEP / 2);
+        let nearer = self.low + usize::from(self.above >= INTERVAL_WIDTH / 2);
         let step = &mut self.steps[self.context][nearer];
         let target = if bit { 65535 } else { 0 };
         *step = (i32::from(*step) + ((target - i32::from(*step)) >> 6)) as u16;
@@ -136,14 +138,14 @@ mod tests {
     }
 
     #[test]
-    fn a_mixer_finds_out_whom_to_trust() {
+    fn mixer_learns_which_input_to_trust() {
         let mut random = Random::new(8);
         let mut mixer = Mixer::new(2, [WEIGHT_ONE / 3; 3]);
         let (mut spent, mut ideal) = (0.0, 0.0);
         for at in 0..20_000 {
             let p = 3000 + random.below(59_000);
             let bit = random.below(65536) < p;
-            // In context 0 the first opinion is right, in context 1 the last says the contrary.
+            // In context 0 the first input is right; in context 1 the last one is exactly wrong.
             let context = at % 2;
             let noise = random.below(1000) as i32 - 500;
             let inputs = if context == 0 { [log_odds(p), noise, 256] } else { [noise, 256, -log_odds(p)] };
@@ -158,18 +160,18 @@ mod tests {
     }
 
     #[test]
-    fn a_refiner_mends_what_is_wrong_in_one_context() {
+    fn refiner_corrects_predictions_of_one_context() {
         let mut random = Random::new(8);
         let mut refiner = Refiner::new(2);
         let (mut plain, mut refined) = ([0.0; 2], [0.0; 2]);
         for at in 0..40_000 {
             let p = 2000 + random.below(60_000);
             let context = at % 2;
-            // Only in context 1 the opinion is too timid.
-            let said = log_odds(p) / (1 + context as i32);
+            // The prediction is too cautious, but only in context 1.
+            let predicted = log_odds(p) / (1 + context as i32);
             let bit = random.below(65536) < p;
-            plain[context] += cost(probability(said), bit);
-            refined[context] += cost(refiner.refine(said, context), bit);
+            plain[context] += cost(probability(predicted), bit);
+            refined[context] += cost(refiner.refine(predicted, context), bit);
             refiner.update(bit);
         }
         assert!(refined[0] < plain[0] * 1.005, "{refined:?} for {plain:?}");
@@ -177,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn extreme_opinions_stay_in_range() {
+    fn extreme_inputs_stay_in_range() {
         let mut mixer = Mixer::new(1, [WEIGHT_LIMIT; 4]);
         let mut refiner = Refiner::new(1);
         for at in 0..3000 {

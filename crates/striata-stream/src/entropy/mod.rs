@@ -1,23 +1,23 @@
-//! Entropy coding: single decisions with probabilities, and the adaptive models that give these probabilities.
+//! Entropy coding: a range coder for binary decisions and symbols, and the adaptive models that predict them.
 //!
-//! Everything that is coded is a chain of yes-or-no decisions. A [`Coder`] is either the writer or the reader of
-//! such a chain, so that one generic function describes both directions: the writer passes what it means, the
-//! reader's argument is ignored, and both go on with the decision that comes back. The models around it (counters,
-//! a logistic mixer \[Mah05\], numbers in doubling buckets) hold integers only and take nothing but what was coded
-//! before: a stream decodes to the same bits on every machine.
+//! Nearly everything is coded as a sequence of binary decisions. A [`Coder`] is either a writer or a
+//! reader, so one generic function describes both directions: the writer passes the actual value, the
+//! reader's argument is ignored, and both continue with the value that is returned. The models (adaptive
+//! bits, a logistic mixer \[Mah05\], integers in doubling buckets) use integer arithmetic only and depend
+//! on nothing but earlier values, so a stream decodes to the same bits on every machine.
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `coder.rs` | [`Coder`]: the writer or the reader of a chain of decisions |
+//! | `coder.rs` | [`Coder`]: what writer and reader have in common |
 //! | `range.rs` | the range coder: [`RangeWriter`], [`RangeReader`] |
 //! | `adaptive.rs` | [`AdaptiveBit`]: the probability of one decision, learned quickly at first |
-//! | `logistic.rs` | probabilities as log-odds and back, tables made by integer arithmetic |
-//! | `mixer.rs` | [`Mixer`]: many opinions about one decision weighted online; [`Refiner`]: what is left to learn |
-//! | `wide_mixer.rs` | [`WideMixer`]: the same in 16-bit lanes |
-//! | `symbol.rs` | [`AdaptiveSymbol`]: one of sixteen at once |
-//! | `quick_symbol.rs` | [`QuickSymbol`]: the same in 16-bit lanes |
+//! | `logistic.rs` | conversion between probabilities and log-odds, by integer tables |
+//! | `mixer.rs` | [`Mixer`]: online mixing of several predictions; [`Refiner`]: correction of the result |
+//! | `wide_mixer.rs` | [`WideMixer`]: a mixer in 16-bit lanes |
+//! | `symbol.rs` | [`AdaptiveSymbol`]: one of sixteen symbols |
+//! | `quick_symbol.rs` | [`QuickSymbol`]: one of sixteen symbols, in 16-bit lanes |
 //! | `number.rs` | [`AdaptiveNumber`]: integers of any size |
-//! | `mixed_number.rs` | [`MixedNumber`]: the same under several contexts at once |
+//! | `mixed_number.rs` | [`MixedNumber`]: integers predicted by several contexts |
 
 mod adaptive;
 mod coder;

@@ -1,102 +1,103 @@
-//! Integers of any size, as a chain of decisions.
+//! Adaptive coding of integers of any size as a sequence of binary decisions (Elias-gamma style).
 //!
-//! A number is zero or not, has a sign, lies in a bucket (1, 2 to 3, 4 to 7, ...: found by asking upwards), and its
-//! two bits below the first are learned for each bucket; the rest is as good as noise. A small context chooses among
-//! independent sets of probabilities.
+//! The decisions are: is it zero, its sign, its bucket in unary (1, 2 to 3, 4 to 7, ...), and the two bits
+//! below the leading one, which are modeled per bucket. The remaining bits are nearly uniform and are coded
+//! raw. A small context selects among independent sets of probabilities.
 
 use super::adaptive::{AdaptiveBit, Rate};
 use super::coder::Coder;
 
-/// Decisions there are: zero, sign, 31 buckets, 3 for the top bits of each.
-pub(super) const NODES: usize = 2 + 31 + 32 * 3;
+/// Number of modeled decisions: zero, sign, 31 bucket boundaries, and 3 for the top bits of each of 32
+/// buckets.
+pub(super) const NODE_COUNT: usize = 2 + 31 + 32 * 3;
 const ZERO: usize = 0;
 const SIGN: usize = 1;
-const ABOVE: usize = 2;
-const TOP: usize = 33;
+const ABOVE_BUCKET: usize = 2;
+const TOP_BITS: usize = 33;
 
-/// What makes the decisions that a number is a chain of.
-pub(super) trait Decisions {
-    /// Codes the decision of a node.
-    fn decide<C: Coder>(&mut self, coder: &mut C, node: usize, bit: bool) -> bool;
+/// Codes the decisions that make up an integer.
+pub(super) trait NodeCoder {
+    /// Codes the decision of one node of the decision tree.
+    fn code_node<C: Coder>(&mut self, coder: &mut C, node: usize, bit: bool) -> bool;
 }
 
-/// Codes a number of either sign.
+/// Codes a signed integer.
 #[inline]
-pub(super) fn code_signed<C: Coder>(coder: &mut C, decisions: &mut impl Decisions, value: i32) -> i32 {
-    if decisions.decide(coder, ZERO, value == 0) {
+pub(super) fn code_signed<C: Coder>(coder: &mut C, nodes: &mut impl NodeCoder, value: i32) -> i32 {
+    if nodes.code_node(coder, ZERO, value == 0) {
         return 0;
     }
-    let is_negative = decisions.decide(coder, SIGN, value < 0);
-    let magnitude = code_magnitude(coder, decisions, value.unsigned_abs()) as i32;
+    let is_negative = nodes.code_node(coder, SIGN, value < 0);
+    let magnitude = code_magnitude(coder, nodes, value.unsigned_abs()) as i32;
     if is_negative { magnitude.wrapping_neg() } else { magnitude }
 }
 
-/// Codes a number above zero.
+/// Codes an integer above zero.
 #[inline]
-fn code_magnitude<C: Coder>(coder: &mut C, decisions: &mut impl Decisions, value: u32) -> u32 {
-    let meant = value.max(1).ilog2();
+fn code_magnitude<C: Coder>(coder: &mut C, nodes: &mut impl NodeCoder, value: u32) -> u32 {
+    let actual_bucket = value.max(1).ilog2();
     let mut bucket = 0;
-    while bucket < 31 && decisions.decide(coder, ABOVE + bucket as usize, meant > bucket) {
+    while bucket < 31 && nodes.code_node(coder, ABOVE_BUCKET + bucket as usize, actual_bucket > bucket) {
         bucket += 1;
     }
     let mut decoded = 1;
     let top_count = bucket.min(2);
-    for taken in 1..=top_count {
-        let node = TOP + 3 * bucket as usize + decoded as usize - 1;
-        let bit = decisions.decide(coder, node, value >> (bucket - taken) & 1 != 0);
+    for depth in 1..=top_count {
+        let node = TOP_BITS + 3 * bucket as usize + decoded as usize - 1;
+        let bit = nodes.code_node(coder, node, value >> (bucket - depth) & 1 != 0);
         decoded = decoded << 1 | u32::from(bit);
     }
-    let mut left = bucket - top_count;
-    while left > 0 {
-        let bits = left.min(24);
-        left -= bits;
-        decoded = decoded << bits | coder.raw(value >> left, bits);
+    let mut raw_bits_left = bucket - top_count;
+    while raw_bits_left > 0 {
+        let bits = raw_bits_left.min(24);
+        raw_bits_left -= bits;
+        decoded = decoded << bits | coder.raw(value >> raw_bits_left, bits);
     }
     decoded
 }
 
-/// Codes integers of up to 32 bits; small ones are cheap, and what is frequent gets cheaper.
+/// Codes integers of up to 32 bits: small ones are cheap from the start, frequent ones become cheap.
 #[derive(Clone, Debug)]
 pub(crate) struct AdaptiveNumber {
-    contexts: Vec<Learned>,
+    contexts: Vec<NumberContext>,
 }
 
-/// What is learned about numbers in one context.
+/// The probabilities of one context.
 #[derive(Clone, Copy, Debug)]
-struct Learned([AdaptiveBit; NODES]);
+struct NumberContext([AdaptiveBit; NODE_COUNT]);
 
-impl Decisions for Learned {
+impl NodeCoder for NumberContext {
     #[inline]
-    fn decide<C: Coder>(&mut self, coder: &mut C, node: usize, bit: bool) -> bool {
+    fn code_node<C: Coder>(&mut self, coder: &mut C, node: usize, bit: bool) -> bool {
         self.0[node].code(coder, bit)
     }
 }
 
 impl AdaptiveNumber {
-    /// Nothing learned in any of the contexts.
+    /// Creates an untrained model with `context_count` contexts.
     pub(crate) fn new(context_count: usize, rate: Rate) -> Self {
-        Self { contexts: vec![Learned([AdaptiveBit::new(rate); NODES]); context_count.max(1)] }
+        Self { contexts: vec![NumberContext([AdaptiveBit::new(rate); NODE_COUNT]); context_count.max(1)] }
     }
 
-    /// Codes a number of either sign.
+    /// Codes a signed integer.
     pub(crate) fn signed<C: Coder>(&mut self, coder: &mut C, context: usize, value: i32) -> i32 {
         code_signed(coder, &mut self.contexts[context], value)
     }
 
-    /// Codes a number without sign.
+    /// Codes an unsigned integer.
     pub(crate) fn unsigned<C: Coder>(&mut self, coder: &mut C, context: usize, value: u32) -> u32 {
-        let learned = &mut self.contexts[context];
-        if learned.decide(coder, ZERO, value == 0) { 0 } else { code_magnitude(coder, learned, value) }
+        let nodes = &mut self.contexts[context];
+        if nodes.code_node(coder, ZERO, value == 0) { 0 } else { code_magnitude(coder, nodes, value) }
     }
 }
 
-/// Codes a number below `count`, all being equally likely.
-pub(crate) fn code_uniform<C: Coder>(coder: &mut C, count: u32, meant: u32) -> u32 {
+/// Codes an integer below `count`, all being equally likely.
+pub(crate) fn code_uniform<C: Coder>(coder: &mut C, count: u32, actual: u32) -> u32 {
     let (mut low, mut high) = (0, count.max(1));
     while high - low > 1 {
         let middle = low + (high - low) / 2;
-        let share = (u64::from(high - middle) * 65_536 / u64::from(high - low)) as u32;
-        if coder.bit(meant >= middle, share) { low = middle } else { high = middle }
+        let p_one = (u64::from(high - middle) * 65_536 / u64::from(high - low)) as u32;
+        if coder.bit(actual >= middle, p_one) { low = middle } else { high = middle }
     }
     low
 }
@@ -116,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_of_all_sizes_come_back() {
+    fn integers_of_all_sizes_round_trip() {
         let mut writer = RangeWriter::new();
         let mut model = AdaptiveNumber::new(3, Rate::Quick);
         for (at, &number) in numbers().iter().enumerate() {
@@ -133,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn small_numbers_take_little_more_than_their_entropy() {
+    fn small_integers_cost_little_more_than_their_entropy() {
         let mut random = Random::new(12);
         let numbers: Vec<i32> = (0..30_000).map(|_| (random.below(4) + random.below(4)) as i32 - 3).collect();
         let entropy: f64 =
@@ -148,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn any_bytes_give_numbers() {
+    fn arbitrary_bytes_decode_without_panicking() {
         let mut random = Random::new(13);
         for _ in 0..100 {
             let bytes: Vec<u8> = (0..30).map(|_| random.next_u64() as u8).collect();

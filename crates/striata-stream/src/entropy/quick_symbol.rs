@@ -1,49 +1,51 @@
-//! One of sixteen at once, in 16-bit lanes.
+//! Adaptive coding of one of sixteen symbols in 16-bit SIMD lanes.
 //!
-//! [`super::AdaptiveSymbol`] for the second version of streams: shares have 15 bits, so that all sixteen fit two vectors, and an
-//! even share is mixed in when a symbol is coded, so that what is learned needs no floor of its own.
+//! Serves as [`super::AdaptiveSymbol`] from version 2 of the format on. Cumulative shares have 15 bits, so
+//! that all sixteen fit into two vectors. A uniform share is mixed in when a symbol is coded, so that the
+//! learned shares need no lower bound.
 
 use wide::i16x8;
 
 use super::coder::{Coder, QuickShares, SYMBOLS};
 
-/// Logarithm of the part of the whole that is shared evenly: no symbol's share falls below a sixteenth of it.
-const EVEN_LOG: u32 = 7;
-/// A symbol moves shares by one part in two to this power at first.
+/// The uniform share has a weight of 2 to the power of minus this; each symbol gets at least a sixteenth of
+/// it.
+const UNIFORM_SHIFT: u32 = 7;
+/// At first, shares move towards the coded symbol by 2 to the power of minus this.
 const FIRST_SHIFT: u32 = 2;
 
-/// How often each of sixteen symbols came.
+/// Adaptive frequencies of sixteen symbols.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct QuickSymbol {
     begins: [i16x8; 2],
-    /// Symbols seen, as far as they still count.
+    /// Number of symbols learned, up to a limit.
     seen: u16,
 }
 
-/// Where shares begin after so many symbols like the one at the index.
-static GOALS: [[i16; SYMBOLS]; SYMBOLS] = {
-    let mut goals = [[0; SYMBOLS]; SYMBOLS];
+/// For each symbol, the cumulative shares if it were certain.
+static CERTAIN: [[i16; SYMBOLS]; SYMBOLS] = {
+    let mut certain = [[0; SYMBOLS]; SYMBOLS];
     let mut symbol = 0;
     while symbol < SYMBOLS {
         let mut at = symbol + 1;
         while at < SYMBOLS {
-            goals[symbol][at] = i16::MAX;
+            certain[symbol][at] = i16::MAX;
             at += 1;
         }
         symbol += 1;
     }
-    goals
+    certain
 };
 
-/// The beginnings of shares when all are the same, of 2 to the power of 15 less [`EVEN_LOG`].
-const EVEN: [i16; SYMBOLS] = {
-    let mut even = [0; SYMBOLS];
+/// Cumulative uniform shares, scaled by the weight of [`UNIFORM_SHIFT`].
+const UNIFORM: [i16; SYMBOLS] = {
+    let mut uniform = [0; SYMBOLS];
     let mut at = 0;
     while at < SYMBOLS {
-        even[at] = (at << (11 - EVEN_LOG)) as i16;
+        uniform[at] = (at << (11 - UNIFORM_SHIFT)) as i16;
         at += 1;
     }
-    even
+    uniform
 };
 
 fn halves(all: &[i16; SYMBOLS]) -> [i16x8; 2] {
@@ -52,7 +54,8 @@ fn halves(all: &[i16; SYMBOLS]) -> [i16x8; 2] {
 }
 
 impl QuickSymbol {
-    /// The first `count` symbols alike, others hardly.
+    /// Creates an untrained model in which the first `count` symbols are equally likely and the others
+    /// nearly impossible.
     pub(crate) fn new(count: usize) -> Self {
         let begins: QuickShares = std::array::from_fn(|i| ((i << 15) / count.max(1)).min(32_767) as i16);
         Self { begins: halves(&begins), seen: 0 }
@@ -62,54 +65,54 @@ impl QuickSymbol {
     fn learn(&mut self, symbol: usize, last_shift: u32) {
         let shift = (FIRST_SHIFT + (u32::from(self.seen >> 2) + 1).ilog2()).min(last_shift);
         self.seen = (self.seen + 1).min(1 << 10);
-        for (begins, goal) in self.begins.iter_mut().zip(halves(&GOALS[symbol & 15])) {
-            *begins += (goal - *begins) >> shift;
+        for (begins, certain) in self.begins.iter_mut().zip(halves(&CERTAIN[symbol & 15])) {
+            *begins += (certain - *begins) >> shift;
         }
     }
 
-    /// Codes a symbol, and learns it, in the end by one part in two to this power.
+    /// Codes a symbol and learns it; `last_shift` is the final learning rate, as a negative power of two.
     #[inline]
-    pub(crate) fn code<C: Coder>(&mut self, coder: &mut C, meant: usize, last_shift: u32) -> usize {
-        let symbol = coder.quick_symbol(meant, &shares_of(self.begins));
+    pub(crate) fn code<C: Coder>(&mut self, coder: &mut C, actual: usize, last_shift: u32) -> usize {
+        let symbol = coder.quick_symbol(actual, &with_uniform_share(self.begins));
         self.learn(symbol, last_shift);
         symbol
     }
 }
 
 #[inline]
-fn shares_of(begins: [i16x8; 2]) -> QuickShares {
+fn with_uniform_share(begins: [i16x8; 2]) -> QuickShares {
     let mut shares = [0; SYMBOLS];
-    for ((shares, begins), even) in shares.chunks_exact_mut(8).zip(begins).zip(halves(&EVEN)) {
-        let mixed = begins - (begins >> EVEN_LOG) + even;
+    for ((shares, begins), uniform) in shares.chunks_exact_mut(8).zip(begins).zip(halves(&UNIFORM)) {
+        let mixed = begins - (begins >> UNIFORM_SHIFT) + uniform;
         shares.copy_from_slice(mixed.as_array());
     }
     shares
 }
 
-/// Codes a symbol by where shares begin as a model has them: an even share is mixed in.
+/// Codes a symbol by cumulative shares of the caller, mixed with the uniform share.
 #[inline]
-pub(crate) fn code_shares<C: Coder>(coder: &mut C, meant: usize, begins: &QuickShares) -> usize {
-    coder.quick_symbol(meant, &shares_of(halves(begins)))
+pub(crate) fn code_shares<C: Coder>(coder: &mut C, actual: usize, begins: &QuickShares) -> usize {
+    coder.quick_symbol(actual, &with_uniform_share(halves(begins)))
 }
 
-/// Codes a symbol by the mean of two models, which learn it.
+/// Codes a symbol by the mean of two models, and updates both.
 #[inline]
 pub(crate) fn code_by_two<C: Coder>(
     coder: &mut C,
     models: [&mut QuickSymbol; 2],
-    meant: usize,
+    actual: usize,
     last_shift: u32,
 ) -> usize {
     let begins = [0, 1].map(|half| (models[0].begins[half] >> 1u32) + (models[1].begins[half] >> 1u32));
-    let symbol = coder.quick_symbol(meant, &shares_of(begins));
+    let symbol = coder.quick_symbol(actual, &with_uniform_share(begins));
     models.into_iter().for_each(|model| model.learn(symbol, last_shift));
     symbol
 }
 
-/// The last symbol whose share begins at a place or before it.
+/// Returns the last symbol whose cumulative share is at most `value`.
 #[inline]
-pub(super) fn symbol_at(shares: &QuickShares, place: i16) -> usize {
-    let [low, high] = halves(shares).map(|begins| begins.simd_gt(i16x8::splat(place)).to_bitmask());
+pub(super) fn symbol_at(shares: &QuickShares, value: i16) -> usize {
+    let [low, high] = halves(shares).map(|begins| begins.simd_gt(i16x8::splat(value)).to_bitmask());
     let above = low | high << 8 | 1 << SYMBOLS;
     (above.trailing_zeros() as usize).saturating_sub(1)
 }
@@ -140,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn symbols_come_back_near_their_entropy() {
+    fn symbols_round_trip_near_their_entropy() {
         let symbols = triangular(20_000, 21);
         let weights = [1.0, 2.0, 3.0, 4.0, 3.0, 2.0, 1.0].map(|w: f64| w / 16.0);
         let entropy: f64 = weights.iter().map(|w| -w * w.log2()).sum();
@@ -155,27 +158,27 @@ mod tests {
     }
 
     #[test]
-    fn shares_stay_in_order() {
+    fn cumulative_shares_stay_sorted() {
         let mut random = Random::new(22);
         let mut model = QuickSymbol::new(3);
         for round in 0..5000 {
             model
                 .learn(if round % 100 < 90 { 15 * (round / 1000 % 2) } else { random.below(16) as usize }, 5);
-            let shares = shares_of(model.begins);
+            let shares = with_uniform_share(model.begins);
             assert!(shares[0] == 0 && shares.windows(2).all(|w| w[0] < w[1]), "{shares:?}");
-            for place in [0, 1, shares[7] - 1, shares[7], i16::MAX] {
-                let expected = shares.iter().rposition(|&begin| begin <= place);
-                assert_eq!(Some(symbol_at(&shares, place)), expected);
+            for value in [0, 1, shares[7] - 1, shares[7], i16::MAX] {
+                let expected = shares.iter().rposition(|&begin| begin <= value);
+                assert_eq!(Some(symbol_at(&shares, value)), expected);
             }
         }
     }
 
     #[test]
-    fn a_cut_message_is_noticed() {
+    fn truncated_messages_overrun() {
         let symbols = triangular(400, 23);
         let bytes = write(&symbols);
-        for cut in 0..bytes.len() {
-            let (mut reader, mut models) = (RangeReader::new(&bytes[..cut], false), models());
+        for length in 0..bytes.len() {
+            let (mut reader, mut models) = (RangeReader::new(&bytes[..length], false), models());
             for &symbol in &symbols {
                 let [one, other] = &mut models;
                 let found = code_by_two(&mut reader, [one, other], 0, 7);

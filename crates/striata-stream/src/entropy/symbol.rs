@@ -1,26 +1,26 @@
-//! One of sixteen at once: what would take several decisions one after the other takes one division.
+//! Adaptive coding of one of sixteen symbols with a single division, instead of several binary decisions.
 //!
-//! A model keeps where each symbol's share of the whole begins, and moves these towards the symbol that came. All
-//! sixteen move alike, so that a processor does it in a few steps; and the mean of two models is a model.
+//! A model stores cumulative shares and moves them towards the coded symbol. All sixteen are updated by the
+//! same operation, which vectorizes well, and the mean of two models is again a valid model.
 
 use super::coder::{Coder, SYMBOLS, Shares};
 
-/// What no symbol's share falls below, of 65536.
-const LEAST: i32 = 24;
-/// A symbol moves shares by one part in two to this power, at first and later.
+/// Minimum share of a symbol, in 1/65536.
+const MIN_SHARE: i32 = 24;
+/// Shares move towards the coded symbol by 2 to the power of minus this: at first, and later.
 const FIRST_SHIFT: u32 = 3;
 const LAST_SHIFT: u32 = 6;
 
-/// How often each of sixteen symbols came.
+/// Adaptive frequencies of sixteen symbols.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AdaptiveSymbol {
     begins: Shares,
-    /// Symbols seen, as far as they still count.
+    /// Number of symbols learned, up to a limit.
     seen: u32,
 }
 
 impl AdaptiveSymbol {
-    /// All alike.
+    /// Creates an untrained model: all symbols are equally likely.
     pub(crate) fn new() -> Self {
         Self { begins: std::array::from_fn(|i| (i << 12) as i32), seen: 0 }
     }
@@ -28,23 +28,23 @@ impl AdaptiveSymbol {
     fn learn(&mut self, symbol: usize) {
         let shift = FIRST_SHIFT + self.seen.ilog2().min(LAST_SHIFT - FIRST_SHIFT);
         for (i, begin) in self.begins.iter_mut().enumerate() {
-            let least = i as i32 * LEAST;
-            let target = if i <= symbol { least } else { 65_536 - (SYMBOLS - i) as i32 * LEAST };
+            let min_begin = i as i32 * MIN_SHARE;
+            let target = if i <= symbol { min_begin } else { 65_536 - (SYMBOLS - i) as i32 * MIN_SHARE };
             *begin += (target - *begin) >> shift;
         }
     }
 }
 
-/// Codes a symbol by the mean of two models, which learn it.
+/// Codes a symbol by the mean of two models, and updates both.
 #[inline]
 pub(crate) fn code_symbol<C: Coder>(
     coder: &mut C,
     one: &mut AdaptiveSymbol,
     other: &mut AdaptiveSymbol,
-    meant: usize,
+    actual: usize,
 ) -> usize {
     let shares: Shares = std::array::from_fn(|i| (one.begins[i] + other.begins[i]) >> 1);
-    let symbol = coder.symbol(meant, &shares);
+    let symbol = coder.symbol(actual, &shares);
     for model in [one, other] {
         model.seen = (model.seen + 1).min(64);
         model.learn(symbol);
@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn symbols_come_back_near_their_entropy() {
+    fn symbols_round_trip_near_their_entropy() {
         let mut random = Random::new(21);
         let symbols: Vec<usize> = (0..20_000).map(|_| (random.below(4) + random.below(4)) as usize).collect();
         let weights = [1.0, 2.0, 3.0, 4.0, 3.0, 2.0, 1.0].map(|w: f64| w / 16.0);
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn shares_stay_in_order() {
+    fn cumulative_shares_stay_sorted() {
         let mut random = Random::new(22);
         let mut model = AdaptiveSymbol::new();
         for round in 0..5000 {
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cut_message_is_noticed() {
+    fn truncated_messages_overrun() {
         let mut models = [AdaptiveSymbol::new(); 2];
         let mut writer = RangeWriter::new();
         let mut random = Random::new(23);
@@ -105,9 +105,9 @@ mod tests {
             code_symbol(&mut writer, one, other, symbol);
         }
         let (bytes, _) = writer.finish();
-        for cut in 0..bytes.len() {
+        for length in 0..bytes.len() {
             let mut models = [AdaptiveSymbol::new(); 2];
-            let mut reader = RangeReader::new(&bytes[..cut], false);
+            let mut reader = RangeReader::new(&bytes[..length], false);
             for &symbol in &symbols {
                 let [one, other] = &mut models;
                 let found = code_symbol(&mut reader, one, other, 0);

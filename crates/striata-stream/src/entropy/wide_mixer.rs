@@ -1,17 +1,17 @@
-//! The mixer in 16-bit lanes: for models with many opinions.
+//! [`WideMixer`]: a mixer in 16-bit SIMD lanes, for models with many inputs.
 //!
-//! As [`super::Mixer`], but weights and opinions are 16-bit numbers, eight to a vector, so that a decision costs a few
-//! instructions for each eight of them. Weights are coarser, which costs nothing measurable.
+//! Works like [`super::Mixer`], but weights and inputs are 16-bit integers, eight per vector, so that a
+//! decision takes a few instructions per eight inputs. The coarser weights have no measurable cost.
 
 use wide::i16x8;
 
 use super::logistic::{LOG_ODDS_LIMIT, probability};
 
-/// How fast a set of weights learns at first, and how fast in the end.
+/// Initial and final learning rate of a set of weights.
 const FIRST_RATE: i32 = 30 << 8;
 const LAST_RATE: i32 = 4 << 8;
-/// A set's rate falls by one part in 2 to this each time.
-const RATE_FALL: u32 = 8;
+/// With each update, the learning rate covers 1 / 2^`RATE_DECAY_SHIFT` of the distance to its final value.
+const RATE_DECAY_SHIFT: u32 = 8;
 
 #[derive(Clone, Copy, Debug)]
 struct Weights<const VECTORS: usize> {
@@ -19,7 +19,7 @@ struct Weights<const VECTORS: usize> {
     rate: i32,
 }
 
-/// Mixes eight opinions for each vector.
+/// Mixes `VECTORS` times eight predictions.
 #[derive(Clone, Debug)]
 pub(crate) struct WideMixer<const VECTORS: usize> {
     sets: Vec<Weights<VECTORS>>,
@@ -28,7 +28,7 @@ pub(crate) struct WideMixer<const VECTORS: usize> {
 }
 
 impl<const VECTORS: usize> WideMixer<VECTORS> {
-    /// As many sets of weights as contexts, each beginning with `first` (in 1/16384).
+    /// Creates `set_count` sets of weights, all starting at `first` (in 1/16384).
     pub(crate) fn new(set_count: usize, first: [[i16; 8]; VECTORS]) -> Self {
         let weights = first.map(i16x8::new);
         Self {
@@ -38,8 +38,8 @@ impl<const VECTORS: usize> WideMixer<VECTORS> {
         }
     }
 
-    /// The log-odds, in 1/256, of the decision under the weights of a context, and to be told by
-    /// [`update`](Self::update) how it went.
+    /// Mixes predictions with the weights of a context; returns the log-odds of the decision, in 1/256.
+    /// Pass the outcome to [`update`](Self::update).
     #[inline]
     pub(crate) fn mix(&mut self, inputs: &[[i16; 8]; VECTORS], context: usize) -> i32 {
         debug_assert!(context < self.sets.len(), "context {context} of {}", self.sets.len());
@@ -54,19 +54,19 @@ impl<const VECTORS: usize> WideMixer<VECTORS> {
         log_odds
     }
 
-    /// Learns how the decision mixed last went; `inputs` are those that were mixed.
+    /// Learns the outcome of the decision mixed last; `inputs` are the ones that were mixed.
     #[inline]
     pub(crate) fn update(&mut self, inputs: &[[i16; 8]; VECTORS], bit: bool) {
         let set = &mut self.sets[self.selected];
         let error = (i32::from(bit) << 16) - self.p_one;
-        // Half a step more, in the high half of the product, rounds.
+        // The high half of the product is taken with one extra bit, so that the result can be rounded.
         let push = ((error * (set.rate >> 8)) >> 6).clamp(-0x7FFF, 0x7FFF) as i16;
         for (weights, inputs) in set.weights.iter_mut().zip(inputs) {
             let input: i16x8 = i16x8::new(*inputs) << 3u32;
             let step = input.mul_keep_high(i16x8::splat(push));
             *weights = weights.saturating_add((step + i16x8::splat(1)) >> 1u32);
         }
-        set.rate -= (set.rate - LAST_RATE + (1 << RATE_FALL) - 1) >> RATE_FALL;
+        set.rate -= (set.rate - LAST_RATE + (1 << RATE_DECAY_SHIFT) - 1) >> RATE_DECAY_SHIFT;
     }
 }
 
@@ -82,14 +82,15 @@ mod tests {
     }
 
     #[test]
-    fn a_mixer_finds_out_whom_to_trust() {
+    fn mixer_learns_which_input_to_trust() {
         let mut random = Random::new(8);
         let mut mixer = WideMixer::new(2, [[2000; 8]; 2]);
         let (mut spent, mut ideal) = (0.0, 0.0);
         for at in 0..20_000 {
             let p = 3000 + random.below(59_000);
             let bit = random.below(65536) < p;
-            // In context 0 an opinion of the first vector is right, in context 1 one of the last says the contrary.
+            // In context 0 an input of the first vector is right; in context 1 one of the last vector is
+            // exactly wrong.
             let context = at % 2;
             let mut inputs = [[0; 8]; 2].map(|lanes| lanes.map(|_: i16| random.below(1000) as i16 - 500));
             if context == 0 {
@@ -108,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn extreme_opinions_stay_in_range() {
+    fn extreme_inputs_stay_in_range() {
         let mut mixer = WideMixer::new(1, [[0x7FFF; 8]; 3]);
         for at in 0..3000 {
             let sign = if at % 3 == 0 { -1 } else { 1 };

@@ -1,30 +1,34 @@
-//! Reading and writing the head of a stream: numbers and texts one after the other.
+//! Reading and writing the fields of a stream header: little-endian integers, varints and length-prefixed
+//! text.
 
 use striata::file::EncodeError;
 
 use crate::format::error::DecodeError;
 
-/// Takes numbers and texts off a head; every length is checked against what is left.
+/// Reads fields one after the other from a header; every length is checked against the bytes that remain.
 pub(crate) struct ByteReader<'a> {
     bytes: &'a [u8],
-    at: usize,
+    offset: usize,
 }
 
 impl<'a> ByteReader<'a> {
+    /// Starts at the first byte.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, at: 0 }
+        Self { bytes, offset: 0 }
     }
 
+    /// Returns an error at the current offset.
     pub(crate) fn malformed(&self, reason: &'static str) -> DecodeError {
-        DecodeError::Malformed { offset: self.at, reason }
+        DecodeError::Malformed { offset: self.offset, reason }
     }
 
+    /// Reads the next `count` bytes.
     pub(crate) fn bytes(&mut self, count: usize) -> Result<&'a [u8], DecodeError> {
-        let end = self.at.checked_add(count).filter(|&end| end <= self.bytes.len());
+        let end = self.offset.checked_add(count).filter(|&end| end <= self.bytes.len());
         let end = end.ok_or_else(|| self.malformed("ends too early"))?;
-        let taken = &self.bytes[self.at..end];
-        self.at = end;
-        Ok(taken)
+        let bytes = &self.bytes[self.offset..end];
+        self.offset = end;
+        Ok(bytes)
     }
 
     pub(crate) fn u8(&mut self) -> Result<u8, DecodeError> {
@@ -36,18 +40,19 @@ impl<'a> ByteReader<'a> {
         Ok(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
     }
 
-    /// A number in bytes of 7 bits, low ones first.
+    /// Reads an unsigned LEB128 integer: 7 bits per byte, low bits first.
     pub(crate) fn varint(&mut self) -> Result<u32, DecodeError> {
-        let mut left = &self.bytes[self.at..];
-        let value = read_varint(&mut left).ok_or_else(|| self.malformed("a number does not end"))?;
-        self.at = self.bytes.len() - left.len();
+        let mut rest = &self.bytes[self.offset..];
+        let value = read_varint(&mut rest).ok_or_else(|| self.malformed("an integer does not end"))?;
+        self.offset = self.bytes.len() - rest.len();
         Ok(value)
     }
 
-    /// A count of items that take at least `item_bytes` each, so that it can be allocated.
+    /// Reads a count of items and checks that the remaining bytes suffice, at `item_bytes` or more per item.
+    /// The caller can therefore allocate that many.
     pub(crate) fn short_count(&mut self, item_bytes: usize) -> Result<usize, DecodeError> {
         let count = self.varint()? as usize;
-        if count > (self.bytes.len() - self.at) / item_bytes {
+        if count > (self.bytes.len() - self.offset) / item_bytes {
             return Err(self.malformed("more items than bytes"));
         }
         Ok(count)
@@ -62,23 +67,26 @@ impl<'a> ByteReader<'a> {
         Ok(f32::from_bits(self.u32()?))
     }
 
+    /// Reads a block of bytes that is preceded by its length.
     pub(crate) fn block(&mut self) -> Result<&'a [u8], DecodeError> {
         let length = self.u32()? as usize;
         self.bytes(length)
     }
 
+    /// Reads a UTF-8 string that is preceded by its length.
     pub(crate) fn text(&mut self) -> Result<String, DecodeError> {
         let bytes = self.block()?;
-        let text = std::str::from_utf8(bytes).map_err(|_| self.malformed("the text is no UTF-8"))?;
+        let text = std::str::from_utf8(bytes).map_err(|_| self.malformed("the text is not valid UTF-8"))?;
         Ok(text.to_owned())
     }
 
+    /// Checks that every byte has been read.
     pub(crate) fn end(self) -> Result<(), DecodeError> {
-        if self.at == self.bytes.len() { Ok(()) } else { Err(self.malformed("bytes are left over")) }
+        if self.offset == self.bytes.len() { Ok(()) } else { Err(self.malformed("bytes are left over")) }
     }
 }
 
-/// Takes a number off the front; `None` if it ends too early or does not fit.
+/// Reads a varint from the front of `bytes`, or returns `None` if it ends too early or exceeds 32 bits.
 fn read_varint(bytes: &mut &[u8]) -> Option<u32> {
     let mut value = 0;
     for shift in (0..32).step_by(7) {
@@ -93,7 +101,7 @@ fn read_varint(bytes: &mut &[u8]) -> Option<u32> {
     None
 }
 
-/// A number in bytes of 7 bits, low ones first.
+/// Appends an unsigned LEB128 integer: 7 bits per byte, low bits first.
 pub(crate) fn write_varint(mut value: u32, out: &mut Vec<u8>) {
     while value >= 0x80 {
         out.push(value as u8 | 0x80);
@@ -106,7 +114,7 @@ pub(crate) fn put_u32(value: u32, out: &mut Vec<u8>) {
     out.extend(value.to_le_bytes());
 }
 
-/// A block of bytes behind its length.
+/// Appends a block of bytes, preceded by its length as a `u32`.
 pub(crate) fn put_block(what: &'static str, bytes: &[u8], out: &mut Vec<u8>) -> Result<(), EncodeError> {
     let length = bytes.len();
     put_u32(u32::try_from(length).map_err(|_| EncodeError::TooLong { what, length })?, out);
@@ -119,7 +127,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_read_as_written_and_no_others() {
+    fn varints_round_trip_and_longer_ones_are_rejected() {
         for value in [0, 1, 127, 128, 16383, 16384, 1 << 28, u32::MAX] {
             let mut bytes = Vec::new();
             write_varint(value, &mut bytes);

@@ -1,56 +1,56 @@
-//! What can be wrong with the bytes of a stream.
+//! Errors of decoding a stream.
 
 use striata::file::{self, SectionKind};
 
 use crate::format::grid::GridError;
 use crate::topology::surface::SurfaceDefect;
 
-/// Why bytes are not a progressive stream, or not a sound one.
+/// Why bytes could not be decoded as a progressive stream.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DecodeError {
     /// The bytes do not begin with the magic bytes of a stream.
-    #[error("not a .striata file: it begins with {found:02x?}")]
+    #[error("not a progressive stream: it begins with {found:02x?}")]
     Magic {
         /// The first bytes, at most 8.
         found: Vec<u8>,
     },
-    /// The stream is of a version that this reader does not know.
+    /// This reader does not know the stream's version.
     #[error("format version {found}, but this reader knows up to {supported}")]
     Version {
         /// The stream's version.
         found: u32,
-        /// The latest known version.
+        /// The latest version that this reader supports.
         supported: u32,
     },
-    /// The stream is shorter or longer than it says, or than its head needs.
-    #[error("the file has {found} bytes, expected {expected}")]
+    /// The stream is longer than its header says, or ends within the header.
+    #[error("the stream has {found} bytes, expected {expected}")]
     FileLength {
-        /// Bytes that are there.
+        /// Number of bytes given.
         found: u64,
-        /// Bytes that should be.
+        /// Number of bytes expected.
         expected: u64,
     },
-    /// The head is damaged.
+    /// The header's checksum does not match.
     #[error("the header is damaged: checksum {found:08x}, expected {expected:08x}")]
     HeaderChecksum {
         /// Checksum of the bytes.
         found: u32,
-        /// Checksum that the head holds.
+        /// Checksum stored in the header.
         expected: u32,
     },
-    /// The head makes no sense.
+    /// A field of the header is invalid.
     #[error("section {}, byte {offset}: {reason}", SectionKind::STREAM)]
     Malformed {
-        /// Where in the stream.
+        /// Byte offset in the stream.
         offset: usize,
-        /// What is wrong.
+        /// Why the field is invalid.
         reason: &'static str,
     },
-    /// The materials and images in the head make no sense.
+    /// The header's materials or images are invalid.
     #[error(transparent)]
     Appearance(file::DecodeError),
-    /// The stream is unsound.
+    /// The header is valid, but what follows is not.
     #[error("the stream is damaged: {0}")]
     Stream(#[from] StreamDefect),
 }
@@ -77,69 +77,69 @@ impl From<StreamDefect> for file::DecodeError {
     }
 }
 
-/// What can be wrong within a stream whose bytes are as they were written.
+/// Defects in what a stream encodes, and checksum mismatches in its chunks.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StreamDefect {
-    /// There are so many batches of so few splits that reading them would take for ever.
-    #[error("{batch_count} batches were read, and they are too many for so few splits")]
+    /// The batches split too few vertices each, so that decoding would take far too long.
+    #[error("the stream has {batch_count} batches or more, too many for the number of its splits")]
     Batches {
-        /// Batches read.
+        /// Number of batches decoded so far.
         batch_count: u32,
     },
-    /// The grid is none.
+    /// The grid of positions in the header is invalid.
     #[error(transparent)]
     Grid(#[from] GridError),
-    /// The stream ends before its base mesh does.
-    #[error("it ends before the base mesh does")]
+    /// The stream ends before the base mesh is complete.
+    #[error("it ends before the base mesh is complete")]
     NoBase,
-    /// The base is no closed surface.
-    #[error("the base mesh is no surface: {0}")]
+    /// The base mesh is not a closed surface.
+    #[error("the base mesh is not a closed surface: {0}")]
     Base(#[from] SurfaceDefect),
-    /// A position lies off the grid.
-    #[error("position {position} lies off the grid")]
+    /// A position lies outside the grid.
+    #[error("position {position} lies outside the grid")]
     Place {
-        /// The position, in the order of the stream.
+        /// Index of the position, in stream order.
         position: usize,
     },
-    /// Positions have more vertices than so few bytes can tell.
-    #[error("chunk {chunk} tells of more vertices than its bytes can")]
+    /// The chunks decoded so far create more vertices than chunks of their size may.
+    #[error("chunk {chunk} creates more vertices than its length allows")]
     Wedges {
-        /// The chunk, from 0, which holds the base.
+        /// Index of the chunk; chunk 0 contains the base mesh.
         chunk: usize,
     },
-    /// A chunk's bytes are damaged.
+    /// A chunk's checksum does not match.
     #[error("chunk {chunk} at byte {offset} is damaged: checksum {found:08x}, expected {expected:08x}")]
     Checksum {
-        /// The chunk, from 0, which holds the base.
+        /// Index of the chunk; chunk 0 contains the base mesh.
         chunk: usize,
-        /// Where it begins in the stream.
+        /// Byte offset of the chunk in the stream.
         offset: u64,
         /// Checksum of the bytes.
         found: u32,
-        /// Checksum that the head holds.
+        /// Checksum stored in the header.
         expected: u32,
     },
-    /// What was decoded is not what the head promises.
-    #[error("it gives {found} {what}, but its head says {expected}")]
+    /// A total differs from the one in the header.
+    #[error("it decodes to {found} {what}, but its header says {expected}")]
     Count {
-        /// What is counted.
+        /// The items counted, for example `"triangles"`.
         what: &'static str,
-        /// What came.
+        /// Number of items decoded.
         found: u64,
-        /// What was promised.
+        /// Number of items given in the header.
         expected: u64,
     },
-    /// A step brings a triangle that has two corners at one position.
-    #[error("step {step} brings a triangle without three different corners")]
+    /// A step creates a triangle with two corners at one position.
+    #[error("step {step} creates a triangle with two corners at one position")]
     Step {
-        /// The step, from 0.
+        /// Index of the step, from 0.
         step: usize,
     },
-    /// A batch splits nothing, so that the stream would never end.
+    /// A batch splits no vertex, so the stream would never end.
     #[error("batch {batch} splits no vertex")]
     EmptyBatch {
-        /// The batch, from 1.
+        /// Number of the batch, from 1.
         batch: u32,
     },
 }

@@ -1,52 +1,52 @@
-//! What the head of a stream says of the whole of it.
+//! [`StreamFacts`]: properties of a stream that can be read from its header alone.
 
 use crate::format::error::DecodeError;
 use crate::format::form::{Effort, StreamVersion};
 use crate::format::head::{Head, head_length};
 
-/// What a stream holds, in numbers; all of it is known as soon as its head is there.
+/// Counts, sizes and settings of a stream, read from its header without decoding anything.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct StreamFacts {
-    /// Bytes of the whole stream.
+    /// Length of the whole stream, bytes.
     pub stream_bytes: u64,
-    /// Bytes of the head.
+    /// Length of the header, bytes.
     pub head_bytes: u64,
-    /// Bytes after which the base mesh is there.
+    /// Length of the prefix that contains the base mesh, bytes.
     pub base_bytes: u64,
-    /// Stretches with a checksum of their own; the first holds the base mesh.
+    /// Number of chunks, each with its own checksum; the first contains the base mesh.
     pub chunk_count: usize,
-    /// How hard the coder tried.
+    /// Compression effort that the stream was encoded with.
     pub effort: Effort,
-    /// What its bits mean.
+    /// Version of the stream format.
     pub version: StreamVersion,
-    /// Whether positions are the very floats of the mesh that was coded.
+    /// Whether positions are lossless: bit for bit the floats of the encoded mesh.
     pub is_exact: bool,
-    /// Bits of a coordinate on the grid of positions.
+    /// Bits per coordinate of the position grid.
     pub grid_bits: u32,
-    /// Distance of neighbors on that grid, mesh units.
+    /// Spacing of the position grid, mesh units.
     pub grid_step: f64,
-    /// Positions of the full mesh.
+    /// Number of positions of the full mesh.
     pub position_count: usize,
-    /// Vertices of the full mesh.
+    /// Number of vertices of the full mesh.
     pub vertex_count: usize,
-    /// Triangles of the full mesh.
+    /// Number of triangles of the full mesh.
     pub triangle_count: usize,
-    /// Groups of triangles; 0 where the mesh names none.
+    /// Number of groups of triangles, or 0 if the mesh has none.
     pub group_count: usize,
-    /// Vertex splits from the base to the full mesh.
+    /// Number of vertex splits from the base mesh to the full mesh.
     pub step_count: usize,
     /// Error of the base mesh, mesh units.
     pub error_max: f32,
-    /// Texts about the stream, key and value.
+    /// Metadata of the stream, as pairs of key and value.
     pub metadata: Vec<(String, String)>,
 }
 
 impl StreamFacts {
-    /// Reads the head of a stream; none where there are too few bytes of it.
+    /// Reads the header of a stream; returns `None` if `bytes` ends within the header.
     ///
     /// # Errors
-    /// [`DecodeError`] where the bytes begin no stream that this version reads, or its head is damaged.
+    /// [`DecodeError`] if the bytes are not a stream of a known version, or if the header is damaged.
     pub fn read(bytes: &[u8]) -> Result<Option<Self>, DecodeError> {
         let Some(head) = head_length(bytes)?.and_then(|length| bytes.get(..length)) else {
             return Ok(None);

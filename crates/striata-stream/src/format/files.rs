@@ -1,4 +1,4 @@
-//! Files of the library with streams: reading them with a decoder, and storing a stream in them.
+//! `.striata` files that contain a stream: opening them with a decoder, and storing a stream in one.
 
 use striata::file::{
     self, EncodeError, FileModel, StoredStream, StreamCodec, StreamHead, StreamMesh, StriataFile, Summary,
@@ -9,49 +9,54 @@ use crate::format::error::{DecodeError, StreamDefect};
 use crate::format::facts::StreamFacts;
 use crate::reader::decode::StreamDecoder;
 
-/// Bytes that a decoder gets at once: what waits is moved with each chunk.
+/// Number of bytes passed to a decoder at a time. The decoder moves pending bytes after each chunk, so
+/// large pieces would be slow.
 const PIECE_BYTES: usize = 1 << 16;
 
-/// Decodes the streams of [`StriataFile`].
+/// Decodes the streams inside a [`StriataFile`].
 #[derive(Clone, Copy, Debug)]
 struct Codec;
 
-/// Reads a `.striata` file as [`StriataFile::parse`] does, with a decoder for its stream.
+/// Reads a `.striata` file like [`StriataFile::parse`] and attaches a decoder for its stream.
 ///
 /// # Errors
-/// As [`StriataFile::parse`].
+/// The errors of [`StriataFile::parse`].
 pub fn open(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
     open_with(bytes, Verify::WhenRead)
 }
 
-/// The same, saying when checksums are compared.
+/// Reads a `.striata` file like [`open`]; `verify` says when checksums are compared.
 ///
 /// # Errors
-/// As [`StriataFile::parse_with`].
+/// The errors of [`StriataFile::parse_with`].
 pub fn open_with(bytes: &[u8], verify: Verify) -> Result<StriataFile<'_>, file::DecodeError> {
     Ok(StriataFile::parse_with(bytes, verify)?.with_codec(&Codec))
 }
 
-/// Reads a file that may be cut off within its stream as [`StriataFile::parse_cut`] does, with a decoder for the stream.
+/// Reads a file that may be truncated within its stream, like [`StriataFile::parse_cut`], and attaches a
+/// decoder.
 ///
 /// # Errors
-/// As [`StriataFile::parse_cut`].
+/// The errors of [`StriataFile::parse_cut`].
 pub fn open_cut(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
     Ok(StriataFile::parse_cut(bytes)?.with_codec(&Codec))
 }
 
-/// A stream alone, whole or cut off, as if it were all that a file has. Its bounds are not known before it is decoded.
+/// Opens a bare stream, complete or truncated, as a file that contains only this stream.
+///
+/// Its bounds are unknown until it has been decoded.
 ///
 /// # Errors
-/// [`file::DecodeError`] if the bytes begin no sound stream, go on after its end, or end before its base mesh does.
+/// [`file::DecodeError`] if the bytes are not a valid stream, continue after its end, or end before the
+/// base mesh does.
 pub fn open_stream(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
     StriataFile::from_stream(bytes, &Codec)
 }
 
-/// A stream as a model to be stored in a file.
+/// Wraps a stream as a model that can be stored in a `.striata` file.
 ///
 /// # Errors
-/// [`EncodeError::Model`] if the bytes are not as many as the head of a stream says.
+/// [`EncodeError::Model`] if the length differs from the one in the stream's header.
 pub fn file_model(stream: &[u8]) -> Result<FileModel<'_>, EncodeError> {
     let facts = StreamFacts::read(stream).ok().flatten().unwrap_or_default();
     let model = FileModel::Progressive(StoredStream {
@@ -118,10 +123,10 @@ fn decode(bytes: &[u8], is_cut: bool) -> Result<StreamMesh, DecodeError> {
     let malformed = |reason| DecodeError::Malformed { offset: bytes.len(), reason };
     if !decoder.is_complete() {
         if !is_cut {
-            return Err(malformed("the stream goes on"));
+            return Err(malformed("the stream is truncated"));
         }
         decoder.finish()?;
     }
-    let refinable = decoder.refinable_mesh().ok_or_else(|| malformed("the stream gives no mesh"))?;
+    let refinable = decoder.refinable_mesh().ok_or_else(|| malformed("the stream has no mesh"))?;
     Ok(StreamMesh { refinable, is_complete: decoder.is_complete() })
 }

@@ -1,31 +1,31 @@
-//! In which form a stream is coded.
+//! Compression effort and format version of a stream.
 
-/// How hard the coder tries.
+/// Compression effort: how much decoding time is spent on a smaller stream.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Effort {
-    /// Simple models, quickest to read.
+    /// Simple models: the fastest to decode.
     Fast,
-    /// Good models.
+    /// Mixed models: a compromise of size and speed.
     #[default]
     Default,
-    /// The smallest files, slowest to read.
+    /// The strongest models: the smallest streams, the slowest to decode.
     Small,
 }
 
-/// What the bits of a stream mean.
+/// Version of the stream format.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum StreamVersion {
-    /// The first one: splits of a surface only. It can still be written, for readers that know no other.
+    /// Version 1: surface splits only. It can still be written, for readers that know no other version.
     One,
-    /// The present one.
+    /// Version 2, the current one: adds general batches.
     #[default]
     Two,
 }
 
 impl StreamVersion {
-    /// As the head of a stream has it.
+    /// Returns the version number stored in the header.
     pub fn number(self) -> u8 {
         match self {
             Self::One => 1,

@@ -1,107 +1,111 @@
-//! Positions as whole numbers: a cubic grid over the bounds of a mesh.
+//! The position grid: quantization of positions to integers on a cubic grid over the bounds of a mesh.
 //!
-//! A coordinate `q` stands for `origin + q * step`, worked out in f64 and rounded to f32 once, which is the same number
-//! on every machine. The grid is never finer than the floats of the mesh: where a step would be lost in rounding, it
-//! becomes a power of two of which all points are multiples. So a place on the grid is told from all others, and
-//! quantizing it gives its coordinates again. What is lost to the grid can be kept beside it: the
-//! **correction** counts the floats between a place and the exact coordinate.
+//! Coordinate `q` stands for `origin + q * step`, evaluated in f64 and rounded to f32 once, which gives the
+//! same float on every machine. The grid is never finer than the floats of the mesh: if a step would be
+//! lost in rounding, it is replaced by a power of two that divides all points. Distinct grid points
+//! therefore have distinct positions, and quantizing the position of a grid point returns that point. For
+//! lossless positions, a **correction** is stored in addition: the number of floats between the grid
+//! point's position and the exact coordinate.
 //!
-//! Differs from the usual grids of coders: the step is the same along all axes, and a tolerance is kept with all
-//! rounding counted in.
+//! Differs from the usual grids of coders: the step is the same along all axes, and a tolerance is
+//! guaranteed with all rounding included.
 
 use striata::mesh::Bounds;
 
 use crate::entropy::{AdaptiveNumber, Coder, Rate};
 
-/// The most bits a coordinate may take.
+/// Maximum number of bits per coordinate.
 pub(crate) const MAX_BITS: u32 = 24;
 
-/// Why there is no grid as asked for.
+/// Why a position grid cannot be made or is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GridError {
-    /// The number of bits is none that coordinates can have.
-    #[error("{bits} bits a coordinate asked for, but it must be 1 to {MAX_BITS}")]
+    /// The number of bits per coordinate is out of range.
+    #[error("{bits} bits per coordinate requested, but the range is 1 to {MAX_BITS}")]
     Bits {
-        /// Bits asked for.
+        /// The requested number of bits.
         bits: u32,
     },
-    /// The tolerance is no length.
-    #[error("a tolerance of {tolerance} asked for, but it must be above 0 and finite")]
+    /// The tolerance is not a positive finite length.
+    #[error("a tolerance of {tolerance} requested, but it must be positive and finite")]
     NoTolerance {
-        /// What was asked for.
+        /// The requested tolerance, mesh units.
         tolerance: f64,
     },
-    /// No grid is fine enough.
+    /// Even the finest grid exceeds the tolerance.
     #[error(
-        "a tolerance of {tolerance} asked for, but the finest grid is up to {least} off: exact positions are what helps"
+        "a tolerance of {tolerance} requested, but even the finest grid is off by up to {least}; \
+         use exact positions instead"
     )]
     Tolerance {
-        /// What was asked for, mesh units.
+        /// The requested tolerance, mesh units.
         tolerance: f64,
-        /// What can be kept, mesh units.
+        /// The smallest tolerance that can be guaranteed, mesh units.
         least: f64,
     },
-    /// A number of the grid is none that a grid has.
-    #[error("the grid's {what} is {value}, which no grid has")]
+    /// A parameter of the grid is out of range.
+    #[error("the grid's {what} is {value}, which is out of range")]
     Malformed {
-        /// Which number.
+        /// Name of the parameter.
         what: &'static str,
-        /// What stands there.
+        /// Its value.
         value: f64,
     },
 }
 
-/// The points `origin + q * step` of a line, `q` from 0.
+/// A one-dimensional grid: the points `origin + q * step` for `q >= 0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Axis {
-    /// The place of 0.
+    /// Position of `q == 0`.
     pub(crate) origin: f32,
-    /// From one point to the next, above 0.
+    /// Distance between neighboring points, above 0.
     pub(crate) step: f64,
 }
 
 impl Axis {
-    /// The number nearest to a place, within 0 to `limit`; 0 for what is no number.
-    pub(crate) fn quantize(self, place: f32, limit: i32) -> i32 {
-        let q = ((f64::from(place) - f64::from(self.origin)) / self.step + 0.5).floor();
-        // The cast takes what is no number for 0.
+    /// Returns the grid coordinate nearest to a position, clamped to `0..=limit`; 0 for NaN.
+    pub(crate) fn quantize(self, position: f32, limit: i32) -> i32 {
+        let q = ((f64::from(position) - f64::from(self.origin)) / self.step + 0.5).floor();
+        // The cast maps NaN to 0.
         (q.clamp(0.0, f64::from(limit))) as i32
     }
 
-    /// The place of a number; always finite.
+    /// Returns the position of a grid coordinate; always finite.
     pub(crate) fn place(self, q: i32) -> f32 {
-        let place = f64::from(self.origin) + f64::from(q) * self.step;
-        place.clamp(f64::from(-f32::MAX), f64::from(f32::MAX)) as f32
+        let position = f64::from(self.origin) + f64::from(q) * self.step;
+        position.clamp(f64::from(-f32::MAX), f64::from(f32::MAX)) as f32
     }
 
-    /// Axes over ranges of finite numbers, with one step for all, and the bits that their numbers take.
+    /// Makes axes over ranges of finite numbers, all with the same step, and the number of bits that
+    /// coordinates need.
     ///
-    /// The step is at least `least_step`, and as much longer as floats and `bits` need.
+    /// The step is at least `least_step`; it is made longer if float precision or `bits` requires it.
     pub(crate) fn over(ranges: &[(f32, f32)], least_step: f64, bits: u32) -> (Vec<Self>, u32) {
         let largest = ranges.iter().fold(0.0f32, |m, r| m.max(r.0.abs()).max(r.1.abs()));
         let unit = float_step(largest);
         let extent = ranges.iter().fold(0.0f64, |m, r| m.max(f64::from(r.1) - f64::from(r.0)));
         let limit = (1u32 << bits) - 1;
         let mut step = least_step.max(extent / f64::from(limit));
-        let is_fine = step < 2.0 * unit;
-        if is_fine {
+        let is_float_limited = step < 2.0 * unit;
+        if is_float_limited {
             step = if step <= unit { unit } else { 2.0 * unit };
         }
         loop {
-            let origin =
-                |low: f32| if is_fine { (f64::from(low) / unit).floor() * unit } else { f64::from(low) };
+            let origin = |low: f32| {
+                if is_float_limited { (f64::from(low) / unit).floor() * unit } else { f64::from(low) }
+            };
             let axes: Vec<_> = ranges.iter().map(|r| Self { origin: origin(r.0) as f32, step }).collect();
-            let most =
+            let max =
                 axes.iter().zip(ranges).map(|(axis, r)| axis.quantize(r.1, i32::MAX)).max().unwrap_or(0);
-            if most as u32 <= limit {
-                return (axes, (most as u32 + 1).next_power_of_two().ilog2().max(1));
+            if max as u32 <= limit {
+                return (axes, (max as u32 + 1).next_power_of_two().ilog2().max(1));
             }
             step *= 2.0;
         }
     }
 
-    /// The axis, if its numbers are such as an axis can have.
+    /// Returns the axis if its origin and step are valid.
     pub(crate) fn check(self) -> Result<Self, GridError> {
         if !self.origin.is_finite() {
             return Err(GridError::Malformed { what: "origin", value: f64::from(self.origin) });
@@ -113,7 +117,7 @@ impl Axis {
     }
 }
 
-/// The distance from a float to the next larger one.
+/// Returns the distance from `|x|` to the next larger float.
 fn float_step(x: f32) -> f64 {
     f64::from(f32::from_bits((x.abs().to_bits() & 0x7F80_0000).max(0x0080_0000))) / f64::from(1u32 << 23)
 }
@@ -121,19 +125,20 @@ fn float_step(x: f32) -> f64 {
 /// The grid of a mesh's positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PositionGrid {
-    /// The place of (0, 0, 0), mesh units.
+    /// Position of grid point (0, 0, 0), mesh units.
     pub(crate) origin: [f32; 3],
-    /// From one point to the next along every axis, mesh units.
+    /// Distance between neighboring points along each axis, mesh units.
     pub(crate) step: f64,
-    /// Bits that hold every coordinate.
+    /// Number of bits of a coordinate.
     pub(crate) bits: u32,
 }
 
 impl PositionGrid {
-    /// A grid of so many bits over the bounds; fewer where floats have no more.
+    /// Makes a grid with `bits` bits per coordinate over the bounds, or fewer if floats have no higher
+    /// precision there.
     ///
     /// # Errors
-    /// [`GridError::Bits`].
+    /// [`GridError::Bits`] if `bits` is out of range.
     pub(crate) fn from_bits(bounds: &Bounds, bits: u32) -> Result<Self, GridError> {
         if !(1..=MAX_BITS).contains(&bits) {
             return Err(GridError::Bits { bits });
@@ -141,16 +146,17 @@ impl PositionGrid {
         Ok(Self::over(bounds, 0.0, bits))
     }
 
-    /// The coarsest cubic grid that no point of the bounds is farther off than the tolerance, in mesh units.
+    /// Makes the coarsest cubic grid on which no point of the bounds moves by more than the tolerance, in
+    /// mesh units.
     ///
     /// # Errors
-    /// [`GridError`] where there is none.
+    /// [`GridError`] if the tolerance is invalid or no grid is fine enough.
     pub(crate) fn from_tolerance(bounds: &Bounds, tolerance: f64) -> Result<Self, GridError> {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(GridError::NoTolerance { tolerance });
         }
         let largest = (0..3).fold(0.0f32, |m, a| m.max(bounds.min[a].abs()).max(bounds.max[a].abs()));
-        // Half a step along each axis, and half a float where the place is rounded.
+        // Quantizing costs up to half a step per axis, rounding the position half a float.
         let step = 2.0 * tolerance / 3f64.sqrt() * (1.0 - 1e-12) - float_step(largest);
         let grid = Self::over(bounds, step.max(0.0), MAX_BITS);
         let least = grid.largest_distance(largest);
@@ -163,7 +169,7 @@ impl PositionGrid {
         Self { origin: [axes[0].origin, axes[1].origin, axes[2].origin], step: axes[0].step, bits }
     }
 
-    /// The farthest that a place may be from what it stands for.
+    /// Returns an upper bound of the distance from a point to its quantized position.
     fn largest_distance(&self, largest_coordinate: f32) -> f64 {
         let unit = float_step(largest_coordinate);
         let rounding = if self.step <= 2.0 * unit { 0.0 } else { unit };
@@ -174,27 +180,27 @@ impl PositionGrid {
         Axis { origin: self.origin[axis], step: self.step }
     }
 
-    /// The point nearest to a position within the bounds.
+    /// Returns the grid point nearest to a position within the bounds.
     pub(crate) fn quantize(&self, position: [f32; 3]) -> [i32; 3] {
         let limit = ((1u32 << self.bits) - 1) as i32;
         [0, 1, 2].map(|a| self.axis(a).quantize(position[a], limit))
     }
 
-    /// The place of a point; always finite.
+    /// Returns the position of a grid point; always finite.
     pub(crate) fn place(&self, point: [i32; 3]) -> [f32; 3] {
         [0, 1, 2].map(|a| self.axis(a).place(point[a]))
     }
 
-    /// Whether a point is one of the grid's.
+    /// Whether a point lies on the grid.
     #[inline]
     pub(crate) fn holds(&self, point: [i32; 3]) -> bool {
         (point[0] | point[1] | point[2]) as u32 >> self.bits == 0
     }
 
-    /// The grid, if its numbers are such as a grid can have: for what was read.
+    /// Returns the grid if its parameters are valid: for grids read from a stream.
     ///
     /// # Errors
-    /// [`GridError`] naming the number.
+    /// [`GridError`] that names the invalid parameter.
     pub(crate) fn check(self) -> Result<Self, GridError> {
         if !(1..=MAX_BITS).contains(&self.bits) {
             return Err(GridError::Bits { bits: self.bits });
@@ -204,44 +210,45 @@ impl PositionGrid {
     }
 }
 
-/// Floats as integers in the same order; every bit pattern has one, and the way back is the same.
+/// Maps a float to an integer such that the order is preserved; a bijection on bit patterns.
 #[inline]
 pub(crate) fn ordered(x: f32) -> i32 {
     let bits = x.to_bits() as i32;
     bits ^ (((bits >> 31) as u32) >> 1) as i32
 }
 
-/// The float of an integer of [`ordered`].
+/// Maps an integer from [`ordered`] back to its float.
 #[inline]
 pub(crate) fn from_ordered(x: i32) -> f32 {
     f32::from_bits((x ^ (((x >> 31) as u32) >> 1) as i32) as u32)
 }
 
-/// How many floats the exact number lies above the decoded one.
+/// Returns the number of floats between the decoded and the exact coordinate; positive if the exact one is
+/// larger.
 #[inline]
 pub(crate) fn exact_correction(exact: f32, decoded: f32) -> i32 {
     ordered(exact).wrapping_sub(ordered(decoded))
 }
 
-/// The exact number from the decoded one and what [`exact_correction`] said.
+/// Returns the exact coordinate, given the decoded one and the result of [`exact_correction`].
 #[inline]
 pub(crate) fn corrected(decoded: f32, correction: i32) -> f32 {
     from_ordered(ordered(decoded).wrapping_add(correction))
 }
 
-/// Codes what grid points lack of exact positions.
+/// Codes the corrections from grid points to exact positions.
 #[derive(Clone, Debug)]
 pub(crate) struct CorrectionModel {
     numbers: AdaptiveNumber,
 }
 
 impl CorrectionModel {
-    /// Nothing learned.
+    /// Creates an untrained model.
     pub(crate) fn new() -> Self {
         Self { numbers: AdaptiveNumber::new(32, Rate::Steady) }
     }
 
-    /// Codes the exact position of a point; a reader's `exact` is ignored.
+    /// Codes the exact position of a grid point; a reader's `exact` is ignored.
     pub(crate) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -251,11 +258,11 @@ impl CorrectionModel {
     ) -> [f32; 3] {
         let decoded = grid.place(point);
         [0, 1, 2].map(|a| {
-            // As many floats as lie within half a step: where coordinates are small there are more.
+            // The context is the number of floats within a step, which is larger for small coordinates.
             let floats = (grid.step / float_step(decoded[a])).min(f64::from(i32::MAX)) as u32;
             let context = floats.max(1).ilog2() as usize;
             let correction = self.numbers.signed(coder, context, exact_correction(exact[a], decoded[a]));
-            // Only damaged streams lead beyond the numbers.
+            // Only damaged streams contain corrections beyond the finite floats.
             Some(corrected(decoded[a], correction)).filter(|x| x.is_finite()).unwrap_or(decoded[a])
         })
     }
@@ -286,12 +293,12 @@ mod tests {
         all
     }
 
-    fn off(p: [f32; 3], q: [f32; 3]) -> f64 {
+    fn distance(p: [f32; 3], q: [f32; 3]) -> f64 {
         (0..3).map(|a| (f64::from(p[a]) - f64::from(q[a])).powi(2)).sum::<f64>().sqrt()
     }
 
     #[test]
-    fn places_are_told_apart_and_within_half_a_step() {
+    fn grid_points_have_distinct_positions_within_half_a_step() {
         for (index, cloud) in clouds().iter().enumerate() {
             let bounds = Bounds::of(cloud).unwrap();
             for bits in 1..=24 {
@@ -301,19 +308,22 @@ mod tests {
                 for &p in cloud {
                     let q = grid.quantize(p);
                     assert!(q.iter().all(|&x| (0..1i64 << grid.bits).contains(&i64::from(x))));
-                    let place = grid.place(q);
-                    assert_eq!(grid.quantize(place), q, "cloud {index}, {bits} bits, {p:?}, {grid:?}");
+                    let position = grid.place(q);
+                    assert_eq!(grid.quantize(position), q, "cloud {index}, {bits} bits, {p:?}, {grid:?}");
                     let largest = grid.largest_distance(
                         bounds.min.iter().chain(&bounds.max).fold(0.0, |m, x| x.abs().max(m)),
                     );
-                    assert!(off(place, p) <= largest * (1.0 + 1e-9), "cloud {index}: {p:?} {place:?}");
+                    assert!(
+                        distance(position, p) <= largest * (1.0 + 1e-9),
+                        "cloud {index}: {p:?} {position:?}"
+                    );
                 }
             }
         }
     }
 
     #[test]
-    fn the_step_is_the_extent_divided() {
+    fn the_step_divides_the_largest_extent() {
         let bounds = Bounds { min: [0.0, -1.0, 5.0], max: [1.0, 1.0, 5.5] };
         let grid = PositionGrid::from_bits(&bounds, 12).unwrap();
         assert_eq!((grid.step, grid.bits, grid.origin), (2.0 / 4095.0, 12, bounds.min));
@@ -323,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn tolerances_are_kept_and_used() {
+    fn tolerances_are_guaranteed_and_used_up() {
         for cloud in clouds() {
             let bounds = Bounds::of(&cloud).unwrap();
             for share in [0.3, 1e-2, 1e-4, 1e-6] {
@@ -331,7 +341,7 @@ mod tests {
                 match PositionGrid::from_tolerance(&bounds, tolerance) {
                     Ok(grid) => {
                         for &p in &cloud {
-                            assert!(off(grid.place(grid.quantize(p)), p) <= tolerance, "{grid:?} {p:?}");
+                            assert!(distance(grid.place(grid.quantize(p)), p) <= tolerance, "{grid:?} {p:?}");
                         }
                     }
                     Err(GridError::Tolerance { least, .. }) => assert!(least > tolerance),
@@ -350,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_grids_are_refused() {
+    fn invalid_grids_are_rejected() {
         let good = PositionGrid { origin: [0.0; 3], step: 1.0, bits: 12 };
         for bad in [
             PositionGrid { step: 0.0, ..good },
@@ -363,12 +373,12 @@ mod tests {
         ] {
             assert!(bad.check().is_err(), "{bad:?}");
         }
-        let wild = PositionGrid { origin: [f32::MAX; 3], step: 6e38, bits: 24 };
-        assert!(wild.place([i32::MAX, i32::MIN, 5]).iter().all(|x| x.is_finite()));
+        let extreme = PositionGrid { origin: [f32::MAX; 3], step: 6e38, bits: 24 };
+        assert!(extreme.place([i32::MAX, i32::MIN, 5]).iter().all(|x| x.is_finite()));
     }
 
     #[test]
-    fn corrections_give_every_float_again() {
+    fn corrections_restore_every_float() {
         let mut random = Random::new(1);
         for _ in 0..2000 {
             let [a, b] = [(); 2].map(|()| f32::from_bits(random.next_u64() as u32));
@@ -380,7 +390,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_positions_come_back_and_cost_what_the_grid_lacks() {
+    fn exact_positions_round_trip_and_cost_only_the_missing_bits() {
         for (index, cloud) in clouds().iter().enumerate() {
             let grid = PositionGrid::from_bits(&Bounds::of(cloud).unwrap(), 14).unwrap();
             let mut writer = RangeWriter::new();
@@ -395,7 +405,7 @@ mod tests {
                 let read = model.code(&mut reader, &grid, grid.quantize(p), [0.0; 3]);
                 assert_eq!(read.map(f32::to_bits), p.map(f32::to_bits), "cloud {index}");
             }
-            // A float has 32 bits, the grid tells up to 14 of them.
+            // A float has 32 bits; the grid already gives up to 14 of them.
             assert!(bytes.len() as f64 * 8.0 < 3.0 * 24.0 * cloud.len() as f64 + 400.0, "cloud {index}");
         }
     }

@@ -1,12 +1,12 @@
-//! What stands before the chunks of a stream: counts, the grid, names, and where each chunk is.
+//! The header of a stream: counts, position grid, layers, names, and the table of chunks.
 //!
 //! ```text
 //! 0   4 bytes  89 53 54 52
 //! 4   u8       version, 1 or 2
 //! 5   u8       effort
 //! 6   u16      flags; bit 0: positions are exact; bit 1, from version 2 on: there are general batches
-//! 8   u32      length of the head, these 16 bytes included
-//! 12  u32      CRC-32 of the head, this field left out
+//! 8   u32      length of the header, including these 16 bytes
+//! 12  u32      CRC-32 of the header without this field
 //! 16           counts, grid, layers, groups, appearance, metadata, chunks
 //! ```
 
@@ -19,73 +19,75 @@ use crate::format::form::{Effort, StreamVersion};
 use crate::format::grid::PositionGrid;
 use crate::layers::form::LayerForm;
 
-/// The newest version of streams that is read.
-const NEWEST: u8 = 2;
-/// Bytes of the head that are always there.
+/// Newest version that can be read.
+const NEWEST_VERSION: u8 = 2;
+/// Length of the fixed first part of the header, bytes.
 pub(crate) const FIXED_BYTES: usize = 16;
-const EXACT: u16 = 1;
-const GENERAL: u16 = 2;
-/// A chunk may hold so many splits a byte and for one byte more; a writer that needs less appends zeros.
-const MAX_SPLITS_A_BYTE: u64 = 256;
-/// The same of the triangles of the base.
-const MAX_BASE_TRIANGLES_A_BYTE: u32 = 256;
+const EXACT_FLAG: u16 = 1;
+const GENERAL_FLAG: u16 = 2;
+/// A chunk of `n` bytes contains at most `n + 1` times this number of splits. A writer that needs fewer
+/// bytes appends zeros.
+const MAX_SPLITS_PER_BYTE: u64 = 256;
+/// A first chunk of `n` bytes contains at most `n + 1` times this number of base triangles.
+const MAX_BASE_TRIANGLES_PER_BYTE: u32 = 256;
 
-/// The same of vertices beyond one a position, in a chunk and all before it.
-const MAX_WEDGES_A_BYTE: u64 = 256;
+/// The first `n` bytes of all chunks together create at most `n + 1` times this number of vertices beyond
+/// one per position.
+const MAX_EXTRA_WEDGES_PER_BYTE: u64 = 256;
 
-/// Numbers that a vertex may have in all layers: models are made for each of them.
+/// Maximum number of components per vertex in all layers together: each of them has its own models.
 pub(crate) const MOST_NUMBERS: usize = 4096;
 
-/// The bytes that a chunk and all before it must have at least.
+/// Returns the minimum total length of a chunk and all chunks before it.
 pub(crate) fn least_bytes_in_all(wedges_beyond: usize) -> usize {
-    wedges_beyond / MAX_WEDGES_A_BYTE as usize
+    wedges_beyond / MAX_EXTRA_WEDGES_PER_BYTE as usize
 }
 
-/// Vertices beyond one a position that so many bytes can tell.
+/// Returns how many vertices beyond one per position may be coded in `bytes` bytes.
 pub(crate) fn most_wedges_beyond(bytes: u64) -> u64 {
-    (bytes + 1) * MAX_WEDGES_A_BYTE
+    (bytes + 1) * MAX_EXTRA_WEDGES_PER_BYTE
 }
 
-/// The bytes that a chunk must have at least.
+/// Returns the minimum length of a chunk.
 pub(crate) fn least_bytes(splits: usize, base_triangles: usize) -> usize {
-    (splits / MAX_SPLITS_A_BYTE as usize).max(base_triangles / MAX_BASE_TRIANGLES_A_BYTE as usize)
+    (splits / MAX_SPLITS_PER_BYTE as usize).max(base_triangles / MAX_BASE_TRIANGLES_PER_BYTE as usize)
 }
 
-/// A group without its triangles.
+/// Name and material of a group of triangles.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct GroupName {
     pub(crate) name: String,
     pub(crate) material: Option<u32>,
 }
 
-/// Where a chunk is, and what it gives.
+/// Entry of the chunk table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Row {
-    /// Bytes of the chunk.
+    /// Length of the chunk, bytes.
     pub(crate) bytes: u32,
-    /// Splits of this and all chunks before it.
+    /// Number of splits in this chunk and all chunks before it.
     pub(crate) split_count: u32,
-    /// Error of the level before the chunk, mesh units, rounded up.
+    /// Error of the level before this chunk, mesh units, rounded up.
     pub(crate) error: f32,
     /// CRC-32 of the chunk's bytes.
     pub(crate) checksum: u32,
 }
 
-/// All that a reader knows before the first chunk.
+/// The header of a stream: all that a reader knows before the first chunk.
 #[derive(Clone, Debug)]
 pub(crate) struct Head {
-    /// Bytes of the head.
+    /// Length of the header, bytes.
     pub(crate) length: u64,
     pub(crate) version: StreamVersion,
     pub(crate) effort: Effort,
-    /// Whether positions are the very floats of the mesh, beside the grid.
+    /// Whether corrections are stored, so that positions are bit for bit the floats of the mesh.
     pub(crate) is_exact: bool,
     pub(crate) position_count: u32,
     pub(crate) vertex_count: u32,
     pub(crate) triangle_count: u32,
     pub(crate) step_count: u32,
     pub(crate) max_patch: u32,
-    /// Whether there are general batches.
+    /// Whether the stream may contain general batches.
     pub(crate) has_general: bool,
     pub(crate) grid: PositionGrid,
     pub(crate) layers: Vec<LayerForm>,
@@ -95,39 +97,39 @@ pub(crate) struct Head {
     pub(crate) rows: Vec<Row>,
 }
 
-/// An error as its upper 16 bits, rounded up.
+/// Returns the upper 16 bits of an error, rounded up.
 pub(crate) fn error_code(error: f32) -> u16 {
     let bits = error.max(0.0).to_bits();
     ((bits >> 16) + u32::from(bits & 0xffff != 0)).min(0x7f7f) as u16
 }
 
-fn error_of_code(code: u16) -> f32 {
+fn error_from_code(code: u16) -> f32 {
     f32::from_bits(u32::from(code) << 16)
 }
 
-/// The length that the first bytes of a head name; none where there are too few of them.
+/// Returns the length of a header from its first bytes, or `None` if there are too few of them.
 ///
 /// # Errors
-/// Where they begin no stream that this version reads.
+/// [`DecodeError`] if the bytes do not begin a stream of a known version.
 pub(crate) fn head_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> {
     let shown = bytes.len().min(4);
     if bytes[..shown] != STREAM_MAGIC[..shown] {
         return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
     }
     let Some(fixed) = bytes.get(..FIXED_BYTES) else { return Ok(None) };
-    if version_of(fixed[4]).is_none() {
-        let (found, supported) = (u32::from(fixed[4]), u32::from(NEWEST));
+    if version_from_byte(fixed[4]).is_none() {
+        let (found, supported) = (u32::from(fixed[4]), u32::from(NEWEST_VERSION));
         return Err(DecodeError::Version { found, supported });
     }
     let length = u32::from_le_bytes([fixed[8], fixed[9], fixed[10], fixed[11]]) as usize;
     if length < FIXED_BYTES {
-        let reason = "the head is shorter than its own beginning";
+        let reason = "the header is shorter than its fixed part";
         return Err(DecodeError::Malformed { offset: 8, reason });
     }
     Ok(Some(length))
 }
 
-fn version_of(byte: u8) -> Option<StreamVersion> {
+fn version_from_byte(byte: u8) -> Option<StreamVersion> {
     match byte {
         1 => Some(StreamVersion::One),
         2 => Some(StreamVersion::Two),
@@ -143,10 +145,10 @@ fn checksum(head: &[u8]) -> u32 {
 }
 
 impl Head {
-    /// The bytes of the head.
+    /// Serializes the header.
     ///
     /// # Errors
-    /// Where a text is too long.
+    /// [`EncodeError::TooLong`] if a text or the header is too long.
     pub(crate) fn to_bytes(&self) -> Result<Vec<u8>, EncodeError> {
         let mut out = STREAM_MAGIC.to_vec();
         let effort = match self.effort {
@@ -155,7 +157,8 @@ impl Head {
             Effort::Small => 2,
         };
         out.extend([self.version.number(), effort]);
-        let flags = if self.is_exact { EXACT } else { 0 } | if self.has_general { GENERAL } else { 0 };
+        let flags =
+            if self.is_exact { EXACT_FLAG } else { 0 } | if self.has_general { GENERAL_FLAG } else { 0 };
         out.extend(flags.to_le_bytes());
         out.extend([0; 8]);
         let counts = [self.position_count, self.vertex_count, self.triangle_count, self.step_count];
@@ -167,16 +170,16 @@ impl Head {
         self.layers.iter().for_each(|layer| layer.write(&mut out));
         self.names_to_bytes(&mut out)?;
         write_varint(self.rows.len() as u32, &mut out);
-        let mut before = 0;
+        let mut splits_before = 0;
         for row in &self.rows {
             write_varint(row.bytes, &mut out);
-            write_varint(row.split_count - before, &mut out);
+            write_varint(row.split_count - splits_before, &mut out);
             out.extend(error_code(row.error).to_le_bytes());
             out.extend(row.checksum.to_le_bytes());
-            before = row.split_count;
+            splits_before = row.split_count;
         }
         let length = u32::try_from(out.len())
-            .map_err(|_| EncodeError::TooLong { what: "the head", length: out.len() })?;
+            .map_err(|_| EncodeError::TooLong { what: "the header", length: out.len() })?;
         out[8..12].copy_from_slice(&length.to_le_bytes());
         let checksum = checksum(&out);
         out[12..16].copy_from_slice(&checksum.to_le_bytes());
@@ -199,16 +202,16 @@ impl Head {
         Ok(())
     }
 
-    /// The most triangles that a base of the first chunk's bytes may have.
+    /// Returns the maximum number of base triangles, given the length of the first chunk.
     pub(crate) fn most_base_triangles(&self) -> u32 {
         let bytes = self.rows.first().map_or(0, |row| row.bytes);
-        bytes.saturating_add(1).saturating_mul(MAX_BASE_TRIANGLES_A_BYTE)
+        bytes.saturating_add(1).saturating_mul(MAX_BASE_TRIANGLES_PER_BYTE)
     }
 
-    /// Reads a head of the length that [`head_length`] gave.
+    /// Parses a header whose length is the one returned by [`head_length`].
     ///
     /// # Errors
-    /// Where anything in it is unsound.
+    /// [`DecodeError`] if anything in it is invalid.
     pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Self, DecodeError> {
         let expected = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]);
         let found = checksum(bytes);
@@ -216,7 +219,7 @@ impl Head {
             return Err(DecodeError::HeaderChecksum { found, expected });
         }
         let mut reader = ByteReader::new(bytes);
-        let version = version_of(reader.bytes(5)?[4]).unwrap_or_default();
+        let version = version_from_byte(reader.bytes(5)?[4]).unwrap_or_default();
         let effort = match reader.u8()? {
             0 => Effort::Fast,
             1 => Effort::Default,
@@ -225,7 +228,7 @@ impl Head {
         };
         let flags = reader.bytes(2)?;
         let flags = u16::from_le_bytes([flags[0], flags[1]]);
-        let known = if version == StreamVersion::One { EXACT } else { EXACT | GENERAL };
+        let known = if version == StreamVersion::One { EXACT_FLAG } else { EXACT_FLAG | GENERAL_FLAG };
         if flags & !known != 0 {
             return Err(reader.malformed("unknown flags"));
         }
@@ -237,7 +240,7 @@ impl Head {
         let layers: Vec<LayerForm> =
             (0..layer_count).map(|_| LayerForm::read(&mut reader)).collect::<Result<_, _>>()?;
         if layers.iter().map(LayerForm::integer_count).sum::<usize>() > MOST_NUMBERS {
-            return Err(reader.malformed("the layers have more numbers a vertex than streams can have"));
+            return Err(reader.malformed("the layers have too many components per vertex"));
         }
         let groups = read_groups(&mut reader)?;
         let appearance = match reader.block()? {
@@ -250,27 +253,27 @@ impl Head {
         }
         let rows = read_rows(&mut reader)?;
         if rows.last().map(|row| row.split_count) != Some(step_count) {
-            return Err(reader.malformed("the chunks do not hold all steps"));
+            return Err(reader.malformed("the chunks do not contain all steps"));
         }
         if step_count > position_count || vertex_count < position_count {
             return Err(
                 reader.malformed("there are fewer positions than steps, or fewer vertices than positions")
             );
         }
-        let told: u64 = rows.iter().map(|row| u64::from(row.bytes)).sum();
-        if u64::from(vertex_count - position_count) > most_wedges_beyond(told) {
-            return Err(reader.malformed("there are more vertices than the chunks can tell"));
+        let chunk_bytes: u64 = rows.iter().map(|row| u64::from(row.bytes)).sum();
+        if u64::from(vertex_count - position_count) > most_wedges_beyond(chunk_bytes) {
+            return Err(reader.malformed("there are more vertices than the length of the chunks allows"));
         }
         if groups.iter().filter_map(|g| g.material).any(|m| m as usize >= appearance.materials.len()) {
-            return Err(reader.malformed("a group has a material that is not there"));
+            return Err(reader.malformed("a group has an unknown material"));
         }
         reader.end()?;
         Ok(Self {
             length: bytes.len() as u64,
             version,
             effort,
-            is_exact: flags & EXACT != 0,
-            has_general: flags & GENERAL != 0,
+            is_exact: flags & EXACT_FLAG != 0,
+            has_general: flags & GENERAL_FLAG != 0,
             position_count,
             vertex_count,
             triangle_count,
@@ -310,14 +313,14 @@ fn read_rows(reader: &mut ByteReader<'_>) -> Result<Vec<Row>, DecodeError> {
     for _ in 0..count {
         let (bytes, splits) = (reader.varint()?, reader.varint()?);
         let code = reader.bytes(2)?;
-        let error = error_of_code(u16::from_le_bytes([code[0], code[1]]));
+        let error = error_from_code(u16::from_le_bytes([code[0], code[1]]));
         let checksum = reader.u32()?;
         split_count = split_count.checked_add(splits).ok_or_else(|| reader.malformed("too many steps"))?;
         if !(error >= 0.0 && error <= last_error && error.is_finite()) {
-            return Err(reader.malformed("an error grows with detail"));
+            return Err(reader.malformed("the error of a chunk is larger than that of the chunk before"));
         }
-        if u64::from(splits) > MAX_SPLITS_A_BYTE * (u64::from(bytes) + 1) {
-            return Err(reader.malformed("a chunk holds more splits than its bytes can tell"));
+        if u64::from(splits) > MAX_SPLITS_PER_BYTE * (u64::from(bytes) + 1) {
+            return Err(reader.malformed("a chunk has more splits than its length allows"));
         }
         last_error = error;
         rows.push(Row { bytes, split_count, error, checksum });

@@ -1,13 +1,13 @@
-//! What a stream is made of, beside its range-coded bits.
+//! The container of a stream: everything except its range-coded bits.
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `form.rs` | versions and efforts |
-//! | `head.rs` | the head of a stream |
+//! | `form.rs` | [`Effort`](form::Effort) and [`StreamVersion`](form::StreamVersion) |
+//! | `head.rs` | the header of a stream |
 //! | `grid.rs` | the grid of positions |
-//! | `byte_reader.rs` | numbers in bytes |
-//! | `facts.rs` | what a head says |
-//! | `error.rs` | what is wrong with a stream |
+//! | `byte_reader.rs` | reading and writing header fields |
+//! | `facts.rs` | properties of a stream, read from its header |
+//! | `error.rs` | errors of decoding |
 //! | `files.rs` | streams in `.striata` files |
 
 pub(crate) mod byte_reader;

@@ -1,23 +1,23 @@
-//! Triangles by the positions that they meet at, while steps are done one after another.
+//! [`Complex`]: triangles indexed by position, updated step by step.
 //!
-//! A general step may happen anywhere: at edges of many triangles, at a position that two parts share, at one that has no triangle at all. So
-//! nothing is asked of the triangles here but that each names its three positions.
+//! A general step may apply anywhere: at edges of many triangles, at a position that two parts share, at
+//! one without triangles. The only assumption here is that each triangle has three positions.
 
 use crate::topology::surface::NONE;
 
-/// Corners by position. Corner `i` of triangle `t` is `3 t + i`.
+/// Linked lists of the corners at each position. Corner `i` of triangle `t` is `3 t + i`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Complex {
-    /// The first corner at each position.
+    /// First corner at each position, or `NONE`.
     first: Vec<u32>,
-    /// The next corner at the same position.
+    /// For each corner, the next corner at the same position, or `NONE`.
     next: Vec<u32>,
-    /// The position at each corner.
+    /// Position of each corner.
     positions: Vec<u32>,
 }
 
 impl Complex {
-    /// Triangles over so many positions.
+    /// Builds the lists for triangles over `position_count` positions.
     pub(crate) fn new(triangles: &[[u32; 3]], position_count: usize) -> Self {
         let mut complex = Self { first: vec![NONE; position_count], ..Self::default() };
         complex.next.reserve(3 * triangles.len());
@@ -26,28 +26,28 @@ impl Complex {
         complex
     }
 
-    /// Positions.
+    /// Returns the number of positions.
     pub(crate) fn position_count(&self) -> usize {
         self.first.len()
     }
 
-    /// The positions of a triangle.
+    /// Returns the positions of a triangle.
     pub(crate) fn triangle(&self, triangle: u32) -> [u32; 3] {
         let at = 3 * triangle as usize;
         [self.positions[at], self.positions[at + 1], self.positions[at + 2]]
     }
 
-    /// The positions of all triangles.
+    /// Returns the positions of all triangles.
     pub(crate) fn triangles(&self) -> Vec<[u32; 3]> {
         self.positions.as_chunks::<3>().0.to_vec()
     }
 
-    /// Adds a position without triangles.
+    /// Appends a position without triangles.
     pub(crate) fn push_position(&mut self) {
         self.first.push(NONE);
     }
 
-    /// Adds a triangle.
+    /// Appends a triangle.
     pub(crate) fn push_triangle(&mut self, positions: [u32; 3]) {
         for position in positions {
             let corner = self.positions.len() as u32;
@@ -56,7 +56,7 @@ impl Complex {
         }
     }
 
-    /// The corners at a position.
+    /// Returns the corners at a position.
     pub(crate) fn corners(&self, position: u32) -> impl Iterator<Item = u32> + '_ {
         let begin = Some(self.first[position as usize]).filter(|&corner| corner != NONE);
         std::iter::successors(begin, |&corner| {
@@ -64,13 +64,14 @@ impl Complex {
         })
     }
 
-    /// The two other positions of a corner's triangle, in its order.
+    /// Returns the other two positions of a corner's triangle, in winding order.
     pub(crate) fn edge(&self, corner: u32) -> [u32; 2] {
         let (t, i) = (corner / 3 * 3, corner % 3);
         [(i + 1) % 3, (i + 2) % 3].map(|j| self.positions[(t + j) as usize])
     }
 
-    /// Moves some of the corners at a position, given in the order of [`Self::corners`], to the last position.
+    /// Moves the corners `moved`, given in the order of [`Self::corners`], from position `from` to the last
+    /// position.
     pub(crate) fn move_to_last(&mut self, from: u32, moved: &[u32]) {
         let to = self.first.len() as u32 - 1;
         let mut rest = moved.iter().copied().peekable();
@@ -102,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn corners_follow_their_positions() {
+    fn corner_lists_follow_every_change() {
         let mut random = Random::new(5);
         let mut triangles = vec![[0, 1, 2], [0, 2, 3], [0, 1, 2], [2, 1, 3]];
         let mut complex = Complex::new(&triangles, 4);

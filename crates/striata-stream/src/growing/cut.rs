@@ -1,42 +1,43 @@
-//! Cuts: which steps a view refines, and the triangles that these show.
+//! [`HierarchyCut`]: the set of steps that a view refines, and the triangles of that level.
 
 use std::collections::BinaryHeap;
 
 use striata::model::StepBits;
 use striata::view::{Criterion, Part, Verdict};
 
-use super::hierarchy::{ALL_THROUGH, GrowingHierarchy, NONE};
+use super::hierarchy::{ALL_UP_TO, GrowingHierarchy, NONE};
 use crate::reader::prefix::PrefixMesh;
 
-/// Steps that are asked about together: few enough to stay in a cache.
-const ASKED_TOGETHER: usize = 64;
+/// Number of steps evaluated per call of the criterion: few enough to stay in the cache.
+const EVALUATED_TOGETHER: usize = 64;
 
-/// A set of refined steps that holds all that each of them needs.
+/// A set of refined steps that includes the dependencies of each.
 ///
-/// A cut begins at the base for every view, so it does not depend on the views before, and the hierarchy may grow in between.
+/// Every view starts again from the base, so a cut does not depend on earlier views, and the hierarchy may
+/// grow between views.
 #[derive(Clone, Debug)]
 pub struct HierarchyCut {
-    /// Steps from this one on stay coarse.
+    /// Steps with this index or a higher one stay coarse.
     step_limit: u32,
     refined: StepBits,
     refined_count: usize,
     triangle_count: usize,
-    /// Every step before this one is refined.
-    whole_until: u32,
-    /// Steps that the last refinement refined, for a budget to take back.
-    last: Vec<u32>,
-    asked: Asked,
+    /// Every step with a lower index is refined.
+    refined_until: u32,
+    /// Steps that the last call of `refine_step` refined, so that a triangle budget can undo it.
+    last_refined: Vec<u32>,
+    evaluations: Evaluations,
 }
 
-/// What a view made of a cut.
+/// Result of [`HierarchyCut::refine`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct CutUpdate {
-    /// Steps that the criterion was asked about.
+    /// Number of steps for which the criterion was evaluated.
     pub asked_count: usize,
-    /// Triangles that the cut shows.
+    /// Number of triangles of the cut.
     pub triangle_count: usize,
-    /// Parts that weigh more are refined: 1, or more if a budget of triangles asked for it.
+    /// Weight above which parts are refined: 1, or more if the triangle limit required it.
     pub threshold: f32,
 }
 
@@ -46,36 +47,37 @@ impl Default for HierarchyCut {
     }
 }
 
-/// Scratch memory for questions.
+/// Scratch memory for evaluating the criterion.
 #[derive(Clone, Debug, Default)]
-struct Asked {
+struct Evaluations {
     parts: Vec<Part>,
     verdicts: Vec<Verdict>,
 }
 
 impl HierarchyCut {
-    /// A cut that shows nothing yet.
+    /// Creates an empty cut; call [`refine`](Self::refine) before reading triangles.
     pub fn new() -> Self {
         Self {
             step_limit: u32::MAX,
             refined: StepBits::default(),
             refined_count: 0,
             triangle_count: 0,
-            whole_until: 0,
-            last: Vec::new(),
-            asked: Asked::default(),
+            refined_until: 0,
+            last_refined: Vec::new(),
+            evaluations: Evaluations::default(),
         }
     }
 
-    /// Keeps steps from this one on coarse from now on, although they have arrived: whoever draws may not have their vertices yet.
+    /// Keeps all steps from `step_limit` on coarse, even if they have been decoded: the renderer may not
+    /// yet have their vertices.
     pub fn limit_steps(&mut self, step_limit: usize) {
         self.step_limit = u32::try_from(step_limit).unwrap_or(u32::MAX);
     }
 
-    /// Refines what a criterion wants, and what that needs, up to a number of triangles.
+    /// Refines the steps that a criterion requests, and their dependencies, up to a number of triangles.
     ///
-    /// If the limit is too low for all that is wanted, the parts that weigh most are refined: of all thresholds above 1 the lowest whose
-    /// cut fits. The base is shown even if it has more triangles.
+    /// If the limit is too low for all of them, the steps with the highest weights are refined: the cut
+    /// uses the lowest threshold above 1 that fits. The base mesh is shown even if it exceeds the limit.
     pub fn refine(
         &mut self,
         hierarchy: &GrowingHierarchy,
@@ -85,9 +87,9 @@ impl HierarchyCut {
         self.clear(hierarchy);
         let mut update = CutUpdate { threshold: 1.0, ..CutUpdate::default() };
         if triangle_limit < hierarchy.triangle_count() {
-            self.refine_heaviest(hierarchy, criterion, triangle_limit, &mut update);
+            self.refine_within_limit(hierarchy, criterion, triangle_limit, &mut update);
         } else {
-            self.refine_wanted(hierarchy, criterion, &mut update);
+            self.refine_all(hierarchy, criterion, &mut update);
         }
         update.triangle_count = self.triangle_count;
         update
@@ -102,23 +104,23 @@ impl HierarchyCut {
         self.refined.has(step)
     }
 
-    /// Steps that are refined.
+    /// Returns the number of refined steps.
     pub fn split_count(&self) -> usize {
         self.refined_count
     }
 
-    /// The coarsest step that is not refined; as many as there are if all are.
+    /// Returns the index of the first step that is not refined, or the number of steps if all are.
     pub fn first_coarse_step(&self, hierarchy: &GrowingHierarchy) -> usize {
         let step_count = hierarchy.step_count() as u32;
-        (self.whole_until..step_count).find(|&step| !self.is_refined(step)).unwrap_or(step_count) as usize
+        (self.refined_until..step_count).find(|&step| !self.is_refined(step)).unwrap_or(step_count) as usize
     }
 
-    /// Appends the triangles that the cut shows, each with its number in the mesh.
+    /// Appends the triangles of the cut, each with its index in the mesh.
     ///
-    /// The mesh may have grown since the cut was made: vertices that the cut does not know are not active.
+    /// The mesh may have grown since the cut was made: vertices that the cut does not know are inactive.
     ///
     /// # Panics
-    /// If the hierarchy has grown since the cut was made, or is another mesh's.
+    /// If the hierarchy has grown since the cut was made, or belongs to another mesh.
     pub fn triangles_into(
         &self,
         hierarchy: &GrowingHierarchy,
@@ -138,58 +140,59 @@ impl HierarchyCut {
 
     fn clear(&mut self, hierarchy: &GrowingHierarchy) {
         self.refined = StepBits::none(hierarchy.step_count());
-        (self.refined_count, self.whole_until) = (0, 0);
+        (self.refined_count, self.refined_until) = (0, 0);
         self.triangle_count = hierarchy.base_triangle_count();
     }
 
-    /// Refines all that is wanted, generation by generation, so that many steps are asked about together.
-    fn refine_wanted(
+    /// Refines every requested step, level by level of the tree, so that many steps are evaluated together.
+    fn refine_all(
         &mut self,
         hierarchy: &GrowingHierarchy,
         criterion: &impl Criterion,
         update: &mut CutUpdate,
     ) {
-        let (mut steps, mut finer) = (Vec::new(), Vec::new());
+        let (mut steps, mut next_steps) = (Vec::new(), Vec::new());
         self.append_children(hierarchy, NONE, &mut steps);
         while !steps.is_empty() {
-            for together in steps.chunks(ASKED_TOGETHER) {
-                self.ask(hierarchy, criterion, together, update);
+            for together in steps.chunks(EVALUATED_TOGETHER) {
+                self.evaluate(hierarchy, criterion, together, update);
                 for (at, &step) in together.iter().enumerate() {
-                    if self.asked.verdicts[at].is_wanted() {
+                    if self.evaluations.verdicts[at].is_wanted() {
                         self.refine_step(hierarchy, step);
-                        self.append_children(hierarchy, step, &mut finer);
+                        self.append_children(hierarchy, step, &mut next_steps);
                     }
                 }
             }
             steps.clear();
-            std::mem::swap(&mut steps, &mut finer);
+            std::mem::swap(&mut steps, &mut next_steps);
         }
     }
 
-    /// Refines by falling weight until the next step and what it needs would exceed the limit.
-    fn refine_heaviest(
+    /// Refines by falling weight until the next step and its dependencies would exceed the limit.
+    fn refine_within_limit(
         &mut self,
         hierarchy: &GrowingHierarchy,
         criterion: &impl Criterion,
         triangle_limit: usize,
         update: &mut CutUpdate,
     ) {
-        let mut waiting = BinaryHeap::new();
+        let mut queue = BinaryHeap::new();
         let mut children = Vec::new();
         let mut parent = NONE;
         loop {
             children.clear();
             self.append_children(hierarchy, parent, &mut children);
-            for together in children.chunks(ASKED_TOGETHER) {
-                self.ask(hierarchy, criterion, together, update);
-                let wanted = together.iter().zip(&self.asked.verdicts).filter(|(_, v)| v.is_wanted());
-                // Weights above 1 are ordered as their bits are; among equal ones the older step comes first.
-                waiting.extend(wanted.map(|(&step, verdict)| (verdict.weight.to_bits(), !step)));
+            for together in children.chunks(EVALUATED_TOGETHER) {
+                self.evaluate(hierarchy, criterion, together, update);
+                let wanted = together.iter().zip(&self.evaluations.verdicts).filter(|(_, v)| v.is_wanted());
+                // Weights are above 1, so they sort like their bits; of equal weights, the older step comes
+                // first.
+                queue.extend(wanted.map(|(&step, verdict)| (verdict.weight.to_bits(), !step)));
             }
-            let Some((weight, step)) = waiting.pop() else { return };
+            let Some((weight, step)) = queue.pop() else { return };
             self.refine_step(hierarchy, !step);
             if self.triangle_count > triangle_limit {
-                self.take_back(hierarchy);
+                self.undo_last_refinement(hierarchy);
                 update.threshold = f32::from_bits(weight);
                 return;
             }
@@ -205,14 +208,14 @@ impl HierarchyCut {
         });
     }
 
-    fn ask(
+    fn evaluate(
         &mut self,
         hierarchy: &GrowingHierarchy,
         criterion: &impl Criterion,
         steps: &[u32],
         update: &mut CutUpdate,
     ) {
-        let Asked { parts, verdicts } = &mut self.asked;
+        let Evaluations { parts, verdicts } = &mut self.evaluations;
         parts.clear();
         verdicts.clear();
         parts.extend(steps.iter().map(|&step| hierarchy.part(step)));
@@ -220,21 +223,21 @@ impl HierarchyCut {
         update.asked_count += steps.len();
     }
 
-    /// Refines a step and all that it needs.
+    /// Refines a step and all its dependencies.
     fn refine_step(&mut self, hierarchy: &GrowingHierarchy, step: u32) {
-        self.last.clear();
+        self.last_refined.clear();
         self.refine_one(hierarchy, step);
         let mut at = 0;
-        while let Some(&step) = self.last.get(at) {
+        while let Some(&step) = self.last_refined.get(at) {
             at += 1;
-            for &need in hierarchy.needs_of(step) {
-                if need & ALL_THROUGH == 0 {
-                    self.refine_one(hierarchy, need);
+            for &dependency in hierarchy.dependencies_of(step) {
+                if dependency & ALL_UP_TO == 0 {
+                    self.refine_one(hierarchy, dependency);
                     continue;
                 }
-                let last = need & !ALL_THROUGH;
-                (self.whole_until..=last).for_each(|step| self.refine_one(hierarchy, step));
-                self.whole_until = self.whole_until.max(last + 1);
+                let last = dependency & !ALL_UP_TO;
+                (self.refined_until..=last).for_each(|step| self.refine_one(hierarchy, step));
+                self.refined_until = self.refined_until.max(last + 1);
             }
         }
     }
@@ -244,47 +247,51 @@ impl HierarchyCut {
             self.refined.insert(step);
             self.refined_count += 1;
             self.triangle_count += hierarchy.added_triangles(step).len();
-            self.last.push(step);
+            self.last_refined.push(step);
         }
     }
 
-    /// Takes the last refinement back.
-    fn take_back(&mut self, hierarchy: &GrowingHierarchy) {
-        for &step in &self.last {
+    /// Undoes the last call of `refine_step`.
+    fn undo_last_refinement(&mut self, hierarchy: &GrowingHierarchy) {
+        for &step in &self.last_refined {
             self.refined.remove(step);
             self.refined_count -= 1;
             self.triangle_count -= hierarchy.added_triangles(step).len();
-            self.whole_until = self.whole_until.min(step);
+            self.refined_until = self.refined_until.min(step);
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::grow::shorten_from;
+    use super::super::grow::limit_dependencies;
     use super::*;
 
-    /// Steps that each need all older ones: their lists would grow with the square of their number.
-    fn each_on_all(step_count: u32) -> GrowingHierarchy {
+    /// A hierarchy whose steps depend on all older ones: untruncated lists would grow quadratically.
+    fn fully_dependent_steps(step_count: u32) -> GrowingHierarchy {
         let mut hierarchy = GrowingHierarchy {
             first_triangles: (0..=step_count).collect(),
-            first_needs: vec![0],
+            first_dependencies: vec![0],
             ..GrowingHierarchy::default()
         };
         for step in 0..step_count {
-            let first = hierarchy.needs.len();
-            hierarchy.needs.extend(0..step);
-            shorten_from(&mut hierarchy.needs, first, step as usize);
-            hierarchy.first_needs.push(hierarchy.needs.len() as u32);
+            let first = hierarchy.dependencies.len();
+            hierarchy.dependencies.extend(0..step);
+            limit_dependencies(&mut hierarchy.dependencies, first, step as usize);
+            hierarchy.first_dependencies.push(hierarchy.dependencies.len() as u32);
         }
         hierarchy.parents = vec![NONE; step_count as usize];
         hierarchy
     }
 
     #[test]
-    fn lists_of_needs_that_are_too_long_stand_for_all_older_steps() {
-        let hierarchy = each_on_all(3000);
-        assert!(hierarchy.needs.len() < 30 * 3000 + 40_000, "{} entries", hierarchy.needs.len());
+    fn long_dependency_lists_are_replaced_by_all_older_steps() {
+        let hierarchy = fully_dependent_steps(3000);
+        assert!(
+            hierarchy.dependencies.len() < 30 * 3000 + 40_000,
+            "{} entries",
+            hierarchy.dependencies.len()
+        );
         let mut cut = HierarchyCut::new();
         for step in [0, 1, 20, 2500, 2999] {
             cut.clear(&hierarchy);
@@ -292,12 +299,12 @@ mod tests {
             assert_eq!((cut.split_count(), cut.triangle_count), (step as usize + 1, step as usize + 1));
             assert_eq!(cut.first_coarse_step(&hierarchy), step as usize + 1);
         }
-        cut.take_back(&hierarchy);
+        cut.undo_last_refinement(&hierarchy);
         assert_eq!((cut.split_count(), cut.first_coarse_step(&hierarchy)), (0, 0));
     }
 
     #[test]
-    fn before_the_base_there_is_nothing_to_refine() {
+    fn an_empty_hierarchy_has_nothing_to_refine() {
         let (mut hierarchy, mut cut) = (GrowingHierarchy::new(), HierarchyCut::new());
         hierarchy.grow(&PrefixMesh::default(), &[], |_| 0.0);
         let update = cut.refine(&hierarchy, &|_: &Part| 2.0, usize::MAX);

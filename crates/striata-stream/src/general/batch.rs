@@ -1,9 +1,9 @@
-//! A general batch within the loop that both sides run.
+//! Coding of a general batch, as part of the loop that writer and reader share.
 
 use super::General;
 use super::complex::Complex;
-use super::shown::Before;
 use super::step::{CodedStep, KnownStep};
+use super::wedges::LevelBefore;
 use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
 use crate::layers::attributes::{GeneralVertex, RingVertex, actual_layers};
@@ -13,7 +13,7 @@ use crate::topology::cutting::{Closed, close_used};
 use crate::topology::surface::NONE;
 
 impl Refiner {
-    /// Codes whether the next batch is a general one, and gets ready for it.
+    /// Codes whether the next batch is a general one, and prepares for it if so.
     pub(crate) fn begin_general<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -25,7 +25,7 @@ impl Refiner {
         if count == 0 || coder.overran() {
             return Ok(false);
         }
-        general.left = count;
+        general.steps_left = count;
         let triangle_count = self.level.growth.triangle_count();
         self.spend_visits(triangle_count as u64)?;
         self.level.growth.catch_up(&mut self.level.surface);
@@ -38,21 +38,21 @@ impl Refiner {
         Ok(true)
     }
 
-    /// Codes up to so many steps of the general batch that is under way.
+    /// Codes up to `max_steps` steps of the current general batch.
     pub(crate) fn general_stretch<C: Coder>(
         &mut self,
         coder: &mut C,
         source: &mut impl Source,
-        most: usize,
+        max_steps: usize,
     ) -> Result<Ended, StreamDefect> {
-        for _ in 0..most {
+        for _ in 0..max_steps {
             let Some(mut general) = self.models.general.take() else { break };
-            let known = source.follower().map(|follower| follower.general_step());
+            let actual = source.follower().map(|follower| follower.general_step());
             let mut step = std::mem::take(&mut general.step);
-            let ended = self.general_step(coder, (source, known.as_ref()), (&mut general, &mut step));
+            let ended = self.general_step(coder, (source, actual.as_ref()), (&mut general, &mut step));
             general.step = step;
-            general.left -= 1;
-            let is_last = general.left == 0;
+            general.steps_left -= 1;
+            let is_last = general.steps_left == 0;
             self.models.general = Some(general);
             if ended? == Ended::Short {
                 return Ok(Ended::Short);
@@ -66,37 +66,37 @@ impl Refiner {
         Ok(Ended::Whole)
     }
 
-    /// Codes a step and does it.
+    /// Codes a step and applies it.
     fn general_step<C: Coder>(
         &mut self,
         coder: &mut C,
-        (source, known): (&mut impl Source, Option<&KnownStep>),
+        (source, actual): (&mut impl Source, Option<&KnownStep>),
         (general, step): (&mut General, &mut CodedStep),
     ) -> Result<Ended, StreamDefect> {
-        let General { model, shown, complex, places, .. } = general;
+        let General { model, wedges: wedge_model, complex, places, .. } = general;
         coder.part(Part::Connectivity);
-        step.split = model.split(coder, complex.position_count() as u32, known);
-        model.moved(coder, complex, (known, &mut *step));
-        model.born(coder, complex, (known, &mut *step));
+        step.split = model.code_split(coder, complex.position_count() as u32, actual);
+        model.moved(coder, complex, (actual, &mut *step));
+        model.born(coder, complex, (actual, &mut *step));
         let ring = complex.corners(step.split).count() as u64;
         self.spend_visits((1 + ring) * (1 + step.born.len() as u64))?;
         coder.part(Part::Positions);
-        model.place(coder, (complex, places), (known, &mut *step));
+        model.place(coder, (complex, places), (actual, &mut *step));
         if !self.level.grid.holds(step.place) {
             let position = self.level.growth.first_vertex.len() - 1;
             return if coder.overran() { Ok(Ended::Short) } else { Err(StreamDefect::Place { position }) };
         }
-        let exact = known.map_or([0.0; 3], |step| step.exact);
+        let exact = actual.map_or([0.0; 3], |step| step.exact);
         let position = match &mut self.models.corrections {
             Some(model) => model.code(coder, &self.level.grid, step.place, exact),
             None => self.level.grid.place(step.place),
         };
         coder.part(Part::Wedges);
-        let beyond = (self.level.growth.beyond() + step.born.len().saturating_sub(2)) as u64;
+        let extra_wedges = (self.level.growth.beyond() + step.born.len().saturating_sub(2)) as u64;
         if let Some(wedges) = &mut self.models.wedges {
-            let most_beyond = self.limits.most_wedges.saturating_sub(beyond);
-            let before = Before { complex, growth: &self.level.growth, most_beyond };
-            shown.code(coder, before, (known, &mut *step), wedges);
+            let max_extra_wedges = self.limits.most_wedges.saturating_sub(extra_wedges);
+            let level_before = LevelBefore { complex, growth: &self.level.growth, max_extra_wedges };
+            wedge_model.code(coder, level_before, (actual, &mut *step), wedges);
             if let Some(follower) = source.follower() {
                 follower.name(&step.named);
             }
@@ -104,14 +104,14 @@ impl Refiner {
             step.show_positions();
         }
         places.push(step.place);
-        self.general_layers(coder, source.plan(), (known, &*step), (complex, places));
-        let is_full = beyond + step.targets.len() as u64 > self.limits.most_wedges + 1;
-        let is_unsound = step.born.iter().any(|born| born.third == step.split);
-        if coder.overran() || is_full || is_unsound {
+        self.general_layers(coder, source.plan(), (actual, &*step), (complex, places));
+        let is_full = extra_wedges + step.targets.len() as u64 > self.limits.most_wedges + 1;
+        let is_degenerate = step.born.iter().any(|born| born.third == step.split);
+        if coder.overran() || is_full || is_degenerate {
             if let Some(attributes) = &mut self.models.attributes {
                 attributes.truncate(self.level.growth.positions.len());
             }
-            return if is_unsound && !coder.overran() {
+            return if is_degenerate && !coder.overran() {
                 Err(StreamDefect::Step { step: self.level.growth.added.len() })
             } else {
                 Ok(Ended::Short)
@@ -131,12 +131,13 @@ impl Refiner {
         Ok(Ended::Whole)
     }
 
-    /// The attributes of the new position's vertices, from those that they share triangles with.
+    /// Codes the attributes of the new position's vertices, predicted from the vertices with which they
+    /// share triangles.
     fn general_layers<C: Coder>(
         &mut self,
         coder: &mut C,
         plan: Option<&dyn Plan>,
-        (known, step): (Option<&KnownStep>, &CodedStep),
+        (actual, step): (Option<&KnownStep>, &CodedStep),
         (complex, places): (&Complex, &[[i32; 3]]),
     ) {
         let Some(attributes) = &mut self.models.attributes else { return };
@@ -149,21 +150,24 @@ impl Refiner {
         let (fan, born) = step.wedges.split_at(step.fan.len());
         for (&corner, &wedge) in step.fan.iter().zip(fan) {
             let (t, i) = (corner / 3, corner as usize % 3);
-            let (shown, positions) = (self.level.growth.triangles[t as usize], complex.triangle(t));
-            [(i + 1) % 3, (i + 2) % 3].iter().for_each(|&j| add(wedge, shown[j], positions[j]));
+            let (vertices_of_triangle, positions) =
+                (self.level.growth.triangles[t as usize], complex.triangle(t));
+            [(i + 1) % 3, (i + 2) % 3]
+                .iter()
+                .for_each(|&j| add(wedge, vertices_of_triangle[j], positions[j]));
         }
         for (at, &wedge) in born.iter().enumerate() {
             add(wedge, step.others[at][0], step.split);
             add(wedge, step.others[at][1], step.born[at].third);
         }
-        let has_names = self.models.wedges.is_some();
-        let first = known.map_or(NONE, |step| step.wedges.start);
+        let has_wedges = self.models.wedges.is_some();
+        let first = actual.map_or(NONE, |step| step.wedges.start);
         attributes.general_position(coder, step.place, &vertices, |wedge| {
-            actual_layers(plan, |_| if has_names { step.named[wedge] } else { first })
+            actual_layers(plan, |_| if has_wedges { step.named[wedge] } else { first })
         });
     }
 
-    /// Builds the surface anew from the triangles that are there; what models keep of vertices moves along.
+    /// Rebuilds the surface from the current triangles, and renumbers what models store per vertex.
     fn rebuild(&mut self, source: &mut impl Source) {
         let Some(general) = &mut self.models.general else { return };
         let complex = std::mem::take(&mut general.complex);
