@@ -4,7 +4,7 @@
 //! touches, the one that was farthest away when last measured. A collapse measures the removed vertex
 //! and the witnesses of both ends again, walking from star to star while that leads nearer, and stores
 //! each witness where its walk ends. This is an estimate from vertices, not a bound: cheap, and close
-//! to the error found by sampling (docs/results/simplification.md has the comparison). The executor adds how far each
+//! to the error found by sampling (docs/results/simplification.md). The executor adds how far each
 //! step's new surface sticks out.
 
 use glam::Vec3;
