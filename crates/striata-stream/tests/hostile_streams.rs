@@ -327,5 +327,8 @@ fn unknown_flags_and_too_many_layers_are_refused() {
     }
     let built = build_batches(&mesh, &BatchOptions::default()).unwrap();
     let error = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap_err();
-    assert_eq!(error.to_string(), "a vertex has 4335 numbers in all layers, but streams have room for 4096");
+    assert_eq!(
+        error.to_string(),
+        "the attribute layers have 4335 components per vertex, but a stream can store at most 4096"
+    );
 }

@@ -3,7 +3,7 @@
 //! All coordinates are taken from the middle of the ring and shifted until the ring's radius has eleven bits. They then
 //! fit 16 bits, and widths of densities are constants.
 
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::{next, previous};
 
 /// Ring vertices that are looked at: a lane for each.
@@ -41,14 +41,14 @@ pub(super) struct Local {
 
 impl Local {
     /// Looks around; a ring further `with_beyond`.
-    pub(super) fn look(&mut self, hood: &Hood<'_>, with_beyond: bool) {
-        self.count = hood.corners.len().min(LANES);
+    pub(super) fn look(&mut self, neighborhood: &Neighborhood<'_>, with_beyond: bool) {
+        self.count = neighborhood.corners.len().min(LANES);
         let mut known = [[0; 3]; LANES];
         let mut known_count = 0;
         let mut places = [None; LANES];
-        for (i, &corner) in hood.corners[..self.count].iter().enumerate() {
-            self.ids[i] = hood.surface.vertex(next(corner));
-            places[i] = hood.place(self.ids[i]);
+        for (i, &corner) in neighborhood.corners[..self.count].iter().enumerate() {
+            self.ids[i] = neighborhood.surface.vertex(next(corner));
+            places[i] = neighborhood.place(self.ids[i]);
             if let Some(place) = places[i] {
                 known[known_count] = place;
                 known_count += 1;
@@ -59,22 +59,23 @@ impl Local {
             self.ring[i] = place.map(|p| self.localise(p));
         }
         let mut apex_ids = [0; LANES];
-        for (i, &corner) in hood.corners[..self.count].iter().enumerate() {
-            let across = hood.surface.opposite(corner);
-            apex_ids[i] = hood.surface.vertex(across);
-            self.apexes[i] = self.find(hood, apex_ids[i]);
+        for (i, &corner) in neighborhood.corners[..self.count].iter().enumerate() {
+            let across = neighborhood.surface.opposite(corner);
+            apex_ids[i] = neighborhood.surface.vertex(across);
+            self.apexes[i] = self.find(neighborhood, apex_ids[i]);
             if with_beyond {
-                let ids =
-                    [next(across), previous(across)].map(|c| hood.surface.vertex(hood.surface.opposite(c)));
-                self.beyond[i] = ids.map(|v| self.find(hood, v));
-                let before = hood.corners[if i == 0 { self.count - 1 } else { i - 1 }];
-                self.is_narrow[i] = ids[0] == hood.surface.vertex(hood.surface.opposite(before));
+                let ids = [next(across), previous(across)]
+                    .map(|c| neighborhood.surface.vertex(neighborhood.surface.opposite(c)));
+                self.beyond[i] = ids.map(|v| self.find(neighborhood, v));
+                let before = neighborhood.corners[if i == 0 { self.count - 1 } else { i - 1 }];
+                self.is_narrow[i] =
+                    ids[0] == neighborhood.surface.vertex(neighborhood.surface.opposite(before));
             }
         }
     }
 
-    fn find(&self, hood: &Hood<'_>, vertex: u32) -> Option<Point> {
-        hood.place(vertex).map(|p| self.localise(p))
+    fn find(&self, neighborhood: &Neighborhood<'_>, vertex: u32) -> Option<Point> {
+        neighborhood.place(vertex).map(|p| self.localise(p))
     }
 
     fn measure(&mut self, known: &[[i32; 3]]) {

@@ -8,7 +8,7 @@ use super::blend::Blend;
 use super::guesses::KINDS;
 use super::sight::{FEATURES, Sight, normal_order};
 use crate::entropy::Coder;
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 
 /// Logarithms of half the widths of bumps, along the surface and across it, in local units.
 type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
@@ -43,8 +43,13 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
     }
 
     /// Codes the place of a new vertex.
-    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, hood: &Hood<'_>, actual: [i32; 3]) -> [i32; 3] {
-        self.sight.look(hood);
+    pub(super) fn code<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        neighborhood: &Neighborhood<'_>,
+        actual: [i32; 3],
+    ) -> [i32; 3] {
+        self.sight.look(neighborhood);
         let (normal, axes) = normal_order(&self.sight.local);
         let ring_errors = self.ring_errors();
         let valence = self.sight.local.count.clamp(4, 7) - 4;
@@ -71,7 +76,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
                 self.sight.reweigh(slot, found);
             }
         }
-        self.note(hood.vertex, errors);
+        self.note(neighborhood.vertex, errors);
         place
     }
 

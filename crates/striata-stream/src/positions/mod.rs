@@ -40,7 +40,7 @@ mod sight;
 
 use crate::entropy::Coder;
 use crate::format::form::{Effort, StreamVersion};
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 pub(super) use ahead::Surroundings;
 use cells::CellModel;
 use halving::AxisModel;
@@ -110,13 +110,18 @@ impl PositionModel {
     }
 
     /// Codes the place of the new vertex; a reader ignores `actual`.
-    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, hood: &Hood<'_>, actual: [i32; 3]) -> [i32; 3] {
+    pub(super) fn code<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        neighborhood: &Neighborhood<'_>,
+        actual: [i32; 3],
+    ) -> [i32; 3] {
         match &mut self.0 {
-            Model::One(model) => model.code(coder, hood, actual),
-            Model::Ahead(model) => model.code(coder, hood.vertex, actual),
-            Model::Some(model) => model.code(coder, hood, actual),
-            Model::Cells(model) => model.code(coder, hood, actual),
-            Model::All(model) => model.code(coder, hood, actual),
+            Model::One(model) => model.code(coder, neighborhood, actual),
+            Model::Ahead(model) => model.code(coder, neighborhood.vertex, actual),
+            Model::Some(model) => model.code(coder, neighborhood, actual),
+            Model::Cells(model) => model.code(coder, neighborhood, actual),
+            Model::All(model) => model.code(coder, neighborhood, actual),
         }
     }
 }

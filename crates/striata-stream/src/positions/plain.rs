@@ -8,7 +8,7 @@ use super::local::LANES;
 use super::residual::{Circumstances, code_residual};
 use super::sight::INVERSES;
 use crate::entropy::{AdaptiveNumber, AdaptiveSymbol, Coder, Rate, code_symbol, log2_q8};
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::next;
 
 /// Kinds of sizes, and kinds of disagreement.
@@ -77,26 +77,26 @@ type Known = [i32; 4];
 const LOCAL_REACH: i64 = 12_000;
 
 impl Around {
-    fn look(hood: &Hood<'_>) -> Self {
-        let corners = &hood.corners[..hood.corners.len().min(LANES)];
+    fn look(neighborhood: &Neighborhood<'_>) -> Self {
+        let corners = &neighborhood.corners[..neighborhood.corners.len().min(LANES)];
         let n = corners.len();
-        let first = hood.surface.virtual_count();
-        let is_known = |vertex: u32| first <= vertex && vertex < hood.vertex;
-        let mut ids = corners.iter().map(|&corner| hood.surface.vertex(next(corner)));
+        let first = neighborhood.surface.virtual_count();
+        let is_known = |vertex: u32| first <= vertex && vertex < neighborhood.vertex;
+        let mut ids = corners.iter().map(|&corner| neighborhood.surface.vertex(next(corner)));
         let near = ids.find(|&vertex| is_known(vertex)).map(|vertex| vertex as usize);
-        let base = near.map_or([0; 3], |near| hood.places[near]);
+        let base = near.map_or([0; 3], |near| neighborhood.places[near]);
         // No branches: nobody can foretell what is known.
         let off = |vertex: u32| {
             let is_known = is_known(vertex);
-            let place = hood.places[if is_known { vertex as usize } else { near.unwrap_or(0) }];
+            let place = neighborhood.places[if is_known { vertex as usize } else { near.unwrap_or(0) }];
             let mask = -i32::from(is_known);
             let [x, y, z] = [0, 1, 2].map(|a| place[a].wrapping_sub(base[a]) & mask);
             [x, y, z, i32::from(is_known)]
         };
         let (mut ring, mut apexes) = ([[0; 4]; LANES + 1], [[0; 4]; LANES]);
         for (i, &corner) in corners.iter().enumerate() {
-            ring[i] = off(hood.surface.vertex(next(corner)));
-            apexes[i] = off(hood.surface.vertex(hood.surface.opposite(corner)));
+            ring[i] = off(neighborhood.surface.vertex(next(corner)));
+            apexes[i] = off(neighborhood.surface.vertex(neighborhood.surface.opposite(corner)));
         }
         let ring_sum = ring.iter().fold([0; 4], |sum, p| add(sum, *p));
         ring[n] = ring[0];
@@ -182,10 +182,15 @@ impl PlainModel {
     }
 
     /// Codes the place of a new vertex.
-    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, hood: &Hood<'_>, actual: [i32; 3]) -> [i32; 3] {
-        let around = Around::look(hood);
+    pub(super) fn code<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        neighborhood: &Neighborhood<'_>,
+        actual: [i32; 3],
+    ) -> [i32; 3] {
+        let around = Around::look(neighborhood);
         let (normal, axes) = (around.normal, around.axes);
-        let valence = hood.corners.len().clamp(4, 7) - 4;
+        let valence = neighborhood.corners.len().clamp(4, 7) - 4;
         let size = (2 * (20 + around.scale) + (around.radius >> 9 & 1)).clamp(0, SIZES as i32 - 1) as usize;
         let mut place = [0; 3];
         // What the place found so far adds to the height of the last axis.

@@ -7,7 +7,7 @@ use super::bumps::{Bumps, Width};
 use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
 use super::local::{LANES, Local, Point};
 use crate::entropy::log2_q8;
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 
 /// Within which distance, in 1/256 of the radius, a guess of the first and of the second axis counts for more: widely, narrowly.
 const NEAR: [[i32; 2]; 2] = [[45, 10], [130, 20]];
@@ -55,8 +55,8 @@ impl<const USED: usize> Sight<USED> {
     }
 
     /// Looks at the surroundings of another vertex.
-    pub(super) fn look(&mut self, hood: &Hood<'_>) {
-        self.local.look(hood, Self::LOOKS_BEYOND);
+    pub(super) fn look(&mut self, neighborhood: &Neighborhood<'_>) {
+        self.local.look(neighborhood, Self::LOOKS_BEYOND);
         guess(&self.local, &mut self.guesses);
         self.kept = kept_and_beside(&self.local);
         for (weights, guesses) in self.weights.iter_mut().zip(&self.guesses) {

@@ -6,7 +6,7 @@ use super::{CellModel, MixedModel, PositionModel, Surroundings};
 use crate::entropy::{Coder, RangeReader, RangeWriter};
 use crate::format::form::{Effort, StreamVersion};
 use crate::topology::cutting::close;
-use crate::topology::hood::Hood;
+use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::{NONE, Surface, next};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
@@ -63,12 +63,12 @@ fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
 }
 
 /// What lies around a vertex as far as it is known.
-fn around(hood: &Hood<'_>) -> Surroundings {
-    let mut around = Surroundings { count: hood.corners.len().min(8), ..Surroundings::default() };
-    let spot = |vertex: u32| hood.place(vertex).map_or([0; 4], |[x, y, z]| [x, y, z, 1]);
-    for (i, &corner) in hood.corners.iter().enumerate().take(8) {
-        around.ring[i] = spot(hood.surface.vertex(next(corner)));
-        around.across[i] = spot(hood.surface.vertex(hood.surface.opposite(corner)));
+fn around(neighborhood: &Neighborhood<'_>) -> Surroundings {
+    let mut around = Surroundings { count: neighborhood.corners.len().min(8), ..Surroundings::default() };
+    let spot = |vertex: u32| neighborhood.place(vertex).map_or([0; 4], |[x, y, z]| [x, y, z, 1]);
+    for (i, &corner) in neighborhood.corners.iter().enumerate().take(8) {
+        around.ring[i] = spot(neighborhood.surface.vertex(next(corner)));
+        around.across[i] = spot(neighborhood.surface.vertex(neighborhood.surface.opposite(corner)));
     }
     around
 }
@@ -86,13 +86,17 @@ fn code<C: Coder>(
     let mut model = PositionModel::new(effort, version);
     for vertex in first..places.len() {
         let corners: Vec<u32> = sample.surface.ring(vertex as u32).collect();
-        let hood =
-            Hood { surface: &sample.surface, places: &places, vertex: vertex as u32, corners: &corners };
+        let neighborhood = Neighborhood {
+            surface: &sample.surface,
+            places: &places,
+            vertex: vertex as u32,
+            corners: &corners,
+        };
         if let Some(ahead) = model.ahead(vertex as u32) {
-            ahead.look_ahead(&around(&hood));
+            ahead.look_ahead(&around(&neighborhood));
         }
         let actual = if C::READS { [0; 3] } else { sample.places[vertex] };
-        places[vertex] = model.code(coder, &hood, actual);
+        places[vertex] = model.code(coder, &neighborhood, actual);
     }
     places
 }

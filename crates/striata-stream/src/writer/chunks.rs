@@ -7,8 +7,8 @@ use crate::base::mesh::Base;
 use crate::entropy::{PART_COUNT, RangeWriter};
 use crate::format::head::{least_bytes, least_bytes_in_all};
 use crate::refine::growth::Growth;
+use crate::refine::parameters::StreamParameters;
 use crate::refine::refiner::Refiner;
-use crate::refine::terms::Terms;
 use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
 use crate::writer::truth::{Points, Truth, base_of};
@@ -50,11 +50,15 @@ pub(crate) struct Chunks {
 pub(crate) fn encode_chunks(
     refinable: &RefinableMesh,
     (descent, batches): (&Descent, &[u32]),
-    (points, terms): (&Points, &Terms),
+    (points, parameters): (&Points, &StreamParameters),
 ) -> Result<Chunks, BatchDefect> {
     let (base, truth) = base_of(descent, batches, points, refinable);
-    let terms = Terms { max_patch: descent.max_patch(), has_general: descent.has_general(), ..terms.clone() };
-    write(base, truth, (&terms, refinable.sequence.step_count()))
+    let parameters = StreamParameters {
+        max_patch: descent.max_patch(),
+        has_general: descent.has_general(),
+        ..parameters.clone()
+    };
+    write(base, truth, (&parameters, refinable.sequence.step_count()))
 }
 
 /// # Errors
@@ -70,19 +74,19 @@ pub(crate) fn check_batches(batches: &[u32], step_count: usize) -> Result<(), Ba
 fn write(
     base: Base,
     mut truth: Truth<'_>,
-    (terms, step_count): (&Terms, usize),
+    (parameters, step_count): (&StreamParameters, usize),
 ) -> Result<Chunks, BatchDefect> {
     let limits = BaseLimits {
         triangle_count: base.triangles.len() as u32,
         position_count: base.places.len() as u32,
         wedges_beyond: u32::MAX,
     };
-    let terms = Terms { base: limits, ..terms.clone() };
+    let parameters = StreamParameters { base: limits, ..parameters.clone() };
     let mut spent = [0.0; PART_COUNT];
     let mut chunks = Vec::new();
     let mut writer = RangeWriter::new();
     // A surface that was collapsed to is closed.
-    let mut refiner = Refiner::begin(&mut writer, &base, &terms, &mut truth)
+    let mut refiner = Refiner::begin(&mut writer, &base, &parameters, &mut truth)
         .unwrap_or_else(|defect| panic!("collapses keep a surface closed: {defect}"));
     push(&mut chunks, writer, (&refiner.level.growth, base.triangles.len()), &mut spent);
     while truth.order.len() < step_count {
@@ -91,7 +95,7 @@ fn write(
         push(&mut chunks, writer, (&refiner.level.growth, 0), &mut spent);
     }
     let Truth { order, source_vertex, base_positions, .. } = truth;
-    let Terms { max_patch, has_general, .. } = terms;
+    let StreamParameters { max_patch, has_general, .. } = parameters;
     Ok(Chunks { chunks, max_patch, has_general, order, base_positions, source_vertex, spent })
 }
 

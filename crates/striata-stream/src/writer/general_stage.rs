@@ -14,7 +14,7 @@ pub(crate) struct GeneralUndo {
     /// The position that it went to.
     pub(crate) target: u32,
     moved: Range<u32>,
-    gone: Range<u32>,
+    removed: Range<u32>,
 }
 
 /// General steps, coarse to fine.
@@ -27,19 +27,19 @@ pub(crate) struct GeneralStage {
     /// Corners that changed position, `3 triangle + corner`, and the vertices that they showed before.
     moved: Vec<(u32, u32)>,
     /// Triangles that vanished, and their third positions.
-    gone: Vec<u32>,
+    removed: Vec<u32>,
     thirds: Vec<u32>,
     first_position: u32,
     /// What the ways around the positions of a reader come to.
     pub(crate) visits: u64,
 }
 
-/// Corners of triangles by position, as lists that may hold triangles that have gone.
+/// Corners of triangles by position, as lists that may hold triangles that have been removed.
 struct Incidence {
     first: Vec<u32>,
     next: Vec<u32>,
     is_gone: Vec<bool>,
-    /// Corners at each position, without triangles that have gone.
+    /// Corners at each position, without triangles that have been removed.
     counts: Vec<u32>,
 }
 
@@ -68,7 +68,7 @@ impl Incidence {
         self.counts[position as usize] += 1;
     }
 
-    /// Takes all corners at a position; triangles that have gone are left out.
+    /// Takes all corners at a position; triangles that have been removed are left out.
     fn take(&mut self, position: u32, out: &mut Vec<u32>) {
         out.clear();
         let mut corner = std::mem::replace(&mut self.first[position as usize], NONE);
@@ -100,7 +100,7 @@ impl GeneralStage {
             steps: Vec::new(),
             undo: Vec::new(),
             moved: Vec::new(),
-            gone: Vec::new(),
+            removed: Vec::new(),
             thirds: Vec::new(),
             first_position: base + steps.start as u32,
             visits: 0,
@@ -110,7 +110,7 @@ impl GeneralStage {
             let position = base + step as u32;
             let target =
                 sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
-            let (moved, gone) = (stage.moved.len() as u32, stage.gone.len() as u32);
+            let (moved, removed) = (stage.moved.len() as u32, stage.removed.len() as u32);
             incidence.take(position, &mut corners);
             for &corner in &corners {
                 let triangle = corner / 3;
@@ -120,7 +120,7 @@ impl GeneralStage {
                         return Err(BatchDefect::Wedges { step });
                     }
                     incidence.is_gone[triangle as usize] = true;
-                    stage.gone.push(triangle);
+                    stage.removed.push(triangle);
                     let third = positions.into_iter().find(|&p| p != position && p != target);
                     stage.thirds.push(third.unwrap_or(NONE));
                     for other in positions.into_iter().filter(|&p| p != position) {
@@ -133,11 +133,12 @@ impl GeneralStage {
                 *shown = sequence.target(*shown);
                 incidence.push(target, corner);
             }
-            let (moved, gone) = (moved..stage.moved.len() as u32, gone..stage.gone.len() as u32);
+            let (moved, removed) =
+                (moved..stage.moved.len() as u32, removed..stage.removed.len() as u32);
             let ring = u64::from(incidence.counts[target as usize]);
-            stage.visits += (1 + ring) * (1 + gone.len() as u64);
+            stage.visits += (1 + ring) * (1 + removed.len() as u64);
             stage.steps.push(step as u32);
-            stage.undo.push(GeneralUndo { target, moved, gone });
+            stage.undo.push(GeneralUndo { target, moved, removed });
         }
         level.alive.retain(|&t| !incidence.is_gone[t as usize]);
         stage.steps.reverse();
@@ -154,14 +155,15 @@ impl GeneralStage {
     pub(crate) fn triangles(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
         let undo = &self.undo[step as usize];
         let moved = self.moved(undo).iter().map(|moved| moved.0 / 3);
-        moved.chain(self.gone(undo).iter().copied())
+        moved.chain(self.removed(undo).iter().copied())
     }
 
     /// The steps, none for what was there before, that bring the positions that a step needs.
     pub(crate) fn needs(&self, step: u32) -> impl Iterator<Item = u32> + '_ {
         let undo = &self.undo[step as usize];
         let step_of = |position: u32| position.checked_sub(self.first_position).unwrap_or(NONE);
-        let thirds = self.thirds[undo.gone.start as usize..undo.gone.end as usize].iter();
+        let thirds =
+            self.thirds[undo.removed.start as usize..undo.removed.end as usize].iter();
         let needed = thirds.copied().chain([undo.target]).map(step_of);
         needed.filter(|&other| (other as usize) < self.undo.len())
     }
@@ -177,7 +179,7 @@ impl GeneralStage {
     }
 
     /// Triangles that vanished in a step.
-    pub(crate) fn gone(&self, undo: &GeneralUndo) -> &[u32] {
-        &self.gone[undo.gone.start as usize..undo.gone.end as usize]
+    pub(crate) fn removed(&self, undo: &GeneralUndo) -> &[u32] {
+        &self.removed[undo.removed.start as usize..undo.removed.end as usize]
     }
 }

@@ -10,7 +10,7 @@ use crate::writer::defect::BatchDefect;
 pub(crate) struct LevelTriangles {
     /// Those that are there, ascending.
     pub(crate) alive: Vec<u32>,
-    /// Vertices of the corners of each triangle of the mesh; what they were last for those that have gone.
+    /// Vertices of the corners of each triangle of the mesh; what they were last for those that are gone.
     pub(crate) shown: Vec<[u32; 3]>,
 }
 

@@ -100,7 +100,7 @@ impl SurfaceStage {
                 Err(defect) => {
                     while self.undo.len() > before {
                         let undo = self.undo.pop();
-                        undo.iter().for_each(|undo| self.surface.take_back(undo));
+                        undo.iter().for_each(|undo| self.surface.undo_collapse(undo));
                     }
                     return Err(defect);
                 }
@@ -175,9 +175,10 @@ impl SurfaceStage {
         let undo = &self.undo[at];
         let virtual_count = self.surface.virtual_count();
         let position = |vertex: u32| self.position_of_copy[(vertex - virtual_count) as usize];
-        let ends = [self.surface.vertex(undo.gone[0]), undo.kept].map(position);
-        let mut gone = undo.gone.iter().filter_map(|&corner| self.mesh_corner(corner));
-        let is_sound = !self.follows || gone.all(|(triangle, _)| level.vanishes(refinable, triangle, ends));
+        let ends = [self.surface.vertex(undo.removed_corners[0]), undo.kept].map(position);
+        let mut removed_corners = undo.removed_corners.iter().filter_map(|&corner| self.mesh_corner(corner));
+        let is_sound =
+            !self.follows || removed_corners.all(|(triangle, _)| level.vanishes(refinable, triangle, ends));
         is_sound.then_some(()).ok_or(BatchDefect::Wedges { step })
     }
 
@@ -209,14 +210,14 @@ impl SurfaceStage {
     pub(crate) fn finish(&mut self, level: &mut LevelTriangles) {
         self.undo.reverse();
         self.patch_begins.reverse();
-        let mut gone: Vec<u32> = self
+        let mut removed_corners: Vec<u32> = self
             .undo
             .iter()
-            .flat_map(|undo| undo.gone)
+            .flat_map(|undo| undo.removed_corners)
             .filter_map(|c| Some(self.mesh_corner(c)?.0))
             .collect();
-        gone.sort_unstable();
-        level.alive.retain(|t| gone.binary_search(t).is_err());
+        removed_corners.sort_unstable();
+        level.alive.retain(|t| removed_corners.binary_search(t).is_err());
         if self.follows {
             return;
         }

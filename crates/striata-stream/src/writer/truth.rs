@@ -7,8 +7,8 @@ use striata::mesh::RefinableMesh;
 use crate::base::coder::BaseOrder;
 use crate::base::mesh::Base;
 use crate::general::step::{Born, CodedStep, KnownBorn, KnownStep};
-use crate::layers::hood::LayerValues;
-use crate::refine::source::{Follower, Plan, Source};
+use crate::layers::layer_neighborhood::LayerValues;
+use crate::refine::source::{CodingObserver, Plan, Source};
 use crate::topology::surface::{Cut, NONE, Surface, Undo, triangle_of};
 use crate::writer::descent::{Descent, Stage};
 use crate::writer::general_order::GeneralOrder;
@@ -155,7 +155,7 @@ pub(crate) fn base_of<'a>(
 /// The triangles that no step takes away, and the corner across each of their edges, three a triangle.
 fn base_triangles(surface: &Surface, undo: &[Undo]) -> (Vec<u32>, Vec<u32>) {
     let mut number = vec![0; surface.triangle_count()];
-    undo.iter().flat_map(|u| u.gone).for_each(|corner| number[corner as usize / 4] = NONE);
+    undo.iter().flat_map(|u| u.removed_corners).for_each(|corner| number[corner as usize / 4] = NONE);
     let mut triangles = Vec::new();
     for (t, number) in number.iter_mut().enumerate().filter(|(_, number)| **number != NONE) {
         *number = triangles.len() as u32;
@@ -290,7 +290,7 @@ impl Source for Truth<'_> {
     }
 
     #[inline]
-    fn follower(&mut self) -> Option<&mut dyn Follower> {
+    fn follower(&mut self) -> Option<&mut dyn CodingObserver> {
         Some(self)
     }
 }
@@ -347,7 +347,7 @@ impl Plan for Truth<'_> {
     }
 }
 
-impl Follower for Truth<'_> {
+impl CodingObserver for Truth<'_> {
     fn order_base(&mut self, base: &Base, order: &BaseOrder) {
         for (new, &old) in order.vertices.iter().enumerate() {
             let fine = self.base_vertices[old as usize];
@@ -399,14 +399,14 @@ impl Follower for Truth<'_> {
         let Some(stage) = self.surface_stage() else { return };
         let position = self.refinable.sequence.base_position_count() as u32 + step;
         let undo = &stage.undo[(step - stage.first_step) as usize];
-        let fine = stage.surface.vertex(undo.gone[0]);
+        let fine = stage.surface.vertex(undo.removed_corners[0]);
         self.vertices[fine as usize] = vertex;
         self.positions.push(position);
         self.step_at.push(NONE);
         self.push_position(position);
-        for gone in undo.gone {
+        for removed_corners in undo.removed_corners {
             // The new vertex has the first corner of both new triangles.
-            self.push_triangle(gone / 4, (3 - (gone & 3)) % 3);
+            self.push_triangle(removed_corners / 4, (3 - (removed_corners & 3)) % 3);
         }
         self.order.push(step);
     }
@@ -444,7 +444,11 @@ impl Follower for Truth<'_> {
         KnownStep {
             split: self.number_of_position[undo.target as usize],
             moved,
-            born: stage.gone(undo).iter().map(|&t| self.known_born(t, [position, undo.target])).collect(),
+            born: stage
+                .removed_corners(undo)
+                .iter()
+                .map(|&t| self.known_born(t, [position, undo.target]))
+                .collect(),
             targets: wedges.clone().map(|w| self.stream_vertex(self.refinable.sequence.target(w))).collect(),
             wedges,
             place: self.points.places[position as usize],
@@ -458,7 +462,7 @@ impl Follower for Truth<'_> {
         let index = stage.steps[self.told as usize];
         let position = self.refinable.sequence.base_position_count() as u32 + index;
         for &known in &step.known {
-            let triangle = stage.gone(undo)[known];
+            let triangle = stage.removed(undo)[known];
             let own = self.shown[triangle as usize].map(|v| self.position_of(v) == position);
             let slot = own.iter().position(|&is_own| is_own).unwrap_or(0);
             // The new position has the first corner.
