@@ -129,7 +129,7 @@ impl Attributes {
             fit.measure(place, places, false);
             fit.normal = normal;
         }
-        let mut neighborhood = LayerNeighborhood::new(ring.first().code_copy().or(before), ring, fit);
+        let mut neighborhood = LayerNeighborhood::new(ring.first().copied().or(before), ring, fit);
         neighborhood.sibling_count = wedge;
         neighborhood.is_base = true;
         self.model.code(coder, &mut self.values, &neighborhood, actual);
@@ -204,11 +204,11 @@ impl Attributes {
         let has_several = vertices.len() > 1;
         if has_several {
             let all = vertices.iter().flat_map(|vertex| &vertex.ring).take(MOST_CORNERS);
-            self.whole.set(all.code_copy(), place);
+            self.whole.set(all.copied(), place);
         }
         for (wedge, vertex) in vertices.iter().enumerate() {
             let is_hidden = has_several && vertex.ring.is_empty();
-            self.own.set(vertex.ring.iter().code_copy(), place);
+            self.own.set(vertex.ring.iter().copied(), place);
             let neighborhood = if is_hidden {
                 LayerNeighborhood { is_hidden, ..self.whole.neighborhood(vertex.target) }
             } else {

@@ -297,7 +297,7 @@ impl DirectionModel {
         let off = self.residual(coder, (neighborhood, kind), (&prediction, predicted), off);
         let point = self.grid.moved(predicted, off);
         self.learn(point, &prediction, kind);
-        let target_sign = neighborhood.target.and_then(|v| values.of(v).get(2).code_copy()).unwrap_or(1);
+        let target_sign = neighborhood.target.and_then(|v| values.of(v).get(2).copied()).unwrap_or(1);
         values.push(&point);
         if let Some(is_same) = &mut self.is_same_sign {
             let is_same = is_same.code(coder, actual.is_none_or(|m| m[2] == target_sign));

@@ -59,7 +59,7 @@ impl LayerHistory {
     }
 
     /// Codes whether the next vertex is a copy; if so, returns the vertex that it copies.
-    pub(crate) fn copied<C: Coder>(
+    pub(crate) fn code_copy<C: Coder>(
         &mut self,
         coder: &mut C,
         values: &LayerValues,
@@ -196,7 +196,7 @@ mod tests {
         let mut copied = Vec::new();
         for (vertex, value) in actual.iter().enumerate() {
             let ring: Vec<u32> = (vertex.saturating_sub(2) as u32..vertex as u32).collect();
-            let neighborhood = LayerNeighborhood::new(ring.last().code_copy(), &ring, &fit);
+            let neighborhood = LayerNeighborhood::new(ring.last().copied(), &ring, &fit);
             let known = (!C::READS).then_some(std::slice::from_ref(value));
             let from = history.code_copy(coder, &values, &neighborhood, known);
             match from {

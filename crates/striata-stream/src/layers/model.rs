@@ -171,7 +171,7 @@ impl LabelModel {
         actual: Option<&[i32]>,
     ) {
         self.known.clear();
-        for vertex in neighborhood.target.into_iter().chain(neighborhood.ring.iter().code_copy()) {
+        for vertex in neighborhood.target.into_iter().chain(neighborhood.ring.iter().copied()) {
             if self.known.len() == MOST_KNOWN {
                 break;
             }
@@ -227,7 +227,7 @@ mod tests {
             let mut near: Vec<u32> = (0..sites.len() as u32).collect();
             near.sort_by_key(|&v| (distance(sites[v as usize].place), v));
             near.truncate(6);
-            let target = near.first().code_copy();
+            let target = near.first().copied();
             let quadrant = |v: u32| {
                 let p = sites[v as usize].place;
                 let (x, y) = (f64::from(p[0] - here[0]), f64::from(p[1] - here[1]));

@@ -1,8 +1,9 @@
-//! Codes integers on an even scale: texture coordinates, colors, weights of joints.
+//! Codes numbers that can be interpolated: texture coordinates, colors, joint weights.
 //!
-//! Each component is predicted from the target, the ring's mean and its affine fit, and from how the vertex before it at the
-//! same position changed; the prediction that did best lately is taken. The rest is coded in the context of how far the
-//! ring spreads around the prediction and how well the vertices around could be predicted.
+//! Each component is predicted from the target, from the ring's mean and its affine fit, and from the
+//! offset that the previous vertex of the same position has from its target. The model uses the
+//! prediction that did best recently. The residual is coded in the context of how far the ring's values
+//! spread around the prediction and how well the surrounding vertices could be predicted.
 
 use crate::entropy::Coder;
 use crate::format::form::{Effort, StreamVersion};
@@ -12,15 +13,15 @@ use crate::layers::layer_neighborhood::{KINDS, LayerNeighborhood, LayerValues};
 use crate::layers::residuals::{Expected, PredictorSelector, Residuals, scale_of};
 use crate::layers::ring_fit::WEIGHT_BITS;
 
-/// Predictions that compete: in version 1 the first four.
+/// Number of competing predictions; version 1 uses only the first four.
 const PREDICTIONS: usize = 5;
 
-/// Predictions of one integer, and how far those around spread.
+/// Predictions of one integer, and measures of their reliability.
 pub(crate) struct NumberPredictions {
     predictions: [i64; PREDICTIONS],
-    /// How far two of them are from each other, in 1/16.
+    /// Distance between two of them, in 1/16.
     conflict: u64,
-    /// The mean distance of the ring's values from their mean, in 1/16.
+    /// Mean distance of the ring's values from their mean, in 1/16.
     spread: u64,
 }
 
@@ -30,7 +31,7 @@ impl NumberPredictions {
     }
 }
 
-/// Predictions of a component by its values around.
+/// Predicts a component from the same component of the surrounding vertices.
 pub(crate) fn predict_number(
     values: &LayerValues,
     neighborhood: &LayerNeighborhood<'_>,
@@ -38,7 +39,7 @@ pub(crate) fn predict_number(
 ) -> NumberPredictions {
     let value = |vertex: u32| i64::from(values.of(vertex)[component]);
     let Some(target) = neighborhood.target.map(value) else { return NumberPredictions::constant(0) };
-    // As far from the target as the vertex before it at the same position is from its own.
+    // Same offset from the target as the previous vertex of the position has from its own target.
     let sibling = neighborhood
         .sibling_target
         .map_or(target, |other| target + value(values.vertex_count() as u32 - 1) - value(other));
@@ -63,7 +64,7 @@ pub(crate) fn predict_number(
     }
 }
 
-/// Predictions of the weight of a component's joint, by the weights that the vertices around give to that joint.
+/// Predicts a weight from the weights that the surrounding vertices give to the same joint.
 pub(crate) fn predict_weight(
     values: &LayerValues,
     joints: &LayerValues,
@@ -74,7 +75,7 @@ pub(crate) fn predict_weight(
     let joint = joints.of(values.vertex_count() as u32)[component];
     let weight = |vertex: u32| -> i64 {
         let (joints, weights) = (joints.of(vertex), values.of(vertex));
-        // The same joint at the same place, since names of joints without weight repeat.
+        // Prefers the same component, since joints with zero weight may repeat.
         let at = Some(component).filter(|&c| joints[c] == joint);
         at.or_else(|| joints.iter().position(|&j| j == joint)).map_or(0, |c| i64::from(weights[c]))
     };
@@ -93,24 +94,24 @@ pub(crate) fn predict_weight(
     }
 }
 
-/// Integers on an even scale.
+/// Model of a layer of numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct NumberModel {
     /// By kind of vertex and component.
     selectors: Vec<PredictorSelector<PREDICTIONS>>,
     residuals: Residuals,
-    /// What each component was off lately, for version 1.
+    /// Running average of each component's recent residuals; only for version 1.
     recent: Vec<u64>,
-    /// What is known of earlier vertices, from version 2 on.
+    /// Residuals and copies of earlier vertices; from version 2 on.
     history: Option<LayerHistory>,
-    /// Smallest and largest value there can be.
+    /// Smallest and largest possible value.
     limits: (i64, i64),
-    /// The vertex that is being coded.
+    /// Components of the current vertex coded so far.
     coded: Vec<i32>,
 }
 
 impl NumberModel {
-    /// Nothing learned.
+    /// Creates an untrained model.
     pub(crate) fn new(form: &LayerForm, parameters: (Effort, StreamVersion)) -> Self {
         let limits = match (&form.transform, form.number_type) {
             (Transform::Uniform { bits, .. }, _) => (0, (1i64 << bits) - 1),
@@ -129,7 +130,7 @@ impl NumberModel {
         }
     }
 
-    /// Codes the integers of the next vertex, `meant` by a writer.
+    /// Codes the integers of the next vertex; a writer passes them as `actual`.
     pub(crate) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -175,7 +176,7 @@ impl NumberModel {
         }
     }
 
-    /// Forgets what is known of all but the first vertices.
+    /// Removes the history of all but the first vertices.
     pub(crate) fn truncate(&mut self, vertex_count: usize) {
         if let Some(history) = &mut self.history {
             history.truncate(vertex_count);

@@ -1,4 +1,4 @@
-//! Positions of made-up surfaces, there and back.
+//! Round trips of positions on synthetic surfaces.
 
 use striata::mesh::{IndexedMesh, Random, shapes};
 
@@ -10,7 +10,7 @@ use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::{NONE, Surface, next};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
-/// All models that there are.
+/// All combinations that have different models.
 const KINDS: [(Effort, StreamVersion); 5] = [
     (Effort::Fast, StreamVersion::One),
     (Effort::Default, StreamVersion::One),
@@ -19,7 +19,7 @@ const KINDS: [(Effort, StreamVersion); 5] = [
     (Effort::Default, StreamVersion::Two),
 ];
 
-/// A closed surface, and a place for each of its vertices.
+/// A closed surface and the grid coordinates of its vertices.
 struct Sample {
     surface: Surface,
     places: Vec<[i32; 3]>,
@@ -32,7 +32,7 @@ fn sample(mesh: &IndexedMesh, place: impl Fn(usize) -> [i32; 3]) -> Sample {
     Sample { surface, places }
 }
 
-/// The mesh on a grid of so many steps to a unit.
+/// Quantizes a mesh to a grid with a number of steps per unit.
 fn on_grid(mesh: &IndexedMesh, steps: f32) -> Sample {
     sample(mesh, |v| mesh.positions[v].map(|x| (x * steps).round() as i32))
 }
@@ -54,7 +54,8 @@ fn samples() -> Vec<Sample> {
     ]
 }
 
-/// Samples that a model knows how to code: what looks ahead takes places of grids only.
+/// Samples that a model can code: the one that predicts ahead requires grid coordinates of at most 24
+/// bits.
 fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
     let is_on_grid =
         |sample: &Sample| sample.places.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
@@ -62,7 +63,7 @@ fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
     samples().into_iter().filter(|sample| !is_ahead || is_on_grid(sample)).collect()
 }
 
-/// What lies around a vertex as far as it is known.
+/// Returns the known surroundings of a vertex.
 fn around(neighborhood: &Neighborhood<'_>) -> Surroundings {
     let mut around = Surroundings { count: neighborhood.corners.len().min(8), ..Surroundings::default() };
     let spot = |vertex: u32| neighborhood.place(vertex).map_or([0; 4], |[x, y, z]| [x, y, z, 1]);
@@ -73,7 +74,7 @@ fn around(neighborhood: &Neighborhood<'_>) -> Surroundings {
     around
 }
 
-/// Codes all places but the first few in order; `unseen` stands where places are not known yet.
+/// Codes all positions but the first few in order. `unseen` fills the positions that are not known yet.
 fn code<C: Coder>(
     coder: &mut C,
     sample: &Sample,
@@ -133,7 +134,8 @@ fn nothing_is_seen_before_its_time() {
 #[test]
 fn any_bytes_give_places() {
     let mut random = Random::new(6);
-    // What looks ahead is told at once of places that are off the grid, and asked no more.
+    // The caller of the model that predicts ahead stops at positions outside the grid, so it is never
+    // called after them.
     let kinds = KINDS.into_iter().filter(|&kind| kind != (Effort::Fast, StreamVersion::Two));
     for kind in kinds {
         for sample in &samples() {
@@ -150,7 +152,7 @@ fn any_bytes_give_places() {
 fn more_effort_takes_fewer_bytes() {
     let mesh = shapes::torus(120, 50, 1.0, 0.4);
     let mut random = Random::new(3);
-    // Sampled with some noise, so that nothing is foretold for sure.
+    // Noise makes exact prediction impossible.
     let noise: Vec<[f32; 3]> =
         mesh.positions.iter().map(|_| [(); 3].map(|()| random.between(-4.0, 4.0))).collect();
     let sample =
@@ -158,7 +160,7 @@ fn more_effort_takes_fewer_bytes() {
     let bits = EFFORTS.map(|effort| {
         write(&sample, (effort, StreamVersion::One), [0; 3]).len() as f64 * 8.0 / mesh.positions.len() as f64
     });
-    // The noise alone is 9.5 bits.
+    // The noise alone takes 9.5 bits.
     assert!(bits[0] < 20.0 && bits[1] < 15.5 && bits[2] < 15.0, "{bits:?}");
     assert!(bits[2] < bits[1] && bits[1] < bits[0], "{bits:?}");
     let of_cells = write(&sample, (Effort::Default, StreamVersion::Two), [0; 3]).len() as f64 * 8.0;

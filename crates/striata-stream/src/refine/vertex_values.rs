@@ -9,7 +9,7 @@ use crate::format::error::StreamDefect;
 use crate::layers::attributes::{AttributeContext, NewVertex, actual_layers};
 use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::next;
-use crate::wedges::model::Split;
+use crate::wedges::model::SplitContext;
 
 impl Refiner {
     /// Prepares the predictions of the next vertices' positions in one go. Returns false if the model
@@ -99,7 +99,7 @@ impl Refiner {
                 follower.refine(vertex, corners);
             }
             let most_beyond = limits.most_wedges.saturating_sub(growth.beyond() as u64);
-            let split = Split { surface, growth, corners, source: &*source, most_beyond };
+            let split = SplitContext { surface, growth, corners, source: &*source, most_beyond };
             model.code(coder, &split, &mut stretch.shown);
             if let Some(follower) = source.follower() {
                 follower.name(&stretch.shown.named);

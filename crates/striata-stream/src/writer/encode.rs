@@ -14,7 +14,7 @@ use crate::refine::parameters::StreamParameters;
 use crate::writer::chunks::{Chunks, check_batches, encode_chunks};
 use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
-use crate::writer::truth::Points;
+use crate::writer::reference_mesh::Points;
 
 /// How precisely positions are stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
