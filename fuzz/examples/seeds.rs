@@ -19,11 +19,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let path = corpus.join(target);
         fs::create_dir_all(&path).map(|()| path)
     };
-    let sound: Vec<(&str, IndexedMesh)> = shapes::nasty()
+    let meshes: Vec<(&str, IndexedMesh)> = shapes::nasty()
         .into_iter()
         .filter(|(_, mesh)| mesh.check().is_ok() && mesh.triangle_count() < 100)
         .collect();
-    for (i, (_, mesh)) in sound.iter().enumerate() {
+    for (i, (_, mesh)) in meshes.iter().enumerate() {
         write_formats(i, mesh, &folder("read_bytes")?)?;
         let folder_of_files = folder("striata_file")?;
         for (name, bytes) in containers(mesh)? {

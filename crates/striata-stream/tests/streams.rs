@@ -495,7 +495,12 @@ fn assets_simplify_to_very_small_bases() {
 
 proptest! {
     #[test]
-    fn decodes_any_sequence_in_any_batches(seed: u64, vertices in 3usize..40, triangles in 0usize..80, far in 0usize..60) {
+    fn decodes_any_sequence_in_any_batches(
+        seed: u64,
+        vertices in 3usize..40,
+        triangles in 0usize..80,
+        far in 0usize..60,
+    ) {
         let mut random = Random::new(seed);
         let mesh = soup(vertices, triangles, &mut random);
         let wildness = Wildness { far_percent: far, base_position_count: 1 };
@@ -513,7 +518,12 @@ proptest! {
     }
 
     #[test]
-    fn decodes_streams_of_triangle_soups(seed in any::<u64>(), vertices in 3usize..40, triangles in 0usize..80, has_seams: bool) {
+    fn decodes_streams_of_triangle_soups(
+        seed in any::<u64>(),
+        vertices in 3usize..40,
+        triangles in 0usize..80,
+        has_seams: bool,
+    ) {
         let mut mesh = soup(vertices, triangles, &mut Random::new(seed));
         if has_seams {
             mesh = with_seams_and_groups(mesh);

@@ -78,8 +78,8 @@ impl Prediction {
         let scale = 10 - radius.ilog2() as i32;
         let (up, down) = (scale.max(0) as u32, (-scale).max(0) as u32);
         let radius = ((radius << up) >> down) as i32;
-        let beside = i32x4::new(around.ring[1]) + i32x4::new(around.ring[n.max(1) - 1]);
-        let points = [off(mean(parallelograms(around, n, rings), base)), -middle, off(mean(beside, base))];
+        let adjacent = i32x4::new(around.ring[1]) + i32x4::new(around.ring[n.max(1) - 1]);
+        let points = [off(mean(parallelograms(around, n, rings), base)), -middle, off(mean(adjacent, base))];
         let limit = i32x4::splat((REACH << down) >> up);
         let to_local = |x: i32x4| ((x.max(-limit).min(limit) << up) >> down).to_array();
         let points = points.map(to_local);

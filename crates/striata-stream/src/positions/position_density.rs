@@ -60,7 +60,7 @@ impl<const USED: usize> PositionDensity<USED> {
     pub(super) fn look(&mut self, neighborhood: &Neighborhood<'_>) {
         self.local.look(neighborhood, Self::LOOKS_BEYOND);
         guess(&self.local, &mut self.guesses);
-        self.kept = kept_and_beside(&self.local);
+        self.kept = kept_points(&self.local);
         for (weights, guesses) in self.weights.iter_mut().zip(&self.guesses) {
             *weights = first_lanes(guesses.count) & i16x8::splat(FULL_WORTH);
         }
@@ -225,13 +225,13 @@ pub(super) fn normal_order(local: &LocalRing) -> ([i64; 3], [usize; 3]) {
 
 /// Returns, for each axis, the vertex that split, the midpoint of its neighbors in the ring, that of
 /// their other neighbors, and that of the vertices across its edges to its neighbors.
-fn kept_and_beside(local: &LocalRing) -> [[i32; 4]; 3] {
+fn kept_points(local: &LocalRing) -> [[i32; 4]; 3] {
     let n = local.count;
     let kept = local.ring[0].unwrap_or_default();
-    let beside = mean(local.ring[1 % n], local.ring[n - 1]);
+    let adjacent = mean(local.ring[1 % n], local.ring[n - 1]);
     let further = mean(local.ring[2 % n], local.ring[(2 * n - 2) % n]);
     let behind = mean(local.apexes[0], local.apexes[n - 1]);
-    [0, 1, 2].map(|a| [kept[a], beside[a], further[a], behind[a]])
+    [0, 1, 2].map(|a| [kept[a], adjacent[a], further[a], behind[a]])
 }
 
 /// Returns the midpoint of two points, or the only known one.

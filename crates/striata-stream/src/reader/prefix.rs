@@ -15,7 +15,8 @@ pub struct PrefixMesh<'a> {
     pub first_vertices: &'a [u32],
     /// The vertex that each vertex beyond the base collapses to; it belongs to an earlier position.
     pub targets: &'a [u32],
-    /// Corners of each triangle at the finest level that has arrived: the base's triangles, then those of each step.
+    /// Corners of each triangle at the finest level that has arrived: first those of the base, then those
+    /// of each step.
     pub triangles: &'a [[u32; 3]],
     /// Number of triangles that each step adds.
     pub added_triangle_counts: &'a [u8],

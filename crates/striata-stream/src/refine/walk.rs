@@ -5,17 +5,18 @@
 //! | --- | --- |
 //! | [`WalkOrder::Near`] | breadth first: a neighbor of a visited vertex |
 //! | [`WalkOrder::Numbers`] | the vertex with the next index |
-//! | [`WalkOrder::Families`] | each vertex is followed by its descendants, the most recently split off first |
+//! | [`WalkOrder::Families`] | each vertex is followed by its descendants, the latest first |
 //!
-//! Each vertex is visited once per batch; vertices created within the batch are skipped. In breadth-first order, the
-//! neighbors of a visited vertex wait in a queue. A vertex splits only after it was visited, so this finds everything that
-//! was around it before the batch, regardless of splits elsewhere. The other two orders are lists and do not have to
-//! walk around vertices that do not split.
+//! Each vertex is visited once per batch; vertices created within the batch are skipped. In breadth-first
+//! order, the neighbors of a visited vertex wait in a queue. A vertex splits only after it was visited,
+//! so this finds everything that was around it before the batch, regardless of splits elsewhere. The
+//! other two orders are lists and do not have to walk around vertices that do not split.
 //!
-//! Vertices that were split off each other lie close together, so the family order moves gradually over the surface. The
-//! vertices that a batch creates are numbered in walk order, so a walk also runs through each batch's memory from
-//! beginning to end. The order by index does neither: consecutive vertices lie wherever a batch had room for a split,
-//! which takes half as much time again if a mesh does not fit into the caches.
+//! Vertices that were split off each other lie close together, so the family order moves gradually over
+//! the surface. The vertices that a batch creates are numbered in walk order, so a walk also runs through
+//! each batch's memory from beginning to end. The order by index does neither: consecutive vertices lie
+//! wherever a batch had room for a split, which takes half as much time again if a mesh does not fit into
+//! the caches.
 
 use crate::topology::surface::{NONE, Surface, next};
 

@@ -328,8 +328,8 @@ impl Surface {
         patch.iter().for_each(|&corner| self.corners[corner as usize].vertex = vertex);
         // A and B still know their former neighbors.
         for corner in [a, next(a), b, previous(b)] {
-            let beside = self.opposite(corner);
-            self.corners[beside as usize].opposite = corner;
+            let outside = self.opposite(corner);
+            self.corners[outside as usize].opposite = corner;
         }
         self.corner_of[vertex as usize] = a;
         self.corner_of[undo.kept as usize] = next(a);

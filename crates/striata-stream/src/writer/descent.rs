@@ -44,7 +44,8 @@ impl Descent {
     /// number of steps.
     ///
     /// # Errors
-    /// [`BatchDefect`] if a step is invalid, or if the version does not support the general batches that are required.
+    /// [`BatchDefect`] if a step is invalid, or if the version does not support general batches and one
+    /// would be required.
     pub(crate) fn new(
         refinable: &RefinableMesh,
         batches: &[u32],
