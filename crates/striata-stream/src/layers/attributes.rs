@@ -18,6 +18,7 @@ pub(crate) struct Attributes {
     model: LayerModel,
     /// Integers of the vertices, layer by layer.
     values: Vec<LayerValues>,
+    /// Ring of the current vertex.
     own: FittedRing,
     /// Ring of all vertices of a position together.
     whole: FittedRing,
@@ -43,7 +44,9 @@ const MOST_CORNERS: usize = 24;
 /// The surroundings of a new position.
 #[derive(Clone, Copy)]
 pub(crate) struct AttributeContext<'a> {
+    /// The surface, including the split.
     pub(crate) surface: &'a Surface,
+    /// The mesh without the new position.
     pub(crate) growth: &'a Growth,
     /// Grid coordinates of each vertex of the surface.
     pub(crate) places: &'a [[i32; 3]],
@@ -239,6 +242,7 @@ impl FittedRing {
         self.fit.measure(place, &self.places, false);
     }
 
+    /// Returns the neighborhood of a vertex with this ring.
     fn neighborhood(&self, target: u32) -> LayerNeighborhood<'_> {
         LayerNeighborhood::new(Some(target), &self.ring, &self.fit)
     }

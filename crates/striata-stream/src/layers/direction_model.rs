@@ -71,9 +71,13 @@ pub(crate) struct DirectionModel {
 /// Estimates of a direction from the geometry and the surrounding directions. All vectors have the same
 /// length, or are zero.
 struct Estimates {
+    /// Direction of the vertex that it collapses to.
     target: [i64; 3],
+    /// Mean of the ring.
     mean: [i64; 3],
+    /// Affine fit to the ring.
     affine: [i64; 3],
+    /// Estimate from the geometry.
     geometric: [i64; 3],
     /// Sum of the mirrored neighbors, and the sum in which near neighbors have more weight.
     mirrored: [i64; 3],
@@ -194,7 +198,7 @@ impl Prediction {
             _ => (TARGET, [MEAN, WHOLE, WHOLE + 1, SIBLING]),
         };
         self.first = self.candidates[first];
-        self.terms = others.map(|place| difference(self.candidates[place], self.first));
+        self.terms = others.map(|index| difference(self.candidates[index], self.first));
         let sum = sums[self.selector(kind)].predict(&self.terms);
         self.candidates[SUM] = std::array::from_fn(|axis| self.first[axis] + sum[axis]);
         self.count = self.count.max(SUMMED_CANDIDATES);
@@ -207,12 +211,12 @@ impl Prediction {
 
     /// Returns the three predictions that differ most from each other in nature.
     fn main(&self, kind: usize) -> [[i64; 3]; 3] {
-        let places = match kind {
+        let indices = match kind {
             0 | BASE_KIND => [AFFINE, GEOMETRIC, MIRRORED],
             1 => [AFFINE, WHOLE, SIBLING],
             _ => [TARGET, WHOLE, SIBLING],
         };
-        places.map(|place| self.candidates[place])
+        indices.map(|index| self.candidates[index])
     }
 
     /// Adds predictions from the whole position to those of one of its vertices: a seam in the texture

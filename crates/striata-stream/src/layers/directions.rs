@@ -96,7 +96,7 @@ mod tests {
 
     use super::*;
 
-    /// Points that mean a direction, each direction once.
+    /// One point for each direction of the grid.
     fn points(bits: u32) -> Vec<[i32; 2]> {
         let side = (1 << (bits - 1)) - 1;
         let all = (-side..=side).flat_map(|x: i32| (-side..=side).map(move |y: i32| [x, y]));
@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn differences_lead_back() {
+    fn differences_restore_the_point() {
         let grid = Octahedron::new(4);
         for point in points(4) {
             for x in -7..=7 {
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn near_directions_have_small_differences() {
+    fn similar_directions_have_small_differences() {
         let mut random = Random::new(1);
         let grid = Octahedron::new(10);
         for _ in 0..3000 {
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn points_come_back_from_their_directions() {
+    fn points_survive_conversion_to_directions() {
         for bits in [2, 3, 5, 8] {
             let grid = Octahedron::new(bits);
             for point in points(bits) {
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn hostile_numbers_stay_on_the_square() {
+    fn hostile_values_stay_on_the_square() {
         let mut random = Random::new(7);
         for bits in 2..=16 {
             let grid = Octahedron::new(bits);

@@ -65,10 +65,14 @@ pub(crate) enum Transform {
 /// Description of a layer without its numbers, as stored in the head of a stream.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LayerForm {
+    /// Meaning of the layer.
     pub(crate) semantic: Semantic,
+    /// Number of components per vertex.
     pub(crate) component_count: u8,
     pub(crate) normalized: bool,
+    /// Data type of the numbers.
     pub(crate) number_type: NumberType,
+    /// Conversion between numbers and integers.
     pub(crate) transform: Transform,
 }
 

@@ -74,6 +74,7 @@ impl LayerForm {
     }
 }
 
+/// Reads the origin and step of an axis.
 fn read_axis(reader: &mut ByteReader<'_>) -> Result<Axis, DecodeError> {
     let origin = reader.f32()?;
     let step = [u64::from(reader.u32()?), u64::from(reader.u32()?)];

@@ -41,8 +41,11 @@ struct CopySource {
 pub(crate) struct LayerHistory {
     /// For each vertex, 0 if it is a copy, otherwise 1 plus the scale of its residual.
     sizes: Vec<u8>,
+    /// Whether a vertex is a copy.
     is_copy: Vec<AdaptiveBit>,
+    /// Whether a copied value is this source, by its kind and whether it is the first one.
     is_source: [AdaptiveBit; 2 * SOURCES],
+    /// Values that the current vertex can copy.
     sources: Vec<CopySource>,
 }
 
@@ -72,13 +75,13 @@ impl LayerHistory {
         if counts || !C::READS {
             self.find_sources(values, neighborhood);
         }
-        let is_meant = |source: &CopySource| actual.is_some_and(|m| m == values.of(source.vertex));
-        let place = if C::READS { None } else { self.sources.iter().position(is_meant) };
+        let is_equal = |source: &CopySource| actual.is_some_and(|m| m == values.of(source.vertex));
+        let index = if C::READS { None } else { self.sources.iter().position(is_equal) };
         let variety = if counts { self.variety() } else { 0 };
         let context =
             (neighborhood.kind() * SHARES + share) * RESEMBLANCES + resemblance(values, neighborhood);
         let context = context * VARIETIES + variety;
-        if !self.is_copy[context].code(coder, place.is_some()) {
+        if !self.is_copy[context].code(coder, index.is_some()) {
             return None;
         }
         if C::READS && !counts {
@@ -87,7 +90,7 @@ impl LayerHistory {
         let (last, others) = self.sources.split_last()?;
         for (at, source) in others.iter().enumerate() {
             let bit = &mut self.is_source[2 * source.kind + usize::from(at > 0)];
-            if bit.code(coder, place == Some(at)) {
+            if bit.code(coder, index == Some(at)) {
                 return Some(source.vertex);
             }
         }
@@ -210,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn copies_are_found_again_by_a_reader() {
+    fn a_reader_decodes_the_same_copies() {
         let values: Vec<i32> = (0..900).map(|i| if i % 2 == 1 { i - 1 - (i % 3) % 2 } else { i }).collect();
         let mut writer = RangeWriter::new();
         let written = code(&mut writer, &values);

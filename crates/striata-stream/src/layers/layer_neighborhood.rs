@@ -60,6 +60,7 @@ impl<'a> LayerNeighborhood<'a> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LayerValues {
     integers: Vec<i32>,
+    /// Number of integers per vertex.
     count: usize,
 }
 

@@ -27,6 +27,7 @@ pub(crate) struct LayerModel {
     order: Vec<(usize, Part)>,
 }
 
+/// The model of one layer.
 #[derive(Clone, Debug)]
 enum OneLayer {
     /// Normals, and other directions that cannot be derived from the geometry.
@@ -119,6 +120,7 @@ impl LayerModel {
     }
 }
 
+/// Returns the part of the stream to which a layer's bits are attributed.
 fn part_of(form: &LayerForm) -> Part {
     match form.semantic {
         Semantic::Normal => Part::Normals,
@@ -407,7 +409,7 @@ mod tests {
     }
 
     #[test]
-    fn any_bytes_give_integers_within_their_form() {
+    fn random_bytes_give_valid_integers() {
         let sites = sites(10, 3);
         let mut random = Random::new(5);
         let mut layers = smooth_layers(&sites);

@@ -26,6 +26,7 @@ pub(crate) struct NumberPredictions {
 }
 
 impl NumberPredictions {
+    /// Makes all predictions the same value, with the largest uncertainty.
     fn constant(value: i64) -> Self {
         Self { predictions: [value; PREDICTIONS], conflict: u64::from(u32::MAX), spread: u64::from(u32::MAX) }
     }

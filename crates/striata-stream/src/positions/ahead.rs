@@ -20,7 +20,9 @@ pub(crate) type KnownCoords = [i32; 4];
 pub(crate) struct Surroundings {
     /// Length of both lists.
     pub(crate) count: usize,
+    /// Ring vertices.
     pub(crate) ring: [KnownCoords; LANES],
+    /// Vertices across the ring edges.
     pub(crate) across: [KnownCoords; LANES],
 }
 
@@ -175,10 +177,10 @@ mod tests {
     }
 
     #[test]
-    fn all_points_of_a_regular_ring_agree() {
+    fn all_predictions_of_a_regular_ring_agree() {
         let prediction = Prediction::new(&hexagon());
-        let place = [0, 1, 2].map(|a| prediction.to_grid(0, a));
-        assert_eq!(place, [1000, 2000, 300]);
+        let coords = [0, 1, 2].map(|a| prediction.to_grid(0, a));
+        assert_eq!(coords, [1000, 2000, 300]);
         assert_eq!((prediction.axes[2], prediction.slopes), (2, [0, 0]));
         assert!((1024..2048).contains(&prediction.radius), "{}", prediction.radius);
         for feature in prediction.features {
@@ -189,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_known_does_not_count() {
+    fn unknown_points_are_ignored() {
         let whole = Prediction::new(&hexagon());
         let mut around = hexagon();
         around.across[2] = [0; 4];
@@ -201,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn places_are_the_same_in_local_units() {
+    fn coordinates_survive_conversion_to_local_units() {
         for factor in [1, 7, 1000, 40_000] {
             let mut around = hexagon();
             let scaled = |spot: KnownCoords| [spot[0] * factor, spot[1] * factor, spot[2] * factor, spot[3]];
@@ -210,10 +212,10 @@ mod tests {
             let prediction = Prediction::new(&around);
             assert_eq!(prediction.axes[2], 2);
             for off in [-150, -3, 0, 40, 199] {
-                let place = (1000 + off) * factor;
-                let found = prediction.to_grid(prediction.off_middle(place, 0), 0);
+                let coords = (1000 + off) * factor;
+                let found = prediction.to_grid(prediction.off_middle(coords, 0), 0);
                 // If rings are wide, local units are coarser than the grid.
-                assert!((found - place).abs() <= factor / 4 + 1, "{found} for {place}");
+                assert!((found - coords).abs() <= factor / 4 + 1, "{found} for {coords}");
             }
         }
     }

@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_blend_finds_the_weights_of_what_it_sees() {
+    fn a_blend_learns_the_weights_of_its_features() {
         let mut random = Random::new(1);
         let mut blend = Blend::new([0; 3]);
         let mut last = 0;

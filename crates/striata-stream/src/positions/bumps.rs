@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn mass_grows_from_nothing_to_all() {
+    fn mass_grows_from_zero_to_the_total() {
         let bumps = Bumps { at: [-900, 0, 0, 5, 900, 0, 0, 0], weight: [100, 3000, 0, 7, 2000, 0, 0, 0] };
         for width in 0..=13 {
             let width = [Width::new(width)];

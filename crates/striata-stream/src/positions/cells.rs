@@ -63,6 +63,7 @@ type CellScores = [i16x8; 2];
 #[derive(Clone, Copy, Debug)]
 struct CellWeights {
     weights: [i32x4; CELLS / 4],
+    /// Number of coordinates learned from.
     seen: u32,
 }
 
@@ -78,6 +79,7 @@ pub(super) struct CellModel {
     /// Whether a coordinate lies in the upper half of the remaining interval within a cell, by its width
     /// and the density's probability.
     halves: Vec<AdaptiveBit>,
+    /// Distances in the unbounded cells.
     far: AdaptiveNumber,
 }
 
@@ -100,6 +102,7 @@ impl CellModel {
         }
     }
 
+    /// Returns the weights of an axis's four contexts.
     fn contexts(&mut self, axis: &Axis<'_, 1, 1>) -> [&mut CellWeights; 4] {
         [
             &mut self.by_size[axis.size],
@@ -177,6 +180,7 @@ const TRUST_SHIFT: u32 = 15;
 const FIRST_TRUST: i32 = 16_000;
 
 impl CellWeights {
+    /// Moves the weights by a step that shrinks with experience.
     #[inline]
     fn learn(&mut self, steps: &[i32x4; CELLS / 4]) {
         self.seen = (self.seen + 1).min(1 << 12);
@@ -249,6 +253,7 @@ static LOCAL_ENDS: [[i16; CELLS]; 16 - LEAST_STEP_LOG as usize] = {
     }
     table
 };
+/// Smallest cell step in [`LOCAL_ENDS`], as a power of two.
 const LEAST_STEP_LOG: u32 = 4;
 
 /// Returns the mass of the density below a coordinate, given relative to the center.
@@ -331,7 +336,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn exponentials_and_logarithms_are_right() {
+    fn tables_of_exponentials_and_logarithms_are_accurate() {
         for (at, &power) in EXPONENTIALS.iter().enumerate() {
             let expected = 32_768.0 * (-(at as f64) / 64.0).exp2();
             assert!((f64::from(power) - expected).abs() <= 1.01, "{at}: {power} for {expected}");
@@ -343,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_probabilities() {
+    fn parts_sum_to_one() {
         let mut scores = [-600; CELLS];
         scores[3] = 512;
         scores[9] = 1024;
@@ -375,7 +380,7 @@ mod tests {
     }
 
     #[test]
-    fn densities_speak_for_the_cells_where_they_lie() {
+    fn the_cell_with_most_density_scores_best() {
         // One grid step is 64 local units.
         let local =
             LocalRing { origin: [40, 0, 0], shift: 6, factor: 1 << 22, radius: 1200, ..LocalRing::default() };

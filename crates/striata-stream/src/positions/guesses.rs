@@ -40,6 +40,7 @@ pub(super) struct Guesses {
 }
 
 impl Guesses {
+    /// Adds a guess if a lane is free.
     #[inline]
     fn push(&mut self, point: Point) {
         if self.count < LANES {
@@ -56,6 +57,7 @@ fn corner(a: Point, b: Point, c: Point) -> Point {
     [0, 1, 2].map(|i| a[i] + b[i] - c[i])
 }
 
+/// Returns the midpoint of two points.
 fn middle(a: Point, b: Point) -> Point {
     [0, 1, 2].map(|i| (a[i] + b[i]) >> 1)
 }
@@ -141,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn all_guesses_hit_the_middle_of_a_regular_lattice() {
+    fn all_guesses_agree_on_a_regular_lattice() {
         let mut guesses = [Guesses::default(); KINDS];
         guess(&regular(), &mut guesses);
         assert_eq!(guesses.map(|g| g.count), [6, 6, 4, 6, 6, 6]);
@@ -153,14 +155,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_known_is_not_guessed_from() {
+    fn unknown_points_give_no_guesses() {
         let mut local = regular();
         local.ring[2] = None;
         local.apexes[4] = None;
         local.beyond[5] = [None; 2];
         let mut guesses = [Guesses::default(); KINDS];
         guess(&local, &mut guesses);
-        // Of six each, those are missing that the unknown places take part in.
+        // Each kind has six guesses, minus those that involve unknown points.
         assert_eq!(guesses.map(|g| g.count), [3, 3, 3, 2, 5, 2]);
     }
 }

@@ -12,7 +12,9 @@ use crate::entropy::{
     AdaptiveBit, AdaptiveNumber, Coder, Rate, Refiner, WideMixer, log_odds, log2_q8, log2_q16, probability,
 };
 
+/// Number of counters that give inputs to the mixers.
 const COUNTERS: usize = 4;
+/// Number of depth classes of the tree.
 const DEPTHS: usize = 6;
 /// Nodes of the tree that have counters; all others share node 0.
 const NODES: usize = 64;
@@ -45,7 +47,9 @@ struct Decision {
 pub(super) struct AxisModel<const VECTORS: usize> {
     /// Whether a coordinate lies outside the near interval, by spread class and by the densities.
     is_outside: [Vec<AdaptiveBit>; 2],
+    /// Whether a coordinate lies outside even the wide interval, by spread class.
     is_beyond: Vec<AdaptiveBit>,
+    /// Coordinates outside the wide interval.
     far: AdaptiveNumber,
     by_size: Vec<AdaptiveBit>,
     by_context: Vec<AdaptiveBit>,
@@ -98,6 +102,7 @@ impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KI
 }
 
 impl<const VECTORS: usize> AxisModel<VECTORS> {
+    /// Codes whether a coordinate lies outside the near interval.
     #[inline]
     fn is_outside<C: Coder, const KINDS: usize, const WIDTHS: usize>(
         &mut self,
@@ -119,6 +124,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         bit
     }
 
+    /// Codes a coordinate within an interval by halving it.
     fn halve<C: Coder, const KINDS: usize, const WIDTHS: usize>(
         &mut self,
         coder: &mut C,
@@ -156,6 +162,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
         low
     }
 
+    /// Codes one decision from the mixed inputs.
     #[inline]
     fn decide<C: Coder, const KINDS: usize, const WIDTHS: usize>(
         &mut self,

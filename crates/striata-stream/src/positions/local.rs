@@ -46,18 +46,18 @@ impl LocalRing {
         self.count = neighborhood.corners.len().min(LANES);
         let mut known = [[0; 3]; LANES];
         let mut known_count = 0;
-        let mut places = [None; LANES];
+        let mut coords = [None; LANES];
         for (i, &corner) in neighborhood.corners[..self.count].iter().enumerate() {
             self.ids[i] = neighborhood.surface.vertex(next(corner));
-            places[i] = neighborhood.place(self.ids[i]);
-            if let Some(place) = places[i] {
-                known[known_count] = place;
+            coords[i] = neighborhood.coords_of(self.ids[i]);
+            if let Some(coords) = coords[i] {
+                known[known_count] = coords;
                 known_count += 1;
             }
         }
         self.measure(&known[..known_count]);
-        for (i, &place) in places[..self.count].iter().enumerate() {
-            self.ring[i] = place.map(|p| self.to_local(p));
+        for (i, &coords) in coords[..self.count].iter().enumerate() {
+            self.ring[i] = coords.map(|p| self.to_local(p));
         }
         let mut apex_ids = [0; LANES];
         for (i, &corner) in neighborhood.corners[..self.count].iter().enumerate() {
@@ -77,7 +77,7 @@ impl LocalRing {
 
     /// Returns the local position of a vertex, if it is known.
     fn find(&self, neighborhood: &Neighborhood<'_>, vertex: u32) -> Option<Point> {
-        neighborhood.place(vertex).map(|p| self.to_local(p))
+        neighborhood.coords_of(vertex).map(|p| self.to_local(p))
     }
 
     /// Computes the origin, scale and radius from the known ring vertices.
@@ -103,8 +103,8 @@ impl LocalRing {
 
     /// Converts grid coordinates to local units.
     #[inline]
-    pub(super) fn to_local(&self, place: [i32; 3]) -> Point {
-        [0, 1, 2].map(|a| self.to_local_axis(place[a], a))
+    pub(super) fn to_local(&self, coords: [i32; 3]) -> Point {
+        [0, 1, 2].map(|a| self.to_local_axis(coords[a], a))
     }
 
     /// Converts one grid coordinate to local units.

@@ -15,7 +15,7 @@ use crate::topology::neighborhood::Neighborhood;
 type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
 
 /// Error classes of a vertex whose errors are not known.
-const NO_ERRORS: [u8; 2] = [7; 2];
+const UNKNOWN_ERRORS: [u8; 2] = [7; 2];
 
 /// A position model that uses the first `USED` kinds of guesses.
 #[derive(Clone, Debug)]
@@ -54,11 +54,11 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
         let (normal, axes) = normal_order(&self.density.local);
         let ring_errors = self.ring_errors();
         let valence = self.density.local.count.clamp(4, 7) - 4;
-        let mut place = [0; 3];
+        let mut coords = [0; 3];
         let mut errors = [0u32; 2];
         for (slot, &a) in axes.iter().enumerate() {
             let across = slot / 2;
-            self.density.aim(slot, (normal, axes), place);
+            self.density.aim(slot, (normal, axes), coords);
             let (base, features) = self.density.features(a);
             let blend = &mut self.blends[across][valence];
             let expected = base + blend.predict(&features);
@@ -68,8 +68,8 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
                 (expected, ring_errors[across] * 4 + valence),
                 &features,
             );
-            place[a] = self.axes[slot].code(coder, &axis, actual[a]);
-            let found = self.density.local.to_local_axis(place[a], a);
+            coords[a] = self.axes[slot].code(coder, &axis, actual[a]);
+            let found = self.density.local.to_local_axis(coords[a], a);
             let error = (found - expected).clamp(-self.density.local.radius, self.density.local.radius);
             blend.learn(&features, error);
             errors[across] = errors[across].max(error.unsigned_abs());
@@ -78,7 +78,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
             }
         }
         self.note(neighborhood.vertex, errors);
-        place
+        coords
     }
 
     /// Classifies how well the ring vertices could be predicted, along the surface and across it: 0 to 3.
@@ -103,13 +103,13 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
     /// Adapts to a rebuilt surface. `old_of_new` contains the old index of each vertex, or
     /// [`NONE`](crate::topology::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
-        let errors = |&old: &u32| self.errors.get(old as usize).copied().unwrap_or(NO_ERRORS);
+        let errors = |&old: &u32| self.errors.get(old as usize).copied().unwrap_or(UNKNOWN_ERRORS);
         self.errors = old_of_new.iter().map(errors).collect();
     }
 
     /// Records the error classes of a vertex.
     fn note(&mut self, vertex: u32, errors: [u32; 2]) {
-        self.errors.resize(vertex as usize, NO_ERRORS);
+        self.errors.resize(vertex as usize, UNKNOWN_ERRORS);
         self.errors
             .push(errors.map(|error| (error * 1024 / self.density.local.radius as u32 + 1).ilog2() as u8));
     }

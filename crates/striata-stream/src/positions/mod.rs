@@ -54,6 +54,7 @@ use quick::QuickPositions;
 #[derive(Clone, Debug)]
 pub(super) struct PositionModel(Model);
 
+/// The model for each combination of effort and version.
 #[derive(Clone, Debug)]
 enum Model {
     /// One prediction, counters (version 1).

@@ -88,13 +88,13 @@ impl Around {
         let is_known = |vertex: u32| first <= vertex && vertex < neighborhood.vertex;
         let mut ids = corners.iter().map(|&corner| neighborhood.surface.vertex(next(corner)));
         let near = ids.find(|&vertex| is_known(vertex)).map(|vertex| vertex as usize);
-        let base = near.map_or([0; 3], |near| neighborhood.places[near]);
+        let base = near.map_or([0; 3], |near| neighborhood.coords[near]);
         // Without branches, because they would be unpredictable.
         let off = |vertex: u32| {
             let is_known = is_known(vertex);
-            let place = neighborhood.places[if is_known { vertex as usize } else { near.unwrap_or(0) }];
+            let coords = neighborhood.coords[if is_known { vertex as usize } else { near.unwrap_or(0) }];
             let mask = -i32::from(is_known);
-            let [x, y, z] = [0, 1, 2].map(|a| place[a].wrapping_sub(base[a]) & mask);
+            let [x, y, z] = [0, 1, 2].map(|a| coords[a].wrapping_sub(base[a]) & mask);
             [x, y, z, i32::from(is_known)]
         };
         let (mut ring, mut apexes) = ([[0; 4]; LANES + 1], [[0; 4]; LANES]);
@@ -196,7 +196,7 @@ impl PlainModel {
         let (normal, axes) = (around.normal, around.axes);
         let valence = neighborhood.corners.len().clamp(4, 7) - 4;
         let size = (2 * (20 + around.scale) + (around.radius >> 9 & 1)).clamp(0, SIZES as i32 - 1) as usize;
-        let mut place = [0; 3];
+        let mut coords = [0; 3];
         // Change of the last axis's prediction due to the first two coordinates.
         let mut rise = 0;
         for (slot, &a) in axes.iter().enumerate() {
@@ -211,8 +211,8 @@ impl PlainModel {
             let noise = (1 - around.scale - slot as i32 / 2).clamp(0, 17) as u32;
             let context = ResidualContext { size, spread: spread as usize, noise };
             let residual = actual[a].wrapping_sub(center);
-            place[a] = center.wrapping_add(self.axes[slot].code(coder, context, residual));
-            let found = around.off_middle(place[a], a);
+            coords[a] = center.wrapping_add(self.axes[slot].code(coder, context, residual));
+            let found = around.off_middle(coords[a], a);
             let error = (found - lifted).clamp(-around.radius, around.radius);
             blend.learn(features, error);
             if slot < 2 && normal[axes[2]] != 0 {
@@ -220,6 +220,6 @@ impl PlainModel {
                     (i64::from(found - expected) * i64::from(normal[a]) / i64::from(normal[axes[2]])) as i32;
             }
         }
-        place
+        coords
     }
 }

@@ -67,12 +67,12 @@ impl<const USED: usize> PositionDensity<USED> {
     }
 
     /// Moves the bumps to the guesses along an axis, given the coordinates known so far.
-    pub(super) fn aim(&mut self, slot: usize, (normal, axes): ([i64; 3], [usize; 3]), place: [i32; 3]) {
+    pub(super) fn aim(&mut self, slot: usize, (normal, axes): ([i64; 3], [usize; 3]), coords: [i32; 3]) {
         self.is_last = slot == 2;
         self.is_inward = normal[axes[2]] < 0;
         if slot == 2 {
-            self.move_along(normal, axes, place);
-            self.raise_planes(axes, place);
+            self.move_along(normal, axes, coords);
+            self.raise_planes(axes, coords);
         } else {
             for (bumps, guesses) in self.bumps.iter_mut().zip(&self.guesses) {
                 bumps.at = guesses.at[axes[slot]];
@@ -88,9 +88,9 @@ impl<const USED: usize> PositionDensity<USED> {
     }
 
     /// Moves all guesses along the ring's plane to the known coordinates of the vertex.
-    fn move_along(&mut self, normal: [i64; 3], axes: [usize; 3], place: [i32; 3]) {
+    fn move_along(&mut self, normal: [i64; 3], axes: [usize; 3], coords: [i32; 3]) {
         let [a, b, c] = axes;
-        let [x, y] = [a, b].map(|a| self.local.to_local_axis(place[a], a));
+        let [x, y] = [a, b].map(|a| self.local.to_local_axis(coords[a], a));
         let steep = if normal[c] == 0 { 1 } else { normal[c] };
         for at in 0..4 {
             let rise =
@@ -112,9 +112,9 @@ impl<const USED: usize> PositionDensity<USED> {
     }
 
     /// Replaces the guesses of one kind by the heights of the planes across ring edges.
-    fn raise_planes(&mut self, [a, b, c]: [usize; 3], place: [i32; 3]) {
+    fn raise_planes(&mut self, [a, b, c]: [usize; 3], coords: [i32; 3]) {
         let local = &self.local;
-        let [x, y] = [a, b].map(|a| local.to_local_axis(place[a], a));
+        let [x, y] = [a, b].map(|a| local.to_local_axis(coords[a], a));
         let mut count = 0;
         for i in 0..local.count {
             let j = if i + 1 == local.count { 0 } else { i + 1 };

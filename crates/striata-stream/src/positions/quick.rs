@@ -81,7 +81,7 @@ impl QuickPositions {
     pub(super) fn code<C: Coder>(&mut self, coder: &mut C, vertex: u32, actual: [i32; 3]) -> [i32; 3] {
         let prediction = &self.predictions[(vertex - self.first) as usize];
         let valence = prediction.count.clamp(4, 7) - 4;
-        let mut place = [0; 3];
+        let mut coords = [0; 3];
         // Change of the last axis's prediction due to the first two coordinates.
         let mut rise = 0;
         for (slot, &a) in prediction.axes.iter().enumerate() {
@@ -95,14 +95,14 @@ impl QuickPositions {
             let spread = spread as usize * VALENCES + valence;
             let context = ResidualContext { size: prediction.size, spread, noise: prediction.noise(slot) };
             let residual = actual[a].wrapping_sub(center);
-            place[a] = center.wrapping_add(self.axes[slot].code(coder, context, residual));
-            let found = prediction.off_middle(place[a], a);
+            coords[a] = center.wrapping_add(self.axes[slot].code(coder, context, residual));
+            let found = prediction.off_middle(coords[a], a);
             learn(weights, features, (found - lifted).clamp(-prediction.radius, prediction.radius));
             if slot < 2 {
                 rise -= ((found - expected) * prediction.slopes[slot]) >> 12;
             }
         }
-        place
+        coords
     }
 }
 

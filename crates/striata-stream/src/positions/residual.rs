@@ -52,6 +52,7 @@ pub(super) fn code_residual<C: Coder>(
     high.wrapping_shl(noise) | (below & ((1 << noise) - 1)) as i32
 }
 
+/// Codes a residual beyond the last bucket.
 #[cold]
 fn code_far<C: Coder>(
     coder: &mut C,

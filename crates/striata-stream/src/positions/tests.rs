@@ -22,14 +22,15 @@ const KINDS: [(Effort, StreamVersion); 5] = [
 /// A closed surface and the grid coordinates of its vertices.
 struct Sample {
     surface: Surface,
-    places: Vec<[i32; 3]>,
+    coords: Vec<[i32; 3]>,
 }
 
-fn sample(mesh: &IndexedMesh, place: impl Fn(usize) -> [i32; 3]) -> Sample {
+fn sample(mesh: &IndexedMesh, coords_of: impl Fn(usize) -> [i32; 3]) -> Sample {
     let surface = close(&mesh.triangles, mesh.positions.len()).surface;
     let first = surface.virtual_count() as usize;
-    let places = (0..surface.vertex_count()).map(|v| v.checked_sub(first).map_or([0; 3], &place)).collect();
-    Sample { surface, places }
+    let coords =
+        (0..surface.vertex_count()).map(|v| v.checked_sub(first).map_or([0; 3], &coords_of)).collect();
+    Sample { surface, coords }
 }
 
 /// Quantizes a mesh to a grid with a number of steps per unit.
@@ -58,7 +59,7 @@ fn samples() -> Vec<Sample> {
 /// bits.
 fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
     let is_on_grid =
-        |sample: &Sample| sample.places.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
+        |sample: &Sample| sample.coords.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
     let is_ahead = kind == (Effort::Fast, StreamVersion::Two);
     samples().into_iter().filter(|sample| !is_ahead || is_on_grid(sample)).collect()
 }
@@ -66,7 +67,7 @@ fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
 /// Returns the known surroundings of a vertex.
 fn around(neighborhood: &Neighborhood<'_>) -> Surroundings {
     let mut around = Surroundings { count: neighborhood.corners.len().min(8), ..Surroundings::default() };
-    let spot = |vertex: u32| neighborhood.place(vertex).map_or([0; 4], |[x, y, z]| [x, y, z, 1]);
+    let spot = |vertex: u32| neighborhood.coords_of(vertex).map_or([0; 4], |[x, y, z]| [x, y, z, 1]);
     for (i, &corner) in neighborhood.corners.iter().enumerate().take(8) {
         around.ring[i] = spot(neighborhood.surface.vertex(next(corner)));
         around.across[i] = spot(neighborhood.surface.vertex(neighborhood.surface.opposite(corner)));
@@ -74,53 +75,53 @@ fn around(neighborhood: &Neighborhood<'_>) -> Surroundings {
     around
 }
 
-/// Codes all positions but the first few in order. `unseen` fills the positions that are not known yet.
+/// Codes all positions but the first few in order. `unknown` fills the positions that are not known yet.
 fn code<C: Coder>(
     coder: &mut C,
     sample: &Sample,
     (effort, version): (Effort, StreamVersion),
-    unseen: [i32; 3],
+    unknown: [i32; 3],
 ) -> Vec<[i32; 3]> {
     let first = sample.surface.virtual_count() as usize + 4;
-    let mut places = sample.places[..first].to_vec();
-    places.resize(sample.places.len(), unseen);
+    let mut coords = sample.coords[..first].to_vec();
+    coords.resize(sample.coords.len(), unknown);
     let mut model = PositionModel::new(effort, version);
-    for vertex in first..places.len() {
+    for vertex in first..coords.len() {
         let corners: Vec<u32> = sample.surface.ring(vertex as u32).collect();
         let neighborhood = Neighborhood {
             surface: &sample.surface,
-            places: &places,
+            coords: &coords,
             vertex: vertex as u32,
             corners: &corners,
         };
         if let Some(ahead) = model.ahead(vertex as u32) {
             ahead.look_ahead(&around(&neighborhood));
         }
-        let actual = if C::READS { [0; 3] } else { sample.places[vertex] };
-        places[vertex] = model.code(coder, &neighborhood, actual);
+        let actual = if C::READS { [0; 3] } else { sample.coords[vertex] };
+        coords[vertex] = model.code(coder, &neighborhood, actual);
     }
-    places
+    coords
 }
 
-fn write(sample: &Sample, kind: (Effort, StreamVersion), unseen: [i32; 3]) -> Vec<u8> {
+fn write(sample: &Sample, kind: (Effort, StreamVersion), unknown: [i32; 3]) -> Vec<u8> {
     let mut writer = RangeWriter::new();
-    assert_eq!(code(&mut writer, sample, kind, unseen), sample.places);
+    assert_eq!(code(&mut writer, sample, kind, unknown), sample.coords);
     writer.finish().0
 }
 
 #[test]
-fn places_of_all_sizes_come_back() {
+fn decodes_coordinates_of_all_magnitudes() {
     for kind in KINDS {
         for (at, sample) in samples_for(kind).iter().enumerate() {
             let bytes = write(sample, kind, [0; 3]);
-            let places = code(&mut RangeReader::new(&bytes, true), sample, kind, [1; 3]);
-            assert_eq!(places, sample.places, "sample {at}, {kind:?}");
+            let coords = code(&mut RangeReader::new(&bytes, true), sample, kind, [1; 3]);
+            assert_eq!(coords, sample.coords, "sample {at}, {kind:?}");
         }
     }
 }
 
 #[test]
-fn nothing_is_seen_before_its_time() {
+fn later_coordinates_have_no_influence() {
     for kind in KINDS {
         for (at, sample) in samples_for(kind).iter().enumerate() {
             let expected = write(sample, kind, [0; 3]);
@@ -132,7 +133,7 @@ fn nothing_is_seen_before_its_time() {
 }
 
 #[test]
-fn any_bytes_give_places() {
+fn random_bytes_give_coordinates() {
     let mut random = Random::new(6);
     // The caller of the model that predicts ahead stops at positions outside the grid, so it is never
     // called after them.
@@ -168,14 +169,14 @@ fn more_effort_takes_fewer_bytes() {
 }
 
 #[test]
-fn bytes_are_the_same_everywhere() {
+fn bytes_are_the_same_on_every_machine() {
     let samples = samples();
     let found = KINDS.map(|kind| crc32fast::hash(&write(&samples[0], kind, [0; 3])));
     assert_eq!(found, [541_360_663, 4_176_046_866, 815_267_749, 1_581_675_626, 1_206_542_486]);
 }
 
 #[test]
-fn errors_follow_their_vertices_to_new_numbers() {
+fn renumbering_keeps_the_errors_of_vertices() {
     let mut model = MixedModel::<4, 1, 1, CellModel>::new([[5], [4]]);
     model.errors = vec![[1, 2], [3, 4], [5, 6]];
     model.renumber(&[2, NONE, 0]);

@@ -61,7 +61,9 @@ pub struct StreamDecoder {
     waiting: Vec<u8>,
     /// Number of bytes decoded so far.
     read: u64,
+    /// The decoded head, once it has arrived.
     head: Option<Head>,
+    /// The refinement loop, once the base mesh has been decoded.
     refiner: Option<Box<Refiner>>,
     /// Number of chunks decoded so far.
     chunk_count: usize,
@@ -138,7 +140,10 @@ impl StreamDecoder {
             return Ok(());
         }
         let offset = self.read as usize;
-        Err(DecodeError::Malformed { offset, reason: "reading has ended here" })
+        Err(DecodeError::Malformed {
+            offset,
+            reason: "the decoder accepts no more bytes after an error or after finish",
+        })
     }
 
     /// Decodes as much as possible of the last, incomplete chunk, without verifying its checksum. No more
@@ -270,6 +275,7 @@ impl StreamDecoder {
         }
     }
 
+    /// Returns the mesh decoded so far.
     fn growth(&self) -> Option<&Growth> {
         self.refiner.as_ref().map(|refiner| &refiner.level.growth)
     }

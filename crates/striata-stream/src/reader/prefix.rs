@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn the_finest_level_within_a_budget() {
+    fn finds_the_finest_level_within_a_budget() {
         let counts = [0, 1, 2, 3, 4, 9].map(|count| SQUARE.split_count_for_triangles(count));
         assert_eq!(counts, [0, 0, 1, 1, 2, 2]);
         assert_eq!(PrefixMesh::default().split_count_for_triangles(5), 0);

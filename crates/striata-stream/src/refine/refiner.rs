@@ -39,10 +39,15 @@ pub(crate) enum Ended {
 /// A surface under refinement, with all models.
 #[derive(Clone, Debug)]
 pub(crate) struct Refiner {
+    /// The mesh and surface refined so far.
     pub(crate) level: Level,
+    /// The adaptive models.
     pub(crate) models: Models,
+    /// Progress within the current batch.
     pub(crate) batch: Batch,
+    /// Limits that the stream must respect.
     pub(crate) limits: Limits,
+    /// The splits that are currently being coded.
     pub(super) stretch: Stretch,
 }
 

@@ -39,7 +39,7 @@ pub(crate) trait Plan {
     fn cut(&self, vertex: u32) -> Option<Cut>;
 
     /// Returns the grid coordinates of a vertex.
-    fn place(&self, vertex: u32) -> [i32; 3];
+    fn coords(&self, vertex: u32) -> [i32; 3];
 
     /// Returns the exact position of a vertex, in mesh units.
     fn exact(&self, vertex: u32) -> [f32; 3];

@@ -52,9 +52,9 @@ impl Refiner {
     ) -> Result<Ended, StreamDefect> {
         let Self { level, models, stretch, .. } = self;
         let corners = &stretch.corners;
-        let neighborhood = Neighborhood { surface: &level.surface, places: &level.places, vertex, corners };
+        let neighborhood = Neighborhood { surface: &level.surface, coords: &level.places, vertex, corners };
         coder.part(Part::Positions);
-        let actual = source.plan().map_or([0; 3], |plan| plan.place(vertex));
+        let actual = source.plan().map_or([0; 3], |plan| plan.coords(vertex));
         let place = models.positions.code(coder, &neighborhood, actual);
         if !level.grid.holds(place) {
             let position = level.growth.first_vertex.len() - 1;

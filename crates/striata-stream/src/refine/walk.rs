@@ -51,6 +51,7 @@ pub(crate) struct Walk {
     order: WalkOrder,
     /// For each vertex: four times the batch in which it was last seen, plus its state in that batch.
     seen: Vec<u32>,
+    /// Number of the current batch, starting from 1.
     batch: u32,
     /// Breadth first: the vertices waiting to be visited. Otherwise: all vertices that are not virtual.
     queue: Vec<u32>,
@@ -66,8 +67,11 @@ pub(crate) struct Walk {
     is_renumbered: bool,
 }
 
+/// State of a vertex that waits in the queue, as stored in `Walk::seen`.
 const QUEUED: u32 = 0;
+/// State of a visited vertex that does not split.
 const STAYS: u32 = 1;
+/// State of a visited vertex that splits.
 const SPLITS: u32 = 2;
 
 impl Walk {

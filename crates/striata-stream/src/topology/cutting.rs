@@ -80,10 +80,12 @@ fn join(triangles: &[[u32; 3]], is_locked: &mut [bool]) -> Vec<u32> {
     opposite
 }
 
+/// Next corner of the triangle; corners are numbered three per triangle here.
 fn next(c: u32) -> u32 {
     if c % 3 == 2 { c - 2 } else { c + 1 }
 }
 
+/// Previous corner of the triangle.
 fn previous(c: u32) -> u32 {
     if c.is_multiple_of(3) { c + 2 } else { c - 1 }
 }

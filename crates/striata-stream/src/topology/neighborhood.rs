@@ -9,7 +9,7 @@ pub(crate) struct Neighborhood<'a> {
     pub(crate) surface: &'a Surface,
     /// Grid coordinates of the vertices below `vertex`; later entries are meaningless. Virtual vertices
     /// have none.
-    pub(crate) places: &'a [[i32; 3]],
+    pub(crate) coords: &'a [[i32; 3]],
     /// Index of the new vertex.
     pub(crate) vertex: u32,
     /// Corners at the vertex, counter-clockwise: first the one in triangle A, whose next vertex is the
@@ -20,7 +20,7 @@ pub(crate) struct Neighborhood<'a> {
 impl Neighborhood<'_> {
     /// Returns the grid coordinates of a vertex if both sides know them.
     #[inline]
-    pub(crate) fn place(&self, vertex: u32) -> Option<[i32; 3]> {
-        (vertex < self.vertex && !self.surface.is_virtual(vertex)).then(|| self.places[vertex as usize])
+    pub(crate) fn coords_of(&self, vertex: u32) -> Option<[i32; 3]> {
+        (vertex < self.vertex && !self.surface.is_virtual(vertex)).then(|| self.coords[vertex as usize])
     }
 }

@@ -14,7 +14,9 @@ const SHORT_RING: usize = 16;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rings {
     corners: Vec<u32>,
+    /// End of each vertex's corners in that list.
     ends: Vec<u32>,
+    /// Neighbor of each corner, once looked up.
     neighbors: Vec<Neighbor>,
 }
 
@@ -88,7 +90,7 @@ impl Rings {
     }
 
     /// Returns the neighbors of one of the vertices in the order of its corners, after
-    /// [`look_up_neighbors`](Self::look_up_neighbors).
+    /// [`look`](Self::look).
     #[inline]
     pub(crate) fn neighbors(&self, at: usize) -> &[Neighbor] {
         &self.neighbors[self.range(at)]

@@ -16,6 +16,7 @@
 /// Marks a missing corner, vertex or label.
 pub(crate) const NONE: u32 = u32::MAX;
 
+/// A corner of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Corner {
     vertex: u32,
@@ -66,6 +67,7 @@ pub(crate) fn triangle_of(corner: u32) -> u32 {
 pub(crate) struct Surface {
     /// Four entries for each triangle: its corners, and one that stores the triangle's mark and label.
     corners: Vec<Corner>,
+    /// A corner of each vertex.
     corner_of: Vec<u32>,
     virtual_count: u32,
 }

@@ -26,7 +26,7 @@ const OUTCOMES: usize = 4;
 /// Classes for the number of hidden vertices of a position: none, one, more.
 const HIDDEN: usize = 3;
 /// Number of list positions that have their own probabilities.
-const PLACES: usize = 6;
+const LIST_INDICES: usize = 6;
 /// Maximum number of wedges of the new position that version 2 offers one by one.
 const MOST_OFFERED: usize = 16;
 
@@ -34,12 +34,13 @@ const MOST_OFFERED: usize = 16;
 #[derive(Clone, Debug)]
 pub(crate) struct WedgeModel {
     version: StreamVersion,
+    /// Number of vertices in the full mesh.
     vertex_count: u32,
     /// Whether a corner of the patch refers to the same wedge as the previous one, by whether that holds
     /// at the ring and by the flag of the previous corner.
     continues: [AdaptiveBit; 2 * 3],
     /// Whether it refers to another existing wedge, by index in the list of candidates.
-    is_other: [AdaptiveBit; PLACES],
+    is_other: [AdaptiveBit; LIST_INDICES],
     /// Whether it refers to a wedge beyond the end of that list.
     is_older: AdaptiveBit,
     /// Whether the corners of A and B refer to the same wedge as the patch next to them, by the outcome
@@ -49,11 +50,12 @@ pub(crate) struct WedgeModel {
     is_guess: [AdaptiveBit; GUESSES * OUTCOMES * HIDDEN * 2],
     /// Whether a hidden vertex is coded, and which.
     is_hidden: [AdaptiveBit; VALUE_KINDS * HIDDEN],
-    is_this: [AdaptiveBit; VALUE_KINDS * PLACES],
+    is_this: [AdaptiveBit; VALUE_KINDS * LIST_INDICES],
     /// Whether more wedges without corners follow, by the number of wedges with corners, whether each
     /// corner has its own wedge, how many have followed, and how many vertices of the kept position are
     /// hidden.
     has_more: [AdaptiveBit; 8 * 2 * 4 * HIDDEN],
+    /// Vertices that no corner refers to yet.
     hidden: HiddenWedges,
     /// In a writer, the wedge of each source vertex at this position.
     wedge_of: HashMap<u32, u32>,
@@ -116,12 +118,12 @@ impl WedgeModel {
             version,
             vertex_count,
             continues: [bit; 2 * 3],
-            is_other: [bit; PLACES],
+            is_other: [bit; LIST_INDICES],
             is_older: bit,
             joins_patch: [bit; OUTCOMES * 2],
             is_guess: [bit; GUESSES * OUTCOMES * HIDDEN * 2],
             is_hidden: [bit; VALUE_KINDS * HIDDEN],
-            is_this: [bit; VALUE_KINDS * PLACES],
+            is_this: [bit; VALUE_KINDS * LIST_INDICES],
             has_more: [bit; 8 * 2 * 4 * HIDDEN],
             hidden: HiddenWedges::default(),
             wedge_of: HashMap::new(),
@@ -165,10 +167,10 @@ impl WedgeModel {
         let key = key + GUESSES * (outcome * HIDDEN + class);
         let knows_corners = !self.is_first_version() && !kind.is_group();
         let mut tried = NONE;
-        for (place, guess) in guesses.into_iter().enumerate() {
+        for (index, guess) in guesses.into_iter().enumerate() {
             let Some(guess) = guess.filter(|guess| all.contains(guess) && *guess != tried) else { continue };
             let is_lone = knows_corners && self.hidden.is_lone(guess);
-            let key = key + place + GUESSES * OUTCOMES * HIDDEN * usize::from(is_lone);
+            let key = key + index + GUESSES * OUTCOMES * HIDDEN * usize::from(is_lone);
             if self.is_guess[key].code(coder, guess == actual) {
                 return guess;
             }
@@ -202,12 +204,12 @@ impl WedgeModel {
         }
         let offered = self.hidden.found().iter().filter(|vertex| !guesses.contains(&Some(**vertex)));
         let last = *offered.clone().next_back()?;
-        let is_meant = offered.clone().any(|vertex| *vertex == actual);
-        if !self.is_hidden[kind as usize * HIDDEN + class].code(coder, is_meant) {
+        let is_offered = offered.clone().any(|vertex| *vertex == actual);
+        if !self.is_hidden[kind as usize * HIDDEN + class].code(coder, is_offered) {
             return None;
         }
-        for (place, &vertex) in offered.enumerate() {
-            let bit = &mut self.is_this[kind as usize * PLACES + place.min(PLACES - 1)];
+        for (index, &vertex) in offered.enumerate() {
+            let bit = &mut self.is_this[kind as usize * LIST_INDICES + index.min(LIST_INDICES - 1)];
             if vertex == last || bit.code(coder, vertex == actual) {
                 return Some(vertex);
             }
@@ -377,15 +379,15 @@ impl WedgeModel {
         out: &SplitWedges,
     ) -> Option<u32> {
         let older_count = out.targets.len().saturating_sub(MOST_OFFERED);
-        let mut place = 0;
+        let mut index = 0;
         for wedge in (older_count..out.targets.len()).rev() {
             if out.targets[wedge] != target || excluded == Some(wedge as u32) {
                 continue;
             }
-            if self.is_other[place].code(coder, out.named[wedge] == actual) {
+            if self.is_other[index].code(coder, out.named[wedge] == actual) {
                 return Some(wedge as u32);
             }
-            place = (place + 1).min(PLACES - 1);
+            index = (index + 1).min(LIST_INDICES - 1);
         }
         if older_count == 0 {
             return None;

@@ -11,9 +11,9 @@ use crate::refine::parameters::StreamParameters;
 use crate::refine::refiner::Refiner;
 use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
-use crate::writer::reference_mesh::{Points, ReferenceMesh, base_of};
+use crate::writer::reference_mesh::{ReferenceMesh, VertexData, base_of};
 
-/// Maximum number of splits per chunk, the unit of checksums and of random access.
+/// Maximum number of splits per chunk, the unit of checksums and of requests.
 const CHUNK_SPLITS: usize = 4096;
 /// Number of splits in the first chunk, so that a first picture appears quickly.
 const FIRST_SPLITS: usize = 256;
@@ -50,7 +50,7 @@ pub(crate) struct Chunks {
 pub(crate) fn encode_chunks(
     refinable: &RefinableMesh,
     (descent, batches): (&Descent, &[u32]),
-    (points, parameters): (&Points, &StreamParameters),
+    (points, parameters): (&VertexData, &StreamParameters),
 ) -> Result<Chunks, BatchDefect> {
     let (base, reference) = base_of(descent, batches, points, refinable);
     let parameters = StreamParameters {

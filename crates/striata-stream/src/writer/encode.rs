@@ -14,7 +14,7 @@ use crate::refine::parameters::StreamParameters;
 use crate::writer::chunks::{Chunks, check_batches, encode_chunks};
 use crate::writer::defect::BatchDefect;
 use crate::writer::descent::Descent;
-use crate::writer::reference_mesh::Points;
+use crate::writer::reference_mesh::VertexData;
 
 /// How precisely positions are stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -198,7 +198,7 @@ pub fn encode_stream(
         return Err(StreamError::Numbers { number_count });
     }
     let points = points_of(refinable, &grid, &forms);
-    let position_count = points.places.len() as u32;
+    let position_count = points.coords.len() as u32;
     let parameters = StreamParameters {
         version: options.version,
         has_general: false,
@@ -256,7 +256,7 @@ fn grid_of(mesh: &IndexedMesh, precision: Precision) -> Result<PositionGrid, Gri
 }
 
 /// Quantizes the positions and layers of a mesh.
-fn points_of(refinable: &RefinableMesh, grid: &PositionGrid, forms: &[LayerForm]) -> Points {
+fn points_of(refinable: &RefinableMesh, grid: &PositionGrid, forms: &[LayerForm]) -> VertexData {
     let positions = refinable.sequence.positions();
     let exact: Vec<[f32; 3]> = (0..positions.position_count() as u32)
         .map(|p| refinable.mesh.positions[positions.first_vertex(p) as usize])
@@ -264,7 +264,7 @@ fn points_of(refinable: &RefinableMesh, grid: &PositionGrid, forms: &[LayerForm]
     let layers = refinable.mesh.layers.iter().zip(forms);
     let layers =
         layers.map(|(layer, form)| LayerValues::from_integers(form.integers(layer), form.integer_count()));
-    Points { places: exact.iter().map(|&p| grid.quantize(p)).collect(), exact, layers: layers.collect() }
+    VertexData { coords: exact.iter().map(|&p| grid.quantize(p)).collect(), exact, layers: layers.collect() }
 }
 
 /// Assembles the head of the stream.

@@ -12,8 +12,9 @@ use crate::writer::general_stage::GeneralStage;
 /// Steps of a stage that remain to be coded.
 #[derive(Debug, Default)]
 pub(crate) struct GeneralOrder {
-    /// Steps that depend on each step, and the number of steps that each one still waits for.
+    /// Steps that depend on each step.
     followers: Vec<Vec<u32>>,
+    /// Number of steps that each step still waits for.
     waits_for: Vec<u32>,
     /// Steps that no longer wait, ordered by the position that splits.
     ready: BTreeSet<(u32, u32)>,

@@ -36,8 +36,11 @@ pub(crate) struct GeneralStage {
 
 /// Corners of triangles by position, as linked lists that may contain removed triangles.
 struct Incidence {
+    /// First corner in the list of each position.
     first: Vec<u32>,
+    /// Next corner in the same list.
     next: Vec<u32>,
+    /// Whether each triangle has been removed.
     is_removed: Vec<bool>,
     /// Number of corners at each position, without removed triangles.
     counts: Vec<u32>,
@@ -62,6 +65,7 @@ impl Incidence {
         incidence
     }
 
+    /// Adds a corner to the list of a position.
     fn push(&mut self, position: u32, corner: u32) {
         let first = &mut self.first[position as usize];
         self.next[corner as usize] = std::mem::replace(first, corner);

@@ -15,9 +15,9 @@ use crate::writer::general_order::GeneralOrder;
 use crate::writer::surface_stage::SurfaceStage;
 
 /// Positions and attributes of the mesh to encode.
-pub(crate) struct Points {
+pub(crate) struct VertexData {
     /// Grid coordinates of each position.
-    pub(crate) places: Vec<[i32; 3]>,
+    pub(crate) coords: Vec<[i32; 3]>,
     /// Exact coordinates of each position, in mesh units.
     pub(crate) exact: Vec<[f32; 3]>,
     /// Integers of all vertices, layer by layer.
@@ -34,6 +34,7 @@ struct RotatedTriangle {
 }
 
 impl RotatedTriangle {
+    /// A virtual triangle.
     const VIRTUAL: Self = Self { triangle: NONE, turn: 0 };
 
     /// Returns the mesh's corner for a corner of the reader's triangle.
@@ -56,8 +57,9 @@ pub(crate) struct ReferenceMesh<'a> {
     current_step: u32,
     /// Split counts at which batches begin, followed by the number of steps.
     batches: &'a [u32],
+    /// Number of batches begun so far.
     batch: usize,
-    points: &'a Points,
+    points: &'a VertexData,
     refinable: &'a RefinableMesh,
     /// For each triangle of the stage's surface, the reader's corner that is its first one.
     corners: Vec<u32>,
@@ -67,6 +69,7 @@ pub(crate) struct ReferenceMesh<'a> {
     positions: Vec<u32>,
     /// For each of the reader's vertices, the step that splits it in this batch.
     step_at: Vec<u32>,
+    /// Index of the next triangle of the reader's surface.
     next_triangle: u32,
     /// The triangles of the reader's surface, and those of its mesh.
     surface_triangles: Vec<RotatedTriangle>,
@@ -75,6 +78,7 @@ pub(crate) struct ReferenceMesh<'a> {
     index_of: Vec<u32>,
     /// Current vertices of the corners of each triangle of the mesh.
     shown: Vec<[u32; 3]>,
+    /// Group of each triangle of the mesh.
     group_of: Vec<u32>,
     has_wedges: bool,
     /// Vertices and triangles of the first stage's surface that belong to the base, in the writer's
@@ -97,11 +101,11 @@ pub(crate) struct ReferenceMesh<'a> {
 pub(crate) fn base_of<'a>(
     descent: &'a Descent,
     batches: &'a [u32],
-    points: &'a Points,
+    points: &'a VertexData,
     refinable: &'a RefinableMesh,
 ) -> (Base, ReferenceMesh<'a>) {
     let base_position_count = refinable.sequence.base_position_count() as u32;
-    let position_count = points.places.len();
+    let position_count = points.coords.len();
     let mut reference = ReferenceMesh {
         descent,
         stage: 0,
@@ -148,7 +152,7 @@ pub(crate) fn base_of<'a>(
         position_of_copy: copies.iter().map(|&copy| stage.position_of_copy[copy as usize]).collect(),
         triangles: reference.base_triangles.iter().map(corners_of).collect(),
         opposite,
-        places: points.places[..base_position_count as usize].to_vec(),
+        places: points.coords[..base_position_count as usize].to_vec(),
         ..Base::default()
     };
     (base, reference)
@@ -190,6 +194,7 @@ impl<'a> ReferenceMesh<'a> {
         self.order.len() == self.batches[self.batch] as usize
     }
 
+    /// Returns the current stage if it is a surface stage.
     fn surface_stage(&self) -> Option<&'a SurfaceStage> {
         match self.descent.stages.get(self.stage) {
             Some(Stage::Surface(stage)) => Some(stage),
@@ -211,11 +216,13 @@ impl<'a> ReferenceMesh<'a> {
         }
     }
 
+    /// Appends a triangle to the reader's mesh.
     fn push_mesh_triangle(&mut self, rotated: RotatedTriangle) {
         self.index_of[rotated.triangle as usize] = self.mesh_triangles.len() as u32;
         self.mesh_triangles.push(rotated);
     }
 
+    /// Gives a position the next index of the reader.
     fn push_position(&mut self, position: u32) {
         let base = self.refinable.sequence.base_position_count();
         self.index_of_position[position as usize] = (base + self.order.len()) as u32;
@@ -229,6 +236,7 @@ impl<'a> ReferenceMesh<'a> {
         self.index_of_position.get(vertex as usize).copied().unwrap_or(NONE)
     }
 
+    /// Returns the position of a vertex of the mesh.
     fn position_of(&self, vertex: u32) -> u32 {
         self.refinable.sequence.positions().position_of(vertex)
     }
@@ -307,8 +315,8 @@ impl Plan for ReferenceMesh<'_> {
         Some(Cut { first, length: cut.length })
     }
 
-    fn place(&self, vertex: u32) -> [i32; 3] {
-        self.points.places[self.positions[vertex as usize] as usize]
+    fn coords(&self, vertex: u32) -> [i32; 3] {
+        self.points.coords[self.positions[vertex as usize] as usize]
     }
 
     fn exact(&self, vertex: u32) -> [f32; 3] {
@@ -450,7 +458,7 @@ impl CodingObserver for ReferenceMesh<'_> {
             born: stage.removed(undo).iter().map(|&t| self.known_born(t, [position, undo.target])).collect(),
             targets: wedges.clone().map(|w| self.stream_vertex(self.refinable.sequence.target(w))).collect(),
             wedges,
-            place: self.points.places[position as usize],
+            place: self.points.coords[position as usize],
             exact: self.points.exact[position as usize],
         }
     }

@@ -19,6 +19,7 @@ pub(crate) struct SurfaceStage {
     /// Number of copies that are the first of their position. They precede the other copies and are in
     /// ascending order.
     first_copy_count: usize,
+    /// Whether each position must not be removed.
     is_locked: Vec<bool>,
     /// For each vertex, the last batch, counted from 1, in which another vertex collapsed to it.
     kept_in: Vec<u32>,
