@@ -2,7 +2,7 @@
 //!
 //! A direction is predicted from the directions around it and from the geometry: their mean, their affine
 //! fit, the normal of the surrounding triangles, and the neighbors' directions **mirrored** at the plane
-//! that bisects the edge to them. On a circular arc the mirrored direction is exact, regardless of where
+//! perpendicular to the edge to them. On a circular arc the mirrored direction is exact, regardless of where
 //! on the arc the vertex lies. For each degree of conflict between geometry and neighbors, the model uses
 //! the prediction, or learned sum of predictions, that did best recently. If they agree, geometry is
 //! usually best; if not, the mean is.

@@ -23,7 +23,7 @@ use crate::positions::PositionModel;
 use crate::topology::surface::NONE;
 use crate::wedges::model::WedgeModel;
 
-/// Maximum number of splits whose connectivity is coded before their values; a reader sees new vertices
+/// Maximum number of splits whose connectivity is coded before their values; a reader outputs new vertices
 /// only after a whole run.
 const STRETCH: usize = 1024;
 

@@ -37,7 +37,7 @@ pub enum BatchDefect {
     },
     /// A position of the base mesh is not used by any triangle.
     #[error("position {position} of the base mesh is not used by any triangle")]
-    Lonely {
+    UnusedPosition {
         /// Index of the position.
         position: usize,
     },

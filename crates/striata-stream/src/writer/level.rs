@@ -39,7 +39,7 @@ impl LevelTriangles {
 /// Checks that every position of the base is used, since the base is coded by its triangles.
 ///
 /// # Errors
-/// [`BatchDefect::Lonely`] with the first unused position.
+/// [`BatchDefect::UnusedPosition`] with the first unused position.
 pub(crate) fn check_base(level: &LevelTriangles, refinable: &RefinableMesh) -> Result<(), BatchDefect> {
     let mut is_used = vec![false; refinable.sequence.base_position_count()];
     for &triangle in &level.alive {
@@ -47,7 +47,7 @@ pub(crate) fn check_base(level: &LevelTriangles, refinable: &RefinableMesh) -> R
     }
     match is_used.iter().position(|is_used| !is_used) {
         None => Ok(()),
-        Some(position) => Err(BatchDefect::Lonely { position }),
+        Some(position) => Err(BatchDefect::UnusedPosition { position }),
     }
 }
 
